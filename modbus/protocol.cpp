@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// The explanation of every enumeration value; generated documents and the C header are printed from here.
+#include "modbus/protocol.h"
+
+#include <algorithm>
+
+namespace campanel::modbus {
+namespace {
+
+template <typename E> constexpr EnumValue entry(E value, std::string_view name, std::string_view text)
+{
+    return {name, static_cast<std::uint16_t>(value), text};
+}
+
+constexpr std::array states{
+    entry(State::Idle, "Idle", "No active program."),
+    entry(State::Ready, "Ready", "An active program, standing still."),
+    entry(State::Running, "Running", "Executing the active table."),
+    entry(State::Stopping, "Stopping", "Ramping down, to the end of the cycle or at once."),
+    entry(State::Jogging, "Jogging", "Moving while a jog bit is held."),
+    entry(State::Homing, "Homing", "Looking for the knife's index mark."),
+    entry(State::Fault, "Fault", "Stopped by a fault; see status.fault, then reset."),
+};
+
+constexpr std::array programKinds{
+    entry(ProgramKind::None, "None", "Nothing."),
+    entry(ProgramKind::RotaryCutter, "RotaryCutter", "Rotary cutter cam as a step table."),
+};
+
+constexpr std::array stagedStates{
+    entry(StagedState::Empty, "Empty", "The shadow bank holds nothing."),
+    entry(StagedState::Receiving, "Receiving", "A transfer is under way or was interrupted."),
+    entry(StagedState::Sealed, "Sealed", "Complete and checked; may be applied."),
+    entry(StagedState::Armed, "Armed", "Becomes active at the next cycle boundary."),
+};
+
+constexpr std::array commands{
+    entry(Command::None, "None", "No command yet."),
+    entry(Command::Start, "Start", "Run the active table, ramping up from standstill."),
+    entry(Command::StopAtCycleEnd, "StopAtCycleEnd",
+          "Ramp down so that the motion ends at a cycle boundary."),
+    entry(Command::StopNow, "StopNow", "Ramp down at once; the cam phase is kept."),
+    entry(Command::Home, "Home", "Turn slowly to the knife's index mark and call it zero."),
+    entry(Command::ResetFault, "ResetFault", "Leave Fault when its cause is gone."),
+    entry(Command::ApplyStaged, "ApplyStaged",
+          "argument0 = ApplyMode, argument1 = transfer session, argument2 = CRC-32 of the staged bytes."),
+    entry(Command::CancelApply, "CancelApply",
+          "Disarm: the staged bank stays sealed, the active one active."),
+    entry(Command::DiscardStaged, "DiscardStaged", "Empty the shadow bank."),
+    entry(Command::SaveToFlash, "SaveToFlash",
+          "Write active bank and parameters to the older flash slot; argument2 = active CRC-32."),
+    entry(Command::SetClock, "SetClock", "argument2 = seconds since 1970-01-01 UTC."),
+};
+
+constexpr std::array applyModes{
+    entry(ApplyMode::WhenStopped, "WhenStopped", "Swap at once; refused unless standing still."),
+    entry(ApplyMode::NextCycle, "NextCycle", "Swap at the next cycle boundary, at once when standing still."),
+};
+
+constexpr std::array commandStatuses{
+    entry(CommandStatus::None, "None", "No command received since power-up."),
+    entry(CommandStatus::Done, "Done", "Accepted and carried out, or started where it takes time."),
+    entry(CommandStatus::Refused, "Refused", "Not carried out; result.reason says why."),
+};
+
+constexpr std::array refusals{
+    entry(Refusal::None, "None", "Not refused."),
+    entry(Refusal::UnknownCommand, "UnknownCommand", "The controller does not know this command."),
+    entry(Refusal::NoActiveProgram, "NoActiveProgram", "No program is active; download one first."),
+    entry(Refusal::AlreadyRunning, "AlreadyRunning", "The machine is already moving."),
+    entry(Refusal::NotRunning, "NotRunning", "The machine is not running."),
+    entry(Refusal::InFault, "InFault", "The controller is in fault; reset the fault first."),
+    entry(Refusal::NotStandstill, "NotStandstill", "Only allowed at standstill; stop the machine first."),
+    entry(Refusal::NothingSealed, "NothingSealed", "No sealed program is staged."),
+    entry(Refusal::WrongSession, "WrongSession", "The staged program belongs to another transfer session."),
+    entry(Refusal::WrongChecksum, "WrongChecksum", "The CRC-32 named is not that of the bytes held."),
+    entry(Refusal::MachineDataDiffers, "MachineDataDiffers",
+          "Knife radius, number of knives or pulses per revolution differ; they change only at standstill."),
+    entry(Refusal::NotArmed, "NotArmed", "No change is armed."),
+    entry(Refusal::NotHomed, "NotHomed", "The knife has not been homed since power-up."),
+    entry(Refusal::FlashFailed, "FlashFailed",
+          "The flash could not be written; the saved program is unchanged."),
+    entry(Refusal::NoFault, "NoFault", "There is no fault to reset."),
+    entry(Refusal::BadArgument, "BadArgument", "An argument is outside its range."),
+    entry(Refusal::FaultPersists, "FaultPersists", "The cause of the fault is still there."),
+    entry(Refusal::HeartbeatLost, "HeartbeatLost", "No panel heartbeat; reconnect first."),
+};
+
+constexpr std::array transferOperations{
+    entry(TransferOperation::None, "None", "No transfer since power-up."),
+    entry(TransferOperation::Begin, "Begin", "data = ProgramKind, registers in all, map major version."),
+    entry(TransferOperation::Block, "Block",
+          "transfer.length registers of data at block * identity.block_registers."),
+    entry(TransferOperation::Seal, "Seal", "Check every row, compute the CRC-32."),
+};
+
+constexpr std::array transferResults{
+    entry(TransferResult::None, "None", "No transfer since power-up."),
+    entry(TransferResult::Accepted, "Accepted", "Done."),
+    entry(TransferResult::WrongSession, "WrongSession", "The transfer under way has another session id."),
+    entry(TransferResult::NotReceiving, "NotReceiving", "No transfer has begun."),
+    entry(TransferResult::BadBlock, "BadBlock", "Block number outside the announced length."),
+    entry(TransferResult::BadLength, "BadLength", "Length is zero, too long, or not that of the block."),
+    entry(TransferResult::WrongMapVersion, "WrongMapVersion",
+          "The panel was built for another register map."),
+    entry(TransferResult::KindNotSupported, "KindNotSupported", "This program kind cannot be executed here."),
+    entry(TransferResult::BlocksMissing, "BlocksMissing",
+          "Sealing needs every block; see transfer_result.next_missing."),
+    entry(TransferResult::BadHeader, "BadHeader", "A header field is outside its range."),
+    entry(TransferResult::BadRow, "BadRow", "Row transfer_result.detail is outside the timer's range."),
+    entry(TransferResult::BadSum, "BadSum", "The rows do not add up to the header's pulses or ticks."),
+    entry(TransferResult::StateRefuses, "StateRefuses", "An armed change must be cancelled first."),
+};
+
+constexpr std::array faultBits{
+    entry(FaultBit::FollowingError, "FollowingError",
+          "The axis lags more than parameter.following_error_limit."),
+    entry(FaultBit::ActiveTableDamaged, "ActiveTableDamaged", "The active table no longer has its CRC-32."),
+    entry(FaultBit::DriveNotFollowing, "DriveNotFollowing",
+          "No index mark found within two knife revolutions of homing."),
+};
+
+constexpr std::array warningBits{
+    entry(WarningBit::HeartbeatLost, "HeartbeatLost",
+          "The panel has not been heard for parameter.heartbeat_timeout."),
+    entry(WarningBit::NotHomed, "NotHomed", "Knife angle is not known since power-up; home first."),
+    entry(WarningBit::FlashSlotInvalid, "FlashSlotInvalid",
+          "A flash slot had a wrong CRC-32 at power-up; the other was used."),
+    entry(WarningBit::ClockNotSet, "ClockNotSet", "The clock has not been set since power-up."),
+};
+
+constexpr std::array jogBits{
+    entry(JogBit::Forward, "Forward", "Jog forward while set and the heartbeat advances."),
+    entry(JogBit::Reverse, "Reverse", "Jog backward while set and the heartbeat advances."),
+};
+
+constexpr std::array heartbeatLostActions{
+    entry(HeartbeatLostAction::RunOn, "RunOn", "Warn and run on."),
+    entry(HeartbeatLostAction::StopAtCycleEnd, "StopAtCycleEnd", "Warn and stop at the end of the cycle."),
+};
+
+constexpr std::array<EnumInfo, 13> infos{{
+    {"State", states},
+    {"ProgramKind", programKinds},
+    {"StagedState", stagedStates},
+    {"Command", commands},
+    {"ApplyMode", applyModes},
+    {"CommandStatus", commandStatuses},
+    {"Refusal", refusals},
+    {"TransferOperation", transferOperations},
+    {"TransferResult", transferResults},
+    {"FaultBit", faultBits},
+    {"WarningBit", warningBits},
+    {"JogBit", jogBits},
+    {"HeartbeatLostAction", heartbeatLostActions},
+}};
+
+} // namespace
+
+std::span<const EnumInfo> enumerations()
+{
+    return infos;
+}
+
+std::string_view enumText(std::string_view enumName, std::uint16_t value)
+{
+    for (const EnumInfo& info : enumerations()) {
+        if (info.name != enumName)
+            continue;
+        const auto found = std::ranges::find(info.values, value, &EnumValue::value);
+        return found == info.values.end() ? std::string_view{} : found->text;
+    }
+    return {};
+}
+
+} // namespace campanel::modbus

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rows of the register table. Addresses are written out so that a change of the map is seen in review;
+// the checks below refuse rows that overlap or go down.
+#include "modbus/register_map.h"
+
+#include <algorithm>
+
+namespace campanel::modbus {
+namespace {
+
+constexpr RegisterInfo ro16(std::string_view name, std::uint16_t address, std::string_view text,
+                            std::string_view enumName = {}, double scale = 1.0, std::string_view unit = {})
+{
+    return {name, address, RegisterType::U16, 1, Access::ReadOnly, scale, unit, 0, 0, 0, enumName, text};
+}
+
+constexpr RegisterInfo ro32(std::string_view name, std::uint16_t address, std::string_view text,
+                            double scale = 1.0, std::string_view unit = {})
+{
+    return {name, address, RegisterType::U32, 2, Access::ReadOnly, scale, unit, 0, 0, 0, {}, text};
+}
+
+constexpr RegisterInfo roI32(std::string_view name, std::uint16_t address, std::string_view text,
+                             std::string_view unit)
+{
+    return {name, address, RegisterType::I32, 2, Access::ReadOnly, 1.0, unit, 0, 0, 0, {}, text};
+}
+
+constexpr RegisterInfo roI16(std::string_view name, std::uint16_t address, std::string_view text,
+                             double scale, std::string_view unit)
+{
+    return {name, address, RegisterType::I16, 1, Access::ReadOnly, scale, unit, 0, 0, 0, {}, text};
+}
+
+constexpr RegisterInfo rw16(std::string_view name, std::uint16_t address, std::string_view text,
+                            std::string_view enumName = {}, double minimum = 0, double maximum = 65535,
+                            double defaultValue = 0, double scale = 1.0, std::string_view unit = {})
+{
+    return {name,    address,      RegisterType::U16, 1,   Access::ReadWrite, scale, unit, minimum,
+            maximum, defaultValue, enumName,          text};
+}
+
+constexpr RegisterInfo rw32(std::string_view name, std::uint16_t address, std::string_view text,
+                            double minimum, double maximum, double defaultValue, double scale = 1.0,
+                            std::string_view unit = {})
+{
+    return {name,  address, RegisterType::U32, 2,       Access::ReadWrite,
+            scale, unit,    minimum,           maximum, defaultValue,
+            {},    text};
+}
+
+constexpr RegisterInfo block(std::string_view name, std::uint16_t address, std::uint16_t count, Access access,
+                             std::string_view text)
+{
+    return {name, address, RegisterType::Block, count, access, 1.0, {}, 0, 0, 0, {}, text};
+}
+
+constexpr double max32 = 4294967295.0;
+
+constexpr std::array table{
+    ro16("identity.device_type", 0x0000, "0xCA3D on every CamPanel controller"),
+    ro16("identity.map_major", 0x0001,
+         "register-map version; a panel of another major version refuses to work"),
+    ro16("identity.map_minor", 0x0002, "a higher minor version only adds registers"),
+    ro16("identity.firmware_major", 0x0003, "firmware version"),
+    ro16("identity.firmware_minor", 0x0004, "firmware version"),
+    ro16("identity.firmware_patch", 0x0005, "firmware version"),
+    ro32("identity.unique_id_high", 0x0006, "unique id, upper half"),
+    ro32("identity.unique_id_low", 0x0008, "unique id, lower half"),
+    ro16("identity.program_kinds", 0x000A, "bit n set: program kind n can be executed", "ProgramKind"),
+    ro16("identity.row_capacity", 0x000B, "rows that a step table may have"),
+    ro16("identity.bank_registers", 0x000C, "registers that a bank holds, header included"),
+    ro16("identity.block_registers", 0x000D, "payload registers of one transfer block"),
+    ro32("identity.timer_clock", 0x000E, "clock of the pulse timer", 1.0, "Hz"),
+    ro16("identity.timer_bits", 0x0010, "width of the pulse timer"),
+    ro32("identity.max_pulse_frequency", 0x0011, "highest pulse frequency of the output stage", 1.0, "Hz"),
+    ro32("clock.unix_time", 0x0060, "seconds since 1970-01-01 UTC, 0 until set", 1.0, "s"),
+
+    rw16("parameter.heartbeat_timeout", 0x0080,
+         "silence of the panel after which the heartbeat counts as lost", {}, 200, 60000, 2000, 1.0, "ms"),
+    rw16("parameter.heartbeat_lost_action", 0x0081, "what a running machine does then", "HeartbeatLostAction",
+         0, 1, 0),
+    rw16("parameter.ramp_time", 0x0082, "time from standstill to full speed, and back", {}, 50, 10000, 800,
+         1.0, "ms"),
+    rw32("parameter.jog_frequency", 0x0083, "pulse frequency while jogging", 10, 20000, 1000, 1.0, "Hz"),
+    rw32("parameter.home_frequency", 0x0085, "pulse frequency while homing", 10, 20000, 2000, 1.0, "Hz"),
+    rw32("parameter.following_error_limit", 0x0087, "following error that becomes a fault", 10, 1000000, 3000,
+         1.0, "pulses"),
+
+    // Status block: the answer to the periodic FC23 exchange. 40 registers, so that 9600 baud still carries 8
+    // a second.
+    ro16("status.tag", 0x0100, "echo of exchange.tag"),
+    ro16("status.heartbeat", 0x0101, "echo of exchange.heartbeat"),
+    ro16("status.state", 0x0102, "what the controller is doing", "State"),
+    ro16("status.fault", 0x0103, "fault bits", "FaultBit"),
+    ro16("status.warning", 0x0104, "warning bits", "WarningBit"),
+    ro16("status.program_kind", 0x0105, "kind of the active program", "ProgramKind"),
+    ro16("status.staged_state", 0x0106, "state of the shadow bank", "StagedState"),
+    ro32("status.generation", 0x0107, "counts every program that became active since first power-up"),
+    ro32("status.active_crc", 0x0109, "CRC-32 of the active bank's bytes, 0 when there is none"),
+    ro32("status.saved_crc", 0x010B,
+         "CRC-32 of the bank in the newest valid flash slot, 0 when there is none"),
+    ro32("status.cycle_count", 0x010D, "cycles completed since power-up"),
+    ro16("status.master_angle", 0x010F, "position in the cycle", {}, 0.01, "deg"),
+    ro16("status.master_speed", 0x0110, "speed of the cycle against the table's: 100 % when not ramping", {},
+         0.01, "%"),
+    roI32("status.commanded_frequency", 0x0111, "pulse frequency sent to the drive", "Hz"),
+    roI32("status.actual_frequency", 0x0113, "encoder speed in pulses of the command", "Hz"),
+    roI32("status.commanded_position", 0x0115, "pulses sent since homing, lower 32 bits", "pulses"),
+    roI32("status.axis_position", 0x0117, "encoder position in pulses since homing, lower 32 bits", "pulses"),
+    roI16("status.following_error", 0x0119, "commanded minus actual, saturating", 1.0, "pulses"),
+    ro16("status.knife_angle", 0x011A, "knife angle from the encoder, 0 at the index mark", {}, 0.01, "deg"),
+    ro32("status.bag_length", 0x011B, "last bag as measured on the cut film; 0 until one was measured", 0.001,
+         "mm"),
+    roI16("status.bag_deviation", 0x011D, "last measured length minus set length, saturating", 0.001, "mm"),
+    ro32("status.bag_count", 0x011E, "bags cut since power-up"),
+    ro32("status.uptime", 0x0120, "time since power-up", 1.0, "s"),
+    ro16("status.command_counter", 0x0122, "counter of the last command received"),
+    ro16("status.link_crc_errors", 0x0123, "frames with a wrong CRC-16, wrapping"),
+    ro16("status.link_frame_errors", 0x0124, "frames cut short, too long or with a line error, wrapping"),
+    ro16("status.link_exceptions", 0x0125, "exception answers sent, wrapping"),
+    ro16("status.link_requests", 0x0126, "requests answered, wrapping"),
+    ro16("status.sample_time", 0x0127, "controller time at which this block was taken, wrapping", {}, 1.0,
+         "ms"),
+
+    rw16("exchange.tag", 0x0200, "any value that differs from the last one; comes back as status.tag"),
+    rw16("exchange.heartbeat", 0x0201, "must advance; jog dies 200 ms after it last did"),
+    rw16("exchange.jog", 0x0202, "held jog keys", "JogBit", 0, 3, 0),
+
+    rw16("command.counter", 0x0220, "a command whose counter equals result.counter is not carried out again"),
+    rw16("command.code", 0x0221, "what to do", "Command", 0, 10, 0),
+    rw16("command.argument0", 0x0222, "see the command"),
+    rw16("command.argument1", 0x0223, "see the command"),
+    rw32("command.argument2", 0x0224, "see the command", 0, max32, 0),
+    ro16("result.counter", 0x0230, "echo of command.counter"),
+    ro16("result.code", 0x0231, "echo of command.code", "Command"),
+    ro16("result.status", 0x0232, "outcome", "CommandStatus"),
+    ro16("result.reason", 0x0233, "why it was refused", "Refusal"),
+
+    rw16("transfer.session", 0x0240, "chosen by the panel at Begin; 0 is not allowed"),
+    rw16("transfer.operation", 0x0241, "what this frame does", "TransferOperation", 0, 3, 0),
+    rw16("transfer.block", 0x0242, "block number, from 0"),
+    rw16("transfer.length", 0x0243, "registers of data that count", {}, 0, blockRegisters, 0),
+    block("transfer.data", 0x0244, blockRegisters, Access::ReadWrite, "payload"),
+    ro16("transfer_result.session", 0x02C0, "session of the transfer under way, 0 when there is none"),
+    ro16("transfer_result.operation", 0x02C1, "echo of transfer.operation", "TransferOperation"),
+    ro16("transfer_result.block", 0x02C2, "echo of transfer.block"),
+    ro16("transfer_result.result", 0x02C3, "outcome", "TransferResult"),
+    ro16("transfer_result.detail", 0x02C4, "row or header register that was refused"),
+    ro16("transfer_result.next_missing", 0x02C5,
+         "lowest block not yet received; the number of blocks when all are here"),
+    ro32("transfer_result.staged_crc", 0x02C6, "CRC-32 of the sealed bytes, 0 until sealed"),
+
+    // Proven reading: written and read in one FC23, so that the answer carries the question.
+    rw16("readback.tag", 0x0300, "any value that differs from the last one"),
+    rw16("readback.address", 0x0301, "first register wanted"),
+    rw16("readback.count", 0x0302, "registers wanted", {}, 1, readbackRegisters, 1),
+    ro16("readback_result.tag", 0x0310, "echo of readback.tag"),
+    ro16("readback_result.address", 0x0311, "echo of readback.address"),
+    ro16("readback_result.count", 0x0312, "echo of readback.count, 0 when the range cannot be read"),
+    block("readback_result.data", 0x0313, readbackRegisters, Access::ReadOnly,
+          "the registers as they were when the question came"),
+
+    block("active", activeBankBase, bankRegisters, Access::ReadOnly, "the bank being executed; layout below"),
+    block("staged", stagedBankBase, bankRegisters, Access::ReadOnly, "the shadow bank; layout below"),
+};
+
+constexpr std::array bankTable{
+    ro16("bank.layout", 0, "layout version of the bank, 1"),
+    ro16("bank.kind", 1, "program kind", "ProgramKind"),
+    ro16("bank.row_count", 2, "rows that follow the header"),
+    ro32("bank.cycle_ticks", 3, "timer ticks of one cycle; the rows' ticks add up to it", 1.0, "ticks"),
+    ro32("bank.cycle_pulses", 5, "whole pulses of one cycle; the rows' pulses add up to it", 1.0, "pulses"),
+    ro32("bank.remainder", 7, "numerator of the fraction of a pulse that each cycle owes", 1.0, "pulses"),
+    ro32("bank.divisor", 9, "its denominator; 1 when there is no fraction"),
+    ro16("bank.carry_row", 11, "row that takes one pulse more whenever a whole one is owed"),
+    ro16("bank.cut_angle", 12, "master angle at which the knife closes", {}, 0.01, "deg"),
+    ro16("bank.sync_start", 13, "master angle at which knife and film start to move together", {}, 0.01,
+         "deg"),
+    ro16("bank.sync_end", 14, "master angle at which they stop doing so", {}, 0.01, "deg"),
+    ro32("program.knife_radius", 15, "knife-tip radius", 0.001, "mm"),
+    ro16("program.knives", 17, "knives on the shaft"),
+    ro32("program.pulses_per_motor_rev", 18, "pulses per motor revolution K", 1.0, "pulses"),
+    ro16("program.gear_numerator", 20, "motor revolutions per knife revolution Z, numerator"),
+    ro16("program.gear_denominator", 21, "Z, denominator"),
+    ro16("program.pinned", 22, "the two inputs: bit 0 bag length, 1 rate, 2 base speed, 3 film speed"),
+    ro32("program.bag_length", 23, "bag length L: film fed per cycle", 0.001, "mm"),
+    ro32("program.rate", 25, "bags per minute", 0.0001, "bags/min"),
+    ro32("program.base_speed", 27, "v_a", 0.001, "mm/s"),
+    ro32("program.film_speed", 29, "v_b", 0.001, "mm/s"),
+    ro32("program.sync_ratio", 31, "v_b over film speed", 0.000001),
+    ro32("program.k1", 33, "T / t_a", 0.000001),
+    ro32("program.k2", 35, "T / t_b", 0.000001),
+    ro32("program.k3", 37, "T / t_c", 0.000001),
+    ro32("program.k4", 39, "T / t_d", 0.000001),
+    ro16("program.law", 41, "speed law, numbered as in the law table"),
+    ro32("program.law_parameter1", 42, "first parameter of the law, 0 when it has none", 0.000001),
+    ro32("program.law_parameter2", 44, "second parameter of the law, 0 when it has none", 0.000001),
+    ro16("program.ramp_slices", 46, "slices per ramp of the step table"),
+    ro16("program.recipe_version", 47, "version of the recipe that this was built from"),
+    RegisterInfo{"program.recipe_name",
+                 48,
+                 RegisterType::Text,
+                 16,
+                 Access::ReadOnly,
+                 1.0,
+                 {},
+                 0,
+                 0,
+                 0,
+                 {},
+                 "name of the recipe"},
+    block("bank.rows", bankHeaderRegisters, rowRegisters* rowCapacity, Access::ReadOnly,
+          "row_count rows of three registers: pulses (u16), ticks (u32). Pulse j of a row comes floor(j * "
+          "ticks / pulses) ticks after "
+          "the row's start; a row without pulses is a pause"),
+};
+
+template <std::size_t N> consteval bool ascendsWithoutOverlap(const std::array<RegisterInfo, N>& rows)
+{
+    unsigned next = 0;
+    for (const RegisterInfo& row : rows) {
+        if (row.address < next || row.count == 0)
+            return false;
+        const bool wide = row.type == RegisterType::U32 || row.type == RegisterType::I32;
+        const bool narrow = row.type == RegisterType::U16 || row.type == RegisterType::I16;
+        if ((wide && row.count != 2) || (narrow && row.count != 1))
+            return false;
+        next = static_cast<unsigned>(row.address) + row.count;
+    }
+    return next <= 0x10000;
+}
+
+static_assert(ascendsWithoutOverlap(table));
+static_assert(ascendsWithoutOverlap(bankTable));
+
+} // namespace
+
+std::span<const RegisterInfo> registers()
+{
+    return table;
+}
+
+std::span<const RegisterInfo> bankFields()
+{
+    return bankTable;
+}
+
+const RegisterInfo* findRegister(std::string_view name)
+{
+    for (const std::span<const RegisterInfo> rows : {registers(), bankFields()}) {
+        const auto found = std::ranges::find(rows, name, &RegisterInfo::name);
+        if (found != rows.end())
+            return &*found;
+    }
+    return nullptr;
+}
+
+} // namespace campanel::modbus
