@@ -18,8 +18,10 @@ Card {
     signal accepted(real value)
     signal canceled()
 
+    // The height at which keys are 18 mm and the header has room.
+    readonly property int preferredHeight: 4 * Theme.size.commandKey + Theme.size.touch + Theme.size.padding
     readonly property int keyWidth: Math.min(Theme.size.commandKey, Math.floor((width - 2 * Theme.size.accent) / 4))
-    readonly property int keyHeight: Math.min(Theme.size.commandKey, Math.floor((height - header.height) / 4))
+    readonly property int keyHeight: Math.min(Theme.size.commandKey, Math.floor((height - header.height - Theme.size.spacing - Theme.size.accent) / 4))
     readonly property real typedValue: entry.value
     readonly property bool acceptable: entry.complete && refusal.length === 0
 
@@ -44,7 +46,7 @@ Card {
     Item {
         id: header
         anchors { left: parent.left; right: parent.right; top: parent.top; margins: Theme.size.padding; topMargin: Theme.size.spacing }
-        height: Theme.size.touch - Theme.size.padding
+        height: Math.max(Math.round(1.3 * (Theme.size.value + Theme.size.caption)), keypad.height - 4 * Theme.size.commandKey - 2 * Theme.size.accent - Theme.size.spacing)
 
         Label {
             id: caption

@@ -20,7 +20,10 @@ QtObject {
     readonly property IconCodes icon: IconCodes {}
     readonly property string iconFamily: "Material Design Icons"
     readonly property var locale: Qt.locale(theme.language)
+    readonly property font captionFont: Qt.font({ pixelSize: theme.size.caption })
     readonly property string unknownText: "--"
+
+    readonly property real dimmed: 0.55     // opacity of a key that cannot be used now
 
     readonly property int shortTime: theme.animated ? 120 : 0
     readonly property int longPressTime: 600
