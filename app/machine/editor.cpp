@@ -5,7 +5,10 @@
 
 namespace campanel::machine {
 
-Editor::Editor(QObject* parent) : QObject(parent) {}
+Editor::Editor(QObject* parent)
+    : QObject(parent)
+{
+}
 
 Editor* Editor::create(QQmlEngine* qmlEngine, QJSEngine*)
 {

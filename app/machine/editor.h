@@ -152,8 +152,8 @@ public:
 
     Q_INVOKABLE void setLaw(const QString& lawId);
     Q_INVOKABLE void applySuggestion();
-    // Moves the end of stretch `index` (0..3: ta, tb, tc, td) while a finger drags it; commitDrag() ends it as one
-    // undo step.
+    // Moves the end of stretch `index` (0..3: ta, tb, tc, td) while a finger drags it; commitDrag() ends it
+    // as one undo step.
     Q_INVOKABLE void dragRatio(int index, double timeSeconds);
     Q_INVOKABLE void commitDrag();
     Q_INVOKABLE void undo();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One number of the recipe as a person sees and enters it. The Editor owns it and is the only one to update it.
+// One number of the recipe as a person sees and enters it. The Editor owns it and is the only one to update
+// it.
 #pragma once
 
 #include <QObject>

@@ -5,7 +5,8 @@
 
 namespace campanel::machine {
 
-Format::Format(QLocale locale) : m_locale(std::move(locale))
+Format::Format(QLocale locale)
+    : m_locale(std::move(locale))
 {
     m_locale.setNumberOptions(QLocale::OmitGroupSeparator);
 }

@@ -5,7 +5,10 @@
 
 namespace campanel::machine {
 
-Machine::Machine(QObject* parent) : QObject(parent) {}
+Machine::Machine(QObject* parent)
+    : QObject(parent)
+{
+}
 
 Machine* Machine::create(QQmlEngine* qmlEngine, QJSEngine*)
 {

@@ -48,10 +48,12 @@ void store(QSettings& storage, const ConnectionChoice& choice)
 } // namespace
 
 Settings::Settings(const QString& storage, QObject* parent)
-    : QObject(parent), m_storage(storage.isEmpty() ? QSettings().fileName() : storage, QSettings::IniFormat)
+    : QObject(parent)
+    , m_storage(storage.isEmpty() ? QSettings().fileName() : storage, QSettings::IniFormat)
 {
     const bool chineseSystem = QLocale::system().language() == QLocale::Chinese;
-    m_language = chosen(m_storage.value(languageKey).toString(), languages(), chineseSystem ? u"zh_CN"_s : u"en"_s);
+    m_language =
+        chosen(m_storage.value(languageKey).toString(), languages(), chineseSystem ? u"zh_CN"_s : u"en"_s);
     m_theme = chosen(m_storage.value(themeKey).toString(), themes(), u"light"_s);
     m_applied = storedConnection(m_storage);
     m_draft = m_applied;

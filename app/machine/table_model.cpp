@@ -15,8 +15,12 @@ QVariant TableModel::data(const QModelIndex&, int) const
 
 QHash<int, QByteArray> TableModel::roleNames() const
 {
-    return {{RowRole, "row"},           {TimeTextRole, "timeText"},   {FrequencyTextRole, "frequencyText"},
-            {PulsesTextRole, "pulsesText"}, {TicksTextRole, "ticksText"}, {SegmentRole, "segment"}};
+    return {{RowRole, "row"},
+            {TimeTextRole, "timeText"},
+            {FrequencyTextRole, "frequencyText"},
+            {PulsesTextRole, "pulsesText"},
+            {TicksTextRole, "ticksText"},
+            {SegmentRole, "segment"}};
 }
 
 } // namespace campanel::machine

@@ -14,7 +14,14 @@ class TableModel : public QAbstractListModel {
     Q_PROPERTY(int count READ count NOTIFY countChanged FINAL)
 
 public:
-    enum Role { RowRole = Qt::UserRole + 1, TimeTextRole, FrequencyTextRole, PulsesTextRole, TicksTextRole, SegmentRole };
+    enum Role {
+        RowRole = Qt::UserRole + 1,
+        TimeTextRole,
+        FrequencyTextRole,
+        PulsesTextRole,
+        TicksTextRole,
+        SegmentRole
+    };
 
     using QAbstractListModel::QAbstractListModel;
 
