@@ -19,8 +19,9 @@ public:
     virtual void connectTo(const campanel::link::ConnectionSettings& settings) = 0;
     // Ends in exactly one commandEnded() with the request's id.
     virtual void request(const campanel::link::CommandRequest& request) = 0;
-    // Stages the bank (header and rows), compares CRC-32 and applies it at the next cycle. Ends in exactly one
-    // downloadReported() with stage Active, Failed or Canceled; one at a time: a second one fails at once.
+    // Stages the bank (header and rows), compares CRC-32 and applies it at the next cycle. Ends in exactly
+    // one downloadReported() with stage Active, Failed or Canceled; one at a time: a second one fails at
+    // once.
     virtual void download(const std::vector<std::uint16_t>& bank) = 0;
     virtual void cancelDownload() = 0;
 

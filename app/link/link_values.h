@@ -2,7 +2,9 @@
 // What travels between the GUI thread and the link thread: plain values, copied by queued signals.
 #pragma once
 
+#include "modbus/bank_header.h"
 #include "modbus/blocks.h"
+#include "modbus/download.h"
 #include "modbus/link_error.h"
 #include "modbus/rtu_client.h"
 #include "modbus/wire_time.h"
@@ -45,7 +47,7 @@ struct LinkReport {
     QString portName; // the path in use, empty while there is none
     bool simulated = true;
     SimulatorState simulator = SimulatorState::NotUsed;
-    QString simulatorDetail; // what it wrote before it ended, or where it was looked for
+    QString simulatorDetail;                // what it wrote before it ended, or where it was looked for
     std::optional<modbus::LinkError> error; // why it is not connected
     std::optional<modbus::Identity> identity;
 };
@@ -96,12 +98,13 @@ enum class DownloadStage { Transferring, Sealing, Armed, Active, Failed, Cancele
 
 struct DownloadReport {
     DownloadStage stage = DownloadStage::Transferring;
-    double fraction = 0; // of the registers, 0..1
+    double fraction = 0; // of its frames, 0..1
     std::uint32_t crc = 0;
-    std::optional<modbus::LinkError> linkError;                // Failed: the line
-    std::optional<modbus::TransferAnswer> transferRefused;     // Failed: the controller does not take the table
-    std::optional<modbus::CommandResult> applyRefused;         // Failed: the controller does not apply it
-    bool isConnectionMissing = false;                          // Failed: there was no connection
+    bool isInterrupted = false; // waits for the connection to come back and then goes on
+    // Failed for one of three reasons: no connection to begin with, another download under way, or `error`.
+    bool isConnectionMissing = false;
+    bool isBusy = false;
+    std::optional<modbus::DownloadError> error;
 };
 
 } // namespace campanel::link
