@@ -3,18 +3,31 @@
 // Lives in the GUI thread; everything it knows came from the link as values.
 #pragma once
 
+#include "app/link/link.h"
+#include "app/machine/actual_trace.h"
+#include "app/machine/bag_statistics.h"
+#include "app/machine/controller_program.h"
+#include "app/machine/status_rate.h"
+
+#include <QHash>
 #include <QList>
 #include <QObject>
 #include <QPointF>
+#include <QTimer>
 #include <QVariant>
 #include <QtQml/qqmlregistration.h>
 
+#include <functional>
 #include <limits>
+#include <memory>
+#include <optional>
 
 class QJSEngine;
 class QQmlEngine;
 
 namespace campanel::machine {
+
+class Settings;
 
 class Machine : public QObject {
     Q_OBJECT
@@ -76,61 +89,78 @@ public:
     enum class State { Unknown, Idle, Ready, Running, Stopping, Jogging, Homing, Fault };
     Q_ENUM(State)
 
-    explicit Machine(QObject* parent);
+    using Clock = std::function<link::SteadyTime()>;
+
+    // Both must outlive it. Nothing is connected before open().
+    Machine(link::Link& link, Settings& settings, QObject* parent);
 
     // The instance that attachToEngine() gave to this engine.
     static Machine* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
-    [[nodiscard]] Connection connection() const { return m_connection; }
-    [[nodiscard]] QString connectionText() const { return {}; }
-    [[nodiscard]] QString portName() const { return {}; }
-    [[nodiscard]] bool simulated() const { return true; }
-    [[nodiscard]] double statusPerSecond() const { return unknown; }
-    [[nodiscard]] int linkQuality() const { return 0; }
-    [[nodiscard]] bool fresh() const { return false; }
-    [[nodiscard]] double ageMs() const { return unknown; }
-    [[nodiscard]] State state() const { return State::Unknown; }
-    [[nodiscard]] QString stateText() const { return {}; }
-    [[nodiscard]] QString alarmText() const { return {}; }
-    [[nodiscard]] bool faulted() const { return false; }
-    [[nodiscard]] double rateBagsPerMin() const { return unknown; }
-    [[nodiscard]] double masterAngleDeg() const { return unknown; }
-    [[nodiscard]] double knifeAngleDeg() const { return unknown; }
-    [[nodiscard]] double knifeSpeedMmPerS() const { return unknown; }
-    [[nodiscard]] double followingErrorPulses() const { return unknown; }
-    [[nodiscard]] double followingErrorMm() const { return unknown; }
-    [[nodiscard]] double pulseFrequencyHz() const { return unknown; }
-    [[nodiscard]] double cycleCount() const { return unknown; }
-    [[nodiscard]] QList<QPointF> actualTrace() const { return {}; }
-    [[nodiscard]] double bagCount() const { return unknown; }
-    [[nodiscard]] double bagLengthMm() const { return unknown; }
-    [[nodiscard]] double bagDeviationMm() const { return unknown; }
-    [[nodiscard]] double bagMeanMm() const { return unknown; }
-    [[nodiscard]] double bagScatterMm() const { return unknown; }
-    [[nodiscard]] QList<double> bagSeries() const { return {}; }
-    [[nodiscard]] double bagToleranceMm() const { return 1.0; }
-    [[nodiscard]] double generation() const { return unknown; }
-    [[nodiscard]] bool hasActiveProgram() const { return false; }
-    [[nodiscard]] QString activeName() const { return {}; }
-    [[nodiscard]] double activeVersion() const { return unknown; }
-    [[nodiscard]] double activeBagLengthMm() const { return unknown; }
-    [[nodiscard]] double activeRateBagsPerMin() const { return unknown; }
-    [[nodiscard]] double cycleSeconds() const { return unknown; }
-    [[nodiscard]] double syncStartDeg() const { return unknown; }
-    [[nodiscard]] double syncEndDeg() const { return unknown; }
-    [[nodiscard]] double cutAngleDeg() const { return unknown; }
-    [[nodiscard]] QVariant targetCurves() const { return {}; }
-    [[nodiscard]] bool canStart() const { return false; }
-    [[nodiscard]] QString startBlockedReason() const { return {}; }
-    [[nodiscard]] bool canHome() const { return false; }
-    [[nodiscard]] QString commandMessage() const { return {}; }
+    // Connects as the settings say, now and whenever they change.
+    void open();
+    // A clock for tests; the steady clock by default.
+    void setClock(Clock clock);
+
+    [[nodiscard]] Connection connection() const;
+    [[nodiscard]] QString connectionText() const;
+    [[nodiscard]] QString portName() const { return m_report.portName; }
+    [[nodiscard]] bool simulated() const { return m_report.simulated; }
+    [[nodiscard]] double statusPerSecond() const;
+    [[nodiscard]] int linkQuality() const;
+    [[nodiscard]] bool fresh() const { return m_fresh; }
+    [[nodiscard]] double ageMs() const;
+    [[nodiscard]] State state() const;
+    [[nodiscard]] QString stateText() const;
+    [[nodiscard]] QString alarmText() const;
+    [[nodiscard]] bool faulted() const;
+    [[nodiscard]] double rateBagsPerMin() const;
+    [[nodiscard]] double masterAngleDeg() const;
+    [[nodiscard]] double knifeAngleDeg() const;
+    [[nodiscard]] double knifeSpeedMmPerS() const;
+    [[nodiscard]] double followingErrorPulses() const;
+    [[nodiscard]] double followingErrorMm() const;
+    [[nodiscard]] double pulseFrequencyHz() const;
+    [[nodiscard]] double cycleCount() const;
+    [[nodiscard]] QList<QPointF> actualTrace() const { return m_trace.points(); }
+    [[nodiscard]] double bagCount() const;
+    [[nodiscard]] double bagLengthMm() const { return m_bags.lengthMm(); }
+    [[nodiscard]] double bagDeviationMm() const { return m_bags.deviationMm(); }
+    [[nodiscard]] double bagMeanMm() const { return m_bags.meanMm(); }
+    [[nodiscard]] double bagScatterMm() const { return m_bags.scatterMm(); }
+    [[nodiscard]] QList<double> bagSeries() const { return m_bags.deviationsMm(); }
+    [[nodiscard]] double bagToleranceMm() const { return toleranceMm; }
+    [[nodiscard]] double generation() const;
+    [[nodiscard]] bool hasActiveProgram() const { return m_program != nullptr; }
+    [[nodiscard]] QString activeName() const;
+    [[nodiscard]] double activeVersion() const;
+    [[nodiscard]] double activeBagLengthMm() const;
+    [[nodiscard]] double activeRateBagsPerMin() const;
+    [[nodiscard]] double cycleSeconds() const;
+    [[nodiscard]] double syncStartDeg() const; // of the knife's shaft, as knifeAngleDeg
+    [[nodiscard]] double syncEndDeg() const;
+    [[nodiscard]] double cutAngleDeg() const;
+    [[nodiscard]] QVariant targetCurves() const;
+    [[nodiscard]] bool canStart() const { return startBlockedReason().isEmpty(); }
+    [[nodiscard]] QString startBlockedReason() const;
+    [[nodiscard]] bool canHome() const;
+    [[nodiscard]] QString commandMessage() const { return m_commandMessage; }
 
     Q_INVOKABLE void start();
+    // At the end of the cycle; pressed again while stopping: now.
     Q_INVOKABLE void stop();
     Q_INVOKABLE void stopNow();
     Q_INVOKABLE void home();
     Q_INVOKABLE void resetFault();
     Q_INVOKABLE void dismissMessage();
+
+    // For the Editor.
+    [[nodiscard]] link::Link& link() { return m_link; }
+    [[nodiscard]] bool isConnected() const { return m_report.state == link::LinkState::Connected; }
+    [[nodiscard]] const std::optional<modbus::Identity>& identity() const { return m_report.identity; }
+    [[nodiscard]] const std::optional<modbus::StatusBlock>& status() const { return m_status; }
+    [[nodiscard]] const std::shared_ptr<const ControllerProgram>& program() const { return m_program; }
+    void send(modbus::Command command, const modbus::CommandArguments& arguments = {});
 
 signals:
     void connectionChanged();
@@ -141,12 +171,40 @@ signals:
     void liveChanged();
     void bagChanged();
     void programChanged();
+    void savedChanged();
     void commandsChanged();
     void commandMessageChanged();
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    Connection m_connection = Connection::Searching;
+    static constexpr double toleranceMm = 1.0; // the paper's claim for bag lengths
+
+    void takeReport(const link::LinkReport& report);
+    void takeStatus(const link::StatusBatch& batch);
+    void takeProgram(const link::ActiveProgram& program);
+    void takeOutcome(const link::CommandOutcome& outcome);
+    void trace(const modbus::StatusBlock& status);
+    void forgetStatus();
+    void updateAge();
+    void showMessage(const QString& text);
+
+    link::Link& m_link;
+    Settings& m_settings;
+    Clock m_clock;
+    link::LinkReport m_report;
+    std::optional<modbus::StatusBlock> m_status; // the last one, also after the connection is lost
+    std::optional<link::SteadyTime> m_statusAt;
+    std::shared_ptr<const ControllerProgram> m_program;
+    ActualTrace m_trace;
+    BagStatistics m_bags;
+    StatusRate m_rate;
+    QTimer m_ageTimer;
+    bool m_fresh = false;
+    quint32 m_lastRequestId = 0;
+    QString m_commandMessage;
 };
 
 } // namespace campanel::machine
