@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// The allowed directions between the layers, read from every #include and every QML import.
+// A folder without a rule, a file in no folder with a rule, or an include that no rule allows fails the test.
+#include <QDirIterator>
+#include <QRegularExpression>
+#include <QTest>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+// A header of the C++ standard library, by its form: no folder, no suffix, lower case.
+constexpr auto standardCpp = R"([a-z][a-z0-9_]*)";
+constexpr auto standardC = R"((stdint|stddef|stdbool|string)\.h)";
+constexpr auto posix =
+    R"((fcntl|unistd|termios|poll|grp|pwd|time|errno|stdlib|stdio|signal|getopt|limits|dirent|sys/[a-z]+|linux/serial|pty)\.h)";
+constexpr auto expected = R"(tl/expected\.hpp)";
+constexpr auto qtAny = R"(Q[A-Za-z0-9]+(/.*)?)";
+
+struct Rule {
+    QString folder;      // deepest match wins
+    QStringList allowed; // regular expressions for the whole include path
+};
+
+const QList<Rule>& includeRules()
+{
+    static const QList<Rule> rules{
+        {u"profile"_s, {standardCpp, expected, u"profile/.*"_s}},
+        {u"modbus"_s, {standardCpp, posix, expected, u"modbus/.*"_s, u"(modbus/)?modbus(-[a-z]+)?\\.h"_s}},
+        {u"controller/core"_s, {standardC, u"ctl_[a-z_]+\\.h"_s}},
+        {u"controller/sim"_s, {standardCpp, standardC, u"ctl_[a-z_]+\\.h"_s, u"controller/(core|sim)/.*"_s}},
+        {u"controller/host"_s,
+         {standardCpp, standardC, posix, u"ctl_[a-z_]+\\.h"_s, u"controller/(core|sim|host)/.*"_s}},
+        {u"app/link"_s, {standardCpp, posix, expected, qtAny, u"modbus/.*"_s, u"app/link/.*"_s}},
+        {u"app/program"_s, {standardCpp, expected, u"profile/.*"_s, u"modbus/.*"_s, u"app/program/.*"_s}},
+        {u"app/store"_s, {standardCpp, expected, qtAny, u"profile/.*"_s, u"app/(program|store)/.*"_s}},
+        {u"app/machine"_s,
+         {standardCpp, expected, qtAny, u"profile/.*"_s, u"app/(link|program|store|machine)/.*"_s}},
+        {u"app/plot"_s, {standardCpp, qtAny, u"qwt[a-z_]*\\.h"_s, u"profile/.*"_s, u"app/plot/.*"_s}},
+        {u"app/cli"_s,
+         {standardCpp, expected, qtAny, u"(profile|modbus)/.*"_s, u"app/(program|store|cli)/.*"_s}},
+        {u"app/main"_s, {standardCpp, qtAny, u"app/.*"_s, posix}},
+    };
+    return rules;
+}
+
+const QList<Rule>& importRules()
+{
+    static const QStringList base{u"QtQml"_s, u"QtQuick(\\.(Window|Templates|Layouts))?"_s};
+    static const QList<Rule> rules{
+        {u"qml/Theme"_s, base},
+        {u"qml/Controls"_s, base + QStringList{u"CamPanel\\.(Theme|Controls)"_s}},
+        {u"qml/Widgets"_s, base + QStringList{u"CamPanel\\.(Theme|Controls|Widgets|Machine|Plot)"_s}},
+        {u"qml/Pages"_s, base + QStringList{u"CamPanel\\.(Theme|Controls|Widgets|Pages|Machine|Plot)"_s}},
+    };
+    return rules;
+}
+
+const Rule* ruleFor(const QList<Rule>& rules, const QString& relativePath)
+{
+    const Rule* best = nullptr;
+    for (const Rule& rule : rules) {
+        if (relativePath.startsWith(rule.folder + u'/') &&
+            (!best || rule.folder.size() > best->folder.size()))
+            best = &rule;
+    }
+    return best;
+}
+
+QStringList filesBelow(const QStringList& folders, const QStringList& patterns)
+{
+    const QDir root(QStringLiteral(CAMPANEL_SOURCE_DIR));
+    QStringList result;
+    for (const QString& folder : folders) {
+        QDirIterator it(root.filePath(folder), patterns, QDir::Files, QDirIterator::Subdirectories);
+        while (it.hasNext())
+            result << root.relativeFilePath(it.next());
+    }
+    result.sort();
+    return result;
+}
+
+// Every first capture of `pattern` in the file that no rule allows, as "path: what".
+QStringList violations(const QString& relativePath, const QList<Rule>& rules,
+                       const QRegularExpression& pattern)
+{
+    const Rule* rule = ruleFor(rules, relativePath);
+    if (!rule)
+        return {relativePath + u": lies in a folder that no rule names"_s};
+    QFile file(QDir(QStringLiteral(CAMPANEL_SOURCE_DIR)).filePath(relativePath));
+    if (!file.open(QIODevice::ReadOnly))
+        return {relativePath + u": cannot be read"_s};
+    const QString text = QString::fromUtf8(file.readAll());
+    const QRegularExpression allowed(
+        QRegularExpression::anchoredPattern(u"(?:"_s + rule->allowed.join(u")|(?:"_s) + u")"_s));
+    QStringList found;
+    for (const QRegularExpressionMatch& match : pattern.globalMatch(text)) {
+        const QString what = match.captured(1);
+        const bool ownFolder = !what.contains(u'/') && QFile::exists(QFileInfo(file).dir().filePath(what));
+        if (!ownFolder && !allowed.match(what).hasMatch())
+            found << relativePath + u": "_s + what;
+    }
+    return found;
+}
+
+const QRegularExpression includePattern(uR"(^\s*#\s*include\s*[<\x22]([^>\x22]+)[>\x22])"_s,
+                                        QRegularExpression::MultilineOption);
+const QRegularExpression importPattern(uR"(^\s*import\s+([A-Za-z][A-Za-z.]*))"_s,
+                                       QRegularExpression::MultilineOption);
+
+} // namespace
+
+class TestLayering : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyIncludeIsAllowed()
+    {
+        const QStringList files = filesBelow({u"profile"_s, u"modbus"_s, u"controller"_s, u"app"_s},
+                                             {u"*.h"_s, u"*.cpp"_s, u"*.c"_s, u"*.hpp"_s});
+        QVERIFY(files.size() > 20);
+        QStringList all;
+        for (const QString& file : files)
+            all += violations(file, includeRules(), includePattern);
+        QVERIFY2(all.isEmpty(), qPrintable(u"not allowed:\n  "_s + all.join(u"\n  "_s)));
+    }
+
+    void everyImportIsAllowed()
+    {
+        const QStringList files = filesBelow({u"qml"_s}, {u"*.qml"_s});
+        QVERIFY(files.size() > 10);
+        QStringList all;
+        for (const QString& file : files)
+            all += violations(file, importRules(), importPattern);
+        QVERIFY2(all.isEmpty(), qPrintable(u"not allowed:\n  "_s + all.join(u"\n  "_s)));
+    }
+
+    // The core must run where there is no floating-point unit and no heap.
+    void controllerCoreHasNoFloatAndNoHeap()
+    {
+        static const QRegularExpression forbidden(
+            uR"(\b(float|double|malloc|calloc|realloc|free|printf)\b)"_s);
+        static const QRegularExpression comments(uR"(/\*.*?\*/|//[^\n]*)"_s,
+                                                 QRegularExpression::DotMatchesEverythingOption);
+        const QStringList files = filesBelow({u"controller/core"_s}, {u"*.c"_s, u"*.h"_s});
+        QVERIFY(files.size() > 5);
+        for (const QString& name : files) {
+            QFile file(QDir(QStringLiteral(CAMPANEL_SOURCE_DIR)).filePath(name));
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const QString code = QString::fromUtf8(file.readAll()).remove(comments);
+            QVERIFY2(!forbidden.match(code).hasMatch(),
+                     qPrintable(name + u": "_s + forbidden.match(code).captured()));
+        }
+    }
+
+    void everySourceFileNamesItsLicence()
+    {
+        const QStringList files = filesBelow({u"profile"_s, u"modbus"_s, u"controller"_s, u"app"_s, u"qml"_s,
+                                              u"tests"_s, u"cmake"_s, u"packaging"_s},
+                                             {u"*.h"_s, u"*.cpp"_s, u"*.c"_s, u"*.qml"_s, u"CMakeLists.txt"_s,
+                                              u"*.cmake"_s, u"*.py"_s, u"*.sh"_s});
+        for (const QString& name : files) {
+            QFile file(QDir(QStringLiteral(CAMPANEL_SOURCE_DIR)).filePath(name));
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            QVERIFY2(file.read(200).contains("SPDX-License-Identifier: Apache-2.0"), qPrintable(name));
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestLayering)
+#include "test_layering.moc"
