@@ -32,7 +32,7 @@ Rectangle {
         keypadLoader.active = false
         frame.shift = 0
     }
-    function edit(fields: list<EditorField>, index: int, source: Item) {
+    function edit(fields: var, index: int, source: Item) {
         const right = source.mapToItem(overlay, source.width, 0).x - frame.shift
         keypadLoader.setSource("KeypadOverlay.qml", { fields: fields, index: index, field: source })
         keypadLoader.active = true
@@ -66,7 +66,7 @@ Rectangle {
                     visible: wanted
                     Connections {
                         target: loader.item as Page
-                        function onEditRequested(fields: list<EditorField>, index: int, source: Item) { frame.edit(fields, index, source) }
+                        function onEditRequested(fields: var, index: int, source: Item) { frame.edit(fields, index, source) }
                         function onExplainRequested(field: EditorField) { frame.openSheet(explanation, { field: field }) }
                         function onSheetRequested(sheet: Component) { frame.openSheet(sheet, {}) }
                     }

@@ -9,7 +9,7 @@ import CamPanel.Machine
 Sheet {
     id: sheet
 
-    signal editRequested(list<EditorField> fields, int index, Item source)
+    signal editRequested(var fields, int index, Item source)
 
     title: qsTr("Speed law")
     note: qsTr("What each law asks of this recipe")

@@ -16,7 +16,7 @@ Sheet {
     signal jerkToggled(bool on)
     signal compareToggled(bool on)
     signal tableRequested()
-    signal editRequested(list<EditorField> fields, int index, Item source)
+    signal editRequested(var fields, int index, Item source)
 
     readonly property real half: (body.width - body.spacing) / 2
 

@@ -7,7 +7,7 @@ import CamPanel.Machine
 Item {
     property real bottomInset              // taken by a banner at the lower edge
 
-    signal editRequested(list<EditorField> fields, int index, Item source)
+    signal editRequested(var fields, int index, Item source)
     signal explainRequested(EditorField field)
     signal sheetRequested(Component sheet)
 }
