@@ -20,7 +20,7 @@ bool BagStatistics::note(std::uint32_t bagCount, std::optional<double> lengthMm,
     if (m_bagCount == bagCount)
         return false;
     if (m_bagCount && bagCount < *m_bagCount)
-        clear(); // the controller has been restarted
+        restart(); // so did the controller
     m_bagCount = bagCount;
     if (!lengthMm || !deviationMm)
         return true;
@@ -29,13 +29,6 @@ bool BagStatistics::note(std::uint32_t bagCount, std::optional<double> lengthMm,
     if (m_deviationsMm.size() > bagsKept)
         m_deviationsMm.removeFirst();
     return true;
-}
-
-void BagStatistics::clear()
-{
-    m_bagCount.reset();
-    m_lengthMm = unknown;
-    m_deviationsMm.clear();
 }
 
 double BagStatistics::meanMm() const

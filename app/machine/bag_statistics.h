@@ -16,7 +16,8 @@ public:
 
     // To be given every status; a bag is noted once. True when something changed.
     bool note(std::uint32_t bagCount, std::optional<double> lengthMm, std::optional<double> deviationMm);
-    void clear();
+    // Another set length holds from now on; the last bag stays the last bag.
+    void restart() { m_deviationsMm.clear(); }
 
     [[nodiscard]] double lengthMm() const { return m_lengthMm; }
     [[nodiscard]] double deviationMm() const { return m_deviationsMm.isEmpty() ? unknown : m_deviationsMm.last(); }

@@ -41,9 +41,6 @@ QStringList ControllerSentences::alarms(const modbus::StatusBlock& status)
         texts << tr("No index mark was found while homing. Check drive and index sensor, then reset the fault.");
     if (status.has(WarningBit::HeartbeatLost))
         texts << tr("The controller had not heard the panel for a while. Check the cable.");
-    // Before the first start this is the normal state: Start homes by itself.
-    if (status.has(WarningBit::NotHomed) && status.state == State::Running)
-        texts << tr("The knife's angle is not known. Stop and home the machine.");
     if (status.has(WarningBit::FlashSlotInvalid))
         texts << tr("One of the two saved copies in the controller is damaged. Save the program again.");
     return texts;

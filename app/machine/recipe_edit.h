@@ -11,8 +11,6 @@ namespace campanel::machine {
 
 using program::Recipe;
 
-[[nodiscard]] double fieldValue(const Recipe& recipe, profile::Field field);
-[[nodiscard]] bool isMachineField(profile::Field field);
 [[nodiscard]] bool isPinnable(profile::Field field);
 
 // Enters a value. A derived one of the four becomes pinned, and the pinned one that was edited longest ago derived.
