@@ -15,7 +15,8 @@ double mean(const QList<double>& values)
 
 } // namespace
 
-bool BagStatistics::note(std::uint32_t bagCount, std::optional<double> lengthMm, std::optional<double> deviationMm)
+bool BagStatistics::note(std::uint32_t bagCount, std::optional<double> lengthMm,
+                         std::optional<double> deviationMm)
 {
     if (m_bagCount == bagCount)
         return false;
@@ -42,9 +43,9 @@ double BagStatistics::scatterMm() const
     if (m_deviationsMm.size() < 2)
         return unknown;
     const double center = mean(m_deviationsMm);
-    const double squares =
-        std::accumulate(m_deviationsMm.begin(), m_deviationsMm.end(), 0.0,
-                        [center](double sum, double value) { return sum + (value - center) * (value - center); });
+    const double squares = std::accumulate(
+        m_deviationsMm.begin(), m_deviationsMm.end(), 0.0,
+        [center](double sum, double value) { return sum + (value - center) * (value - center); });
     return std::sqrt(squares / static_cast<double>(m_deviationsMm.size() - 1));
 }
 

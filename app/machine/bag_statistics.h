@@ -20,7 +20,10 @@ public:
     void restart() { m_deviationsMm.clear(); }
 
     [[nodiscard]] double lengthMm() const { return m_lengthMm; }
-    [[nodiscard]] double deviationMm() const { return m_deviationsMm.isEmpty() ? unknown : m_deviationsMm.last(); }
+    [[nodiscard]] double deviationMm() const
+    {
+        return m_deviationsMm.isEmpty() ? unknown : m_deviationsMm.last();
+    }
     [[nodiscard]] double meanMm() const;    // of the lengths
     [[nodiscard]] double scatterMm() const; // standard deviation; NaN below two bags
     [[nodiscard]] const QList<double>& deviationsMm() const { return m_deviationsMm; }

@@ -31,20 +31,23 @@ std::shared_ptr<const ControllerProgram> readProgram(const link::ActiveProgram& 
     auto program = std::make_shared<ControllerProgram>();
     program->generation = active.generation;
     program->crc = active.crc;
+    program->registers = active.header;
     program->header = modbus::decodeBankHeader(active.header);
     program->cycleSeconds = static_cast<double>(program->header.cycleTicks) / identity.timerClockHz;
     program->rateBagsPerMin = 60 / program->cycleSeconds;
     const auto recipe =
         program::decodeProgram(active.header, program::withController(profile::Machine(), identity));
     if (!recipe) {
-        qCWarning(motionLog) << "active program:" << QString::fromStdString(program::describe(recipe.error()));
+        qCWarning(motionLog) << "active program:"
+                             << QString::fromStdString(program::describe(recipe.error()));
         return program;
     }
     program->recipe = *recipe;
     program->pulsesPerMm = profile::pulsesPerMm(recipe->machine);
     const auto cutter = profile::solve(recipe->program, recipe->machine);
     if (!cutter) {
-        qCWarning(motionLog) << "active program:" << QString::fromStdString(profile::describe(cutter.error()));
+        qCWarning(motionLog) << "active program:"
+                             << QString::fromStdString(profile::describe(cutter.error()));
         return program;
     }
     program->syncStartDeg = knifeDegAt(*cutter, program->header.syncStartDeg);

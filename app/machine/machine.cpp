@@ -29,7 +29,11 @@ double orUnknown(const std::optional<double>& value)
 } // namespace
 
 Machine::Machine(link::Link& link, Settings& settings, QObject* parent)
-    : QObject(parent), m_link(link), m_settings(settings), m_clock(&std::chrono::steady_clock::now), m_ageTimer(this)
+    : QObject(parent)
+    , m_link(link)
+    , m_settings(settings)
+    , m_clock(&std::chrono::steady_clock::now)
+    , m_ageTimer(this)
 {
     m_report.simulated = settings.connection().simulated;
     connect(&link, &link::Link::reported, this, &Machine::takeReport);
@@ -59,7 +63,8 @@ void Machine::setClock(Clock clock)
     updateAge();
 }
 
-// Connection -------------------------------------------------------------------------------------------------------
+// Connection
+// -------------------------------------------------------------------------------------------------------
 
 Machine::Connection Machine::connection() const
 {
@@ -116,8 +121,8 @@ void Machine::updateAge()
 void Machine::takeReport(const link::LinkReport& report)
 {
     const bool wasConnected = isConnected();
-    const bool otherController = report.identity && m_report.identity &&
-                                 report.identity->uniqueId != m_report.identity->uniqueId;
+    const bool otherController =
+        report.identity && m_report.identity && report.identity->uniqueId != m_report.identity->uniqueId;
     const bool leftController = m_report.identity && !report.identity; // another connection was chosen
     m_report = report;
     if (otherController || leftController)
@@ -145,7 +150,8 @@ void Machine::forgetStatus()
     emit savedChanged();
 }
 
-// Status -----------------------------------------------------------------------------------------------------------
+// Status
+// -----------------------------------------------------------------------------------------------------------
 
 void Machine::takeStatus(const link::StatusBatch& batch)
 {
@@ -183,8 +189,9 @@ void Machine::trace(const modbus::StatusBlock& status)
     if (!turns || !status.masterAngleDeg || !m_program || m_program->generation != status.generation ||
         m_program->pulsesPerMm <= 0)
         return;
-    m_trace.add({status.cycleCount, *status.masterAngleDeg / 360, status.actualFrequencyHz / m_program->pulsesPerMm},
-                m_program->cycleSeconds);
+    m_trace.add(
+        {status.cycleCount, *status.masterAngleDeg / 360, status.actualFrequencyHz / m_program->pulsesPerMm},
+        m_program->cycleSeconds);
 }
 
 Machine::State Machine::state() const
@@ -232,7 +239,8 @@ QString Machine::stateText() const
 
 QString Machine::alarmText() const
 {
-    return m_status && isConnected() ? ControllerSentences::alarms(*m_status).join(QLatin1Char('\n')) : QString();
+    return m_status && isConnected() ? ControllerSentences::alarms(*m_status).join(QLatin1Char('\n'))
+                                     : QString();
 }
 
 bool Machine::faulted() const
@@ -257,8 +265,9 @@ double Machine::knifeAngleDeg() const
 
 double Machine::knifeSpeedMmPerS() const
 {
-    return m_status && m_program && m_program->pulsesPerMm > 0 ? m_status->actualFrequencyHz / m_program->pulsesPerMm
-                                                               : unknown;
+    return m_status && m_program && m_program->pulsesPerMm > 0
+               ? m_status->actualFrequencyHz / m_program->pulsesPerMm
+               : unknown;
 }
 
 double Machine::followingErrorPulses() const
@@ -288,7 +297,8 @@ double Machine::bagCount() const
     return m_status ? m_status->bagCount : unknown;
 }
 
-// Program ----------------------------------------------------------------------------------------------------------
+// Program
+// ----------------------------------------------------------------------------------------------------------
 
 void Machine::takeProgram(const link::ActiveProgram& program)
 {
@@ -353,7 +363,8 @@ QVariant Machine::targetCurves() const
     return m_program && m_program->curves ? QVariant::fromValue(m_program->curves) : QVariant();
 }
 
-// Commands ---------------------------------------------------------------------------------------------------------
+// Commands
+// ---------------------------------------------------------------------------------------------------------
 
 QString Machine::startBlockedReason() const
 {
@@ -423,8 +434,8 @@ void Machine::takeOutcome(const link::CommandOutcome& outcome)
 {
     // Stop at standstill asks for what is already so.
     const bool isNeedlessStop =
-        outcome.reason == modbus::Refusal::NotRunning && (outcome.command == modbus::Command::StopNow ||
-                                                          outcome.command == modbus::Command::StopAtCycleEnd);
+        outcome.reason == modbus::Refusal::NotRunning &&
+        (outcome.command == modbus::Command::StopNow || outcome.command == modbus::Command::StopAtCycleEnd);
     // What the link does by itself has no id; only the last press is of interest.
     if (outcome.id == m_lastRequestId && !isNeedlessStop)
         showMessage(ConnectionSentences::command(outcome));

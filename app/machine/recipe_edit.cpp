@@ -102,13 +102,17 @@ void dragRatio(Recipe& recipe, int index, double share)
     recipe.program.k[static_cast<std::size_t>(index)] = profile::snapToGrid(Field::K1, 1 / kept);
 }
 
-bool sameRecipe(const Recipe& left, const Recipe& right)
+bool sameRecipe(const Recipe& leftGiven, const Recipe& rightGiven)
 {
+    // As the controller holds them: a derived number that was pinned has more digits than its register.
+    const Recipe left = program::quantised(leftGiven);
+    const Recipe right = program::quantised(rightGiven);
     if (left.name != right.name || left.program.speedLaw != right.program.speedLaw)
         return false;
     const auto* law = profile::findLaw(left.program.speedLaw);
     const std::size_t parameters = law ? law->parameters.size() : 0;
-    if (!std::equal(left.program.speedLawParameters.begin(), left.program.speedLawParameters.begin() + parameters,
+    if (!std::equal(left.program.speedLawParameters.begin(),
+                    left.program.speedLawParameters.begin() + parameters,
                     right.program.speedLawParameters.begin()))
         return false;
     const auto isSame = [&](Field field) {
@@ -119,7 +123,8 @@ bool sameRecipe(const Recipe& left, const Recipe& right)
     const auto samePins = [&](Field field) {
         return profile::isPinned(left.program, field) == profile::isPinned(right.program, field);
     };
-    return std::ranges::all_of(pinnableFields, samePins) && std::ranges::all_of(program::programFields, isSame) &&
+    return std::ranges::all_of(pinnableFields, samePins) &&
+           std::ranges::all_of(program::programFields, isSame) &&
            std::ranges::all_of(program::machineFields, isSame);
 }
 

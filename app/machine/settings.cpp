@@ -169,8 +169,9 @@ void Settings::refreshPorts()
 {
     QList<PortRow> rows;
     for (const link::PortDescription& port : link::availablePorts()) {
-        const QString problem =
-            port.isPermitted ? QString() : tr("Not permitted: add the user to the group \"%1\".").arg(port.group);
+        const QString problem = port.isPermitted
+                                    ? QString()
+                                    : tr("Not permitted: add the user to the group \"%1\".").arg(port.group);
         rows << PortRow{port.path, port.description, problem};
     }
     m_ports.setRows(rows);

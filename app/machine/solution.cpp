@@ -7,14 +7,15 @@
 
 namespace campanel::machine {
 
-double Solution::utilization() const
+bool Solution::isCloseToLimit() const
 {
-    if (!cutter)
-        return 0;
+    constexpr double closeShare = 0.95;
+    if (!isFeasible())
+        return false;
     const profile::Machine& machine = cutter->machine;
     return std::max({peaks.motorRpm / machine.maxMotorRpm,
                      peaks.accelerationMmPerS2 / machine.maxKnifeAccelerationMmPerS2,
-                     peaks.pulseFrequencyHz / profile::pulseFrequencyLimitHz(machine)});
+                     peaks.pulseFrequencyHz / profile::pulseFrequencyLimitHz(machine)}) > closeShare;
 }
 
 Solution solveRecipe(const program::Recipe& recipe, const std::optional<modbus::Identity>& controller)

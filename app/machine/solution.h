@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything that follows from a recipe, computed at once after each change: well below one frame (27 us for the
-// table, 10 us for the curves).
+// Everything that follows from a recipe, computed at once after each change: well below one frame (27 us for
+// the table, 10 us for the curves).
 #pragma once
 
 #include "app/link/link_values.h"
@@ -16,20 +16,21 @@
 namespace campanel::machine {
 
 struct Solution {
-    std::optional<profile::RotaryCutter> cutter;          // empty: cannot be a cycle at all
-    std::shared_ptr<const profile::Curves> curves;        // of the cutter
-    std::vector<profile::Refusal> refusals;               // empty: the machine can do it
-    std::optional<modbus::CodecError> unstorable;         // a value that the controller cannot hold
-    std::shared_ptr<const program::ProgramImage> image;   // what would be downloaded; null unless feasible
+    std::optional<profile::RotaryCutter> cutter;        // empty: cannot be a cycle at all
+    std::shared_ptr<const profile::Curves> curves;      // of the cutter
+    std::vector<profile::Refusal> refusals;             // empty: the machine can do it
+    std::optional<modbus::CodecError> unstorable;       // a value that the controller cannot hold
+    std::shared_ptr<const program::ProgramImage> image; // what would be downloaded; null unless feasible
     profile::Peaks peaks;
     std::optional<profile::FastestRate> fastest;
 
     [[nodiscard]] bool isFeasible() const { return image != nullptr; }
-    // Largest share of a limit of the machine that is used, 0..1 when feasible.
-    [[nodiscard]] double utilization() const;
+    // Feasible, but with little to spare.
+    [[nodiscard]] bool isCloseToLimit() const;
 };
 
 // With the timer and table size of the controller, when it is known.
-[[nodiscard]] Solution solveRecipe(const program::Recipe& recipe, const std::optional<modbus::Identity>& controller);
+[[nodiscard]] Solution solveRecipe(const program::Recipe& recipe,
+                                   const std::optional<modbus::Identity>& controller);
 
 } // namespace campanel::machine

@@ -61,9 +61,10 @@ QVariant TableModel::data(const QModelIndex& index, int role) const
     case TimeTextRole:
         return format.number(m_startS[at], 4);
     case FrequencyTextRole:
-        return row.ticks == 0
-                   ? Format::unknownText()
-                   : format.number(static_cast<double>(row.pulses) * m_image->cutter.machine.timerClockHz / row.ticks, 1);
+        return row.ticks == 0 ? Format::unknownText()
+                              : format.number(static_cast<double>(row.pulses) *
+                                                  m_image->cutter.machine.timerClockHz / row.ticks,
+                                              1);
     case PulsesTextRole:
         return format.number(row.pulses, 0);
     case TicksTextRole:

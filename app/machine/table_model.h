@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The step table behind the curves, one row of the controller's table per row. Texts are made when they are shown.
+// The step table behind the curves, one row of the controller's table per row. Texts are made when they are
+// shown.
 #pragma once
 
 #include "app/program/program_image.h"
