@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every number a person can enter: stable id (also the key in the recipe file), unit, range, default and
+// decimals. The panel, the command line and the validation of recipes read this one table.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace campanel::profile {
+
+enum class Field : std::uint8_t {
+    BagLength,
+    Rate,
+    BaseSpeed,
+    FilmSpeed,
+    K1,
+    K2,
+    K3,
+    K4,
+    SyncRatio,
+    SlicesPerRamp,
+    KnifeRadius,
+    Knives,
+    PulsesPerMotorRev,
+    GearNumerator,
+    GearDenominator,
+    MaxMotorRpm,
+    MaxKnifeAcceleration,
+    MaxPulseFrequency,
+    MaxRate,
+    TimerClock,
+    TimerBits,
+    RowCapacity,
+};
+
+struct FieldInfo {
+    Field field = Field::BagLength;
+    std::string_view id;     // key in the recipe file
+    std::string_view name;   // English name
+    std::string_view symbol; // in formulas
+    std::string_view unit;   // empty: a pure number
+    double min = 0;
+    double max = 0;
+    double defaultValue = 0;
+    int decimals = 0; // digits after the point that a person enters
+
+    // Smallest step a person can enter: 10^-decimals.
+    [[nodiscard]] constexpr double resolution() const
+    {
+        double step = 1;
+        for (int i = 0; i < decimals; ++i)
+            step /= 10;
+        return step;
+    }
+};
+
+inline constexpr std::array fields{
+    FieldInfo{Field::BagLength, "bag_length_mm", "Bag length", "L", "mm", 10, 2000, 250, 1},
+    FieldInfo{Field::Rate, "rate_bags_per_min", "Rate", "n", "bags/min", 1, 600, 60, 1},
+    FieldInfo{Field::BaseSpeed, "base_speed_mm_per_s", "Base speed", "v_a", "mm/s", 0, 10000, 445.4, 1},
+    FieldInfo{Field::FilmSpeed, "film_speed_mm_per_s", "Film speed", "v_b", "mm/s", 0.1, 10000, 250, 1},
+    FieldInfo{Field::K1, "k1", "Ratio k1", "k1", "", 1.0001, 1000, 4, 4},
+    FieldInfo{Field::K2, "k2", "Ratio k2", "k2", "", 1.0001, 1000, 2.5, 4},
+    FieldInfo{Field::K3, "k3", "Ratio k3", "k3", "", 1.0001, 1000, 1.6667, 4},
+    FieldInfo{Field::K4, "k4", "Ratio k4", "k4", "", 1.0001, 1000, 1.3333, 4},
+    FieldInfo{Field::SyncRatio, "sync_ratio", "Sync ratio", "c", "", 0.5, 2, 1, 3},
+    FieldInfo{Field::SlicesPerRamp, "slices_per_ramp", "Slices per ramp", "m", "", 1, 1000, 60, 0},
+    FieldInfo{Field::KnifeRadius, "knife_radius_mm", "Knife radius", "R", "mm", 5, 1000, 60, 2},
+    FieldInfo{Field::Knives, "knives", "Knives", "N", "", 1, 12, 1, 0},
+    FieldInfo{Field::PulsesPerMotorRev, "pulses_per_motor_rev", "Pulses per motor revolution", "K", "", 1,
+              10000000, 10000, 0},
+    FieldInfo{Field::GearNumerator, "gear_numerator", "Gear ratio, motor revolutions", "Z1", "", 1, 100000, 1,
+              0},
+    FieldInfo{Field::GearDenominator, "gear_denominator", "Gear ratio, knife revolutions", "Z2", "", 1,
+              100000, 1, 0},
+    FieldInfo{Field::MaxMotorRpm, "max_motor_rpm", "Largest motor speed", "rpm_max", "r/min", 1, 20000, 3000,
+              0},
+    FieldInfo{Field::MaxKnifeAcceleration, "max_knife_acceleration_mm_per_s2", "Largest knife acceleration",
+              "a_max", "mm/s^2", 1, 10000000, 50000, 0},
+    FieldInfo{Field::MaxPulseFrequency, "max_pulse_frequency_hz", "Largest pulse frequency", "f_max", "Hz",
+              1000, 4000000, 200000, 0},
+    FieldInfo{Field::MaxRate, "max_rate_bags_per_min", "Largest rate", "n_max", "bags/min", 1, 600, 400, 1},
+    FieldInfo{Field::TimerClock, "timer_clock_hz", "Timer clock", "f_clk", "Hz", 100000, 60000000, 8000000,
+              0},
+    FieldInfo{Field::TimerBits, "timer_bits", "Timer width", "bits", "bit", 8, 32, 16, 0},
+    FieldInfo{Field::RowCapacity, "row_capacity", "Table rows of the controller", "rows", "", 5, 65535, 2048,
+              0},
+};
+
+[[nodiscard]] constexpr const FieldInfo& info(Field field)
+{
+    return fields[static_cast<std::size_t>(field)];
+}
+
+// The field with this id, or nothing.
+[[nodiscard]] std::optional<Field> fieldById(std::string_view id);
+
+// True when the value is finite and inside the field's range (with room for the rounding of a derived value).
+[[nodiscard]] bool inRange(Field field, double value);
+
+// The value on the field's grid that is nearest and not outside its range.
+[[nodiscard]] double snapToGrid(Field field, double value);
+
+} // namespace campanel::profile

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cubic 2-3: the law of the paper. As a speed law its acceleration is zero at both ends.
+#pragma once
+
+#include "profile/law.h"
+
+namespace campanel::profile::detail {
+
+inline LawPoint cubicAt(double x, const LawParameters&)
+{
+    const double x2 = x * x;
+    return {x2 * (3 - 2 * x), 6 * x * (1 - x), 6 - 12 * x, -12, x2 * x * (1 - x / 2)};
+}
+
+inline LawPeaks cubicPeaks(const LawParameters&)
+{
+    return {1.5, 6, 12, 0.5};
+}
+
+} // namespace campanel::profile::detail

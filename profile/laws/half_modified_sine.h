@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Half a modified sine: the speed law of the servo paper, g(x) = S'(x/2) / S'(1/2). Not symmetric.
+#pragma once
+
+#include "profile/laws/modified_sine.h"
+
+namespace campanel::profile::detail {
+
+inline LawPoint halfModifiedSineAt(double x, const LawParameters&)
+{
+    using std::numbers::pi;
+    constexpr double peak = 4 * pi / modifiedSineScale; // S'(1/2)
+    const LawPoint s = modifiedSineFirstHalf(x / 2);
+    const double s4 = (x <= 0.25 ? -16 : -16.0 / 9) * pi * pi * s.g2; // fourth derivative of S
+    return {s.g1 / peak, s.g2 / (2 * peak), s.g3 / (4 * peak), s4 / (8 * peak), 2 * s.g / peak};
+}
+
+// |g'| is largest at x = 1/4 (S'' at 1/8), |g''| at x = 0.
+inline LawPeaks halfModifiedSinePeaks(const LawParameters&)
+{
+    using std::numbers::pi;
+    return {pi / 2, pi * pi, 2 * pi * pi * pi, 0.25};
+}
+
+} // namespace campanel::profile::detail

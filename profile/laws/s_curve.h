@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Seven-segment S: a trapezoid whose ramps begin and end with constant jerk during the share q of the ramp.
+#pragma once
+
+#include "profile/laws/half.h"
+
+#include <array>
+
+namespace campanel::profile::detail {
+
+inline constexpr std::array sCurveParameters{
+    LawParameterInfo{"ramp_fraction", "Ramp fraction r", 0.01, 0.5, 0.25, 3},
+    LawParameterInfo{"jerk_share", "Jerk share q of a ramp", 0.01, 0.5, 0.25, 3}};
+
+inline LawPeaks sCurvePeaks(const LawParameters& parameters)
+{
+    const double r = parameters[0];
+    const double q = parameters[1];
+    const double ca = 1 / (r * (1 - q) * (1 - r));
+    return {1 / (1 - r), ca, ca / (q * r), 0.5};
+}
+
+inline LawPoint sCurveAt(double x, const LawParameters& parameters)
+{
+    const LawPeaks peaks = sCurvePeaks(parameters);
+    const double r = parameters[0];
+    const double jerkTime = parameters[1] * r;
+    return reflected(x, [&](double u) {
+        if (u <= jerkTime)
+            return constantJerk({}, 0, peaks.cj, u);
+        const LawPoint rise = constantJerk({}, 0, peaks.cj, jerkTime);
+        if (u <= r - jerkTime)
+            return constantJerk(rise, peaks.ca, 0, u - jerkTime);
+        const LawPoint flat = constantJerk(rise, peaks.ca, 0, r - 2 * jerkTime);
+        if (u <= r)
+            return constantJerk(flat, peaks.ca, -peaks.cj, u - (r - jerkTime));
+        return constantJerk(constantJerk(flat, peaks.ca, -peaks.cj, jerkTime), 0, 0, u - r);
+    });
+}
+
+} // namespace campanel::profile::detail

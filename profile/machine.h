@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// The machine that a program runs on: knife, drive, gear, its limits, and the controller's pulse timer and
+// table size.
+#pragma once
+
+#include "profile/fields.h"
+
+#include <cstdint>
+
+namespace campanel::profile {
+
+struct Machine {
+    double knifeRadiusMm = info(Field::KnifeRadius).defaultValue; // to the knife's tip
+    int knives = 1;
+    int pulsesPerMotorRev = 10000; // K
+    int gearNumerator = 1;         // Z = numerator / denominator motor revolutions per knife revolution
+    int gearDenominator = 1;
+    double maxMotorRpm = info(Field::MaxMotorRpm).defaultValue;
+    double maxKnifeAccelerationMmPerS2 = info(Field::MaxKnifeAcceleration).defaultValue;
+    double maxPulseFrequencyHz =
+        info(Field::MaxPulseFrequency).defaultValue; // 200 kHz open collector, 500 kHz line driver
+    double maxRateBagsPerMin = info(Field::MaxRate).defaultValue;
+
+    // From the controller's identity block.
+    std::uint32_t timerClockHz = 8000000;
+    int timerBits = 16;
+    int rowCapacity = 2048;
+};
+
+[[nodiscard]] double value(const Machine& machine, Field field); // field must be one of the machine's
+void setValue(Machine& machine, Field field, double value);      // integers are rounded
+
+// Pulses of one cycle as an exact rational: whole + remainder / divisor, remainder < divisor.
+struct PulsesPerCycle {
+    std::int64_t whole = 0;
+    std::int64_t remainder = 0;
+    std::int64_t divisor = 1;
+
+    [[nodiscard]] double asDouble() const
+    {
+        return static_cast<double>(whole) + static_cast<double>(remainder) / static_cast<double>(divisor);
+    }
+};
+
+[[nodiscard]] PulsesPerCycle pulsesPerCycle(const Machine& machine); // K Z / N
+[[nodiscard]] double strokeMm(const Machine& machine);               // h = 2 pi R / N
+[[nodiscard]] double pulsesPerMm(const Machine& machine);            // K Z / (2 pi R), eq. 10 of the paper
+[[nodiscard]] double motorRpmPerMmPerS(const Machine& machine);      // 60 Z / (2 pi R)
+
+// Range of timer constants, in ticks per pulse. The smallest also bounds the frequency: clock / smallest <=
+// max.
+[[nodiscard]] std::int64_t smallestTimerConstant(const Machine& machine);
+[[nodiscard]] std::int64_t largestTimerConstant(const Machine& machine);
+[[nodiscard]] double pulseFrequencyLimitHz(const Machine& machine);
+
+} // namespace campanel::profile

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers as text, independent of the process's locale. Internal to profile/.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace campanel::profile::detail {
+
+[[nodiscard]] std::string fixedText(double value, int decimals); // "445.4"
+[[nodiscard]] std::string significantText(double value);         // up to 7 significant digits
+[[nodiscard]] std::string withUnit(std::string number, std::string_view unit);
+
+} // namespace campanel::profile::detail

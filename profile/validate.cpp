@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// Inputs against the table of fields, the law's own parameters, and the order of the ratios.
+#include "profile/validate.h"
+
+#include "profile/laws.h"
+
+#include <cmath>
+
+namespace campanel::profile::detail {
+namespace {
+
+constexpr std::array ratioFields{Field::K1, Field::K2, Field::K3, Field::K4};
+constexpr std::array machineFields{Field::KnifeRadius,
+                                   Field::Knives,
+                                   Field::PulsesPerMotorRev,
+                                   Field::GearNumerator,
+                                   Field::GearDenominator,
+                                   Field::MaxMotorRpm,
+                                   Field::MaxKnifeAcceleration,
+                                   Field::MaxPulseFrequency,
+                                   Field::MaxRate,
+                                   Field::TimerClock,
+                                   Field::TimerBits,
+                                   Field::RowCapacity};
+
+bool isCycleValue(Field field)
+{
+    return field == Field::BagLength || field == Field::Rate || field == Field::BaseSpeed ||
+           field == Field::FilmSpeed;
+}
+
+std::optional<Refusal> findInvalidLaw(const RotaryCutterProgram& program)
+{
+    const Law* law = findLaw(program.speedLaw);
+    if (law == nullptr || !law->isSpeedLaw) {
+        Refusal refusal;
+        refusal.limit = Limit::LawUnknown;
+        refusal.actual = static_cast<double>(program.speedLaw);
+        return refusal;
+    }
+    for (std::size_t i = 0; i < law->parameters.size(); ++i) {
+        const LawParameterInfo& parameter = law->parameters[i];
+        const double given = program.speedLawParameters[i];
+        if (given >= parameter.min && given <= parameter.max)
+            continue;
+        Refusal refusal;
+        refusal.limit = Limit::LawParameter;
+        refusal.actual = given;
+        refusal.allowed = given > parameter.max ? parameter.max : parameter.min;
+        refusal.lawParameter = parameter.id;
+        return refusal;
+    }
+    return std::nullopt;
+}
+
+std::optional<Refusal> findWrongOrder(const RotaryCutterProgram& program)
+{
+    for (std::size_t i = 0; i + 1 < program.k.size(); ++i) {
+        if (program.k[i] > program.k[i + 1])
+            continue;
+        Refusal refusal;
+        refusal.limit = Limit::RatioOrder;
+        refusal.field = ratioFields[i + 1];
+        refusal.actual = program.k[i + 1];
+        refusal.allowed = program.k[i];
+        return refusal;
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+Refusal outOfRange(Field field, double value)
+{
+    const FieldInfo& f = info(field);
+    Refusal refusal;
+    refusal.limit = Limit::FieldRange;
+    refusal.field = field;
+    refusal.actual = value;
+    refusal.allowed = value > f.max ? f.max : f.min;
+    refusal.unit = f.unit;
+    return refusal;
+}
+
+std::optional<Refusal> findInvalid(const RotaryCutterProgram& program, const Machine& machine)
+{
+    if (!isCycleValue(program.pinned[0]) || !isCycleValue(program.pinned[1]) ||
+        program.pinned[0] == program.pinned[1]) {
+        Refusal refusal;
+        refusal.limit = Limit::PinnedPair;
+        refusal.field = program.pinned[1];
+        return refusal;
+    }
+    for (const Field field : machineFields) {
+        if (!inRange(field, value(machine, field)))
+            return outOfRange(field, value(machine, field));
+    }
+    for (const Field field : {program.pinned[0], program.pinned[1], Field::K1, Field::K2, Field::K3,
+                              Field::K4, Field::SyncRatio, Field::SlicesPerRamp}) {
+        if (!inRange(field, value(program, field)))
+            return outOfRange(field, value(program, field));
+    }
+    if (auto refusal = findInvalidLaw(program))
+        return refusal;
+    return findWrongOrder(program);
+}
+
+} // namespace campanel::profile::detail
