@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace campanel::profile::detail {
 namespace {
@@ -190,11 +191,16 @@ std::optional<Suggestion> nearestInRange(RotaryCutterProgram program, Machine ma
     return Suggestion{refusal.field, inside};
 }
 
-double relativeChange(const RotaryCutterProgram& program, const Suggestion& suggestion)
+// Sorts first what a person would rather change: a machine that cannot follow runs slower; the product stays.
+std::pair<bool, double> cost(const RotaryCutterProgram& program, const Refusal& refusal,
+                             const Suggestion& suggestion)
 {
+    const bool isTooDemanding =
+        refusal.limit != Limit::FieldRange && refusal.limit != Limit::StrokeCannotClose;
     const double present = value(program, suggestion.field);
-    return std::abs(suggestion.value - present) /
-           std::max(std::abs(present), info(suggestion.field).resolution());
+    const double change = std::abs(suggestion.value - present);
+    return {isTooDemanding && suggestion.field != Field::Rate,
+            change / std::max(std::abs(present), info(suggestion.field).resolution())};
 }
 
 } // namespace
@@ -228,7 +234,7 @@ std::vector<Suggestion> nearestFeasible(const RotaryCutterProgram& program, cons
     }
     }
     std::stable_sort(found.begin(), found.end(), [&](const Suggestion& a, const Suggestion& b) {
-        return relativeChange(program, a) < relativeChange(program, b);
+        return cost(program, refusal, a) < cost(program, refusal, b);
     });
     return found;
 }
