@@ -24,10 +24,12 @@ std::string fieldValue(Field field, double value)
 std::string outOfRange(const Refusal& r)
 {
     const FieldInfo& f = info(r.field);
-    const std::string given = withUnit(significantText(r.actual), f.unit);
-    const std::string found = std::isfinite(r.actual) ? concat({" ", given, " is outside its range "})
-                                                      : std::string(" has no finite value; its range is ");
-    return concat({f.name, found, fixedText(f.min, f.decimals), " to ", fieldValue(r.field, f.max), "."});
+    if (!std::isfinite(r.actual)) {
+        return concat({f.name, " has no finite value; it must be from ", fixedText(f.min, f.decimals), " to ",
+                       fieldValue(r.field, f.max), "."});
+    }
+    return concat({f.name, " ", withUnit(significantText(r.actual), f.unit), " must be at ",
+                   r.actual > r.allowed ? "most " : "least ", fieldValue(r.field, r.allowed), "."});
 }
 
 std::string overLimit(std::string_view what, const Refusal& r)

@@ -177,7 +177,7 @@ void TestStepTable::statedErrorsAreTheRealOnes()
     double squares = 0;
     double start = 0;
     double count = 0;
-    const auto hz = [clock](const StepRow& row) { return row.pulses * clock / row.ticks; };
+    const auto hz = [&r](const StepRow& row) { return frequencyHz(row, r.machine); };
     double previousHz = hz(built->rows.back());
     for (const StepRow& row : built->rows) {
         step = std::max(step, std::abs(hz(row) - previousHz));
