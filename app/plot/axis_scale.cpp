@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/plot/axis_scale.h"
+
+#include <qwt_scale_engine.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace campanel::plot {
+
+namespace {
+
+constexpr int steps = 3;
+// Data may overshoot a tick by this share of the scale (rounding noise) without needing another one.
+constexpr double overshoot = 1e-6;
+
+QwtScaleDiv roundScale(double minimum, double maximum)
+{
+    const QwtLinearScaleEngine engine;
+    double step = 0;
+    engine.autoScale(steps, minimum, maximum, step);
+    QwtScaleDiv division = engine.divideScale(minimum, maximum, steps, 0, step);
+    QList<double> ticks = division.ticks(QwtScaleDiv::MajorTick);
+    // Alignment to round numbers can give four steps; every second tick is then enough.
+    if (ticks.size() == 5) {
+        division.setTicks(QwtScaleDiv::MajorTick, {ticks[0], ticks[2], ticks[4]});
+    }
+    return division;
+}
+
+} // namespace
+
+bool AxisScale::fit(double minimum, double maximum, double minimumSpan)
+{
+    if (maximum - minimum < minimumSpan) {
+        // A flat curve runs through the middle of a scale that starts at a round number below it.
+        const double middle = (minimum + maximum) / 2;
+        const double half = std::max(minimumSpan, std::abs(middle) / 2);
+        minimum = middle - half;
+        maximum = middle + half;
+    }
+    const double slack = overshoot * (maximum - minimum);
+    const QwtScaleDiv fresh = roundScale(minimum + slack, maximum - slack);
+    const bool visible = !m_division.isEmpty() && minimum + slack >= lower() && maximum - slack <= upper();
+    if (visible && fresh.range() >= keepFraction * m_division.range()) {
+        return false;
+    }
+    const bool changed = !(fresh == m_division);
+    m_division = fresh;
+    return changed;
+}
+
+double AxisScale::step() const
+{
+    const QList<double> ticks = m_division.ticks(QwtScaleDiv::MajorTick);
+    return ticks.size() < 2 ? 0.0 : ticks[1] - ticks[0];
+}
+
+int decimalsOfStep(double step)
+{
+    if (!(step > 0)) {
+        return 0;
+    }
+    // 1e-9 keeps a step of 0.1 from counting as slightly less.
+    return std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
+}
+
+} // namespace campanel::plot

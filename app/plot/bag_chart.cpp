@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/plot/bag_chart.h"
+
+#include <QPainter>
+
+#include <qwt_plot_curve.h>
+#include <qwt_scale_map.h>
+#include <qwt_symbol.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace campanel::plot {
+
+namespace {
+
+constexpr double toleranceShare = 0.8;  // of half the height, where the tolerance lines are if no bag is beyond them
+constexpr double defaultReachMm = 1.0;  // without tolerance and without larger values
+constexpr double smallestSpanMm = 1e-3; // flatter is constant
+constexpr double badPointFactor = 1.5;  // a bag out of tolerance is not told by its colour alone
+
+void paintPoints(QPainter& painter, const QPolygonF& points, std::unique_ptr<QwtSymbol> symbol, const QwtScaleMap& xMap,
+                 const QwtScaleMap& yMap)
+{
+    QwtPlotCurve curve;
+    curve.setStyle(QwtPlotCurve::NoCurve);
+    curve.setSymbol(symbol.release()); // the curve owns it
+    curve.setSamples(points);
+    curve.draw(&painter, xMap, yMap, QRectF(QPointF(xMap.p1(), yMap.p2()), QPointF(xMap.p2(), yMap.p1())));
+}
+
+} // namespace
+
+BagChart::BagChart(QQuickItem* parent)
+    : QQuickPaintedItem(parent)
+{
+    connect(this, &BagChart::valuesChanged, this, &BagChart::updateAll);
+    connect(this, &BagChart::toleranceChanged, this, &BagChart::updateAll);
+    connect(this, &BagChart::styleChanged, this, &BagChart::updateAll);
+}
+
+void BagChart::setTolerance(double tolerance)
+{
+    if (tolerance == m_tolerance || (std::isnan(tolerance) && std::isnan(m_tolerance))) {
+        return;
+    }
+    m_tolerance = tolerance;
+    m_scale.reset();
+    emit toleranceChanged();
+}
+
+BagChart::Points BagChart::points() const
+{
+    Points points;
+    const qsizetype first = std::max<qsizetype>(0, m_values.size() - m_capacity);
+    const qsizetype offset = m_capacity - (m_values.size() - first);
+    for (qsizetype i = first; i < m_values.size(); ++i) {
+        if (std::isfinite(m_values[i])) {
+            const QPointF point(static_cast<double>(offset + i - first), m_values[i]);
+            (std::abs(m_values[i]) > m_tolerance ? points.bad : points.good).append(point);
+        }
+    }
+    return points;
+}
+
+// The largest deviation in sight, mm.
+double BagChart::reach() const
+{
+    double reach = m_tolerance > 0 ? m_tolerance : defaultReachMm;
+    const Points all = points();
+    for (const QPolygonF* part : {&all.good, &all.bad}) {
+        for (const QPointF& point : *part) {
+            reach = std::max(reach, std::abs(point.y()));
+        }
+    }
+    return reach;
+}
+
+void BagChart::paint(QPainter* painter)
+{
+    if (boundingRect().isEmpty()) {
+        return;
+    }
+    painter->fillRect(boundingRect(), m_backgroundColor);
+
+    const double largest = reach();
+    double half = m_tolerance > 0 ? m_tolerance : defaultReachMm;
+    if (largest > half) {
+        m_scale.fit(-largest, largest, smallestSpanMm);
+        half = m_scale.upper();
+    } else {
+        m_scale.reset();
+    }
+    half /= toleranceShare;
+
+    const double margin = m_pointSize;
+    QwtScaleMap valueMap;
+    valueMap.setScaleInterval(-half, half);
+    valueMap.setPaintInterval(height(), 0);
+    QwtScaleMap indexMap;
+    indexMap.setScaleInterval(0, std::max(1, m_capacity - 1));
+    indexMap.setPaintInterval(margin, width() - margin);
+
+    paintLines(*painter, valueMap);
+    painter->setRenderHint(QPainter::Antialiasing);
+    const Points all = points();
+    const auto symbol = [this](QwtSymbol::Style style, const QColor& color, double size) {
+        return std::make_unique<QwtSymbol>(style, m_stale ? m_staleColor : color, QPen(Qt::NoPen), QSizeF(size, size).toSize());
+    };
+    paintPoints(*painter, all.good, symbol(QwtSymbol::Ellipse, m_pointColor, m_pointSize), indexMap, valueMap);
+    paintPoints(*painter, all.bad, symbol(QwtSymbol::Diamond, m_violationColor, badPointFactor * m_pointSize), indexMap, valueMap);
+}
+
+void BagChart::paintLines(QPainter& painter, const QwtScaleMap& valueMap) const
+{
+    painter.setPen(QPen(m_gridColor, 1));
+    const double zero = valueMap.transform(0);
+    painter.drawLine(QPointF(0, zero), QPointF(width(), zero));
+    if (std::isnan(m_tolerance)) {
+        return;
+    }
+    QPen pen(m_toleranceColor, 1.5, Qt::CustomDashLine, Qt::FlatCap);
+    pen.setDashPattern({4, 3});
+    painter.setPen(pen);
+    for (const double value : {m_tolerance, -m_tolerance}) {
+        const double y = valueMap.transform(value);
+        painter.drawLine(QPointF(0, y), QPointF(width(), y));
+    }
+}
+
+} // namespace campanel::plot

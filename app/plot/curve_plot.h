@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+// The curves of one cycle in stacked panels with a common time axis, drawn by Qwt into a Qt Quick item. What changes rarely (grid, curves,
+// limits) is kept as an image; cursor and trace are painted over it. All properties belong to the GUI thread.
+#pragma once
+
+#include "app/plot/plot_panel.h"
+
+#include <QImage>
+#include <QQuickPaintedItem>
+#include <QVariant>
+#include <QtQml/qqmlregistration.h>
+
+#include <limits>
+#include <vector>
+
+namespace campanel::plot {
+
+class CurvePlot : public QQuickPaintedItem {
+    Q_OBJECT
+    QML_ELEMENT
+    // Curve sets: std::shared_ptr<const profile::Curves>; anything else counts as none.
+    Q_PROPERTY(QVariant curves MEMBER m_curves NOTIFY curvesChanged FINAL)
+    Q_PROPERTY(QVariant overlayCurves MEMBER m_overlayCurves NOTIFY overlayCurvesChanged FINAL)
+    // The panels from top to bottom: "position" mm, "velocity" mm/s, "acceleration" m/s2, "jerk" m/s3, "frequency" kHz.
+    Q_PROPERTY(QStringList quantities MEMBER m_quantities NOTIFY quantitiesChanged FINAL)
+    Q_PROPERTY(QStringList titles MEMBER m_titles NOTIFY titlesChanged FINAL)
+    // Measured points over the velocity panel: x cycle time in s, ascending; y in mm/s.
+    Q_PROPERTY(QList<QPointF> trace READ trace WRITE setTrace NOTIFY traceChanged FINAL)
+    Q_PROPERTY(bool traceVisible READ isTraceVisible WRITE setTraceVisible NOTIFY traceVisibleChanged FINAL)
+    // s; NaN for no cursor.
+    Q_PROPERTY(double cursorTime READ cursorTime WRITE setCursorTime NOTIFY cursorTimeChanged FINAL)
+    Q_PROPERTY(bool cursorDotsVisible MEMBER m_cursorDotsVisible NOTIFY dynamicStyleChanged FINAL)
+    Q_PROPERTY(QList<double> markerTimes MEMBER m_markerTimes NOTIFY markersChanged FINAL)
+    // mm/s, mm/s2 and Hz; NaN for none.
+    Q_PROPERTY(double limitVelocity READ limitVelocity WRITE setLimitVelocity NOTIFY limitsChanged FINAL)
+    Q_PROPERTY(double limitAcceleration READ limitAcceleration WRITE setLimitAcceleration NOTIFY limitsChanged FINAL)
+    Q_PROPERTY(double limitFrequency READ limitFrequency WRITE setLimitFrequency NOTIFY limitsChanged FINAL)
+    // Stretches that break a limit: x from, y to, in s.
+    Q_PROPERTY(QList<QPointF> violations MEMBER m_violations NOTIFY markersChanged FINAL)
+    // Written at the limit lines; empty for none.
+    Q_PROPERTY(QString limitLabel MEMBER m_limitLabel NOTIFY styleChanged FINAL)
+    // End of the time axis in s; NaN: the end of the curves.
+    Q_PROPERTY(double timeMaximum READ timeMaximum WRITE setTimeMaximum NOTIFY timeMaximumChanged FINAL)
+    Q_PROPERTY(QString timeUnit MEMBER m_timeUnit NOTIFY fontsChanged FINAL)
+    Q_PROPERTY(QColor gridColor MEMBER m_gridColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor inkColor MEMBER m_inkColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor secondaryInkColor MEMBER m_secondaryInkColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor surfaceColor MEMBER m_surfaceColor NOTIFY dynamicStyleChanged FINAL)
+    Q_PROPERTY(QColor positionColor MEMBER m_positionColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor velocityColor MEMBER m_velocityColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor accelerationColor MEMBER m_accelerationColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor jerkColor MEMBER m_jerkColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor frequencyColor MEMBER m_frequencyColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor overlayColor MEMBER m_overlayColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor traceColor MEMBER m_traceColor NOTIFY dynamicStyleChanged FINAL)
+    Q_PROPERTY(QColor limitColor MEMBER m_limitColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor violationColor MEMBER m_violationColor NOTIFY styleChanged FINAL)
+    // px
+    Q_PROPERTY(double lineWidth MEMBER m_lineWidth NOTIFY styleChanged FINAL)
+    Q_PROPERTY(double overlayLineWidth MEMBER m_overlayLineWidth NOTIFY styleChanged FINAL)
+    Q_PROPERTY(double traceLineWidth MEMBER m_traceLineWidth NOTIFY dynamicStyleChanged FINAL)
+    Q_PROPERTY(QFont axisFont MEMBER m_axisFont NOTIFY fontsChanged FINAL)
+    Q_PROPERTY(QFont titleFont MEMBER m_titleFont NOTIFY fontsChanged FINAL)
+    Q_PROPERTY(QLocale locale MEMBER m_locale NOTIFY fontsChanged FINAL)
+    // The canvas of all panels together, in px of the item.
+    Q_PROPERTY(QRectF plotArea READ plotArea NOTIFY layoutChanged FINAL)
+
+public:
+    explicit CurvePlot(QQuickItem* parent = nullptr);
+
+    void paint(QPainter* painter) override;
+
+    // Between s, values and px of the item. NaN where there is no such panel; values that lie outside are not clamped. These bring the
+    // layout up to date first, so they are not const.
+    [[nodiscard]] Q_INVOKABLE double xOfTime(double timeS);
+    [[nodiscard]] Q_INVOKABLE double timeOfX(double x);
+    [[nodiscard]] Q_INVOKABLE double yOfVelocity(double velocityMmPerS);
+    [[nodiscard]] Q_INVOKABLE double panelTop(int index);
+    [[nodiscard]] Q_INVOKABLE double panelHeight(int index);
+    // One value per panel, in the unit on screen (mm, mm/s, m/s2, m/s3, kHz); NaN outside of the curves.
+    [[nodiscard]] Q_INVOKABLE QList<double> valuesAt(double timeS);
+
+    [[nodiscard]] QRectF plotArea();
+    [[nodiscard]] const QList<QPointF>& trace() const { return m_trace; }
+    void setTrace(const QList<QPointF>& trace);
+    [[nodiscard]] bool isTraceVisible() const { return m_traceVisible; }
+    void setTraceVisible(bool visible);
+    [[nodiscard]] double cursorTime() const { return m_cursorTime; }
+    void setCursorTime(double timeS);
+    [[nodiscard]] double limitVelocity() const { return m_limitVelocity; }
+    void setLimitVelocity(double limit);
+    [[nodiscard]] double limitAcceleration() const { return m_limitAcceleration; }
+    void setLimitAcceleration(double limit);
+    [[nodiscard]] double limitFrequency() const { return m_limitFrequency; }
+    void setLimitFrequency(double limit);
+    [[nodiscard]] double timeMaximum() const { return m_timeMaximum; }
+    void setTimeMaximum(double timeS);
+
+    // How often the image of grid and curves was painted so far.
+    [[nodiscard]] int staticPaintCount() const { return m_staticPaintCount; }
+
+signals:
+    void curvesChanged();
+    void overlayCurvesChanged();
+    void quantitiesChanged();
+    void titlesChanged();
+    void traceChanged();
+    void traceVisibleChanged();
+    void cursorTimeChanged();
+    void markersChanged();
+    void limitsChanged();
+    void timeMaximumChanged();
+    void styleChanged();
+    void dynamicStyleChanged();
+    void fontsChanged();
+    // The mapping between px and values changed.
+    void layoutChanged();
+
+protected:
+    void geometryChange(const QRectF& newGeometry, const QRectF& oldGeometry) override;
+    void updatePolish() override;
+
+private:
+    static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    static constexpr double titleGap = 4; // px between a title and the canvas below it
+
+    struct Mapping {
+        QRectF area;
+        double timeEnd = 0;
+        double velocityLow = 0;
+        double velocityHigh = 0;
+        bool operator==(const Mapping&) const = default;
+    };
+
+    void connectProperties();
+    void invalidateLayout();
+    void invalidateImage();
+    // An explicit rectangle always: QQuickPaintedItem forgets update() when an update(rectangle) follows before the frame.
+    void updateAll() { update(boundingRect().toAlignedRect()); }
+    // Brings data, scales and geometry up to date.
+    void ensureLayout();
+    void rebuildPanels();
+    void placePanels();
+    void placeTimeAxis();
+    void changeLimit(double& limit, double value);
+    [[nodiscard]] Mapping mapping() const;
+
+    [[nodiscard]] PlotStyle style() const;
+    [[nodiscard]] QColor colorOf(Quantity quantity) const;
+    [[nodiscard]] double limitOf(Quantity quantity) const;
+    [[nodiscard]] const PlotPanel* velocityPanel() const;
+    [[nodiscard]] QRectF cursorStrip(double timeS);
+    [[nodiscard]] QRectF traceStrip(double fromS, double toS);
+
+    void paintImage();
+    void paintMarkers(QPainter& painter) const;
+    void paintTints(QPainter& painter) const;
+    void paintTitles(QPainter& painter) const;
+    void paintTimeLabels(QPainter& painter, const PlotStyle& style) const;
+    void paintTrace(QPainter& painter) const;
+    void paintCursor(QPainter& painter) const;
+
+    QVariant m_curves;
+    QVariant m_overlayCurves;
+    QStringList m_quantities{QStringLiteral("velocity")};
+    QStringList m_titles;
+    QList<QPointF> m_trace;
+    bool m_traceVisible = true;
+    double m_cursorTime = none;
+    bool m_cursorDotsVisible = true;
+    QList<double> m_markerTimes;
+    double m_limitVelocity = none;
+    double m_limitAcceleration = none;
+    double m_limitFrequency = none;
+    QList<QPointF> m_violations;
+    QString m_limitLabel;
+    double m_timeMaximum = none;
+    QString m_timeUnit = QStringLiteral("s");
+    QColor m_gridColor{Qt::lightGray};
+    QColor m_inkColor{Qt::black};
+    QColor m_secondaryInkColor{Qt::darkGray};
+    QColor m_surfaceColor{Qt::white};
+    QColor m_positionColor{Qt::black};
+    QColor m_velocityColor{Qt::black};
+    QColor m_accelerationColor{Qt::black};
+    QColor m_jerkColor{Qt::black};
+    QColor m_frequencyColor{Qt::black};
+    QColor m_overlayColor{Qt::gray};
+    QColor m_traceColor{Qt::blue};
+    QColor m_limitColor{Qt::darkYellow};
+    QColor m_violationColor{Qt::red};
+    double m_lineWidth = 3;
+    double m_overlayLineWidth = 2;
+    double m_traceLineWidth = 2.5;
+    QFont m_axisFont;
+    QFont m_titleFont;
+    QLocale m_locale;
+
+    CurveSet m_curveSet;
+    CurveSet m_overlaySet;
+    std::vector<PlotPanel> m_panels;
+    QRectF m_plotArea;
+    QwtScaleMap m_timeMap;
+    QwtScaleDiv m_timeDivision;
+    double m_labelWidth = 0; // px left of the canvas; grows only, so that the canvas does not move with the digits
+    Mapping m_announcedMapping;
+    bool m_layoutValid = false;
+    bool m_imageValid = false;
+    QImage m_image;
+    int m_staticPaintCount = 0;
+};
+
+} // namespace campanel::plot

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// The painting of CurvePlot. It runs while the GUI thread waits, so it may read every member.
+#include "app/plot/curve_plot.h"
+
+#include "app/plot/decimation.h"
+#include "app/plot/label_draw.h"
+
+#include <QPainter>
+#include <QPalette>
+
+#include <algorithm>
+#include <cmath>
+
+namespace campanel::plot {
+
+namespace {
+
+constexpr double cursorWidth = 1.5; // px
+constexpr double dotRadius = 4;     // px
+constexpr double dotHalo = 1.5;     // px of surface around a dot
+constexpr int timeDigits = 3;       // of the cycle time at the end of the axis
+
+} // namespace
+
+void CurvePlot::paint(QPainter* painter)
+{
+    ensureLayout();
+    const double pixelRatio = painter->deviceTransform().m11();
+    const QSize pixels = (boundingRect().size() * pixelRatio).toSize();
+    if (pixels.isEmpty()) {
+        return;
+    }
+    if (!m_imageValid || m_image.size() != pixels) {
+        m_image = QImage(pixels, QImage::Format_ARGB32_Premultiplied);
+        m_image.setDevicePixelRatio(pixelRatio);
+        paintImage();
+    }
+    painter->drawImage(QPointF(0, 0), m_image);
+    paintTrace(*painter);
+    paintCursor(*painter);
+}
+
+void CurvePlot::paintImage()
+{
+    m_image.fill(Qt::transparent);
+    QPainter painter(&m_image);
+    const PlotStyle look = style();
+    paintTints(painter);
+    for (const PlotPanel& panel : m_panels) {
+        panel.paintGrid(painter, look);
+    }
+    paintMarkers(painter);
+    for (const PlotPanel& panel : m_panels) {
+        panel.paintCurves(painter, look, colorOf(panel.quantity()), m_timeMap);
+    }
+    paintTitles(painter);
+    paintTimeLabels(painter, look);
+    m_imageValid = true;
+    ++m_staticPaintCount;
+}
+
+void CurvePlot::paintTints(QPainter& painter) const
+{
+    for (const QPointF& stretch : m_violations) {
+        const double fromX = m_timeMap.transform(stretch.x());
+        const double toX = m_timeMap.transform(stretch.y());
+        // Where no panel shows the broken limit, all of them tell when it is broken.
+        const bool shown = std::ranges::any_of(m_panels, [&](const PlotPanel& p) { return p.isBroken(stretch.x(), stretch.y()); });
+        for (const PlotPanel& panel : m_panels) {
+            if (!shown || panel.isBroken(stretch.x(), stretch.y())) {
+                panel.paintTint(painter, m_violationColor, fromX, toX);
+            }
+        }
+    }
+}
+
+void CurvePlot::paintMarkers(QPainter& painter) const
+{
+    QPen pen(m_secondaryInkColor, 1, Qt::CustomDashLine, Qt::FlatCap);
+    pen.setDashPattern({3, 4});
+    painter.setPen(pen);
+    for (const double time : m_markerTimes) {
+        if (time >= 0 && time <= m_timeMap.s2()) {
+            const double x = m_timeMap.transform(time);
+            painter.drawLine(QPointF(x, m_plotArea.top()), QPointF(x, m_plotArea.bottom()));
+        }
+    }
+}
+
+void CurvePlot::paintTitles(QPainter& painter) const
+{
+    painter.setFont(m_titleFont);
+    painter.setPen(m_secondaryInkColor);
+    const double lineHeight = QFontMetricsF(m_titleFont).height();
+    const auto count = std::min(static_cast<std::size_t>(m_titles.size()), m_panels.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        const QRectF canvas = m_panels[i].canvas();
+        const QRectF line(canvas.left(), canvas.top() - titleGap - lineHeight, canvas.width(), lineHeight);
+        painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, m_titles[static_cast<qsizetype>(i)]);
+    }
+}
+
+void CurvePlot::paintTimeLabels(QPainter& painter, const PlotStyle& look) const
+{
+    if (!m_curveSet && !m_overlaySet && std::isnan(m_timeMaximum)) {
+        return;
+    }
+    const QList<double> ticks = m_timeDivision.ticks(QwtScaleDiv::MajorTick);
+    const double step = ticks.size() < 3 ? 0.0 : ticks[1] - ticks[0];
+    LabelDraw labels(QwtScaleDraw::BottomScale, m_locale, decimalsOfStep(step));
+    const double end = m_timeMap.s2();
+    labels.setScaleDiv(m_timeDivision);
+    labels.setSpecialLabel(end, m_locale.toString(end, 'g', timeDigits) + QLatin1Char(' ') + m_timeUnit);
+    labels.move(m_plotArea.bottomLeft());
+    labels.setLength(m_plotArea.width());
+    QPalette palette;
+    palette.setColor(QPalette::Text, look.secondaryInk);
+    painter.setFont(look.axisFont);
+    labels.draw(&painter, palette);
+}
+
+void CurvePlot::paintTrace(QPainter& painter) const
+{
+    const PlotPanel* panel = velocityPanel();
+    if (!m_traceVisible || !panel || m_trace.isEmpty()) {
+        return;
+    }
+    std::vector<double> times;
+    std::vector<double> speeds;
+    times.reserve(static_cast<std::size_t>(m_trace.size()));
+    speeds.reserve(static_cast<std::size_t>(m_trace.size()));
+    for (const QPointF& point : m_trace) {
+        times.push_back(point.x());
+        speeds.push_back(point.y());
+    }
+    const double margin = m_traceLineWidth;
+    painter.save();
+    painter.setClipRect(panel->canvas().adjusted(0, -margin, 0, margin), Qt::IntersectClip);
+    paintLine(painter, decimate(times, speeds, maximumDrawnPoints), {m_traceColor, m_traceLineWidth}, m_timeMap,
+              panel->valueMap());
+    painter.restore();
+}
+
+void CurvePlot::paintCursor(QPainter& painter) const
+{
+    if (!(m_cursorTime >= 0 && m_cursorTime <= m_timeMap.s2())) {
+        return;
+    }
+    const double x = m_timeMap.transform(m_cursorTime);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(m_inkColor, cursorWidth, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(QPointF(x, m_plotArea.top()), QPointF(x, m_plotArea.bottom()));
+    if (m_cursorDotsVisible) {
+        painter.setPen(QPen(m_surfaceColor, dotHalo));
+        for (const PlotPanel& panel : m_panels) {
+            const double value = valueAt(m_curveSet, panel.quantity(), m_cursorTime);
+            if (!std::isnan(value)) {
+                painter.setBrush(colorOf(panel.quantity()));
+                painter.drawEllipse(QPointF(x, panel.valueMap().transform(value)), dotRadius, dotRadius);
+            }
+        }
+    }
+    painter.restore();
+}
+
+PlotStyle CurvePlot::style() const
+{
+    PlotStyle look;
+    look.grid = m_gridColor;
+    look.secondaryInk = m_secondaryInkColor;
+    look.overlay = m_overlayColor;
+    look.limit = m_limitColor;
+    look.violation = m_violationColor;
+    look.lineWidth = m_lineWidth;
+    look.overlayLineWidth = m_overlayLineWidth;
+    look.axisFont = m_axisFont;
+    look.locale = m_locale;
+    look.limitLabel = m_limitLabel;
+    return look;
+}
+
+QColor CurvePlot::colorOf(Quantity quantity) const
+{
+    switch (quantity) {
+    case Quantity::Position:
+        return m_positionColor;
+    case Quantity::Velocity:
+        return m_velocityColor;
+    case Quantity::Acceleration:
+        return m_accelerationColor;
+    case Quantity::Jerk:
+        return m_jerkColor;
+    case Quantity::Frequency:
+        return m_frequencyColor;
+    }
+    return m_inkColor;
+}
+
+} // namespace campanel::plot

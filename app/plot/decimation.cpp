@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/plot/decimation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace campanel::plot {
+
+namespace {
+
+QPolygonF finitePoints(std::span<const double> x, std::span<const double> y, double yFactor)
+{
+    const std::size_t count = std::min(x.size(), y.size());
+    QPolygonF points;
+    points.reserve(static_cast<qsizetype>(count));
+    for (std::size_t i = 0; i < count; ++i) {
+        if (std::isfinite(x[i]) && std::isfinite(y[i])) {
+            points.append(QPointF(x[i], y[i] * yFactor));
+        }
+    }
+    return points;
+}
+
+} // namespace
+
+QPolygonF decimate(std::span<const double> x, std::span<const double> y, qsizetype maximumPoints, double yFactor)
+{
+    const QPolygonF points = finitePoints(x, y, yFactor);
+    if (points.size() <= maximumPoints) {
+        return points;
+    }
+    const qsizetype inner = points.size() - 2;
+    const qsizetype stretches = std::max<qsizetype>(1, (maximumPoints - 2) / 2);
+    QPolygonF reduced;
+    reduced.reserve(2 * stretches + 2);
+    reduced.append(points.first());
+    for (qsizetype k = 0; k < stretches; ++k) {
+        const auto begin = points.cbegin() + 1 + k * inner / stretches;
+        const auto end = points.cbegin() + 1 + (k + 1) * inner / stretches;
+        const auto lessY = [](const QPointF& a, const QPointF& b) { return a.y() < b.y(); };
+        const auto [lowest, highest] = std::minmax_element(begin, end, lessY);
+        reduced.append(*std::min(lowest, highest));
+        if (lowest != highest) {
+            reduced.append(*std::max(lowest, highest));
+        }
+    }
+    reduced.append(points.last());
+    return reduced;
+}
+
+} // namespace campanel::plot

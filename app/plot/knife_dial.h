@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// The knife's angle as a hand on a ring, with the arc where it must match the film and the mark where it cuts. 0 degrees at the top,
+// clockwise.
+#pragma once
+
+#include <QColor>
+#include <QQuickPaintedItem>
+#include <QtQml/qqmlregistration.h>
+
+#include <limits>
+
+namespace campanel::plot {
+
+class KnifeDial : public QQuickPaintedItem {
+    Q_OBJECT
+    QML_ELEMENT
+    // Degrees; NaN: unknown, nothing is drawn for it.
+    Q_PROPERTY(double angleDeg READ angleDeg WRITE setAngleDeg NOTIFY angleDegChanged FINAL)
+    Q_PROPERTY(double syncStartDeg READ syncStartDeg WRITE setSyncStartDeg NOTIFY marksChanged FINAL)
+    Q_PROPERTY(double syncEndDeg READ syncEndDeg WRITE setSyncEndDeg NOTIFY marksChanged FINAL)
+    Q_PROPERTY(double cutAngleDeg READ cutAngleDeg WRITE setCutAngleDeg NOTIFY marksChanged FINAL)
+    // The angle is old: the hand is drawn in staleColor.
+    Q_PROPERTY(bool stale MEMBER m_stale NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor ringColor MEMBER m_ringColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor syncColor MEMBER m_syncColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor cutColor MEMBER m_cutColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor handColor MEMBER m_handColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor tipColor MEMBER m_tipColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor surfaceColor MEMBER m_surfaceColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor staleColor MEMBER m_staleColor NOTIFY styleChanged FINAL)
+
+public:
+    explicit KnifeDial(QQuickItem* parent = nullptr);
+
+    void paint(QPainter* painter) override;
+
+    [[nodiscard]] double angleDeg() const { return m_angleDeg; }
+    void setAngleDeg(double angle);
+    [[nodiscard]] double syncStartDeg() const { return m_syncStartDeg; }
+    void setSyncStartDeg(double angle) { changeMark(m_syncStartDeg, angle); }
+    [[nodiscard]] double syncEndDeg() const { return m_syncEndDeg; }
+    void setSyncEndDeg(double angle) { changeMark(m_syncEndDeg, angle); }
+    [[nodiscard]] double cutAngleDeg() const { return m_cutAngleDeg; }
+    void setCutAngleDeg(double angle) { changeMark(m_cutAngleDeg, angle); }
+
+signals:
+    void angleDegChanged();
+    void marksChanged();
+    void styleChanged();
+
+private:
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+    void updateAll() { update(boundingRect().toAlignedRect()); }
+    void changeMark(double& mark, double angle);
+    void paintRing(QPainter& painter) const;
+    void paintHand(QPainter& painter) const;
+    // Distance of the middle of the ring from the center, and the ring's width, px.
+    [[nodiscard]] double ringRadius() const;
+    [[nodiscard]] double ringWidth() const;
+    [[nodiscard]] QPointF pointAt(double angle, double radius) const;
+    // What the hand covers at an angle.
+    [[nodiscard]] QRect handRect(double angle) const;
+
+    double m_angleDeg = unknown;
+    double m_syncStartDeg = unknown;
+    double m_syncEndDeg = unknown;
+    double m_cutAngleDeg = unknown;
+    bool m_stale = false;
+    QColor m_ringColor{Qt::lightGray};
+    QColor m_syncColor{Qt::darkGray};
+    QColor m_cutColor{Qt::black};
+    QColor m_handColor{Qt::black};
+    QColor m_tipColor{Qt::blue};
+    QColor m_surfaceColor{Qt::white};
+    QColor m_staleColor{Qt::gray};
+};
+
+} // namespace campanel::plot

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/plot/label_draw.h"
+
+#include <qwt_text.h>
+
+namespace campanel::plot {
+
+namespace {
+
+constexpr double labelDistance = 8.0; // px between the canvas and the labels
+
+} // namespace
+
+LabelDraw::LabelDraw(Alignment alignment, const QLocale& locale, int decimals)
+    : m_locale(locale)
+    , m_decimals(decimals)
+{
+    setAlignment(alignment);
+    enableComponent(Backbone, false);
+    enableComponent(Ticks, false);
+    setSpacing(labelDistance);
+}
+
+void LabelDraw::setSpecialLabel(double value, const QString& text)
+{
+    m_specialValue = value;
+    m_specialText = text;
+    invalidateCache();
+}
+
+QwtText LabelDraw::label(double value) const
+{
+    // Exact comparison: Qwt hands back the tick that it was given.
+    if (!m_specialText.isEmpty() && value == m_specialValue) {
+        return QwtText(m_specialText, QwtText::PlainText);
+    }
+    return QwtText(localNumber(m_locale, value, m_decimals), QwtText::PlainText);
+}
+
+QString localNumber(const QLocale& locale, double value, int decimals)
+{
+    QString text = locale.toString(value, 'f', decimals);
+    return text.replace(locale.negativeSign(), QChar(0x2212));
+}
+
+} // namespace campanel::plot

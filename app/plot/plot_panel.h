@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// One panel of a curve plot: a quantity over time with its own value scale. Knows where things are and how to paint them; owned and
+// driven by CurvePlot.
+#pragma once
+
+#include "app/plot/axis_scale.h"
+#include "app/plot/plot_style.h"
+#include "app/plot/quantity.h"
+
+#include <QPointF>
+#include <QPolygonF>
+#include <QRectF>
+
+#include <qwt_scale_map.h>
+
+#include <limits>
+
+class QPainter;
+
+namespace campanel::plot {
+
+// Line through the points, anti-aliased, not outside of clip.
+struct LineStyle {
+    QColor color;
+    double width = 1; // px
+};
+void paintLine(QPainter& painter, const QPolygonF& points, const LineStyle& style, const QwtScaleMap& xMap,
+               const QwtScaleMap& yMap);
+
+class PlotPanel {
+public:
+    explicit PlotPanel(Quantity quantity)
+        : m_quantity(quantity)
+    {
+    }
+
+    [[nodiscard]] Quantity quantity() const { return m_quantity; }
+    [[nodiscard]] const QRectF& canvas() const { return m_canvas; }
+    [[nodiscard]] const QwtScaleMap& valueMap() const { return m_valueMap; }
+    [[nodiscard]] const AxisScale& scale() const { return m_scale; }
+
+    // Keeps the scale of the panel if it still serves. limit in the unit on screen, NaN for none.
+    void setData(const CurveSet& curves, const CurveSet& overlay, double limit);
+    void setCanvas(const QRectF& canvas);
+
+    // Width that the tick labels take to the left of the canvas.
+    [[nodiscard]] double labelWidth(const PlotStyle& style) const;
+
+    // True if the curve is beyond the limit somewhere between the two times.
+    [[nodiscard]] bool isBroken(double fromS, double toS) const;
+
+    void paintGrid(QPainter& painter, const PlotStyle& style) const;
+    void paintTint(QPainter& painter, const QColor& color, double fromX, double toX) const;
+    void paintCurves(QPainter& painter, const PlotStyle& style, const QColor& color, const QwtScaleMap& timeMap) const;
+
+private:
+    void fitScale();
+    void paintLimit(QPainter& painter, const PlotStyle& style, double value) const;
+
+    Quantity m_quantity;
+    QPolygonF m_curve;
+    QPolygonF m_overlay;
+    double m_limit = std::numeric_limits<double>::quiet_NaN();
+    AxisScale m_scale;
+    QRectF m_canvas;
+    QwtScaleMap m_valueMap;
+};
+
+} // namespace campanel::plot
