@@ -64,9 +64,10 @@ TableErrors tableErrors(const RotaryCutter& cutter, std::span<const TableSlice> 
             const double agreeS = startS + share * (endS - startS);
             look(agreeS, cutter.motion.at(agreeS));
         }
-        // Simpson's rule over the slice.
-        squares += (errorStart * errorStart + 4 * errorMiddle * errorMiddle + errorEnd * errorEnd) / 6 *
-                   (endS - startS);
+        // The square of the parabola through the three errors, integrated.
+        squares += (2 * errorStart * errorStart + 8 * errorMiddle * errorMiddle + 2 * errorEnd * errorEnd +
+                    2 * errorMiddle * (errorStart + errorEnd) - errorStart * errorEnd) /
+                   15 * (endS - startS);
         pulsesBefore += slice.pulses;
         last = &slice;
     }

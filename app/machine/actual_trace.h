@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The measured curve over one cycle, drawn as a recorder's pen does: each new point takes the place of those of the
-// cycle before that the pen has passed.
+// The measured curve over one cycle, drawn as a recorder's pen does: each new point takes the place of those
+// of the cycle before that the pen has passed.
 #pragma once
 
 #include <QList>

@@ -15,12 +15,13 @@ double mean(const QList<double>& values)
 
 } // namespace
 
-bool BagStatistics::note(std::uint32_t bagCount, std::optional<double> lengthMm, std::optional<double> deviationMm)
+bool BagStatistics::note(std::uint32_t bagCount, std::optional<double> lengthMm,
+                         std::optional<double> deviationMm)
 {
     if (m_bagCount == bagCount)
         return false;
     if (m_bagCount && bagCount < *m_bagCount)
-        clear(); // the controller has been restarted
+        restart(); // so did the controller
     m_bagCount = bagCount;
     if (!lengthMm || !deviationMm)
         return true;
@@ -29,13 +30,6 @@ bool BagStatistics::note(std::uint32_t bagCount, std::optional<double> lengthMm,
     if (m_deviationsMm.size() > bagsKept)
         m_deviationsMm.removeFirst();
     return true;
-}
-
-void BagStatistics::clear()
-{
-    m_bagCount.reset();
-    m_lengthMm = unknown;
-    m_deviationsMm.clear();
 }
 
 double BagStatistics::meanMm() const
@@ -49,9 +43,9 @@ double BagStatistics::scatterMm() const
     if (m_deviationsMm.size() < 2)
         return unknown;
     const double center = mean(m_deviationsMm);
-    const double squares =
-        std::accumulate(m_deviationsMm.begin(), m_deviationsMm.end(), 0.0,
-                        [center](double sum, double value) { return sum + (value - center) * (value - center); });
+    const double squares = std::accumulate(
+        m_deviationsMm.begin(), m_deviationsMm.end(), 0.0,
+        [center](double sum, double value) { return sum + (value - center) * (value - center); });
     return std::sqrt(squares / static_cast<double>(m_deviationsMm.size() - 1));
 }
 

@@ -16,10 +16,14 @@ public:
 
     // To be given every status; a bag is noted once. True when something changed.
     bool note(std::uint32_t bagCount, std::optional<double> lengthMm, std::optional<double> deviationMm);
-    void clear();
+    // Another set length holds from now on; the last bag stays the last bag.
+    void restart() { m_deviationsMm.clear(); }
 
     [[nodiscard]] double lengthMm() const { return m_lengthMm; }
-    [[nodiscard]] double deviationMm() const { return m_deviationsMm.isEmpty() ? unknown : m_deviationsMm.last(); }
+    [[nodiscard]] double deviationMm() const
+    {
+        return m_deviationsMm.isEmpty() ? unknown : m_deviationsMm.last();
+    }
     [[nodiscard]] double meanMm() const;    // of the lengths
     [[nodiscard]] double scatterMm() const; // standard deviation; NaN below two bags
     [[nodiscard]] const QList<double>& deviationsMm() const { return m_deviationsMm; }

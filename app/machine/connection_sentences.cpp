@@ -18,9 +18,11 @@ QString ConnectionSentences::connection(const link::LinkReport& report)
         return simulator(report);
     if (report.state == LinkState::Lost)
         return report.error && report.error->kind == LinkErrorKind::PortAbsent
-                   ? tr("Connection lost: %1 is gone. Plug the adapter in again; the panel reconnects by itself.")
+                   ? tr("Connection lost: %1 is gone. Plug the adapter in again; the panel reconnects by "
+                        "itself.")
                          .arg(report.portName)
-                   : tr("Connection lost. Check the cable and the controller's power; the panel keeps trying on %1.")
+                   : tr("Connection lost. Check the cable and the controller's power; the panel keeps trying "
+                        "on %1.")
                          .arg(report.portName);
     if (report.error)
         return error(*report.error);
@@ -33,7 +35,8 @@ QString ConnectionSentences::simulator(const link::LinkReport& report)
 {
     switch (report.simulator) {
     case link::SimulatorState::NotFound:
-        return tr("The simulated controller was not found at %1. Install it, or choose a real port in the settings.")
+        return tr("The simulated controller was not found at %1. Install it, or choose a real port in the "
+                  "settings.")
             .arg(report.simulatorDetail);
     case link::SimulatorState::Ended:
         return report.simulatorDetail.isEmpty()
@@ -54,9 +57,11 @@ QString ConnectionSentences::error(const modbus::LinkError& error)
     const QString detail = QString::fromStdString(error.detail);
     switch (error.kind) {
     case LinkErrorKind::PortAbsent:
-        return tr("There is no port %1. Plug the adapter in, or choose another port in the settings.").arg(port);
+        return tr("There is no port %1. Plug the adapter in, or choose another port in the settings.")
+            .arg(port);
     case LinkErrorKind::PortBusy:
-        return tr("The port %1 is in use by another program. Close that program, or choose another port.").arg(port);
+        return tr("The port %1 is in use by another program. Close that program, or choose another port.")
+            .arg(port);
     case LinkErrorKind::PortNotPermitted:
         return tr("This user may not use the port %1. Add the user to the group \"%2\" and log in again.")
             .arg(port, detail);
@@ -75,24 +80,29 @@ QString ConnectionSentences::error(const modbus::LinkError& error)
     case LinkErrorKind::ForeignAnswer:
         return tr("Answers on %1 belong to other questions. Is another master on the line?").arg(port);
     case LinkErrorKind::Exception:
-        return tr("The device on %1 refuses the question (Modbus exception %2). It may not be a CamPanel controller.")
+        return tr("The device on %1 refuses the question (Modbus exception %2). It may not be a CamPanel "
+                  "controller.")
             .arg(port)
             .arg(error.code);
     case LinkErrorKind::NotCamPanel:
-        return tr("The device on %1 is not a CamPanel controller. Choose another port or unit number.").arg(port);
+        return tr("The device on %1 is not a CamPanel controller. Choose another port or unit number.")
+            .arg(port);
     case LinkErrorKind::WrongMapMajor:
-        return tr("The controller on %1 has register map version %2, this panel needs version %3. Update the older of "
+        return tr("The controller on %1 has register map version %2, this panel needs version %3. Update the "
+                  "older of "
                   "the two.")
             .arg(port)
             .arg(error.code)
             .arg(modbus::mapMajor);
     case LinkErrorKind::RangeNotReadable:
-        return tr("The controller on %1 lacks registers that this panel needs. Update its firmware.").arg(port);
+        return tr("The controller on %1 lacks registers that this panel needs. Update its firmware.")
+            .arg(port);
     case LinkErrorKind::CommandLost:
         return tr("The controller did not receive the command. Try again.");
     case LinkErrorKind::OutcomeUnknown:
-        return tr("It is not known whether the controller received the command. Look at the machine before trying "
-                  "again.");
+        return tr(
+            "It is not known whether the controller received the command. Look at the machine before trying "
+            "again.");
     case LinkErrorKind::ReadBackDiffers:
         return tr("The controller kept another value than was written. Try again.");
     case LinkErrorKind::ValueRefused:
@@ -186,9 +196,11 @@ QString ConnectionSentences::downloadError(const modbus::DownloadError& error)
             .arg(ControllerSentences::transferResult(error.transfer));
     case DownloadErrorKind::ChecksumDiffers:
     case DownloadErrorKind::RowsDiffer:
-        return tr("The controller received other bytes than were sent; its program is unchanged. Download again.");
+        return tr(
+            "The controller received other bytes than were sent; its program is unchanged. Download again.");
     case DownloadErrorKind::CommandRefused:
-        return tr("The controller did not apply the table, its program is unchanged. %1", "%1: whole sentence")
+        return tr("The controller did not apply the table, its program is unchanged. %1",
+                  "%1: whole sentence")
             .arg(ControllerSentences::refusal(error.refusal));
     case DownloadErrorKind::Withdrawn:
         return tr("The change was withdrawn before it became active; the controller's program is unchanged.");

@@ -17,7 +17,8 @@ inline constexpr std::size_t curvePoints = 1000;
 struct ControllerProgram {
     std::uint32_t generation = 0;
     std::uint32_t crc = 0;
-    modbus::BankHeader header;
+    std::vector<std::uint16_t> registers; // of the header
+    modbus::BankHeader header;            // the same decoded
     program::Recipe recipe;
     double cycleSeconds = 0; // of the table, to the timer tick
     double rateBagsPerMin = 0;

@@ -34,16 +34,15 @@ QStringList ControllerSentences::alarms(const modbus::StatusBlock& status)
 {
     QStringList texts;
     if (status.has(FaultBit::FollowingError))
-        texts << tr("The knife does not keep up with its command. Look for a jam, then reset the fault and home.");
+        texts << tr(
+            "The knife does not keep up with its command. Look for a jam, then reset the fault and home.");
     if (status.has(FaultBit::ActiveTableDamaged))
         texts << tr("The table in the controller is damaged. Reset the fault and download the recipe again.");
     if (status.has(FaultBit::DriveNotFollowing))
-        texts << tr("No index mark was found while homing. Check drive and index sensor, then reset the fault.");
+        texts << tr(
+            "No index mark was found while homing. Check drive and index sensor, then reset the fault.");
     if (status.has(WarningBit::HeartbeatLost))
         texts << tr("The controller had not heard the panel for a while. Check the cable.");
-    // Before the first start this is the normal state: Start homes by itself.
-    if (status.has(WarningBit::NotHomed) && status.state == State::Running)
-        texts << tr("The knife's angle is not known. Stop and home the machine.");
     if (status.has(WarningBit::FlashSlotInvalid))
         texts << tr("One of the two saved copies in the controller is damaged. Save the program again.");
     return texts;
@@ -89,7 +88,8 @@ QString ControllerSentences::refusal(Refusal reason)
     case Refusal::HeartbeatLost:
         return tr("The controller does not hear the panel. Check the cable.");
     }
-    return tr("The controller gives a reason that this panel does not know (%1).").arg(static_cast<int>(reason));
+    return tr("The controller gives a reason that this panel does not know (%1).")
+        .arg(static_cast<int>(reason));
 }
 
 QString ControllerSentences::transferResult(const modbus::TransferAnswer& answer)

@@ -2,16 +2,23 @@
 // `Editor` in QML: the recipe being edited, what it demands of the machine, and its way into the controller.
 #pragma once
 
-#include "app/machine/difference_model.h"
+#include "app/machine/download_desk.h"
+#include "app/machine/edit_history.h"
 #include "app/machine/editor_field.h"
 #include "app/machine/law_model.h"
+#include "app/machine/solution.h"
 #include "app/machine/table_model.h"
+#include "app/store/last_recipe.h"
 
 #include <QObject>
 #include <QPointF>
 #include <QStringList>
+#include <QTimer>
 #include <QVariant>
 #include <QtQml/qqmlregistration.h>
+
+#include <array>
+#include <optional>
 
 class QJSEngine;
 class QQmlEngine;
@@ -43,6 +50,7 @@ class Editor : public QObject {
     Q_PROPERTY(campanel::machine::EditorField* maxRpm READ maxRpm CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::EditorField* maxAcceleration READ maxAcceleration CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::EditorField* maxFrequency READ maxFrequency CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* maxRate READ maxRate CONSTANT FINAL)
 
     Q_PROPERTY(campanel::machine::LawModel* laws READ laws CONSTANT FINAL)
     Q_PROPERTY(QString lawName READ lawName NOTIFY solutionChanged FINAL)
@@ -72,6 +80,7 @@ class Editor : public QObject {
     Q_PROPERTY(QString recipeName READ recipeName WRITE setRecipeName NOTIFY recipeChanged FINAL)
     Q_PROPERTY(int recipeVersion READ recipeVersion NOTIFY recipeChanged FINAL)
     Q_PROPERTY(bool edited READ edited NOTIFY recipeChanged FINAL)
+    Q_PROPERTY(QString notice READ notice NOTIFY noticeChanged FINAL)
 
     Q_PROPERTY(DownloadState downloadState READ downloadState NOTIFY downloadChanged FINAL)
     Q_PROPERTY(double downloadProgress READ downloadProgress NOTIFY downloadChanged FINAL)
@@ -89,7 +98,9 @@ public:
     enum class DownloadState { NothingToDo, Ready, Blocked, Transferring, Sealing, Armed, Applied, Failed };
     Q_ENUM(DownloadState)
 
-    explicit Editor(QObject* parent);
+    // Both recipes are kept in `folder`. The machine must outlive it.
+    Editor(Machine& machine, const QString& folder, QObject* parent);
+    ~Editor() override;
 
     // The instance that attachToEngine() gave to this engine.
     static Editor* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
@@ -114,41 +125,43 @@ public:
     [[nodiscard]] EditorField* maxRpm() { return &m_maxRpm; }
     [[nodiscard]] EditorField* maxAcceleration() { return &m_maxAcceleration; }
     [[nodiscard]] EditorField* maxFrequency() { return &m_maxFrequency; }
+    [[nodiscard]] EditorField* maxRate() { return &m_maxRate; }
 
     [[nodiscard]] LawModel* laws() { return &m_laws; }
-    [[nodiscard]] QString lawName() const { return {}; }
-    [[nodiscard]] bool solvable() const { return false; }
-    [[nodiscard]] bool feasible() const { return false; }
-    [[nodiscard]] QString verdict() const { return {}; }
-    [[nodiscard]] Severity severity() const { return Severity::Good; }
-    [[nodiscard]] bool hasSuggestion() const { return false; }
-    [[nodiscard]] QString suggestionText() const { return {}; }
-    [[nodiscard]] QVariant curves() const { return {}; }
-    [[nodiscard]] QVariant activeCurves() const { return {}; }
-    [[nodiscard]] double cycleSeconds() const { return 1; }
-    [[nodiscard]] QList<double> ratioTimes() const { return {0.25, 0.4, 0.6, 0.75}; }
-    [[nodiscard]] double limitVelocity() const { return 0; }
-    [[nodiscard]] double limitAcceleration() const { return 0; }
-    [[nodiscard]] double limitFrequency() const { return 0; }
-    [[nodiscard]] QList<QPointF> violations() const { return {}; }
-    [[nodiscard]] QString peakText() const { return {}; }
+    [[nodiscard]] QString lawName() const;
+    [[nodiscard]] bool solvable() const { return m_solution.cutter.has_value(); }
+    [[nodiscard]] bool feasible() const { return m_solution.isFeasible(); }
+    [[nodiscard]] QString verdict() const;
+    [[nodiscard]] Severity severity() const;
+    [[nodiscard]] bool hasSuggestion() const { return suggestion() != nullptr; }
+    [[nodiscard]] QString suggestionText() const;
+    [[nodiscard]] QVariant curves() const;
+    [[nodiscard]] QVariant activeCurves() const;
+    [[nodiscard]] double cycleSeconds() const { return m_cycleSeconds; }
+    [[nodiscard]] QList<double> ratioTimes() const;
+    [[nodiscard]] double limitVelocity() const;
+    [[nodiscard]] double limitAcceleration() const;
+    [[nodiscard]] double limitFrequency() const;
+    [[nodiscard]] QList<QPointF> violations() const;
+    [[nodiscard]] QString peakText() const;
     [[nodiscard]] TableModel* table() { return &m_table; }
-    [[nodiscard]] QStringList tableSummary() const { return {}; }
-    [[nodiscard]] bool canUndo() const { return false; }
-    [[nodiscard]] bool canRedo() const { return false; }
-    [[nodiscard]] QString recipeName() const { return m_recipeName; }
+    [[nodiscard]] QStringList tableSummary() const;
+    [[nodiscard]] bool canUndo() const { return m_history.canUndo(); }
+    [[nodiscard]] bool canRedo() const { return m_history.canRedo(); }
+    [[nodiscard]] QString recipeName() const { return QString::fromStdString(m_recipe.name); }
     void setRecipeName(const QString& name);
-    [[nodiscard]] int recipeVersion() const { return 1; }
-    [[nodiscard]] bool edited() const { return false; }
-    [[nodiscard]] DownloadState downloadState() const { return DownloadState::Blocked; }
-    [[nodiscard]] double downloadProgress() const { return 0; }
-    [[nodiscard]] QString downloadText() const { return {}; }
-    [[nodiscard]] bool canDownload() const { return false; }
-    [[nodiscard]] DifferenceModel* differences() { return &m_differences; }
-    [[nodiscard]] int differenceCount() const { return 0; }
-    [[nodiscard]] QString controllerText() const { return {}; }
-    [[nodiscard]] bool saved() const { return false; }
-    [[nodiscard]] bool canSave() const { return false; }
+    [[nodiscard]] int recipeVersion() const { return m_stored.version; }
+    [[nodiscard]] bool edited() const;
+    [[nodiscard]] QString notice() const { return m_notice; }
+    [[nodiscard]] DownloadState downloadState() const { return static_cast<DownloadState>(m_desk.state()); }
+    [[nodiscard]] double downloadProgress() const { return m_desk.progress(); }
+    [[nodiscard]] QString downloadText() const { return m_desk.text(); }
+    [[nodiscard]] bool canDownload() const { return m_desk.canDownload(); }
+    [[nodiscard]] DifferenceModel* differences() { return &m_desk.differences(); }
+    [[nodiscard]] int differenceCount() { return m_desk.differences().count(); }
+    [[nodiscard]] QString controllerText() const { return m_desk.controllerText(); }
+    [[nodiscard]] bool saved() const { return m_desk.isSaved(); }
+    [[nodiscard]] bool canSave() const { return m_desk.canSave(); }
 
     Q_INVOKABLE void setLaw(const QString& lawId);
     Q_INVOKABLE void applySuggestion();
@@ -162,6 +175,9 @@ public:
     Q_INVOKABLE void download();
     Q_INVOKABLE void cancelDownload();
     Q_INVOKABLE void saveToFlash();
+    Q_INVOKABLE void dismissNotice();
+
+    [[nodiscard]] const program::Recipe& recipe() const { return m_recipe; }
 
 signals:
     void solutionChanged();
@@ -170,8 +186,29 @@ signals:
     void historyChanged();
     void recipeChanged();
     void downloadChanged();
+    void noticeChanged();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    struct FieldOf {
+        EditorField* item = nullptr;
+        profile::Field field = profile::Field::BagLength;
+    };
+
+    void connectFields();
+    template <typename Change> void edit(Change change);
+    void replace(program::Recipe recipe); // undo, redo, revert
+    void recompute();
+    void show();
+    void watchController();
+    void keepWorkingCopy();
+    void takeApplied(const program::Recipe& recipe);
+    void showNotice(const QString& text);
+    [[nodiscard]] const profile::Suggestion* suggestion() const;
+    [[nodiscard]] const profile::Machine& limits() const;
+
     EditorField m_bagLength{QStringLiteral("bagLength"), this};
     EditorField m_rate{QStringLiteral("rate"), this};
     EditorField m_baseSpeed{QStringLiteral("baseSpeed"), this};
@@ -192,10 +229,24 @@ private:
     EditorField m_maxRpm{QStringLiteral("maxRpm"), this};
     EditorField m_maxAcceleration{QStringLiteral("maxAcceleration"), this};
     EditorField m_maxFrequency{QStringLiteral("maxFrequency"), this};
+    EditorField m_maxRate{QStringLiteral("maxRate"), this};
+    std::array<FieldOf, 19> m_fields;
     LawModel m_laws;
     TableModel m_table;
-    DifferenceModel m_differences;
-    QString m_recipeName = QStringLiteral("Biscuit 250");
+
+    Machine& m_machine;
+    DownloadDesk m_desk;
+    store::LastRecipe m_storedFile;
+    store::LastRecipe m_workingFile;
+    QTimer m_keepTimer;
+    program::Recipe m_stored;
+    program::Recipe m_recipe;
+    std::optional<program::Recipe> m_beforeDrag;
+    EditHistory<program::Recipe> m_history;
+    std::optional<modbus::Identity> m_controller; // that the solution was made for
+    Solution m_solution;
+    double m_cycleSeconds = 1; // the last that was known, so that the handles stay where they are
+    QString m_notice;
 };
 
 } // namespace campanel::machine

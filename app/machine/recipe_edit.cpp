@@ -14,7 +14,7 @@ using profile::Field;
 // Smallest share of a cycle between two ends of stretches that a finger can leave.
 constexpr double smallestGap = 0.01;
 
-constexpr std::array pinnableFields{Field::BagLength, Field::Rate, Field::BaseSpeed, Field::FilmSpeed};
+using program::pinnableFields;
 
 Field counterpart(Field field)
 {
@@ -40,28 +40,14 @@ void pin(profile::RotaryCutterProgram& program, Field field)
 
 } // namespace
 
-bool isMachineField(Field field)
-{
-    return field >= Field::KnifeRadius;
-}
-
 bool isPinnable(Field field)
 {
     return std::ranges::find(pinnableFields, field) != pinnableFields.end();
 }
 
-double fieldValue(const Recipe& recipe, Field field)
-{
-    return isMachineField(field) ? profile::value(recipe.machine, field) : profile::value(recipe.program, field);
-}
-
 void enterField(Recipe& recipe, Field field, double value)
 {
-    if (isMachineField(field)) {
-        profile::setValue(recipe.machine, field, value);
-        return;
-    }
-    profile::setValue(recipe.program, field, value);
+    program::setValue(recipe, field, value);
     if (isPinnable(field))
         pin(recipe.program, field);
 }
@@ -116,25 +102,30 @@ void dragRatio(Recipe& recipe, int index, double share)
     recipe.program.k[static_cast<std::size_t>(index)] = profile::snapToGrid(Field::K1, 1 / kept);
 }
 
-bool sameRecipe(const Recipe& left, const Recipe& right)
+bool sameRecipe(const Recipe& leftGiven, const Recipe& rightGiven)
 {
+    // As the controller holds them: a derived number that was pinned has more digits than its register.
+    const Recipe left = program::quantised(leftGiven);
+    const Recipe right = program::quantised(rightGiven);
     if (left.name != right.name || left.program.speedLaw != right.program.speedLaw)
         return false;
     const auto* law = profile::findLaw(left.program.speedLaw);
     const std::size_t parameters = law ? law->parameters.size() : 0;
-    if (!std::equal(left.program.speedLawParameters.begin(), left.program.speedLawParameters.begin() + parameters,
+    if (!std::equal(left.program.speedLawParameters.begin(),
+                    left.program.speedLawParameters.begin() + parameters,
                     right.program.speedLawParameters.begin()))
         return false;
-    return std::ranges::all_of(profile::fields, [&](const profile::FieldInfo& field) {
-        if (isPinnable(field.field)) {
-            const bool pinned = profile::isPinned(left.program, field.field);
-            if (pinned != profile::isPinned(right.program, field.field))
-                return false;
-            if (!pinned)
-                return true;
-        }
-        return fieldValue(left, field.field) == fieldValue(right, field.field);
-    });
+    const auto isSame = [&](Field field) {
+        if (isPinnable(field) && !profile::isPinned(left.program, field))
+            return !profile::isPinned(right.program, field);
+        return program::value(left, field) == program::value(right, field);
+    };
+    const auto samePins = [&](Field field) {
+        return profile::isPinned(left.program, field) == profile::isPinned(right.program, field);
+    };
+    return std::ranges::all_of(pinnableFields, samePins) &&
+           std::ranges::all_of(program::programFields, isSame) &&
+           std::ranges::all_of(program::machineFields, isSame);
 }
 
 } // namespace campanel::machine

@@ -11,15 +11,14 @@ namespace campanel::machine {
 
 using program::Recipe;
 
-[[nodiscard]] double fieldValue(const Recipe& recipe, profile::Field field);
-[[nodiscard]] bool isMachineField(profile::Field field);
 [[nodiscard]] bool isPinnable(profile::Field field);
 
-// Enters a value. A derived one of the four becomes pinned, and the pinned one that was edited longest ago derived.
+// Enters a value. A derived one of the four becomes pinned, and the pinned one that was edited longest ago
+// derived.
 void enterField(Recipe& recipe, profile::Field field, double value);
 
-// Pins a derived field at its present value, or releases a pinned one in favor of its counterpart (bag length and
-// film speed, rate and base speed), so that no number changes.
+// Pins a derived field at its present value, or releases a pinned one in favor of its counterpart (bag length
+// and film speed, rate and base speed), so that no number changes.
 void togglePin(Recipe& recipe, profile::Field field);
 
 // Takes over the four numbers of a solution, so that a derived one can be pinned as it is.
@@ -27,8 +26,8 @@ void adopt(Recipe& recipe, const profile::CycleNumbers& cycle);
 
 void chooseLaw(Recipe& recipe, const profile::Law& law);
 
-// Range within which the end of stretch `index` (0..3) may be put, in shares of the cycle: a gap is kept to the
-// neighbors.
+// Range within which the end of stretch `index` (0..3) may be put, in shares of the cycle: a gap is kept to
+// the neighbors.
 struct ShareRange {
     double from = 0;
     double to = 1;
@@ -37,7 +36,8 @@ struct ShareRange {
 // Puts it at that share of the cycle, or as near as the range allows.
 void dragRatio(Recipe& recipe, int index, double share);
 
-// True when both describe the same motion of the same machine under the same name; derived numbers do not count.
+// True when both describe the same motion of the same machine under the same name; derived numbers do not
+// count.
 [[nodiscard]] bool sameRecipe(const Recipe& left, const Recipe& right);
 
 } // namespace campanel::machine

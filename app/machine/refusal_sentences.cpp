@@ -13,7 +13,8 @@ QString RefusalSentences::valueWithUnit(profile::Field field, double value)
 {
     const profile::FieldInfo& info = profile::info(field);
     const QString number = Format().number(value, info.decimals);
-    return info.unit.empty() ? number : tr("%1 %2", "%1: number, %2: unit").arg(number, RecipeWords::unit(info.unit));
+    return info.unit.empty() ? number
+                             : tr("%1 %2", "%1: number, %2: unit").arg(number, RecipeWords::unit(info.unit));
 }
 
 QString RefusalSentences::suggestion(const profile::Suggestion& suggestion)
@@ -27,7 +28,18 @@ QString RefusalSentences::withinLimits(const std::optional<profile::FastestRate>
     if (!fastest)
         return tr("Within all limits.");
     return tr("Within all limits. Fastest possible: %1 (%2).", "%1: rate with unit, %2: name of the limit")
-        .arg(valueWithUnit(profile::Field::Rate, fastest->rateBagsPerMin), RecipeWords::limitName(fastest->limitedBy));
+        .arg(valueWithUnit(profile::Field::Rate, fastest->rateBagsPerMin),
+             RecipeWords::limitName(fastest->limitedBy));
+}
+
+QString RefusalSentences::closeToLimits(const std::optional<profile::FastestRate>& fastest)
+{
+    if (!fastest)
+        return tr("Just within the limits.");
+    return tr("Just within the limits. Fastest possible: %1 (%2).",
+              "%1: rate with unit, %2: name of the limit")
+        .arg(valueWithUnit(profile::Field::Rate, fastest->rateBagsPerMin),
+             RecipeWords::limitName(fastest->limitedBy));
 }
 
 QString RefusalSentences::limitBrokenAt(const profile::Refusal& refusal)
@@ -39,12 +51,14 @@ QString RefusalSentences::limitBrokenAt(const profile::Refusal& refusal)
     const QString angle = format.number(refusal.angleDeg.value_or(NAN), 0);
     switch (refusal.limit) {
     case Limit::MotorSpeed:
-        return tr("The motor would turn at %1 at %3 s (%4°); the limit is %2.").arg(actual, allowed, time, angle);
+        return tr("The motor would turn at %1 at %3 s (%4°); the limit is %2.")
+            .arg(actual, allowed, time, angle);
     case Limit::KnifeAcceleration:
         return tr("The knife would accelerate with %1 at %3 s (%4°); the limit is %2.")
             .arg(actual, allowed, time, angle);
     default:
-        return tr("The pulse frequency would be %1 at %3 s (%4°); the limit is %2.").arg(actual, allowed, time, angle);
+        return tr("The pulse frequency would be %1 at %3 s (%4°); the limit is %2.")
+            .arg(actual, allowed, time, angle);
     }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Refusals and limits of a program as whole translated sentences: which limit, by how much, where, what to do.
+// Refusals and limits of a program as whole translated sentences: which limit, by how much, where, what to
+// do.
 #pragma once
 
 #include "app/machine/format.h"
@@ -17,6 +18,7 @@ public:
     // For a button: "Rate 143.2 bags/min".
     [[nodiscard]] static QString suggestion(const profile::Suggestion& suggestion);
     [[nodiscard]] static QString withinLimits(const std::optional<profile::FastestRate>& fastest);
+    [[nodiscard]] static QString closeToLimits(const std::optional<profile::FastestRate>& fastest);
     // "60.0 mm"
     [[nodiscard]] static QString valueWithUnit(profile::Field field, double value);
 

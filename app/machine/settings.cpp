@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/machine/settings.h"
 
+#include "app/link/port_finder.h"
 #include "app/machine/engine_instances.h"
 
 #include <QLocale>
-#include <QSerialPortInfo>
+#include <QStandardPaths>
 
 #include <algorithm>
 
@@ -167,8 +168,12 @@ void Settings::setUnit(int unit)
 void Settings::refreshPorts()
 {
     QList<PortRow> rows;
-    for (const QSerialPortInfo& port : QSerialPortInfo::availablePorts())
-        rows << PortRow{port.systemLocation(), port.description(), {}};
+    for (const link::PortDescription& port : link::availablePorts()) {
+        const QString problem = port.isPermitted
+                                    ? QString()
+                                    : tr("Not permitted: add the user to the group \"%1\".").arg(port.group);
+        rows << PortRow{port.path, port.description, problem};
+    }
     m_ports.setRows(rows);
 }
 
@@ -178,6 +183,31 @@ void Settings::applyConnection()
     store(m_storage, m_applied);
     emit connectionChanged();
     emit connectionApplied();
+}
+
+link::ConnectionSettings Settings::linkSettings() const
+{
+    link::ConnectionSettings settings;
+    settings.simulated = m_applied.simulated;
+    settings.port = m_applied.portName;
+    settings.line.baud = static_cast<std::uint32_t>(m_applied.baud);
+    settings.line.parity = m_applied.parity == u"E"_s   ? modbus::Parity::Even
+                           : m_applied.parity == u"O"_s ? modbus::Parity::Odd
+                                                        : modbus::Parity::None;
+    settings.line.stopBits = static_cast<std::uint8_t>(m_applied.stopBits);
+    settings.unit = m_applied.unit;
+    settings.simulatorProgram = m_simulatorProgram;
+    settings.simulatorStateDir =
+        m_simulatorStateDir.isEmpty()
+            ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + u"/controller"_s
+            : m_simulatorStateDir;
+    return settings;
+}
+
+void Settings::overrideSimulator(const QString& program, const QString& stateDir)
+{
+    m_simulatorProgram = program;
+    m_simulatorStateDir = stateDir;
 }
 
 void Settings::overrideConnection(const ConnectionChoice& choice)

@@ -3,6 +3,7 @@
 // Connection fields are a draft until applyConnection().
 #pragma once
 
+#include "app/link/link_values.h"
 #include "app/machine/port_model.h"
 
 #include <QObject>
@@ -82,8 +83,11 @@ public:
     Q_INVOKABLE void refreshPorts();
     Q_INVOKABLE void applyConnection();
 
-    // The connection in use.
+    // The connection in use, and the same for the link.
     [[nodiscard]] const ConnectionChoice& connection() const { return m_applied; }
+    [[nodiscard]] link::ConnectionSettings linkSettings() const;
+    // Runs this program as the simulated controller instead of the one that is found, with its flash there.
+    void overrideSimulator(const QString& program, const QString& stateDir);
     // For this run only, as the command line wants it; nothing is stored.
     void overrideConnection(const ConnectionChoice& choice);
     void overrideLanguage(const QString& language);
@@ -104,6 +108,8 @@ private:
     ConnectionChoice m_draft;
     ConnectionChoice m_applied;
     PortModel m_ports;
+    QString m_simulatorProgram;
+    QString m_simulatorStateDir;
 };
 
 } // namespace campanel::machine

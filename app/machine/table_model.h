@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The step table behind the curves, one row of the controller's table per row.
+// The step table behind the curves, one row of the controller's table per row. Texts are made when they are
+// shown.
 #pragma once
+
+#include "app/program/program_image.h"
 
 #include <QAbstractListModel>
 #include <QtQml/qqmlregistration.h>
+
+#include <memory>
+#include <vector>
 
 namespace campanel::machine {
 
@@ -16,16 +22,17 @@ class TableModel : public QAbstractListModel {
 public:
     enum Role {
         RowRole = Qt::UserRole + 1,
-        TimeTextRole,
+        TimeTextRole, // of the row's beginning
         FrequencyTextRole,
         PulsesTextRole,
         TicksTextRole,
-        SegmentRole
+        SegmentRole,
     };
 
     using QAbstractListModel::QAbstractListModel;
 
-    [[nodiscard]] int count() const { return 0; }
+    void setImage(std::shared_ptr<const program::ProgramImage> image);
+    [[nodiscard]] int count() const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
@@ -33,6 +40,12 @@ public:
 
 signals:
     void countChanged();
+
+private:
+    [[nodiscard]] QString segmentName(double timeS) const;
+
+    std::shared_ptr<const program::ProgramImage> m_image;
+    std::vector<double> m_startS;
 };
 
 } // namespace campanel::machine
