@@ -10,7 +10,7 @@ SettingsSection {
     id: section
 
     readonly property real half: (width - Theme.size.spacing) / 2
-    readonly property real rowHeight: Math.max(Theme.size.touch, (height - top - 3 * Theme.size.spacing) / 4)
+    readonly property real rowHeight: Math.max(Theme.size.touch, (height - top - 4 * Theme.size.spacing) / 5)
 
     title: qsTr("Machine")
 
@@ -25,7 +25,7 @@ SettingsSection {
             spacing: Theme.size.spacing
             Repeater {
                 model: [Editor.knifeRadius, Editor.knives, Editor.pulsesPerRev, Editor.maxFrequency,
-                    Editor.gearNumerator, Editor.gearDenominator, Editor.maxRpm, Editor.maxAcceleration]
+                    Editor.gearNumerator, Editor.gearDenominator, Editor.maxRpm, Editor.maxAcceleration, Editor.maxRate]
                 FieldTile {
                     required property var modelData
                     objectName: "field_" + field.fieldId

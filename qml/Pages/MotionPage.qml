@@ -67,6 +67,7 @@ Page {
     }
     VerdictBar {
         id: verdict
+        visible: page.bottomInset === 0    // a banner takes its place
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
         onMoreRequested: page.sheetRequested(moreSheet)
         onDownloadRequested: page.sheetRequested(downloadSheet)

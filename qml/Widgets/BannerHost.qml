@@ -15,7 +15,8 @@ Item {
     readonly property string linkTrouble: [Machine.Connection.Lost, Machine.Connection.WrongDevice, Machine.Connection.PortProblem]
         .includes(Machine.connection) ? Machine.connectionText : ""
     readonly property string alarm: Machine.alarmText.length > 0 ? Machine.alarmText : linkTrouble
-    readonly property string answer: Machine.commandMessage.length > 0 ? Machine.commandMessage : refusal
+    readonly property string answer: Machine.commandMessage.length > 0 ? Machine.commandMessage
+        : Editor.notice.length > 0 ? Editor.notice : refusal
     readonly property bool alarmShown: answer.length === 0 && alarm.length > 0 && alarm !== putAside
     readonly property bool shown: answer.length > 0 || alarmShown
     readonly property bool attention: alarm.length > 0 && alarm === putAside
@@ -25,6 +26,7 @@ Item {
             host.putAside = host.alarm
         host.refusal = ""
         Machine.dismissMessage()
+        Editor.dismissNotice()
     }
 
     implicitHeight: Theme.size.actionBar

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The font families of the panel; see fonts.h.
-#include "fonts.h"
+#include "app/main/fonts.h"
 
 #include <QFont>
 #include <QFontDatabase>
@@ -8,7 +8,7 @@
 
 #include <array>
 
-namespace campanel::theme {
+namespace campanel::panel {
 namespace {
 
 struct Family {
@@ -41,4 +41,4 @@ QStringList missingFonts()
     return sentences;
 }
 
-} // namespace campanel::theme
+} // namespace campanel::panel

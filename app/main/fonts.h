@@ -4,7 +4,7 @@
 
 #include <QStringList>
 
-namespace campanel::theme {
+namespace campanel::panel {
 
 // Makes the text families the default font. GUI thread, after QGuiApplication is made.
 void applyFonts();
@@ -12,4 +12,4 @@ void applyFonts();
 // One sentence for each family that is not installed, naming the package to install.
 [[nodiscard]] QStringList missingFonts();
 
-} // namespace campanel::theme
+} // namespace campanel::panel
