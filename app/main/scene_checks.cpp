@@ -157,8 +157,8 @@ QQuickItem* childNamed(QQuickItem& below, const QString& name)
 QStringList checkScene(QQuickItem& root, const TouchLimits& limits)
 {
     QQuickItem* layer = &root;
-    for (const char* loader : {"sheetLoader", "keypadLoader"}) {
-        QQuickItem* item = childNamed(root, QString::fromLatin1(loader));
+    for (const char* host : {"sheetHost", "keypadLoader"}) {
+        QQuickItem* item = childNamed(root, QString::fromLatin1(host));
         if (item && !item->childItems().isEmpty())
             layer = item;
     }

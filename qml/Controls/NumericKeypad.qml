@@ -3,6 +3,7 @@
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
+import CamPanel.Controls
 
 Card {
     id: keypad

@@ -12,7 +12,7 @@ SettingsSection {
 
     Rectangle {
         id: warning
-        y: section.top
+        y: section.bodyTop
         width: parent.width
         height: safety.implicitHeight + 2 * Theme.size.padding
         radius: Theme.size.radius

@@ -17,7 +17,7 @@ SettingsSection {
 
     Column {
         id: body
-        y: section.top
+        y: section.bodyTop
         width: parent.width
         spacing: Theme.size.spacing
         Segmented {

@@ -17,7 +17,7 @@ SettingsSection {
     title: qsTr("Display")
 
     Column {
-        y: section.top
+        y: section.bodyTop
         width: parent.width
         spacing: Theme.size.spacing
         Label {

@@ -14,25 +14,29 @@ Rectangle {
     readonly property list<string> sources: ["RunPage.qml", "MotionPage.qml", "SettingsPage.qml"]
     property alias clockRuns: topBar.clockRuns
     property alias now: topBar.now
+    property var sheet: null               // the open dialog
     property real shift                    // the page moves aside, so that the keypad does not cover the field
 
-    function openPage(index: int) {
+    function openPage(index: int): void {
         frame.closeAll()
         frame.page = index
     }
-    function openSheet(sheet: Component, values: var) {
-        sheetLoader.values = values
-        sheetLoader.sourceComponent = sheet
+    function openSheet(sheet: Component, values: var): void {
+        frame.closeAll()
+        frame.sheet = sheet.createObject(sheetHost, Object.assign({ width: Qt.binding(() => sheetHost.width), height: Qt.binding(() => sheetHost.height) }, values))
+        frame.sheet.closed.connect(frame.closeAll)
     }
-    function closeAll() {
+    function closeAll(): void {
         frame.closeKeypad()
-        sheetLoader.sourceComponent = null
+        if (frame.sheet)
+            frame.sheet.destroy()
+        frame.sheet = null
     }
-    function closeKeypad() {
+    function closeKeypad(): void {
         keypadLoader.active = false
         frame.shift = 0
     }
-    function edit(fields: var, index: int, source: Item) {
+    function edit(fields: var, index: int, source: Item): void {
         const right = source.mapToItem(overlay, source.width, 0).x - frame.shift
         keypadLoader.setSource("KeypadOverlay.qml", { fields: fields, index: index, field: source })
         keypadLoader.active = true
@@ -105,18 +109,11 @@ Rectangle {
         objectName: "overlay"
         anchors { left: parent.left; right: commands.left; rightMargin: Theme.size.spacing; top: topBar.bottom; bottom: parent.bottom }
 
-        Loader {
-            id: sheetLoader
-            objectName: "sheetLoader"
-            property var values: ({})
+        Item {
+            id: sheetHost
+            objectName: "sheetHost"
             anchors.fill: parent
             transform: Translate { x: frame.shift }
-            onLoaded: Object.assign(item, values)
-            Connections {
-                target: sheetLoader.item
-                ignoreUnknownSignals: true
-                function onClosed() { frame.closeAll() }
-            }
         }
         Loader {
             id: keypadLoader

@@ -10,12 +10,12 @@ SettingsSection {
     id: section
 
     readonly property real half: (width - Theme.size.spacing) / 2
-    readonly property real rowHeight: Math.max(Theme.size.touch, (height - top - 4 * Theme.size.spacing) / 5)
+    readonly property real rowHeight: Math.max(Theme.size.touch, (height - bodyTop - 4 * Theme.size.spacing) / 5)
 
     title: qsTr("Machine")
 
     Flickable {
-        anchors { fill: parent; topMargin: section.top }
+        anchors { fill: parent; topMargin: section.bodyTop }
         contentHeight: grid.height
         clip: true
         boundsBehavior: Flickable.StopAtBounds

@@ -11,7 +11,7 @@ Item {
 
     required property string title
     property Page page
-    readonly property real top: heading.height + Theme.size.spacing
+    readonly property real bodyTop: heading.height + Theme.size.spacing
 
     Label {
         id: heading
