@@ -117,7 +117,10 @@ void LinkWorker::startSimulator()
     connect(m_simulator.get(), &SimulatedController::ended, this, [this](const QString& lastWords) {
         m_report.simulator = SimulatorState::Ended;
         m_report.simulatorDetail = lastWords;
-        lose({modbus::LinkErrorKind::PortGone, m_report.portName.toStdString(), {}, {}, 0});
+        if (m_report.state == LinkState::Connected)
+            lose({modbus::LinkErrorKind::PortGone, m_report.portName.toStdString(), {}, {}, 0});
+        else
+            report(m_wasConnected ? LinkState::Lost : LinkState::Searching, m_report.error);
     });
     m_report.simulator = SimulatorState::Starting;
     report(LinkState::Searching);
