@@ -29,7 +29,9 @@ void paintPoints(QPainter& painter, const QPolygonF& points, std::unique_ptr<Qwt
     curve.setStyle(QwtPlotCurve::NoCurve);
     curve.setSymbol(symbol.release()); // the curve owns it
     curve.setSamples(points);
-    curve.draw(&painter, xMap, yMap, QRectF(QPointF(xMap.p1(), yMap.p2()), QPointF(xMap.p2(), yMap.p1())));
+    // Qwt leaves out symbols whose middle is on the right or the lower edge of what it takes for the canvas.
+    const QRectF canvas(QPointF(xMap.p1(), yMap.p2()), QPointF(xMap.p2(), yMap.p1()));
+    curve.draw(&painter, xMap, yMap, canvas.adjusted(-1, -1, 1, 1));
 }
 
 } // namespace
