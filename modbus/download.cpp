@@ -17,6 +17,15 @@ std::string hex32(std::uint32_t value)
     return text;
 }
 
+std::string transferReason(const TransferAnswer& answer)
+{
+    if (answer.result == TransferResult::BadRow)
+        return "row " + std::to_string(answer.detail) + " is outside the range of its pulse timer.";
+    if (answer.result == TransferResult::BadHeader)
+        return "header register " + std::to_string(answer.detail) + " is outside its range.";
+    return std::string(enumText("TransferResult", static_cast<std::uint16_t>(answer.result)));
+}
+
 const char* const untouched = " The active program is unchanged.";
 
 } // namespace
@@ -33,9 +42,7 @@ std::string describe(const DownloadError& error)
         return std::string("The controller cannot execute this kind of program. Update its firmware.") +
                untouched;
     case DownloadErrorKind::TransferRefused:
-        return "The controller refused the table: " +
-               std::string(enumText("TransferResult", static_cast<std::uint16_t>(error.transfer.result))) +
-               " (detail " + std::to_string(error.transfer.detail) + ")." + untouched;
+        return "The controller refused the table: " + transferReason(error.transfer) + untouched;
     case DownloadErrorKind::ChecksumDiffers:
         return "The controller holds other bytes than were sent: CRC-32 " + hex32(error.actual) +
                " instead of " + hex32(error.expected) + ". Download again." + untouched;

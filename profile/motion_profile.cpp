@@ -4,6 +4,7 @@
 #include "profile/motion_profile.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace campanel::profile {
 
@@ -71,6 +72,30 @@ MotionPoint MotionProfile::at(double timeS) const
     const auto next = std::upper_bound(m_segments.begin() + 1, m_segments.end(), time,
                                        [](double t, const Segment& segment) { return t < segment.startS; });
     return (next - 1)->at(time);
+}
+
+double MotionProfile::timeAt(double positionMm, double guessS) const
+{
+    constexpr double positionToleranceMm = 1e-9;
+    constexpr double timeToleranceS = 1e-10;
+    constexpr int maxSteps = 100;
+    double low = 0;
+    double high = durationS();
+    double time = std::clamp(guessS, low, high);
+    // Newton's method, halving the bracket whenever a step leaves it or the speed is zero.
+    for (int step = 0; step < maxSteps && high - low > timeToleranceS; ++step) {
+        const MotionPoint p = at(time);
+        const double ahead = p.positionMm - positionMm;
+        if (std::abs(ahead) <= positionToleranceMm)
+            break;
+        (ahead > 0 ? high : low) = time;
+        const double next = p.velocityMmPerS > 0 ? time - ahead / p.velocityMmPerS : low;
+        const double previous = time;
+        time = next > low && next < high ? next : (low + high) / 2;
+        if (std::abs(time - previous) <= timeToleranceS)
+            break;
+    }
+    return time;
 }
 
 } // namespace campanel::profile

@@ -43,6 +43,9 @@ public:
     [[nodiscard]] double durationS() const;
     // timeS is clamped to [0, durationS]. At a joint of two segments the later one answers.
     [[nodiscard]] MotionPoint at(double timeS) const;
+    // When a profile that never runs backwards reaches this position: the guess itself where it already is
+    // there, else to within 1e-10 s.
+    [[nodiscard]] double timeAt(double positionMm, double guessS) const;
     [[nodiscard]] std::span<const Segment> segments() const { return m_segments; }
 
 private:

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace campanel::profile::detail {
 namespace {
@@ -180,9 +181,7 @@ std::optional<Suggestion> nearestRatio(const RotaryCutterProgram& program, const
 
 std::optional<Suggestion> nearestInRange(RotaryCutterProgram program, Machine machine, const Refusal& refusal)
 {
-    const double present = refusal.actual;
-    const double inside =
-        std::isfinite(present) ? snapToGrid(refusal.field, present) : info(refusal.field).defaultValue;
+    const double inside = std::isfinite(refusal.actual) ? refusal.allowed : info(refusal.field).defaultValue;
     setValue(program, refusal.field, inside);
     setValue(machine, refusal.field, inside);
     if (!isFeasible(program, machine))
@@ -190,11 +189,16 @@ std::optional<Suggestion> nearestInRange(RotaryCutterProgram program, Machine ma
     return Suggestion{refusal.field, inside};
 }
 
-double relativeChange(const RotaryCutterProgram& program, const Suggestion& suggestion)
+// Sorts first what a person would rather change: a machine that cannot follow runs slower; the product stays.
+std::pair<bool, double> cost(const RotaryCutterProgram& program, const Refusal& refusal,
+                             const Suggestion& suggestion)
 {
+    const bool isTooDemanding =
+        refusal.limit != Limit::FieldRange && refusal.limit != Limit::StrokeCannotClose;
     const double present = value(program, suggestion.field);
-    return std::abs(suggestion.value - present) /
-           std::max(std::abs(present), info(suggestion.field).resolution());
+    const double change = std::abs(suggestion.value - present);
+    return {isTooDemanding && suggestion.field != Field::Rate,
+            change / std::max(std::abs(present), info(suggestion.field).resolution())};
 }
 
 } // namespace
@@ -228,7 +232,7 @@ std::vector<Suggestion> nearestFeasible(const RotaryCutterProgram& program, cons
     }
     }
     std::stable_sort(found.begin(), found.end(), [&](const Suggestion& a, const Suggestion& b) {
-        return relativeChange(program, a) < relativeChange(program, b);
+        return cost(program, refusal, a) < cost(program, refusal, b);
     });
     return found;
 }

@@ -18,13 +18,6 @@ void keepLargest(double candidate, double timeS, double& largest, double& larges
     largestTimeS = timeS;
 }
 
-struct SliceView {
-    double startS = 0;
-    double endS = 0;
-    double speedMmPerS = 0; // of the table
-    double pulsesBefore = 0;
-};
-
 } // namespace
 
 TableErrors tableErrors(const RotaryCutter& cutter, std::span<const TableSlice> slices)
@@ -41,38 +34,40 @@ TableErrors tableErrors(const RotaryCutter& cutter, std::span<const TableSlice> 
     std::int64_t pulsesBefore = 0;
     const TableSlice* last = &slices.back();
     for (const TableSlice& slice : slices) {
-        const Segment& segment = cutter.motion.segments()[slice.segment];
-        const SliceView view{static_cast<double>(slice.startTick) / clock,
-                             static_cast<double>(slice.startTick + slice.ticks) / clock,
-                             frequency(slice) / perMm, static_cast<double>(pulsesBefore)};
-        const auto positionError = [&](double timeS, const MotionPoint& p) {
-            return view.pulsesBefore + (view.speedMmPerS * (timeS - view.startS) - p.positionMm) * perMm;
+        const double startS = static_cast<double>(slice.startTick) / clock;
+        const double endS = static_cast<double>(slice.startTick + slice.ticks) / clock;
+        const double speed = frequency(slice) / perMm;
+        // Looks at one moment of the slice; returns the position error in pulses.
+        const auto look = [&](double timeS, const MotionPoint& p) {
+            const double ahead =
+                static_cast<double>(pulsesBefore) + (speed * (timeS - startS) - p.positionMm) * perMm;
+            keepLargest(speed - p.velocityMmPerS, timeS, errors.speedMmPerS, errors.speedTimeS);
+            keepLargest(ahead, timeS, errors.insidePulses, errors.insideTimeS);
+            return ahead;
         };
-        const MotionPoint atStart = segment.at(view.startS);
-        const MotionPoint atEnd = segment.at(view.endS);
-        const double v0 = atStart.velocityMmPerS;
-        const double v1 = atEnd.velocityMmPerS;
-        keepLargest(view.speedMmPerS - v0, view.startS, errors.speedMmPerS, errors.speedTimeS);
-        keepLargest(view.speedMmPerS - v1, view.endS, errors.speedMmPerS, errors.speedTimeS);
-        keepLargest(frequency(slice) - frequency(*last), view.startS, errors.frequencyStepHz,
+        const MotionPoint atStart = cutter.motion.at(startS);
+        const MotionPoint atEnd = cutter.motion.at(endS);
+        const double middleS = (startS + endS) / 2;
+        const double errorStart = look(startS, atStart);
+        const double errorMiddle = look(middleS, cutter.motion.at(middleS));
+        const double errorEnd = look(endS, atEnd);
+        keepLargest(errorEnd, endS, errors.boundaryPulses, errors.boundaryTimeS);
+        keepLargest(frequency(slice) - frequency(*last), startS, errors.frequencyStepHz,
                     errors.frequencyStepTimeS);
-
-        const double errorStart = positionError(view.startS, atStart);
-        const double errorEnd = positionError(view.endS, atEnd);
-        double errorMiddle = (errorStart + errorEnd) / 2;
-        keepLargest(errorEnd, view.endS, errors.boundaryPulses, errors.boundaryTimeS);
-        keepLargest(errorEnd, view.endS, errors.insidePulses, errors.insideTimeS);
-        if (v0 != v1) {
-            const double middleS = (view.startS + view.endS) / 2;
-            errorMiddle = positionError(middleS, segment.at(middleS));
-            const double share = std::clamp((view.speedMmPerS - v0) / (v1 - v0), 0.0, 1.0);
-            const double worstS = view.startS + share * (view.endS - view.startS);
-            keepLargest(positionError(worstS, segment.at(worstS)), worstS, errors.insidePulses,
-                        errors.insideTimeS);
+        for (const Segment& segment : cutter.motion.segments()) {
+            if (segment.startS > startS && segment.startS < endS)
+                look(segment.startS, cutter.motion.at(segment.startS));
         }
-        // Simpson's rule over the slice.
-        squares += (errorStart * errorStart + 4 * errorMiddle * errorMiddle + errorEnd * errorEnd) / 6 *
-                   (view.endS - view.startS);
+        const double change = atEnd.velocityMmPerS - atStart.velocityMmPerS;
+        if (change != 0) {
+            const double share = std::clamp((speed - atStart.velocityMmPerS) / change, 0.0, 1.0);
+            const double agreeS = startS + share * (endS - startS);
+            look(agreeS, cutter.motion.at(agreeS));
+        }
+        // The square of the parabola through the three errors, integrated.
+        squares += (2 * errorStart * errorStart + 8 * errorMiddle * errorMiddle + 2 * errorEnd * errorEnd +
+                    2 * errorMiddle * (errorStart + errorEnd) - errorStart * errorEnd) /
+                   15 * (endS - startS);
         pulsesBefore += slice.pulses;
         last = &slice;
     }

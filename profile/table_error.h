@@ -14,7 +14,6 @@ struct TableSlice {
     std::int64_t startTick = 0;
     std::int64_t ticks = 0;
     std::int64_t pulses = 0;
-    std::size_t segment = 0; // of the motion profile
 };
 
 // Of a cycle that begins with an empty remainder. Positions are of the even motion within a slice; the single

@@ -19,7 +19,8 @@ namespace campanel::plot::test {
 inline constexpr int samplePoints = 1000;
 
 // One cycle of timeS seconds with the given velocity; the other quantities follow from a fixed pattern.
-inline std::shared_ptr<profile::Curves> makeCurves(const std::function<double(double)>& velocity, double timeS = 1.0)
+inline std::shared_ptr<profile::Curves> makeCurves(const std::function<double(double)>& velocity,
+                                                   double timeS = 1.0)
 {
     auto curves = std::make_shared<profile::Curves>();
     for (int i = 0; i <= samplePoints; ++i) {
@@ -49,7 +50,8 @@ inline QImage paintItem(QQuickPaintedItem& item, double pixelRatio = 1)
     return image;
 }
 
-// Number of pixels in the rectangle that are close to the color (anti-aliased edges count if they are mostly of it).
+// Number of pixels in the rectangle that are close to the color (anti-aliased edges count if they are mostly
+// of it).
 inline int inkIn(const QImage& image, const QRect& area, const QColor& color)
 {
     constexpr int tolerance = 60;
@@ -60,7 +62,8 @@ inline int inkIn(const QImage& image, const QRect& area, const QColor& color)
                 continue;
             }
             const QColor pixel = image.pixelColor(x, y);
-            const int difference = std::abs(pixel.red() - color.red()) + std::abs(pixel.green() - color.green()) +
+            const int difference = std::abs(pixel.red() - color.red()) +
+                                   std::abs(pixel.green() - color.green()) +
                                    std::abs(pixel.blue() - color.blue());
             count += difference < tolerance ? 1 : 0;
         }

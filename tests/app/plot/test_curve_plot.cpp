@@ -145,7 +145,8 @@ void TestCurvePlot::violationTintsOnlyThePanelThatBreaksTheLimit()
     plot.setProperty("violations", QVariant::fromValue(QList<QPointF>{{0.5, 1.0}}));
     const QImage image = test::paintItem(plot);
     const auto colorAt = [&](double t, int panel) {
-        return image.pixelColor(qRound(plot.xOfTime(t)), qRound(plot.panelTop(panel) + 0.93 * plot.panelHeight(panel)));
+        return image.pixelColor(qRound(plot.xOfTime(t)),
+                                qRound(plot.panelTop(panel) + 0.93 * plot.panelHeight(panel)));
     };
     QVERIFY(colorAt(0.8, 0).green() < 240 && colorAt(0.8, 0).red() == 255);
     QCOMPARE(colorAt(0.2, 0), QColor(Qt::white));
@@ -153,7 +154,8 @@ void TestCurvePlot::violationTintsOnlyThePanelThatBreaksTheLimit()
     // A limit that no panel shows is told by all of them.
     plot.setLimitVelocity(nan);
     const QImage all = test::paintItem(plot);
-    QVERIFY(all.pixelColor(qRound(plot.xOfTime(0.95)), qRound(plot.panelTop(1) + 0.93 * plot.panelHeight(1))).green() < 240);
+    QVERIFY(all.pixelColor(qRound(plot.xOfTime(0.95)), qRound(plot.panelTop(1) + 0.93 * plot.panelHeight(1)))
+                .green() < 240);
 }
 
 void TestCurvePlot::overlayCursorTraceAndMarkersAreDrawn()
@@ -170,7 +172,9 @@ void TestCurvePlot::overlayCursorTraceAndMarkersAreDrawn()
     QImage image = test::paintItem(plot);
     QVERIFY(test::inkIn(image, test::around(plot.xOfTime(0.1), plot.yOfVelocity(382), 2), Qt::cyan) > 0);
     QVERIFY(test::inkIn(image, test::around(plot.xOfTime(0.15), plot.yOfVelocity(370), 2), Qt::magenta) > 0);
-    const auto column = [&](double t) { return QRect(qRound(plot.xOfTime(t)) - 1, qRound(plot.panelTop(0)), 3, 300); };
+    const auto column = [&](double t) {
+        return QRect(qRound(plot.xOfTime(t)) - 1, qRound(plot.panelTop(0)), 3, 300);
+    };
     QVERIFY(test::inkIn(image, column(0.6), Qt::black) > 100);
     QVERIFY(test::inkIn(image, column(0.25), red) > 50);
     // The dot of the cursor is on the curve.

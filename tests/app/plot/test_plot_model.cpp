@@ -139,7 +139,8 @@ void TestPlotModel::scaleAlwaysShowsTheDataWithThreeOrFourTicks()
         QVERIFY2(scale.lower() <= minimum + slack && scale.upper() >= maximum - slack,
                  qPrintable(QStringLiteral("%1..%2").arg(minimum).arg(maximum)));
         const auto ticks = scale.division().ticks(QwtScaleDiv::MajorTick).size();
-        QVERIFY2(ticks == 3 || ticks == 4, qPrintable(QStringLiteral("%1..%2: %3").arg(minimum).arg(maximum).arg(ticks)));
+        QVERIFY2(ticks == 3 || ticks == 4,
+                 qPrintable(QStringLiteral("%1..%2: %3").arg(minimum).arg(maximum).arg(ticks)));
     }
 }
 

@@ -66,8 +66,8 @@ void TestPlotModule::typesLoadAndTakeValues()
     )",
                       QUrl());
     CurveSource source;
-    const std::unique_ptr<QObject> root(
-        component.createWithInitialProperties({{QStringLiteral("source"), QVariant::fromValue<QObject*>(&source)}}));
+    const std::unique_ptr<QObject> root(component.createWithInitialProperties(
+        {{QStringLiteral("source"), QVariant::fromValue<QObject*>(&source)}}));
     QVERIFY2(root, qPrintable(component.errorString()));
     auto* plot = root->property("plot").value<CurvePlot*>();
     QVERIFY(plot);

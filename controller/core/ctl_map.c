@@ -1,0 +1,255 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "ctl_map.h"
+
+#include "ctl_command.h"
+#include "ctl_core.h"
+#include "ctl_status.h"
+#include "ctl_transfer.h"
+#include "ctl_words.h"
+
+#include <string.h>
+
+typedef enum {
+    GROUP_IDENTITY,
+    GROUP_CLOCK,
+    GROUP_PARAMETER,
+    GROUP_STATUS,
+    GROUP_EXCHANGE,
+    GROUP_COMMAND,
+    GROUP_RESULT,
+    GROUP_TRANSFER,
+    GROUP_TRANSFER_RESULT,
+    GROUP_READBACK,
+    GROUP_READBACK_RESULT,
+    GROUP_ACTIVE,
+    GROUP_STAGED,
+    GROUPS
+} group_name;
+
+typedef struct {
+    uint16_t base;
+    uint16_t count;
+} group_range;
+
+static const group_range ranges[GROUPS] = {
+    [GROUP_IDENTITY] = {CTL_REG_IDENTITY_DEVICE_TYPE, CTL_IDENTITY_REGISTERS},
+    [GROUP_CLOCK] = {CTL_REG_CLOCK_UNIX_TIME, 2},
+    [GROUP_PARAMETER] = {CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT, CTL_PARAMETER_REGISTERS},
+    [GROUP_STATUS] = {CTL_REG_STATUS_TAG, CTL_STATUS_REGISTERS},
+    [GROUP_EXCHANGE] = {CTL_REG_EXCHANGE_TAG, 3},
+    [GROUP_COMMAND] = {CTL_REG_COMMAND_COUNTER, 6},
+    [GROUP_RESULT] = {CTL_REG_RESULT_COUNTER, 4},
+    [GROUP_TRANSFER] = {CTL_REG_TRANSFER_SESSION, 4 + CTL_BLOCK_REGISTERS},
+    [GROUP_TRANSFER_RESULT] = {CTL_REG_TRANSFER_RESULT_SESSION, CTL_TRANSFER_RESULT_REGISTERS},
+    [GROUP_READBACK] = {CTL_REG_READBACK_TAG, 3},
+    [GROUP_READBACK_RESULT] = {CTL_REG_READBACK_RESULT_TAG, 3 + CTL_READBACK_REGISTERS},
+    [GROUP_ACTIVE] = {CTL_ACTIVE_BANK_BASE, CTL_BANK_REGISTERS},
+    [GROUP_STAGED] = {CTL_STAGED_BANK_BASE, CTL_BANK_REGISTERS},
+};
+
+typedef struct {
+    uint16_t address;
+    uint16_t words;
+    uint32_t minimum;
+    uint32_t maximum;
+} limit;
+
+#define LIMIT(name, words) CTL_REG_##name, words, CTL_MIN_##name, CTL_MAX_##name
+
+/* Only those that are narrower than their registers. */
+static const limit limits[] = {
+    {LIMIT(PARAMETER_HEARTBEAT_TIMEOUT, 1)},
+    {LIMIT(PARAMETER_HEARTBEAT_LOST_ACTION, 1)},
+    {LIMIT(PARAMETER_RAMP_TIME, 1)},
+    {LIMIT(PARAMETER_JOG_FREQUENCY, 2)},
+    {LIMIT(PARAMETER_HOME_FREQUENCY, 2)},
+    {LIMIT(PARAMETER_FOLLOWING_ERROR_LIMIT, 2)},
+    {LIMIT(EXCHANGE_JOG, 1)},
+    {LIMIT(COMMAND_CODE, 1)},
+    {LIMIT(TRANSFER_OPERATION, 1)},
+    {LIMIT(TRANSFER_LENGTH, 1)},
+    {LIMIT(READBACK_COUNT, 1)},
+};
+
+#define LIMIT_COUNT (sizeof limits / sizeof limits[0])
+
+static group_name group_of(uint32_t address)
+{
+    uint32_t group = 0;
+    while (group < GROUPS &&
+           (address < ranges[group].base || address - ranges[group].base >= ranges[group].count))
+        ++group;
+    return (group_name)group;
+}
+
+/* Where the panel writes the group, NULL when it is read-only. */
+static uint16_t* writable(ctl_core* core, group_name group)
+{
+    switch (group) {
+    case GROUP_PARAMETER:
+        return core->written.parameter;
+    case GROUP_EXCHANGE:
+        return core->written.exchange;
+    case GROUP_COMMAND:
+        return core->written.command;
+    case GROUP_TRANSFER:
+        return core->written.transfer;
+    case GROUP_READBACK:
+        return core->written.readback;
+    default:
+        return NULL;
+    }
+}
+
+static void zero(uint16_t* values, uint32_t count)
+{
+    memset(values, 0, count * sizeof values[0]);
+}
+
+/* Registers first..first+count of a group. */
+static void read_group(ctl_core* core, group_name group, uint32_t first, uint16_t* values, uint32_t count)
+{
+    uint16_t taken[CTL_STATUS_REGISTERS]; /* the widest of the groups that are put together when asked for */
+    const uint16_t* source = taken;
+    switch (group) {
+    case GROUP_IDENTITY:
+        ctl_identity(core, taken);
+        break;
+    case GROUP_CLOCK:
+        ctl_put32(taken, ctl_unix_time(core));
+        break;
+    case GROUP_STATUS:
+        ctl_status(core, taken);
+        break;
+    case GROUP_RESULT:
+        source = core->command_result;
+        break;
+    case GROUP_TRANSFER_RESULT:
+        ctl_transfer_result(core, taken);
+        break;
+    case GROUP_READBACK_RESULT:
+        source = core->written.readback_result;
+        break;
+    case GROUP_ACTIVE:
+        if (!core->banks.has_active) {
+            zero(values, count);
+            return;
+        }
+        source = ctl_active_bank(core)->registers;
+        break;
+    case GROUP_STAGED:
+        if (core->transfer.state == CTL_STAGED_STATE_EMPTY) {
+            zero(values, count);
+            return;
+        }
+        source = ctl_staged_bank(core)->registers;
+        break;
+    default:
+        source = writable(core, group);
+        break;
+    }
+    memcpy(values, &source[first], count * sizeof values[0]);
+}
+
+uint8_t ctl_map_read(ctl_core* core, uint32_t address, uint16_t* values, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; ++i) {
+        if (group_of(address + i) == GROUPS)
+            return CTL_ILLEGAL_ADDRESS;
+    }
+    while (count != 0) {
+        const group_name group = group_of(address);
+        const uint32_t first = address - ranges[group].base;
+        const uint32_t left = ranges[group].count - first;
+        const uint32_t part = count < left ? count : left;
+        read_group(core, group, first, values, part);
+        values += part;
+        address += part;
+        count -= part;
+    }
+    return 0;
+}
+
+/* The registers `values` at `base` lie within their limits. */
+static bool within_limits(const uint16_t* values, uint32_t base, uint32_t count)
+{
+    for (uint32_t i = 0; i < LIMIT_COUNT; ++i) {
+        if (limits[i].address < base || limits[i].address - base >= count)
+            continue;
+        const uint16_t* at = &values[limits[i].address - base];
+        const uint32_t value = limits[i].words == 2 ? ctl_get32(at) : *at;
+        if (value < limits[i].minimum || value > limits[i].maximum)
+            return false;
+    }
+    return true;
+}
+
+int ctl_map_parameters_valid(const uint16_t* parameter)
+{
+    return within_limits(parameter, CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT, CTL_PARAMETER_REGISTERS);
+}
+
+/* Reads the registers asked for into the answer; nothing when the range cannot be read. */
+static void read_back(ctl_core* core)
+{
+    uint16_t* result = core->written.readback_result;
+    const uint16_t* question = core->written.readback;
+    uint16_t values[CTL_READBACK_REGISTERS];
+    zero(values, CTL_READBACK_REGISTERS);
+    const bool readable = ctl_map_read(core, question[1], values, question[2]) == 0;
+    result[0] = question[0];
+    result[1] = question[1];
+    result[2] = readable ? question[2] : 0;
+    memcpy(&result[3], values, sizeof values);
+}
+
+static bool covers(uint32_t address, uint32_t count, uint32_t wanted)
+{
+    return wanted >= address && wanted - address < count;
+}
+
+/* One register of each group sets off what the group is for; a frame that writes the group whole writes it
+ * too. */
+static void act(ctl_core* core, uint32_t address, uint32_t count)
+{
+    if (covers(address, count, CTL_REG_EXCHANGE_HEARTBEAT))
+        ctl_exchange_heartbeat(core);
+    if (covers(address, count, CTL_REG_COMMAND_COUNTER))
+        ctl_command(core);
+    if (covers(address, count, CTL_REG_TRANSFER_OPERATION))
+        ctl_transfer_operation(core);
+    if (covers(address, count, CTL_REG_READBACK_TAG))
+        read_back(core);
+}
+
+uint8_t ctl_map_write(ctl_core* core, uint32_t address, const uint16_t* values, uint32_t count)
+{
+    const group_name group = group_of(address);
+    if (group == GROUPS || count > ranges[group].count - (address - ranges[group].base))
+        return CTL_ILLEGAL_ADDRESS;
+    uint16_t* target = writable(core, group);
+    if (target == NULL)
+        return CTL_ILLEGAL_ADDRESS;
+    uint16_t changed[4 + CTL_BLOCK_REGISTERS]; /* the widest group */
+    memcpy(changed, target, ranges[group].count * sizeof changed[0]);
+    memcpy(&changed[address - ranges[group].base], values, count * sizeof changed[0]);
+    if (!within_limits(changed, ranges[group].base, ranges[group].count))
+        return CTL_ILLEGAL_VALUE;
+    memcpy(target, changed, ranges[group].count * sizeof changed[0]);
+    act(core, address, count);
+    return 0;
+}
+
+void ctl_map_init(ctl_core* core)
+{
+    uint16_t* parameter = core->written.parameter;
+    const uint32_t base = CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT;
+    parameter[CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT - base] = CTL_DEFAULT_PARAMETER_HEARTBEAT_TIMEOUT;
+    parameter[CTL_REG_PARAMETER_HEARTBEAT_LOST_ACTION - base] = CTL_DEFAULT_PARAMETER_HEARTBEAT_LOST_ACTION;
+    parameter[CTL_REG_PARAMETER_RAMP_TIME - base] = CTL_DEFAULT_PARAMETER_RAMP_TIME;
+    ctl_put32(&parameter[CTL_REG_PARAMETER_JOG_FREQUENCY - base], CTL_DEFAULT_PARAMETER_JOG_FREQUENCY);
+    ctl_put32(&parameter[CTL_REG_PARAMETER_HOME_FREQUENCY - base], CTL_DEFAULT_PARAMETER_HOME_FREQUENCY);
+    ctl_put32(&parameter[CTL_REG_PARAMETER_FOLLOWING_ERROR_LIMIT - base],
+              CTL_DEFAULT_PARAMETER_FOLLOWING_ERROR_LIMIT);
+    core->written.readback[2] = CTL_DEFAULT_READBACK_COUNT;
+}

@@ -1,0 +1,240 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* States and commands; what moves the axis meanwhile is in ctl_motion_slice.c. */
+#include "ctl_motion.h"
+
+#include "ctl_command.h"
+#include "ctl_core.h"
+
+#include <string.h>
+
+#define MS_PER_S 1000u
+#define HOMING_REVOLUTIONS 2u
+
+static uint32_t ramp_ticks(const ctl_core* core, uint32_t time_ms)
+{
+    return (uint32_t)((uint64_t)time_ms * core->config.timer_clock_hz / MS_PER_S);
+}
+
+void ctl_motion_init(ctl_core* core)
+{
+    ctl_motion* motion = &core->motion;
+    ctl_ramp_reset(&motion->ramp, ramp_ticks(core, CTL_JOG_RAMP_MS));
+    motion->actual = core->port.encoder(core->port.context);
+    motion->commanded = motion->actual;
+    for (uint32_t i = 0; i < CTL_SPEED_SAMPLES; ++i) {
+        motion->meter.position[i] = motion->actual;
+        motion->meter.time_us[i] = core->now_us;
+    }
+    if (core->banks.has_active)
+        ctl_step_reset(&motion->step, ctl_active_bank(core));
+    ctl_motion_stand(core);
+}
+
+bool ctl_motion_standstill(const ctl_core* core)
+{
+    const uint16_t state = core->motion.state;
+    return state == CTL_STATE_IDLE || state == CTL_STATE_READY || state == CTL_STATE_FAULT;
+}
+
+bool ctl_motion_in_cycle(const ctl_core* core)
+{
+    const uint16_t state = core->motion.state;
+    return !core->motion.manual && (state == CTL_STATE_RUNNING || state == CTL_STATE_STOPPING);
+}
+
+void ctl_motion_change_program(ctl_core* core)
+{
+    ctl_motion* motion = &core->motion;
+    const bool had_program = core->banks.has_active;
+    const bool same = had_program && ctl_bank_same_machine(ctl_active_bank(core), ctl_staged_bank(core));
+    ctl_swap_banks(core);
+    if (same && motion->in_phase && ctl_step_between_cycles(&motion->step)) {
+        ctl_step_change_bank(&motion->step, ctl_active_bank(core));
+    } else {
+        motion->in_phase = false;
+        motion->homed = motion->homed && same;
+        ctl_step_reset(&motion->step, ctl_active_bank(core));
+    }
+    if (motion->state == CTL_STATE_IDLE)
+        motion->state = CTL_STATE_READY;
+}
+
+void ctl_motion_stand(ctl_core* core)
+{
+    ctl_motion* motion = &core->motion;
+    motion->ramp.speed = 0;
+    motion->manual = false;
+    motion->start_after_home = false;
+    motion->state = core->banks.has_active ? CTL_STATE_READY : CTL_STATE_IDLE;
+    if (core->transfer.state == CTL_STAGED_STATE_ARMED && ctl_step_between_cycles(&motion->step))
+        ctl_motion_change_program(core);
+}
+
+void ctl_motion_run(ctl_core* core)
+{
+    ctl_motion* motion = &core->motion;
+    ctl_ramp_reset(&motion->ramp, ramp_ticks(core, ctl_parameter16(core, CTL_REG_PARAMETER_RAMP_TIME)));
+    motion->manual = false;
+    motion->start_after_home = false;
+    motion->state = CTL_STATE_RUNNING;
+}
+
+void ctl_motion_begin_manual(ctl_core* core, uint32_t frequency_hz, int32_t direction)
+{
+    ctl_motion* motion = &core->motion;
+    ctl_ramp_reset(&motion->ramp, ramp_ticks(core, CTL_JOG_RAMP_MS));
+    motion->manual = true;
+    motion->manual_hz = frequency_hz;
+    motion->manual_direction = direction;
+    motion->manual_rest = 0;
+    motion->in_phase = false;
+    if (core->banks.has_active)
+        ctl_step_reset(&motion->step, ctl_active_bank(core));
+}
+
+static void begin_homing(ctl_core* core)
+{
+    ctl_motion* motion = &core->motion;
+    int64_t stale_mark;
+    core->port.index(core->port.context, &stale_mark);
+    ctl_motion_begin_manual(core, ctl_parameter32(core, CTL_REG_PARAMETER_HOME_FREQUENCY), 1);
+    motion->homed = false;
+    motion->homing = CTL_HOMING_SEARCH;
+    motion->homing_left = ctl_bank_revolution_pulses(ctl_active_bank(core), HOMING_REVOLUTIONS);
+    motion->state = CTL_STATE_HOMING;
+}
+
+void ctl_motion_fault(ctl_core* core, uint16_t fault_bit)
+{
+    ctl_motion* motion = &core->motion;
+    motion->fault = (uint16_t)(motion->fault | 1u << fault_bit);
+    motion->state = CTL_STATE_FAULT;
+    motion->ramp.speed = 0;
+    motion->manual = false;
+    motion->start_after_home = false;
+    motion->homed = false;
+    motion->in_phase = false;
+}
+
+/* Why the axis may not set off; CTL_REFUSAL_NONE when it may. */
+static uint16_t refuse_to_move(ctl_core* core, uint16_t when_moving)
+{
+    if (core->motion.state == CTL_STATE_FAULT)
+        return CTL_REFUSAL_IN_FAULT;
+    if (!core->banks.has_active)
+        return CTL_REFUSAL_NO_ACTIVE_PROGRAM;
+    if (!ctl_motion_standstill(core))
+        return when_moving;
+    if (ctl_heartbeat_lost(core) && ctl_parameter16(core, CTL_REG_PARAMETER_HEARTBEAT_LOST_ACTION) ==
+                                        CTL_HEARTBEAT_LOST_ACTION_STOP_AT_CYCLE_END)
+        return CTL_REFUSAL_HEARTBEAT_LOST;
+    if (!ctl_active_bank_intact(core)) {
+        ctl_motion_fault(core, CTL_FAULT_BIT_ACTIVE_TABLE_DAMAGED);
+        return CTL_REFUSAL_IN_FAULT;
+    }
+    return CTL_REFUSAL_NONE;
+}
+
+uint16_t ctl_motion_start(ctl_core* core)
+{
+    const uint16_t refusal = refuse_to_move(core, CTL_REFUSAL_ALREADY_RUNNING);
+    if (refusal != CTL_REFUSAL_NONE)
+        return refusal;
+    if (core->motion.in_phase) {
+        ctl_motion_run(core);
+    } else {
+        begin_homing(core);
+        core->motion.start_after_home = true;
+    }
+    return CTL_REFUSAL_NONE;
+}
+
+uint16_t ctl_motion_home(ctl_core* core)
+{
+    const uint16_t refusal = refuse_to_move(core, CTL_REFUSAL_NOT_STANDSTILL);
+    if (refusal == CTL_REFUSAL_NONE)
+        begin_homing(core);
+    return refusal;
+}
+
+uint16_t ctl_motion_stop_now(ctl_core* core)
+{
+    ctl_motion* motion = &core->motion;
+    if (ctl_motion_standstill(core))
+        return CTL_REFUSAL_NOT_RUNNING;
+    if (motion->state == CTL_STATE_JOGGING) {
+        core->heartbeat.jog_blocked = true;
+    } else {
+        motion->stop = CTL_STOP_NOW;
+        motion->state = CTL_STATE_STOPPING;
+    }
+    return CTL_REFUSAL_NONE;
+}
+
+uint16_t ctl_motion_stop_at_cycle_end(ctl_core* core)
+{
+    ctl_motion* motion = &core->motion;
+    if (motion->state == CTL_STATE_STOPPING)
+        return CTL_REFUSAL_NONE;
+    if (motion->state != CTL_STATE_RUNNING)
+        return ctl_motion_stop_now(core);
+    const uint32_t cycle = ctl_bank_cycle_ticks(motion->step.bank);
+    motion->stop_remaining =
+        ctl_step_between_cycles(&motion->step) ? cycle : cycle - motion->step.cycle_ticks;
+    while (!ctl_ramp_can_land(&motion->ramp, motion->stop_remaining))
+        motion->stop_remaining += cycle;
+    /* Stopped soon after a start, it may gain some speed, so that the end of the cycle is not hours away. */
+    motion->stop_limit = motion->ramp.full / 4u;
+    motion->stop = CTL_STOP_AT_BOUNDARY;
+    motion->state = CTL_STATE_STOPPING;
+    return CTL_REFUSAL_NONE;
+}
+
+void ctl_motion_stop_unattended(ctl_core* core)
+{
+    if (core->motion.state == CTL_STATE_RUNNING || core->motion.state == CTL_STATE_HOMING)
+        (void)ctl_motion_stop_at_cycle_end(core);
+}
+
+uint16_t ctl_motion_reset_fault(ctl_core* core)
+{
+    ctl_motion* motion = &core->motion;
+    if (motion->state != CTL_STATE_FAULT)
+        return CTL_REFUSAL_NO_FAULT;
+    if (motion->actual_hz != 0 || (core->banks.has_active && !ctl_active_bank_intact(core)))
+        return CTL_REFUSAL_FAULT_PERSISTS;
+    /* The axis stands where it stands: what it did not follow is written off, homing finds it again. */
+    motion->commanded = motion->actual;
+    motion->fault = 0;
+    core->banks.check_position = 0;
+    ctl_motion_stand(core);
+    return CTL_REFUSAL_NONE;
+}
+
+uint16_t ctl_motion_master_angle(const ctl_core* core)
+{
+    const ctl_step* step = &core->motion.step;
+    if (!core->banks.has_active || ctl_step_between_cycles(step))
+        return 0;
+    return (uint16_t)((uint64_t)step->cycle_ticks * 36000u / ctl_bank_cycle_ticks(step->bank));
+}
+
+uint16_t ctl_motion_master_speed(const ctl_core* core)
+{
+    const ctl_motion* motion = &core->motion;
+    return motion->manual ? (uint16_t)0
+                          : (uint16_t)((uint64_t)motion->ramp.speed * 10000u / motion->ramp.full);
+}
+
+int64_t ctl_motion_commanded_hz(const ctl_core* core)
+{
+    const ctl_motion* motion = &core->motion;
+    const ctl_ramp* ramp = &motion->ramp;
+    if (ramp->speed == 0)
+        return 0;
+    if (motion->manual)
+        return motion->manual_direction * (int64_t)((uint64_t)motion->manual_hz * ramp->speed / ramp->full);
+    const ctl_row row = motion->step.current;
+    const uint64_t table_hz = (uint64_t)row.pulses * core->config.timer_clock_hz / row.ticks;
+    return (int64_t)(table_hz * ramp->speed / ramp->full);
+}

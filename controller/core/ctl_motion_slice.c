@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* What moves the axis during one slice of time, and what is measured of it. */
+#include "ctl_command.h"
+#include "ctl_core.h"
+#include "ctl_motion.h"
+
+#define US_PER_S 1000000
+#define SPEED_SAMPLE_US 1000u
+
+static void emit(ctl_core* core, int64_t pulses)
+{
+    if (pulses == 0)
+        return;
+    core->motion.commanded += pulses;
+    core->port.pulses(core->port.context, (int32_t)pulses);
+}
+
+/* An armed program takes over here, between the last pulse of one cycle and the first of the next. */
+static void cross_boundary(ctl_core* core)
+{
+    ctl_step* step = &core->motion.step;
+    if (core->transfer.state == CTL_STAGED_STATE_ARMED && core->motion.state == CTL_STATE_RUNNING) {
+        ctl_swap_banks(core);
+        ctl_step_change_bank(step, ctl_active_bank(core));
+    }
+    ctl_step_begin_cycle(step);
+}
+
+static void run_table(ctl_core* core, uint32_t ticks)
+{
+    ctl_step* step = &core->motion.step;
+    while (ticks != 0) {
+        if (ctl_step_between_cycles(step))
+            cross_boundary(core);
+        uint32_t used = ticks;
+        emit(core, ctl_step_advance(step, &used));
+        ticks -= used;
+        if (ctl_step_between_cycles(step))
+            core->motion.cycle_count += 1;
+    }
+}
+
+/* Pulses of jogging or homing in so many ticks at full speed, without their sign. */
+static int64_t manual_pulses(ctl_core* core, uint32_t ticks)
+{
+    ctl_motion* motion = &core->motion;
+    const uint64_t sum = (uint64_t)ticks * motion->manual_hz + motion->manual_rest;
+    motion->manual_rest = sum % core->config.timer_clock_hz;
+    return (int64_t)(sum / core->config.timer_clock_hz);
+}
+
+static void slice_stopping(ctl_core* core, uint32_t ticks)
+{
+    ctl_motion* motion = &core->motion;
+    if (motion->manual) {
+        emit(core, motion->manual_direction * manual_pulses(core, ctl_ramp_down(&motion->ramp, ticks)));
+        if (motion->ramp.speed == 0)
+            ctl_motion_stand(core);
+        return;
+    }
+    if (motion->stop == CTL_STOP_NOW) {
+        run_table(core, ctl_ramp_down(&motion->ramp, ticks));
+    } else {
+        const uint32_t travelled =
+            ctl_ramp_land(&motion->ramp, ticks, motion->stop_remaining, motion->stop_limit);
+        run_table(core, travelled);
+        motion->stop_remaining -= travelled;
+    }
+    if (motion->ramp.speed == 0 && (motion->stop == CTL_STOP_NOW || motion->stop_remaining == 0))
+        ctl_motion_stand(core);
+}
+
+static void slice_jogging(ctl_core* core, uint32_t ticks)
+{
+    ctl_motion* motion = &core->motion;
+    const bool held = ctl_jog_request(core) == motion->manual_direction;
+    const uint32_t travelled = held ? ctl_ramp_up(&motion->ramp, ticks) : ctl_ramp_down(&motion->ramp, ticks);
+    emit(core, motion->manual_direction * manual_pulses(core, travelled));
+    if (!held && motion->ramp.speed == 0)
+        ctl_motion_stand(core);
+}
+
+static void search_index(ctl_core* core, uint32_t ticks)
+{
+    ctl_motion* motion = &core->motion;
+    int64_t mark = 0;
+    if (core->port.index(core->port.context, &mark)) {
+        motion->origin = mark;
+        motion->homing = CTL_HOMING_BRAKE;
+    }
+    int64_t pulses = manual_pulses(core, ctl_ramp_up(&motion->ramp, ticks));
+    if ((uint64_t)pulses > motion->homing_left)
+        pulses = (int64_t)motion->homing_left;
+    emit(core, pulses);
+    motion->homing_left -= (uint64_t)pulses;
+    if (motion->homing_left == 0)
+        ctl_motion_fault(core, CTL_FAULT_BIT_DRIVE_NOT_FOLLOWING);
+}
+
+static void end_homing(ctl_core* core)
+{
+    ctl_motion* motion = &core->motion;
+    const bool start = motion->start_after_home;
+    motion->homed = true;
+    motion->in_phase = true;
+    ctl_motion_stand(core);
+    if (start)
+        ctl_motion_run(core);
+}
+
+/* It went past the mark while it braked; the same pulses lead back to it. */
+static void begin_return(ctl_core* core)
+{
+    ctl_motion* motion = &core->motion;
+    const int64_t beyond = motion->commanded - motion->origin;
+    const uint64_t distance = (uint64_t)(beyond < 0 ? -beyond : beyond);
+    motion->manual_direction = beyond < 0 ? 1 : -1;
+    motion->manual_rest = 0;
+    motion->homing = CTL_HOMING_RETURN;
+    motion->homing_left =
+        (distance * core->config.timer_clock_hz + motion->manual_hz - 1u) / motion->manual_hz;
+}
+
+static void return_to_mark(ctl_core* core, uint32_t ticks)
+{
+    ctl_motion* motion = &core->motion;
+    const uint32_t travelled = ctl_ramp_land(&motion->ramp, ticks, motion->homing_left, motion->ramp.full);
+    const int64_t pulses = manual_pulses(core, travelled);
+    motion->homing_left -= travelled;
+    if (motion->homing_left != 0) {
+        emit(core, motion->manual_direction * pulses);
+        return;
+    }
+    emit(core, motion->origin - motion->commanded);
+    end_homing(core);
+}
+
+static void slice_homing(ctl_core* core, uint32_t ticks)
+{
+    ctl_motion* motion = &core->motion;
+    switch (motion->homing) {
+    case CTL_HOMING_SEARCH:
+        search_index(core, ticks);
+        break;
+    case CTL_HOMING_BRAKE:
+        emit(core, manual_pulses(core, ctl_ramp_down(&motion->ramp, ticks)));
+        if (motion->ramp.speed == 0)
+            begin_return(core);
+        break;
+    case CTL_HOMING_RETURN:
+        return_to_mark(core, ticks);
+        break;
+    }
+}
+
+static void begin_jog_when_asked(ctl_core* core)
+{
+    const int32_t direction = ctl_jog_request(core);
+    if (direction == 0)
+        return;
+    ctl_motion_begin_manual(core, ctl_parameter32(core, CTL_REG_PARAMETER_JOG_FREQUENCY), direction);
+    core->motion.state = CTL_STATE_JOGGING;
+}
+
+static void measure(ctl_core* core)
+{
+    ctl_motion* motion = &core->motion;
+    ctl_speed_meter* meter = &motion->meter;
+    motion->actual = core->port.encoder(core->port.context);
+    const uint8_t newest = (uint8_t)((meter->next + CTL_SPEED_SAMPLES - 1u) % CTL_SPEED_SAMPLES);
+    if (core->now_us - meter->time_us[newest] >= SPEED_SAMPLE_US) {
+        const int64_t span_us = (int64_t)(core->now_us - meter->time_us[meter->next]);
+        motion->actual_hz = (motion->actual - meter->position[meter->next]) * US_PER_S / span_us;
+        meter->position[meter->next] = motion->actual;
+        meter->time_us[meter->next] = core->now_us;
+        meter->next = (uint8_t)((meter->next + 1u) % CTL_SPEED_SAMPLES);
+    }
+    const int64_t error = motion->commanded - motion->actual;
+    const int64_t limit = ctl_parameter32(core, CTL_REG_PARAMETER_FOLLOWING_ERROR_LIMIT);
+    if (motion->state != CTL_STATE_FAULT && (error > limit || error < -limit))
+        ctl_motion_fault(core, CTL_FAULT_BIT_FOLLOWING_ERROR);
+}
+
+void ctl_motion_slice(ctl_core* core, uint32_t ticks)
+{
+    ctl_motion* motion = &core->motion;
+    switch (motion->state) {
+    case CTL_STATE_IDLE:
+    case CTL_STATE_READY:
+        begin_jog_when_asked(core);
+        break;
+    case CTL_STATE_RUNNING:
+        run_table(core, ctl_ramp_up(&motion->ramp, ticks));
+        break;
+    case CTL_STATE_STOPPING:
+        slice_stopping(core, ticks);
+        break;
+    case CTL_STATE_JOGGING:
+        slice_jogging(core, ticks);
+        break;
+    case CTL_STATE_HOMING:
+        slice_homing(core, ticks);
+        break;
+    default:
+        break;
+    }
+    measure(core);
+}

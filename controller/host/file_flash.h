@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// The simulated board's flash as files in a directory: one for each slot, written through to the disk.
+#pragma once
+
+#include "flash_device.h"
+
+#include <filesystem>
+#include <string>
+#include <tl/expected.hpp>
+
+namespace campanel::controller {
+
+class FileFlash final : public FlashDevice {
+public:
+    // Creates the directory; one controller at a time may use it. The error says what failed and what to do.
+    [[nodiscard]] static tl::expected<FileFlash, std::string> open(const std::filesystem::path& directory);
+    FileFlash(FileFlash&& other) noexcept;
+    FileFlash& operator=(FileFlash&&) = delete;
+    FileFlash(const FileFlash&) = delete;
+    FileFlash& operator=(const FileFlash&) = delete;
+    ~FileFlash() override;
+
+    [[nodiscard]] bool read(std::uint32_t slot, std::uint32_t offset, std::span<std::uint8_t> bytes) override;
+    [[nodiscard]] bool erase(std::uint32_t slot) override;
+    [[nodiscard]] bool write(std::uint32_t slot, std::uint32_t offset,
+                             std::span<const std::uint8_t> bytes) override;
+
+private:
+    FileFlash() = default;
+
+    std::array<int, 2> m_slots{-1, -1};
+    int m_lock = -1;
+};
+
+// $XDG_STATE_HOME/campanel, or ~/.local/state/campanel.
+[[nodiscard]] std::filesystem::path defaultStateDirectory();
+
+} // namespace campanel::controller

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// campanel-controller: the simulated machine and its controller on a pseudo-terminal.
+#include "file_flash.h"
+#include "options.h"
+#include "pseudo_terminal.h"
+#include "service.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+using namespace campanel::controller;
+
+namespace {
+
+volatile std::sig_atomic_t stopRequested = 0;
+
+int fail(const std::string& sentence)
+{
+    std::fprintf(stderr, "campanel-controller: %s\n", sentence.c_str());
+    return 1;
+}
+
+// Signals are held back except while the service waits; returns the mask to wait with.
+sigset_t takeSignals()
+{
+    struct sigaction action {};
+    action.sa_handler = [](int) { stopRequested = 1; };
+    sigset_t held;
+    sigset_t before;
+    sigemptyset(&held);
+    for (const int number : {SIGTERM, SIGINT, SIGHUP}) {
+        sigaction(number, &action, nullptr);
+        sigaddset(&held, number);
+    }
+    sigprocmask(SIG_BLOCK, &held, &before);
+    for (const int number : {SIGTERM, SIGINT, SIGHUP})
+        sigdelset(&before, number);
+    return before;
+}
+
+// A symbolic link at the place that the user named; replaces an old link, never a file.
+class PortLink {
+public:
+    [[nodiscard]] bool make(const std::filesystem::path& target, const std::filesystem::path& link)
+    {
+        std::error_code error;
+        if (std::filesystem::is_symlink(link, error))
+            std::filesystem::remove(link, error);
+        std::filesystem::create_symlink(target, link, error);
+        if (!error)
+            m_link = link;
+        return !error;
+    }
+    ~PortLink()
+    {
+        std::error_code error;
+        if (!m_link.empty())
+            std::filesystem::remove(m_link, error);
+    }
+
+private:
+    std::filesystem::path m_link;
+};
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    const auto options = parseOptions(argc, argv);
+    if (!options) {
+        std::fputs(options.error().text.c_str(), options.error().exitCode == 0 ? stdout : stderr);
+        return options.error().exitCode;
+    }
+    const sigset_t waitMask = takeSignals();
+    if (options->exitWithParent) {
+        const pid_t parent = getppid();
+        prctl(PR_SET_PDEATHSIG, SIGTERM);
+        if (getppid() != parent) // it ended before it could be watched
+            return 0;
+    }
+    auto flash = FileFlash::open(options->stateDirectory);
+    if (!flash)
+        return fail(flash.error());
+    auto terminal = PseudoTerminal::open();
+    if (!terminal)
+        return fail(terminal.error());
+    PortLink link;
+    if (!options->link.empty() && !link.make(terminal->path(), options->link))
+        return fail("cannot make the link " + options->link.string() + ": " + std::strerror(errno) +
+                    "; name a place that is free and writable");
+
+    Service service(*options, *terminal, *flash);
+    std::printf("%s\n", terminal->path().c_str());
+    std::fflush(stdout);
+    service.run(stopRequested, waitMask);
+    return 0;
+}

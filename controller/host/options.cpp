@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "options.h"
+
+#include "file_flash.h"
+
+#include <charconv>
+#include <cstring>
+#include <getopt.h>
+#include <string_view>
+
+namespace campanel::controller {
+namespace {
+
+constexpr const char* help =
+    R"(usage: campanel-controller [OPTION]...
+
+Simulates the machine and its controller, and serves it over Modbus RTU on a pseudo-terminal. The first line
+printed is that port's path. Ends on SIGTERM or SIGINT.
+
+  --link PATH          make PATH a symbolic link to the port; removed at the end
+  --unit N             Modbus unit, 1..247 (1)
+  --baud N             line speed, 1200..921600 (115200): bytes take as long as on such a wire
+  --parity N|E|O       parity (N)
+  --stop-bits 1|2      stop bits (1)
+  --no-pacing          bytes take no time
+  --state DIR          where its flash is kept ($XDG_STATE_HOME/campanel)
+  --speed FACTOR       simulated seconds per second, 0.01..1000 (1)
+  --seed N             seed of the machine's disturbances (1)
+  --film-slip MM       standard deviation of the film's slip per bag, 0..10 (0.03)
+  --exit-with-parent   end when the process that started this one ends
+  --help, --version
+)";
+
+tl::unexpected<Ending> wrong(const std::string& sentence)
+{
+    return tl::unexpected(Ending{2, "campanel-controller: " + sentence + "; see --help\n"});
+}
+
+// A number that takes the whole text and lies in [minimum, maximum].
+template <typename Number>
+bool parseNumber(std::string_view text, Number minimum, Number maximum, Number& result)
+{
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), result);
+    return parsed.ec == std::errc() && parsed.ptr == text.data() + text.size() && result >= minimum &&
+           result <= maximum;
+}
+
+enum Code {
+    Link = 1,
+    Unit,
+    Baud,
+    Parity,
+    StopBits,
+    NoPacing,
+    State,
+    Speed,
+    Seed,
+    FilmSlip,
+    ExitWithParent,
+    Help,
+    Version
+};
+
+const option table[] = {{"link", required_argument, nullptr, Link},
+                        {"unit", required_argument, nullptr, Unit},
+                        {"baud", required_argument, nullptr, Baud},
+                        {"parity", required_argument, nullptr, Parity},
+                        {"stop-bits", required_argument, nullptr, StopBits},
+                        {"no-pacing", no_argument, nullptr, NoPacing},
+                        {"state", required_argument, nullptr, State},
+                        {"speed", required_argument, nullptr, Speed},
+                        {"seed", required_argument, nullptr, Seed},
+                        {"film-slip", required_argument, nullptr, FilmSlip},
+                        {"exit-with-parent", no_argument, nullptr, ExitWithParent},
+                        {"help", no_argument, nullptr, Help},
+                        {"version", no_argument, nullptr, Version},
+                        {nullptr, 0, nullptr, 0}};
+
+// False when the option's argument is outside its range.
+bool takeOption(int code, std::string_view argument, Options& options)
+{
+    switch (code) {
+    case Link:
+        options.link = argument;
+        return !argument.empty();
+    case Unit:
+        return parseNumber<std::uint8_t>(argument, 1, 247, options.unit);
+    case Baud:
+        return parseNumber<std::uint32_t>(argument, 1200, 921600, options.line.baud);
+    case Parity:
+        options.line.parity = argument.size() == 1 ? argument.front() : ' ';
+        return std::strchr("NEO", options.line.parity) != nullptr;
+    case StopBits:
+        return parseNumber<std::uint32_t>(argument, 1, 2, options.line.stopBits);
+    case NoPacing:
+        options.line.paced = false;
+        return true;
+    case State:
+        options.stateDirectory = argument;
+        return !argument.empty();
+    case Speed:
+        return parseNumber(argument, 0.01, 1000.0, options.speed);
+    case Seed:
+        return parseNumber<std::uint64_t>(argument, 0, UINT64_MAX, options.machine.seed);
+    case FilmSlip:
+        return parseNumber(argument, 0.0, 10.0, options.machine.filmSlipMm);
+    default:
+        options.exitWithParent = true;
+        return true;
+    }
+}
+
+} // namespace
+
+tl::expected<Options, Ending> parseOptions(int argc, char** argv)
+{
+    Options options;
+    options.stateDirectory = defaultStateDirectory();
+    opterr = 0;
+    for (;;) {
+        int index = 0;
+        const char* word = argv[optind];
+        const int code = getopt_long(argc, argv, "", table, &index);
+        if (code == -1)
+            break;
+        if (code == '?')
+            return wrong("unknown or incomplete option " + std::string(word));
+        if (code == Help)
+            return tl::unexpected(Ending{0, help});
+        if (code == Version)
+            return tl::unexpected(Ending{0, "campanel-controller " CAMPANEL_VERSION "\n"});
+        const char* argument = optarg != nullptr ? optarg : "";
+        if (!takeOption(code, argument, options))
+            return wrong("--" + std::string(table[index].name) + " cannot be '" + argument + "'");
+    }
+    if (optind < argc)
+        return wrong("unexpected argument " + std::string(argv[optind]));
+    return options;
+}
+
+} // namespace campanel::controller

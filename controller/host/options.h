@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line of campanel-controller.
+#pragma once
+
+#include "line.h"
+#include "machine.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <tl/expected.hpp>
+
+namespace campanel::controller {
+
+struct Options {
+    std::uint8_t unit = 1;
+    LineSettings line;
+    std::filesystem::path stateDirectory;
+    std::filesystem::path link; // empty: none
+    double speed = 1.0;         // simulated seconds per second
+    MachineOptions machine;
+    bool exitWithParent = false;
+};
+
+// What ends the program before it starts: text for the user and the exit code (0: the user asked for text).
+struct Ending {
+    int exitCode = 0;
+    std::string text;
+};
+
+[[nodiscard]] tl::expected<Options, Ending> parseOptions(int argc, char** argv);
+
+} // namespace campanel::controller

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "service.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+#include <functional>
+#include <poll.h>
+#include <string>
+
+namespace campanel::controller {
+namespace {
+
+constexpr std::int64_t nsPerS = 1'000'000'000;
+constexpr double nsPerUs = 1000.0;
+// Nothing can be seen of the machine between two requests, so that it need not be moved more often than this.
+constexpr std::int64_t longestSleepNs = 20'000'000;
+// Steps of one catching up; further behind than that, simulated time is late for good.
+constexpr std::uint64_t mostSteps = 100'000;
+
+std::int64_t monotonicNs()
+{
+    timespec time{};
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return static_cast<std::int64_t>(time.tv_sec) * nsPerS + time.tv_nsec;
+}
+
+ctl_config configOf(const Options& options)
+{
+    ctl_config config{};
+    config.unit = options.unit;
+    // The core's clock is simulated time, the line's is real time.
+    config.frame_gap_us = static_cast<std::uint32_t>(
+        std::max(1.0, std::ceil(static_cast<double>(frameGapNs(options.line)) / nsPerUs * options.speed)));
+    config.firmware[0] = CAMPANEL_VERSION_MAJOR;
+    config.firmware[1] = CAMPANEL_VERSION_MINOR;
+    config.firmware[2] = CAMPANEL_VERSION_PATCH;
+    // A board is its flash: the same directory is the same controller.
+    config.unique_id = std::hash<std::string>{}(std::filesystem::absolute(options.stateDirectory).string());
+    config.timer_clock_hz = 8'000'000;
+    config.timer_bits = 16;
+    config.max_pulse_hz = 200'000;
+    return config;
+}
+
+} // namespace
+
+Service::Service(const Options& options, PseudoTerminal& terminal, FlashDevice& flash)
+    : m_terminal(terminal)
+    , m_line(options.line)
+    , m_gapNs(frameGapNs(options.line))
+    , m_speed(options.speed)
+    , m_startNs(monotonicNs())
+    , m_controller(configOf(options), options.machine, flash)
+{
+}
+
+std::uint64_t Service::simulatedUs(std::int64_t timeNs) const
+{
+    return static_cast<std::uint64_t>(
+        std::max(0.0, static_cast<double>(timeNs - m_startNs) * m_speed / nsPerUs));
+}
+
+void Service::catchUp(std::int64_t nowNs)
+{
+    const std::uint64_t targetUs = simulatedUs(nowNs);
+    const std::uint64_t reachableUs = m_controller.nowUs() + mostSteps * SimulatedController::stepUs;
+    m_controller.runTo(std::min(targetUs, reachableUs));
+    if (targetUs > reachableUs)
+        m_startNs +=
+            static_cast<std::int64_t>(static_cast<double>(targetUs - reachableUs) * nsPerUs / m_speed);
+}
+
+void Service::moveBytes(std::int64_t nowNs)
+{
+    while (const auto arrival = m_line.takeArrival(nowNs)) {
+        catchUp(arrival->endNs);
+        ctl_receive(&m_controller.core(), arrival->bytes.data(), arrival->bytes.size(),
+                    simulatedUs(arrival->endNs));
+        m_frameEndNs = arrival->endNs + m_gapNs;
+    }
+    catchUp(nowNs);
+    if (m_frameEndNs && *m_frameEndNs <= nowNs)
+        m_frameEndNs.reset();
+    std::array<std::uint8_t, CTL_FRAME_BYTES> answer{};
+    const std::size_t size = ctl_take_answer(&m_controller.core(), answer.data());
+    if (size > 0)
+        m_line.fromController({answer.data(), size}, nowNs);
+    const auto forPanel = m_line.takeForPanel(nowNs);
+    if (!forPanel.empty())
+        m_terminal.write(forPanel);
+}
+
+void Service::wait(std::int64_t nowNs, const sigset_t& waitMask)
+{
+    std::int64_t untilNs = nowNs + longestSleepNs;
+    untilNs = std::min(untilNs, m_frameEndNs.value_or(untilNs));
+    untilNs = std::min(untilNs, m_line.nextEventNs().value_or(untilNs));
+    const std::int64_t sleepNs = std::max<std::int64_t>(0, untilNs - monotonicNs());
+    const timespec timeout{0, static_cast<long>(sleepNs)};
+    std::array<pollfd, 2> descriptors{
+        {{m_terminal.descriptor(), POLLIN, 0}, {m_terminal.closeWatch(), POLLIN, 0}}};
+    if (ppoll(descriptors.data(), descriptors.size(), &timeout, &waitMask) <= 0)
+        return;
+    if ((descriptors[1].revents & POLLIN) != 0)
+        m_terminal.afterClose();
+    if ((descriptors[0].revents & POLLIN) != 0) {
+        std::array<std::uint8_t, 512> bytes{};
+        const std::size_t size = m_terminal.read(bytes);
+        if (size > 0)
+            m_line.fromPanel({bytes.data(), size}, monotonicNs());
+    }
+}
+
+void Service::run(const volatile std::sig_atomic_t& stop, const sigset_t& waitMask)
+{
+    while (stop == 0) {
+        const std::int64_t nowNs = monotonicNs();
+        moveBytes(nowNs);
+        wait(nowNs, waitMask);
+    }
+}
+
+} // namespace campanel::controller

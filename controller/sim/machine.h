@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The simulated machine: a knife servo that follows the pulses with a lag, its encoder and index mark, and a
+// film that is fed in proportion to the master and measured where it is cut. Same seed and same calls: same
+// results.
+#pragma once
+
+#include "ctl_bank.h"
+
+#include <cstdint>
+#include <optional>
+#include <random>
+
+namespace campanel::controller {
+
+struct MachineOptions {
+    std::uint64_t seed = 1;
+    double filmSlipMm = 0.03;         // standard deviation of the film's slip from bag to bag
+    double servoBandwidthHz = 80.0;   // critically damped; the knife lags by 1 / (pi * bandwidth)
+    double startAngleDegrees = 300.0; // of the knife at power-up, from its index mark
+};
+
+class Machine {
+public:
+    explicit Machine(const MachineOptions& options);
+
+    // The program that is executed from now on; the knife keeps its angle.
+    void setProgram(const ctl_bank& bank);
+    void command(std::int64_t pulses) { m_commanded += pulses; }
+    // A drive that is cut off does not follow any more.
+    void setDriveOn(bool on) { m_driveOn = on; }
+
+    // Moves on by one step of time, while which `filmMm` of film is fed.
+    void advance(double stepS, double filmMm);
+    // What is known of the last cut no longer counts: the film did not follow the knife.
+    void forgetLastCut() { m_filmAtCutMm.reset(); }
+
+    [[nodiscard]] std::int64_t encoder() const;
+    // Encoder position at the index mark, once for each time that it was passed forward.
+    [[nodiscard]] std::optional<std::int64_t> takeIndex();
+    // Length of the bag that was cut in the last step, micrometres.
+    [[nodiscard]] std::optional<std::uint32_t> takeCutUm();
+
+private:
+    void followCommand(double stepS);
+    void passIndex(double before);
+    void passCut(double before, double filmMm);
+
+    std::mt19937_64 m_random;
+    std::normal_distribution<double> m_slipMm;
+    double m_angularBandwidth = 0.0; // 1/s
+    bool m_driveOn = true;
+    std::int64_t m_commanded = 0;  // pulses
+    double m_position = 0.0;       // pulses
+    double m_speed = 0.0;          // pulses/s
+    double m_revolution = 10000.0; // pulses of one knife revolution
+    double m_mark = 0.0;           // position of an index mark, pulses
+    double m_stroke = 10000.0;     // pulses from one knife to the next
+    double m_cutOffset = 0.0;      // pulses from an index mark to the cut
+    bool m_hasProgram = false;
+    double m_filmMm = 0.0; // fed since power-up
+    std::optional<double> m_filmAtCutMm;
+    std::optional<std::int64_t> m_index;
+    std::optional<std::uint32_t> m_cutUm;
+};
+
+} // namespace campanel::controller

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// The controller's core wired to the simulated machine, on simulated time in fixed steps: whoever calls
+// decides how fast that is, the results do not depend on it.
+#pragma once
+
+#include "ctl_core.h"
+#include "flash_device.h"
+#include "machine.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace campanel::controller {
+
+class SimulatedController {
+public:
+    static constexpr std::uint64_t stepUs = CTL_SLICE_US;
+
+    // The flash must outlive the controller.
+    SimulatedController(const ctl_config& config, const MachineOptions& options, FlashDevice& flash);
+    SimulatedController(const SimulatedController&) = delete;
+    SimulatedController& operator=(const SimulatedController&) = delete;
+    ~SimulatedController() = default;
+
+    // Simulated time since power-up.
+    [[nodiscard]] std::uint64_t nowUs() const { return m_nowUs; }
+    void step();
+    // Whole steps up to the time given, then the line's silence is checked at exactly that time.
+    void runTo(std::uint64_t timeUs);
+
+    [[nodiscard]] ctl_core& core() { return *m_core; }
+    [[nodiscard]] Machine& machine() { return m_machine; }
+
+private:
+    void takeOverProgram();
+    [[nodiscard]] double filmSinceLastStepMm();
+
+    Machine m_machine;
+    std::unique_ptr<ctl_core> m_core; // too large for a stack
+    FlashDevice& m_flash;
+    std::uint64_t m_nowUs = 0;
+    std::uint32_t m_generation = 0;
+    std::uint32_t m_cycles = 0;
+    double m_phase = 0.0;       // of the master, in cycles
+    double m_bagLengthMm = 0.0; // of the program that is executed
+};
+
+} // namespace campanel::controller

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// A slave on a pseudo-terminal that keeps the contract's echoes and misbehaves as scripted, one entry per
+// request. libmodbus's server side receives; the answers are built here so that they can be wrong.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace campanel::test {
+
+enum class Fault {
+    None,
+    LostRequest, // not executed, not answered
+    LostAnswer,  // executed, not answered
+    LateAnswer,  // executed; the answer comes right before that of the next request
+    BadChecksum, // executed, CRC-16 of the answer inverted
+    Truncated,   // executed, the answer stops in the middle
+    Exception2,  // not executed, exception 2
+};
+
+class ScriptedSlave {
+public:
+    ScriptedSlave();
+    ~ScriptedSlave();
+    ScriptedSlave(const ScriptedSlave&) = delete;
+    ScriptedSlave& operator=(const ScriptedSlave&) = delete;
+
+    [[nodiscard]] const std::string& port() const { return m_port; }
+    // Faults of the next requests, in order; afterwards None.
+    void script(std::vector<Fault> faults);
+    void setRegister(std::uint16_t address, std::uint16_t value);
+    [[nodiscard]] std::uint16_t getRegister(std::uint16_t address);
+    // How often a command was carried out, how many requests arrived, how many of them wrote.
+    [[nodiscard]] int commandsExecuted() const { return m_commands; }
+    [[nodiscard]] int requests() const { return m_requests; }
+    [[nodiscard]] int writes() const { return m_writes; }
+    // Closes both ends of the pseudo-terminal, as a pulled adapter.
+    void unplug();
+    // Forgets the transfer session, as after a restart of the controller.
+    void forgetTransfer();
+    // Makes an armed change active, as at the cycle boundary.
+    void reachCycleBoundary();
+    void refuseRow(std::uint16_t row);
+
+private:
+    using Bytes = std::vector<std::uint8_t>;
+
+    void serve();
+    void answer(const Bytes& request);
+    [[nodiscard]] Bytes execute(const Bytes& request);
+    void send(const Bytes& bytes);
+    void write(std::uint16_t address, const std::uint8_t* data, std::uint16_t count);
+    void runCommand();
+    void runTransfer();
+    void runReadback();
+    void activateStaged();
+    void put32(std::uint16_t address, std::uint32_t value);
+
+    std::string m_port;
+    int m_master = -1;
+    int m_keptSlave = -1;
+    std::mutex m_mutex; // guards everything below up to the thread
+    std::vector<std::uint16_t> m_registers;
+    std::deque<Fault> m_faults;
+    std::vector<bool> m_received;
+    std::uint16_t m_announced = 0;
+    std::uint16_t m_refusedRow = 0xFFFF;
+    Bytes m_late;
+    std::atomic<int> m_commands = 0;
+    std::atomic<int> m_requests = 0;
+    std::atomic<int> m_writes = 0;
+    std::atomic<bool> m_stop = false;
+    std::thread m_thread;
+};
+
+} // namespace campanel::test
