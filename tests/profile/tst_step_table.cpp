@@ -258,7 +258,7 @@ void TestStepTable::atTheHighestFrequency()
     for (int i = 0; i <= 200; ++i) {
         Recipe r = checkRecipe();
         r.machine.knives = 3;
-        r.machine.pulsesPerMotorRev = 40000 + i;
+        r.machine.pulsesPerMotorRev = 120000 + i;
         r.program.pinned = {Field::BaseSpeed, Field::FilmSpeed};
         r.program.baseSpeedMmPerS = 200000 / pulsesPerMm(r.machine);
         r.program.filmSpeedMmPerS = r.program.baseSpeedMmPerS * (0.5 + 0.0025 * i); // at last the whole cycle
