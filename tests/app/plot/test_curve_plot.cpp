@@ -53,6 +53,7 @@ private slots:
     void panelsAreStackedInsideTheItem();
     void inkIsWhereTheCurveIs_data();
     void inkIsWhereTheCurveIs();
+    void slopesAreNotRoundedToPixels();
     void inkBeyondTheLimitHasTheViolationColor();
     void violationTintsOnlyThePanelThatBreaksTheLimit();
     void overlayCursorTraceAndMarkersAreDrawn();
@@ -116,6 +117,30 @@ void TestCurvePlot::inkIsWhereTheCurveIs()
         QVERIFY2(test::inkIn(image, test::around(x, y, 1), blue) >= 5, qPrintable(QString::number(t)));
         QCOMPARE(test::inkIn(image, test::around(x, y - 20 * pixelRatio, 3), blue), 0);
         QCOMPARE(test::inkIn(image, test::around(x, y + 20 * pixelRatio, 3), blue), 0);
+    }
+}
+
+void TestCurvePlot::slopesAreNotRoundedToPixels()
+{
+    CurvePlot plot;
+    prepare(plot);
+    plot.setProperty("quantities", QStringList{QStringLiteral("velocity")});
+    plot.setProperty("gridColor", QColor(Qt::white));
+    const auto velocity = [](double t) { return t < 0.1 ? 300.0 : t > 0.9 ? 400.0 : 340 + 5 * t; };
+    plot.setProperty("curves", test::curveVariant(velocity));
+    const QImage image = test::paintItem(plot);
+    // The middle of the ink in a column of pixels, weighted by its darkness.
+    for (int x = qRound(plot.xOfTime(0.2)); x < plot.xOfTime(0.8); ++x) {
+        const double expected = plot.yOfVelocity(velocity(plot.timeOfX(x + 0.5)));
+        double ink = 0;
+        double moment = 0;
+        for (int y = qRound(expected) - 8; y <= qRound(expected) + 8; ++y) {
+            const double darkness = 255 - image.pixelColor(x, y).red();
+            ink += darkness;
+            moment += darkness * (y + 0.5);
+        }
+        QVERIFY2(std::abs(moment / ink - expected) < 0.2,
+                 qPrintable(QString::number(moment / ink - expected)));
     }
 }
 
