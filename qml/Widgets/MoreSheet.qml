@@ -18,7 +18,7 @@ Sheet {
     signal tableRequested()
     signal editRequested(var fields, int index, Item source)
 
-    readonly property real half: (body.width - body.spacing) / 2
+    readonly property real half: Math.floor((body.width - body.spacing) / 2)
 
     title: qsTr("View and tools")
     panelWidth: width * 0.82
@@ -28,10 +28,9 @@ Sheet {
         width: sheet.half
     }
 
-    Grid {
+    Flow {
         id: body
         anchors.fill: parent
-        columns: 2
         spacing: Theme.size.spacing
 
         Switch {
