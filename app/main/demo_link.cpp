@@ -94,7 +94,9 @@ void DemoLink::show(Situation situation)
     report(link::LinkState::Connected);
     if (situation == Situation::Empty) {
         emit programRead({});
-        emit statusReceived({{{m_now, {}}}, 0});
+        modbus::StatusBlock idle;
+        idle.state = modbus::State::Idle;
+        emit statusReceived({{{m_now, idle}}, 0});
         return;
     }
     const auto& bank = m_program.registers;

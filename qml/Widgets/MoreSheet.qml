@@ -34,12 +34,14 @@ Sheet {
         spacing: Theme.size.spacing
 
         Switch {
+            objectName: "positionSwitch"
             text: qsTr("Position curve")
             note: sheet.showPosition ? qsTr("shown") : qsTr("hidden")
             holds: sheet.showPosition
             onClicked: sheet.positionToggled(!sheet.showPosition)
         }
         Switch {
+            objectName: "jerkSwitch"
             text: qsTr("Jerk curve")
             note: sheet.showJerk ? qsTr("shown") : qsTr("hidden")
             holds: sheet.showJerk
