@@ -140,16 +140,23 @@ private slots:
     {
         PanelRig rig;
         rig.connectRunning();
+        // Begun before the program became active: shown, not counted.
+        rig.link.status.bagCount = 1;
+        rig.link.status.bagDeviationMm = -25;
+        rig.link.status.bagLengthMm = 225;
+        rig.link.sendStatus(rig.now);
+        QCOMPARE(rig.machine.bagLengthMm(), 225.0);
+        QVERIFY(std::isnan(rig.machine.bagMeanMm()));
         const QList<double> deviations{0.1, -0.1, 0.3, 0.1};
         for (qsizetype i = 0; i < deviations.size(); ++i) {
-            rig.link.status.bagCount = static_cast<std::uint32_t>(i + 1);
+            rig.link.status.bagCount = static_cast<std::uint32_t>(i + 2);
             rig.link.status.bagDeviationMm = deviations[i];
             rig.link.status.bagLengthMm = 250 + deviations[i];
             for (int repeat = 0; repeat < 3; ++repeat)
                 rig.link.sendStatus(rig.now);
         }
         QCOMPARE(rig.machine.bagSeries(), deviations);
-        QCOMPARE(rig.machine.bagCount(), 4.0);
+        QCOMPARE(rig.machine.bagCount(), 5.0);
         QCOMPARE(rig.machine.bagLengthMm(), 250.1);
         QVERIFY(std::abs(rig.machine.bagMeanMm() - 250.1) < 1e-9);
         QVERIFY(std::abs(rig.machine.bagScatterMm() - std::sqrt(0.08 / 3)) < 1e-9);
