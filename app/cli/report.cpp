@@ -29,6 +29,7 @@ QString scalarText(const QJsonValue& value)
     }
 }
 
+// Lists of words; lists of numbers are only in JSON.
 void flatten(const QString& prefix, const QJsonObject& object, Lines& lines)
 {
     for (auto it = object.begin(); it != object.end(); ++it) {
@@ -99,7 +100,7 @@ QByteArray formatted(const QJsonObject& object, const QString& format)
         if (format == u"csv")
             text += key + u',' + csvField(value) + u'\n';
         else
-            text += key.leftJustified(width) + u"  "_s + value + u'\n';
+            text += key.leftJustified(width) + u"  "_s + (value.isEmpty() ? u"none"_s : value) + u'\n';
     }
     return text.toUtf8();
 }
