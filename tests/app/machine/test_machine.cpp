@@ -140,16 +140,23 @@ private slots:
     {
         PanelRig rig;
         rig.connectRunning();
+        // Begun before the program became active: shown, not counted.
+        rig.link.status.bagCount = 1;
+        rig.link.status.bagDeviationMm = -25;
+        rig.link.status.bagLengthMm = 225;
+        rig.link.sendStatus(rig.now);
+        QCOMPARE(rig.machine.bagLengthMm(), 225.0);
+        QVERIFY(std::isnan(rig.machine.bagMeanMm()));
         const QList<double> deviations{0.1, -0.1, 0.3, 0.1};
         for (qsizetype i = 0; i < deviations.size(); ++i) {
-            rig.link.status.bagCount = static_cast<std::uint32_t>(i + 1);
+            rig.link.status.bagCount = static_cast<std::uint32_t>(i + 2);
             rig.link.status.bagDeviationMm = deviations[i];
             rig.link.status.bagLengthMm = 250 + deviations[i];
             for (int repeat = 0; repeat < 3; ++repeat)
                 rig.link.sendStatus(rig.now);
         }
         QCOMPARE(rig.machine.bagSeries(), deviations);
-        QCOMPARE(rig.machine.bagCount(), 4.0);
+        QCOMPARE(rig.machine.bagCount(), 5.0);
         QCOMPARE(rig.machine.bagLengthMm(), 250.1);
         QVERIFY(std::abs(rig.machine.bagMeanMm() - 250.1) < 1e-9);
         QVERIFY(std::abs(rig.machine.bagScatterMm() - std::sqrt(0.08 / 3)) < 1e-9);
@@ -280,6 +287,23 @@ private slots:
         machine::Settings again(rig.folder.filePath("settings.ini"), nullptr);
         QCOMPARE(again.portName(), "/dev/ttyUSB7");
         QCOMPARE(again.parity(), "E");
+    }
+
+    void nonsenseInTheSettingsFileBecomesTheStandard()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("settings.ini");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("language=tlh\ntheme=pink\n[connection]\nbaud=1\nparity=X\nunit=9999\nstop_bits=-3\n");
+        file.close();
+        const machine::Settings settings(path, nullptr);
+        QVERIFY(settings.languages().contains(settings.language()));
+        QCOMPARE(settings.theme(), "light");
+        QCOMPARE(settings.baud(), 115200);
+        QCOMPARE(settings.parity(), "N");
+        QCOMPARE(settings.unit(), 247);
+        QCOMPARE(settings.stopBits(), 1);
     }
 
     void qmlSeesTheAttachedObjects()
