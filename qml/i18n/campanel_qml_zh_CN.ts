@@ -470,7 +470,7 @@
     <name>RunPage</name>
     <message>
         <source>bags/min</source>
-        <translation>包/分</translation>
+        <translation>袋/分</translation>
     </message>
     <message>
         <source>bags</source>
