@@ -19,7 +19,7 @@ constexpr int samplesPerCycle = 78; // as over 115200 baud at one bag a second
 constexpr int samplesPerBatch = 6;
 constexpr double shareShown = 0.62; // of the newest cycle
 constexpr double scatterMm = 0.09;
-constexpr double lagS = 0.004; // of the knife behind its target
+constexpr double lagS = 0.0012; // of the knife behind its target
 constexpr unsigned seed = 7;
 constexpr std::uint32_t generation = 12;
 
@@ -161,10 +161,12 @@ modbus::StatusBlock DemoLink::statusAt(double cycleShare) const
     status.activeCrc = m_program.crc;
     status.savedCrc = m_program.crc;
     status.masterAngleDeg = 360 * cycleShare;
-    status.masterSpeedPercent = 100;
-    status.commandedFrequencyHz = static_cast<std::int32_t>(wanted.velocityMmPerS * pulsesPerMm);
-    status.actualFrequencyHz = static_cast<std::int32_t>(actual.velocityMmPerS * pulsesPerMm);
-    status.followingErrorPulses = static_cast<std::int16_t>((wanted.velocityMmPerS * lagS) * pulsesPerMm);
+    if (m_situation == Situation::Running) {
+        status.masterSpeedPercent = 100;
+        status.commandedFrequencyHz = static_cast<std::int32_t>(wanted.velocityMmPerS * pulsesPerMm);
+        status.actualFrequencyHz = static_cast<std::int32_t>(actual.velocityMmPerS * pulsesPerMm);
+        status.followingErrorPulses = static_cast<std::int16_t>(wanted.velocityMmPerS * lagS * pulsesPerMm);
+    }
     status.knifeAngleDeg = actual.positionMm / (2 * std::numbers::pi * cutter.machine.knifeRadiusMm) * 360;
     return status;
 }

@@ -12,6 +12,7 @@
 namespace campanel::panel {
 namespace {
 
+constexpr int longestWaitMs = 2000; // for a timer of some 100 ms
 constexpr int holdTimeMs = 1000; // longer than a long press
 
 QQuickItem* visibleItem(QQuickItem& below, const QString& name)
@@ -58,8 +59,20 @@ Stage::Stage(const Look& look)
     m_panel.window().show();
     settle(); // the first frame comes before the first data, as on a machine
     m_panel.machine().open();
-    m_panel.machine().setClock([this] { return m_link.now(); }); // looks at the age of the data now, not when a timer runs out
+    waitForLinkFigures();
     settle();
+}
+
+// The share of good answers is shown by a timer of the machine, not by each answer.
+void Stage::waitForLinkFigures()
+{
+    bool isShown = false;
+    const auto shown = QObject::connect(&m_panel.machine(), &machine::Machine::qualityChanged, [&isShown] { isShown = true; });
+    QElapsedTimer waited;
+    waited.start();
+    while (!isShown && waited.elapsed() < longestWaitMs)
+        QCoreApplication::processEvents(QEventLoop::AllEvents, holdTimeMs);
+    QObject::disconnect(shown);
 }
 
 QObject* Stage::theme()

@@ -44,6 +44,7 @@ public:
     [[nodiscard]] QImage grab();
 
 private:
+    void waitForLinkFigures();
     void press(const QString& name, int holdMs);
 
     QTemporaryDir m_folder;

@@ -16,7 +16,7 @@ Sheet {
 
     LawRow {
         id: head
-        anchors { left: parent.left; right: parent.right; top: parent.top }
+        anchors { left: parent.left; right: parent.right; rightMargin: 2 * Theme.size.accent; top: parent.top }
         height: Theme.size.caption * 2
         header: true
         cells: [qsTr("Peak speed"), qsTr("Acceleration"), qsTr("Jerk"), qsTr("Frequency")]
@@ -39,7 +39,7 @@ Sheet {
             required property string peakJerkText
             required property bool current
             required property bool usable
-            width: list.width
+            width: list.width - 2 * Theme.size.accent
             text: name
             note: hint
             holds: current

@@ -14,8 +14,8 @@ T.AbstractButton {
     property bool header
     required property list<string> cells
 
-    readonly property real cellWidth: width * 0.155
-    implicitHeight: Theme.size.touch
+    readonly property real cellWidth: width * 0.135
+    implicitHeight: Math.max(Theme.size.touch, words.height + Theme.size.padding)
     enabled: !header
 
     background: Rectangle {
@@ -25,6 +25,7 @@ T.AbstractButton {
         border { width: row.holds ? Theme.size.outline : Theme.size.hairline; color: row.holds ? Theme.color.touch : Theme.color.line }
     }
     Column {
+        id: words
         anchors { left: parent.left; leftMargin: Theme.size.padding; verticalCenter: parent.verticalCenter }
         width: row.width - 4 * row.cellWidth - 2 * Theme.size.padding
         Label {
@@ -39,13 +40,10 @@ T.AbstractButton {
         Label {
             width: parent.width
             visible: row.note.length > 0
-            height: Math.min(implicitHeight, row.height - Theme.size.body * 1.6 - Theme.size.spacing)
             wrapMode: Text.WordWrap
-            fontSizeMode: Text.Fit
-            minimumPixelSize: Theme.size.caption - 3
             text: row.note
             color: Theme.color.secondaryInk
-            font.pixelSize: Theme.size.caption - 1
+            font.pixelSize: Theme.size.caption
         }
     }
     Row {
