@@ -2,10 +2,13 @@
 // The steps of a download, and the sentences for its errors.
 #include "modbus/download.h"
 
+#include "modbus/codec.h"
 #include "modbus/crc32.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <utility>
 
 namespace campanel::modbus {
 namespace {
@@ -259,16 +262,21 @@ Download::Step Download::verify(RtuClient& client)
 Download::Step Download::apply(RtuClient& client)
 {
     if (!m_generationBefore) {
-        const auto status = client.exchangeStatus(0, 0);
-        if (!status)
-            return linkFailed(status.error());
-        m_generationBefore = status->generation;
+        const RegisterInfo& info = registerNamed("status.generation");
+        const auto registers = client.readProven(info.address, info.count);
+        if (!registers)
+            return linkFailed(registers.error());
+        m_generationBefore = RegisterReader(*registers, info.address).u32(info.name);
     }
+    const bool again = std::exchange(m_applySent, true);
     const auto result = client.command(
         Command::ApplyStaged, {static_cast<std::uint16_t>(m_options.mode), m_options.session, m_crc});
     if (!result)
         return linkFailed(result.error());
-    if (!result->done())
+    // Nothing staged any more after an earlier try without an answer: that one may have done it, status
+    // tells.
+    const bool perhapsDone = again && result->reason == Refusal::NothingSealed;
+    if (!result->done() && !perhapsDone)
         return fail({DownloadErrorKind::CommandRefused, {}, {}, result->reason, 0, 0, 0});
     m_phase = Phase::AwaitActive;
     return m_phase;
@@ -278,16 +286,17 @@ Download::Step Download::noteStatus(const StatusBlock& status)
 {
     if (ended())
         return m_phase;
-    const bool changed = m_generationBefore && status.generation != *m_generationBefore;
-    if (m_phase == Phase::AwaitActive || (m_phase >= Phase::Resuming && m_phase <= Phase::Apply && changed)) {
-        // Also before AwaitActive: the answer to apply may have been lost with the connection.
-        if (changed && status.activeCrc == m_crc)
-            m_phase = Phase::Active;
-        else if (m_phase == Phase::AwaitActive && status.stagedState != StagedState::Armed)
-            return fail({DownloadErrorKind::Withdrawn, {}, {}, Refusal::None, 0, 0, 0});
-    } else if (!m_generationBefore) {
+    if (!m_generationBefore)
         m_generationBefore = status.generation;
-    }
+    const bool isActive = status.generation != *m_generationBefore && status.activeCrc == m_crc;
+    const bool isArmed = status.stagedState == StagedState::Armed;
+    // The answer to apply may have been lost, so the phase may lag behind what the status says.
+    if (m_applySent && isActive)
+        m_phase = Phase::Active;
+    else if (m_applySent && isArmed)
+        m_phase = Phase::AwaitActive;
+    else if (m_phase == Phase::AwaitActive)
+        return fail({DownloadErrorKind::Withdrawn, {}, {}, Refusal::None, 0, 0, 0});
     return m_phase;
 }
 

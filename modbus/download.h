@@ -109,6 +109,7 @@ private:
     std::uint16_t m_nextBlock = 0;
     std::optional<BankReader> m_reader;
     std::optional<std::uint32_t> m_generationBefore;
+    bool m_applySent = false;
 };
 
 } // namespace campanel::modbus

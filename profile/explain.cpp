@@ -9,6 +9,7 @@
 namespace campanel::profile {
 namespace {
 
+using detail::concat;
 using detail::significantText;
 
 std::string n(double value)
@@ -18,13 +19,14 @@ std::string n(double value)
 
 std::string product(double a, double b)
 {
-    return n(a) + " * " + n(b);
+    return concat({n(a), " * ", n(b)});
 }
 
 Explanation explainBagLength(const RotaryCutter& cutter)
 {
     const CycleNumbers& c = cutter.cycle;
-    return {"L = v_b T / c", product(c.filmSpeedMmPerS, c.cycleTimeS) + " / " + n(cutter.program.syncRatio),
+    return {"L = v_b T / c",
+            concat({product(c.filmSpeedMmPerS, c.cycleTimeS), " / ", n(cutter.program.syncRatio)}),
             c.bagLengthMm, "mm"};
 }
 
@@ -36,15 +38,15 @@ Explanation explainRate(const RotaryCutter& cutter)
     Explanation e{"", "", c.rateBagsPerMin, "bags/min"};
     if (!isPinned(cutter.program, Field::BaseSpeed)) {
         e.formula = "n = 60 v_b / (c L)";
-        e.numbers = product(60, c.filmSpeedMmPerS) + " / (" + product(ratio, c.bagLengthMm) + ")";
+        e.numbers = concat({product(60, c.filmSpeedMmPerS), " / (", product(ratio, c.bagLengthMm), ")"});
     } else if (!isPinned(cutter.program, Field::FilmSpeed)) {
         e.formula = "n = 60 v_a (1 - w) / (h - c L w), w = W / T";
-        e.numbers = product(60, c.baseSpeedMmPerS) + " * (1 - " + n(w) + ") / (" + n(c.strokeMm) + " - " +
-                    product(ratio, c.bagLengthMm) + " * " + n(w) + ")";
+        e.numbers = concat({product(60, c.baseSpeedMmPerS), " * (1 - ", n(w), ") / (", n(c.strokeMm), " - ",
+                            product(ratio, c.bagLengthMm), " * ", n(w), ")"});
     } else {
         e.formula = "n = 60 (v_a (1 - w) + v_b w) / h, w = W / T";
-        e.numbers = "60 * (" + n(c.baseSpeedMmPerS) + " * (1 - " + n(w) + ") + " +
-                    product(c.filmSpeedMmPerS, w) + ") / " + n(c.strokeMm);
+        e.numbers = concat({"60 * (", n(c.baseSpeedMmPerS), " * (1 - ", n(w), ") + ",
+                            product(c.filmSpeedMmPerS, w), ") / ", n(c.strokeMm)});
     }
     return e;
 }
@@ -53,8 +55,8 @@ Explanation explainBaseSpeed(const RotaryCutter& cutter)
 {
     const CycleNumbers& c = cutter.cycle;
     return {"v_a = (h - v_b W) / (T - W)",
-            "(" + n(c.strokeMm) + " - " + product(c.filmSpeedMmPerS, c.weightS) + ") / (" + n(c.cycleTimeS) +
-                " - " + n(c.weightS) + ")",
+            concat({"(", n(c.strokeMm), " - ", product(c.filmSpeedMmPerS, c.weightS), ") / (",
+                    n(c.cycleTimeS), " - ", n(c.weightS), ")"}),
             c.baseSpeedMmPerS, "mm/s"};
 }
 
@@ -62,12 +64,13 @@ Explanation explainFilmSpeed(const RotaryCutter& cutter)
 {
     const CycleNumbers& c = cutter.cycle;
     if (isPinned(cutter.program, Field::BagLength)) {
-        return {"v_b = c L / T", product(cutter.program.syncRatio, c.bagLengthMm) + " / " + n(c.cycleTimeS),
+        return {"v_b = c L / T",
+                concat({product(cutter.program.syncRatio, c.bagLengthMm), " / ", n(c.cycleTimeS)}),
                 c.filmSpeedMmPerS, "mm/s"};
     }
     return {"v_b = (h - v_a (T - W)) / W",
-            "(" + n(c.strokeMm) + " - " + n(c.baseSpeedMmPerS) + " * (" + n(c.cycleTimeS) + " - " +
-                n(c.weightS) + ")) / " + n(c.weightS),
+            concat({"(", n(c.strokeMm), " - ", n(c.baseSpeedMmPerS), " * (", n(c.cycleTimeS), " - ",
+                    n(c.weightS), ")) / ", n(c.weightS)}),
             c.filmSpeedMmPerS, "mm/s"};
 }
 
@@ -76,8 +79,8 @@ Explanation explainWeight(const RotaryCutter& cutter)
     const CycleNumbers& c = cutter.cycle;
     const double travel = findLaw(cutter.program.speedLaw)->at(1, cutter.program.speedLawParameters).integral;
     return {"W = (tc - tb) + G(1) ((tb - ta) + (td - tc))",
-            "(" + n(c.tcS) + " - " + n(c.tbS) + ") + " + n(travel) + " * ((" + n(c.tbS) + " - " + n(c.taS) +
-                ") + (" + n(c.tdS) + " - " + n(c.tcS) + "))",
+            concat({"(", n(c.tcS), " - ", n(c.tbS), ") + ", n(travel), " * ((", n(c.tbS), " - ", n(c.taS),
+                    ") + (", n(c.tdS), " - ", n(c.tcS), "))"}),
             c.weightS, "s"};
 }
 
@@ -86,8 +89,8 @@ Explanation explainRpm(const RotaryCutter& cutter)
     const Machine& m = cutter.machine;
     const Peaks peak = peaks(cutter);
     return {"60 Z max(v_a, v_b) / (2 pi R)",
-            "60 * " + n(m.gearNumerator) + " / " + n(m.gearDenominator) + " * " + n(peak.speedMmPerS) +
-                " / (2 pi * " + n(m.knifeRadiusMm) + ")",
+            concat({"60 * ", n(m.gearNumerator), " / ", n(m.gearDenominator), " * ", n(peak.speedMmPerS),
+                    " / (2 pi * ", n(m.knifeRadiusMm), ")"}),
             peak.motorRpm, "r/min"};
 }
 
@@ -97,8 +100,8 @@ Explanation explainAcceleration(const RotaryCutter& cutter)
     const double cv = findLaw(cutter.program.speedLaw)->peaks(cutter.program.speedLawParameters).cv;
     const bool there = c.tbS - c.taS <= c.tdS - c.tcS;
     return {there ? "Cv |v_b - v_a| / (tb - ta)" : "Cv |v_b - v_a| / (td - tc)",
-            n(cv) + " * |" + n(c.filmSpeedMmPerS) + " - " + n(c.baseSpeedMmPerS) + "| / (" +
-                n(there ? c.tbS : c.tdS) + " - " + n(there ? c.taS : c.tcS) + ")",
+            concat({n(cv), " * |", n(c.filmSpeedMmPerS), " - ", n(c.baseSpeedMmPerS), "| / (",
+                    n(there ? c.tbS : c.tdS), " - ", n(there ? c.taS : c.tcS), ")"}),
             peaks(cutter).accelerationMmPerS2, "mm/s^2"};
 }
 
@@ -107,8 +110,8 @@ Explanation explainFrequency(const RotaryCutter& cutter)
     const Machine& m = cutter.machine;
     const Peaks peak = peaks(cutter);
     return {"K Z max(v_a, v_b) / (2 pi R)",
-            n(m.pulsesPerMotorRev) + " * " + n(m.gearNumerator) + " / " + n(m.gearDenominator) + " * " +
-                n(peak.speedMmPerS) + " / (2 pi * " + n(m.knifeRadiusMm) + ")",
+            concat({n(m.pulsesPerMotorRev), " * ", n(m.gearNumerator), " / ", n(m.gearDenominator), " * ",
+                    n(peak.speedMmPerS), " / (2 pi * ", n(m.knifeRadiusMm), ")"}),
             peak.pulseFrequencyHz, "Hz"};
 }
 

@@ -181,9 +181,7 @@ std::optional<Suggestion> nearestRatio(const RotaryCutterProgram& program, const
 
 std::optional<Suggestion> nearestInRange(RotaryCutterProgram program, Machine machine, const Refusal& refusal)
 {
-    const double present = refusal.actual;
-    const double inside =
-        std::isfinite(present) ? snapToGrid(refusal.field, present) : info(refusal.field).defaultValue;
+    const double inside = std::isfinite(refusal.actual) ? refusal.allowed : info(refusal.field).defaultValue;
     setValue(program, refusal.field, inside);
     setValue(machine, refusal.field, inside);
     if (!isFeasible(program, machine))

@@ -10,6 +10,7 @@
 namespace campanel::profile {
 namespace {
 
+using detail::concat;
 using detail::fixedText;
 using detail::significantText;
 using detail::withUnit;
@@ -23,25 +24,24 @@ std::string fieldValue(Field field, double value)
 std::string outOfRange(const Refusal& r)
 {
     const FieldInfo& f = info(r.field);
-    std::string text{f.name};
-    if (std::isfinite(r.actual))
-        text += " " + withUnit(significantText(r.actual), f.unit) + " is outside its range ";
-    else
-        text += " has no finite value; its range is ";
-    return text + fixedText(f.min, f.decimals) + " to " + fieldValue(r.field, f.max) + ".";
+    if (!std::isfinite(r.actual)) {
+        return concat({f.name, " has no finite value; it must be from ", fixedText(f.min, f.decimals), " to ",
+                       fieldValue(r.field, f.max), "."});
+    }
+    return concat({f.name, " ", withUnit(significantText(r.actual), f.unit), " must be at ",
+                   r.actual > r.allowed ? "most " : "least ", fieldValue(r.field, r.allowed), "."});
 }
 
-std::string overLimit(std::string what, const Refusal& r)
+std::string overLimit(std::string_view what, const Refusal& r)
 {
-    const int decimals = r.limit == Limit::MachineRate ? 1 : 0;
-    what += " " + withUnit(fixedText(r.actual, decimals), r.unit);
-    if (r.timeS)
-        what += " at " + fixedText(*r.timeS, 3) + " s";
-    if (r.angleDeg)
-        what += " (" + fixedText(*r.angleDeg, 1) + " degrees)";
-    const double percent = (r.actual / r.allowed - 1) * 100;
-    return what + " is " + fixedText(percent, 1) + " % over the limit of " +
-           withUnit(fixedText(r.allowed, decimals), r.unit) + ".";
+    const bool isClose = std::abs(r.actual - r.allowed) < 1;
+    const int decimals = isClose ? 3 : 0;
+    const std::string time = r.timeS ? concat({" at ", fixedText(*r.timeS, 3), " s"}) : std::string();
+    const std::string angle =
+        r.angleDeg ? concat({" (", fixedText(*r.angleDeg, 1), " degrees)"}) : std::string();
+    const std::string percent = fixedText((r.actual / r.allowed - 1) * 100, 1);
+    return concat({what, " ", withUnit(fixedText(r.actual, decimals), r.unit), time, angle, " is ", percent,
+                   " % over the limit of ", withUnit(fixedText(r.allowed, decimals), r.unit), "."});
 }
 
 std::string reason(const Refusal& r)
@@ -52,17 +52,19 @@ std::string reason(const Refusal& r)
     case Limit::PinnedPair:
         return "Pin two different ones of bag length, rate, base speed and film speed.";
     case Limit::LawUnknown:
-        return "There is no speed law with the code " + fixedText(r.actual, 0) + ".";
+        return concat(
+            {"There is no speed law with the code ", fixedText(r.actual, 0), "; choose one of the list."});
     case Limit::LawParameter:
-        return "Speed law parameter " + std::string(r.lawParameter) + " = " + significantText(r.actual) +
-               " is outside its range; the nearest allowed value is " + significantText(r.allowed) + ".";
+        return concat({"Speed law parameter ", r.lawParameter, " = ", significantText(r.actual),
+                       " is outside its range; the nearest allowed value is ", significantText(r.allowed),
+                       "."});
     case Limit::RatioOrder:
-        return "The ratios must descend: " + std::string(info(r.field).id) + " = " +
-               significantText(r.actual) + " must be below " + significantText(r.allowed) + ".";
+        return concat({"The ratios must descend: ", info(r.field).id, " = ", significantText(r.actual),
+                       " must be below ", significantText(r.allowed), "."});
     case Limit::StrokeCannotClose:
-        return "A bag of " + withUnit(fixedText(r.actual, 1), r.unit) +
-               " takes more than the knife's stroke; with these ratios at most " +
-               withUnit(fixedText(r.allowed, 1), r.unit) + " can be cut.";
+        return concat({"A bag of ", withUnit(fixedText(r.actual, 1), r.unit),
+                       " takes more than the knife's stroke; with these ratios at most ",
+                       withUnit(fixedText(r.allowed, 1), r.unit), " can be cut."});
     case Limit::MotorSpeed:
         return overLimit("Motor speed", r);
     case Limit::KnifeAcceleration:
@@ -72,11 +74,11 @@ std::string reason(const Refusal& r)
     case Limit::MachineRate:
         return overLimit("Rate", r);
     case Limit::RowCapacity:
-        return "The table needs " + fixedText(r.actual, 0) + " rows; the controller holds " +
-               fixedText(r.allowed, 0) + ".";
+        return concat({"The table needs ", fixedText(r.actual, 0), " rows; the controller holds ",
+                       fixedText(r.allowed, 0), "."});
     case Limit::TooFewPulses:
-        return "A cycle has " + significantText(r.actual) + " pulses; it needs at least " +
-               fixedText(r.allowed, 0) + ".";
+        return concat({"A cycle has ", significantText(r.actual), " pulses; it needs at least ",
+                       fixedText(r.allowed, 0), "."});
     }
     return {};
 }
@@ -97,10 +99,10 @@ std::string describe(const Refusal& refusal)
     std::string text = reason(refusal);
     for (std::size_t i = 0; i < refusal.nearest.size(); ++i) {
         const Suggestion& s = refusal.nearest[i];
-        text += (i == 0 ? " Nearest that works: " : ", or ") + std::string(info(s.field).name) + " " +
-                fieldValue(s.field, s.value);
+        text.append(i == 0 ? " Nearest that works: " : ", or ");
+        text.append(concat({info(s.field).name, " ", fieldValue(s.field, s.value)}));
     }
-    return refusal.nearest.empty() ? text : text + ".";
+    return refusal.nearest.empty() ? text : text.append(".");
 }
 
 } // namespace campanel::profile

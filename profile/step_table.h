@@ -22,6 +22,12 @@ struct StepRow {
     bool operator==(const StepRow&) const = default;
 };
 
+// Mean pulse frequency of a row; 0 for a pause.
+[[nodiscard]] inline double frequencyHz(const StepRow& row, const Machine& machine)
+{
+    return static_cast<double>(row.pulses) * machine.timerClockHz / row.ticks;
+}
+
 struct StepTable {
     std::vector<StepRow> rows;
     std::uint32_t cycleTicks = 0; // sum of all ticks = round(T * clock)

@@ -30,6 +30,14 @@ std::string significantText(double value)
     return {buffer.data(), end.ptr};
 }
 
+std::string concat(std::initializer_list<std::string_view> parts)
+{
+    std::string whole;
+    for (const std::string_view part : parts)
+        whole.append(part);
+    return whole;
+}
+
 std::string withUnit(std::string number, std::string_view unit)
 {
     if (!unit.empty())

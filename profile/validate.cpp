@@ -4,7 +4,7 @@
 
 #include "profile/laws.h"
 
-#include <cmath>
+#include <bit>
 
 namespace campanel::profile::detail {
 namespace {
@@ -27,6 +27,17 @@ bool isCycleValue(Field field)
 {
     return field == Field::BagLength || field == Field::Rate || field == Field::BaseSpeed ||
            field == Field::FilmSpeed;
+}
+
+// A timer that overflows before the shortest interval between pulses is of no use.
+std::optional<Refusal> findNarrowTimer(const Machine& machine)
+{
+    if (smallestTimerConstant(machine) <= largestTimerConstant(machine))
+        return std::nullopt;
+    Refusal refusal = outOfRange(Field::TimerBits, machine.timerBits);
+    refusal.allowed =
+        static_cast<double>(std::bit_width(static_cast<std::uint64_t>(smallestTimerConstant(machine))));
+    return refusal;
 }
 
 std::optional<Refusal> findInvalidLaw(const RotaryCutterProgram& program)
@@ -95,6 +106,8 @@ std::optional<Refusal> findInvalid(const RotaryCutterProgram& program, const Mac
         if (!inRange(field, value(machine, field)))
             return outOfRange(field, value(machine, field));
     }
+    if (auto refusal = findNarrowTimer(machine))
+        return refusal;
     for (const Field field : {program.pinned[0], program.pinned[1], Field::K1, Field::K2, Field::K3,
                               Field::K4, Field::SyncRatio, Field::SlicesPerRamp}) {
         if (!inRange(field, value(program, field)))

@@ -24,6 +24,8 @@ private slots:
     void linkErrorsAreRepeated();
     void resumesAtTheMissingBlock();
     void beginsAgainAfterARestartOfTheController();
+    void applyWithoutAnyAnswer_data();
+    void applyWithoutAnyAnswer();
     void cancelledWhileTransferring();
     void cancelledWhileArmed();
     void refusedRowLeavesTheActiveProgram();
@@ -168,6 +170,34 @@ void DownloadTest::beginsAgainAfterARestartOfTheController()
     download.resume();
     QCOMPARE(download.advance(*m_client), Download::Phase::Begin);
     QVERIFY(run(download, Download::Phase::Active));
+}
+
+void DownloadTest::applyWithoutAnyAnswer_data()
+{
+    QTest::addColumn<int>("mode");
+    QTest::addColumn<bool>("statusFirst");
+    QTest::newRow("at once, status tells") << static_cast<int>(ApplyMode::WhenStopped) << true;
+    QTest::newRow("at once, asked again") << static_cast<int>(ApplyMode::WhenStopped) << false;
+    QTest::newRow("armed, status tells") << static_cast<int>(ApplyMode::NextCycle) << true;
+    QTest::newRow("armed, asked again") << static_cast<int>(ApplyMode::NextCycle) << false;
+}
+
+void DownloadTest::applyWithoutAnyAnswer()
+{
+    QFETCH(int, mode);
+    QFETCH(bool, statusFirst);
+    Download download = make({ProgramKind::RotaryCutter, static_cast<ApplyMode>(mode), 27, false});
+    QVERIFY(run(download, Download::Phase::Apply));
+    // The command is carried out, but neither its answer nor any question for its result comes through.
+    m_slave->script({Fault::LostAnswer, Fault::LostRequest, Fault::LostRequest, Fault::LostRequest});
+    const auto unknown = download.advance(*m_client);
+    QVERIFY(!unknown.has_value());
+    QCOMPARE(unknown.error().link.kind, LinkErrorKind::OutcomeUnknown);
+    if (!statusFirst)
+        QCOMPARE(download.advance(*m_client), Download::Phase::AwaitActive);
+    m_slave->reachCycleBoundary();
+    QCOMPARE(pollStatus(download), Download::Phase::Active);
+    QCOMPARE(m_client->exchangeStatus(0, 0)->generation, 8u);
 }
 
 void DownloadTest::cancelledWhileTransferring()

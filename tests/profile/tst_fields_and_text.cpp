@@ -157,6 +157,17 @@ void TestFieldsAndText::sentences()
         QString(
             "A bag of 1100.0 mm takes more than the knife's stroke; with these ratios at most 1077.1 mm can "
             "be cut. Nearest that works: Bag length 1077.1 mm."));
+    r = checkRecipe(5);
+    QCOMPARE(QString::fromStdString(describe(solve(r.program, r.machine).error())),
+             QString("Bag length 5 mm must be at least 10.0 mm. Nearest that works: Bag length 10.0 mm."));
+    r = checkRecipe(250, 601);
+    QVERIFY(QString::fromStdString(describe(solve(r.program, r.machine).error()))
+                .startsWith("Rate 601 bags/min must be at most 600.0 bags/min."));
+    r = checkRecipe();
+    r.machine.timerBits = 8;
+    r.machine.maxPulseFrequencyHz = 20000;
+    QCOMPARE(QString::fromStdString(describe(solve(r.program, r.machine).error())),
+             QString("Timer width 8 bit must be at least 9 bit. Nearest that works: Timer width 9 bit."));
     r = checkRecipe(250, 150);
     r.machine.maxKnifeAccelerationMmPerS2 = 11100;
     QCOMPARE(

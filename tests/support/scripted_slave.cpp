@@ -235,6 +235,8 @@ void ScriptedSlave::runCommand()
     std::uint16_t& staged = m_registers[address("status.staged_state")];
     if (code == Command::Home) {
         refusal = Refusal::InFault;
+    } else if (code == Command::ApplyStaged && staged < static_cast<std::uint16_t>(StagedState::Sealed)) {
+        refusal = Refusal::NothingSealed;
     } else if (code == Command::ApplyStaged) {
         if (m_registers[address("command.argument0")] == static_cast<std::uint16_t>(ApplyMode::NextCycle))
             staged = static_cast<std::uint16_t>(StagedState::Armed);

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// The commands; a new one is one function and one row in main.cpp.
+#pragma once
+
+#include "app/cli/failure.h"
+
+namespace campanel::cli {
+
+class Invocation;
+
+[[nodiscard]] Outcome runProfile(const Invocation& call);
+[[nodiscard]] Outcome runTable(const Invocation& call);
+[[nodiscard]] Outcome runDownload(const Invocation& call);
+[[nodiscard]] Outcome runStatus(const Invocation& call);
+[[nodiscard]] Outcome runStart(const Invocation& call);
+[[nodiscard]] Outcome runStop(const Invocation& call);
+[[nodiscard]] Outcome runHome(const Invocation& call);
+[[nodiscard]] Outcome runSave(const Invocation& call);
+[[nodiscard]] Outcome runRegisters(const Invocation& call);
+
+} // namespace campanel::cli

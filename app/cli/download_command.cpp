@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// campanelctl download: stages a recipe's table, compares, applies it and waits until the controller runs it.
+#include "app/cli/commands.h"
+#include "app/cli/invocation.h"
+#include "app/cli/link_session.h"
+#include "app/cli/recipe_options.h"
+#include "app/cli/report.h"
+#include "modbus/download.h"
+
+#include <QDateTime>
+#include <QElapsedTimer>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::cli {
+namespace {
+
+using modbus::Download;
+
+// Link errors in a row after which the download gives up.
+constexpr int mostErrors = 5;
+// A stopping or slow machine gets this long beyond two cycles to take an armed table over.
+constexpr qint64 waitBeyondCyclesMs = 5000;
+
+Failure failureOf(const modbus::DownloadError& error)
+{
+    if (error.kind == modbus::DownloadErrorKind::Link)
+        return fail(error.link).value();
+    return {ExitCode::Refused, QString::fromStdString(modbus::describe(error))};
+}
+
+Outcome transfer(LinkSession& session, Download& download)
+{
+    int errors = 0;
+    while (!download.ended() && download.phase() != Download::Phase::AwaitActive) {
+        const auto phase = download.advance(session.client());
+        if (phase) {
+            errors = 0;
+            continue;
+        }
+        const bool repeatable =
+            phase.error().kind == modbus::DownloadErrorKind::Link && !modbus::portIsLost(phase.error().link);
+        if (!repeatable || ++errors >= mostErrors)
+            return tl::unexpected(failureOf(phase.error()));
+    }
+    return {};
+}
+
+tl::expected<modbus::StatusBlock, Failure> awaitActive(LinkSession& session, Download& download,
+                                                       double cycleTimeS)
+{
+    QElapsedTimer timer;
+    timer.start();
+    const auto longest = static_cast<qint64>(2000 * cycleTimeS) + waitBeyondCyclesMs;
+    while (true) {
+        const auto status = session.status();
+        if (!status)
+            return status;
+        const auto phase = download.noteStatus(*status);
+        if (!phase)
+            return tl::unexpected(failureOf(phase.error()));
+        if (*phase == Download::Phase::Active)
+            return status;
+        if (timer.elapsed() > longest)
+            return fail(
+                ExitCode::Refused,
+                u"The table is armed, but the machine has not reached the end of its cycle in %1 s. It "
+                "becomes active when it does."_s.arg(longest / 1000));
+    }
+}
+
+} // namespace
+
+Outcome runDownload(const Invocation& call)
+{
+    auto recipe = recipeOf(call);
+    if (!recipe)
+        return tl::unexpected(recipe.error());
+    auto session = LinkSession::open(call);
+    if (!session)
+        return tl::unexpected(session.error());
+    recipe->machine = program::withController(recipe->machine, session->identity());
+    const auto image = program::buildProgram(*recipe);
+    if (!image)
+        return fail(ExitCode::Refused, program::describe(image.error()));
+
+    Download::Options options;
+    options.mode =
+        call.isSet(u"when-stopped"_s) ? modbus::ApplyMode::WhenStopped : modbus::ApplyMode::NextCycle;
+    options.verify = call.isSet(u"verify"_s);
+    // Another number at every download, never 0.
+    options.session = static_cast<std::uint16_t>(1 + QDateTime::currentMSecsSinceEpoch() % 65535);
+    Download download(image->registers, session->identity(), options);
+    const auto before = session->status();
+    if (!before)
+        return tl::unexpected(before.error());
+    if (const auto noted = download.noteStatus(*before); !noted)
+        return tl::unexpected(failureOf(noted.error()));
+    QElapsedTimer timer;
+    timer.start();
+    if (const Outcome transferred = transfer(*session, download); !transferred)
+        return transferred;
+    const double transferS = static_cast<double>(timer.nsecsElapsed()) / 1e9;
+    const auto active = awaitActive(*session, download, image->cutter.cycle.cycleTimeS);
+    if (!active)
+        return tl::unexpected(active.error());
+    if (call.isSet(u"save"_s)) {
+        if (const Outcome saved = session->command(modbus::Command::SaveToFlash, {0, 0, image->crc}); !saved)
+            return saved;
+    }
+    const QJsonObject result{{u"name"_s, QString::fromStdString(image->recipe.name)},
+                             {u"recipe_version"_s, image->recipe.version},
+                             {u"generation"_s, static_cast<qint64>(active->generation)},
+                             {u"crc32"_s, QString::number(image->crc, 16).toUpper().rightJustified(8, u'0')},
+                             {u"registers"_s, static_cast<qint64>(image->registers.size())},
+                             {u"rows"_s, static_cast<qint64>(image->table.rows.size())},
+                             {u"transfer_s"_s, transferS},
+                             {u"saved"_s, call.isSet(u"save"_s)}};
+    return call.deliver(formatted(result, call.format()));
+}
+
+} // namespace campanel::cli

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a command ends when it does not end well: an exit code and one line for stderr.
+#pragma once
+
+#include "app/store/file_error.h"
+#include "modbus/link_error.h"
+
+#include <QString>
+
+#include <tl/expected.hpp>
+
+namespace campanel::cli {
+
+enum class ExitCode : int {
+    Success = 0,
+    Refused = 1, // by the controller, or the recipe is not feasible
+    Usage = 2,
+    Link = 3,
+    File = 4,
+};
+
+struct Failure {
+    ExitCode code = ExitCode::Usage;
+    QString sentence;
+};
+
+using Outcome = tl::expected<void, Failure>;
+
+[[nodiscard]] inline tl::unexpected<Failure> fail(ExitCode code, const QString& sentence)
+{
+    return tl::unexpected(Failure{code, sentence});
+}
+
+[[nodiscard]] inline tl::unexpected<Failure> fail(ExitCode code, const std::string& sentence)
+{
+    return fail(code, QString::fromStdString(sentence));
+}
+
+[[nodiscard]] inline tl::unexpected<Failure> fail(const modbus::LinkError& error)
+{
+    // A parameter of the call that cannot be used is a mistake in the call; all else is the line's.
+    const bool settings = error.kind == modbus::LinkErrorKind::PortSettings;
+    return fail(settings ? ExitCode::Usage : ExitCode::Link, modbus::describe(error));
+}
+
+[[nodiscard]] inline tl::unexpected<Failure> fail(const store::FileError& error)
+{
+    return fail(ExitCode::File, store::FileErrorText::describe(error));
+}
+
+} // namespace campanel::cli

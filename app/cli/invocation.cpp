@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parsing and help.
+#include "app/cli/invocation.h"
+
+#include "app/cli/link_session.h"
+#include "app/cli/recipe_options.h"
+
+#include <QSaveFile>
+
+#include <cstdio>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::cli {
+namespace {
+
+const QString exitCodes =
+    u"Exit codes: 0 done, 1 refused or not feasible, 2 wrong usage, 3 connection, 4 file."_s;
+
+} // namespace
+
+Invocation::Invocation(const CommandInfo& command)
+    : m_command(command)
+{
+    m_parser.addPositionalArgument(command.name, command.summary);
+    if (command.takes & CommandInfo::Recipe)
+        m_parser.addPositionalArgument(u"RECIPE.json"_s, u"Recipe file; without it the default recipe."_s,
+                                       u"[RECIPE.json]"_s);
+    if (command.takes & CommandInfo::Names)
+        m_parser.addPositionalArgument(u"NAME"_s, u"Registers to read, with --read."_s, u"[NAME...]"_s);
+    m_parser.addOption({{u"h"_s, u"help"_s}, u"Show this help."_s});
+    m_parser.addOptions(command.options);
+    if (!command.formats.isEmpty()) {
+        m_parser.addOption({u"format"_s, u"One of: "_s + command.formats.join(u", "_s) + u'.', u"FORMAT"_s,
+                            command.formats.first()});
+        m_parser.addOption(
+            {{u"o"_s, u"output"_s}, u"Write to FILE instead of standard output."_s, u"FILE"_s});
+    }
+    if (command.takes & CommandInfo::Link)
+        m_parser.addOptions(linkOptions());
+    if (command.takes & CommandInfo::Recipe)
+        m_parser.addOptions(recipeOptions());
+}
+
+Outcome Invocation::parse(const QStringList& arguments)
+{
+    if (!m_parser.parse(arguments))
+        return fail(ExitCode::Usage,
+                    m_parser.errorText() + u" See campanelctl "_s + m_command.name + u" --help."_s);
+    m_arguments = m_parser.positionalArguments().mid(1);
+    const bool many = (m_command.takes & CommandInfo::Names) != 0;
+    const qsizetype most = (m_command.takes & CommandInfo::Recipe) != 0 ? 1 : 0;
+    if (!many && m_arguments.size() > most)
+        return fail(ExitCode::Usage, u"\"%1\" is one argument too many. See campanelctl %2 --help."_s.arg(
+                                         m_arguments[most], m_command.name));
+    if (!m_command.formats.isEmpty() && !m_command.formats.contains(format()))
+        return fail(ExitCode::Usage, u"\"%1\" is no format of %2; choose one of: %3."_s.arg(
+                                         format(), m_command.name, m_command.formats.join(u", "_s)));
+    return {};
+}
+
+QString Invocation::helpText() const
+{
+    QString text = m_parser.helpText();
+    text += u'\n' + m_command.summary + u'\n';
+    if (!m_command.details.isEmpty())
+        text += m_command.details + u'\n';
+    return text + exitCodes + u'\n';
+}
+
+QString Invocation::format() const
+{
+    return m_command.formats.isEmpty() ? QString() : m_parser.value(u"format"_s);
+}
+
+Outcome Invocation::deliver(const QByteArray& text) const
+{
+    if (m_command.formats.isEmpty() || !isSet(u"output"_s)) {
+        const bool written = std::fwrite(text.constData(), 1, static_cast<std::size_t>(text.size()),
+                                         stdout) == static_cast<std::size_t>(text.size());
+        if (!written || std::fflush(stdout) != 0)
+            return fail(ExitCode::File, u"Standard output cannot be written."_s);
+        return {};
+    }
+    QSaveFile file(value(u"output"_s));
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
+        return fail(ExitCode::File,
+                    u"%1 cannot be written: %2."_s.arg(value(u"output"_s), file.errorString()));
+    return {};
+}
+
+QString overviewText(std::span<const CommandInfo> commands)
+{
+    QString text =
+        u"Usage: campanelctl COMMAND [options]\n"
+        "Computes, downloads and watches the programs of an electronic-cam machine.\n\nCommands:\n"_s;
+    for (const CommandInfo& command : commands)
+        text += u"  %1 %2\n"_s.arg(command.name, -10).arg(command.summary);
+    return text + u"\ncampanelctl COMMAND --help explains the options of one command.\n"_s + exitCodes +
+           u'\n';
+}
+
+} // namespace campanel::cli

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// One call of campanelctl: the command, its options, its arguments. Each command declares what it takes; the
+// parser, the usage errors and --help follow from that.
+#pragma once
+
+#include "app/cli/failure.h"
+
+#include <QCommandLineParser>
+#include <QStringList>
+
+#include <span>
+
+namespace campanel::cli {
+
+class Invocation;
+
+struct CommandInfo {
+    enum Takes : unsigned { Nothing = 0, Recipe = 1, Link = 2, Names = 4 };
+
+    QString name;
+    QString summary; // one line for the list of commands
+    QString details; // further lines for its own help
+    unsigned takes = Nothing;
+    QStringList formats; // first is the default; empty: prints one sentence
+    QList<QCommandLineOption> options;
+    Outcome (*run)(const Invocation& call) = nullptr;
+};
+
+class Invocation {
+public:
+    // `arguments` start with the program's name and the command's.
+    explicit Invocation(const CommandInfo& command);
+    [[nodiscard]] Outcome parse(const QStringList& arguments);
+
+    [[nodiscard]] bool isSet(const QString& option) const { return m_parser.isSet(option); }
+    [[nodiscard]] QString value(const QString& option) const { return m_parser.value(option); }
+    [[nodiscard]] QStringList arguments() const { return m_arguments; } // without the command's name
+    [[nodiscard]] bool wantsHelp() const { return m_parser.isSet(QStringLiteral("help")); }
+    [[nodiscard]] QString helpText() const;
+
+    // The format asked for; one of the command's.
+    [[nodiscard]] QString format() const;
+    // Prints, or writes to the file given with -o.
+    [[nodiscard]] Outcome deliver(const QByteArray& text) const;
+
+private:
+    const CommandInfo& m_command;
+    QCommandLineParser m_parser;
+    QStringList m_arguments;
+};
+
+[[nodiscard]] QString overviewText(std::span<const CommandInfo> commands);
+
+} // namespace campanel::cli

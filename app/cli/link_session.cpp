@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// Connecting, and the questions that every command asks.
+#include "app/cli/link_session.h"
+
+#include "app/cli/invocation.h"
+
+#include <QDateTime>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::cli {
+namespace {
+
+// A damaged or lost answer is asked for again this often.
+constexpr int attempts = 4;
+
+tl::expected<modbus::LinkSettings, Failure> settingsOf(const Invocation& call)
+{
+    if (!call.isSet(u"port"_s))
+        return fail(ExitCode::Usage, u"Name the port with --port, such as --port /dev/ttyUSB0."_s);
+    modbus::LinkSettings settings;
+    settings.port = call.value(u"port"_s).toStdString();
+    bool baudOk = false;
+    bool stopBitsOk = false;
+    bool unitOk = false;
+    settings.line.baud = call.value(u"baud"_s).toUInt(&baudOk);
+    settings.line.stopBits = static_cast<std::uint8_t>(call.value(u"stop-bits"_s).toUShort(&stopBitsOk));
+    settings.unit = call.value(u"unit"_s).toInt(&unitOk);
+    if (!baudOk || !stopBitsOk || !unitOk)
+        return fail(ExitCode::Usage, u"--baud, --stop-bits and --unit take whole numbers."_s);
+    const QString parity = call.value(u"parity"_s).toUpper();
+    if (parity != u"N" && parity != u"E" && parity != u"O")
+        return fail(ExitCode::Usage, u"--parity takes N, E or O, not \"%1\"."_s.arg(parity));
+    settings.line.parity = static_cast<modbus::Parity>(parity[0].toLatin1());
+    return settings;
+}
+
+} // namespace
+
+QList<QCommandLineOption> linkOptions()
+{
+    return {QCommandLineOption(u"port"_s, u"Serial port of the controller."_s, u"DEVICE"_s),
+            QCommandLineOption(u"baud"_s, u"9600, 19200, 38400, 57600 or 115200 (default)."_s, u"RATE"_s,
+                               u"115200"_s),
+            QCommandLineOption(u"parity"_s, u"N (default), E or O."_s, u"PARITY"_s, u"N"_s),
+            QCommandLineOption(u"stop-bits"_s, u"1 (default) or 2."_s, u"COUNT"_s, u"1"_s),
+            QCommandLineOption(u"unit"_s, u"Modbus unit, 1 (default) to 247."_s, u"UNIT"_s, u"1"_s)};
+}
+
+tl::expected<LinkSession, Failure> LinkSession::open(const Invocation& call)
+{
+    const auto settings = settingsOf(call);
+    if (!settings)
+        return tl::unexpected(settings.error());
+    LinkSession session;
+    session.m_client = std::make_unique<modbus::RtuClient>(*settings);
+    session.m_heartbeat = static_cast<std::uint16_t>(QDateTime::currentMSecsSinceEpoch());
+    if (const auto opened = session.m_client->open(); !opened)
+        return fail(opened.error());
+    auto identity = session.m_client->identify();
+    for (int i = 1;
+         i < attempts && !identity && identity.error().kind != modbus::LinkErrorKind::NotCamPanel &&
+         identity.error().kind != modbus::LinkErrorKind::WrongMapMajor;
+         ++i)
+        identity = session.m_client->identify();
+    if (!identity)
+        return fail(identity.error());
+    session.m_identity = *identity;
+    return session;
+}
+
+tl::expected<modbus::StatusBlock, Failure> LinkSession::status()
+{
+    auto status = m_client->exchangeStatus(++m_heartbeat, 0);
+    for (int i = 1; i < attempts && !status && !modbus::portIsLost(status.error()); ++i)
+        status = m_client->exchangeStatus(++m_heartbeat, 0);
+    if (!status)
+        return fail(status.error());
+    return *status;
+}
+
+Outcome LinkSession::command(modbus::Command code, modbus::CommandArguments arguments)
+{
+    // The heartbeat must have advanced before the controller moves anything for us.
+    if (const auto alive = status(); !alive)
+        return tl::unexpected(alive.error());
+    const auto result = m_client->command(code, arguments);
+    if (!result)
+        return fail(result.error());
+    if (!result->done())
+        return fail(ExitCode::Refused,
+                    u"The controller refused: "_s +
+                        QString::fromUtf8(
+                            modbus::enumText("Refusal", static_cast<std::uint16_t>(result->reason)).data()));
+    return {};
+}
+
+} // namespace campanel::cli

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// campanelctl: finds the command, runs it, turns its outcome into an exit code and one line on stderr.
+#include "app/cli/commands.h"
+#include "app/cli/invocation.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+using namespace Qt::StringLiterals;
+using namespace campanel::cli;
+
+namespace {
+
+std::vector<CommandInfo> commandTable()
+{
+    constexpr unsigned recipe = CommandInfo::Recipe;
+    constexpr unsigned link = CommandInfo::Link;
+    const QStringList all{u"text"_s, u"csv"_s, u"json"_s};
+    return {
+        {u"profile"_s,
+         u"Solve a recipe; print its numbers, or its curves as CSV or JSON."_s,
+         u"Prints the curves also when a limit of the machine is broken, and then exits with 1."_s,
+         recipe,
+         all,
+         {{u"points"_s, u"Points of the curves (2 to 100000, default 1000)."_s, u"COUNT"_s, u"1000"_s}},
+         runProfile},
+        {u"table"_s,
+         u"Build the step table of a recipe; print its figures and rows."_s,
+         {},
+         recipe,
+         all,
+         {},
+         runTable},
+        {u"download"_s,
+         u"Transfer a recipe's table, compare CRC-32, apply, wait until it is active."_s,
+         u"A running machine takes the new table over at its next cycle."_s,
+         recipe | link,
+         all,
+         {{u"when-stopped"_s, u"Apply only at standstill; refused while the machine moves."_s},
+          {u"verify"_s, u"Read every register back before applying."_s},
+          {u"save"_s, u"Save to the controller's flash afterwards."_s}},
+         runDownload},
+        {u"status"_s,
+         u"Print the controller's status and the program that it executes."_s,
+         {},
+         link,
+         all,
+         {},
+         runStatus},
+        {u"start"_s, u"Start the machine."_s, {}, link, {}, {}, runStart},
+        {u"stop"_s,
+         u"Stop the machine at the end of the cycle. This is no emergency stop."_s,
+         {},
+         link,
+         {},
+         {{u"now"_s, u"Ramp down at once."_s}},
+         runStop},
+        {u"home"_s, u"Look for the knife's index mark."_s, {}, link, {}, {}, runHome},
+        {u"save"_s, u"Save the active program to the controller's flash."_s, {}, link, {}, {}, runSave},
+        {u"registers"_s,
+         u"Print the register map, or read registers."_s,
+         u"Fields of a program bank, such as program.bag_length, are read from the active bank."_s,
+         link | CommandInfo::Names,
+         {u"text"_s, u"csv"_s, u"json"_s, u"markdown"_s},
+         {{u"read"_s, u"Read the registers NAME... from the controller."_s},
+          {u"json"_s, u"Same as --format json."_s},
+          {u"markdown"_s, u"Same as --format markdown."_s}},
+         runRegisters},
+    };
+}
+
+int report(const Failure& failure)
+{
+    std::fprintf(stderr, "campanelctl: %s\n", qPrintable(failure.sentence.simplified()));
+    return static_cast<int>(failure.code);
+}
+
+int print(const QString& text)
+{
+    std::fputs(qPrintable(text), stdout);
+    return static_cast<int>(ExitCode::Success);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    QCoreApplication application(argc, argv);
+    QCoreApplication::setApplicationName(u"campanelctl"_s);
+    QCoreApplication::setApplicationVersion(QStringLiteral(CAMPANEL_VERSION));
+    const QStringList arguments = QCoreApplication::arguments();
+    const std::vector<CommandInfo> commands = commandTable();
+    const QString name = arguments.value(1);
+    if (name == u"--help" || name == u"-h" || name == u"help")
+        return print(overviewText(commands));
+    if (name == u"--version" || name == u"-v")
+        return print(u"campanelctl "_s + QCoreApplication::applicationVersion() + u'\n');
+    const auto command = std::ranges::find(commands, name, &CommandInfo::name);
+    if (command == commands.end())
+        return report({ExitCode::Usage,
+                       name.isEmpty()
+                           ? u"Name a command; campanelctl --help lists them."_s
+                           : u"There is no command \"%1\"; campanelctl --help lists them."_s.arg(name)});
+    Invocation call(*command);
+    if (const Outcome parsed = call.parse(arguments); !parsed)
+        return report(parsed.error());
+    if (call.wantsHelp())
+        return print(call.helpText());
+    const Outcome outcome = command->run(call);
+    return outcome ? static_cast<int>(ExitCode::Success) : report(outcome.error());
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Flattening of JSON objects, and CSV tables.
+#include "app/cli/report.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+
+#include <algorithm>
+#include <utility>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::cli {
+namespace {
+
+using Lines = QList<std::pair<QString, QString>>;
+
+QString scalarText(const QJsonValue& value)
+{
+    switch (value.type()) {
+    case QJsonValue::Bool:
+        return value.toBool() ? u"yes"_s : u"no"_s;
+    case QJsonValue::Double:
+        return QString::fromLatin1(number(value.toDouble()));
+    case QJsonValue::String:
+        return value.toString();
+    default:
+        return u"--"_s;
+    }
+}
+
+// Lists of words; lists of numbers are only in JSON.
+void flatten(const QString& prefix, const QJsonObject& object, Lines& lines)
+{
+    for (auto it = object.begin(); it != object.end(); ++it) {
+        const QString key = prefix.isEmpty() ? it.key() : prefix + u'.' + it.key();
+        if (it->isObject()) {
+            flatten(key, it->toObject(), lines);
+        } else if (it->isArray()) {
+            const QJsonArray items = it->toArray();
+            QStringList texts;
+            for (const QJsonValue& item : items) {
+                if (item.isString())
+                    texts << item.toString();
+            }
+            if (!texts.isEmpty() || items.isEmpty())
+                lines << std::pair(key, texts.join(u"; "_s));
+        } else {
+            lines << std::pair(key, scalarText(*it));
+        }
+    }
+}
+
+QString csvField(const QString& text)
+{
+    if (!text.contains(u',') && !text.contains(u'"') && !text.contains(u'\n'))
+        return text;
+    QString quoted = text;
+    return u'"' + quoted.replace(u'"', u"\"\""_s) + u'"';
+}
+
+} // namespace
+
+QByteArray number(double value)
+{
+    constexpr int digits = 10;
+    return QByteArray::number(value, 'g', digits);
+}
+
+QJsonValue orNull(const std::optional<double>& value)
+{
+    return value ? QJsonValue(*value) : QJsonValue(QJsonValue::Null);
+}
+
+QByteArray csvTable(const std::vector<Column>& columns)
+{
+    QByteArray text;
+    for (const Column& column : columns)
+        text.append(text.isEmpty() ? "" : ",").append(column.name);
+    text.append('\n');
+    for (std::size_t row = 0; row < columns.front().values->size(); ++row) {
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            text.append(i == 0 ? "" : ",").append(number((*columns[i].values)[row]));
+        text.append('\n');
+    }
+    return text;
+}
+
+QByteArray formatted(const QJsonObject& object, const QString& format)
+{
+    if (format == u"json")
+        return QJsonDocument(object).toJson();
+    Lines lines;
+    flatten({}, object, lines);
+    QString text = format == u"csv" ? u"key,value\n"_s : QString();
+    qsizetype width = 0;
+    for (const auto& line : lines)
+        width = std::max(width, line.first.size());
+    for (const auto& [key, value] : lines) {
+        if (format == u"csv")
+            text += key + u',' + csvField(value) + u'\n';
+        else
+            text += key.leftJustified(width) + u"  "_s + (value.isEmpty() ? u"none"_s : value) + u'\n';
+    }
+    return text.toUtf8();
+}
+
+QString fromView(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+} // namespace campanel::cli

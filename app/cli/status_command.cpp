@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// campanelctl status: the decoded status block, the identity, and the recipe of the active program.
+#include "app/cli/commands.h"
+#include "app/cli/invocation.h"
+#include "app/cli/link_session.h"
+#include "app/cli/report.h"
+#include "app/program/program_image.h"
+
+#include <QJsonArray>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::cli {
+namespace {
+
+QString nameOf(std::string_view enumName, std::uint16_t value)
+{
+    for (const modbus::EnumInfo& info : modbus::enumerations()) {
+        if (info.name != enumName)
+            continue;
+        for (const modbus::EnumValue& entry : info.values) {
+            if (entry.value == value)
+                return fromView(entry.name);
+        }
+    }
+    return QString::number(value);
+}
+
+QJsonArray bitNames(std::string_view enumName, std::uint16_t bits)
+{
+    QJsonArray names;
+    constexpr std::uint16_t width = 16;
+    for (std::uint16_t bit = 0; bit < width; ++bit) {
+        if ((bits & (1u << bit)) != 0)
+            names.append(nameOf(enumName, bit));
+    }
+    return names;
+}
+
+QJsonValue crcOrNull(const std::optional<std::uint32_t>& crc)
+{
+    if (!crc)
+        return QJsonValue::Null;
+    return QString::number(*crc, 16).toUpper().rightJustified(8, u'0');
+}
+
+QJsonObject statusObject(const modbus::StatusBlock& status)
+{
+    const auto wide = [](auto value) { return static_cast<qint64>(value); };
+    return {{u"state"_s,
+             status.state ? nameOf("State", static_cast<std::uint16_t>(*status.state)) : QJsonValue()},
+            {u"faults"_s, bitNames("FaultBit", status.faultBits)},
+            {u"warnings"_s, bitNames("WarningBit", status.warningBits)},
+            {u"program_kind"_s, nameOf("ProgramKind", static_cast<std::uint16_t>(status.programKind))},
+            {u"staged_state"_s, status.stagedState
+                                    ? nameOf("StagedState", static_cast<std::uint16_t>(*status.stagedState))
+                                    : QJsonValue()},
+            {u"generation"_s, wide(status.generation)},
+            {u"active_crc32"_s, crcOrNull(status.activeCrc)},
+            {u"saved_crc32"_s, crcOrNull(status.savedCrc)},
+            {u"cycle_count"_s, wide(status.cycleCount)},
+            {u"master_angle_deg"_s, orNull(status.masterAngleDeg)},
+            {u"master_speed_percent"_s, status.masterSpeedPercent},
+            {u"commanded_frequency_hz"_s, wide(status.commandedFrequencyHz)},
+            {u"actual_frequency_hz"_s, wide(status.actualFrequencyHz)},
+            {u"commanded_position_pulses"_s, wide(status.commandedPositionPulses)},
+            {u"axis_position_pulses"_s, wide(status.axisPositionPulses)},
+            {u"following_error_pulses"_s, wide(status.followingErrorPulses)},
+            {u"knife_angle_deg"_s, orNull(status.knifeAngleDeg)},
+            {u"bag_length_mm"_s, orNull(status.bagLengthMm)},
+            {u"bag_deviation_mm"_s, orNull(status.bagDeviationMm)},
+            {u"bag_count"_s, wide(status.bagCount)},
+            {u"uptime_s"_s, wide(status.uptimeS)},
+            {u"link"_s, QJsonObject{{u"crc_errors"_s, wide(status.linkCrcErrors)},
+                                    {u"frame_errors"_s, wide(status.linkFrameErrors)},
+                                    {u"exceptions"_s, wide(status.linkExceptions)},
+                                    {u"requests"_s, wide(status.linkRequests)}}}};
+}
+
+QJsonObject identityObject(const modbus::Identity& identity)
+{
+    return {{u"firmware"_s, QString::fromStdString(identity.firmwareVersion())},
+            {u"register_map"_s, u"%1.%2"_s.arg(identity.mapMajor).arg(identity.mapMinor)},
+            {u"unique_id"_s, QString::number(identity.uniqueId, 16).toUpper().rightJustified(16, u'0')},
+            {u"row_capacity"_s, identity.rowCapacity},
+            {u"timer_clock_hz"_s, static_cast<qint64>(identity.timerClockHz)},
+            {u"timer_bits"_s, identity.timerBits},
+            {u"max_pulse_frequency_hz"_s, static_cast<qint64>(identity.maxPulseFrequencyHz)}};
+}
+
+QJsonObject programObject(const program::Recipe& recipe)
+{
+    QJsonObject object{{u"name"_s, QString::fromStdString(recipe.name)}, {u"version"_s, recipe.version}};
+    for (const profile::Field field : program::programFields)
+        object[fromView(profile::info(field).id)] = program::value(recipe, field);
+    return object;
+}
+
+} // namespace
+
+Outcome runStatus(const Invocation& call)
+{
+    auto session = LinkSession::open(call);
+    if (!session)
+        return tl::unexpected(session.error());
+    const auto status = session->status();
+    if (!status)
+        return tl::unexpected(status.error());
+    QJsonObject object = statusObject(*status);
+    object[u"identity"_s] = identityObject(session->identity());
+    object[u"program"_s] = QJsonValue::Null;
+    if (status->activeCrc) {
+        const auto header = session->client().readProven(modbus::activeBankBase, modbus::bankHeaderRegisters);
+        if (!header)
+            return fail(header.error());
+        const auto recipe =
+            program::decodeProgram(*header, program::withController(profile::Machine{}, session->identity()));
+        if (recipe)
+            object[u"program"_s] = programObject(*recipe);
+    }
+    return call.deliver(formatted(object, call.format()));
+}
+
+} // namespace campanel::cli

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a download would change, value by value, compared as the registers hold it.
+#pragma once
+
+#include "modbus/register_map.h"
+#include "profile/fields.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace campanel::program {
+
+struct Difference {
+    const modbus::RegisterInfo* info = nullptr; // "program.bag_length", unit and scale
+    std::optional<profile::Field> field;        // empty: law, its parameters, name, version, pins
+    double a = 0.0;                             // numbers, in the register's unit
+    double b = 0.0;
+    std::string textA; // texts, such as the name
+    std::string textB;
+};
+
+// The recipe's fields that differ between two banks (header, rows are not looked at), in the order of the
+// map.
+[[nodiscard]] std::vector<Difference> differences(std::span<const std::uint16_t> a,
+                                                  std::span<const std::uint16_t> b);
+
+} // namespace campanel::program

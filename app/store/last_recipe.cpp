@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Choice between the file, its last good copy and the default recipe.
+#include "app/store/last_recipe.h"
+
+#include <QDir>
+#include <QStandardPaths>
+
+namespace campanel::store {
+
+LastRecipe::LastRecipe(QString path)
+    : m_path(std::move(path))
+{
+}
+
+QString LastRecipe::pathFor(const QString& fileName)
+{
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)).filePath(fileName);
+}
+
+LastRecipe::Loaded LastRecipe::load() const
+{
+    const auto saved = readRecipe(m_path);
+    if (saved)
+        return {*saved, {}};
+    const auto copy = readRecipe(backupPath(m_path));
+    const bool neverSaved = saved.error().kind == FileError::Kind::NotFound;
+    if (!copy && neverSaved && copy.error().kind == FileError::Kind::NotFound)
+        return {program::Recipe{}, {}};
+    const QString complaint = FileErrorText::describe(saved.error());
+    if (copy)
+        return {*copy, tr("%1 The last good copy is used.").arg(complaint)};
+    return {program::Recipe{}, tr("%1 There is no good copy; the default recipe is used.").arg(complaint)};
+}
+
+tl::expected<void, FileError> LastRecipe::save(const program::Recipe& recipe) const
+{
+    return writeRecipe(recipe, m_path);
+}
+
+} // namespace campanel::store

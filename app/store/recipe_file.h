@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recipes on disk. Writing replaces the file in one step, so that a power cut leaves the old one or the new
+// one; the copy before it stays beside it as FILE.bak.
+#pragma once
+
+#include "app/store/recipe_json.h"
+
+namespace campanel::store {
+
+[[nodiscard]] tl::expected<program::Recipe, FileError> readRecipe(const QString& path);
+
+// Creates the folder when it is missing. On an error the file is as it was.
+[[nodiscard]] tl::expected<void, FileError> writeRecipe(const program::Recipe& recipe, const QString& path);
+
+// Name of the copy that writeRecipe() keeps of the last good file.
+[[nodiscard]] QString backupPath(const QString& path);
+
+} // namespace campanel::store
