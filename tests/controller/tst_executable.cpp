@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // campanel-controller as a process: its port, its options, its end, its flash; and what it costs when idle.
 #include "rig.h"
-#include "support/controller_process.h"
 
 #include <QElapsedTimer>
 #include <QFile>
 #include <QFileInfo>
+#include <QProcess>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <cerrno>
@@ -22,6 +23,50 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr int answerTimeoutMs = 3000;
+constexpr int startTimeoutMs = 10000;
+
+// The program, with a state directory of its own unless the arguments name one.
+class Program {
+public:
+    explicit Program(QStringList arguments = {})
+    {
+        if (!arguments.contains(u"--state"_s))
+            arguments << u"--state"_s << m_state.path();
+        m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+        m_process.start(QStringLiteral(CAMPANEL_CONTROLLER), arguments);
+        while (!m_process.canReadLine()) {
+            if (!m_process.waitForReadyRead(startTimeoutMs))
+                qFatal("campanel-controller printed no port");
+        }
+        m_port = QString::fromLocal8Bit(m_process.readLine()).trimmed();
+    }
+    Program(const Program&) = delete;
+    Program& operator=(const Program&) = delete;
+    ~Program()
+    {
+        m_process.terminate();
+        m_process.waitForFinished();
+    }
+    [[nodiscard]] QString port() const { return m_port; }
+    [[nodiscard]] qint64 processId() const { return m_process.processId(); }
+    // How it ended when it was asked to.
+    [[nodiscard]] bool endsCleanly()
+    {
+        m_process.terminate();
+        return m_process.waitForFinished() && m_process.exitStatus() == QProcess::NormalExit &&
+               m_process.exitCode() == 0;
+    }
+    void killHard()
+    {
+        m_process.kill();
+        m_process.waitForFinished();
+    }
+
+private:
+    QTemporaryDir m_state;
+    QProcess m_process;
+    QString m_port;
+};
 
 // The panel's side of the port.
 class Port {
@@ -103,7 +148,7 @@ private slots:
 
 void TestExecutable::answersAndSurvivesReopening()
 {
-    const ControllerProcess controller;
+    const Program controller;
     for (int i = 0; i < 5; ++i) {
         const Port port(controller.port());
         QVERIFY(port.isOpen());
@@ -119,7 +164,7 @@ void TestExecutable::answersAndSurvivesReopening()
 
 void TestExecutable::exclusiveAccessEndsWithTheClose()
 {
-    const ControllerProcess controller;
+    const Program controller;
     const auto isExclusive = [&controller] {
         const Port port(controller.port());
         int exclusive = 1;
@@ -138,9 +183,10 @@ void TestExecutable::linkAppearsAndGoes()
     const QTemporaryDir directory;
     const QString link = directory.filePath(u"port"_s);
     {
-        const ControllerProcess controller({u"--link"_s, link});
+        Program controller({u"--link"_s, link});
         QCOMPARE(QFile::symLinkTarget(link), controller.port());
         QCOMPARE(Port(link).ask(readDeviceType, 7).size(), std::size_t{7});
+        QVERIFY(controller.endsCleanly());
     }
     QVERIFY(!QFileInfo(link).isSymLink());
     QFile file(directory.filePath(u"file"_s));
@@ -173,7 +219,7 @@ void TestExecutable::programSurvivesAHardKill()
     const auto high = static_cast<std::uint16_t>(crc >> 16);
     const auto low = static_cast<std::uint16_t>(crc & 0xFFFF);
     {
-        ControllerProcess controller(arguments);
+        Program controller(arguments);
         const Port port(controller.port());
         const auto size = static_cast<std::uint16_t>(image.size());
         QVERIFY(writeRegisters(port, CTL_REG_TRANSFER_SESSION,
@@ -189,7 +235,7 @@ void TestExecutable::programSurvivesAHardKill()
         QCOMPARE(port.ask({1, 3, 0x02, 0x33, 0, 1}, 7), frame({1, 3, 2, 0, 0}));
         controller.killHard();
     }
-    const ControllerProcess controller(arguments);
+    const Program controller(arguments);
     const Bytes answer = Port(controller.port()).ask(readStatus, 85);
     QCOMPARE(answer.size(), std::size_t{85});
     QCOMPARE(int{answer[3 + 2 * 2 + 1]}, int{CTL_STATE_READY});
@@ -213,7 +259,7 @@ void TestExecutable::answersTakeAsLongAsOnTheWire()
     QFETCH(int, baud);
     QFETCH(QString, parity);
     QFETCH(double, leastMs);
-    const ControllerProcess controller({u"--baud"_s, QString::number(baud), u"--parity"_s, parity});
+    const Program controller({u"--baud"_s, QString::number(baud), u"--parity"_s, parity});
     const Port port(controller.port());
     double bestMs = 1e9;
     for (int i = 0; i < 10; ++i) {
@@ -269,7 +315,7 @@ void TestExecutable::helpAndVersion()
 void TestExecutable::stateDirectoryIsUsedOnce()
 {
     const QTemporaryDir state;
-    const ControllerProcess controller({u"--state"_s, state.path()});
+    const Program controller({u"--state"_s, state.path()});
     const auto [code, text] = runToEnd({u"--state"_s, state.path()});
     QCOMPARE(code, 1);
     QVERIFY2(text.contains("another campanel-controller uses it"), text.constData());
@@ -306,7 +352,7 @@ void TestExecutable::endsWithItsParent()
 
 void TestExecutable::idlesCheaply()
 {
-    const ControllerProcess controller;
+    const Program controller;
     const auto processorMs = [&controller] {
         QFile status(u"/proc/%1/stat"_s.arg(controller.processId()));
         if (!status.open(QIODevice::ReadOnly))
