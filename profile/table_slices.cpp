@@ -54,25 +54,6 @@ std::size_t carryStretch(const RotaryCutter& cutter, const std::vector<Stretch>&
     return static_cast<std::size_t>(best - all.begin());
 }
 
-// Shifts the ends by the few ticks that keep every slice within the timer's highest frequency. False when the
-// whole cycle has no room for its pulses.
-bool makeRoom(std::vector<std::int64_t>& endTicks, const std::vector<std::int64_t>& pulses,
-              std::int64_t constant)
-{
-    std::int64_t earliest = 0;
-    const std::int64_t cycleTicks = endTicks.back();
-    for (std::size_t i = 0; i < endTicks.size(); ++i) {
-        earliest += pulses[i] * constant;
-        endTicks[i] = earliest = std::max(endTicks[i], earliest);
-    }
-    std::int64_t latest = cycleTicks;
-    for (std::size_t i = endTicks.size(); i-- > 0;) {
-        endTicks[i] = latest = std::min(endTicks[i], latest);
-        latest -= pulses[i] * constant;
-    }
-    return latest >= 0;
-}
-
 } // namespace
 
 // N_i = round(F(t_i)) - round(F(t_i-1)); the cycle's fraction of a pulse is left out after the carry stretch.
@@ -85,6 +66,7 @@ std::optional<SlicedCycle> cutSlices(const RotaryCutter& cutter, std::int64_t cy
         static_cast<double>(cyclePulses.remainder) / static_cast<double>(cyclePulses.divisor);
     const double perMm = cyclePulses.asDouble() / cutter.cycle.strokeMm;
     const double clock = cutter.machine.timerClockHz;
+    const std::int64_t constant = smallestTimerConstant(cutter.machine);
 
     std::vector<std::int64_t> pulses(all.size());
     std::vector<std::int64_t> endTicks(all.size());
@@ -97,11 +79,16 @@ std::optional<SlicedCycle> cutSlices(const RotaryCutter& cutter, std::int64_t cy
             isLast ? cyclePulses.whole
                    : std::clamp(std::int64_t{std::llround(travel)}, before, cyclePulses.whole);
         const double position = (static_cast<double>(after) + leftOut) / perMm;
-        endTicks[i] = isLast ? cycleTicks : std::llround(cutter.motion.timeAt(position, all[i].endS) * clock);
+        const std::int64_t exact =
+            isLast ? cycleTicks : std::llround(cutter.motion.timeAt(position, all[i].endS) * clock);
+        // A curve within the timer's frequency gives its pulses this room already; only noise could take a
+        // tick of it.
+        const std::int64_t earliest = (i > 0 ? endTicks[i - 1] : 0) + (after - before) * constant;
+        endTicks[i] = std::max(exact, earliest);
         pulses[i] = after - before;
         before = after;
     }
-    if (!makeRoom(endTicks, pulses, smallestTimerConstant(cutter.machine)))
+    if (endTicks.back() != cycleTicks)
         return std::nullopt;
 
     SlicedCycle cycle;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The value scale of a panel: round numbers at its ends and 3 to 4 ticks. It stays where it is while the data moves a little, so that
-// a curve dragged by a finger moves and not its axis.
+// The value scale of a panel: round numbers at its ends and 3 to 4 ticks. It stays where it is while the data
+// moves a little, so that a curve dragged by a finger moves and not its axis.
 #pragma once
 
 #include <qwt_scale_div.h>
@@ -9,8 +9,9 @@ namespace campanel::plot {
 
 class AxisScale {
 public:
-    // Makes minimum..maximum (finite, minimum <= maximum) visible; true if the scale had to change for it. A scale that is up to
-    // 1/keepFraction times wider than a new one would be is kept. minimumSpan: data flatter than this counts as constant.
+    // Makes minimum..maximum (finite, minimum <= maximum) visible; true if the scale had to change for it. A
+    // scale that is up to 1/keepFraction times wider than a new one would be is kept. minimumSpan: data
+    // flatter than this counts as constant.
     bool fit(double minimum, double maximum, double minimumSpan);
 
     // Forgets the past: the next fit() starts afresh.

@@ -15,19 +15,23 @@ namespace campanel::plot {
 
 namespace {
 
-constexpr double toleranceShare = 0.8;  // of half the height, where the tolerance lines are if no bag is beyond them
-constexpr double defaultReachMm = 1.0;  // without tolerance and without larger values
-constexpr double smallestSpanMm = 1e-3; // flatter is constant
-constexpr double badPointFactor = 1.5;  // a bag out of tolerance is not told by its colour alone
+constexpr double toleranceShare =
+    0.8; // of half the height, where the tolerance lines are if no bag is beyond them
+constexpr double defaultReachMm = 1.0; // without tolerance and without larger values
+constexpr double headroom = 1.05;      // above the largest deviation
+constexpr double levelFactor = 1.5;    // between two levels of zoom
+constexpr double badPointFactor = 1.5; // a bag out of tolerance is not told by its colour alone
 
-void paintPoints(QPainter& painter, const QPolygonF& points, std::unique_ptr<QwtSymbol> symbol, const QwtScaleMap& xMap,
-                 const QwtScaleMap& yMap)
+void paintPoints(QPainter& painter, const QPolygonF& points, std::unique_ptr<QwtSymbol> symbol,
+                 const QwtScaleMap& xMap, const QwtScaleMap& yMap)
 {
     QwtPlotCurve curve;
     curve.setStyle(QwtPlotCurve::NoCurve);
     curve.setSymbol(symbol.release()); // the curve owns it
     curve.setSamples(points);
-    curve.draw(&painter, xMap, yMap, QRectF(QPointF(xMap.p1(), yMap.p2()), QPointF(xMap.p2(), yMap.p1())));
+    // Qwt leaves out symbols whose middle is on the right or the lower edge of what it takes for the canvas.
+    const QRectF canvas(QPointF(xMap.p1(), yMap.p2()), QPointF(xMap.p2(), yMap.p1()));
+    curve.draw(&painter, xMap, yMap, canvas.adjusted(-1, -1, 1, 1));
 }
 
 } // namespace
@@ -46,7 +50,6 @@ void BagChart::setTolerance(double tolerance)
         return;
     }
     m_tolerance = tolerance;
-    m_scale.reset();
     emit toleranceChanged();
 }
 
@@ -64,17 +67,17 @@ BagChart::Points BagChart::points() const
     return points;
 }
 
-// The largest deviation in sight, mm.
-double BagChart::reach() const
+double BagChart::halfRange(const Points& points) const
 {
-    double reach = m_tolerance > 0 ? m_tolerance : defaultReachMm;
-    const Points all = points();
-    for (const QPolygonF* part : {&all.good, &all.bad}) {
+    const double normal = (m_tolerance > 0 ? m_tolerance : defaultReachMm) / toleranceShare;
+    double needed = normal;
+    for (const QPolygonF* part : {&points.good, &points.bad}) {
         for (const QPointF& point : *part) {
-            reach = std::max(reach, std::abs(point.y()));
+            needed = std::max(needed, std::abs(point.y()) * headroom);
         }
     }
-    return reach;
+    // In a few fixed levels, so that the picture does not breathe with every bag.
+    return normal * std::pow(levelFactor, std::ceil(std::log(needed / normal) / std::log(levelFactor)));
 }
 
 void BagChart::paint(QPainter* painter)
@@ -84,16 +87,8 @@ void BagChart::paint(QPainter* painter)
     }
     painter->fillRect(boundingRect(), m_backgroundColor);
 
-    const double largest = reach();
-    double half = m_tolerance > 0 ? m_tolerance : defaultReachMm;
-    if (largest > half) {
-        m_scale.fit(-largest, largest, smallestSpanMm);
-        half = m_scale.upper();
-    } else {
-        m_scale.reset();
-    }
-    half /= toleranceShare;
-
+    const Points all = points();
+    const double half = halfRange(all);
     const double margin = m_pointSize;
     QwtScaleMap valueMap;
     valueMap.setScaleInterval(-half, half);
@@ -104,12 +99,14 @@ void BagChart::paint(QPainter* painter)
 
     paintLines(*painter, valueMap);
     painter->setRenderHint(QPainter::Antialiasing);
-    const Points all = points();
     const auto symbol = [this](QwtSymbol::Style style, const QColor& color, double size) {
-        return std::make_unique<QwtSymbol>(style, m_stale ? m_staleColor : color, QPen(Qt::NoPen), QSizeF(size, size).toSize());
+        return std::make_unique<QwtSymbol>(style, m_stale ? m_staleColor : color, QPen(Qt::NoPen),
+                                           QSizeF(size, size).toSize());
     };
-    paintPoints(*painter, all.good, symbol(QwtSymbol::Ellipse, m_pointColor, m_pointSize), indexMap, valueMap);
-    paintPoints(*painter, all.bad, symbol(QwtSymbol::Diamond, m_violationColor, badPointFactor * m_pointSize), indexMap, valueMap);
+    paintPoints(*painter, all.good, symbol(QwtSymbol::Ellipse, m_pointColor, m_pointSize), indexMap,
+                valueMap);
+    paintPoints(*painter, all.bad, symbol(QwtSymbol::Diamond, m_violationColor, badPointFactor * m_pointSize),
+                indexMap, valueMap);
 }
 
 void BagChart::paintLines(QPainter& painter, const QwtScaleMap& valueMap) const

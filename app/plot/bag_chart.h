@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The last bags' deviations from the set length as points between the tolerance lines, drawn by Qwt. The newest bag is at the right.
+// The last bags' deviations from the set length as points between the tolerance lines, drawn by Qwt. The
+// newest bag is at the right.
 #pragma once
-
-#include "app/plot/axis_scale.h"
 
 #include <QColor>
 #include <QList>
@@ -54,7 +53,8 @@ private:
 
     void updateAll() { update(boundingRect().toAlignedRect()); }
     [[nodiscard]] Points points() const;
-    [[nodiscard]] double reach() const;
+    // Half of the value range in sight, mm.
+    [[nodiscard]] double halfRange(const Points& points) const;
     void paintLines(QPainter& painter, const QwtScaleMap& valueMap) const;
 
     QList<double> m_values;
@@ -68,7 +68,6 @@ private:
     QColor m_toleranceColor{Qt::darkYellow};
     QColor m_violationColor{Qt::red};
     double m_pointSize = 6;
-    AxisScale m_scale;
 };
 
 } // namespace campanel::plot

@@ -15,11 +15,11 @@ namespace campanel::plot {
 
 namespace {
 
-constexpr double timeTickSpacing = 90; // px, at least, between the ticks of the time axis
+constexpr double timeTickSpacing = 80; // px, at least, between the ticks of the time axis
 constexpr int maximumTimeSteps = 8;
-constexpr double labelGap = 8;  // px between canvas and labels
-constexpr double panelGap = 10; // px between a canvas and the title below it
-constexpr double cursorReach = 6; // px left and right of the cursor that its dots need
+constexpr double labelGap = 8;        // px between canvas and labels
+constexpr double panelGap = 10;       // px between a canvas and the title below it
+constexpr double cursorReach = 6;     // px left and right of the cursor that its dots need
 constexpr double noTimeMaximum = 1.0; // s, the axis of an empty plot
 
 bool sameNumber(double a, double b)
@@ -42,8 +42,9 @@ CurvePlot::CurvePlot(QQuickItem* parent)
 
 void CurvePlot::connectProperties()
 {
-    for (const auto signal : {&CurvePlot::curvesChanged, &CurvePlot::overlayCurvesChanged, &CurvePlot::quantitiesChanged,
-                              &CurvePlot::titlesChanged, &CurvePlot::limitsChanged, &CurvePlot::timeMaximumChanged}) {
+    for (const auto signal :
+         {&CurvePlot::curvesChanged, &CurvePlot::overlayCurvesChanged, &CurvePlot::quantitiesChanged,
+          &CurvePlot::titlesChanged, &CurvePlot::limitsChanged, &CurvePlot::timeMaximumChanged}) {
         connect(this, signal, this, &CurvePlot::invalidateLayout);
     }
     connect(this, &CurvePlot::fontsChanged, this, [this] {
@@ -91,7 +92,8 @@ void CurvePlot::updatePolish()
 CurvePlot::Mapping CurvePlot::mapping() const
 {
     const PlotPanel* panel = velocityPanel();
-    return {m_plotArea, m_timeMap.s2(), panel ? panel->scale().lower() : 0.0, panel ? panel->scale().upper() : 0.0};
+    return {m_plotArea, m_timeMap.s2(), panel ? panel->scale().lower() : 0.0,
+            panel ? panel->scale().upper() : 0.0};
 }
 
 void CurvePlot::ensureLayout()
@@ -133,14 +135,16 @@ void CurvePlot::placePanels()
     for (const PlotPanel& panel : m_panels) {
         m_labelWidth = std::max(m_labelWidth, std::ceil(panel.labelWidth(look)));
     }
-    const bool titled = std::any_of(m_titles.cbegin(), m_titles.cend(), [](const QString& t) { return !t.isEmpty(); });
+    const bool titled =
+        std::any_of(m_titles.cbegin(), m_titles.cend(), [](const QString& t) { return !t.isEmpty(); });
     const double head = titled ? titleMetrics.height() + titleGap : 0.0;
     const double top = std::ceil(std::max(head, axisMetrics.height() / 2));
     const double gap = std::ceil(std::max(head + panelGap, axisMetrics.height() + 2));
     const double bottom = std::ceil(axisMetrics.height() + labelGap);
     const double right = std::ceil(axisMetrics.horizontalAdvance(QStringLiteral("0.00 ") + m_timeUnit) / 2);
     const auto count = static_cast<double>(std::max<std::size_t>(1, m_panels.size()));
-    const double panelHeight = std::max(1.0, std::floor((height() - top - bottom - (count - 1) * gap) / count));
+    const double panelHeight =
+        std::max(1.0, std::floor((height() - top - bottom - (count - 1) * gap) / count));
     const double canvasWidth = std::max(1.0, width() - m_labelWidth - right);
     double y = top;
     for (PlotPanel& panel : m_panels) {
@@ -154,7 +158,9 @@ void CurvePlot::placeTimeAxis()
 {
     double end = m_timeMaximum;
     if (!(end > 0)) {
-        end = m_curveSet ? timesOf(m_curveSet).back() : m_overlaySet ? timesOf(m_overlaySet).back() : noTimeMaximum;
+        end = m_curveSet     ? timesOf(m_curveSet).back()
+              : m_overlaySet ? timesOf(m_overlaySet).back()
+                             : noTimeMaximum;
     }
     m_timeMap.setScaleInterval(0, end);
     m_timeMap.setPaintInterval(m_plotArea.left(), m_plotArea.right());
@@ -164,7 +170,8 @@ void CurvePlot::placeTimeAxis()
     m_timeDivision = engine.divideScale(0, end, steps, 0);
     QList<double> ticks = m_timeDivision.ticks(QwtScaleDiv::MajorTick);
     // The axis ends with T itself; a round number too close to it gives way.
-    while (!ticks.isEmpty() && m_timeMap.transform(end) - m_timeMap.transform(ticks.last()) < timeTickSpacing / 2) {
+    while (!ticks.isEmpty() &&
+           m_timeMap.transform(end) - m_timeMap.transform(ticks.last()) < timeTickSpacing / 2) {
         ticks.removeLast();
     }
     ticks.append(end);
@@ -229,7 +236,8 @@ void CurvePlot::setTrace(const QList<QPointF>& trace)
     const auto [ours, theirs] = std::mismatch(m_trace.cbegin(), m_trace.cend(), trace.cbegin(), trace.cend());
     const auto same = std::distance(m_trace.cbegin(), ours);
     const double from = same > 0 ? trace[same - 1].x() : 0.0;
-    const double to = std::max(m_trace.isEmpty() ? 0.0 : m_trace.last().x(), trace.isEmpty() ? 0.0 : trace.last().x());
+    const double to =
+        std::max(m_trace.isEmpty() ? 0.0 : m_trace.last().x(), trace.isEmpty() ? 0.0 : trace.last().x());
     m_trace = trace;
     if (m_traceVisible) {
         update(traceStrip(from, to).toAlignedRect());
@@ -315,7 +323,8 @@ QRectF CurvePlot::cursorStrip(double timeS)
         return {};
     }
     const double x = m_timeMap.transform(timeS);
-    return m_plotArea.adjusted(0, -cursorReach, 0, cursorReach) & QRectF(x - cursorReach, 0, 2 * cursorReach, height());
+    return m_plotArea.adjusted(0, -cursorReach, 0, cursorReach) &
+           QRectF(x - cursorReach, 0, 2 * cursorReach, height());
 }
 
 QRectF CurvePlot::traceStrip(double fromS, double toS)
@@ -327,7 +336,8 @@ QRectF CurvePlot::traceStrip(double fromS, double toS)
     }
     const double margin = m_traceLineWidth + 1;
     const QRectF canvas = panel->canvas();
-    return QRectF(QPointF(m_timeMap.transform(fromS), canvas.top()), QPointF(m_timeMap.transform(toS), canvas.bottom()))
+    return QRectF(QPointF(m_timeMap.transform(fromS), canvas.top()),
+                  QPointF(m_timeMap.transform(toS), canvas.bottom()))
         .adjusted(-margin, -margin, margin, margin);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The curves of one cycle in stacked panels with a common time axis, drawn by Qwt into a Qt Quick item. What changes rarely (grid, curves,
-// limits) is kept as an image; cursor and trace are painted over it. All properties belong to the GUI thread.
+// The curves of one cycle in stacked panels with a common time axis, drawn by Qwt into a Qt Quick item. What
+// changes rarely (grid, curves, limits) is kept as an image; cursor and trace are painted over it. All
+// properties belong to the GUI thread.
 #pragma once
 
 #include "app/plot/plot_panel.h"
@@ -21,7 +22,8 @@ class CurvePlot : public QQuickPaintedItem {
     // Curve sets: std::shared_ptr<const profile::Curves>; anything else counts as none.
     Q_PROPERTY(QVariant curves MEMBER m_curves NOTIFY curvesChanged FINAL)
     Q_PROPERTY(QVariant overlayCurves MEMBER m_overlayCurves NOTIFY overlayCurvesChanged FINAL)
-    // The panels from top to bottom: "position" mm, "velocity" mm/s, "acceleration" m/s2, "jerk" m/s3, "frequency" kHz.
+    // The panels from top to bottom: "position" mm, "velocity" mm/s, "acceleration" m/s2, "jerk" m/s3,
+    // "frequency" kHz.
     Q_PROPERTY(QStringList quantities MEMBER m_quantities NOTIFY quantitiesChanged FINAL)
     Q_PROPERTY(QStringList titles MEMBER m_titles NOTIFY titlesChanged FINAL)
     // Measured points over the velocity panel: x cycle time in s, ascending; y in mm/s.
@@ -33,7 +35,8 @@ class CurvePlot : public QQuickPaintedItem {
     Q_PROPERTY(QList<double> markerTimes MEMBER m_markerTimes NOTIFY markersChanged FINAL)
     // mm/s, mm/s2 and Hz; NaN for none.
     Q_PROPERTY(double limitVelocity READ limitVelocity WRITE setLimitVelocity NOTIFY limitsChanged FINAL)
-    Q_PROPERTY(double limitAcceleration READ limitAcceleration WRITE setLimitAcceleration NOTIFY limitsChanged FINAL)
+    Q_PROPERTY(
+        double limitAcceleration READ limitAcceleration WRITE setLimitAcceleration NOTIFY limitsChanged FINAL)
     Q_PROPERTY(double limitFrequency READ limitFrequency WRITE setLimitFrequency NOTIFY limitsChanged FINAL)
     // Stretches that break a limit: x from, y to, in s.
     Q_PROPERTY(QList<QPointF> violations MEMBER m_violations NOTIFY markersChanged FINAL)
@@ -45,7 +48,8 @@ class CurvePlot : public QQuickPaintedItem {
     Q_PROPERTY(QColor gridColor MEMBER m_gridColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor inkColor MEMBER m_inkColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor secondaryInkColor MEMBER m_secondaryInkColor NOTIFY styleChanged FINAL)
-    Q_PROPERTY(QColor surfaceColor MEMBER m_surfaceColor NOTIFY dynamicStyleChanged FINAL)
+    Q_PROPERTY(QColor markerColor MEMBER m_markerColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor surfaceColor MEMBER m_surfaceColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor positionColor MEMBER m_positionColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor velocityColor MEMBER m_velocityColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor accelerationColor MEMBER m_accelerationColor NOTIFY styleChanged FINAL)
@@ -70,8 +74,8 @@ public:
 
     void paint(QPainter* painter) override;
 
-    // Between s, values and px of the item. NaN where there is no such panel; values that lie outside are not clamped. These bring the
-    // layout up to date first, so they are not const.
+    // Between s, values and px of the item. NaN where there is no such panel; values that lie outside are not
+    // clamped. These bring the layout up to date first, so they are not const.
     [[nodiscard]] Q_INVOKABLE double xOfTime(double timeS);
     [[nodiscard]] Q_INVOKABLE double timeOfX(double x);
     [[nodiscard]] Q_INVOKABLE double yOfVelocity(double velocityMmPerS);
@@ -135,7 +139,8 @@ private:
     void connectProperties();
     void invalidateLayout();
     void invalidateImage();
-    // An explicit rectangle always: QQuickPaintedItem forgets update() when an update(rectangle) follows before the frame.
+    // An explicit rectangle always: QQuickPaintedItem forgets update() when an update(rectangle) follows
+    // before the frame.
     void updateAll() { update(boundingRect().toAlignedRect()); }
     // Brings data, scales and geometry up to date.
     void ensureLayout();
@@ -156,6 +161,7 @@ private:
     void paintMarkers(QPainter& painter) const;
     void paintTints(QPainter& painter) const;
     void paintTitles(QPainter& painter) const;
+    [[nodiscard]] QRectF titleRect(std::size_t panel) const;
     void paintTimeLabels(QPainter& painter, const PlotStyle& style) const;
     void paintTrace(QPainter& painter) const;
     void paintCursor(QPainter& painter) const;
@@ -179,6 +185,7 @@ private:
     QColor m_gridColor{Qt::lightGray};
     QColor m_inkColor{Qt::black};
     QColor m_secondaryInkColor{Qt::darkGray};
+    QColor m_markerColor{Qt::gray};
     QColor m_surfaceColor{Qt::white};
     QColor m_positionColor{Qt::black};
     QColor m_velocityColor{Qt::black};
@@ -202,7 +209,8 @@ private:
     QRectF m_plotArea;
     QwtScaleMap m_timeMap;
     QwtScaleDiv m_timeDivision;
-    double m_labelWidth = 0; // px left of the canvas; grows only, so that the canvas does not move with the digits
+    double m_labelWidth =
+        0; // px left of the canvas; grows only, so that the canvas does not move with the digits
     Mapping m_announcedMapping;
     bool m_layoutValid = false;
     bool m_imageValid = false;

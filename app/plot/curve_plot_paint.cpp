@@ -65,7 +65,8 @@ void CurvePlot::paintTints(QPainter& painter) const
         const double fromX = m_timeMap.transform(stretch.x());
         const double toX = m_timeMap.transform(stretch.y());
         // Where no panel shows the broken limit, all of them tell when it is broken.
-        const bool shown = std::ranges::any_of(m_panels, [&](const PlotPanel& p) { return p.isBroken(stretch.x(), stretch.y()); });
+        const bool shown = std::ranges::any_of(
+            m_panels, [&](const PlotPanel& p) { return p.isBroken(stretch.x(), stretch.y()); });
         for (const PlotPanel& panel : m_panels) {
             if (!shown || panel.isBroken(stretch.x(), stretch.y())) {
                 panel.paintTint(painter, m_violationColor, fromX, toX);
@@ -76,8 +77,15 @@ void CurvePlot::paintTints(QPainter& painter) const
 
 void CurvePlot::paintMarkers(QPainter& painter) const
 {
-    QPen pen(m_secondaryInkColor, 1, Qt::CustomDashLine, Qt::FlatCap);
+    QPen pen(m_markerColor, 1, Qt::CustomDashLine, Qt::FlatCap);
     pen.setDashPattern({3, 4});
+    // The lines pass behind the titles.
+    QRegion free(QRectF(m_plotArea).toAlignedRect());
+    for (std::size_t i = 0; i < m_panels.size(); ++i) {
+        free -= titleRect(i).toAlignedRect();
+    }
+    painter.save();
+    painter.setClipRegion(free);
     painter.setPen(pen);
     for (const double time : m_markerTimes) {
         if (time >= 0 && time <= m_timeMap.s2()) {
@@ -85,18 +93,28 @@ void CurvePlot::paintMarkers(QPainter& painter) const
             painter.drawLine(QPointF(x, m_plotArea.top()), QPointF(x, m_plotArea.bottom()));
         }
     }
+    painter.restore();
+}
+
+QRectF CurvePlot::titleRect(std::size_t panel) const
+{
+    if (panel >= static_cast<std::size_t>(m_titles.size())) {
+        return {};
+    }
+    const QFontMetricsF metrics(m_titleFont);
+    const QRectF canvas = m_panels[panel].canvas();
+    const double width = metrics.horizontalAdvance(m_titles[static_cast<qsizetype>(panel)]);
+    return {canvas.left() + titleGap, canvas.top() - titleGap - metrics.height(), width, metrics.height()};
 }
 
 void CurvePlot::paintTitles(QPainter& painter) const
 {
     painter.setFont(m_titleFont);
     painter.setPen(m_secondaryInkColor);
-    const double lineHeight = QFontMetricsF(m_titleFont).height();
     const auto count = std::min(static_cast<std::size_t>(m_titles.size()), m_panels.size());
     for (std::size_t i = 0; i < count; ++i) {
-        const QRectF canvas = m_panels[i].canvas();
-        const QRectF line(canvas.left(), canvas.top() - titleGap - lineHeight, canvas.width(), lineHeight);
-        painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, m_titles[static_cast<qsizetype>(i)]);
+        painter.drawText(titleRect(i), Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
+                         m_titles[static_cast<qsizetype>(i)]);
     }
 }
 
@@ -136,8 +154,8 @@ void CurvePlot::paintTrace(QPainter& painter) const
     const double margin = m_traceLineWidth;
     painter.save();
     painter.setClipRect(panel->canvas().adjusted(0, -margin, 0, margin), Qt::IntersectClip);
-    paintLine(painter, decimate(times, speeds, maximumDrawnPoints), {m_traceColor, m_traceLineWidth}, m_timeMap,
-              panel->valueMap());
+    paintLine(painter, decimate(times, speeds, maximumDrawnPoints), {m_traceColor, m_traceLineWidth},
+              m_timeMap, panel->valueMap());
     painter.restore();
 }
 
@@ -168,6 +186,7 @@ PlotStyle CurvePlot::style() const
 {
     PlotStyle look;
     look.grid = m_gridColor;
+    look.surface = m_surfaceColor;
     look.secondaryInk = m_secondaryInkColor;
     look.overlay = m_overlayColor;
     look.limit = m_limitColor;

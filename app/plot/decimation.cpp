@@ -23,7 +23,8 @@ QPolygonF finitePoints(std::span<const double> x, std::span<const double> y, dou
 
 } // namespace
 
-QPolygonF decimate(std::span<const double> x, std::span<const double> y, qsizetype maximumPoints, double yFactor)
+QPolygonF decimate(std::span<const double> x, std::span<const double> y, qsizetype maximumPoints,
+                   double yFactor)
 {
     const QPolygonF points = finitePoints(x, y, yFactor);
     if (points.size() <= maximumPoints) {

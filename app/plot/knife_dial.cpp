@@ -135,7 +135,8 @@ void KnifeDial::paintHand(QPainter& painter) const
     painter.drawEllipse(center, hubShare * size, hubShare * size);
     painter.setPen(QPen(m_surfaceColor, haloShare * size));
     painter.setBrush(m_stale ? m_staleColor : m_tipColor);
-    painter.drawEllipse(tip, tipShare * size, tipShare * size);
+    const double radius = (tipShare + haloShare / 2) * size; // half of the halo lies on the tip
+    painter.drawEllipse(tip, radius, radius);
 }
 
 } // namespace campanel::plot

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The knife's angle as a hand on a ring, with the arc where it must match the film and the mark where it cuts. 0 degrees at the top,
-// clockwise.
+// The knife's angle as a hand on a ring, with the arc where it must match the film and the mark where it
+// cuts. 0 degrees at the top, clockwise.
 #pragma once
 
 #include <QColor>

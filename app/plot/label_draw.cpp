@@ -34,7 +34,8 @@ QwtText LabelDraw::label(double value) const
     if (!m_specialText.isEmpty() && value == m_specialValue) {
         return QwtText(m_specialText, QwtText::PlainText);
     }
-    return QwtText(localNumber(m_locale, value, m_decimals), QwtText::PlainText);
+    // Qwt's engine makes the tick at zero exactly zero.
+    return QwtText(localNumber(m_locale, value, value == 0 ? 0 : m_decimals), QwtText::PlainText);
 }
 
 QString localNumber(const QLocale& locale, double value, int decimals)

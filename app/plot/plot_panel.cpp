@@ -22,6 +22,7 @@ namespace {
 constexpr double nearLimit = 0.25;
 // Share of the panel's tint over a stretch that breaks a limit.
 constexpr double tintOpacity = 0.12;
+constexpr double limitLabelMargin = 6; // px between a limit's line and its label
 
 struct Span {
     double low = std::numeric_limits<double>::infinity();
@@ -81,7 +82,8 @@ void PlotPanel::fitScale()
         return;
     }
     const double margin = nearLimit * (span.high - span.low);
-    // A limit that is broken or nearly reached is always in sight; one that is far away would only flatten the curve.
+    // A limit that is broken or nearly reached is always in sight; one that is far away would only flatten
+    // the curve.
     if (m_limit < span.high + margin) {
         span.include(m_limit);
     }
@@ -118,7 +120,8 @@ void PlotPanel::paintGrid(QPainter& painter, const PlotStyle& style) const
     grid.enableX(false);
     grid.setMajorPen(QPen(style.grid, 1));
     grid.setYDiv(m_scale.division());
-    grid.draw(&painter, QwtScaleMap(), m_valueMap, m_canvas);
+    // QwtPlotGrid leaves out a line on the lowest row of pixels.
+    grid.draw(&painter, QwtScaleMap(), m_valueMap, m_canvas.adjusted(0, 0, 0, 1));
     if (m_curve.isEmpty() && m_overlay.isEmpty()) {
         return; // nothing is known, so no number is shown
     }
@@ -132,11 +135,12 @@ void PlotPanel::paintGrid(QPainter& painter, const PlotStyle& style) const
     painter.setFont(style.axisFont);
     labels.draw(&painter, palette);
 
-    paintLimit(painter, style, m_limit);
-    paintLimit(painter, style, -m_limit);
+    paintLimit(painter, style, m_limit, style.limitLabel);
+    paintLimit(painter, style, -m_limit, QString());
 }
 
-void PlotPanel::paintLimit(QPainter& painter, const PlotStyle& style, double value) const
+void PlotPanel::paintLimit(QPainter& painter, const PlotStyle& style, double value,
+                           const QString& label) const
 {
     if (!(value >= m_scale.lower() && value <= m_scale.upper())) {
         return;
@@ -147,12 +151,13 @@ void PlotPanel::paintLimit(QPainter& painter, const PlotStyle& style, double val
     pen.setCapStyle(Qt::FlatCap);
     painter.setPen(pen);
     painter.drawLine(QPointF(m_canvas.left(), y), QPointF(m_canvas.right(), y));
-    if (!style.limitLabel.isEmpty()) {
-        painter.setFont(style.axisFont);
+    if (!label.isEmpty()) {
         const QFontMetricsF metrics(style.axisFont);
-        const bool above = y - metrics.height() > m_canvas.top() - metrics.height() / 2;
-        const QRectF place(m_canvas.left(), above ? y - metrics.height() - 1 : y + 1, m_canvas.width(), metrics.height());
-        painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter, style.limitLabel);
+        const double width = metrics.horizontalAdvance(label) + limitLabelMargin;
+        const QRectF place(m_canvas.right() - width, y - metrics.height() / 2, width, metrics.height());
+        painter.fillRect(place, style.surface);
+        painter.setFont(style.axisFont);
+        painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter, label);
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One panel of a curve plot: a quantity over time with its own value scale. Knows where things are and how to paint them; owned and
-// driven by CurvePlot.
+// One panel of a curve plot: a quantity over time with its own value scale. Knows where things are and how to
+// paint them; owned and driven by CurvePlot.
 #pragma once
 
 #include "app/plot/axis_scale.h"
@@ -51,11 +51,12 @@ public:
 
     void paintGrid(QPainter& painter, const PlotStyle& style) const;
     void paintTint(QPainter& painter, const QColor& color, double fromX, double toX) const;
-    void paintCurves(QPainter& painter, const PlotStyle& style, const QColor& color, const QwtScaleMap& timeMap) const;
+    void paintCurves(QPainter& painter, const PlotStyle& style, const QColor& color,
+                     const QwtScaleMap& timeMap) const;
 
 private:
     void fitScale();
-    void paintLimit(QPainter& painter, const PlotStyle& style, double value) const;
+    void paintLimit(QPainter& painter, const PlotStyle& style, double value, const QString& label) const;
 
     Quantity m_quantity;
     QPolygonF m_curve;

@@ -10,6 +10,7 @@ namespace campanel::plot {
 
 struct PlotStyle {
     QColor grid;
+    QColor surface; // what the plot stands on
     QColor secondaryInk;
     QColor overlay;
     QColor limit;

@@ -61,9 +61,8 @@ CurveSet curveSetFrom(const QVariant& value)
     if (!curves || curves->timeS.size() < 2) {
         return nullptr;
     }
-    const bool complete = std::ranges::all_of(rows, [&](const QuantityRow& row) {
-        return ((*curves).*row.values).size() == curves->timeS.size();
-    });
+    const bool complete = std::ranges::all_of(
+        rows, [&](const QuantityRow& row) { return ((*curves).*row.values).size() == curves->timeS.size(); });
     return complete ? curves : nullptr;
 }
 

@@ -20,7 +20,8 @@ enum class Quantity : quint8 { Position, Velocity, Acceleration, Jerk, Frequency
 // "position", "velocity", "acceleration", "jerk", "frequency"; nothing for any other name.
 [[nodiscard]] std::optional<Quantity> quantityByName(const QString& name);
 
-// Curves come in mm, s and Hz; on screen they are mm, mm/s, m/s2, m/s3 and kHz. shown = sampled * displayFactor.
+// Curves come in mm, s and Hz; on screen they are mm, mm/s, m/s2, m/s3 and kHz. shown = sampled *
+// displayFactor.
 [[nodiscard]] double displayFactor(Quantity quantity);
 
 // Differences below this (in the unit on screen) are rounding noise of a constant.

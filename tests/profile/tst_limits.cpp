@@ -43,6 +43,7 @@ class TestLimits : public QObject {
 private slots:
     void brokenLimit_data();
     void brokenLimit();
+    void brokenSpansOfAnAsymmetricLaw();
     void meetingALimitExactlyIsAllowed();
     void severalLimitsAtOnce();
     void peaksAgreeWithTheCurves_data();
@@ -103,12 +104,32 @@ void TestLimits::brokenLimit()
     for (const TimeSpan& span : broken[0].brokenDuring)
         total += span.toS - span.fromS;
     QVERIFY2(near(total, brokenS, 1e-4), std::to_string(total).c_str());
+    QCOMPARE(broken[0].brokenDuring.size(), brokenS > 0 ? std::size_t{2} : std::size_t{0}); // there and back
     QVERIFY(!broken[0].nearest.empty());
     for (const Suggestion& s : broken[0].nearest) {
         Recipe mended = r;
         setValue(mended.program, s.field, s.value);
         QVERIFY(isFeasible(mended.program, mended.machine));
     }
+}
+
+void TestLimits::brokenSpansOfAnAsymmetricLaw()
+{
+    Recipe r = checkRecipe();
+    r.program.speedLaw = LawId::HalfModifiedSine;
+    const double peak = peaks(*solve(r.program, r.machine)).accelerationMmPerS2;
+    r.machine.maxKnifeAccelerationMmPerS2 = 0.9 * peak;
+    const auto cutter = solve(r.program, r.machine);
+    QVERIFY(cutter.has_value());
+    const std::vector<Refusal> broken = checkLimits(*cutter);
+    QCOMPARE(broken.size(), std::size_t{1});
+    QCOMPARE(broken[0].brokenDuring.size(), std::size_t{2});
+    const TimeSpan there = broken[0].brokenDuring[0];
+    const TimeSpan back = broken[0].brokenDuring[1];
+    QVERIFY(near(there.fromS + back.toS, 1, 1e-9)); // the cycle is its own mirror image about T/2
+    QVERIFY(near(there.toS + back.fromS, 1, 1e-9));
+    for (const double edge : {there.fromS, there.toS, back.fromS, back.toS})
+        QVERIFY(near(std::abs(cutter->motion.at(edge).accelerationMmPerS2), 0.9 * peak, 1e-6 * peak));
 }
 
 void TestLimits::meetingALimitExactlyIsAllowed()

@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/link/link_worker.h"
+
+#include "app/link/link_logging.h"
+#include "app/link/simulated_controller.h"
+
+#include <QDateTime>
+#include <QRandomGenerator>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+using namespace std::chrono_literals;
+
+namespace campanel::link {
+
+namespace {
+
+using std::chrono::steady_clock;
+
+// On a line that is faster than this the poll waits: more pictures a second than a screen shows are no use.
+constexpr auto shortestPollPeriod = 8ms;
+constexpr auto shortestBatchPeriod = 10ms;
+// While a table is transferred: often enough to stay fresh and to keep the heartbeat.
+constexpr auto pollPeriodInTransfer = 200ms;
+// Without a valid status for so long the connection counts as lost.
+constexpr auto silenceUntilLost = 1000ms;
+constexpr auto retryDelay = 250ms;
+constexpr auto retryDelayAfterProblem = 1000ms;
+
+LinkState stateAfter(const modbus::LinkError& error, bool wasConnected)
+{
+    switch (error.kind) {
+    case modbus::LinkErrorKind::PortBusy:
+    case modbus::LinkErrorKind::PortNotPermitted:
+    case modbus::LinkErrorKind::PortNotSerial:
+    case modbus::LinkErrorKind::PortSettings:
+        return LinkState::PortProblem;
+    case modbus::LinkErrorKind::NotCamPanel:
+    case modbus::LinkErrorKind::WrongMapMajor:
+        return LinkState::WrongDevice;
+    case modbus::LinkErrorKind::PortAbsent:
+    case modbus::LinkErrorKind::PortGone:
+        return wasConnected ? LinkState::Lost : LinkState::Searching;
+    default:
+        return wasConnected ? LinkState::Lost : LinkState::Connecting;
+    }
+}
+
+CommandEnd endAfter(const modbus::LinkError& error)
+{
+    switch (error.kind) {
+    case modbus::LinkErrorKind::CommandLost:
+        return CommandEnd::NotReceived;
+    case modbus::LinkErrorKind::NotOpen:
+        return CommandEnd::NotSent;
+    default:
+        return CommandEnd::OutcomeUnknown;
+    }
+}
+
+} // namespace
+
+LinkWorker::LinkWorker()
+    : m_stepTimer(this)
+    , m_session(static_cast<std::uint16_t>(QRandomGenerator::global()->bounded(1, 0x10000)))
+{
+    m_stepTimer.setSingleShot(true);
+    m_stepTimer.setTimerType(Qt::PreciseTimer);
+    connect(&m_stepTimer, &QTimer::timeout, this, &LinkWorker::step);
+}
+
+LinkWorker::~LinkWorker() = default;
+
+void LinkWorker::connectTo(const ConnectionSettings& settings)
+{
+    for (const CommandRequest& waiting : m_requests.takeAll())
+        refuse(waiting);
+    endDownload();
+    m_client.reset();
+    m_simulator.reset();
+    m_adapter.reset();
+    m_settings = settings;
+    m_wasConnected = false;
+    m_report = {};
+    m_report.simulated = settings.simulated;
+    if (settings.simulated) {
+        startSimulator();
+        return;
+    }
+    m_report.portName = settings.port;
+    report(LinkState::Searching);
+    stepAfter(0ms);
+}
+
+void LinkWorker::startSimulator()
+{
+    const modbus::LineSettings& line = m_settings.line;
+    m_simulator = std::make_unique<SimulatedController>(
+        SimulatedController::Options{m_settings.simulatorProgram,
+                                     m_settings.simulatorStateDir,
+                                     {u"--baud"_s, QString::number(line.baud), u"--parity"_s,
+                                      QString(QChar::fromLatin1(static_cast<char>(line.parity))),
+                                      u"--stop-bits"_s, QString::number(line.stopBits), u"--unit"_s,
+                                      QString::number(m_settings.unit)}},
+        nullptr);
+    connect(m_simulator.get(), &SimulatedController::serving, this, [this](const QString& port) {
+        m_report.simulator = SimulatorState::Serving;
+        m_report.portName = port;
+        stepAfter(0ms);
+    });
+    connect(m_simulator.get(), &SimulatedController::notFound, this, [this](const QString& lookedFor) {
+        m_report.simulator = SimulatorState::NotFound;
+        m_report.simulatorDetail = lookedFor;
+        report(LinkState::PortProblem);
+    });
+    connect(m_simulator.get(), &SimulatedController::ended, this, [this](const QString& lastWords) {
+        m_report.simulator = SimulatorState::Ended;
+        m_report.simulatorDetail = lastWords;
+        if (m_report.state == LinkState::Connected)
+            lose({modbus::LinkErrorKind::PortGone, m_report.portName.toStdString(), {}, {}, 0});
+        else
+            report(m_wasConnected ? LinkState::Lost : LinkState::Searching, m_report.error);
+    });
+    m_report.simulator = SimulatorState::Starting;
+    report(LinkState::Searching);
+    m_simulator->start();
+}
+
+void LinkWorker::request(const CommandRequest& request)
+{
+    if (m_report.state != LinkState::Connected) {
+        refuse(request);
+        return;
+    }
+    m_requests.push(request);
+    stepAfter(0ms);
+}
+
+void LinkWorker::download(const std::vector<std::uint16_t>& bank)
+{
+    DownloadReport refused;
+    refused.stage = DownloadStage::Failed;
+    refused.isConnectionMissing = m_report.state != LinkState::Connected;
+    refused.isBusy = m_download != nullptr;
+    if (refused.isConnectionMissing || refused.isBusy) {
+        emit downloadReported(refused);
+        return;
+    }
+    if (++m_session == 0)
+        ++m_session;
+    m_download = std::make_unique<DownloadJob>(bank, *m_report.identity, m_session);
+    reportDownload();
+    stepAfter(0ms);
+}
+
+void LinkWorker::cancelDownload()
+{
+    if (!m_download)
+        return;
+    m_download->cancel(m_report.state == LinkState::Connected);
+    reportDownload();
+}
+
+void LinkWorker::step()
+{
+    if (m_report.state == LinkState::Connected)
+        exchange();
+    else
+        tryToConnect();
+}
+
+void LinkWorker::tryToConnect()
+{
+    if (m_settings.simulated && m_report.simulator != SimulatorState::Serving)
+        return; // its next signal goes on
+    if (!m_settings.simulated)
+        m_report.portName = findPort(m_settings.port, m_adapter);
+    if (!m_client) {
+        auto client = std::make_unique<modbus::RtuClient>(
+            modbus::LinkSettings{m_report.portName.toStdString(), m_settings.line, m_settings.unit, 100ms});
+        if (const auto opened = client->open(); !opened) {
+            report(stateAfter(opened.error(), m_wasConnected), opened.error());
+            stepAfter(m_report.state == LinkState::PortProblem ? retryDelayAfterProblem : retryDelay);
+            return;
+        }
+        m_client = std::move(client);
+        report(m_wasConnected ? LinkState::Lost : LinkState::Connecting, m_report.error);
+    }
+    const auto identity = m_client->identify();
+    if (!identity) {
+        m_client.reset();
+        report(stateAfter(identity.error(), m_wasConnected), identity.error());
+        stepAfter(m_report.state == LinkState::WrongDevice ? retryDelayAfterProblem : retryDelay);
+        return;
+    }
+    qCInfo(linkLog) << "connected to" << m_report.portName;
+    m_wasConnected = true;
+    m_adapter = m_settings.simulated ? std::nullopt : identityOf(m_report.portName);
+    m_report.identity = *identity;
+    m_lastGoodAt = steady_clock::now();
+    m_lastPollAt = {};
+    m_status.reset();
+    m_programRead.reset();
+    if (m_download)
+        m_download->connectionFound();
+    report(LinkState::Connected);
+    reportDownload();
+    stepAfter(0ms);
+}
+
+void LinkWorker::exchange()
+{
+    const auto sinceLastPoll = steady_clock::now() - m_lastPollAt;
+    if (const auto request = m_requests.take())
+        sendCommand(*request);
+    else if (m_download && m_download->hasWork() && sinceLastPoll < pollPeriodInTransfer)
+        advanceDownload();
+    else if (sinceLastPoll >= shortestPollPeriod)
+        pollStatus();
+    if (m_report.state != LinkState::Connected)
+        return;
+    const bool hasWork = !m_requests.isEmpty() || (m_download && m_download->hasWork());
+    const auto pollDue = m_lastPollAt + shortestPollPeriod - steady_clock::now();
+    stepAfter(hasWork ? 0ms : std::max(0ms, std::chrono::ceil<std::chrono::milliseconds>(pollDue)));
+}
+
+void LinkWorker::sendCommand(const CommandRequest& request)
+{
+    const auto result = m_client->command(request.command, request.arguments);
+    CommandOutcome outcome{request.id, request.command, CommandEnd::Done, modbus::Refusal::None,
+                           std::nullopt};
+    if (!result) {
+        outcome.end = endAfter(result.error());
+        outcome.error = result.error();
+    } else if (!result->done()) {
+        outcome.end = CommandEnd::Refused;
+        outcome.reason = result->reason;
+    }
+    emit commandEnded(outcome);
+    if (!result && modbus::portIsLost(result.error()))
+        lose(result.error());
+}
+
+void LinkWorker::advanceDownload()
+{
+    m_download->advance(*m_client);
+    const bool isPortLost = m_download->isPortLost();
+    reportDownload();
+    if (isPortLost)
+        lose({modbus::LinkErrorKind::PortGone, m_report.portName.toStdString(), {}, {}, 0});
+}
+
+void LinkWorker::pollStatus()
+{
+    m_lastPollAt = steady_clock::now();
+    const auto status = m_client->exchangeStatus(++m_heartbeat, 0);
+    if (status) {
+        noteStatus(*status);
+        return;
+    }
+    ++m_batch.failedExchanges;
+    flushBatch();
+    if (modbus::portIsLost(status.error()) || steady_clock::now() - m_lastGoodAt > silenceUntilLost)
+        lose(status.error());
+}
+
+void LinkWorker::noteStatus(const modbus::StatusBlock& status)
+{
+    const bool isFirst = !m_status;
+    m_lastGoodAt = steady_clock::now();
+    m_status = status;
+    m_batch.samples << StatusSample{m_lastGoodAt, status};
+    if (m_lastGoodAt - m_lastFlushAt >= shortestBatchPeriod)
+        flushBatch();
+    if (m_download) {
+        const DownloadStage before = m_download->report().stage;
+        m_download->noteStatus(status);
+        if (m_download->report().stage != before)
+            reportDownload();
+    }
+    if (isFirst && status.has(modbus::WarningBit::ClockNotSet))
+        setClock();
+    if (m_programRead != std::pair(status.generation, status.activeCrc.value_or(0)))
+        readProgram();
+}
+
+void LinkWorker::readProgram()
+{
+    const std::pair program(m_status->generation, m_status->activeCrc.value_or(0));
+    if (!m_status->activeCrc) {
+        m_programRead = program;
+        emit programRead({program.first, 0, {}});
+        return;
+    }
+    const auto header = m_client->readProven(modbus::activeBankBase, modbus::bankHeaderRegisters);
+    if (!header)
+        return; // the next status asks again
+    // A program that became active between the two answers would carry the wrong generation.
+    const auto after = m_client->exchangeStatus(++m_heartbeat, 0);
+    if (!after || std::pair(after->generation, after->activeCrc.value_or(0)) != program)
+        return;
+    m_programRead = program;
+    emit programRead({program.first, program.second, *header});
+}
+
+void LinkWorker::setClock()
+{
+    m_requests.push({0,
+                     modbus::Command::SetClock,
+                     {0, 0, static_cast<std::uint32_t>(QDateTime::currentSecsSinceEpoch())}});
+}
+
+void LinkWorker::lose(const modbus::LinkError& error)
+{
+    qCWarning(linkLog) << "connection lost:" << QString::fromStdString(modbus::describe(error));
+    flushBatch();
+    m_client.reset();
+    if (m_download)
+        m_download->connectionLost();
+    report(m_wasConnected ? LinkState::Lost : LinkState::Searching, error);
+    for (const CommandRequest& waiting : m_requests.takeAll())
+        refuse(waiting);
+    reportDownload();
+    stepAfter(retryDelay);
+}
+
+void LinkWorker::refuse(const CommandRequest& request)
+{
+    emit commandEnded(
+        {request.id, request.command, CommandEnd::NotSent, modbus::Refusal::None, m_report.error});
+}
+
+void LinkWorker::endDownload()
+{
+    if (!m_download)
+        return;
+    DownloadReport canceled = m_download->report();
+    canceled.stage = DownloadStage::Canceled;
+    m_download.reset();
+    emit downloadReported(canceled);
+}
+
+void LinkWorker::reportDownload()
+{
+    if (!m_download)
+        return;
+    const DownloadReport report = m_download->report();
+    if (m_download->ended())
+        m_download.reset();
+    emit downloadReported(report);
+}
+
+void LinkWorker::report(LinkState state, std::optional<modbus::LinkError> error)
+{
+    m_report.state = state;
+    m_report.error = std::move(error);
+    emit reported(m_report);
+}
+
+void LinkWorker::flushBatch()
+{
+    if (m_batch.samples.isEmpty() && m_batch.failedExchanges == 0)
+        return;
+    emit statusReceived(m_batch);
+    m_batch = {};
+    m_lastFlushAt = steady_clock::now();
+}
+
+void LinkWorker::stepAfter(std::chrono::milliseconds delay)
+{
+    m_stepTimer.start(delay);
+}
+
+} // namespace campanel::link

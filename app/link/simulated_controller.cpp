@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/link/simulated_controller.h"
+
+#include "app/link/link_logging.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include <chrono>
+
+using namespace Qt::StringLiterals;
+using namespace std::chrono_literals;
+
+namespace campanel::link {
+
+namespace {
+
+constexpr auto restartDelay = 500ms;
+constexpr int endTimeoutMs = 2000;
+const auto programName = u"campanel-controller"_s;
+
+} // namespace
+
+SimulatedController::SimulatedController(Options options, QObject* parent)
+    : QObject(parent)
+    , m_options(std::move(options))
+    , m_process(this)
+    , m_restart(this)
+{
+    m_restart.setSingleShot(true);
+    m_restart.setInterval(restartDelay);
+    connect(&m_restart, &QTimer::timeout, this, &SimulatedController::start);
+    connect(&m_process, &QProcess::readyReadStandardOutput, this, &SimulatedController::readFirstLine);
+    connect(&m_process, &QProcess::finished, this, &SimulatedController::processEnded);
+    connect(&m_process, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
+        if (error == QProcess::FailedToStart)
+            processEnded();
+    });
+}
+
+SimulatedController::~SimulatedController()
+{
+    m_process.disconnect(this);
+    if (m_process.state() == QProcess::NotRunning)
+        return;
+    m_process.terminate();
+    if (!m_process.waitForFinished(endTimeoutMs))
+        m_process.kill();
+    m_process.waitForFinished(endTimeoutMs);
+}
+
+QStringList SimulatedController::candidatePaths()
+{
+    const QDir here(QCoreApplication::applicationDirPath());
+    return {here.filePath(programName), QDir::cleanPath(here.filePath(u"../bin/"_s + programName)),
+            QDir::cleanPath(here.filePath(u"../libexec/campanel/"_s + programName)),
+            QStandardPaths::findExecutable(programName)};
+}
+
+void SimulatedController::start()
+{
+    QString program = m_options.program;
+    if (program.isEmpty()) {
+        for (const QString& candidate : candidatePaths()) {
+            if (QFileInfo(candidate).isExecutable()) {
+                program = candidate;
+                break;
+            }
+        }
+    }
+    if (program.isEmpty()) {
+        emit notFound(candidatePaths().value(0));
+        m_restart.start();
+        return;
+    }
+    QStringList arguments{u"--exit-with-parent"_s};
+    if (!m_options.stateDir.isEmpty())
+        arguments << u"--state"_s << m_options.stateDir;
+    m_isServing = false;
+    m_process.start(program, arguments + m_options.arguments);
+}
+
+void SimulatedController::readFirstLine()
+{
+    if (m_isServing) {
+        m_process.readAllStandardOutput();
+        return;
+    }
+    if (!m_process.canReadLine())
+        return;
+    m_isServing = true;
+    const QString port = QString::fromLocal8Bit(m_process.readLine()).trimmed();
+    qCInfo(linkLog) << "simulated controller serves" << port;
+    emit serving(port);
+}
+
+void SimulatedController::processEnded()
+{
+    const QString lastWords = m_process.error() == QProcess::FailedToStart
+                                  ? m_process.errorString()
+                                  : QString::fromLocal8Bit(m_process.readAllStandardError()).trimmed();
+    qCWarning(linkLog) << "simulated controller has ended:" << lastWords;
+    m_isServing = false;
+    m_restart.start();
+    emit ended(lastWords);
+}
+
+} // namespace campanel::link

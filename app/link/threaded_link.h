@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Link of the running panel: a LinkWorker in a thread of its own, reached by queued signals only.
+#pragma once
+
+#include "app/link/link.h"
+
+#include <QThread>
+
+namespace campanel::link {
+
+class ThreadedLink : public Link {
+    Q_OBJECT
+
+public:
+    explicit ThreadedLink(QObject* parent);
+    // Ends the thread after the exchange under way; waiting requests get no outcome any more.
+    ~ThreadedLink() override;
+
+    void connectTo(const ConnectionSettings& settings) override { emit connectWanted(settings); }
+    void request(const CommandRequest& request) override { emit requestWanted(request); }
+    void download(const std::vector<std::uint16_t>& bank) override { emit downloadWanted(bank); }
+    void cancelDownload() override { emit cancelWanted(); }
+
+signals:
+    void connectWanted(const campanel::link::ConnectionSettings& settings);
+    void requestWanted(const campanel::link::CommandRequest& request);
+    void downloadWanted(const std::vector<std::uint16_t>& bank);
+    void cancelWanted();
+
+private:
+    QThread m_thread;
+};
+
+} // namespace campanel::link

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the link has to say, in whole translated sentences: what is wrong and what to do.
+#pragma once
+
+#include "app/link/link_values.h"
+
+#include <QCoreApplication>
+
+namespace campanel::machine {
+
+class ConnectionSentences {
+    Q_DECLARE_TR_FUNCTIONS(ConnectionSentences)
+
+public:
+    [[nodiscard]] static QString connection(const link::LinkReport& report);
+    [[nodiscard]] static QString error(const modbus::LinkError& error);
+    // Empty when the command was carried out.
+    [[nodiscard]] static QString command(const link::CommandOutcome& outcome);
+    [[nodiscard]] static QString download(const link::DownloadReport& report);
+
+private:
+    [[nodiscard]] static QString simulator(const link::LinkReport& report);
+    [[nodiscard]] static QString commandName(modbus::Command command);
+    [[nodiscard]] static QString downloadError(const modbus::DownloadError& error);
+};
+
+} // namespace campanel::machine

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program that the controller is executing, reconstructed from the header that it keeps beside the table.
+#pragma once
+
+#include "app/link/link_values.h"
+#include "app/program/recipe.h"
+#include "profile/sampling.h"
+
+#include <limits>
+#include <memory>
+
+namespace campanel::machine {
+
+// Points per curve: the most that a plot draws.
+inline constexpr std::size_t curvePoints = 1000;
+
+struct ControllerProgram {
+    std::uint32_t generation = 0;
+    std::uint32_t crc = 0;
+    std::vector<std::uint16_t> registers; // of the header
+    modbus::BankHeader header;            // the same decoded
+    program::Recipe recipe;
+    double cycleSeconds = 0; // of the table, to the timer tick
+    double rateBagsPerMin = 0;
+    double pulsesPerMm = 0;
+    // Knife angles, NaN when the parameters do not make a cycle.
+    double syncStartDeg = std::numeric_limits<double>::quiet_NaN();
+    double syncEndDeg = std::numeric_limits<double>::quiet_NaN();
+    double cutDeg = std::numeric_limits<double>::quiet_NaN();
+    std::shared_ptr<const profile::Curves> curves; // null when the parameters do not make a cycle
+};
+
+// Null when the controller has no program.
+[[nodiscard]] std::shared_ptr<const ControllerProgram> readProgram(const link::ActiveProgram& active,
+                                                                   const modbus::Identity& identity);
+
+} // namespace campanel::machine

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/machine/controller_sentences.h"
+
+namespace campanel::machine {
+
+using modbus::FaultBit;
+using modbus::Refusal;
+using modbus::State;
+using modbus::TransferResult;
+using modbus::WarningBit;
+
+QString ControllerSentences::state(State state)
+{
+    switch (state) {
+    case State::Idle:
+        return tr("No program");
+    case State::Ready:
+        return tr("Ready");
+    case State::Running:
+        return tr("Running");
+    case State::Stopping:
+        return tr("Stopping");
+    case State::Jogging:
+        return tr("Jogging");
+    case State::Homing:
+        return tr("Homing");
+    case State::Fault:
+        return tr("Fault");
+    }
+    return {};
+}
+
+QStringList ControllerSentences::alarms(const modbus::StatusBlock& status)
+{
+    QStringList texts;
+    if (status.has(FaultBit::FollowingError))
+        texts << tr(
+            "The knife does not keep up with its command. Look for a jam, then reset the fault and home.");
+    if (status.has(FaultBit::ActiveTableDamaged))
+        texts << tr("The table in the controller is damaged. Reset the fault and download the recipe again.");
+    if (status.has(FaultBit::DriveNotFollowing))
+        texts << tr(
+            "No index mark was found while homing. Check drive and index sensor, then reset the fault.");
+    if (status.has(WarningBit::HeartbeatLost))
+        texts << tr("The controller had not heard the panel for a while. Check the cable.");
+    if (status.has(WarningBit::FlashSlotInvalid))
+        texts << tr("One of the two saved copies in the controller is damaged. Save the program again.");
+    return texts;
+}
+
+QString ControllerSentences::refusal(Refusal reason)
+{
+    switch (reason) {
+    case Refusal::None:
+        return {};
+    case Refusal::UnknownCommand:
+        return tr("The controller does not know this command. Update its firmware.");
+    case Refusal::NoActiveProgram:
+        return tr("The controller has no program. Download a recipe first.");
+    case Refusal::AlreadyRunning:
+        return tr("The machine is already moving.");
+    case Refusal::NotRunning:
+        return tr("The machine is not running.");
+    case Refusal::InFault:
+        return tr("The controller is in fault. Reset the fault first.");
+    case Refusal::NotStandstill:
+        return tr("This is only possible at standstill. Stop the machine first.");
+    case Refusal::NothingSealed:
+        return tr("The controller holds no checked table. Download again.");
+    case Refusal::WrongSession:
+        return tr("Another download came in between. Download again.");
+    case Refusal::WrongChecksum:
+        return tr("The controller holds other bytes. Download again.");
+    case Refusal::MachineDataDiffers:
+        return tr("Knife radius, knives, pulses and gear change only at standstill. Stop the machine first.");
+    case Refusal::NotArmed:
+        return tr("No change is waiting.");
+    case Refusal::NotHomed:
+        return tr("The knife's angle is not known. Home the machine first.");
+    case Refusal::FlashFailed:
+        return tr("The controller's flash could not be written; what was saved before is unchanged.");
+    case Refusal::NoFault:
+        return tr("There is no fault to reset.");
+    case Refusal::BadArgument:
+        return tr("The controller does not accept this value. Update the older of panel and controller.");
+    case Refusal::FaultPersists:
+        return tr("The cause of the fault is still there. Remove it first.");
+    case Refusal::HeartbeatLost:
+        return tr("The controller does not hear the panel. Check the cable.");
+    }
+    return tr("The controller gives a reason that this panel does not know (%1).")
+        .arg(static_cast<int>(reason));
+}
+
+QString ControllerSentences::transferResult(const modbus::TransferAnswer& answer)
+{
+    switch (answer.result) {
+    case TransferResult::None:
+    case TransferResult::Accepted:
+        return {};
+    case TransferResult::WrongSession:
+    case TransferResult::NotReceiving:
+        return tr("Another download came in between. Download again.");
+    case TransferResult::BadBlock:
+    case TransferResult::BadLength:
+    case TransferResult::BlocksMissing:
+        return tr("Parts of the table did not arrive. Download again.");
+    case TransferResult::WrongMapVersion:
+    case TransferResult::KindNotSupported:
+        return tr("Panel and controller do not match. Update the older of the two.");
+    case TransferResult::BadHeader:
+        return tr("Value %1 of the table's header is outside the controller's limits.").arg(answer.detail);
+    case TransferResult::BadRow:
+        return tr("Row %1 of the table is outside the range of the controller's timer. Lower the rate.")
+            .arg(answer.detail);
+    case TransferResult::BadSum:
+        return tr("The rows do not add up to the announced pulses and time. Download again.");
+    case TransferResult::StateRefuses:
+        return tr("An earlier change is still waiting for the end of the cycle. Cancel it first.");
+    }
+    return {};
+}
+
+} // namespace campanel::machine

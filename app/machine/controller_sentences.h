@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// The controller's words (states, faults, warnings, refusals) as translated text.
+#pragma once
+
+#include "app/link/link_values.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace campanel::machine {
+
+class ControllerSentences {
+    Q_DECLARE_TR_FUNCTIONS(ControllerSentences)
+
+public:
+    [[nodiscard]] static QString state(modbus::State state);
+    // One sentence or two for each: what it is and what to do. Faults first.
+    [[nodiscard]] static QStringList alarms(const modbus::StatusBlock& status);
+    [[nodiscard]] static QString refusal(modbus::Refusal reason);
+    [[nodiscard]] static QString transferResult(const modbus::TransferAnswer& answer);
+};
+
+} // namespace campanel::machine

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/machine/download_desk.h"
+
+#include "app/machine/connection_sentences.h"
+#include "app/machine/differences_text.h"
+#include "app/machine/machine.h"
+
+namespace campanel::machine {
+
+using link::DownloadStage;
+
+DownloadDesk::DownloadDesk(Machine& machine, QObject* parent)
+    : QObject(parent)
+    , m_machine(machine)
+    , m_differences(this)
+{
+    connect(&machine.link(), &link::Link::downloadReported, this, &DownloadDesk::takeReport);
+    connect(&machine, &Machine::programChanged, this, &DownloadDesk::update);
+    connect(&machine, &Machine::savedChanged, this, &DownloadDesk::update);
+    connect(&machine, &Machine::commandsChanged, this, &DownloadDesk::update);
+}
+
+void DownloadDesk::offer(std::shared_ptr<const program::ProgramImage> image)
+{
+    m_offer = std::move(image);
+    if (!m_offer || m_offer->crc != m_report.crc)
+        m_hasEnded = false;
+    update();
+}
+
+bool DownloadDesk::isUnderWay() const
+{
+    return m_sent.has_value();
+}
+
+void DownloadDesk::compare()
+{
+    const ControllerProgram* active = m_machine.program().get();
+    // The status tells before the header has been read again.
+    const bool isActive = m_offer && m_machine.status() && m_machine.status()->activeCrc == m_offer->crc;
+    const auto rows =
+        m_offer && active && !isActive ? DifferencesText::rows(*active, *m_offer) : QList<DifferenceRow>();
+    m_differs = m_offer && !isActive && (!active || !rows.isEmpty());
+    m_differences.setRows(rows);
+}
+
+bool DownloadDesk::changesMachineData() const
+{
+    if (!m_offer || !m_machine.program())
+        return false;
+    const modbus::BankHeader& active = m_machine.program()->header;
+    const modbus::BankHeader wanted = modbus::decodeBankHeader(m_offer->registers);
+    return active.knifeRadiusMm != wanted.knifeRadiusMm || active.knives != wanted.knives ||
+           active.pulsesPerMotorRev != wanted.pulsesPerMotorRev ||
+           active.gearNumerator != wanted.gearNumerator || active.gearDenominator != wanted.gearDenominator;
+}
+
+QString DownloadDesk::blockedReason() const
+{
+    if (!m_machine.isConnected() || !m_machine.fresh())
+        return tr("Not possible now: there is no connection to the controller.");
+    if (!m_offer)
+        return tr("Not possible: the machine cannot do this recipe.");
+    if (!m_machine.identity()->supports(modbus::ProgramKind::RotaryCutter))
+        return tr("Not possible: this controller cannot execute this kind of program.");
+    const Machine::State state = m_machine.state();
+    if (state != Machine::State::Idle && state != Machine::State::Ready && changesMachineData())
+        return tr("Knife radius, knives, pulses and gear change only at standstill. Stop the machine first.");
+    return {};
+}
+
+void DownloadDesk::update()
+{
+    compare();
+    m_canRetry = false;
+    if (isUnderWay()) {
+        m_state = m_report.stage == DownloadStage::Armed     ? State::Armed
+                  : m_report.stage == DownloadStage::Sealing ? State::Sealing
+                                                             : State::Transferring;
+    } else if (m_hasEnded && m_report.stage == DownloadStage::Failed) {
+        m_state = State::Failed;
+        m_canRetry = m_differs && blockedReason().isEmpty();
+    } else if (m_hasEnded && m_report.stage == DownloadStage::Active && !m_differs) {
+        m_state = State::Applied;
+    } else if (!blockedReason().isEmpty()) {
+        m_state = State::Blocked;
+    } else {
+        m_state = m_differs ? State::Ready : State::NothingToDo;
+    }
+    emit changed();
+}
+
+QString DownloadDesk::text() const
+{
+    switch (m_state) {
+    case State::NothingToDo:
+        return tr("The controller runs exactly this.");
+    case State::Ready:
+        return m_machine.state() == Machine::State::Running ? tr("Takes effect at the end of the cycle.")
+                                                            : tr("Takes effect at once.");
+    case State::Blocked:
+        return blockedReason();
+    case State::Transferring:
+    case State::Sealing:
+    case State::Armed:
+    case State::Applied:
+    case State::Failed:
+        break;
+    }
+    return ConnectionSentences::download(m_report);
+}
+
+QString DownloadDesk::controllerText() const
+{
+    if (!m_machine.status() || !m_machine.identity())
+        return tr("Controller: not known yet");
+    if (!m_machine.program())
+        return m_machine.status()->activeCrc ? tr("Controller: reading its program …")
+                                             : tr("The controller has no program");
+    const QString generation = QString::number(m_machine.program()->generation);
+    if (!m_offer)
+        return tr("Active in controller: generation %1").arg(generation);
+    switch (m_differences.count()) {
+    case 0:
+        return tr("Active in controller: generation %1 · the same").arg(generation);
+    case 1:
+        return tr("Active in controller: generation %1 · 1 value differs").arg(generation);
+    default:
+        return tr("Active in controller: generation %1 · %2 values differ")
+            .arg(generation)
+            .arg(m_differences.count());
+    }
+}
+
+bool DownloadDesk::isSaved() const
+{
+    const auto& status = m_machine.status();
+    return status && status->activeCrc && status->activeCrc == status->savedCrc;
+}
+
+bool DownloadDesk::canSave() const
+{
+    return m_machine.isConnected() && m_machine.fresh() && m_machine.status()->activeCrc && !isSaved();
+}
+
+void DownloadDesk::download(const program::ProgramImage& image, const program::Recipe& recipe)
+{
+    m_sent = recipe;
+    m_report = {};
+    m_hasEnded = false;
+    m_machine.link().download(image.registers);
+    update();
+}
+
+void DownloadDesk::cancel()
+{
+    if (isUnderWay())
+        m_machine.link().cancelDownload();
+}
+
+void DownloadDesk::save()
+{
+    if (canSave())
+        m_machine.send(modbus::Command::SaveToFlash, {0, 0, *m_machine.status()->activeCrc});
+}
+
+void DownloadDesk::takeReport(const link::DownloadReport& report)
+{
+    if (!isUnderWay())
+        return;
+    m_report = report;
+    const bool ended = report.stage == DownloadStage::Active || report.stage == DownloadStage::Failed ||
+                       report.stage == DownloadStage::Canceled;
+    std::optional<program::Recipe> sent;
+    if (ended) {
+        m_hasEnded = true;
+        sent = std::exchange(m_sent, std::nullopt);
+    }
+    if (sent && report.stage == DownloadStage::Active)
+        emit applied(*sent);
+    update();
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Undo and redo as snapshots of whole values.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace campanel::machine {
+
+template <typename Value> class EditHistory {
+public:
+    // `before`: the value that the edit has just replaced.
+    void note(Value before)
+    {
+        m_redo.clear();
+        m_undo.push_back(std::move(before));
+        if (m_undo.size() > longest)
+            m_undo.erase(m_undo.begin());
+    }
+
+    [[nodiscard]] bool canUndo() const { return !m_undo.empty(); }
+    [[nodiscard]] bool canRedo() const { return !m_redo.empty(); }
+
+    // The value to return to; `present` is kept for the way back. Only when canUndo() or canRedo().
+    [[nodiscard]] Value undo(Value present) { return move(m_undo, m_redo, std::move(present)); }
+    [[nodiscard]] Value redo(Value present) { return move(m_redo, m_undo, std::move(present)); }
+
+private:
+    static constexpr std::size_t longest = 200;
+
+    static Value move(std::vector<Value>& from, std::vector<Value>& to, Value present)
+    {
+        to.push_back(std::move(present));
+        Value value = std::move(from.back());
+        from.pop_back();
+        return value;
+    }
+
+    std::vector<Value> m_undo;
+    std::vector<Value> m_redo;
+};
+
+} // namespace campanel::machine

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+// `Editor` in QML: the recipe being edited, what it demands of the machine, and its way into the controller.
+#pragma once
+
+#include "app/machine/download_desk.h"
+#include "app/machine/edit_history.h"
+#include "app/machine/editor_field.h"
+#include "app/machine/law_model.h"
+#include "app/machine/solution.h"
+#include "app/machine/table_model.h"
+#include "app/store/last_recipe.h"
+
+#include <QObject>
+#include <QPointF>
+#include <QStringList>
+#include <QTimer>
+#include <QVariant>
+#include <QtQml/qqmlregistration.h>
+
+#include <array>
+#include <optional>
+
+class QJSEngine;
+class QQmlEngine;
+
+namespace campanel::machine {
+
+class Editor : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_SINGLETON
+
+    Q_PROPERTY(campanel::machine::EditorField* bagLength READ bagLength CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* rate READ rate CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* baseSpeed READ baseSpeed CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* filmSpeed READ filmSpeed CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* k1 READ k1 CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* k2 READ k2 CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* k3 READ k3 CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* k4 READ k4 CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* syncRatio READ syncRatio CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* rampSlices READ rampSlices CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* lawParameter1 READ lawParameter1 CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* lawParameter2 READ lawParameter2 CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* knifeRadius READ knifeRadius CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* knives READ knives CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* pulsesPerRev READ pulsesPerRev CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* gearNumerator READ gearNumerator CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* gearDenominator READ gearDenominator CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* maxRpm READ maxRpm CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* maxAcceleration READ maxAcceleration CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* maxFrequency READ maxFrequency CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* maxRate READ maxRate CONSTANT FINAL)
+
+    Q_PROPERTY(campanel::machine::LawModel* laws READ laws CONSTANT FINAL)
+    Q_PROPERTY(QString lawName READ lawName NOTIFY solutionChanged FINAL)
+
+    Q_PROPERTY(bool solvable READ solvable NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(bool feasible READ feasible NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(QString verdict READ verdict NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(Severity severity READ severity NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(bool hasSuggestion READ hasSuggestion NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(QString suggestionText READ suggestionText NOTIFY solutionChanged FINAL)
+
+    Q_PROPERTY(QVariant curves READ curves NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(QVariant activeCurves READ activeCurves NOTIFY activeChanged FINAL)
+    Q_PROPERTY(double cycleSeconds READ cycleSeconds NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(QList<double> ratioTimes READ ratioTimes NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(double limitVelocity READ limitVelocity NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(double limitAcceleration READ limitAcceleration NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(double limitFrequency READ limitFrequency NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(QList<QPointF> violations READ violations NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(QString peakText READ peakText NOTIFY solutionChanged FINAL)
+
+    Q_PROPERTY(campanel::machine::TableModel* table READ table CONSTANT FINAL)
+    Q_PROPERTY(QStringList tableSummary READ tableSummary NOTIFY tableChanged FINAL)
+
+    Q_PROPERTY(bool canUndo READ canUndo NOTIFY historyChanged FINAL)
+    Q_PROPERTY(bool canRedo READ canRedo NOTIFY historyChanged FINAL)
+    Q_PROPERTY(QString recipeName READ recipeName WRITE setRecipeName NOTIFY recipeChanged FINAL)
+    Q_PROPERTY(int recipeVersion READ recipeVersion NOTIFY recipeChanged FINAL)
+    Q_PROPERTY(bool edited READ edited NOTIFY recipeChanged FINAL)
+    Q_PROPERTY(QString notice READ notice NOTIFY noticeChanged FINAL)
+
+    Q_PROPERTY(DownloadState downloadState READ downloadState NOTIFY downloadChanged FINAL)
+    Q_PROPERTY(double downloadProgress READ downloadProgress NOTIFY downloadChanged FINAL)
+    Q_PROPERTY(QString downloadText READ downloadText NOTIFY downloadChanged FINAL)
+    Q_PROPERTY(bool canDownload READ canDownload NOTIFY downloadChanged FINAL)
+    Q_PROPERTY(campanel::machine::DifferenceModel* differences READ differences CONSTANT FINAL)
+    Q_PROPERTY(int differenceCount READ differenceCount NOTIFY activeChanged FINAL)
+    Q_PROPERTY(QString controllerText READ controllerText NOTIFY activeChanged FINAL)
+    Q_PROPERTY(bool saved READ saved NOTIFY activeChanged FINAL)
+    Q_PROPERTY(bool canSave READ canSave NOTIFY activeChanged FINAL)
+
+public:
+    enum class Severity { Good, Warning, Bad };
+    Q_ENUM(Severity)
+    enum class DownloadState { NothingToDo, Ready, Blocked, Transferring, Sealing, Armed, Applied, Failed };
+    Q_ENUM(DownloadState)
+
+    // Both recipes are kept in `folder`. The machine must outlive it.
+    Editor(Machine& machine, const QString& folder, QObject* parent);
+    ~Editor() override;
+
+    // The instance that attachToEngine() gave to this engine.
+    static Editor* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
+
+    [[nodiscard]] EditorField* bagLength() { return &m_bagLength; }
+    [[nodiscard]] EditorField* rate() { return &m_rate; }
+    [[nodiscard]] EditorField* baseSpeed() { return &m_baseSpeed; }
+    [[nodiscard]] EditorField* filmSpeed() { return &m_filmSpeed; }
+    [[nodiscard]] EditorField* k1() { return &m_k1; }
+    [[nodiscard]] EditorField* k2() { return &m_k2; }
+    [[nodiscard]] EditorField* k3() { return &m_k3; }
+    [[nodiscard]] EditorField* k4() { return &m_k4; }
+    [[nodiscard]] EditorField* syncRatio() { return &m_syncRatio; }
+    [[nodiscard]] EditorField* rampSlices() { return &m_rampSlices; }
+    [[nodiscard]] EditorField* lawParameter1() { return &m_lawParameter1; }
+    [[nodiscard]] EditorField* lawParameter2() { return &m_lawParameter2; }
+    [[nodiscard]] EditorField* knifeRadius() { return &m_knifeRadius; }
+    [[nodiscard]] EditorField* knives() { return &m_knives; }
+    [[nodiscard]] EditorField* pulsesPerRev() { return &m_pulsesPerRev; }
+    [[nodiscard]] EditorField* gearNumerator() { return &m_gearNumerator; }
+    [[nodiscard]] EditorField* gearDenominator() { return &m_gearDenominator; }
+    [[nodiscard]] EditorField* maxRpm() { return &m_maxRpm; }
+    [[nodiscard]] EditorField* maxAcceleration() { return &m_maxAcceleration; }
+    [[nodiscard]] EditorField* maxFrequency() { return &m_maxFrequency; }
+    [[nodiscard]] EditorField* maxRate() { return &m_maxRate; }
+
+    [[nodiscard]] LawModel* laws() { return &m_laws; }
+    [[nodiscard]] QString lawName() const;
+    [[nodiscard]] bool solvable() const { return m_solution.cutter.has_value(); }
+    [[nodiscard]] bool feasible() const { return m_solution.isFeasible(); }
+    [[nodiscard]] QString verdict() const;
+    [[nodiscard]] Severity severity() const;
+    [[nodiscard]] bool hasSuggestion() const { return suggestion() != nullptr; }
+    [[nodiscard]] QString suggestionText() const;
+    [[nodiscard]] QVariant curves() const;
+    [[nodiscard]] QVariant activeCurves() const;
+    [[nodiscard]] double cycleSeconds() const { return m_cycleSeconds; }
+    [[nodiscard]] QList<double> ratioTimes() const;
+    [[nodiscard]] double limitVelocity() const;
+    [[nodiscard]] double limitAcceleration() const;
+    [[nodiscard]] double limitFrequency() const;
+    [[nodiscard]] QList<QPointF> violations() const;
+    [[nodiscard]] QString peakText() const;
+    [[nodiscard]] TableModel* table() { return &m_table; }
+    [[nodiscard]] QStringList tableSummary() const;
+    [[nodiscard]] bool canUndo() const { return m_history.canUndo(); }
+    [[nodiscard]] bool canRedo() const { return m_history.canRedo(); }
+    [[nodiscard]] QString recipeName() const { return QString::fromStdString(m_recipe.name); }
+    void setRecipeName(const QString& name);
+    [[nodiscard]] int recipeVersion() const { return m_stored.version; }
+    [[nodiscard]] bool edited() const;
+    [[nodiscard]] QString notice() const { return m_notice; }
+    [[nodiscard]] DownloadState downloadState() const { return static_cast<DownloadState>(m_desk.state()); }
+    [[nodiscard]] double downloadProgress() const { return m_desk.progress(); }
+    [[nodiscard]] QString downloadText() const { return m_desk.text(); }
+    [[nodiscard]] bool canDownload() const { return m_desk.canDownload(); }
+    [[nodiscard]] DifferenceModel* differences() { return &m_desk.differences(); }
+    [[nodiscard]] int differenceCount() { return m_desk.differences().count(); }
+    [[nodiscard]] QString controllerText() const { return m_desk.controllerText(); }
+    [[nodiscard]] bool saved() const { return m_desk.isSaved(); }
+    [[nodiscard]] bool canSave() const { return m_desk.canSave(); }
+
+    Q_INVOKABLE void setLaw(const QString& lawId);
+    Q_INVOKABLE void applySuggestion();
+    // Moves the end of stretch `index` (0..3: ta, tb, tc, td) while a finger drags it; commitDrag() ends it
+    // as one undo step.
+    Q_INVOKABLE void dragRatio(int index, double timeSeconds);
+    Q_INVOKABLE void commitDrag();
+    Q_INVOKABLE void undo();
+    Q_INVOKABLE void redo();
+    Q_INVOKABLE void revert();
+    Q_INVOKABLE void download();
+    Q_INVOKABLE void cancelDownload();
+    Q_INVOKABLE void saveToFlash();
+    Q_INVOKABLE void dismissNotice();
+
+    [[nodiscard]] const program::Recipe& recipe() const { return m_recipe; }
+
+signals:
+    void solutionChanged();
+    void activeChanged();
+    void tableChanged();
+    void historyChanged();
+    void recipeChanged();
+    void downloadChanged();
+    void noticeChanged();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    struct FieldOf {
+        EditorField* item = nullptr;
+        profile::Field field = profile::Field::BagLength;
+    };
+
+    void connectFields();
+    template <typename Change> void edit(Change change);
+    void replace(program::Recipe recipe); // undo, redo, revert
+    void recompute();
+    void show();
+    void watchController();
+    void keepWorkingCopy();
+    void takeApplied(const program::Recipe& recipe);
+    void showNotice(const QString& text);
+    [[nodiscard]] const profile::Suggestion* suggestion() const;
+    [[nodiscard]] const profile::Machine& limits() const;
+
+    EditorField m_bagLength{QStringLiteral("bagLength"), this};
+    EditorField m_rate{QStringLiteral("rate"), this};
+    EditorField m_baseSpeed{QStringLiteral("baseSpeed"), this};
+    EditorField m_filmSpeed{QStringLiteral("filmSpeed"), this};
+    EditorField m_k1{QStringLiteral("k1"), this};
+    EditorField m_k2{QStringLiteral("k2"), this};
+    EditorField m_k3{QStringLiteral("k3"), this};
+    EditorField m_k4{QStringLiteral("k4"), this};
+    EditorField m_syncRatio{QStringLiteral("syncRatio"), this};
+    EditorField m_rampSlices{QStringLiteral("rampSlices"), this};
+    EditorField m_lawParameter1{QStringLiteral("lawParameter1"), this};
+    EditorField m_lawParameter2{QStringLiteral("lawParameter2"), this};
+    EditorField m_knifeRadius{QStringLiteral("knifeRadius"), this};
+    EditorField m_knives{QStringLiteral("knives"), this};
+    EditorField m_pulsesPerRev{QStringLiteral("pulsesPerRev"), this};
+    EditorField m_gearNumerator{QStringLiteral("gearNumerator"), this};
+    EditorField m_gearDenominator{QStringLiteral("gearDenominator"), this};
+    EditorField m_maxRpm{QStringLiteral("maxRpm"), this};
+    EditorField m_maxAcceleration{QStringLiteral("maxAcceleration"), this};
+    EditorField m_maxFrequency{QStringLiteral("maxFrequency"), this};
+    EditorField m_maxRate{QStringLiteral("maxRate"), this};
+    std::array<FieldOf, 19> m_fields;
+    LawModel m_laws;
+    TableModel m_table;
+
+    Machine& m_machine;
+    DownloadDesk m_desk;
+    store::LastRecipe m_storedFile;
+    store::LastRecipe m_workingFile;
+    QTimer m_keepTimer;
+    program::Recipe m_stored;
+    program::Recipe m_recipe;
+    std::optional<program::Recipe> m_beforeDrag;
+    EditHistory<program::Recipe> m_history;
+    std::optional<modbus::Identity> m_controller; // that the solution was made for
+    Solution m_solution;
+    double m_cycleSeconds = 1; // the last that was known, so that the handles stay where they are
+    QString m_notice;
+};
+
+} // namespace campanel::machine

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the editor's fields and lists show, made from the recipe, what follows from it, and the active
+// program.
+#pragma once
+
+#include "app/machine/controller_program.h"
+#include "app/machine/editor_field.h"
+#include "app/machine/law_model.h"
+#include "app/machine/solution.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace campanel::machine {
+
+class EditorViews {
+    Q_DECLARE_TR_FUNCTIONS(EditorViews)
+
+public:
+    EditorViews(const program::Recipe& recipe, const Solution& solution, const ControllerProgram* active)
+        : m_recipe(recipe)
+        , m_solution(solution)
+        , m_active(active)
+    {
+    }
+
+    [[nodiscard]] FieldView field(profile::Field field) const;
+    [[nodiscard]] FieldView lawParameter(std::size_t index) const; // not visible when the law has no such one
+    [[nodiscard]] QList<LawRow> laws() const;
+    [[nodiscard]] QString peaks() const; // "peak 71 r/min · 1.95 m/s² · 11.8 kHz"
+    [[nodiscard]] QStringList tableSummary() const;
+    [[nodiscard]] QString verdict() const;
+
+    // The value in the field's own decimals; ratios without superfluous zeros.
+    [[nodiscard]] static QString valueText(profile::Field field, double value);
+
+private:
+    [[nodiscard]] QString explanation(profile::Field field) const;
+    void narrowRatio(profile::Field field, FieldView& view) const;
+
+    const program::Recipe& m_recipe;
+    const Solution& m_solution;
+    const ControllerProgram* m_active;
+};
+
+} // namespace campanel::machine

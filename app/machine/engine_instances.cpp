@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/machine/engine_instances.h"
+
+#include "app/machine/editor.h"
+#include "app/machine/machine.h"
+#include "app/machine/settings.h"
+
+namespace campanel::machine {
+
+void attachToEngine(QQmlEngine& engine, Machine& machine, Editor& editor, Settings& settings)
+{
+    engine.setProperty(instanceKey<Machine>(), QVariant::fromValue(&machine));
+    engine.setProperty(instanceKey<Editor>(), QVariant::fromValue(&editor));
+    engine.setProperty(instanceKey<Settings>(), QVariant::fromValue(&settings));
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/machine/format.h"
+
+#include <cmath>
+
+namespace campanel::machine {
+
+Format::Format(QLocale locale)
+    : m_locale(std::move(locale))
+{
+    m_locale.setNumberOptions(QLocale::OmitGroupSeparator);
+}
+
+QString Format::number(double value, int decimals) const
+{
+    if (!std::isfinite(value))
+        return unknownText();
+    // A rounded negative zero would read as "-0.0".
+    const double step = std::pow(10.0, -decimals);
+    return m_locale.toString(std::abs(value) < step / 2 ? 0.0 : value, 'f', decimals);
+}
+
+QString Format::compact(double value, int minimumDecimals, int maximumDecimals) const
+{
+    QString text = number(value, maximumDecimals);
+    if (!std::isfinite(value))
+        return text;
+    for (int decimals = maximumDecimals; decimals > minimumDecimals && text.endsWith(m_locale.zeroDigit());
+         --decimals)
+        text.chop(1);
+    if (text.endsWith(m_locale.decimalPoint()))
+        text.chop(m_locale.decimalPoint().size());
+    return text;
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+// `Machine` in QML: the live controller. Every number is NaN and every string empty while it is not known.
+// Lives in the GUI thread; everything it knows came from the link as values.
+#pragma once
+
+#include "app/link/link.h"
+#include "app/machine/actual_trace.h"
+#include "app/machine/bag_statistics.h"
+#include "app/machine/controller_program.h"
+#include "app/machine/status_rate.h"
+
+#include <QHash>
+#include <QList>
+#include <QObject>
+#include <QPointF>
+#include <QTimer>
+#include <QVariant>
+#include <QtQml/qqmlregistration.h>
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+
+class QJSEngine;
+class QQmlEngine;
+
+namespace campanel::machine {
+
+class Settings;
+
+class Machine : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_SINGLETON
+
+    Q_PROPERTY(Connection connection READ connection NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(QString connectionText READ connectionText NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(QString portName READ portName NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(bool simulated READ simulated NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(double statusPerSecond READ statusPerSecond NOTIFY qualityChanged FINAL)
+    Q_PROPERTY(int linkQuality READ linkQuality NOTIFY qualityChanged FINAL)
+    Q_PROPERTY(bool fresh READ fresh NOTIFY freshChanged FINAL)
+    Q_PROPERTY(double ageMs READ ageMs NOTIFY ageChanged FINAL)
+
+    Q_PROPERTY(State state READ state NOTIFY stateChanged FINAL)
+    Q_PROPERTY(QString stateText READ stateText NOTIFY stateChanged FINAL)
+    Q_PROPERTY(QString alarmText READ alarmText NOTIFY stateChanged FINAL)
+    Q_PROPERTY(bool faulted READ faulted NOTIFY stateChanged FINAL)
+
+    Q_PROPERTY(double rateBagsPerMin READ rateBagsPerMin NOTIFY liveChanged FINAL)
+    Q_PROPERTY(double masterAngleDeg READ masterAngleDeg NOTIFY liveChanged FINAL)
+    Q_PROPERTY(double knifeAngleDeg READ knifeAngleDeg NOTIFY liveChanged FINAL)
+    Q_PROPERTY(double knifeSpeedMmPerS READ knifeSpeedMmPerS NOTIFY liveChanged FINAL)
+    Q_PROPERTY(double followingErrorPulses READ followingErrorPulses NOTIFY liveChanged FINAL)
+    Q_PROPERTY(double followingErrorMm READ followingErrorMm NOTIFY liveChanged FINAL)
+    Q_PROPERTY(double pulseFrequencyHz READ pulseFrequencyHz NOTIFY liveChanged FINAL)
+    Q_PROPERTY(double cycleCount READ cycleCount NOTIFY liveChanged FINAL)
+    Q_PROPERTY(QList<QPointF> actualTrace READ actualTrace NOTIFY liveChanged FINAL)
+
+    Q_PROPERTY(double bagCount READ bagCount NOTIFY bagChanged FINAL)
+    Q_PROPERTY(double bagLengthMm READ bagLengthMm NOTIFY bagChanged FINAL)
+    Q_PROPERTY(double bagDeviationMm READ bagDeviationMm NOTIFY bagChanged FINAL)
+    Q_PROPERTY(double bagMeanMm READ bagMeanMm NOTIFY bagChanged FINAL)
+    Q_PROPERTY(double bagScatterMm READ bagScatterMm NOTIFY bagChanged FINAL)
+    Q_PROPERTY(QList<double> bagSeries READ bagSeries NOTIFY bagChanged FINAL)
+    Q_PROPERTY(double bagToleranceMm READ bagToleranceMm CONSTANT FINAL)
+
+    Q_PROPERTY(double generation READ generation NOTIFY programChanged FINAL)
+    Q_PROPERTY(bool hasActiveProgram READ hasActiveProgram NOTIFY programChanged FINAL)
+    Q_PROPERTY(QString activeName READ activeName NOTIFY programChanged FINAL)
+    Q_PROPERTY(double activeVersion READ activeVersion NOTIFY programChanged FINAL)
+    Q_PROPERTY(double activeBagLengthMm READ activeBagLengthMm NOTIFY programChanged FINAL)
+    Q_PROPERTY(double activeRateBagsPerMin READ activeRateBagsPerMin NOTIFY programChanged FINAL)
+    Q_PROPERTY(double cycleSeconds READ cycleSeconds NOTIFY programChanged FINAL)
+    Q_PROPERTY(double syncStartDeg READ syncStartDeg NOTIFY programChanged FINAL)
+    Q_PROPERTY(double syncEndDeg READ syncEndDeg NOTIFY programChanged FINAL)
+    Q_PROPERTY(double cutAngleDeg READ cutAngleDeg NOTIFY programChanged FINAL)
+    Q_PROPERTY(QVariant targetCurves READ targetCurves NOTIFY programChanged FINAL)
+
+    Q_PROPERTY(bool canStart READ canStart NOTIFY commandsChanged FINAL)
+    Q_PROPERTY(QString startBlockedReason READ startBlockedReason NOTIFY commandsChanged FINAL)
+    Q_PROPERTY(bool canHome READ canHome NOTIFY commandsChanged FINAL)
+    Q_PROPERTY(QString commandMessage READ commandMessage NOTIFY commandMessageChanged FINAL)
+
+public:
+    enum class Connection { Searching, Connecting, Connected, Lost, WrongDevice, PortProblem };
+    Q_ENUM(Connection)
+    enum class State { Unknown, Idle, Ready, Running, Stopping, Jogging, Homing, Fault };
+    Q_ENUM(State)
+
+    using Clock = std::function<link::SteadyTime()>;
+
+    // Both must outlive it. Nothing is connected before open().
+    Machine(link::Link& link, Settings& settings, QObject* parent);
+
+    // The instance that attachToEngine() gave to this engine.
+    static Machine* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
+
+    // Connects as the settings say, now and whenever they change.
+    void open();
+    // A clock for tests; the steady clock by default.
+    void setClock(Clock clock);
+
+    [[nodiscard]] Connection connection() const;
+    [[nodiscard]] QString connectionText() const;
+    [[nodiscard]] QString portName() const { return m_report.portName; }
+    [[nodiscard]] bool simulated() const { return m_report.simulated; }
+    [[nodiscard]] double statusPerSecond() const;
+    [[nodiscard]] int linkQuality() const;
+    [[nodiscard]] bool fresh() const { return m_fresh; }
+    [[nodiscard]] double ageMs() const;
+    [[nodiscard]] State state() const;
+    [[nodiscard]] QString stateText() const;
+    [[nodiscard]] QString alarmText() const;
+    [[nodiscard]] bool faulted() const;
+    [[nodiscard]] double rateBagsPerMin() const;
+    [[nodiscard]] double masterAngleDeg() const;
+    [[nodiscard]] double knifeAngleDeg() const;
+    [[nodiscard]] double knifeSpeedMmPerS() const;
+    [[nodiscard]] double followingErrorPulses() const;
+    [[nodiscard]] double followingErrorMm() const;
+    [[nodiscard]] double pulseFrequencyHz() const;
+    [[nodiscard]] double cycleCount() const;
+    [[nodiscard]] QList<QPointF> actualTrace() const { return m_trace.points(); }
+    [[nodiscard]] double bagCount() const;
+    [[nodiscard]] double bagLengthMm() const { return m_bags.lengthMm(); }
+    [[nodiscard]] double bagDeviationMm() const { return m_bags.deviationMm(); }
+    [[nodiscard]] double bagMeanMm() const { return m_bags.meanMm(); }
+    [[nodiscard]] double bagScatterMm() const { return m_bags.scatterMm(); }
+    [[nodiscard]] QList<double> bagSeries() const { return m_bags.deviationsMm(); }
+    [[nodiscard]] double bagToleranceMm() const { return toleranceMm; }
+    [[nodiscard]] double generation() const;
+    [[nodiscard]] bool hasActiveProgram() const { return m_program != nullptr; }
+    [[nodiscard]] QString activeName() const;
+    [[nodiscard]] double activeVersion() const;
+    [[nodiscard]] double activeBagLengthMm() const;
+    [[nodiscard]] double activeRateBagsPerMin() const;
+    [[nodiscard]] double cycleSeconds() const;
+    [[nodiscard]] double syncStartDeg() const; // of the knife's shaft, as knifeAngleDeg
+    [[nodiscard]] double syncEndDeg() const;
+    [[nodiscard]] double cutAngleDeg() const;
+    [[nodiscard]] QVariant targetCurves() const;
+    [[nodiscard]] bool canStart() const { return startBlockedReason().isEmpty(); }
+    [[nodiscard]] QString startBlockedReason() const;
+    [[nodiscard]] bool canHome() const;
+    [[nodiscard]] QString commandMessage() const { return m_commandMessage; }
+
+    Q_INVOKABLE void start();
+    // At the end of the cycle; pressed again while stopping: now.
+    Q_INVOKABLE void stop();
+    Q_INVOKABLE void stopNow();
+    Q_INVOKABLE void home();
+    Q_INVOKABLE void resetFault();
+    Q_INVOKABLE void dismissMessage();
+
+    // For the Editor.
+    [[nodiscard]] link::Link& link() { return m_link; }
+    [[nodiscard]] bool isConnected() const { return m_report.state == link::LinkState::Connected; }
+    [[nodiscard]] const std::optional<modbus::Identity>& identity() const { return m_report.identity; }
+    [[nodiscard]] const std::optional<modbus::StatusBlock>& status() const { return m_status; }
+    [[nodiscard]] const std::shared_ptr<const ControllerProgram>& program() const { return m_program; }
+    void send(modbus::Command command, const modbus::CommandArguments& arguments = {});
+
+signals:
+    void connectionChanged();
+    void qualityChanged();
+    void freshChanged();
+    void ageChanged();
+    void stateChanged();
+    void liveChanged();
+    void bagChanged();
+    void programChanged();
+    void savedChanged();
+    void commandsChanged();
+    void commandMessageChanged();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    static constexpr double toleranceMm = 1.0; // the paper's claim for bag lengths
+
+    void takeReport(const link::LinkReport& report);
+    void takeStatus(const link::StatusBatch& batch);
+    void takeProgram(const link::ActiveProgram& program);
+    void takeOutcome(const link::CommandOutcome& outcome);
+    void trace(const modbus::StatusBlock& status);
+    void forgetStatus();
+    void updateAge();
+    void showMessage(const QString& text);
+
+    link::Link& m_link;
+    Settings& m_settings;
+    Clock m_clock;
+    link::LinkReport m_report;
+    std::optional<modbus::StatusBlock> m_status; // the last one, also after the connection is lost
+    std::optional<link::SteadyTime> m_statusAt;
+    std::shared_ptr<const ControllerProgram> m_program;
+    ActualTrace m_trace;
+    BagStatistics m_bags;
+    StatusRate m_rate;
+    QTimer m_ageTimer;
+    bool m_fresh = false;
+    quint32 m_lastRequestId = 0;
+    QString m_commandMessage;
+};
+
+} // namespace campanel::machine

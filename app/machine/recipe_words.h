@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Translated names of fields, units, laws and limits.
+#pragma once
+
+#include "profile/fields.h"
+#include "profile/law.h"
+#include "profile/refusal.h"
+
+#include <QCoreApplication>
+
+namespace campanel::machine {
+
+class RecipeWords {
+    Q_DECLARE_TR_FUNCTIONS(RecipeWords)
+
+public:
+    [[nodiscard]] static QString fieldName(profile::Field field);
+    [[nodiscard]] static QString unit(std::string_view unit); // "mm/s^2" -> "mm/s²"
+    [[nodiscard]] static QString lawName(profile::LawId law);
+    [[nodiscard]] static QString lawHint(profile::LawId law);
+    [[nodiscard]] static QString lawParameterName(std::string_view parameterId);
+    // "acceleration", for the end of a sentence
+    [[nodiscard]] static QString limitName(profile::Limit limit);
+};
+
+} // namespace campanel::machine

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/machine/settings.h"
+
+#include "app/link/port_finder.h"
+#include "app/machine/engine_instances.h"
+
+#include <QLocale>
+#include <QStandardPaths>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::machine {
+
+namespace {
+
+constexpr auto languageKey = "language"_L1;
+constexpr auto themeKey = "theme"_L1;
+
+QString chosen(const QString& wanted, const QStringList& possible, const QString& otherwise)
+{
+    return possible.contains(wanted) ? wanted : otherwise;
+}
+
+ConnectionChoice storedConnection(const QSettings& storage)
+{
+    const ConnectionChoice standard;
+    ConnectionChoice choice;
+    choice.simulated = storage.value("connection/simulated"_L1, standard.simulated).toBool();
+    choice.portName = storage.value("connection/port"_L1, standard.portName).toString();
+    choice.baud = storage.value("connection/baud"_L1, standard.baud).toInt();
+    choice.parity = storage.value("connection/parity"_L1, standard.parity).toString();
+    choice.stopBits = storage.value("connection/stop_bits"_L1, standard.stopBits).toInt();
+    choice.unit = storage.value("connection/unit"_L1, standard.unit).toInt();
+    return choice;
+}
+
+void store(QSettings& storage, const ConnectionChoice& choice)
+{
+    storage.setValue("connection/simulated"_L1, choice.simulated);
+    storage.setValue("connection/port"_L1, choice.portName);
+    storage.setValue("connection/baud"_L1, choice.baud);
+    storage.setValue("connection/parity"_L1, choice.parity);
+    storage.setValue("connection/stop_bits"_L1, choice.stopBits);
+    storage.setValue("connection/unit"_L1, choice.unit);
+}
+
+} // namespace
+
+Settings::Settings(const QString& storage, QObject* parent)
+    : QObject(parent)
+    , m_storage(storage.isEmpty() ? QSettings().fileName() : storage, QSettings::IniFormat)
+{
+    const bool chineseSystem = QLocale::system().language() == QLocale::Chinese;
+    m_language =
+        chosen(m_storage.value(languageKey).toString(), languages(), chineseSystem ? u"zh_CN"_s : u"en"_s);
+    m_theme = chosen(m_storage.value(themeKey).toString(), themes(), u"light"_s);
+    m_applied = storedConnection(m_storage);
+    m_draft = m_applied;
+    QLocale::setDefault(QLocale(m_language));
+}
+
+Settings* Settings::create(QQmlEngine* qmlEngine, QJSEngine*)
+{
+    return attachedInstance<Settings>(qmlEngine);
+}
+
+QStringList Settings::languages() const
+{
+    return {u"en"_s, u"zh_CN"_s};
+}
+
+QStringList Settings::languageNames() const
+{
+    return {u"English"_s, u"简体中文"_s};
+}
+
+QStringList Settings::themes() const
+{
+    return {u"light"_s, u"dark"_s};
+}
+
+QList<int> Settings::bauds() const
+{
+    return {9600, 19200, 38400, 57600, 115200};
+}
+
+void Settings::overrideLanguage(const QString& language)
+{
+    if (m_language == language || !languages().contains(language))
+        return;
+    m_language = language;
+    QLocale::setDefault(QLocale(m_language));
+    emit languageChanged();
+}
+
+void Settings::setLanguage(const QString& language)
+{
+    overrideLanguage(language);
+    m_storage.setValue(languageKey, m_language);
+}
+
+void Settings::overrideTheme(const QString& theme)
+{
+    if (m_theme == theme || !themes().contains(theme))
+        return;
+    m_theme = theme;
+    emit themeChanged();
+}
+
+void Settings::setTheme(const QString& theme)
+{
+    overrideTheme(theme);
+    m_storage.setValue(themeKey, m_theme);
+}
+
+void Settings::edit(ConnectionChoice choice)
+{
+    if (m_draft == choice)
+        return;
+    m_draft = std::move(choice);
+    emit connectionChanged();
+}
+
+void Settings::setSimulated(bool simulated)
+{
+    ConnectionChoice choice = m_draft;
+    choice.simulated = simulated;
+    edit(choice);
+}
+
+void Settings::setPortName(const QString& portName)
+{
+    ConnectionChoice choice = m_draft;
+    choice.portName = portName;
+    edit(choice);
+}
+
+void Settings::setBaud(int baud)
+{
+    ConnectionChoice choice = m_draft;
+    choice.baud = bauds().contains(baud) ? baud : choice.baud;
+    edit(choice);
+}
+
+void Settings::setParity(const QString& parity)
+{
+    ConnectionChoice choice = m_draft;
+    choice.parity = chosen(parity, {u"N"_s, u"E"_s, u"O"_s}, choice.parity);
+    edit(choice);
+}
+
+void Settings::setStopBits(int stopBits)
+{
+    ConnectionChoice choice = m_draft;
+    choice.stopBits = std::clamp(stopBits, 1, 2);
+    edit(choice);
+}
+
+void Settings::setUnit(int unit)
+{
+    ConnectionChoice choice = m_draft;
+    choice.unit = std::clamp(unit, 1, 247);
+    edit(choice);
+}
+
+void Settings::refreshPorts()
+{
+    QList<PortRow> rows;
+    for (const link::PortDescription& port : link::availablePorts()) {
+        const QString problem = port.isPermitted
+                                    ? QString()
+                                    : tr("Not permitted: add the user to the group \"%1\".").arg(port.group);
+        rows << PortRow{port.path, port.description, problem};
+    }
+    m_ports.setRows(rows);
+}
+
+void Settings::applyConnection()
+{
+    m_applied = m_draft;
+    store(m_storage, m_applied);
+    emit connectionChanged();
+    emit connectionApplied();
+}
+
+link::ConnectionSettings Settings::linkSettings() const
+{
+    link::ConnectionSettings settings;
+    settings.simulated = m_applied.simulated;
+    settings.port = m_applied.portName;
+    settings.line.baud = static_cast<std::uint32_t>(m_applied.baud);
+    settings.line.parity = m_applied.parity == u"E"_s   ? modbus::Parity::Even
+                           : m_applied.parity == u"O"_s ? modbus::Parity::Odd
+                                                        : modbus::Parity::None;
+    settings.line.stopBits = static_cast<std::uint8_t>(m_applied.stopBits);
+    settings.unit = m_applied.unit;
+    settings.simulatorProgram = m_simulatorProgram;
+    settings.simulatorStateDir =
+        m_simulatorStateDir.isEmpty()
+            ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + u"/controller"_s
+            : m_simulatorStateDir;
+    return settings;
+}
+
+void Settings::overrideSimulator(const QString& program, const QString& stateDir)
+{
+    m_simulatorProgram = program;
+    m_simulatorStateDir = stateDir;
+}
+
+void Settings::overrideConnection(const ConnectionChoice& choice)
+{
+    m_applied = choice;
+    m_draft = choice;
+    emit connectionChanged();
+    emit connectionApplied();
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// `Settings` in QML: what this panel remembers for itself (language, theme, connection), kept by QSettings.
+// Connection fields are a draft until applyConnection().
+#pragma once
+
+#include "app/link/link_values.h"
+#include "app/machine/port_model.h"
+
+#include <QObject>
+#include <QSettings>
+#include <QStringList>
+#include <QtQml/qqmlregistration.h>
+
+class QJSEngine;
+class QQmlEngine;
+
+namespace campanel::machine {
+
+// How to reach the controller.
+struct ConnectionChoice {
+    bool simulated = true;
+    QString portName; // "/dev/ttyUSB0"
+    int baud = 115200;
+    QString parity = QStringLiteral("N"); // N, E, O
+    int stopBits = 1;
+    int unit = 1;
+
+    bool operator==(const ConnectionChoice&) const = default;
+};
+
+class Settings : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_SINGLETON
+
+    Q_PROPERTY(QString language READ language WRITE setLanguage NOTIFY languageChanged FINAL)
+    Q_PROPERTY(QStringList languages READ languages CONSTANT FINAL)
+    Q_PROPERTY(QStringList languageNames READ languageNames CONSTANT FINAL)
+    Q_PROPERTY(QString theme READ theme WRITE setTheme NOTIFY themeChanged FINAL)
+    Q_PROPERTY(QStringList themes READ themes CONSTANT FINAL)
+
+    Q_PROPERTY(bool simulated READ simulated WRITE setSimulated NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(QString portName READ portName WRITE setPortName NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(int baud READ baud WRITE setBaud NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(QString parity READ parity WRITE setParity NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(int stopBits READ stopBits WRITE setStopBits NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(int unit READ unit WRITE setUnit NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(bool connectionDirty READ connectionDirty NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(QList<int> bauds READ bauds CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::PortModel* ports READ ports CONSTANT FINAL)
+
+public:
+    // `storage` as an ini file's path; empty for the user's usual place.
+    explicit Settings(const QString& storage, QObject* parent);
+
+    // The instance that attachToEngine() gave to this engine.
+    static Settings* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
+
+    [[nodiscard]] QString language() const { return m_language; }
+    void setLanguage(const QString& language);
+    [[nodiscard]] QStringList languages() const;
+    [[nodiscard]] QStringList languageNames() const; // each in its own language
+    [[nodiscard]] QString theme() const { return m_theme; }
+    void setTheme(const QString& theme);
+    [[nodiscard]] QStringList themes() const;
+
+    [[nodiscard]] bool simulated() const { return m_draft.simulated; }
+    void setSimulated(bool simulated);
+    [[nodiscard]] QString portName() const { return m_draft.portName; }
+    void setPortName(const QString& portName);
+    [[nodiscard]] int baud() const { return m_draft.baud; }
+    void setBaud(int baud);
+    [[nodiscard]] QString parity() const { return m_draft.parity; }
+    void setParity(const QString& parity);
+    [[nodiscard]] int stopBits() const { return m_draft.stopBits; }
+    void setStopBits(int stopBits);
+    [[nodiscard]] int unit() const { return m_draft.unit; }
+    void setUnit(int unit);
+    [[nodiscard]] bool connectionDirty() const { return m_draft != m_applied; }
+    [[nodiscard]] QList<int> bauds() const;
+    [[nodiscard]] PortModel* ports() { return &m_ports; }
+
+    Q_INVOKABLE void refreshPorts();
+    Q_INVOKABLE void applyConnection();
+
+    // The connection in use, and the same for the link.
+    [[nodiscard]] const ConnectionChoice& connection() const { return m_applied; }
+    [[nodiscard]] link::ConnectionSettings linkSettings() const;
+    // Runs this program as the simulated controller instead of the one that is found, with its flash there.
+    void overrideSimulator(const QString& program, const QString& stateDir);
+    // For this run only, as the command line wants it; nothing is stored.
+    void overrideConnection(const ConnectionChoice& choice);
+    void overrideLanguage(const QString& language);
+    void overrideTheme(const QString& theme);
+
+signals:
+    void languageChanged();
+    void themeChanged();
+    void connectionChanged();
+    void connectionApplied();
+
+private:
+    void edit(ConnectionChoice choice);
+
+    QSettings m_storage;
+    QString m_language;
+    QString m_theme;
+    ConnectionChoice m_draft;
+    ConnectionChoice m_applied;
+    PortModel m_ports;
+    QString m_simulatorProgram;
+    QString m_simulatorStateDir;
+};
+
+} // namespace campanel::machine

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: Apache-2.0
+// The link thread against the real controller program over a pseudo-terminal.
+#include "app/link/threaded_link.h"
+#include "app/program/program_image.h"
+#include "controller_process.h"
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <csignal>
+#include <memory>
+
+using namespace campanel;
+using link::DownloadStage;
+using link::LinkState;
+using modbus::Command;
+using tests::ControllerProcess;
+
+namespace {
+
+constexpr int timeoutMs = 15000;
+
+link::ConnectionSettings portSettings(const QString& port, std::uint32_t baud = 115200)
+{
+    link::ConnectionSettings settings;
+    settings.simulated = false;
+    settings.port = port;
+    settings.line.baud = baud;
+    return settings;
+}
+
+program::ProgramImage imageOf(double bagLengthMm)
+{
+    program::Recipe recipe;
+    recipe.program.bagLengthMm = bagLengthMm;
+    const auto image = program::buildProgram(recipe);
+    if (!image)
+        qFatal("%s", program::describe(image.error()).c_str());
+    return *image;
+}
+
+// Keeps what a link says.
+class Listener : public QObject {
+public:
+    explicit Listener(link::Link& link)
+    {
+        connect(&link, &link::Link::reported, this, [this](const link::LinkReport& report) {
+            last = report;
+            states << report.state;
+        });
+        connect(&link, &link::Link::statusReceived, this,
+                [this](const link::StatusBatch& batch) { samples += batch.samples; });
+        connect(&link, &link::Link::programRead, this,
+                [this](const link::ActiveProgram& read) { programs << read; });
+        connect(&link, &link::Link::commandEnded, this, [this](const link::CommandOutcome& outcome) {
+            if (outcome.id != 0) // what the link does by itself
+                outcomes << outcome;
+        });
+        connect(&link, &link::Link::downloadReported, this,
+                [this](const link::DownloadReport& report) { downloads << report; });
+    }
+
+    [[nodiscard]] bool isConnected() const { return last.state == LinkState::Connected; }
+    [[nodiscard]] bool isIn(modbus::State state) const
+    {
+        return !samples.isEmpty() && samples.last().status.state == state;
+    }
+    [[nodiscard]] bool downloadEnded() const
+    {
+        return !downloads.isEmpty() && downloads.last().stage >= DownloadStage::Active;
+    }
+
+    [[nodiscard]] link::DownloadReport download() const { return downloads.value(downloads.size() - 1); }
+    [[nodiscard]] link::ActiveProgram program() const { return programs.value(programs.size() - 1); }
+
+    link::LinkReport last;
+    QList<LinkState> states;
+    QList<link::StatusSample> samples;
+    QList<link::ActiveProgram> programs;
+    QList<link::CommandOutcome> outcomes;
+    QList<link::DownloadReport> downloads;
+};
+
+} // namespace
+
+class TestLink : public QObject {
+    Q_OBJECT
+
+private slots:
+    void startsTheSimulatedControllerAndConnects()
+    {
+        QTemporaryDir state;
+        link::ThreadedLink link(nullptr);
+        Listener listener(link);
+        link::ConnectionSettings settings;
+        settings.simulatorProgram = QStringLiteral(CAMPANEL_CONTROLLER);
+        settings.simulatorStateDir = state.path();
+        link.connectTo(settings);
+        QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
+        QCOMPARE(listener.states.first(), LinkState::Searching);
+        QVERIFY(listener.last.identity);
+        QCOMPARE(listener.last.identity->mapMajor, modbus::mapMajor);
+        QTRY_VERIFY_WITH_TIMEOUT(!listener.programs.isEmpty(), timeoutMs);
+        QVERIFY(listener.programs.first().isEmpty()); // its flash is empty
+    }
+
+    void saysWhereTheSimulatedControllerWasLookedFor()
+    {
+        link::ThreadedLink link(nullptr);
+        Listener listener(link);
+        link::ConnectionSettings settings;
+        settings.simulatorProgram = QStringLiteral("/nonexistent/campanel-controller");
+        link.connectTo(settings);
+        QTRY_COMPARE_WITH_TIMEOUT(listener.last.simulator, link::SimulatorState::Ended, timeoutMs);
+        QVERIFY(!listener.last.simulatorDetail.isEmpty());
+    }
+
+    void restartsTheSimulatedControllerWhenItIsKilled()
+    {
+        QTemporaryDir folder;
+        // Tells its process id and becomes the controller.
+        QFile script(folder.filePath(QStringLiteral("controller.sh")));
+        QVERIFY(script.open(QIODevice::WriteOnly));
+        script.write("#!/bin/sh\necho $$ > '" + folder.path().toUtf8() +
+                     "/pid'\nexec '" CAMPANEL_CONTROLLER "' \"$@\"\n");
+        script.close();
+        script.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+
+        link::ThreadedLink link(nullptr);
+        Listener listener(link);
+        link::ConnectionSettings settings;
+        settings.simulatorProgram = script.fileName();
+        settings.simulatorStateDir = folder.filePath(QStringLiteral("state"));
+        link.connectTo(settings);
+        QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
+        QFile pid(folder.filePath(QStringLiteral("pid")));
+        QVERIFY(pid.open(QIODevice::ReadOnly));
+        listener.states.clear();
+        QCOMPARE(::kill(pid.readAll().trimmed().toInt(), SIGKILL), 0);
+        QTRY_VERIFY_WITH_TIMEOUT(listener.states.contains(LinkState::Lost), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
+    }
+
+    void pollsAsFastAsTheLineAllows_data()
+    {
+        QTest::addColumn<std::uint32_t>("baud");
+        QTest::addColumn<int>("samples");
+        QTest::addColumn<double>("leastPerSecond");
+        QTest::newRow("115200 baud, wire limit 80/s") << 115200u << 160 << 50.0;
+        QTest::newRow("9600 baud, wire limit 8.6/s") << 9600u << 12 << 8.0;
+    }
+
+    void pollsAsFastAsTheLineAllows()
+    {
+        QFETCH(std::uint32_t, baud);
+        QFETCH(int, samples);
+        QFETCH(double, leastPerSecond);
+        ControllerProcess controller({QStringLiteral("--baud"), QString::number(baud)});
+        QVERIFY(controller.start());
+        link::ThreadedLink link(nullptr);
+        Listener listener(link);
+        link.connectTo(portSettings(controller.port(), baud));
+        QTRY_VERIFY_WITH_TIMEOUT(listener.samples.size() > samples, timeoutMs);
+        // The first ones share the line with the reading of the program.
+        const auto first = listener.samples[2].receivedAt;
+        const double seconds =
+            std::chrono::duration<double>(listener.samples[samples].receivedAt - first).count();
+        const double perSecond = (samples - 2) / seconds;
+        qInfo("%.1f status blocks a second at %u baud", perSecond, baud);
+        QVERIFY2(perSecond >= leastPerSecond, qPrintable(QString::number(perSecond)));
+    }
+
+    void downloadsAndChangesTheProgramAtTheEndOfACycle()
+    {
+        ControllerProcess controller;
+        QVERIFY(controller.start());
+        link::ThreadedLink link(nullptr);
+        Listener listener(link);
+        link.connectTo(portSettings(controller.port()));
+        QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected() && !listener.samples.isEmpty(), timeoutMs);
+        const auto before = listener.samples.last().status.generation;
+
+        const auto first = imageOf(250);
+        link.download(first.registers);
+        QTRY_VERIFY_WITH_TIMEOUT(listener.downloadEnded(), timeoutMs);
+        QCOMPARE(listener.download().stage, DownloadStage::Active);
+        QCOMPARE(listener.download().crc, first.crc);
+        QTRY_COMPARE_WITH_TIMEOUT(listener.program().crc, first.crc, timeoutMs);
+        QCOMPARE(listener.program().generation, before + 1);
+        const auto header = listener.program().header;
+        QVERIFY(std::equal(header.begin(), header.end(), first.registers.begin()));
+
+        link.request({1, Command::Start, {}});
+        QTRY_COMPARE_WITH_TIMEOUT(listener.outcomes.size(), 1, timeoutMs);
+        QCOMPARE(listener.outcomes.first().end, link::CommandEnd::Done);
+        QTRY_VERIFY_WITH_TIMEOUT(listener.isIn(modbus::State::Running) &&
+                                     listener.samples.last().status.cycleCount >= 2,
+                                 timeoutMs);
+
+        listener.samples.clear();
+        listener.downloads.clear();
+        const auto second = imageOf(300);
+        link.download(second.registers);
+        QTRY_VERIFY_WITH_TIMEOUT(listener.downloadEnded(), timeoutMs);
+        QCOMPARE(listener.download().stage, DownloadStage::Active);
+        QVERIFY(std::ranges::any_of(listener.downloads, [](const link::DownloadReport& report) {
+            return report.stage == DownloadStage::Armed;
+        }));
+        QTRY_COMPARE_WITH_TIMEOUT(listener.program().crc, second.crc, timeoutMs);
+        QCOMPARE(listener.program().generation, before + 2);
+        // It changed between two cycles, and the knife never went back.
+        for (qsizetype i = 1; i < listener.samples.size(); ++i) {
+            const auto& last = listener.samples[i - 1].status;
+            const auto& next = listener.samples[i].status;
+            QVERIFY(next.commandedPositionPulses >= last.commandedPositionPulses);
+            if (next.generation != last.generation)
+                QVERIFY(next.cycleCount > last.cycleCount);
+        }
+        QVERIFY(listener.isIn(modbus::State::Running));
+    }
+
+    void showsTheRunningProgramToAPanelThatComesLater()
+    {
+        ControllerProcess controller;
+        QVERIFY(controller.start());
+        const auto image = imageOf(200);
+        std::uint32_t generation = 0;
+        {
+            link::ThreadedLink link(nullptr);
+            Listener listener(link);
+            link.connectTo(portSettings(controller.port()));
+            QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
+            link.download(image.registers);
+            QTRY_VERIFY_WITH_TIMEOUT(listener.downloadEnded(), timeoutMs);
+            link.request({1, Command::Start, {}});
+            QTRY_VERIFY_WITH_TIMEOUT(listener.isIn(modbus::State::Running), timeoutMs);
+            generation = listener.samples.last().status.generation;
+        }
+        link::ThreadedLink link(nullptr);
+        Listener listener(link);
+        link.connectTo(portSettings(controller.port()));
+        QTRY_VERIFY_WITH_TIMEOUT(!listener.programs.isEmpty(), timeoutMs);
+        QCOMPARE(listener.programs.first().crc, image.crc);
+        QCOMPARE(listener.programs.first().generation, generation);
+        QVERIFY(listener.isIn(modbus::State::Running));
+    }
+
+    void comesBackAfterTheControllerWasKilled()
+    {
+        ControllerProcess controller;
+        QVERIFY(controller.start());
+        link::ThreadedLink link(nullptr);
+        Listener listener(link);
+        link.connectTo(portSettings(controller.port()));
+        QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
+        controller.kill();
+        QTRY_COMPARE_WITH_TIMEOUT(listener.last.state, LinkState::Lost, timeoutMs);
+        QVERIFY(listener.last.error);
+        link.request({7, Command::Start, {}});
+        QTRY_COMPARE_WITH_TIMEOUT(listener.outcomes.size(), 1, timeoutMs);
+        QCOMPARE(listener.outcomes.first().id, 7u);
+        QCOMPARE(listener.outcomes.first().end, link::CommandEnd::NotSent);
+        QVERIFY(controller.start());
+        QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
+    }
+
+    void downloadGoesOnAfterABreak()
+    {
+        ControllerProcess controller({QStringLiteral("--baud"), QStringLiteral("9600")});
+        QVERIFY(controller.start());
+        link::ThreadedLink link(nullptr);
+        Listener listener(link);
+        link.connectTo(portSettings(controller.port(), 9600));
+        QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected() && !listener.samples.isEmpty(), timeoutMs);
+        const auto image = imageOf(250);
+        link.download(image.registers);
+        QTRY_VERIFY_WITH_TIMEOUT(listener.download().fraction > 0.2, timeoutMs);
+        controller.kill();
+        QTRY_VERIFY_WITH_TIMEOUT(listener.download().isInterrupted, timeoutMs);
+        QVERIFY(controller.start());
+        QTRY_VERIFY_WITH_TIMEOUT(listener.downloadEnded(), timeoutMs);
+        QCOMPARE(listener.download().stage, DownloadStage::Active);
+        QTRY_COMPARE_WITH_TIMEOUT(listener.samples.last().status.activeCrc, image.crc, timeoutMs);
+    }
+
+    void canceledDownloadLeavesTheProgram()
+    {
+        ControllerProcess controller({QStringLiteral("--baud"), QStringLiteral("9600")});
+        QVERIFY(controller.start());
+        link::ThreadedLink link(nullptr);
+        Listener listener(link);
+        link.connectTo(portSettings(controller.port(), 9600));
+        QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected() && !listener.samples.isEmpty(), timeoutMs);
+        link.download(imageOf(250).registers);
+        QTRY_VERIFY_WITH_TIMEOUT(listener.download().fraction > 0.2, timeoutMs);
+        link.cancelDownload();
+        QTRY_VERIFY_WITH_TIMEOUT(listener.downloadEnded(), timeoutMs);
+        QCOMPARE(listener.download().stage, DownloadStage::Canceled);
+        listener.samples.clear();
+        QTRY_VERIFY_WITH_TIMEOUT(!listener.samples.isEmpty(), timeoutMs);
+        QVERIFY(!listener.samples.last().status.activeCrc);
+        QCOMPARE(listener.samples.last().status.stagedState, modbus::StagedState::Empty);
+    }
+
+    void namesWhyAPortCannotBeUsed_data()
+    {
+        QTest::addColumn<QString>("port");
+        QTest::addColumn<LinkState>("state");
+        QTest::addColumn<modbus::LinkErrorKind>("kind");
+        QTest::newRow("absent") << "/dev/ttyThatIsNotThere" << LinkState::Searching
+                                << modbus::LinkErrorKind::PortAbsent;
+        QTest::newRow("not a serial port")
+            << "/dev/null" << LinkState::PortProblem << modbus::LinkErrorKind::PortNotSerial;
+    }
+
+    void namesWhyAPortCannotBeUsed()
+    {
+        QFETCH(QString, port);
+        QFETCH(LinkState, state);
+        QFETCH(modbus::LinkErrorKind, kind);
+        link::ThreadedLink link(nullptr);
+        Listener listener(link);
+        link.connectTo(portSettings(port));
+        QTRY_VERIFY_WITH_TIMEOUT(listener.last.error.has_value(), timeoutMs);
+        QCOMPARE(listener.last.state, state);
+        QCOMPARE(listener.last.error->kind, kind);
+    }
+
+    void aPortInUseIsNotTakenAway()
+    {
+        ControllerProcess controller;
+        QVERIFY(controller.start());
+        link::ThreadedLink first(nullptr);
+        Listener firstListener(first);
+        first.connectTo(portSettings(controller.port()));
+        QTRY_VERIFY_WITH_TIMEOUT(firstListener.isConnected(), timeoutMs);
+        link::ThreadedLink second(nullptr);
+        Listener secondListener(second);
+        second.connectTo(portSettings(controller.port()));
+        QTRY_COMPARE_WITH_TIMEOUT(secondListener.last.state, LinkState::PortProblem, timeoutMs);
+        QCOMPARE(secondListener.last.error->kind, modbus::LinkErrorKind::PortBusy);
+        firstListener.samples.clear();
+        QTRY_VERIFY_WITH_TIMEOUT(firstListener.samples.size() > 5, timeoutMs);
+        QVERIFY(firstListener.isConnected());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestLink)
+#include "test_link.moc"

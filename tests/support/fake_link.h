@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// A Link without a line: keeps what was asked and lets a test say what the controller answers. No thread.
+#pragma once
+
+#include "app/link/link.h"
+#include "app/program/program_image.h"
+
+namespace campanel::tests {
+
+class FakeLink : public link::Link {
+    Q_OBJECT
+
+public:
+    using Link::Link;
+
+    void connectTo(const link::ConnectionSettings& settings) override { connections << settings; }
+    void request(const link::CommandRequest& request) override { requests << request; }
+    void download(const std::vector<std::uint16_t>& bank) override { banks << bank; }
+    void cancelDownload() override { ++cancels; }
+
+    QList<link::ConnectionSettings> connections;
+    QList<link::CommandRequest> requests;
+    QList<std::vector<std::uint16_t>> banks;
+    int cancels = 0;
+
+    static modbus::Identity identity()
+    {
+        modbus::Identity identity;
+        identity.deviceType = modbus::deviceType;
+        identity.mapMajor = modbus::mapMajor;
+        identity.uniqueId = 42;
+        identity.programKinds = 1u << static_cast<unsigned>(modbus::ProgramKind::RotaryCutter);
+        identity.rowCapacity = modbus::rowCapacity;
+        identity.bankRegisters = modbus::bankRegisters;
+        identity.blockRegisters = modbus::blockRegisters;
+        identity.timerClockHz = 8'000'000;
+        identity.timerBits = 16;
+        identity.maxPulseFrequencyHz = 200'000;
+        return identity;
+    }
+
+    void becomeConnected()
+    {
+        link::LinkReport report;
+        report.state = link::LinkState::Connected;
+        report.portName = QStringLiteral("/dev/fake");
+        report.simulator = link::SimulatorState::Serving;
+        report.identity = identity();
+        emit reported(report);
+    }
+
+    void becomeLost()
+    {
+        link::LinkReport report;
+        report.state = link::LinkState::Lost;
+        report.portName = QStringLiteral("/dev/fake");
+        report.simulator = link::SimulatorState::Serving;
+        report.identity = identity();
+        report.error = modbus::LinkError{modbus::LinkErrorKind::PortGone, "/dev/fake", {}, {}, 0};
+        emit reported(report);
+    }
+
+    // One status; `status` can be changed between two.
+    void sendStatus(link::SteadyTime at)
+    {
+        link::StatusBatch batch;
+        batch.samples << link::StatusSample{at, status};
+        emit statusReceived(batch);
+    }
+
+    // As if this program had been downloaded: the status names it and its header is read.
+    void activate(const program::ProgramImage& image, link::SteadyTime at)
+    {
+        ++status.generation;
+        status.activeCrc = image.crc;
+        status.programKind = modbus::ProgramKind::RotaryCutter;
+        if (status.state == modbus::State::Idle)
+            status.state = modbus::State::Ready;
+        sendStatus(at);
+        emit programRead({status.generation,
+                          image.crc,
+                          {image.registers.begin(), image.registers.begin() + modbus::bankHeaderRegisters}});
+    }
+
+    modbus::StatusBlock status = idle();
+
+private:
+    static modbus::StatusBlock idle()
+    {
+        modbus::StatusBlock status;
+        status.state = modbus::State::Idle;
+        status.stagedState = modbus::StagedState::Empty;
+        return status;
+    }
+};
+
+} // namespace campanel::tests
