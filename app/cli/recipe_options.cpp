@@ -153,6 +153,7 @@ Outcome applyLaw(const Invocation& call, program::Recipe& recipe)
 
 QList<QCommandLineOption> recipeOptions()
 {
+    constexpr int shownDigits = 9;
     QList<QCommandLineOption> options;
     for (const FieldOption& option : fieldOptions) {
         const profile::FieldInfo& info = profile::info(option.field);
