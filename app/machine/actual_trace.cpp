@@ -16,23 +16,24 @@ bool isLeftOf(const QPointF& point, double x)
 
 void ActualTrace::add(const Sample& sample, double durationS)
 {
-    const std::uint32_t cycles = sample.cycle - m_last.cycle;
-    const bool isWholeCycle = cycles > 1 || (cycles == 1 && sample.share > m_last.share);
-    if (isWholeCycle)
-        m_points.clear();
-    // Closer points than a curve can show take each other's place.
-    const double step = durationS / mostPoints;
+    const std::uint32_t cycles = sample.cycle - m_pen.cycle;
+    const bool missedACycle = cycles > 1 || (cycles == 1 && sample.share > m_pen.share);
+    const double step = durationS / mostPoints; // closer points than that are not seen
+    const double pen = m_pen.share * durationS;
     const double x = sample.share * durationS;
-    const double last = m_last.share * durationS;
-    if (cycles == 0) {
-        erase(last + (x > last + step ? step / 2 : -step), x + step / 2);
+    if (missedACycle) {
+        m_points.clear();
+    } else if (cycles == 1) {
+        erase(pen + step / 2, durationS + step);
+        erase(0, x + step / 2);
     } else {
-        erase(last + step / 2, durationS + step);
-        erase(-step, x + step / 2);
+        if (x < pen + step && !m_points.isEmpty())
+            return;
+        erase(pen + step / 2, x + step / 2);
     }
     const auto place = std::lower_bound(m_points.begin(), m_points.end(), x, isLeftOf);
     m_points.insert(place, QPointF(x, sample.value));
-    m_last = sample;
+    m_pen = sample;
 }
 
 void ActualTrace::erase(double after, double upTo)
@@ -45,7 +46,7 @@ void ActualTrace::erase(double after, double upTo)
 void ActualTrace::clear()
 {
     m_points.clear();
-    m_last = {};
+    m_pen = {};
 }
 
 } // namespace campanel::machine

@@ -29,7 +29,7 @@ private:
     void erase(double after, double upTo);
 
     QList<QPointF> m_points;
-    Sample m_last;
+    Sample m_pen; // the last one that was drawn
 };
 
 } // namespace campanel::machine

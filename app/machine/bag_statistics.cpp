@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace campanel::machine {
 
@@ -26,16 +27,24 @@ bool BagStatistics::note(std::uint32_t bagCount, std::optional<double> lengthMm,
     if (!lengthMm || !deviationMm)
         return true;
     m_lengthMm = *lengthMm;
+    if (std::exchange(m_isNextOfTwoLengths, false))
+        return true;
+    m_setLengthMm = *lengthMm - *deviationMm;
     m_deviationsMm << *deviationMm;
     if (m_deviationsMm.size() > bagsKept)
         m_deviationsMm.removeFirst();
     return true;
 }
 
+void BagStatistics::restart()
+{
+    m_isNextOfTwoLengths = true;
+    m_deviationsMm.clear();
+}
+
 double BagStatistics::meanMm() const
 {
-    // The set length is the last length without its deviation; it is the same for all bags kept.
-    return m_deviationsMm.isEmpty() ? unknown : m_lengthMm - m_deviationsMm.last() + mean(m_deviationsMm);
+    return m_deviationsMm.isEmpty() ? unknown : m_setLengthMm + mean(m_deviationsMm);
 }
 
 double BagStatistics::scatterMm() const

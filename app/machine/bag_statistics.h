@@ -16,8 +16,8 @@ public:
 
     // To be given every status; a bag is noted once. True when something changed.
     bool note(std::uint32_t bagCount, std::optional<double> lengthMm, std::optional<double> deviationMm);
-    // Another set length holds from now on; the last bag stays the last bag.
-    void restart() { m_deviationsMm.clear(); }
+    // Another set length holds from now on. The next bag was begun under the old one and does not count.
+    void restart();
 
     [[nodiscard]] double lengthMm() const { return m_lengthMm; }
     [[nodiscard]] double deviationMm() const
@@ -33,6 +33,8 @@ private:
 
     std::optional<std::uint32_t> m_bagCount;
     double m_lengthMm = unknown;
+    double m_setLengthMm = unknown; // of the bags that count
+    bool m_isNextOfTwoLengths = false;
     QList<double> m_deviationsMm; // oldest first
 };
 

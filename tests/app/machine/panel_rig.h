@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Settings, Machine and Editor on a fake link, a fake clock and a folder of their own.
+#pragma once
+
+#include "app/machine/editor.h"
+#include "app/machine/machine.h"
+#include "app/machine/settings.h"
+#include "fake_link.h"
+
+#include <QTemporaryDir>
+
+namespace campanel::tests {
+
+struct PanelRig {
+    QTemporaryDir folder;
+    FakeLink link;
+    machine::Settings settings{folder.filePath(QStringLiteral("settings.ini")), nullptr};
+    link::SteadyTime now{std::chrono::hours(1)};
+    machine::Machine machine{link, settings, nullptr};
+    machine::Editor editor{machine, folder.path(), nullptr};
+
+    PanelRig()
+    {
+        machine.setClock([this] { return now; });
+    }
+
+    void connectIdle()
+    {
+        link.becomeConnected();
+        link.sendStatus(now);
+        emit link.programRead({link.status.generation, 0, {}});
+    }
+
+    // The controller runs the recipe that is being edited.
+    void connectRunning()
+    {
+        connectIdle();
+        link.activate(image(), now);
+        link.status.state = modbus::State::Running;
+        link.status.masterSpeedPercent = 100;
+        link.sendStatus(now);
+    }
+
+    [[nodiscard]] program::ProgramImage image() const
+    {
+        const auto image = program::buildProgram(editor.recipe());
+        if (!image)
+            qFatal("%s", program::describe(image.error()).c_str());
+        return *image;
+    }
+};
+
+} // namespace campanel::tests

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Chinese texts of app/: complete, with the same places for values, and switched at run time.
+#include "panel_rig.h"
+
+#include <QFile>
+#include <QRegularExpression>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTranslator>
+#include <QXmlStreamReader>
+
+using namespace campanel;
+using tests::PanelRig;
+
+namespace {
+
+QStringList placesIn(const QString& text)
+{
+    static const QRegularExpression place(QStringLiteral("%[0-9]"));
+    QStringList places;
+    for (const QRegularExpressionMatch& match : place.globalMatch(text))
+        places << match.captured();
+    places.sort();
+    return places;
+}
+
+} // namespace
+
+class TestTranslation : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyTextIsTranslatedWithItsPlaces()
+    {
+        QFile file(QStringLiteral(CAMPANEL_TS));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QXmlStreamReader xml(&file);
+        QString source;
+        int texts = 0;
+        while (!xml.atEnd()) {
+            if (xml.readNext() != QXmlStreamReader::StartElement)
+                continue;
+            if (xml.name() == QLatin1String("source")) {
+                source = xml.readElementText();
+            } else if (xml.name() == QLatin1String("translation")) {
+                QVERIFY2(!xml.attributes().hasAttribute(QLatin1String("type")), qPrintable(source));
+                const QString translation = xml.readElementText();
+                QVERIFY2(!translation.isEmpty(), qPrintable(source));
+                QVERIFY2(placesIn(source) == placesIn(translation), qPrintable(source));
+                ++texts;
+            }
+        }
+        QVERIFY(!xml.hasError());
+        QVERIFY(texts > 200);
+    }
+
+    void switchesWhileItRuns()
+    {
+        PanelRig rig;
+        rig.connectRunning();
+        QCOMPARE(rig.machine.stateText(), "Running");
+        QCOMPARE(rig.editor.bagLength()->label(), "Bag length");
+        QSignalSpy states(&rig.machine, &machine::Machine::stateChanged);
+        QTranslator translator;
+        QVERIFY(translator.load(QStringLiteral(":/i18n/campanel_app_zh_CN.qm")));
+        QVERIFY(QCoreApplication::installTranslator(&translator));
+        QCOMPARE(rig.machine.stateText(), "运行");
+        QCOMPARE(states.size(), 1);
+        QCOMPARE(rig.editor.bagLength()->label(), "袋长");
+        QCOMPARE(rig.editor.rate()->unit(), "袋/分");
+        QVERIFY(rig.editor.verdict().startsWith("在所有限制之内"));
+        QCOMPARE(rig.editor.laws()->data(rig.editor.laws()->index(0), machine::LawModel::NameRole).toString(),
+                 "三次（论文）");
+        QCoreApplication::removeTranslator(&translator);
+        QCOMPARE(rig.editor.bagLength()->label(), "Bag length");
+    }
+};
+
+QTEST_GUILESS_MAIN(TestTranslation)
+#include "test_translation.moc"
