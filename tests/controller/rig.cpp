@@ -208,6 +208,12 @@ void Rig::install(const BankImage& bank)
         throw std::runtime_error("the program was refused");
 }
 
+void Rig::start()
+{
+    if (command(CTL_COMMAND_START) != CTL_REFUSAL_NONE || !runUntilState(CTL_STATE_RUNNING))
+        throw std::runtime_error("the program does not run");
+}
+
 void Rig::heartbeat(std::uint16_t jog)
 {
     ++m_heartbeat;

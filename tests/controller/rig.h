@@ -60,6 +60,8 @@ public:
     std::uint16_t apply(const Registers& image, std::uint16_t mode, std::uint16_t session = 1);
     // Downloads and activates at standstill.
     void install(const BankImage& bank);
+    // Starts and homes until the table runs.
+    void start();
     void heartbeat(std::uint16_t jog = 0);
     void setParameter(std::uint16_t address, std::uint16_t value);
 

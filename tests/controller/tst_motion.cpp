@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// States and motion: homing, start, both stops, change while running, jog, heartbeat, faults.
+// States and motion: homing, start, both stops, change while running, the cut bags.
 #include "rig.h"
 
 #include <QTest>
@@ -13,12 +13,6 @@ using namespace campanel::test;
 namespace {
 
 constexpr std::uint64_t second = 1'000'000;
-
-void startAndRun(Rig& rig)
-{
-    if (rig.command(CTL_COMMAND_START) != CTL_REFUSAL_NONE || !rig.runUntilState(CTL_STATE_RUNNING))
-        throw std::runtime_error("it does not run");
-}
 
 // Pulses that so many whole cycles of K / N pulses have.
 std::int64_t pulsesOf(const BankImage& bank, std::uint64_t cycles)
@@ -39,7 +33,6 @@ class TestMotion : public QObject {
 private slots:
     void startHomesFirst();
     void homingFindsTheMark();
-    void homingWithoutMarkIsAFault();
     void stopWhileHoming();
     void rampReachesTheTablesSpeed();
     void stopAtCycleEndEndsOnTheBoundary_data();
@@ -52,13 +45,6 @@ private slots:
     void armedChangeWaitsForTheEndOfTheStop();
     void otherMachineDataNeedHoming();
     void refusals();
-    void jogDiesWithTheHeartbeat();
-    void jogReversesAndIsRefused();
-    void heartbeatLost_data();
-    void heartbeatLost();
-    void followingErrorStopsThePulses();
-    void faultIsResetAtRestOnly();
-    void damagedTableIsNoticed();
     void bagsAreMeasured();
     void knivesCutEachStroke();
 };
@@ -95,23 +81,6 @@ void TestMotion::homingFindsTheMark()
     }
 }
 
-void TestMotion::homingWithoutMarkIsAFault()
-{
-    Rig rig;
-    rig.install(camBank(10000, 1, 8'000'000));
-    rig.write(CTL_REG_PARAMETER_FOLLOWING_ERROR_LIMIT, {15, 0}); // 983040: the lag itself is not to trip
-    rig.controller().machine().setDriveOn(false);
-    rig.command(CTL_COMMAND_START);
-    QVERIFY(rig.runUntilState(CTL_STATE_FAULT, 15 * second));
-    QCOMPARE(rig.status(CTL_REG_STATUS_FAULT), 1u << CTL_FAULT_BIT_DRIVE_NOT_FOLLOWING);
-    QCOMPARE(rig.core().motion.commanded, std::int64_t{20000});
-    QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_IN_FAULT);
-    rig.controller().machine().setDriveOn(true);
-    QCOMPARE(rig.command(CTL_COMMAND_RESET_FAULT), CTL_REFUSAL_NONE);
-    QCOMPARE(rig.status(CTL_REG_STATUS_STATE), CTL_STATE_READY);
-    startAndRun(rig);
-}
-
 void TestMotion::stopWhileHoming()
 {
     for (const std::uint16_t code :
@@ -133,7 +102,7 @@ void TestMotion::rampReachesTheTablesSpeed()
     Rig rig;
     const BankImage bank = camBank(10000, 1, 8'000'000);
     rig.install(bank);
-    startAndRun(rig);
+    rig.start();
     rig.run(400'000);
     QVERIFY(std::abs(static_cast<int>(rig.status(CTL_REG_STATUS_MASTER_SPEED)) - 5000) <= 25);
     rig.run(450'000);
@@ -174,7 +143,7 @@ void TestMotion::stopAtCycleEndEndsOnTheBoundary()
     rig.setParameter(CTL_REG_PARAMETER_RAMP_TIME, static_cast<std::uint16_t>(rampMs));
     std::uint32_t cyclesBefore = 0;
     for (int i = 0; i < 15; ++i) {
-        startAndRun(rig);
+        rig.start();
         rig.run(random() % (3 * second));
         QCOMPARE(rig.command(CTL_COMMAND_STOP_AT_CYCLE_END), CTL_REFUSAL_NONE);
         std::int64_t last = rig.core().motion.commanded;
@@ -207,7 +176,7 @@ void TestMotion::stopNowKeepsThePhase()
     Rig rig;
     rig.install(bank);
     for (int i = 0; i < 10; ++i) {
-        startAndRun(rig);
+        rig.start();
         rig.run(random() % (3 * second));
         QCOMPARE(rig.command(CTL_COMMAND_STOP_NOW), CTL_REFUSAL_NONE);
         QVERIFY(rig.runUntilState(CTL_STATE_READY, 810'000));
@@ -217,7 +186,7 @@ void TestMotion::stopNowKeepsThePhase()
         QCOMPARE(rig.commanded(), stopped);
         QCOMPARE(rig.status(CTL_REG_STATUS_MASTER_ANGLE), angle);
     }
-    startAndRun(rig);
+    rig.start();
     QCOMPARE(rig.command(CTL_COMMAND_STOP_AT_CYCLE_END), CTL_REFUSAL_NONE);
     QVERIFY(rig.runUntilState(CTL_STATE_READY));
     QCOMPARE(rig.commanded(), pulsesOf(bank, rig.core().motion.cycle_count));
@@ -227,7 +196,7 @@ void TestMotion::stopNowAfterStopAtCycleEnd()
 {
     Rig rig;
     rig.install(camBank(10000, 1, 48'000'000));
-    startAndRun(rig);
+    rig.start();
     rig.run(second);
     rig.command(CTL_COMMAND_STOP_AT_CYCLE_END);
     rig.run(second / 2);
@@ -243,7 +212,7 @@ void TestMotion::changeWhileRunningDoesNotJump()
     const BankImage fast = camBank(10007, 3, 2'400'000, 80);
     Rig rig;
     rig.install(slow);
-    startAndRun(rig);
+    rig.start();
     rig.run(second);
     std::uint32_t generation = 1;
     for (std::uint16_t change = 0; change < 20; ++change) {
@@ -277,7 +246,7 @@ void TestMotion::changeAtStandstillMidCycleHomesAgain()
 {
     Rig rig;
     rig.install(camBank(10000, 1, 8'000'000));
-    startAndRun(rig);
+    rig.start();
     rig.run(1'300'000);
     rig.command(CTL_COMMAND_STOP_NOW);
     QVERIFY(rig.runUntilState(CTL_STATE_READY));
@@ -301,14 +270,14 @@ void TestMotion::armedChangeSurvivesStop()
     const Registers image = camBank(10000, 1, 4'000'000).registers();
     Rig rig;
     rig.install(camBank(10000, 1, 24'000'000));
-    startAndRun(rig);
+    rig.start();
     rig.run(2 * second);
     rig.download(image, 2);
     QCOMPARE(rig.apply(image, CTL_APPLY_MODE_NEXT_CYCLE, 2), CTL_REFUSAL_NONE);
     rig.command(CTL_COMMAND_STOP_NOW);
     QVERIFY(rig.runUntilState(CTL_STATE_READY));
     QCOMPARE(rig.status(CTL_REG_STATUS_STAGED_STATE), CTL_STAGED_STATE_ARMED);
-    startAndRun(rig);
+    rig.start();
     rig.command(CTL_COMMAND_STOP_AT_CYCLE_END);
     QCOMPARE(rig.core().banks.generation, 1u);
     QVERIFY(rig.runUntilState(CTL_STATE_READY));
@@ -325,7 +294,7 @@ void TestMotion::armedChangeWaitsForTheEndOfTheStop()
     Rig rig;
     rig.install(camBank(10000, 1, 1'600'000));
     rig.setParameter(CTL_REG_PARAMETER_RAMP_TIME, 2000);
-    startAndRun(rig);
+    rig.start();
     rig.run(3 * second);
     QCOMPARE(rig.download(image, 2), CTL_TRANSFER_RESULT_ACCEPTED);
     rig.command(CTL_COMMAND_STOP_AT_CYCLE_END);
@@ -349,7 +318,7 @@ void TestMotion::otherMachineDataNeedHoming()
     QVERIFY(rig.core().motion.homed);
     rig.install(camBank(10007, 3, 8'000'000));
     QVERIFY(!rig.core().motion.homed);
-    startAndRun(rig);
+    rig.start();
     rig.run(5 * second);
     QVERIFY(rig.core().motion.homed);
 }
@@ -364,159 +333,10 @@ void TestMotion::refusals()
     QCOMPARE(rig.command(CTL_COMMAND_STOP_AT_CYCLE_END), CTL_REFUSAL_NOT_RUNNING);
     QCOMPARE(rig.command(CTL_COMMAND_RESET_FAULT), CTL_REFUSAL_NO_FAULT);
     rig.install(camBank(10000, 1, 8'000'000));
-    startAndRun(rig);
+    rig.start();
     QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_ALREADY_RUNNING);
     QCOMPARE(rig.command(CTL_COMMAND_HOME), CTL_REFUSAL_NOT_STANDSTILL);
     QCOMPARE(rig.command(CTL_COMMAND_SAVE_TO_FLASH, 0, 0, 1), CTL_REFUSAL_WRONG_CHECKSUM);
-}
-
-void TestMotion::jogDiesWithTheHeartbeat()
-{
-    Rig rig;
-    for (int i = 0; i < 10; ++i) {
-        rig.heartbeat(1u << CTL_JOG_BIT_FORWARD);
-        rig.run(100'000);
-    }
-    QCOMPARE(rig.core().motion.state, CTL_STATE_JOGGING);
-    QCOMPARE(ctl_motion_commanded_hz(&rig.core()), std::int64_t{1000});
-    rig.heartbeat(1u << CTL_JOG_BIT_FORWARD);
-    const std::uint64_t lastUs = rig.core().heartbeat.advanced_us;
-    // The same heartbeat again is none.
-    const Registers same = rig.read(CTL_REG_EXCHANGE_TAG, 3);
-    rig.write(CTL_REG_EXCHANGE_TAG, same);
-    rig.controller().runTo(lastUs + 199'750);
-    QCOMPARE(ctl_motion_commanded_hz(&rig.core()), std::int64_t{1000});
-    rig.controller().runTo(lastUs + 200'250);
-    QVERIFY(ctl_motion_commanded_hz(&rig.core()) < 1000);
-    rig.controller().runTo(lastUs + 250'250);
-    QCOMPARE(rig.core().motion.state, CTL_STATE_IDLE);
-    const std::int64_t stopped = rig.core().motion.commanded;
-    // It does not come back with the heartbeat while the key is still held.
-    for (int i = 0; i < 5; ++i) {
-        rig.heartbeat(1u << CTL_JOG_BIT_FORWARD);
-        rig.run(50'000);
-    }
-    QCOMPARE(rig.core().motion.commanded, stopped);
-    rig.heartbeat(0);
-    rig.heartbeat(1u << CTL_JOG_BIT_FORWARD);
-    rig.run(100'000);
-    QVERIFY(rig.core().motion.commanded > stopped);
-}
-
-void TestMotion::jogReversesAndIsRefused()
-{
-    Rig rig;
-    rig.install(camBank(10000, 1, 8'000'000));
-    rig.heartbeat(3); // both keys mean neither
-    rig.run(150'000);
-    QCOMPARE(rig.core().motion.commanded, std::int64_t{0});
-    rig.heartbeat(1u << CTL_JOG_BIT_REVERSE);
-    rig.run(150'000);
-    QVERIFY(rig.core().motion.commanded < 0);
-    QCOMPARE(ctl_motion_commanded_hz(&rig.core()), std::int64_t{-1000});
-    rig.heartbeat(1u << CTL_JOG_BIT_FORWARD);
-    rig.run(190'000);
-    QCOMPARE(ctl_motion_commanded_hz(&rig.core()), std::int64_t{1000});
-    rig.heartbeat(1u << CTL_JOG_BIT_FORWARD);
-    QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_ALREADY_RUNNING);
-    QCOMPARE(rig.command(CTL_COMMAND_STOP_NOW), CTL_REFUSAL_NONE);
-    rig.heartbeat(1u << CTL_JOG_BIT_FORWARD);
-    QVERIFY(rig.runUntilState(CTL_STATE_READY, 60'000));
-    rig.heartbeat(0);
-    startAndRun(rig);
-    rig.heartbeat(1u << CTL_JOG_BIT_FORWARD);
-    rig.run(50'000);
-    QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
-}
-
-void TestMotion::heartbeatLost_data()
-{
-    QTest::addColumn<unsigned>("action");
-    QTest::newRow("run on") << CTL_HEARTBEAT_LOST_ACTION_RUN_ON;
-    QTest::newRow("stop") << CTL_HEARTBEAT_LOST_ACTION_STOP_AT_CYCLE_END;
-}
-
-void TestMotion::heartbeatLost()
-{
-    QFETCH(unsigned, action);
-    const bool stops = action == CTL_HEARTBEAT_LOST_ACTION_STOP_AT_CYCLE_END;
-    const auto bit = 1u << CTL_WARNING_BIT_HEARTBEAT_LOST;
-    Rig rig;
-    rig.install(camBank(10000, 1, 8'000'000));
-    rig.setParameter(CTL_REG_PARAMETER_HEARTBEAT_LOST_ACTION, static_cast<std::uint16_t>(action));
-    rig.run(3 * second);
-    QVERIFY((rig.status(CTL_REG_STATUS_WARNING) & bit) != 0);
-    if (stops)
-        QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_HEARTBEAT_LOST);
-    rig.heartbeat();
-    QVERIFY((rig.status(CTL_REG_STATUS_WARNING) & bit) == 0);
-    QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
-    for (int i = 0; i < 5; ++i) {
-        rig.run(second);
-        rig.heartbeat();
-    }
-    QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
-    rig.run(6 * second);
-    QVERIFY((rig.status(CTL_REG_STATUS_WARNING) & bit) != 0);
-    QCOMPARE(rig.core().motion.state, stops ? CTL_STATE_READY : CTL_STATE_RUNNING);
-    if (stops)
-        QVERIFY(atBoundary(rig));
-}
-
-void TestMotion::followingErrorStopsThePulses()
-{
-    Rig rig;
-    rig.install(camBank(10000, 1, 8'000'000));
-    startAndRun(rig);
-    rig.run(2 * second);
-    const auto error = static_cast<std::int16_t>(rig.status(CTL_REG_STATUS_FOLLOWING_ERROR));
-    QVERIFY2(error > 5 && error < 120, qPrintable(QString::number(error))); // some ms of 10 kHz
-    rig.controller().machine().setDriveOn(false);
-    QVERIFY(rig.runUntilState(CTL_STATE_FAULT, second));
-    QCOMPARE(rig.status(CTL_REG_STATUS_FAULT), 1u << CTL_FAULT_BIT_FOLLOWING_ERROR);
-    const std::int64_t stopped = rig.core().motion.commanded;
-    rig.run(second);
-    QCOMPARE(rig.core().motion.commanded, stopped);
-    QCOMPARE(rig.status(CTL_REG_STATUS_MASTER_SPEED), 0);
-    QCOMPARE(rig.command(CTL_COMMAND_HOME), CTL_REFUSAL_IN_FAULT);
-    // What the drive did not follow is written off; the knife has to be homed again.
-    rig.controller().machine().setDriveOn(true);
-    QCOMPARE(rig.command(CTL_COMMAND_RESET_FAULT), CTL_REFUSAL_NONE);
-    QCOMPARE(rig.status(CTL_REG_STATUS_FAULT), 0);
-    QVERIFY(!rig.core().motion.homed);
-    startAndRun(rig);
-    rig.run(2 * second);
-    QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
-}
-
-void TestMotion::faultIsResetAtRestOnly()
-{
-    Rig rig;
-    rig.install(camBank(10000, 1, 8'000'000));
-    startAndRun(rig);
-    rig.run(2 * second);
-    rig.write(CTL_REG_PARAMETER_FOLLOWING_ERROR_LIMIT, {0, 10}); // less than the lag
-    QCOMPARE(rig.core().motion.state, CTL_STATE_FAULT);
-    QCOMPARE(rig.command(CTL_COMMAND_RESET_FAULT), CTL_REFUSAL_FAULT_PERSISTS);
-    rig.run(second);
-    QCOMPARE(rig.command(CTL_COMMAND_RESET_FAULT), CTL_REFUSAL_NONE);
-    QCOMPARE(rig.core().motion.state, CTL_STATE_READY);
-}
-
-void TestMotion::damagedTableIsNoticed()
-{
-    Rig rig;
-    rig.install(camBank(10000, 1, 8'000'000));
-    startAndRun(rig);
-    ctl_bank& bank = rig.core().banks.bank[rig.core().banks.active];
-    bank.registers[80] = static_cast<std::uint16_t>(bank.registers[80] ^ 4u);
-    QVERIFY(rig.runUntilState(CTL_STATE_FAULT, second));
-    QCOMPARE(rig.status(CTL_REG_STATUS_FAULT), 1u << CTL_FAULT_BIT_ACTIVE_TABLE_DAMAGED);
-    rig.run(second);
-    QCOMPARE(rig.command(CTL_COMMAND_RESET_FAULT), CTL_REFUSAL_FAULT_PERSISTS);
-    rig.install(camBank(10000, 1, 8'000'000)); // a new download is the way out
-    QCOMPARE(rig.command(CTL_COMMAND_RESET_FAULT), CTL_REFUSAL_NONE);
-    startAndRun(rig);
 }
 
 void TestMotion::bagsAreMeasured()
@@ -525,7 +345,7 @@ void TestMotion::bagsAreMeasured()
     options.filmSlipMm = 0.0;
     Rig exact(options);
     exact.install(camBank(10000, 1, 8'000'000));
-    startAndRun(exact);
+    exact.start();
     exact.run(10 * second);
     const std::uint32_t bags = exact.statusWide(CTL_REG_STATUS_BAG_COUNT);
     QVERIFY(bags >= 8 && bags <= 10);
@@ -536,7 +356,7 @@ void TestMotion::bagsAreMeasured()
 
     Rig slipping;
     slipping.install(camBank(10000, 1, 1'600'000));
-    startAndRun(slipping);
+    slipping.start();
     slipping.run(2 * second);
     double sum = 0.0;
     int count = 0;
@@ -558,7 +378,7 @@ void TestMotion::knivesCutEachStroke()
 {
     Rig rig;
     rig.install(camBank(10007, 3, 1'600'000));
-    startAndRun(rig);
+    rig.start();
     rig.run(2 * second);
     const std::uint32_t bags = rig.core().bags.count;
     const std::uint32_t cycles = rig.core().motion.cycle_count;
