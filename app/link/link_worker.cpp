@@ -22,7 +22,7 @@ using std::chrono::steady_clock;
 constexpr auto shortestPollPeriod = 8ms;
 constexpr auto shortestBatchPeriod = 10ms;
 // While a table is transferred: often enough to stay fresh and to keep the heartbeat.
-constexpr auto pollPeriodInTransfer = 200ms;
+constexpr auto pollPeriodInTransfer = 400ms;
 // Without a valid status for so long the connection counts as lost.
 constexpr auto silenceUntilLost = 1000ms;
 constexpr auto retryDelay = 250ms;

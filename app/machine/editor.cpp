@@ -111,9 +111,6 @@ void Editor::connectFields()
     connectParameter(m_lawParameter2, 1);
 }
 
-// Edits
-// ------------------------------------------------------------------------------------------------------------
-
 template <typename Change> void Editor::edit(Change change)
 {
     commitDrag();
@@ -213,9 +210,6 @@ void Editor::keepWorkingCopy()
     if (const auto kept = m_workingFile.save(m_recipe); !kept)
         showNotice(store::FileErrorText::describe(kept.error()));
 }
-
-// What follows from the recipe
-// -------------------------------------------------------------------------------------
 
 void Editor::recompute()
 {
@@ -336,9 +330,6 @@ QStringList Editor::tableSummary() const
 {
     return EditorViews(m_recipe, m_solution, nullptr).tableSummary();
 }
-
-// Into the controller
-// ----------------------------------------------------------------------------------------------
 
 void Editor::download()
 {

@@ -2,14 +2,11 @@
 #include "app/machine/machine.h"
 
 #include "app/machine/connection_sentences.h"
-#include "app/machine/controller_sentences.h"
 #include "app/machine/engine_instances.h"
 #include "app/machine/settings.h"
 
 #include <QCoreApplication>
 #include <QEvent>
-
-#include <cmath>
 
 using namespace std::chrono_literals;
 
@@ -20,11 +17,7 @@ namespace {
 // Older data is grey on the screen.
 constexpr auto freshFor = 1000ms;
 constexpr auto agePeriod = 100ms;
-
-double orUnknown(const std::optional<double>& value)
-{
-    return value.value_or(std::numeric_limits<double>::quiet_NaN());
-}
+constexpr auto qualityPeriod = 500ms; // figures that change faster cannot be read
 
 } // namespace
 
@@ -34,6 +27,7 @@ Machine::Machine(link::Link& link, Settings& settings, QObject* parent)
     , m_settings(settings)
     , m_clock(&std::chrono::steady_clock::now)
     , m_ageTimer(this)
+    , m_qualityTimer(this)
 {
     m_report.simulated = settings.connection().simulated;
     connect(&link, &link::Link::reported, this, &Machine::takeReport);
@@ -42,6 +36,8 @@ Machine::Machine(link::Link& link, Settings& settings, QObject* parent)
     connect(&link, &link::Link::commandEnded, this, &Machine::takeOutcome);
     connect(&m_ageTimer, &QTimer::timeout, this, &Machine::updateAge);
     m_ageTimer.start(agePeriod);
+    connect(&m_qualityTimer, &QTimer::timeout, this, &Machine::qualityChanged);
+    m_qualityTimer.start(qualityPeriod);
     QCoreApplication::instance()->installEventFilter(this);
 }
 
@@ -63,48 +59,6 @@ void Machine::setClock(Clock clock)
     updateAge();
 }
 
-// Connection
-// -------------------------------------------------------------------------------------------------------
-
-Machine::Connection Machine::connection() const
-{
-    switch (m_report.state) {
-    case link::LinkState::Searching:
-        return Connection::Searching;
-    case link::LinkState::Connecting:
-        return Connection::Connecting;
-    case link::LinkState::Connected:
-        return Connection::Connected;
-    case link::LinkState::Lost:
-        return Connection::Lost;
-    case link::LinkState::WrongDevice:
-        return Connection::WrongDevice;
-    case link::LinkState::PortProblem:
-        return Connection::PortProblem;
-    }
-    return Connection::Searching;
-}
-
-QString Machine::connectionText() const
-{
-    return ConnectionSentences::connection(m_report);
-}
-
-double Machine::statusPerSecond() const
-{
-    return isConnected() ? m_rate.perSecond(m_clock()) : unknown;
-}
-
-int Machine::linkQuality() const
-{
-    return isConnected() ? m_rate.quality(m_clock()) : 0;
-}
-
-double Machine::ageMs() const
-{
-    return m_statusAt ? std::chrono::duration<double, std::milli>(m_clock() - *m_statusAt).count() : unknown;
-}
-
 void Machine::updateAge()
 {
     const bool fresh = m_statusAt && m_clock() - *m_statusAt < freshFor;
@@ -115,7 +69,6 @@ void Machine::updateAge()
     }
     if (!m_fresh && m_statusAt)
         emit ageChanged();
-    emit qualityChanged();
 }
 
 void Machine::takeReport(const link::LinkReport& report)
@@ -149,9 +102,6 @@ void Machine::forgetStatus()
     emit programChanged();
     emit savedChanged();
 }
-
-// Status
-// -----------------------------------------------------------------------------------------------------------
 
 void Machine::takeStatus(const link::StatusBatch& batch)
 {
@@ -194,112 +144,6 @@ void Machine::trace(const modbus::StatusBlock& status)
         m_program->cycleSeconds);
 }
 
-Machine::State Machine::state() const
-{
-    if (!isConnected() || !m_status || !m_status->state)
-        return State::Unknown;
-    switch (*m_status->state) {
-    case modbus::State::Idle:
-        return State::Idle;
-    case modbus::State::Ready:
-        return State::Ready;
-    case modbus::State::Running:
-        return State::Running;
-    case modbus::State::Stopping:
-        return State::Stopping;
-    case modbus::State::Jogging:
-        return State::Jogging;
-    case modbus::State::Homing:
-        return State::Homing;
-    case modbus::State::Fault:
-        return State::Fault;
-    }
-    return State::Unknown;
-}
-
-QString Machine::stateText() const
-{
-    if (state() != State::Unknown)
-        return ControllerSentences::state(*m_status->state);
-    switch (connection()) {
-    case Connection::Searching:
-        return tr("Searching");
-    case Connection::Connecting:
-    case Connection::Connected:
-        return tr("Connecting");
-    case Connection::Lost:
-        return tr("No connection");
-    case Connection::WrongDevice:
-        return tr("Wrong device");
-    case Connection::PortProblem:
-        return tr("Port problem");
-    }
-    return {};
-}
-
-QString Machine::alarmText() const
-{
-    return m_status && isConnected() ? ControllerSentences::alarms(*m_status).join(QLatin1Char('\n'))
-                                     : QString();
-}
-
-bool Machine::faulted() const
-{
-    return state() == State::Fault;
-}
-
-double Machine::rateBagsPerMin() const
-{
-    return m_status && m_program ? m_program->rateBagsPerMin * m_status->masterSpeedPercent / 100 : unknown;
-}
-
-double Machine::masterAngleDeg() const
-{
-    return m_status ? orUnknown(m_status->masterAngleDeg) : unknown;
-}
-
-double Machine::knifeAngleDeg() const
-{
-    return m_status ? orUnknown(m_status->knifeAngleDeg) : unknown;
-}
-
-double Machine::knifeSpeedMmPerS() const
-{
-    return m_status && m_program && m_program->pulsesPerMm > 0
-               ? m_status->actualFrequencyHz / m_program->pulsesPerMm
-               : unknown;
-}
-
-double Machine::followingErrorPulses() const
-{
-    return m_status ? m_status->followingErrorPulses : unknown;
-}
-
-double Machine::followingErrorMm() const
-{
-    return m_status && m_program && m_program->pulsesPerMm > 0
-               ? m_status->followingErrorPulses / m_program->pulsesPerMm
-               : unknown;
-}
-
-double Machine::pulseFrequencyHz() const
-{
-    return m_status ? m_status->commandedFrequencyHz : unknown;
-}
-
-double Machine::cycleCount() const
-{
-    return m_status ? m_status->cycleCount : unknown;
-}
-
-double Machine::bagCount() const
-{
-    return m_status ? m_status->bagCount : unknown;
-}
-
-// Program
-// ----------------------------------------------------------------------------------------------------------
-
 void Machine::takeProgram(const link::ActiveProgram& program)
 {
     if (!m_report.identity)
@@ -311,88 +155,6 @@ void Machine::takeProgram(const link::ActiveProgram& program)
     emit liveChanged();
     emit bagChanged();
     emit commandsChanged();
-}
-
-double Machine::generation() const
-{
-    return m_status ? m_status->generation : unknown;
-}
-
-QString Machine::activeName() const
-{
-    return m_program ? QString::fromStdString(m_program->header.recipeName) : QString();
-}
-
-double Machine::activeVersion() const
-{
-    return m_program ? m_program->header.recipeVersion : unknown;
-}
-
-double Machine::activeBagLengthMm() const
-{
-    return m_program ? m_program->header.bagLengthMm : unknown;
-}
-
-double Machine::activeRateBagsPerMin() const
-{
-    return m_program ? m_program->rateBagsPerMin : unknown;
-}
-
-double Machine::cycleSeconds() const
-{
-    return m_program ? m_program->cycleSeconds : unknown;
-}
-
-double Machine::syncStartDeg() const
-{
-    return m_program ? m_program->syncStartDeg : unknown;
-}
-
-double Machine::syncEndDeg() const
-{
-    return m_program ? m_program->syncEndDeg : unknown;
-}
-
-double Machine::cutAngleDeg() const
-{
-    return m_program ? m_program->cutDeg : unknown;
-}
-
-QVariant Machine::targetCurves() const
-{
-    return m_program && m_program->curves ? QVariant::fromValue(m_program->curves) : QVariant();
-}
-
-// Commands
-// ---------------------------------------------------------------------------------------------------------
-
-QString Machine::startBlockedReason() const
-{
-    if (!isConnected() || !m_fresh)
-        return tr("There is no connection to the controller.");
-    switch (state()) {
-    case State::Ready:
-        return {};
-    case State::Idle:
-        return tr("The controller has no program. Download a recipe first.");
-    case State::Running:
-        return tr("The machine is running.");
-    case State::Stopping:
-        return tr("The machine is stopping.");
-    case State::Jogging:
-    case State::Homing:
-        return tr("The machine is moving.");
-    case State::Fault:
-        return tr("The controller is in fault. Reset the fault first.");
-    case State::Unknown:
-        break;
-    }
-    return tr("The state of the controller is not known.");
-}
-
-bool Machine::canHome() const
-{
-    return isConnected() && m_fresh && (state() == State::Ready || state() == State::Idle);
 }
 
 void Machine::start()

@@ -202,6 +202,7 @@ private:
     BagStatistics m_bags;
     StatusRate m_rate;
     QTimer m_ageTimer;
+    QTimer m_qualityTimer;
     bool m_fresh = false;
     quint32 m_lastRequestId = 0;
     QString m_commandMessage;

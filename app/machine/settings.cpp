@@ -23,6 +23,10 @@ QString chosen(const QString& wanted, const QStringList& possible, const QString
     return possible.contains(wanted) ? wanted : otherwise;
 }
 
+const QList<int> possibleBauds{9600, 19200, 38400, 57600, 115200};
+const QStringList possibleParities{u"N"_s, u"E"_s, u"O"_s};
+
+// What was edited by hand into nonsense becomes the standard.
 ConnectionChoice storedConnection(const QSettings& storage)
 {
     const ConnectionChoice standard;
@@ -33,6 +37,11 @@ ConnectionChoice storedConnection(const QSettings& storage)
     choice.parity = storage.value("connection/parity"_L1, standard.parity).toString();
     choice.stopBits = storage.value("connection/stop_bits"_L1, standard.stopBits).toInt();
     choice.unit = storage.value("connection/unit"_L1, standard.unit).toInt();
+    if (!possibleBauds.contains(choice.baud))
+        choice.baud = standard.baud;
+    choice.parity = chosen(choice.parity, possibleParities, standard.parity);
+    choice.stopBits = std::clamp(choice.stopBits, 1, 2);
+    choice.unit = std::clamp(choice.unit, 1, 247);
     return choice;
 }
 
@@ -83,7 +92,7 @@ QStringList Settings::themes() const
 
 QList<int> Settings::bauds() const
 {
-    return {9600, 19200, 38400, 57600, 115200};
+    return possibleBauds;
 }
 
 void Settings::overrideLanguage(const QString& language)
@@ -147,7 +156,7 @@ void Settings::setBaud(int baud)
 void Settings::setParity(const QString& parity)
 {
     ConnectionChoice choice = m_draft;
-    choice.parity = chosen(parity, {u"N"_s, u"E"_s, u"O"_s}, choice.parity);
+    choice.parity = chosen(parity, possibleParities, choice.parity);
     edit(choice);
 }
 

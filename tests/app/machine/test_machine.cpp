@@ -289,6 +289,23 @@ private slots:
         QCOMPARE(again.parity(), "E");
     }
 
+    void nonsenseInTheSettingsFileBecomesTheStandard()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("settings.ini");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("language=tlh\ntheme=pink\n[connection]\nbaud=1\nparity=X\nunit=9999\nstop_bits=-3\n");
+        file.close();
+        const machine::Settings settings(path, nullptr);
+        QVERIFY(settings.languages().contains(settings.language()));
+        QCOMPARE(settings.theme(), "light");
+        QCOMPARE(settings.baud(), 115200);
+        QCOMPARE(settings.parity(), "N");
+        QCOMPARE(settings.unit(), 247);
+        QCOMPARE(settings.stopBits(), 1);
+    }
+
     void qmlSeesTheAttachedObjects()
     {
         PanelRig rig;

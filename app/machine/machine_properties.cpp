@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the properties of Machine answer, from the last status and the active program.
+#include "app/machine/connection_sentences.h"
+#include "app/machine/controller_sentences.h"
+#include "app/machine/machine.h"
+
+namespace campanel::machine {
+
+namespace {
+
+double orUnknown(const std::optional<double>& value)
+{
+    return value.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+} // namespace
+
+Machine::Connection Machine::connection() const
+{
+    switch (m_report.state) {
+    case link::LinkState::Searching:
+        return Connection::Searching;
+    case link::LinkState::Connecting:
+        return Connection::Connecting;
+    case link::LinkState::Connected:
+        return Connection::Connected;
+    case link::LinkState::Lost:
+        return Connection::Lost;
+    case link::LinkState::WrongDevice:
+        return Connection::WrongDevice;
+    case link::LinkState::PortProblem:
+        return Connection::PortProblem;
+    }
+    return Connection::Searching;
+}
+
+QString Machine::connectionText() const
+{
+    return ConnectionSentences::connection(m_report);
+}
+
+double Machine::statusPerSecond() const
+{
+    return isConnected() ? m_rate.perSecond(m_clock()) : unknown;
+}
+
+int Machine::linkQuality() const
+{
+    return isConnected() ? m_rate.quality(m_clock()) : 0;
+}
+
+double Machine::ageMs() const
+{
+    return m_statusAt ? std::chrono::duration<double, std::milli>(m_clock() - *m_statusAt).count() : unknown;
+}
+
+Machine::State Machine::state() const
+{
+    if (!isConnected() || !m_status || !m_status->state)
+        return State::Unknown;
+    switch (*m_status->state) {
+    case modbus::State::Idle:
+        return State::Idle;
+    case modbus::State::Ready:
+        return State::Ready;
+    case modbus::State::Running:
+        return State::Running;
+    case modbus::State::Stopping:
+        return State::Stopping;
+    case modbus::State::Jogging:
+        return State::Jogging;
+    case modbus::State::Homing:
+        return State::Homing;
+    case modbus::State::Fault:
+        return State::Fault;
+    }
+    return State::Unknown;
+}
+
+QString Machine::stateText() const
+{
+    if (state() != State::Unknown)
+        return ControllerSentences::state(*m_status->state);
+    switch (connection()) {
+    case Connection::Searching:
+        return tr("Searching");
+    case Connection::Connecting:
+    case Connection::Connected:
+        return tr("Connecting");
+    case Connection::Lost:
+        return tr("No connection");
+    case Connection::WrongDevice:
+        return tr("Wrong device");
+    case Connection::PortProblem:
+        return tr("Port problem");
+    }
+    return {};
+}
+
+QString Machine::alarmText() const
+{
+    return m_status && isConnected() ? ControllerSentences::alarms(*m_status).join(QLatin1Char('\n'))
+                                     : QString();
+}
+
+bool Machine::faulted() const
+{
+    return state() == State::Fault;
+}
+
+double Machine::rateBagsPerMin() const
+{
+    return m_status && m_program ? m_program->rateBagsPerMin * m_status->masterSpeedPercent / 100 : unknown;
+}
+
+double Machine::masterAngleDeg() const
+{
+    return m_status ? orUnknown(m_status->masterAngleDeg) : unknown;
+}
+
+double Machine::knifeAngleDeg() const
+{
+    return m_status ? orUnknown(m_status->knifeAngleDeg) : unknown;
+}
+
+double Machine::knifeSpeedMmPerS() const
+{
+    return m_status && m_program && m_program->pulsesPerMm > 0
+               ? m_status->actualFrequencyHz / m_program->pulsesPerMm
+               : unknown;
+}
+
+double Machine::followingErrorPulses() const
+{
+    return m_status ? m_status->followingErrorPulses : unknown;
+}
+
+double Machine::followingErrorMm() const
+{
+    return m_status && m_program && m_program->pulsesPerMm > 0
+               ? m_status->followingErrorPulses / m_program->pulsesPerMm
+               : unknown;
+}
+
+double Machine::pulseFrequencyHz() const
+{
+    return m_status ? m_status->commandedFrequencyHz : unknown;
+}
+
+double Machine::cycleCount() const
+{
+    return m_status ? m_status->cycleCount : unknown;
+}
+
+double Machine::bagCount() const
+{
+    return m_status ? m_status->bagCount : unknown;
+}
+
+double Machine::generation() const
+{
+    return m_status ? m_status->generation : unknown;
+}
+
+QString Machine::activeName() const
+{
+    return m_program ? QString::fromStdString(m_program->header.recipeName) : QString();
+}
+
+double Machine::activeVersion() const
+{
+    return m_program ? m_program->header.recipeVersion : unknown;
+}
+
+double Machine::activeBagLengthMm() const
+{
+    return m_program ? m_program->header.bagLengthMm : unknown;
+}
+
+double Machine::activeRateBagsPerMin() const
+{
+    return m_program ? m_program->rateBagsPerMin : unknown;
+}
+
+double Machine::cycleSeconds() const
+{
+    return m_program ? m_program->cycleSeconds : unknown;
+}
+
+double Machine::syncStartDeg() const
+{
+    return m_program ? m_program->syncStartDeg : unknown;
+}
+
+double Machine::syncEndDeg() const
+{
+    return m_program ? m_program->syncEndDeg : unknown;
+}
+
+double Machine::cutAngleDeg() const
+{
+    return m_program ? m_program->cutDeg : unknown;
+}
+
+QVariant Machine::targetCurves() const
+{
+    return m_program && m_program->curves ? QVariant::fromValue(m_program->curves) : QVariant();
+}
+
+QString Machine::startBlockedReason() const
+{
+    if (!isConnected() || !m_fresh)
+        return tr("There is no connection to the controller.");
+    switch (state()) {
+    case State::Ready:
+        return {};
+    case State::Idle:
+        return tr("The controller has no program. Download a recipe first.");
+    case State::Running:
+        return tr("The machine is running.");
+    case State::Stopping:
+        return tr("The machine is stopping.");
+    case State::Jogging:
+    case State::Homing:
+        return tr("The machine is moving.");
+    case State::Fault:
+        return tr("The controller is in fault. Reset the fault first.");
+    case State::Unknown:
+        break;
+    }
+    return tr("The state of the controller is not known.");
+}
+
+bool Machine::canHome() const
+{
+    return isConnected() && m_fresh && (state() == State::Ready || state() == State::Idle);
+}
+
+} // namespace campanel::machine
