@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <utility>
 
 using namespace std::chrono_literals;
 
@@ -15,6 +16,7 @@ namespace {
 constexpr std::uint32_t firstBag = 12420;
 constexpr int bagsShown = 60;
 constexpr int samplesPerCycle = 78; // as over 115200 baud at one bag a second
+constexpr int samplesPerBatch = 6;
 constexpr double shareShown = 0.62; // of the newest cycle
 constexpr double scatterMm = 0.09;
 constexpr double lagS = 0.004; // of the knife behind its target
@@ -92,7 +94,9 @@ void DemoLink::show(Situation situation)
     report(link::LinkState::Connected);
     if (situation == Situation::Empty) {
         emit programRead({});
-        emit statusReceived({{{m_now, {}}}, 0});
+        modbus::StatusBlock idle;
+        idle.state = modbus::State::Idle;
+        emit statusReceived({{{m_now, idle}}, 0});
         return;
     }
     const auto& bank = m_program.registers;
@@ -114,11 +118,11 @@ void DemoLink::runBags()
 {
     std::mt19937 random(seed);
     std::normal_distribution<double> deviation(0.03, scatterMm);
-    link::StatusBatch batch;
     m_bags = firstBag;
     for (int bag = 0; bag <= bagsShown; ++bag) {
         const int samples = bag < bagsShown ? samplesPerCycle : static_cast<int>(shareShown * samplesPerCycle);
         const double off = std::round(100 * deviation(random)) / 100;
+        link::StatusBatch batch;
         for (int i = 0; i < samples; ++i) {
             modbus::StatusBlock status = statusAt(static_cast<double>(i) / samplesPerCycle);
             status.cycleCount = status.bagCount = m_bags;
@@ -126,10 +130,12 @@ void DemoLink::runBags()
             status.bagLengthMm = m_program.cutter.cycle.bagLengthMm + off;
             m_now += std::chrono::microseconds(1000000 / samplesPerCycle);
             batch.samples.append({m_now, status});
+            if (batch.samples.size() == samplesPerBatch)
+                emit statusReceived(std::exchange(batch, {}));
         }
+        emit statusReceived(batch);
         ++m_bags;
     }
-    emit statusReceived(batch);
 }
 
 modbus::StatusBlock DemoLink::statusAt(double cycleShare) const

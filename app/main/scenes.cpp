@@ -65,8 +65,12 @@ const QList<Scene>& allScenes()
         edited("downloading", 320, {motion, QStringLiteral("nextStep"), QStringLiteral("downloadStart")}),
         {QStringLiteral("motion-refused"),
          [=](Stage& stage) {
-             stage.panel().editor().rate()->set(150);
-             stage.panel().editor().bagLength()->set(800);
+             stage.panel().editor().bagLength()->set(1500);
+             stage.tap(motion);
+         }},
+        {QStringLiteral("motion-limits"),
+         [=](Stage& stage) {
+             stage.panel().editor().rate()->set(390);
              stage.tap(motion);
          }},
         taps("settings-display", {settings, QStringLiteral("section0")}),
@@ -92,6 +96,11 @@ const QList<Scene>& allScenes()
         situation("run-fault", Situation::Fault, run),
         situation("run-lost", Situation::Lost, run),
         situation("motion-fault", Situation::Fault, motion),
+        {QStringLiteral("motion-all-curves"),
+         [=](Stage& stage) {
+             for (const char* name : {"nav1", "more", "positionSwitch", "jerkSwitch", "sheetClose"})
+                 stage.tap(QString::fromLatin1(name));
+         }},
     };
     return scenes;
 }

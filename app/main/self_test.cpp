@@ -21,9 +21,7 @@ void noteMessage(QtMsgType type, const QMessageLogContext&, const QString& messa
 
 TouchLimits limitsOf(Stage& stage)
 {
-    auto& engine = stage.panel().engine();
-    const int id = qmlTypeId("CamPanel.Theme", 1, 0, "Theme");
-    const auto* size = engine.singletonInstance<QObject*>(id)->property("size").value<QObject*>();
+    const auto* size = stage.theme()->property("size").value<QObject*>();
     return {size->property("touch").toDouble(), size->property("commandKey").toDouble()};
 }
 

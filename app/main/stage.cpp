@@ -52,11 +52,18 @@ Stage::Stage(const Look& look)
         return;
     m_panel.window().resize(look.size);
     auto* frame = m_panel.window().property("frame").value<QObject*>();
+    theme()->setProperty("animated", false);
     frame->setProperty("clockRuns", false);
     frame->setProperty("now", QDateTime(QDate(2026, 1, 15), QTime(14, 7)));
     m_panel.window().show();
+    settle(); // the first frame comes before the first data, as on a machine
     m_panel.machine().open();
     settle();
+}
+
+QObject* Stage::theme()
+{
+    return window().property("theme").value<QObject*>();
 }
 
 QQuickItem* Stage::find(const QString& name)
@@ -109,8 +116,10 @@ void Stage::closeDialogs()
 void Stage::settle()
 {
     constexpr int rounds = 4; // loaders, then their bindings, then polish
-    for (int i = 0; i < rounds; ++i)
+    for (int i = 0; i < rounds; ++i) {
         QCoreApplication::processEvents();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // closed dialogs; no event loop runs here
+    }
     (void)grab();
 }
 

@@ -27,6 +27,7 @@ public:
     [[nodiscard]] bool isReady() const { return m_isReady; }
     [[nodiscard]] QQuickWindow& window() { return m_panel.window(); }
     [[nodiscard]] QQuickItem& root() { return *m_panel.window().contentItem(); }
+    [[nodiscard]] QObject* theme(); // the Theme singleton
     [[nodiscard]] DemoLink& link() { return m_link; }
     [[nodiscard]] Panel& panel() { return m_panel; }
     [[nodiscard]] const QStringList& complaints() const { return m_complaints; }

@@ -46,10 +46,11 @@ T.AbstractButton {
             width: parent.width - 2 * field.inset - (field.compact ? 0 : suffix.width + Theme.size.spacing)
             anchors.top: caption.bottom
             anchors.bottom: field.compact ? suffix.top : parent.bottom
-            anchors.bottomMargin: field.compact ? 0 : field.inset / 2
+            anchors.topMargin: field.compact ? 0 : -Theme.size.accent
+            anchors.bottomMargin: field.compact ? 0 : Theme.size.accent
             text: field.value
             color: field.derived ? Theme.color.secondaryInk : Theme.color.ink
-            fontSizeMode: Text.HorizontalFit
+            fontSizeMode: Text.Fit
             minimumPixelSize: Theme.size.caption
             horizontalAlignment: field.compact ? Text.AlignLeft : Text.AlignRight
             font { pixelSize: Theme.size.value; bold: true }

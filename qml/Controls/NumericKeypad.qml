@@ -33,6 +33,7 @@ Card {
 
     border { width: Theme.size.outline; color: Theme.color.touch }
     focus: true
+    Component.onCompleted: keypad.forceActiveFocus()
     Keys.onReturnPressed: keypad.finish()
     Keys.onEnterPressed: keypad.finish()
     Keys.onEscapePressed: keypad.canceled()

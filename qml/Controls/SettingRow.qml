@@ -22,20 +22,24 @@ T.AbstractButton {
     }
     Item {
         anchors.fill: parent
-        Label {
-            id: caption
-            anchors { left: parent.left; leftMargin: Theme.size.padding; top: parent.top; bottom: parent.verticalCenter; topMargin: Theme.size.spacing }
-            width: parent.width - 2 * Theme.size.padding
-            text: row.label
-            color: Theme.color.secondaryInk
-            font.pixelSize: Theme.size.caption
-        }
-        Label {
-            anchors { left: caption.left; right: arrow.left; top: parent.verticalCenter; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
-            text: row.value
-            fontSizeMode: Text.HorizontalFit
-            minimumPixelSize: Theme.size.caption
-            font { pixelSize: Theme.size.title; weight: Font.DemiBold }
+        Column {
+            anchors { left: parent.left; leftMargin: Theme.size.padding; right: arrow.left; verticalCenter: parent.verticalCenter }
+            spacing: Theme.size.outline
+            Label {
+                width: parent.width
+                text: row.label
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption - 2
+                color: Theme.color.secondaryInk
+                font.pixelSize: Theme.size.caption
+            }
+            Label {
+                width: parent.width
+                text: row.value
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption
+                font { pixelSize: Theme.size.title; weight: Font.DemiBold }
+            }
         }
         IconLabel {
             id: arrow

@@ -30,6 +30,7 @@ Item {
         width: Math.min(sheet.panelWidth, sheet.width - 2 * Theme.size.gap)
         height: Math.min(sheet.panelHeight, sheet.height - 2 * Theme.size.gap)
 
+        clip: true
         MouseArea { anchors.fill: parent }
         Column {
             anchors { left: parent.left; leftMargin: Theme.size.padding; right: closeButton.left; verticalCenter: closeButton.verticalCenter }

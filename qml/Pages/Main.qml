@@ -11,6 +11,7 @@ Window {
 
     property alias page: frame.page
     readonly property Frame frame: frame
+    readonly property QtObject theme: Theme
 
     title: "CamPanel"
     color: Theme.color.ground

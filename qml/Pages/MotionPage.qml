@@ -51,12 +51,22 @@ Page {
             onEditRequested: index => page.editRequested(page.ratios, index, ratioGroup)
         }
         SettingRow {
+            id: lawButton
             objectName: "lawButton"
-            anchors { left: grid.left; right: grid.right; top: ratioGroup.bottom; topMargin: Theme.size.spacing }
+            anchors { left: grid.left; right: moreButton.left; rightMargin: Theme.size.spacing; top: ratioGroup.bottom; topMargin: Theme.size.spacing }
             height: page.rowHeight
             label: qsTr("Speed law")
             value: Editor.lawName
             onClicked: page.sheetRequested(lawSheet)
+        }
+        Button {
+            id: moreButton
+            objectName: "more"
+            anchors { right: grid.right; top: lawButton.top }
+            width: Theme.size.touch
+            height: page.rowHeight
+            glyph: Theme.icon.more
+            onClicked: page.sheetRequested(moreSheet)
         }
     }
     CurveEditor {
@@ -69,7 +79,6 @@ Page {
         id: verdict
         visible: page.bottomInset === 0    // a banner takes its place
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
-        onMoreRequested: page.sheetRequested(moreSheet)
         onDownloadRequested: page.sheetRequested(downloadSheet)
     }
 

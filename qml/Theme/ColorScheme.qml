@@ -22,6 +22,7 @@ QtObject {
     required property color stopPressed
     required property color stopInk
     required property color target        // target curve, ring of the dial
+    required property color sync          // where the knife runs with the film
     required property color disabledInk
     required property color scrim
     required property color acceleration

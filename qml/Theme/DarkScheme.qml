@@ -20,6 +20,7 @@ ColorScheme {
     stopPressed: "#D2504C"
     stopInk: "#FFFFFF"
     target: "#5E6F7E"
+    sync: "#38627D"
     disabledInk: "#8593A0"
     scrim: "#A0060A0D"
     acceleration: "#4CC38A"

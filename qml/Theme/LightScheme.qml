@@ -20,6 +20,7 @@ ColorScheme {
     stopPressed: "#8C2522"
     stopInk: "#FFFFFF"
     target: "#9AA8B4"
+    sync: "#8BB0C9"
     disabledInk: "#6B7782"
     scrim: "#8017212B"
     acceleration: "#1E7B4A"

@@ -29,6 +29,7 @@ Item {
         objectName: "middleKey"
         anchors { left: parent.left; right: parent.right; bottom: stopKey.top; bottomMargin: Theme.size.gap }
         visible: column.between
+        small: true
         glyph: column.homes ? Theme.icon.home : Theme.icon.resetFault
         text: column.homes ? qsTr("Home") : qsTr("Reset")
         baseColor: column.homes ? Theme.color.touch : Theme.color.fault

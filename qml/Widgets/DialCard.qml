@@ -10,32 +10,42 @@ import CamPanel.Plot
 Card {
     id: card
 
+    Rectangle {
+        id: mark
+        anchors { left: parent.left; leftMargin: Theme.size.padding; verticalCenter: angle.verticalCenter }
+        visible: Machine.hasActiveProgram
+        width: Theme.size.icon / 2
+        height: Theme.size.spacing
+        color: Theme.color.sync
+    }
+    Label {
+        anchors { left: mark.visible ? mark.right : mark.left; leftMargin: mark.visible ? Theme.size.spacing : 0; right: angle.left; verticalCenter: angle.verticalCenter }
+        text: Machine.hasActiveProgram ? qsTr("Sync window") : qsTr("Knife")
+        fontSizeMode: Text.HorizontalFit
+        minimumPixelSize: Theme.size.caption - 2
+        color: Theme.color.secondaryInk
+        font.pixelSize: Theme.size.caption
+    }
+    Label {
+        id: angle
+        anchors { right: parent.right; rightMargin: Theme.size.padding; top: parent.top; topMargin: Theme.size.outline }
+        text: isNaN(Machine.knifeAngleDeg) ? Theme.unknownText : Theme.number(Machine.knifeAngleDeg, 0) + "°"
+        color: Machine.fresh ? Theme.color.ink : Theme.color.disabledInk
+        font { pixelSize: Theme.size.value; bold: true }
+    }
     KnifeDial {
-        id: dial
-        anchors { fill: parent; margins: Theme.size.padding }
+        anchors { left: parent.left; right: parent.right; top: angle.bottom; bottom: parent.bottom; margins: Theme.size.spacing; topMargin: 0 }
         angleDeg: Machine.knifeAngleDeg
         syncStartDeg: Machine.syncStartDeg
         syncEndDeg: Machine.syncEndDeg
         cutAngleDeg: Machine.cutAngleDeg
         stale: !Machine.fresh
         ringColor: Theme.color.line
-        syncColor: Theme.color.target
+        syncColor: Theme.color.sync
         cutColor: Theme.color.ink
         handColor: Theme.color.ink
         tipColor: Theme.color.touch
         surfaceColor: Theme.color.surface
         staleColor: Theme.color.target
-    }
-    Label {
-        anchors { horizontalCenter: dial.horizontalCenter; verticalCenter: dial.verticalCenter; verticalCenterOffset: -dial.height * 0.19 }
-        text: isNaN(Machine.knifeAngleDeg) ? Theme.unknownText : Theme.number(Machine.knifeAngleDeg, 0) + "°"
-        color: Machine.fresh ? Theme.color.ink : Theme.color.disabledInk
-        font { pixelSize: Theme.size.value; bold: true }
-    }
-    Label {
-        anchors { horizontalCenter: dial.horizontalCenter; verticalCenter: dial.verticalCenter; verticalCenterOffset: dial.height * 0.22 }
-        text: Machine.hasActiveProgram ? qsTr("Sync window") : qsTr("Knife")
-        color: Theme.color.secondaryInk
-        font.pixelSize: Theme.size.caption
     }
 }

@@ -15,6 +15,8 @@ Sheet {
     title: qsTr("Download to the controller")
     note: Machine.state === Machine.State.Running ? qsTr("The machine keeps running; the new cam begins at the next cycle.")
         : qsTr("The new cam is used from the next start.")
+    panelHeight: Math.max(2, list.count + 1) * head.implicitHeight + 3 * Theme.size.touch + 2 * Theme.size.padding
+    panelWidth: width * 0.86
 
     DifferenceRow {
         id: head

@@ -18,7 +18,7 @@ Sheet {
     signal tableRequested()
     signal editRequested(var fields, int index, Item source)
 
-    readonly property real half: (body.width - body.spacing) / 2
+    readonly property real half: Math.floor((body.width - body.spacing) / 2)
 
     title: qsTr("View and tools")
     panelWidth: width * 0.82
@@ -28,19 +28,20 @@ Sheet {
         width: sheet.half
     }
 
-    Grid {
+    Flow {
         id: body
         anchors.fill: parent
-        columns: 2
         spacing: Theme.size.spacing
 
         Switch {
+            objectName: "positionSwitch"
             text: qsTr("Position curve")
             note: sheet.showPosition ? qsTr("shown") : qsTr("hidden")
             holds: sheet.showPosition
             onClicked: sheet.positionToggled(!sheet.showPosition)
         }
         Switch {
+            objectName: "jerkSwitch"
             text: qsTr("Jerk curve")
             note: sheet.showJerk ? qsTr("shown") : qsTr("hidden")
             holds: sheet.showJerk

@@ -15,7 +15,7 @@ Card {
 
     Readout {
         anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; verticalCenterOffset: -Theme.size.padding }
-        text: Theme.number(card.value, card.decimals)
+        text: Theme.count(card.value, card.decimals)
         stale: !Machine.fresh
     }
     Label {

@@ -42,7 +42,7 @@ T.AbstractButton {
                     anchors.centerIn: parent
                     Label {
                         anchors.horizontalCenter: parent.horizontalCenter
-                        text: cell.field.label
+                        text: cell.field.fieldId
                         color: Theme.color.secondaryInk
                         font.pixelSize: Theme.size.caption
                     }

@@ -10,11 +10,18 @@ Sheet {
     id: sheet
 
     title: qsTr("Step table")
-    note: Editor.tableSummary.join("  ·  ")
 
+    Label {
+        id: summary
+        anchors { left: parent.left; right: parent.right; top: parent.top }
+        wrapMode: Text.WordWrap
+        text: Editor.tableSummary.join("  ·  ")
+        color: Theme.color.secondaryInk
+        font.pixelSize: Theme.size.caption
+    }
     TableRow {
         id: head
-        anchors { left: parent.left; right: parent.right; top: parent.top }
+        anchors { left: parent.left; right: parent.right; top: summary.bottom; topMargin: Theme.size.spacing }
         header: true
         cells: [qsTr("Row"), qsTr("Stretch"), qsTr("Time ms"), qsTr("Frequency Hz"), qsTr("Pulses"), qsTr("Timer ticks")]
     }

@@ -9,7 +9,6 @@ import CamPanel.Machine
 Card {
     id: bar
 
-    signal moreRequested()
     signal downloadRequested()
 
     readonly property bool good: Editor.severity === Editor.Severity.Good
@@ -63,13 +62,6 @@ Card {
             glyph: Theme.icon.redo
             enabled: Editor.canRedo
             onClicked: Editor.redo()
-        }
-        Button {
-            objectName: "more"
-            width: Theme.size.touch
-            kind: Button.Quiet
-            glyph: Theme.icon.more
-            onClicked: bar.moreRequested()
         }
         NextStepButton {
             onDownloadRequested: bar.downloadRequested()
