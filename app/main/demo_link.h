@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// A link without a line: answers as a controller that runs a known program would, always with the same numbers and on its own clock. For captures and the self-test.
+#pragma once
+
+#include "app/link/link.h"
+#include "app/program/program_image.h"
+
+namespace campanel::panel {
+
+class DemoLink : public link::Link {
+    Q_OBJECT
+
+public:
+    enum class Situation { Running, Stopped, Fault, Lost, Empty };
+
+    explicit DemoLink(QObject* parent);
+
+    void connectTo(const link::ConnectionSettings& settings) override;
+    void request(const link::CommandRequest& request) override;
+    void download(const std::vector<std::uint16_t>& bank) override;
+    void cancelDownload() override;
+
+    void show(Situation situation);
+    // How often Stop arrived so far.
+    [[nodiscard]] int stopRequests() const { return m_stopRequests; }
+    [[nodiscard]] link::SteadyTime now() const { return m_now; }
+
+private:
+    void report(link::LinkState state);
+    void runBags();
+    [[nodiscard]] modbus::StatusBlock statusAt(double cycleShare) const;
+
+    program::ProgramImage m_program;
+    link::SteadyTime m_now{};
+    std::uint32_t m_bags = 0;
+    int m_stopRequests = 0;
+    Situation m_situation = Situation::Running;
+};
+
+} // namespace campanel::panel

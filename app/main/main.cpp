@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// The panel's executable: reads the options and puts the parts together.
+#include "app/link/threaded_link.h"
+#include "app/main/capture.h"
+#include "app/main/fonts.h"
+#include "app/main/options.h"
+#include "app/main/panel.h"
+#include "app/main/self_test.h"
+
+#include <QGuiApplication>
+#include <QtQml/qqmlextensionplugin.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <span>
+#include <string_view>
+
+Q_IMPORT_QML_PLUGIN(CamPanel_ThemePlugin)
+Q_IMPORT_QML_PLUGIN(CamPanel_ControlsPlugin)
+Q_IMPORT_QML_PLUGIN(CamPanel_WidgetsPlugin)
+Q_IMPORT_QML_PLUGIN(CamPanel_PagesPlugin)
+Q_IMPORT_QML_PLUGIN(CamPanel_MachinePlugin)
+Q_IMPORT_QML_PLUGIN(CamPanel_PlotPlugin)
+
+namespace {
+
+using namespace campanel;
+
+// Captures and the self-test need no display. The platform is chosen before there is an application to ask.
+void chooseOffscreen(std::span<char*> arguments)
+{
+    const auto needsNoDisplay = [](std::string_view argument) {
+        return argument == "--self-test" || argument.starts_with("--capture") || argument == "--help" || argument == "-h" ||
+            argument == "--version" || argument == "-v";
+    };
+    if (std::any_of(arguments.begin() + 1, arguments.end(), needsNoDisplay))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+}
+
+int runPanel(const panel::Options& options)
+{
+    link::ThreadedLink link(nullptr);
+    panel::Panel panel(link, {});
+    if (options.connection)
+        panel.settings().overrideConnection(*options.connection);
+    if (!options.language.isEmpty())
+        panel.settings().overrideLanguage(options.language);
+    if (!options.theme.isEmpty())
+        panel.settings().overrideTheme(options.theme);
+    if (!panel.load())
+        return EXIT_FAILURE;
+    panel.window().resize(options.size);
+    if (options.isFullScreen)
+        panel.window().showFullScreen();
+    else
+        panel.window().show();
+    panel.machine().open();
+    return QGuiApplication::exec();
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    chooseOffscreen({argv, static_cast<std::size_t>(argc)});
+    QGuiApplication application(argc, argv);
+    QGuiApplication::setApplicationName(QStringLiteral("campanel"));
+    QGuiApplication::setOrganizationName(QStringLiteral("campanel"));
+    QGuiApplication::setApplicationVersion(QStringLiteral(CAMPANEL_VERSION));
+    const panel::Options options = panel::readOptions(application);
+
+    panel::applyFonts();
+    const QStringList missing = panel::missingFonts();
+    for (const QString& sentence : missing)
+        std::fprintf(stderr, "campanel: %s\n", qPrintable(sentence));
+
+    if (!options.captureFolder.isEmpty())
+        return missing.isEmpty() ? panel::capture(options.captureFolder) : EXIT_FAILURE;
+    if (options.isSelfTest)
+        return missing.isEmpty() ? panel::selfTest() : EXIT_FAILURE;
+    return runPanel(options);
+}

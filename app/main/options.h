@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line of the panel as values.
+#pragma once
+
+#include "app/machine/settings.h"
+
+#include <QSize>
+#include <QString>
+
+#include <optional>
+
+class QCoreApplication;
+
+namespace campanel::panel {
+
+struct Options {
+    std::optional<machine::ConnectionChoice> connection; // empty: as in the settings
+    QString language;                                    // empty: as in the settings
+    QString theme;
+    QSize size{1024, 600};
+    bool isFullScreen = false;
+    QString captureFolder; // empty: no capture
+    bool isSelfTest = false;
+};
+
+// Prints and ends the process for --help, --version and for what it does not understand (exit code 2).
+[[nodiscard]] Options readOptions(const QCoreApplication& application);
+
+} // namespace campanel::panel

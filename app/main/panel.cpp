@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// The panel put together; see panel.h.
+#include "app/main/panel.h"
+
+#include "app/machine/engine_instances.h"
+
+#include <QCoreApplication>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QQmlComponent>
+#include <QStandardPaths>
+
+namespace campanel::panel {
+namespace {
+
+QString recipeFolder(const Storage& storage)
+{
+    return storage.recipeFolder.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) : storage.recipeFolder;
+}
+
+} // namespace
+
+Panel::Panel(link::Link& link, const Storage& storage)
+    : m_settings(storage.settingsFile, nullptr)
+    , m_machine(link, m_settings, nullptr)
+    , m_editor(m_machine, recipeFolder(storage), nullptr)
+{
+    m_engine.addImportPath(QStringLiteral("qrc:/qt/qml"));
+    machine::attachToEngine(m_engine, m_machine, m_editor, m_settings);
+    connect(&m_settings, &machine::Settings::languageChanged, this, &Panel::translate);
+    translate();
+}
+
+Panel::~Panel()
+{
+    for (QTranslator& translator : m_translators)
+        QCoreApplication::removeTranslator(&translator);
+}
+
+bool Panel::load()
+{
+    QQmlComponent component(&m_engine, QUrl(QStringLiteral("qrc:/qt/qml/CamPanel/Pages/Main.qml")));
+    m_window.reset(qobject_cast<QQuickWindow*>(component.create()));
+    if (!m_window)
+        qCritical("%s", qPrintable(component.errorString()));
+    return m_window != nullptr;
+}
+
+void Panel::translate()
+{
+    const QLocale locale(m_settings.language());
+    const std::array names{QStringLiteral("campanel_qml"), QStringLiteral("campanel_app"), QStringLiteral("qtbase")};
+    const std::array folders{QStringLiteral(":/i18n"), QStringLiteral(":/i18n"), QLibraryInfo::path(QLibraryInfo::TranslationsPath)};
+    for (std::size_t i = 0; i < m_translators.size(); ++i) {
+        QCoreApplication::removeTranslator(&m_translators[i]);
+        if (m_translators[i].load(locale, names[i], QStringLiteral("_"), folders[i]))
+            QCoreApplication::installTranslator(&m_translators[i]);
+    }
+    QLocale::setDefault(locale);
+    m_engine.retranslate();
+}
+
+} // namespace campanel::panel

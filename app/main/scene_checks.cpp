@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// Checks of what is on the screen; see scene_checks.h.
+#include "app/main/scene_checks.h"
+
+#include <QQuickItem>
+
+#include <cmath>
+
+namespace campanel::panel {
+namespace {
+
+constexpr double tolerancePx = 1.0; // rounding of glyph metrics
+constexpr double overlapPx = 2.0;   // font boxes hold more than the ink
+
+struct PaintedText {
+    QString text;
+    QRectF rect; // what is painted, in scene coordinates
+};
+
+bool isText(const QQuickItem& item)
+{
+    return item.inherits("QQuickText");
+}
+
+bool isButton(const QQuickItem& item)
+{
+    return item.inherits("QQuickAbstractButton");
+}
+
+QString nameOf(const QQuickItem& item)
+{
+    const QString text = item.property("text").toString();
+    return QStringLiteral("%1 \"%2\"").arg(item.objectName(), text);
+}
+
+// The painted part of a text item in its own coordinates.
+QRectF paintedRect(const QQuickItem& text)
+{
+    const double width = text.property("contentWidth").toDouble();
+    const double height = text.property("contentHeight").toDouble();
+    const int horizontal = text.property("effectiveHorizontalAlignment").toInt();
+    const int vertical = text.property("verticalAlignment").toInt();
+    const double left = text.property("leftPadding").toDouble();
+    const double spareX = text.width() - left - text.property("rightPadding").toDouble() - width;
+    const double spareY = text.height() - height;
+    const double x = horizontal == Qt::AlignRight ? spareX : horizontal == Qt::AlignHCenter ? spareX / 2 : 0;
+    const double y = vertical == Qt::AlignBottom ? spareY : vertical == Qt::AlignVCenter ? spareY / 2 : 0;
+    return {left + x, y, width, height};
+}
+
+bool isScrolled(const QQuickItem& item)
+{
+    for (const QQuickItem* parent = item.parentItem(); parent; parent = parent->parentItem()) {
+        if (parent->inherits("QQuickFlickable"))
+            return true;
+    }
+    return false;
+}
+
+// The button or surface that the text stands on.
+const QQuickItem* surfaceOf(const QQuickItem& text)
+{
+    const QQuickItem* parent = text.parentItem();
+    while (parent && !isButton(*parent) && !parent->inherits("QQuickRectangle"))
+        parent = parent->parentItem();
+    return parent;
+}
+
+class Checker {
+public:
+    explicit Checker(const TouchLimits& limits)
+        : m_limits(limits)
+    {
+    }
+
+    void visit(QQuickItem& item)
+    {
+        if (!item.isVisible() || item.opacity() <= 0)
+            return;
+        if (isText(item))
+            checkText(item);
+        if (isButton(item) && item.isEnabled())
+            checkTarget(item);
+        for (QQuickItem* child : item.childItems())
+            visit(*child);
+    }
+
+    QStringList finish()
+    {
+        for (qsizetype i = 0; i < m_texts.size(); ++i) {
+            for (qsizetype j = i + 1; j < m_texts.size(); ++j) {
+                const QRectF common = m_texts[i].rect.intersected(m_texts[j].rect);
+                if (common.width() > overlapPx && common.height() > m_texts[i].rect.height() / 4)
+                    m_faults += QStringLiteral("\"%1\" and \"%2\" overlap").arg(m_texts[i].text, m_texts[j].text);
+            }
+        }
+        return m_faults;
+    }
+
+private:
+    void checkText(const QQuickItem& item)
+    {
+        const QString text = item.property("text").toString();
+        if (text.isEmpty())
+            return;
+        if (item.property("truncated").toBool())
+            m_faults += QStringLiteral("%1 is elided").arg(nameOf(item));
+        const QRectF painted = paintedRect(item);
+        if (painted.width() > item.width() + tolerancePx || painted.height() > item.height() + 2 * tolerancePx)
+            m_faults += QStringLiteral("%1 needs %2 x %3 and has %4 x %5")
+                            .arg(nameOf(item))
+                            .arg(painted.width())
+                            .arg(painted.height())
+                            .arg(item.width())
+                            .arg(item.height());
+        if (isScrolled(item))
+            return;
+        const QRectF rect = item.mapRectToScene(painted);
+        if (const QQuickItem* surface = surfaceOf(item)) {
+            const QRectF limit = surface->mapRectToScene(surface->boundingRect()).adjusted(-tolerancePx, -tolerancePx, tolerancePx, tolerancePx);
+            if (!limit.contains(rect))
+                m_faults += QStringLiteral("%1 stands out of its surface").arg(nameOf(item));
+        }
+        m_texts.append({text, rect});
+    }
+
+    void checkTarget(const QQuickItem& item)
+    {
+        const bool isCommand = item.objectName() == QStringLiteral("startKey") || item.objectName() == QStringLiteral("stopKey");
+        const double limit = std::floor(isCommand ? m_limits.commandPx : m_limits.touchPx) - tolerancePx;
+        if (item.width() < limit || item.height() < limit)
+            m_faults += QStringLiteral("%1 is %2 x %3, a finger needs %4")
+                            .arg(nameOf(item))
+                            .arg(item.width())
+                            .arg(item.height())
+                            .arg(limit);
+    }
+
+    TouchLimits m_limits;
+    QList<PaintedText> m_texts;
+    QStringList m_faults;
+};
+
+QQuickItem* childNamed(QQuickItem& below, const QString& name)
+{
+    if (below.objectName() == name)
+        return &below;
+    for (QQuickItem* child : below.childItems()) {
+        if (QQuickItem* found = childNamed(*child, name))
+            return found;
+    }
+    return nullptr;
+}
+
+} // namespace
+
+QStringList checkScene(QQuickItem& root, const TouchLimits& limits)
+{
+    QQuickItem* layer = &root;
+    for (const char* host : {"sheetHost", "keypadLoader"}) {
+        QQuickItem* item = childNamed(root, QString::fromLatin1(host));
+        if (item && !item->childItems().isEmpty())
+            layer = item;
+    }
+    Checker checker(limits);
+    checker.visit(*layer);
+    return checker.finish();
+}
+
+} // namespace campanel::panel

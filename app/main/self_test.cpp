@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Loads every page and dialog and checks it; see self_test.h.
+#include "app/main/self_test.h"
+
+#include "app/main/scene_checks.h"
+#include "app/main/scenes.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace campanel::panel {
+namespace {
+
+QStringList g_warnings; // written by the message handler, which knows no object
+
+void noteMessage(QtMsgType type, const QMessageLogContext&, const QString& message)
+{
+    if (type != QtDebugMsg && type != QtInfoMsg)
+        g_warnings += message;
+}
+
+TouchLimits limitsOf(Stage& stage)
+{
+    const auto* size = stage.theme()->property("size").value<QObject*>();
+    return {size->property("touch").toDouble(), size->property("commandKey").toDouble()};
+}
+
+QStringList checkStop(Stage& stage)
+{
+    const int before = stage.link().stopRequests();
+    stage.tap(QStringLiteral("stopKey"));
+    return stage.link().stopRequests() > before ? QStringList() : QStringList(QStringLiteral("Stop cannot be reached"));
+}
+
+QStringList checkLook(const Look& look)
+{
+    QStringList faults;
+    Stage stage(look);
+    if (!stage.isReady())
+        return {QStringLiteral("the window cannot be loaded")};
+    for (const Scene& scene : allScenes()) {
+        enterScene(stage, scene);
+        const QStringList found = checkScene(stage.root(), limitsOf(stage)) + checkStop(stage);
+        for (const QString& fault : found)
+            faults += QStringLiteral("%1: %2").arg(scene.name, fault);
+    }
+    return faults + stage.complaints();
+}
+
+} // namespace
+
+int selfTest()
+{
+    const QtMessageHandler before = qInstallMessageHandler(noteMessage);
+    qsizetype faults = 0;
+    for (const Look& look : allLooks()) {
+        g_warnings.clear();
+        const QStringList found = checkLook(look) + g_warnings;
+        for (const QString& fault : found)
+            std::fprintf(stderr, "%s: %s\n", qPrintable(look.name()), qPrintable(fault));
+        faults += found.size();
+    }
+    qInstallMessageHandler(before);
+    std::printf("%lld pages and dialogs in %lld looks: %lld faults\n", static_cast<long long>(allScenes().size()),
+                static_cast<long long>(allLooks().size()), static_cast<long long>(faults));
+    return faults == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+} // namespace campanel::panel

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// A sentence that the operator must see, with an icon and a button; severity by color and icon.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+
+Rectangle {
+    id: banner
+
+    enum Severity { Information, Warning, Fault }
+
+    required property string text
+    property int severity: Banner.Information
+    property string buttonText
+    signal accepted()
+
+    readonly property color accentColor: severity === Banner.Fault ? Theme.color.fault
+        : severity === Banner.Warning ? Theme.color.warning : Theme.color.touch
+
+    radius: Theme.size.radius
+    color: Theme.color.surface
+    border { width: Theme.size.outline; color: accentColor }
+
+    MouseArea { anchors.fill: parent }
+    IconLabel {
+        id: mark
+        anchors { left: parent.left; leftMargin: Theme.size.padding; verticalCenter: parent.verticalCenter }
+        code: banner.severity === Banner.Fault ? Theme.icon.fault
+            : banner.severity === Banner.Warning ? Theme.icon.alert : Theme.icon.information
+        color: banner.accentColor
+    }
+    Label {
+        anchors { left: mark.right; right: button.left; margins: Theme.size.padding; verticalCenter: parent.verticalCenter }
+        height: parent.height - Theme.size.spacing
+        text: banner.text
+        wrapMode: Text.WordWrap
+        fontSizeMode: Text.Fit
+        minimumPixelSize: Theme.size.caption - 1
+    }
+    Button {
+        id: button
+        anchors { right: parent.right; rightMargin: Theme.size.spacing + Theme.size.outline; verticalCenter: parent.verticalCenter }
+        text: banner.buttonText
+        onClicked: banner.accepted()
+    }
+}

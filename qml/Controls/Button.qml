@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// A push button: primary (the next step), normal, quiet (no frame) or chosen by color.
+pragma ComponentBehavior: Bound
+import QtQuick
+import QtQuick.Templates as T
+import CamPanel.Theme
+
+T.AbstractButton {
+    id: button
+
+    enum Kind { Normal, Primary, Quiet }
+
+    property int kind: Button.Normal
+    property string glyph
+    property string note               // second, smaller line
+
+    readonly property bool primary: kind === Button.Primary
+    readonly property color inkColor: !enabled ? Theme.color.disabledInk : primary ? Theme.color.touchInk : Theme.color.touch
+
+    implicitWidth: Math.max(Theme.size.touch, content.implicitWidth + 2 * Theme.size.padding)
+    implicitHeight: Theme.size.touch
+
+    background: Rectangle {
+        radius: Theme.size.radius
+        color: !button.enabled ? (button.kind === Button.Quiet ? "transparent" : Theme.color.inset)
+            : button.primary ? (button.down ? Theme.color.touchPressed : Theme.color.touch)
+            : button.down ? Theme.color.touchTint
+            : button.kind === Button.Quiet ? "transparent" : Theme.color.inset
+        border { width: button.kind === Button.Normal || !button.enabled && button.primary ? Theme.size.hairline : 0; color: Theme.color.line }
+    }
+    Item {
+        anchors.fill: parent
+        Row {
+            id: content
+            anchors.centerIn: parent
+            spacing: Theme.size.spacing
+            IconLabel {
+                anchors.verticalCenter: parent.verticalCenter
+                visible: button.glyph.length > 0
+                code: button.glyph
+                color: button.inkColor
+            }
+            Column {
+                anchors.verticalCenter: parent.verticalCenter
+                visible: button.text.length > 0
+                Label {
+                    anchors.horizontalCenter: parent.horizontalCenter
+                    text: button.text
+                    color: button.inkColor
+                    font { pixelSize: button.primary ? Theme.size.title : Theme.size.body; weight: Font.DemiBold }
+                }
+                Label {
+                    anchors.horizontalCenter: parent.horizontalCenter
+                    visible: button.note.length > 0
+                    text: button.note
+                    color: button.inkColor
+                    font.pixelSize: Theme.size.caption
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+// A surface that holds what belongs together.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+
+Rectangle {
+    color: Theme.color.surface
+    radius: Theme.size.radius
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// One entry of a list of choices: what it is, a note below, a tick when it holds.
+pragma ComponentBehavior: Bound
+import QtQuick
+import QtQuick.Templates as T
+import CamPanel.Theme
+
+T.AbstractButton {
+    id: entry
+
+    property string note
+    property bool holds
+    property color noteColor: Theme.color.secondaryInk
+
+    implicitHeight: Theme.size.touch
+
+    background: Rectangle {
+        radius: Theme.size.radius
+        color: entry.holds || entry.down ? Theme.color.touchTint : Theme.color.inset
+        border { width: Theme.size.hairline; color: entry.holds ? Theme.color.touch : Theme.color.line }
+    }
+    Item {
+        anchors.fill: parent
+        Column {
+            anchors { left: parent.left; right: tick.left; margins: Theme.size.padding; verticalCenter: parent.verticalCenter }
+            spacing: Theme.size.outline
+            Label {
+                width: parent.width
+                text: entry.text
+                color: entry.enabled ? Theme.color.ink : Theme.color.disabledInk
+                font.weight: Font.DemiBold
+            }
+            Label {
+                visible: text.length > 0
+                width: parent.width
+                text: entry.note
+                wrapMode: Text.WordWrap
+                color: entry.noteColor
+                font.pixelSize: Theme.size.caption
+            }
+        }
+        IconLabel {
+            id: tick
+            anchors { right: parent.right; rightMargin: Theme.size.padding; verticalCenter: parent.verticalCenter }
+            opacity: entry.holds ? 1 : 0
+            code: Theme.icon.check
+            color: Theme.color.touch
+        }
+    }
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// A key of the command column: Start (outlined until it can be pressed), Stop (always filled), or one between them.
+pragma ComponentBehavior: Bound
+import QtQuick
+import QtQuick.Templates as T
+import CamPanel.Theme
+
+T.AbstractButton {
+    id: key
+
+    required property string glyph
+    property string note
+    property bool filled
+    property bool ready: true              // shown as pressable; a key that is not ready still takes the finger and says why
+    property bool square: false            // a plain filled square instead of the glyph: stop, and nothing like a mushroom button
+    property bool small: false
+    property color baseColor: Theme.color.good
+    property color pressedColor: Theme.color.good
+    readonly property color inkColor: filled ? Theme.color.stopInk : baseColor
+
+    implicitWidth: Theme.size.commandKey
+    implicitHeight: Theme.size.commandKey
+
+    background: Rectangle {
+        radius: Theme.size.radius
+        color: key.filled ? (key.down ? key.pressedColor : key.baseColor)
+            : key.down ? Theme.color.inset : Theme.color.surface
+        border { width: key.filled ? 0 : Theme.size.outline; color: key.baseColor }
+        opacity: key.ready ? 1 : Theme.dimmed
+    }
+    Item {
+        anchors.fill: parent
+        Column {
+            anchors.centerIn: parent
+            opacity: key.ready ? 1 : Theme.dimmed
+            spacing: Theme.size.spacing
+            Item {
+                anchors.horizontalCenter: parent.horizontalCenter
+                visible: key.square
+                width: Theme.size.largeIcon
+                height: Theme.size.largeIcon
+                Rectangle {
+                    anchors { fill: parent; margins: Theme.size.accent }
+                    radius: Theme.size.accent
+                    color: key.inkColor
+                }
+            }
+            IconLabel {
+                anchors.horizontalCenter: parent.horizontalCenter
+                visible: !key.square
+                code: key.glyph
+                color: key.inkColor
+                font.pixelSize: key.small ? Theme.size.icon : Theme.size.largeIcon
+            }
+            Label {
+                anchors.horizontalCenter: parent.horizontalCenter
+                width: key.width - Theme.size.spacing
+                horizontalAlignment: Text.AlignHCenter
+                wrapMode: Text.WordWrap
+                text: key.text
+                color: key.inkColor
+                font { pixelSize: key.small ? Theme.size.body : Theme.size.command; bold: true }
+            }
+            Label {
+                anchors.horizontalCenter: parent.horizontalCenter
+                visible: key.note.length > 0
+                width: key.width - Theme.size.spacing
+                horizontalAlignment: Text.AlignHCenter
+                wrapMode: Text.WordWrap
+                text: key.note
+                color: key.inkColor
+                font.pixelSize: Theme.size.caption
+            }
+        }
+    }
+}

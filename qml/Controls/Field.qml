@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// A number that can be tapped: label, value, unit, and whether it is given (pinned) or derived from the others.
+pragma ComponentBehavior: Bound
+import QtQuick
+import QtQuick.Templates as T
+import CamPanel.Theme
+
+T.AbstractButton {
+    id: field
+
+    required property string label
+    required property string value
+    property string unit
+    property bool pinned
+    property bool derived
+    property bool compact: true            // unit below the value; otherwise beside it
+    signal explain()
+
+    implicitWidth: Theme.size.touch
+    implicitHeight: Theme.size.touch
+    onPressAndHold: field.explain()
+
+    readonly property int inset: compact ? Theme.size.spacing + Theme.size.outline : Theme.size.padding
+
+    background: Rectangle {
+        radius: Theme.size.radius
+        color: field.pinned || field.down ? Theme.color.touchTint : Theme.color.inset
+        border { width: Theme.size.hairline; color: field.pinned ? Theme.color.touch : Theme.color.line }
+    }
+    Item {
+        anchors.fill: parent
+        Label {
+            id: caption
+            x: field.inset
+            y: field.inset - Theme.size.outline
+            width: parent.width - 2 * field.inset - (mark.visible && !field.compact ? mark.width : 0)
+            text: field.label
+            color: Theme.color.secondaryInk
+            font.pixelSize: Theme.size.caption
+            fontSizeMode: Text.HorizontalFit
+            minimumPixelSize: Theme.size.caption - 2
+        }
+        Label {
+            id: number
+            x: field.inset
+            width: parent.width - 2 * field.inset - (field.compact ? 0 : suffix.width + Theme.size.spacing)
+            anchors.top: caption.bottom
+            anchors.bottom: field.compact ? suffix.top : parent.bottom
+            anchors.topMargin: field.compact ? 0 : -Theme.size.accent
+            anchors.bottomMargin: field.compact ? 0 : Theme.size.accent
+            text: field.value
+            color: field.derived ? Theme.color.secondaryInk : Theme.color.ink
+            fontSizeMode: Text.Fit
+            minimumPixelSize: Theme.size.caption
+            horizontalAlignment: field.compact ? Text.AlignLeft : Text.AlignRight
+            font { pixelSize: Theme.size.value; bold: true }
+        }
+        Label {
+            id: suffix
+            x: field.compact ? field.inset : parent.width - width - field.inset
+            y: field.compact ? parent.height - height - field.inset + Theme.size.outline
+                : number.y + number.baselineOffset - baselineOffset
+            text: field.unit
+            color: Theme.color.secondaryInk
+            font.pixelSize: Theme.size.caption
+        }
+        IconLabel {
+            id: mark
+            x: parent.width - width - field.inset
+            y: field.compact ? suffix.y + (suffix.height - height) / 2 : caption.y + (caption.height - height) / 2
+            visible: field.pinned || field.derived
+            code: field.pinned ? Theme.icon.pin : Theme.icon.derived
+            color: field.pinned ? Theme.color.touch : Theme.color.secondaryInk
+            font.pixelSize: Theme.size.title
+        }
+    }
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// A sheet with a list of which one entry is chosen; each choice is {key, text, note}.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+
+Sheet {
+    id: picker
+
+    required property var choices
+    required property var current
+    property string emptyText
+    signal chosen(var key)
+
+    panelHeight: Theme.size.touch + Theme.size.padding + Math.max(1, picker.choices.length) * (Theme.size.touch + Theme.size.spacing)
+    panelWidth: width * 0.62
+
+    Label {
+        anchors.fill: parent
+        visible: picker.choices.length === 0
+        wrapMode: Text.WordWrap
+        text: picker.emptyText
+        color: Theme.color.secondaryInk
+    }
+    ListView {
+        id: list
+        anchors.fill: parent
+        clip: true
+        model: picker.choices
+        spacing: Theme.size.spacing
+        boundsBehavior: Flickable.StopAtBounds
+        delegate: ChoiceRow {
+            required property var modelData
+            width: list.width
+            text: modelData.text
+            note: modelData.note ?? ""
+            holds: modelData.key === picker.current
+            onClicked: picker.chosen(modelData.key)
+        }
+    }
+    ScrollMark { view: list }
+}

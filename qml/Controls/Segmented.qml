@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// A row of choices of which exactly one holds; each choice is {key, text, glyph}.
+pragma ComponentBehavior: Bound
+import QtQuick
+import QtQuick.Templates as T
+import CamPanel.Theme
+
+Rectangle {
+    id: segmented
+
+    required property var choices
+    required property var current
+    signal chosen(var key)
+
+    implicitHeight: Theme.size.touch
+    radius: Theme.size.radius
+    color: Theme.color.inset
+    border { width: Theme.size.hairline; color: Theme.color.line }
+
+    Row {
+        anchors.fill: parent
+        Repeater {
+            model: segmented.choices
+            T.AbstractButton {
+                id: choice
+                required property var modelData
+                readonly property bool holds: modelData.key === segmented.current
+                width: segmented.width / segmented.choices.length
+                height: segmented.height
+                onClicked: segmented.chosen(modelData.key)
+                background: Rectangle {
+                    radius: Theme.size.radius
+                    color: choice.holds || choice.down ? Theme.color.touchTint : "transparent"
+                    border { width: choice.holds ? Theme.size.outline : 0; color: Theme.color.touch }
+                }
+                Item {
+                    anchors.fill: parent
+                    Row {
+                        anchors.centerIn: parent
+                        spacing: Theme.size.spacing
+                        IconLabel {
+                            anchors.verticalCenter: parent.verticalCenter
+                            visible: code.length > 0
+                            code: choice.modelData.glyph ?? ""
+                            color: choice.holds ? Theme.color.touch : Theme.color.secondaryInk
+                        }
+                        Label {
+                            anchors.verticalCenter: parent.verticalCenter
+                            text: choice.modelData.text
+                            color: choice.holds ? Theme.color.touch : Theme.color.secondaryInk
+                            font.weight: choice.holds ? Font.Bold : Font.DemiBold
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// A row that shows a setting and opens its choices when tapped.
+pragma ComponentBehavior: Bound
+import QtQuick
+import QtQuick.Templates as T
+import CamPanel.Theme
+
+T.AbstractButton {
+    id: row
+
+    required property string label
+    required property string value
+    property string glyph: Theme.icon.next
+
+    implicitWidth: Theme.size.touch
+    implicitHeight: Theme.size.touch
+
+    background: Rectangle {
+        radius: Theme.size.radius
+        color: row.down ? Theme.color.touchTint : Theme.color.inset
+        border { width: Theme.size.hairline; color: Theme.color.line }
+    }
+    Item {
+        anchors.fill: parent
+        Column {
+            anchors { left: parent.left; leftMargin: Theme.size.padding; right: arrow.left; verticalCenter: parent.verticalCenter }
+            spacing: Theme.size.outline
+            Label {
+                width: parent.width
+                text: row.label
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption - 2
+                color: Theme.color.secondaryInk
+                font.pixelSize: Theme.size.caption
+            }
+            Label {
+                width: parent.width
+                text: row.value
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption
+                font { pixelSize: Theme.size.title; weight: Font.DemiBold }
+            }
+        }
+        IconLabel {
+            id: arrow
+            anchors { right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+            code: row.glyph
+            color: Theme.color.touch
+        }
+    }
+}

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// A dialog over the page area: title, content, footer. The frame gives it a region that never holds Start and Stop.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+
+Item {
+    id: sheet
+
+    required property string title
+    property string note
+    default property alias content: body.data
+    property alias footer: footerRow.data
+    property real panelWidth: width - 2 * Theme.size.gap
+    property real panelHeight: height - 2 * Theme.size.gap
+    signal closed()
+
+    Rectangle {
+        anchors.fill: parent
+        color: Theme.color.scrim
+    }
+    MouseArea {
+        anchors.fill: parent
+        onClicked: sheet.closed()
+    }
+    Card {
+        id: panel
+        objectName: "sheetPanel"
+        anchors.centerIn: parent
+        width: Math.min(sheet.panelWidth, sheet.width - 2 * Theme.size.gap)
+        height: Math.min(sheet.panelHeight, sheet.height - 2 * Theme.size.gap)
+
+        clip: true
+        MouseArea { anchors.fill: parent }
+        Column {
+            anchors { left: parent.left; leftMargin: Theme.size.padding; right: closeButton.left; verticalCenter: closeButton.verticalCenter }
+            Label {
+                width: parent.width
+                text: sheet.title
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.body
+                font { pixelSize: Theme.size.title; bold: true }
+            }
+            Label {
+                visible: sheet.note.length > 0
+                width: parent.width
+                wrapMode: Text.WordWrap
+                text: sheet.note
+                color: Theme.color.secondaryInk
+                font.pixelSize: Theme.size.caption
+            }
+        }
+        Button {
+            id: closeButton
+            objectName: "sheetClose"
+            anchors { right: parent.right; top: parent.top; margins: Theme.size.outline }
+            kind: Button.Quiet
+            glyph: Theme.icon.close
+            onClicked: sheet.closed()
+        }
+        Item {
+            id: body
+            anchors {
+                left: parent.left; right: parent.right; top: closeButton.bottom
+                bottom: footerRow.children.length > 0 ? footerRow.top : parent.bottom
+                margins: Theme.size.padding; topMargin: 0
+            }
+        }
+        Row {
+            id: footerRow
+            anchors { right: parent.right; bottom: parent.bottom; margins: Theme.size.padding }
+            spacing: Theme.size.padding
+        }
+    }
+}

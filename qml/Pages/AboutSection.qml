@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Version, licence, and what this panel is not: a safety function.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+
+SettingsSection {
+    id: section
+
+    title: qsTr("CamPanel %1").arg(Qt.application.version)
+
+    Rectangle {
+        id: warning
+        y: section.bodyTop
+        width: parent.width
+        height: safety.implicitHeight + 2 * Theme.size.padding
+        radius: Theme.size.radius
+        color: Theme.color.inset
+        border { width: Theme.size.outline; color: Theme.color.warning }
+        IconLabel {
+            id: mark
+            anchors { left: parent.left; leftMargin: Theme.size.padding; verticalCenter: parent.verticalCenter }
+            code: Theme.icon.alert
+            color: Theme.color.warning
+        }
+        Label {
+            id: safety
+            objectName: "safetySentence"
+            anchors { left: mark.right; right: parent.right; margins: Theme.size.padding; verticalCenter: parent.verticalCenter }
+            wrapMode: Text.WordWrap
+            text: qsTr("Stop on this panel is no safety function. The machine needs an emergency stop that is wired in hardware.")
+            font.weight: Font.DemiBold
+        }
+    }
+    Label {
+        anchors { left: parent.left; right: parent.right; top: warning.bottom; topMargin: Theme.size.padding; bottom: parent.bottom }
+        verticalAlignment: Text.AlignTop
+        wrapMode: Text.WordWrap
+        fontSizeMode: Text.Fit
+        minimumPixelSize: Theme.size.caption - 2
+        text: qsTr("Touchscreen of an electronic-cam machine. It computes the cam, writes it to the motion controller and shows what the controller really does.")
+            + "\n\n" + qsTr("Licence: Apache 2.0. Made with Qt (LGPL 3), Qwt (Qwt licence 1.0), libmodbus (LGPL 2.1).")
+        color: Theme.color.secondaryInk
+    }
+}

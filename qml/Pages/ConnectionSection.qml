@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the controller is reached: the simulated one, or a serial port with its parameters. Nothing changes before Connect.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Widgets
+import CamPanel.Machine
+
+SettingsSection {
+    id: section
+
+    readonly property var parityNames: ({ N: qsTr("None"), E: qsTr("Even"), O: qsTr("Odd") })
+    readonly property real half: (width - Theme.size.spacing) / 2
+
+    title: qsTr("Connection")
+
+    Column {
+        id: body
+        y: section.bodyTop
+        width: parent.width
+        spacing: Theme.size.spacing
+        Segmented {
+            objectName: "connectionChoice"
+            width: parent.width
+            choices: [{ key: true, text: qsTr("Simulated"), glyph: Theme.icon.simulated },
+                { key: false, text: qsTr("Serial port"), glyph: Theme.icon.serialPort }]
+            current: Settings.simulated
+            onChosen: key => Settings.simulated = key
+        }
+        Grid {
+            width: parent.width
+            columns: 2
+            spacing: Theme.size.spacing
+            visible: !Settings.simulated
+            SettingRow {
+                objectName: "portButton"
+                width: section.half
+                label: qsTr("Port")
+                value: Settings.portName.length > 0 ? Settings.portName : qsTr("Choose")
+                onClicked: {
+                    Settings.refreshPorts()
+                    section.page.sheetRequested(portSheet)
+                }
+            }
+            SettingRow {
+                width: section.half
+                label: qsTr("Baud rate")
+                value: Settings.baud
+                onClicked: section.page.sheetRequested(baudSheet)
+            }
+            SettingRow {
+                width: section.half
+                label: qsTr("Parity and stop bits")
+                value: qsTr("%1, %2").arg(section.parityNames[Settings.parity]).arg(Settings.stopBits)
+                onClicked: section.page.sheetRequested(paritySheet)
+            }
+            SettingRow {
+                width: section.half
+                label: qsTr("Unit")
+                value: Settings.unit
+                onClicked: section.page.sheetRequested(unitSheet)
+            }
+        }
+        Label {
+            width: parent.width
+            visible: Settings.simulated
+            wrapMode: Text.WordWrap
+            text: qsTr("The simulated controller runs inside this computer and moves no machine. Use it to learn and to try recipes.")
+            color: Theme.color.secondaryInk
+        }
+    }
+    Label {
+        anchors { left: parent.left; right: parent.right; top: body.bottom; bottom: connectButton.top; topMargin: Theme.size.spacing; bottomMargin: Theme.size.spacing }
+        wrapMode: Text.WordWrap
+        fontSizeMode: Text.Fit
+        minimumPixelSize: Theme.size.caption - 2
+        text: Machine.connectionText
+    }
+    Button {
+        id: connectButton
+        objectName: "connectButton"
+        anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+        kind: Button.Primary
+        text: Settings.connectionDirty ? qsTr("Connect") : qsTr("In use")
+        enabled: Settings.connectionDirty && (Settings.simulated || Settings.portName.length > 0)
+        onClicked: Settings.applyConnection()
+    }
+
+    Component {
+        id: portSheet
+        PortPicker {}
+    }
+    Component {
+        id: baudSheet
+        ListPicker {
+            title: qsTr("Baud rate")
+            choices: Settings.bauds.map(baud => ({ key: baud, text: baud.toString() }))
+            current: Settings.baud
+            onChosen: key => {
+                Settings.baud = key
+                closed()
+            }
+        }
+    }
+    Component {
+        id: paritySheet
+        ParityPicker {}
+    }
+    Component {
+        id: unitSheet
+        UnitKeypad {}
+    }
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Language and theme; both change at once, on every page.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+SettingsSection {
+    id: section
+
+    readonly property var themeChoices: ({
+        light: { key: "light", text: qsTr("Light"), glyph: Theme.icon.light },
+        dark: { key: "dark", text: qsTr("Dark"), glyph: Theme.icon.dark }
+    })
+
+    title: qsTr("Display")
+
+    Column {
+        y: section.bodyTop
+        width: parent.width
+        spacing: Theme.size.spacing
+        Label {
+            text: qsTr("Language")
+            color: Theme.color.secondaryInk
+        }
+        Segmented {
+            objectName: "languageChoice"
+            width: parent.width
+            choices: Settings.languages.map((key, i) => ({ key: key, text: Settings.languageNames[i] }))
+            current: Settings.language
+            onChosen: key => Settings.language = key
+        }
+        Item { width: 1; height: Theme.size.spacing }
+        Label {
+            text: qsTr("Theme")
+            color: Theme.color.secondaryInk
+        }
+        Segmented {
+            objectName: "themeChoice"
+            width: parent.width
+            choices: Settings.themes.map(key => section.themeChoices[key])
+            current: Settings.theme
+            onChosen: key => Settings.theme = key
+        }
+        Item { width: 1; height: Theme.size.spacing }
+        Label {
+            width: parent.width
+            wrapMode: Text.WordWrap
+            text: qsTr("Light for a bright hall, dark for the night shift. Numbers and units follow the language.")
+            color: Theme.color.secondaryInk
+        }
+    }
+}

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every page stands in: top bar, navigation, page, banner, sheets and keypad, and the command column that nothing covers.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Widgets
+import CamPanel.Machine
+
+Rectangle {
+    id: frame
+
+    property int page
+    readonly property list<string> sources: ["RunPage.qml", "MotionPage.qml", "SettingsPage.qml"]
+    property alias clockRuns: topBar.clockRuns
+    property alias now: topBar.now
+    property var sheet: null               // the open dialog
+    property real shift                    // the page moves aside, so that the keypad does not cover the field
+
+    function openPage(index: int): void {
+        frame.closeAll()
+        frame.page = index
+    }
+    function openSheet(sheet: Component, values: var): void {
+        frame.closeAll()
+        frame.sheet = sheet.createObject(sheetHost, Object.assign({ width: Qt.binding(() => sheetHost.width), height: Qt.binding(() => sheetHost.height) }, values))
+        frame.sheet.closed.connect(frame.closeAll)
+    }
+    function closeAll(): void {
+        frame.closeKeypad()
+        if (frame.sheet)
+            frame.sheet.destroy()
+        frame.sheet = null
+    }
+    function closeKeypad(): void {
+        keypadLoader.active = false
+        frame.shift = 0
+    }
+    function edit(fields: var, index: int, source: Item): void {
+        const right = source.mapToItem(overlay, source.width, 0).x - frame.shift
+        keypadLoader.setSource("KeypadOverlay.qml", { fields: fields, index: index, field: source })
+        keypadLoader.active = true
+        frame.shift = Math.min(0, (keypadLoader.item as KeypadOverlay).free - Theme.size.spacing - right)
+    }
+
+    color: Theme.color.ground
+
+    Item {
+        id: pageArea
+        clip: true
+        anchors { left: navigation.right; right: commands.left; top: topBar.bottom; bottom: parent.bottom }
+
+        Item {
+            id: pageFrame
+            anchors { fill: parent; margins: Theme.size.gap }
+            transform: Translate { x: frame.shift }
+            Repeater {
+                id: pages
+                model: frame.sources
+                Loader {
+                    id: loader
+                    required property int index
+                    required property string modelData
+                    property bool wanted: frame.page === index
+                    property bool opened
+                    anchors.fill: parent
+                    onWantedChanged: opened = opened || wanted
+                    Component.onCompleted: opened = wanted
+                    source: opened ? modelData : ""
+                    visible: wanted
+                    Connections {
+                        target: loader.item as Page
+                        function onEditRequested(fields: var, index: int, source: Item) { frame.edit(fields, index, source) }
+                        function onExplainRequested(field: EditorField) { frame.openSheet(explanation, { field: field }) }
+                        function onSheetRequested(sheet: Component) { frame.openSheet(sheet, {}) }
+                    }
+                    Binding {
+                        target: loader.item
+                        property: "bottomInset"
+                        value: banner.shown ? banner.height + Theme.size.gap : 0
+                    }
+                }
+            }
+        }
+        BannerHost {
+            id: banner
+            anchors { left: parent.left; right: parent.right; bottom: parent.bottom; margins: Theme.size.gap }
+        }
+    }
+    NavigationBar {
+        id: navigation
+        anchors { left: parent.left; top: topBar.bottom; bottom: parent.bottom }
+        current: frame.page
+        attention: banner.attention
+        onChosen: page => frame.openPage(page)
+        onAttentionRequested: banner.putAside = ""
+    }
+    TopBar {
+        id: topBar
+        anchors { left: parent.left; right: parent.right; top: parent.top }
+    }
+    Component {
+        id: explanation
+        ExplanationSheet {}
+    }
+    // Sheets and keypad live here: everything but the top bar and the command column.
+    Item {
+        id: overlay
+        objectName: "overlay"
+        anchors { left: parent.left; right: commands.left; rightMargin: Theme.size.spacing; top: topBar.bottom; bottom: parent.bottom }
+
+        Item {
+            id: sheetHost
+            objectName: "sheetHost"
+            anchors.fill: parent
+            transform: Translate { x: frame.shift }
+        }
+        Loader {
+            id: keypadLoader
+            objectName: "keypadLoader"
+            anchors.fill: parent
+            active: false
+            Connections {
+                target: keypadLoader.item
+                ignoreUnknownSignals: true
+                function onClosed() { frame.closeKeypad() }
+            }
+        }
+    }
+    CommandColumn {
+        id: commands
+        anchors { right: parent.right; rightMargin: Theme.size.gap; top: topBar.bottom; bottom: parent.bottom; topMargin: Theme.size.gap; bottomMargin: Theme.size.gap }
+        onStartRefused: reason => banner.refusal = reason
+    }
+    Behavior on shift { NumberAnimation { duration: Theme.shortTime; easing.type: Easing.OutCubic } }
+}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keypad over the page: a frame around the field, the keypad beside Stop; a touch elsewhere cancels.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Widgets
+import CamPanel.Machine
+
+Item {
+    id: overlay
+
+    required property list<EditorField> fields
+    required property int index
+    required property Item field
+    readonly property real free: width - keypad.width      // right end of what the keypad leaves
+    signal closed()
+
+    MouseArea {
+        anchors.fill: parent
+        onClicked: overlay.closed()
+    }
+    FieldKeypad {
+        id: keypad
+        anchors { right: parent.right; top: parent.top; bottom: parent.bottom }
+        fields: overlay.fields
+        index: overlay.index
+        onClosed: overlay.closed()
+    }
+}

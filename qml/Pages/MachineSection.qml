@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The machine's own numbers: knife, encoder, gear, and the limits that every recipe is checked against.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Widgets
+import CamPanel.Machine
+
+SettingsSection {
+    id: section
+
+    readonly property real half: (width - Theme.size.spacing) / 2
+    readonly property real rowHeight: Math.max(Theme.size.touch, (height - bodyTop - 4 * Theme.size.spacing) / 5)
+
+    title: qsTr("Machine")
+
+    Flickable {
+        anchors { fill: parent; topMargin: section.bodyTop }
+        contentHeight: grid.height
+        clip: true
+        boundsBehavior: Flickable.StopAtBounds
+        Grid {
+            id: grid
+            columns: 2
+            spacing: Theme.size.spacing
+            Repeater {
+                model: [Editor.knifeRadius, Editor.knives, Editor.pulsesPerRev, Editor.maxFrequency,
+                    Editor.gearNumerator, Editor.gearDenominator, Editor.maxRpm, Editor.maxAcceleration, Editor.maxRate]
+                FieldTile {
+                    required property var modelData
+                    objectName: "field_" + field.fieldId
+                    field: modelData as EditorField
+                    compact: false
+                    width: section.half
+                    height: section.rowHeight
+                    onEditRequested: (field, source) => section.page.editRequested([field], 0, source)
+                    onExplainRequested: field => section.page.explainRequested(field)
+                }
+            }
+        }
+    }
+}

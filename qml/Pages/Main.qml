@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The window.
+pragma ComponentBehavior: Bound
+import QtQuick
+import QtQuick.Window
+import CamPanel.Theme
+import CamPanel.Machine
+
+Window {
+    id: window
+
+    property alias page: frame.page
+    readonly property Frame frame: frame
+    readonly property QtObject theme: Theme
+
+    title: "CamPanel"
+    color: Theme.color.ground
+    visible: false
+
+    Frame {
+        id: frame
+        anchors.fill: parent
+    }
+    Binding { target: Theme; property: "name"; value: Settings.theme }
+    Binding { target: Theme; property: "language"; value: Settings.language }
+    Binding { target: Theme; property: "window"; value: Qt.size(window.width, window.height) }
+    Binding {
+        target: Theme
+        property: "screenPixelsPerMm"
+        value: window.visibility === Window.FullScreen ? window.Screen.pixelDensity : 0
+    }
+}

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The names of all colors; a scheme (light, dark) gives them values. Nothing outside this folder names a color.
+pragma ComponentBehavior: Bound
+import QtQuick
+
+QtObject {
+    required property bool dark
+    required property color ground        // behind the cards
+    required property color surface       // cards, bars
+    required property color inset         // fields and plots inside a card
+    required property color ink
+    required property color secondaryInk
+    required property color line          // hairlines, borders
+    required property color touch         // what can be touched or is live
+    required property color touchTint     // its background
+    required property color touchInk      // text on it
+    required property color touchPressed
+    required property color good
+    required property color warning
+    required property color fault
+    required property color stop
+    required property color stopPressed
+    required property color stopInk
+    required property color target        // target curve, ring of the dial
+    required property color sync          // where the knife runs with the film
+    required property color disabledInk
+    required property color scrim
+    required property color acceleration
+    required property color frequency
+    required property color position
+    required property color jerk
+}

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light colors: a bright hall.
+pragma ComponentBehavior: Bound
+ColorScheme {
+    dark: false
+    ground: "#E7EBEE"
+    surface: "#FFFFFF"
+    inset: "#F3F5F7"
+    ink: "#17212B"
+    secondaryInk: "#5A6875"
+    line: "#CFD6DC"
+    touch: "#0A6C9E"
+    touchTint: "#DCEEF7"
+    touchInk: "#FFFFFF"
+    touchPressed: "#08557D"
+    good: "#1E7B4A"
+    warning: "#8F5500"
+    fault: "#B3261E"
+    stop: "#B3322F"
+    stopPressed: "#8C2522"
+    stopInk: "#FFFFFF"
+    target: "#9AA8B4"
+    sync: "#8BB0C9"
+    disabledInk: "#6B7782"
+    scrim: "#8017212B"
+    acceleration: "#1E7B4A"
+    frequency: "#B26A00"
+    position: "#6B4E9B"
+    jerk: "#A33B6C"
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sizes of one screen class in pixels. Touch sizes come from millimetres and the density of the panel.
+pragma ComponentBehavior: Bound
+import QtQuick
+
+QtObject {
+    required property string name
+    required property size screen         // the panel this class is drawn for
+    required property real diagonalInch
+    required property int topBar
+    required property int navigation
+    required property int gap             // between cards and to the edge
+    required property int padding         // inside a card
+    required property int radius
+    required property int sideColumn      // the column of fields at the left
+    required property int fieldColumns    // fields beside one another in it
+    required property int caption         // font sizes
+    required property int body
+    required property int title
+    required property int value
+    required property int hero
+    required property int command
+    required property int icon
+    required property int largeIcon
+    required property int handle          // visible diameter of a curve handle
+    required property int mark            // state dots, accents
+    required property int curve           // width of a drawn curve
+
+    property real pixelsPerMm: Math.hypot(screen.width, screen.height) / diagonalInch / 25.4
+    readonly property int hairline: 1
+    readonly property int outline: 2
+    readonly property int accent: 4
+    readonly property int touch: Math.round(12 * pixelsPerMm)
+    readonly property int commandKey: Math.floor(18 * pixelsPerMm)
+    readonly property int spacing: Math.round(padding / 2)
+    readonly property int actionBar: touch + 2 * spacing + hairline * 4
+}

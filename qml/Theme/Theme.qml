@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one source of colors, sizes, icons, durations and number format. The frame sets what it depends on; the rest is data.
+pragma ComponentBehavior: Bound
+pragma Singleton
+import QtQuick
+
+QtObject {
+    id: theme
+
+    property string name: "light"
+    property string language: "en"
+    property size window: Qt.size(1024, 600)
+    // Pixels per millimetre of a real screen; 0 while the panel's size is known only by its class.
+    property real screenPixelsPerMm: 0
+    property bool animated: true
+
+    readonly property ColorScheme color: name === "dark" ? theme.dark : theme.light
+    readonly property SizeClass size: theme.window.width >= 1200 && theme.window.height >= 720 ? theme.large
+        : theme.window.width >= 960 && theme.window.height >= 560 ? theme.medium : theme.small
+    readonly property IconCodes icon: IconCodes {}
+    readonly property string iconFamily: "Material Design Icons"
+    readonly property var locale: Qt.locale(theme.language)
+    readonly property font captionFont: Qt.font({ pixelSize: theme.size.caption })
+    readonly property string unknownText: "--"
+
+    readonly property real dimmed: 0.55     // opacity of a key that cannot be used now
+
+    readonly property int shortTime: theme.animated ? 120 : 0
+    readonly property int longPressTime: 600
+    readonly property int clockTime: 1000
+
+    readonly property ColorScheme light: LightScheme {}
+    readonly property ColorScheme dark: DarkScheme {}
+    readonly property SizeClass small: SmallScreen {}
+    readonly property SizeClass medium: MediumScreen {}
+    readonly property SizeClass large: LargeScreen {}
+
+    readonly property Binding density: Binding {
+        target: theme.size
+        property: "pixelsPerMm"
+        value: theme.screenPixelsPerMm
+        when: theme.screenPixelsPerMm > 0
+    }
+
+    // A number as text in the panel's language; a value that is not known is "--", never 0. Digits are grouped in counts only.
+    function number(value: real, decimals: int): string {
+        return theme.count(value, decimals).replaceAll(theme.locale.groupSeparator, "")
+    }
+    function count(value: real, decimals: int): string {
+        return isNaN(value) ? theme.unknownText : Number(value).toLocaleString(theme.locale, 'f', decimals)
+    }
+    function signedNumber(value: real, decimals: int): string {
+        return (value > 0 ? "+" : "") + theme.number(value, decimals)
+    }
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which sentence the operator must see now: the answer to a command, an active alarm, a lost link. Alarms can be put aside.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+Item {
+    id: host
+
+    property string refusal                // why Start was refused; set by the frame
+    property string putAside
+
+    readonly property string linkTrouble: [Machine.Connection.Lost, Machine.Connection.WrongDevice, Machine.Connection.PortProblem]
+        .includes(Machine.connection) ? Machine.connectionText : ""
+    readonly property string alarm: Machine.alarmText.length > 0 ? Machine.alarmText : linkTrouble
+    readonly property string answer: Machine.commandMessage.length > 0 ? Machine.commandMessage
+        : Editor.notice.length > 0 ? Editor.notice : refusal
+    readonly property bool alarmShown: answer.length === 0 && alarm.length > 0 && alarm !== putAside
+    readonly property bool shown: answer.length > 0 || alarmShown
+    readonly property bool attention: alarm.length > 0 && alarm === putAside
+
+    function accept() {
+        if (host.alarmShown)
+            host.putAside = host.alarm
+        host.refusal = ""
+        Machine.dismissMessage()
+        Editor.dismissNotice()
+    }
+
+    implicitHeight: Theme.size.actionBar
+    visible: shown
+
+    Banner {
+        objectName: "banner"
+        anchors.fill: parent
+        text: host.alarmShown ? host.alarm : host.answer
+        severity: host.alarmShown ? (Machine.faulted ? Banner.Fault : Banner.Warning) : Banner.Information
+        buttonText: qsTr("OK")
+        onAccepted: host.accept()
+    }
+}

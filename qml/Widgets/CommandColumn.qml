@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Start and Stop, on every page and beside every dialog. Between them whatever has to come first: reset, home.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+Item {
+    id: column
+
+    signal startRefused(string reason)
+
+    readonly property bool homes: Machine.canHome && !Machine.faulted && !Machine.canStart
+    readonly property bool between: Machine.faulted || homes
+
+    implicitWidth: Theme.size.commandKey
+
+    CommandKey {
+        objectName: "startKey"
+        anchors { left: parent.left; right: parent.right; top: parent.top; bottom: middle.visible ? middle.top : stopKey.top; bottomMargin: Theme.size.gap }
+        glyph: Theme.icon.start
+        text: qsTr("Start")
+        ready: Machine.canStart
+        onClicked: ready ? Machine.start() : column.startRefused(Machine.startBlockedReason)
+    }
+    CommandKey {
+        id: middle
+        objectName: "middleKey"
+        anchors { left: parent.left; right: parent.right; bottom: stopKey.top; bottomMargin: Theme.size.gap }
+        visible: column.between
+        small: true
+        glyph: column.homes ? Theme.icon.home : Theme.icon.resetFault
+        text: column.homes ? qsTr("Home") : qsTr("Reset")
+        baseColor: column.homes ? Theme.color.touch : Theme.color.fault
+        onClicked: column.homes ? Machine.home() : Machine.resetFault()
+    }
+    CommandKey {
+        id: stopKey
+        objectName: "stopKey"
+        anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+        height: (parent.height - Theme.size.gap) / 2
+        glyph: Theme.icon.stop
+        square: true
+        filled: true
+        text: qsTr("Stop")
+        note: Machine.state === Machine.State.Stopping ? qsTr("again: at once") : ""
+        baseColor: Theme.color.stop
+        pressedColor: Theme.color.stopPressed
+        onPressed: Machine.stop()
+    }
+}

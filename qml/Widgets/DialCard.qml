@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// The knife's live angle with the arc where it runs with the film.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+import CamPanel.Plot
+
+Card {
+    id: card
+
+    Rectangle {
+        id: mark
+        anchors { left: parent.left; leftMargin: Theme.size.padding; verticalCenter: angle.verticalCenter }
+        visible: Machine.hasActiveProgram
+        width: Theme.size.icon / 2
+        height: Theme.size.spacing
+        color: Theme.color.sync
+    }
+    Label {
+        anchors { left: mark.visible ? mark.right : mark.left; leftMargin: mark.visible ? Theme.size.spacing : 0; right: angle.left; verticalCenter: angle.verticalCenter }
+        text: Machine.hasActiveProgram ? qsTr("Sync window") : qsTr("Knife")
+        fontSizeMode: Text.HorizontalFit
+        minimumPixelSize: Theme.size.caption - 2
+        color: Theme.color.secondaryInk
+        font.pixelSize: Theme.size.caption
+    }
+    Label {
+        id: angle
+        anchors { right: parent.right; rightMargin: Theme.size.padding; top: parent.top; topMargin: Theme.size.outline }
+        text: isNaN(Machine.knifeAngleDeg) ? Theme.unknownText : Theme.number(Machine.knifeAngleDeg, 0) + "°"
+        color: Machine.fresh ? Theme.color.ink : Theme.color.disabledInk
+        font { pixelSize: Theme.size.value; bold: true }
+    }
+    KnifeDial {
+        anchors { left: parent.left; right: parent.right; top: angle.bottom; bottom: parent.bottom; margins: Theme.size.spacing; topMargin: 0 }
+        angleDeg: Machine.knifeAngleDeg
+        syncStartDeg: Machine.syncStartDeg
+        syncEndDeg: Machine.syncEndDeg
+        cutAngleDeg: Machine.cutAngleDeg
+        stale: !Machine.fresh
+        ringColor: Theme.color.line
+        syncColor: Theme.color.sync
+        cutColor: Theme.color.ink
+        handColor: Theme.color.ink
+        tipColor: Theme.color.touch
+        surfaceColor: Theme.color.surface
+        staleColor: Theme.color.target
+    }
+}

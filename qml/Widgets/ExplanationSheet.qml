@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// A derived number explained: formula, the numbers put in, the result.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+Sheet {
+    id: sheet
+
+    required property EditorField field
+
+    title: field.label
+    panelWidth: width * 0.75
+    panelHeight: height * 0.7
+
+    Readout {
+        id: number
+        anchors { left: parent.left; right: parent.right; top: parent.top }
+        text: sheet.field.text
+        unit: sheet.field.unit
+    }
+    Label {
+        anchors { left: parent.left; right: parent.right; top: number.bottom; topMargin: Theme.size.padding; bottom: parent.bottom }
+        verticalAlignment: Text.AlignTop
+        wrapMode: Text.WordWrap
+        fontSizeMode: Text.Fit
+        minimumPixelSize: Theme.size.caption
+        text: sheet.field.explanation.length > 0 ? sheet.field.explanation
+            : qsTr("This number is given, not derived. It may be from %1 to %2.")
+                .arg(Theme.number(sheet.field.minimum, sheet.field.decimals)).arg(Theme.number(sheet.field.maximum, sheet.field.decimals))
+        lineHeight: 1.2
+    }
+    footer: Button {
+        visible: sheet.field.pinnable && sheet.field.derived
+        kind: Button.Primary
+        glyph: Theme.icon.pin
+        text: qsTr("Give this number instead")
+        onClicked: {
+            sheet.field.togglePin()
+            sheet.closed()
+        }
+    }
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// One number of the recipe or the machine; tapped to edit, held to explain.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Controls
+import CamPanel.Machine
+
+Field {
+    id: tile
+
+    required property EditorField field
+    signal editRequested(EditorField field, Item source)
+    signal explainRequested(EditorField field)
+
+    label: field.label
+    value: field.text
+    unit: field.unit
+    pinned: field.pinned
+    derived: field.derived
+    visible: field.visible
+    onClicked: tile.editRequested(tile.field, tile)
+    onExplain: tile.explainRequested(tile.field)
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one next step: take the suggestion, download, watch the download, save, or nothing left to do.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+Button {
+    id: step
+
+    signal downloadRequested()
+
+    readonly property bool busy: [Editor.DownloadState.Transferring, Editor.DownloadState.Sealing, Editor.DownloadState.Armed].includes(Editor.downloadState)
+    readonly property bool suggests: !busy && !Editor.canDownload && Editor.hasSuggestion
+    readonly property bool saves: !busy && !suggests && !Editor.canDownload && Editor.canSave
+    readonly property bool settled: !busy && Editor.downloadState === Editor.DownloadState.NothingToDo && Editor.saved
+
+    objectName: "nextStep"
+    kind: Button.Primary
+    width: Math.max(implicitWidth, Theme.size.touch * 2)
+    enabled: busy || suggests || saves || Editor.canDownload
+    text: busy ? qsTr("Downloading") : suggests ? Editor.suggestionText : saves ? qsTr("Save")
+        : settled ? qsTr("Saved") : qsTr("Download")
+    note: busy ? Theme.number(100 * Editor.downloadProgress, 0) + " %" : saves ? qsTr("keep over power loss")
+        : settled ? qsTr("in the controller") : suggests ? "" : Machine.state === Machine.State.Running ? qsTr("next cycle") : qsTr("to the controller")
+    onClicked: step.suggests ? Editor.applySuggestion() : step.saves ? Editor.saveToFlash() : step.downloadRequested()
+}

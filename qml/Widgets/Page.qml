@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// Base of every page: what a page may ask of the frame around it.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Machine
+
+Item {
+    property real bottomInset              // taken by a banner at the lower edge
+
+    signal editRequested(var fields, int index, Item source)
+    signal explainRequested(EditorField field)
+    signal sheetRequested(Component sheet)
+}

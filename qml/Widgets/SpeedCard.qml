@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Knife speed over one cycle: what the program asks for, and what the knife did in the newest cycle.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+Card {
+    id: card
+
+    component Key: Row {
+        id: key
+        required property string text
+        required property color color
+        spacing: Theme.size.accent
+        Rectangle {
+            anchors.verticalCenter: parent.verticalCenter
+            width: Theme.size.icon
+            height: Theme.size.accent
+            radius: height / 2
+            color: key.color
+        }
+        Label {
+            text: key.text
+            color: Theme.color.secondaryInk
+            font.pixelSize: Theme.size.caption
+        }
+    }
+
+    Label {
+        id: caption
+        anchors { left: parent.left; top: parent.top; leftMargin: Theme.size.padding; topMargin: Theme.size.spacing }
+        text: qsTr("Knife speed mm/s")
+        color: Theme.color.secondaryInk
+        font.pixelSize: Theme.size.caption
+    }
+    Row {
+        anchors { right: parent.right; rightMargin: Theme.size.padding; verticalCenter: caption.verticalCenter }
+        spacing: Theme.size.padding
+        visible: Machine.hasActiveProgram
+        Label {
+            text: qsTr("following error %1 mm").arg(Theme.number(Machine.followingErrorMm, 2))
+            color: Machine.fresh ? Theme.color.ink : Theme.color.disabledInk
+            font.pixelSize: Theme.size.caption
+        }
+        Key { text: qsTr("target"); color: Theme.color.target }
+        Key { text: qsTr("actual"); color: Theme.color.touch }
+    }
+    StyledCurves {
+        anchors { left: parent.left; right: parent.right; top: caption.bottom; bottom: parent.bottom; margins: Theme.size.spacing; topMargin: Theme.size.outline }
+        visible: Machine.hasActiveProgram
+        curves: Machine.targetCurves
+        quantities: ["velocity"]
+        velocityColor: Theme.color.target
+        lineWidth: 2 * Theme.size.curve
+        trace: Machine.actualTrace
+        traceColor: Machine.fresh ? Theme.color.touch : Theme.color.disabledInk
+        cursorTime: Machine.masterAngleDeg / 360 * Machine.cycleSeconds
+        cursorDotsVisible: false
+    }
+    Label {
+        anchors.centerIn: parent
+        visible: !Machine.hasActiveProgram
+        width: parent.width - 4 * Theme.size.padding
+        horizontalAlignment: Text.AlignHCenter
+        wrapMode: Text.WordWrap
+        text: Machine.connection === Machine.Connection.Connected
+            ? qsTr("The controller has no program yet. Open Motion and press Download.") : Machine.connectionText
+        color: Theme.color.secondaryInk
+    }
+}

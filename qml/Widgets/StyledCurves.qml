@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Curves in the colors and sizes of the theme.
+pragma ComponentBehavior: Bound
+import CamPanel.Theme
+import CamPanel.Plot
+
+CurvePlot {
+    gridColor: Theme.color.line
+    inkColor: Theme.color.ink
+    secondaryInkColor: Theme.color.secondaryInk
+    surfaceColor: Theme.color.surface
+    positionColor: Theme.color.position
+    velocityColor: Theme.color.touch
+    accelerationColor: Theme.color.acceleration
+    jerkColor: Theme.color.jerk
+    frequencyColor: Theme.color.frequency
+    overlayColor: Theme.color.target
+    traceColor: Theme.color.touch
+    limitColor: Theme.color.warning
+    violationColor: Theme.color.fault
+    lineWidth: Theme.size.curve
+    overlayLineWidth: Theme.size.curve
+    traceLineWidth: Theme.size.curve
+    axisFont: Theme.captionFont
+    titleFont: Theme.captionFont
+    locale: Theme.locale
+    timeUnit: "s"
+}

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Top bar: recipe, state of the controller in words, icon and color, link, clock. It is read, not touched.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+Rectangle {
+    id: bar
+
+    property date now: new Date()
+    property bool clockRuns: true
+
+    // One entry per Machine.State.
+    readonly property list<string> stateIcons: [Theme.icon.unknown, Theme.icon.stop, Theme.icon.good, Theme.icon.run, Theme.icon.stop,
+        Theme.icon.moving, Theme.icon.home, Theme.icon.fault]
+    readonly property list<color> stateColors: [Theme.color.secondaryInk, Theme.color.secondaryInk, Theme.color.touch, Theme.color.good,
+        Theme.color.warning, Theme.color.touch, Theme.color.touch, Theme.color.fault]
+    readonly property color stateColor: Machine.fresh ? stateColors[Machine.state] : Theme.color.disabledInk
+
+    implicitHeight: Theme.size.topBar
+    color: Theme.color.surface
+
+    Rectangle {
+        anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+        height: Theme.size.hairline
+        color: Theme.color.line
+    }
+    Row {
+        id: recipe
+        anchors { left: parent.left; leftMargin: Theme.size.gap + Theme.size.accent; verticalCenter: parent.verticalCenter }
+        spacing: Theme.size.padding
+        Label {
+            objectName: "recipeTitle"
+            anchors.verticalCenter: parent.verticalCenter
+            width: Math.min(implicitWidth, bar.width * 0.36 - (editedMark.visible ? editedMark.width + Theme.size.padding : 0))
+            elide: Text.ElideRight
+            fontSizeMode: Text.HorizontalFit
+            minimumPixelSize: Theme.size.caption
+            text: qsTr("%1 · v%2").arg(Editor.recipeName).arg(Editor.recipeVersion)
+            font { pixelSize: Theme.size.title; bold: true }
+        }
+        Rectangle {
+            id: editedMark
+            anchors.verticalCenter: parent.verticalCenter
+            visible: Editor.edited
+            width: editedText.implicitWidth + 2 * Theme.size.spacing
+            height: editedText.implicitHeight + Theme.size.accent
+            radius: Theme.size.accent
+            color: Theme.color.surface
+            border { width: Theme.size.hairline; color: Theme.color.warning }
+            Label {
+                id: editedText
+                anchors.centerIn: parent
+                text: qsTr("Edited")
+                color: Theme.color.warning
+                font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
+            }
+        }
+    }
+    Row {
+        anchors { horizontalCenter: parent.horizontalCenter; verticalCenter: parent.verticalCenter }
+        spacing: Theme.size.spacing
+        IconLabel {
+            anchors.verticalCenter: parent.verticalCenter
+            code: bar.stateIcons[Machine.state]
+            color: bar.stateColor
+        }
+        Label {
+            objectName: "stateText"
+            anchors.verticalCenter: parent.verticalCenter
+            text: Machine.stateText
+            color: bar.stateColor
+            font { pixelSize: Theme.size.title; bold: true }
+        }
+        Label {
+            anchors.verticalCenter: parent.verticalCenter
+            visible: !Machine.fresh && !isNaN(Machine.ageMs)
+            text: qsTr("%1 s ago").arg(Theme.number(Machine.ageMs / 1000, 0))
+            color: Theme.color.disabledInk
+            font.pixelSize: Theme.size.caption
+        }
+    }
+    Row {
+        anchors { right: parent.right; rightMargin: Theme.size.gap + Theme.size.accent; verticalCenter: parent.verticalCenter }
+        spacing: Theme.size.padding
+        Label {
+            anchors.verticalCenter: parent.verticalCenter
+            visible: Machine.simulated
+            text: qsTr("Simulated")
+            color: Theme.color.secondaryInk
+            font.pixelSize: Theme.size.caption
+        }
+        LinkBars {
+            anchors.verticalCenter: parent.verticalCenter
+            quality: Machine.linkQuality
+        }
+        Label {
+            anchors.verticalCenter: parent.verticalCenter
+            text: qsTr("%1/s").arg(Theme.number(Machine.statusPerSecond, 0))
+            color: Theme.color.secondaryInk
+            font.pixelSize: Theme.size.caption
+        }
+        Label {
+            anchors.verticalCenter: parent.verticalCenter
+            text: Qt.formatTime(bar.now, "hh:mm")
+            font { pixelSize: Theme.size.title; weight: Font.DemiBold }
+        }
+    }
+    Timer {
+        interval: Theme.clockTime
+        running: bar.clockRuns
+        repeat: true
+        onTriggered: bar.now = new Date()
+    }
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether the recipe can be done, what the controller runs instead, and the next step as one large button.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+Card {
+    id: bar
+
+    signal downloadRequested()
+
+    readonly property bool good: Editor.severity === Editor.Severity.Good
+    readonly property color verdictColor: good ? Theme.color.good
+        : Editor.severity === Editor.Severity.Warning ? Theme.color.warning : Theme.color.fault
+
+    implicitHeight: Theme.size.actionBar
+
+    IconLabel {
+        id: mark
+        anchors { left: parent.left; leftMargin: Theme.size.padding; top: verdict.top; bottom: verdict.bottom }
+        code: bar.good ? Theme.icon.good : Theme.icon.alert
+        color: bar.verdictColor
+    }
+    Label {
+        id: verdict
+        objectName: "verdict"
+        anchors { left: mark.right; leftMargin: Theme.size.spacing; right: tools.left; rightMargin: Theme.size.padding; top: parent.top; topMargin: Theme.size.spacing }
+        height: (parent.height - 2 * Theme.size.spacing) * 0.56
+        wrapMode: Text.WordWrap
+        fontSizeMode: Text.Fit
+        minimumPixelSize: Theme.size.caption - 2
+        text: Editor.verdict
+        font.weight: Font.DemiBold
+    }
+    Label {
+        anchors { left: verdict.left; right: verdict.right; top: verdict.bottom; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
+        wrapMode: Text.WordWrap
+        fontSizeMode: Text.Fit
+        minimumPixelSize: Theme.size.caption - 3
+        text: Editor.downloadState === Editor.DownloadState.Failed ? Editor.downloadText : Editor.controllerText
+        color: Theme.color.secondaryInk
+        font.pixelSize: Theme.size.caption
+    }
+    Row {
+        id: tools
+        anchors { right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+        spacing: Theme.size.spacing
+        Button {
+            objectName: "undo"
+            width: Theme.size.touch
+            kind: Button.Quiet
+            glyph: Theme.icon.undo
+            enabled: Editor.canUndo
+            onClicked: Editor.undo()
+        }
+        Button {
+            objectName: "redo"
+            width: Theme.size.touch
+            kind: Button.Quiet
+            glyph: Theme.icon.redo
+            enabled: Editor.canRedo
+            onClicked: Editor.redo()
+        }
+        NextStepButton {
+            onDownloadRequested: bar.downloadRequested()
+        }
+    }
+}
