@@ -85,6 +85,9 @@ void DemoLink::cancelDownload()
 
 void DemoLink::show(Situation situation)
 {
+    if (m_isShown && m_situation == situation)
+        return;
+    m_isShown = true;
     m_situation = situation;
     if (situation == Situation::Lost) {
         m_now += 4200ms;

@@ -35,6 +35,7 @@ private:
     std::uint32_t m_bags = 0;
     int m_stopRequests = 0;
     Situation m_situation = Situation::Running;
+    bool m_isShown = false;
 };
 
 } // namespace campanel::panel

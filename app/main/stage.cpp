@@ -58,6 +58,7 @@ Stage::Stage(const Look& look)
     m_panel.window().show();
     settle(); // the first frame comes before the first data, as on a machine
     m_panel.machine().open();
+    m_panel.machine().setClock([this] { return m_link.now(); }); // looks at the age of the data now, not when a timer runs out
     settle();
 }
 

@@ -44,7 +44,7 @@ QtObject {
 
     // A number as text in the panel's language; a value that is not known is "--", never 0. Digits are grouped in counts only.
     function number(value: real, decimals: int): string {
-        return theme.count(value, decimals).replaceAll(theme.locale.groupSeparator, "")
+        return theme.count(value, decimals).split(theme.locale.groupSeparator).join("")
     }
     function count(value: real, decimals: int): string {
         return isNaN(value) ? theme.unknownText : Number(value).toLocaleString(theme.locale, 'f', decimals)

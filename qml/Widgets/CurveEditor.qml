@@ -48,6 +48,7 @@ Card {
     StyledCurves {
         id: plot
         objectName: "motionPlot"
+        visible: Editor.solvable
         anchors { left: parent.left; right: parent.right; top: line.bottom; bottom: parent.bottom; margins: Theme.size.spacing; topMargin: Theme.size.outline }
         curves: Editor.curves
         overlayCurves: editor.compare ? Editor.activeCurves : undefined

@@ -27,7 +27,7 @@ Card {
         id: verdict
         objectName: "verdict"
         anchors { left: mark.right; leftMargin: Theme.size.spacing; right: tools.left; rightMargin: Theme.size.padding; top: parent.top; topMargin: Theme.size.spacing }
-        height: (parent.height - 2 * Theme.size.spacing) * 0.56
+        height: (parent.height - 2 * Theme.size.spacing) * (bar.good ? 0.56 : 1)
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
         minimumPixelSize: Theme.size.caption - 2
@@ -35,6 +35,7 @@ Card {
         font.weight: Font.DemiBold
     }
     Label {
+        visible: bar.good                  // a refused recipe has only one thing to say
         anchors { left: verdict.left; right: verdict.right; top: verdict.bottom; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit

@@ -5,599 +5,599 @@
     <name>AboutSection</name>
     <message>
         <source>CamPanel %1</source>
-        <translation type="unfinished"></translation>
+        <translation>CamPanel %1</translation>
     </message>
     <message>
         <source>Stop on this panel is no safety function. The machine needs an emergency stop that is wired in hardware.</source>
-        <translation type="unfinished"></translation>
+        <translation>本面板的“停止”不是安全功能。机器必须装有硬接线的急停装置。</translation>
     </message>
     <message>
         <source>Touchscreen of an electronic-cam machine. It computes the cam, writes it to the motion controller and shows what the controller really does.</source>
-        <translation type="unfinished"></translation>
+        <translation>电子凸轮机的触摸屏：计算凸轮，写入运动控制器，并显示控制器的实际运行。</translation>
     </message>
     <message>
         <source>Licence: Apache 2.0. Made with Qt (LGPL 3), Qwt (Qwt licence 1.0), libmodbus (LGPL 2.1).</source>
-        <translation type="unfinished"></translation>
+        <translation>许可证：Apache 2.0。使用 Qt（LGPL 3）、Qwt（Qwt 许可证 1.0）和 libmodbus（LGPL 2.1）。</translation>
     </message>
 </context>
 <context>
     <name>BagCard</name>
     <message>
         <source>Bag length</source>
-        <translation type="unfinished"></translation>
+        <translation>袋长</translation>
     </message>
     <message>
         <source>mean %1</source>
-        <translation type="unfinished"></translation>
+        <translation>平均 %1</translation>
     </message>
     <message>
         <source>scatter %1</source>
-        <translation type="unfinished"></translation>
+        <translation>离散 %1</translation>
     </message>
     <message>
         <source>No bag measured yet. Press Start.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未测得袋长。请按“启动”。</translation>
     </message>
     <message>
         <source>tolerance ±%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>允差 ±%1 mm</translation>
     </message>
     <message>
         <source>last %1</source>
-        <translation type="unfinished"></translation>
+        <translation>最近 %1</translation>
     </message>
 </context>
 <context>
     <name>BannerHost</name>
     <message>
         <source>OK</source>
-        <translation type="unfinished"></translation>
+        <translation>确定</translation>
     </message>
 </context>
 <context>
     <name>CommandColumn</name>
     <message>
         <source>Start</source>
-        <translation type="unfinished"></translation>
+        <translation>启动</translation>
     </message>
     <message>
         <source>Home</source>
-        <translation type="unfinished"></translation>
+        <translation>回零</translation>
     </message>
     <message>
         <source>Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>复位</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>停止</translation>
     </message>
     <message>
         <source>again: at once</source>
-        <translation type="unfinished"></translation>
+        <translation>再按：立即</translation>
     </message>
 </context>
 <context>
     <name>ConnectionSection</name>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>无校验</translation>
     </message>
     <message>
         <source>Even</source>
-        <translation type="unfinished"></translation>
+        <translation>偶校验</translation>
     </message>
     <message>
         <source>Odd</source>
-        <translation type="unfinished"></translation>
+        <translation>奇校验</translation>
     </message>
     <message>
         <source>Connection</source>
-        <translation type="unfinished"></translation>
+        <translation>通信</translation>
     </message>
     <message>
         <source>Simulated</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟</translation>
     </message>
     <message>
         <source>Serial port</source>
-        <translation type="unfinished"></translation>
+        <translation>串口</translation>
     </message>
     <message>
         <source>Port</source>
-        <translation type="unfinished"></translation>
+        <translation>端口</translation>
     </message>
     <message>
         <source>Choose</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择</translation>
     </message>
     <message>
         <source>Baud rate</source>
-        <translation type="unfinished"></translation>
+        <translation>波特率</translation>
     </message>
     <message>
         <source>Parity and stop bits</source>
-        <translation type="unfinished"></translation>
+        <translation>校验位和停止位</translation>
     </message>
     <message>
         <source>%1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，%2</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>站号</translation>
     </message>
     <message>
         <source>The simulated controller runs inside this computer and moves no machine. Use it to learn and to try recipes.</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟控制器在本机内运行，不会带动任何机器。可用于学习和试验配方。</translation>
     </message>
     <message>
         <source>Connect</source>
-        <translation type="unfinished"></translation>
+        <translation>连接</translation>
     </message>
     <message>
         <source>In use</source>
-        <translation type="unfinished"></translation>
+        <translation>使用中</translation>
     </message>
 </context>
 <context>
     <name>CurveEditor</name>
     <message>
         <source>limit</source>
-        <translation type="unfinished"></translation>
+        <translation>限值</translation>
     </message>
     <message>
         <source>Position mm</source>
-        <translation type="unfinished"></translation>
+        <translation>位置 mm</translation>
     </message>
     <message>
         <source>Velocity mm/s</source>
-        <translation type="unfinished"></translation>
+        <translation>速度 mm/s</translation>
     </message>
     <message>
         <source>Acceleration m/s²</source>
-        <translation type="unfinished"></translation>
+        <translation>加速度 m/s²</translation>
     </message>
     <message>
         <source>Jerk m/s³</source>
-        <translation type="unfinished"></translation>
+        <translation>加加速度 m/s³</translation>
     </message>
     <message>
         <source>Pulse frequency kHz</source>
-        <translation type="unfinished"></translation>
+        <translation>脉冲频率 kHz</translation>
     </message>
 </context>
 <context>
     <name>DialCard</name>
     <message>
         <source>Sync window</source>
-        <translation type="unfinished"></translation>
+        <translation>同步区</translation>
     </message>
     <message>
         <source>Knife</source>
-        <translation type="unfinished"></translation>
+        <translation>切刀</translation>
     </message>
 </context>
 <context>
     <name>DisplaySection</name>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>浅色</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>深色</translation>
     </message>
     <message>
         <source>Display</source>
-        <translation type="unfinished"></translation>
+        <translation>显示</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>语言</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>主题</translation>
     </message>
     <message>
         <source>Light for a bright hall, dark for the night shift. Numbers and units follow the language.</source>
-        <translation type="unfinished"></translation>
+        <translation>明亮车间用浅色，夜班用深色。数字和单位随语言改变。</translation>
     </message>
 </context>
 <context>
     <name>DownloadSheet</name>
     <message>
         <source>Download to the controller</source>
-        <translation type="unfinished"></translation>
+        <translation>下载到控制器</translation>
     </message>
     <message>
         <source>The machine keeps running; the new cam begins at the next cycle.</source>
-        <translation type="unfinished"></translation>
+        <translation>机器继续运行，新凸轮从下一循环开始。</translation>
     </message>
     <message>
         <source>The new cam is used from the next start.</source>
-        <translation type="unfinished"></translation>
+        <translation>新凸轮从下次启动起使用。</translation>
     </message>
     <message>
         <source>In the controller</source>
-        <translation type="unfinished"></translation>
+        <translation>控制器中</translation>
     </message>
     <message>
         <source>On this panel</source>
-        <translation type="unfinished"></translation>
+        <translation>本面板</translation>
     </message>
     <message>
         <source>The controller already runs exactly this recipe.</source>
-        <translation type="unfinished"></translation>
+        <translation>控制器正在执行的就是此配方。</translation>
     </message>
     <message>
         <source>The controller has no program yet; this recipe will be its first.</source>
-        <translation type="unfinished"></translation>
+        <translation>控制器中还没有程序，此配方将是第一个。</translation>
     </message>
     <message>
         <source>Cancel download</source>
-        <translation type="unfinished"></translation>
+        <translation>取消下载</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>保存</translation>
     </message>
     <message>
         <source>Try again</source>
-        <translation type="unfinished"></translation>
+        <translation>重试</translation>
     </message>
     <message>
         <source>Download</source>
-        <translation type="unfinished"></translation>
+        <translation>下载</translation>
     </message>
 </context>
 <context>
     <name>ExplanationSheet</name>
     <message>
         <source>This number is given, not derived. It may be from %1 to %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>此值为给定值，不是计算值。范围为 %1 至 %2。</translation>
     </message>
     <message>
         <source>Give this number instead</source>
-        <translation type="unfinished"></translation>
+        <translation>改为给定此值</translation>
     </message>
 </context>
 <context>
     <name>LawPicker</name>
     <message>
         <source>Speed law</source>
-        <translation type="unfinished"></translation>
+        <translation>加减速曲线</translation>
     </message>
     <message>
         <source>What each law asks of this recipe</source>
-        <translation type="unfinished"></translation>
+        <translation>各曲线对此配方的要求</translation>
     </message>
     <message>
         <source>Peak speed</source>
-        <translation type="unfinished"></translation>
+        <translation>最高转速</translation>
     </message>
     <message>
         <source>Acceleration</source>
-        <translation type="unfinished"></translation>
+        <translation>加速度</translation>
     </message>
     <message>
         <source>Jerk</source>
-        <translation type="unfinished"></translation>
+        <translation>加加速度</translation>
     </message>
     <message>
         <source>Frequency</source>
-        <translation type="unfinished"></translation>
+        <translation>频率</translation>
     </message>
 </context>
 <context>
     <name>MachineSection</name>
     <message>
         <source>Machine</source>
-        <translation type="unfinished"></translation>
+        <translation>机器</translation>
     </message>
 </context>
 <context>
     <name>MoreSheet</name>
     <message>
         <source>View and tools</source>
-        <translation type="unfinished"></translation>
+        <translation>视图与工具</translation>
     </message>
     <message>
         <source>Position curve</source>
-        <translation type="unfinished"></translation>
+        <translation>位置曲线</translation>
     </message>
     <message>
         <source>shown</source>
-        <translation type="unfinished"></translation>
+        <translation>显示</translation>
     </message>
     <message>
         <source>hidden</source>
-        <translation type="unfinished"></translation>
+        <translation>隐藏</translation>
     </message>
     <message>
         <source>Jerk curve</source>
-        <translation type="unfinished"></translation>
+        <translation>加加速度曲线</translation>
     </message>
     <message>
         <source>Compare with controller</source>
-        <translation type="unfinished"></translation>
+        <translation>与控制器比较</translation>
     </message>
     <message>
         <source>running cam in grey</source>
-        <translation type="unfinished"></translation>
+        <translation>灰色为运行中的凸轮</translation>
     </message>
     <message>
         <source>Rows, pulses, errors</source>
-        <translation type="unfinished"></translation>
+        <translation>行、脉冲、误差</translation>
     </message>
     <message>
         <source>Step table</source>
-        <translation type="unfinished"></translation>
+        <translation>步进表</translation>
     </message>
     <message>
         <source>Back to the stored recipe</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复已存配方</translation>
     </message>
 </context>
 <context>
     <name>MotionPage</name>
     <message>
         <source>Speed law</source>
-        <translation type="unfinished"></translation>
+        <translation>加减速曲线</translation>
     </message>
 </context>
 <context>
     <name>NavigationBar</name>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>运行</translation>
     </message>
     <message>
         <source>Motion</source>
-        <translation type="unfinished"></translation>
+        <translation>凸轮</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>设置</translation>
     </message>
     <message>
         <source>Alarm</source>
-        <translation type="unfinished"></translation>
+        <translation>报警</translation>
     </message>
 </context>
 <context>
     <name>NextStepButton</name>
     <message>
         <source>Downloading</source>
-        <translation type="unfinished"></translation>
+        <translation>正在下载</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>保存</translation>
     </message>
     <message>
         <source>Saved</source>
-        <translation type="unfinished"></translation>
+        <translation>已保存</translation>
     </message>
     <message>
         <source>Download</source>
-        <translation type="unfinished"></translation>
+        <translation>下载</translation>
     </message>
     <message>
         <source>keep over power loss</source>
-        <translation type="unfinished"></translation>
+        <translation>断电保持</translation>
     </message>
     <message>
         <source>in the controller</source>
-        <translation type="unfinished"></translation>
+        <translation>在控制器中</translation>
     </message>
     <message>
         <source>next cycle</source>
-        <translation type="unfinished"></translation>
+        <translation>下一循环</translation>
     </message>
     <message>
         <source>to the controller</source>
-        <translation type="unfinished"></translation>
+        <translation>到控制器</translation>
     </message>
 </context>
 <context>
     <name>NumericKeypad</name>
     <message>
         <source>%1 to %2 · now %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 至 %2 · 当前 %3</translation>
     </message>
     <message>
         <source>Default</source>
-        <translation type="unfinished"></translation>
+        <translation>默认</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>取消</translation>
     </message>
     <message>
         <source>OK</source>
-        <translation type="unfinished"></translation>
+        <translation>确定</translation>
     </message>
 </context>
 <context>
     <name>ParityPicker</name>
     <message>
         <source>Parity and stop bits</source>
-        <translation type="unfinished"></translation>
+        <translation>校验位和停止位</translation>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>无校验</translation>
     </message>
     <message>
         <source>Even</source>
-        <translation type="unfinished"></translation>
+        <translation>偶校验</translation>
     </message>
     <message>
         <source>Odd</source>
-        <translation type="unfinished"></translation>
+        <translation>奇校验</translation>
     </message>
     <message>
         <source>1 stop bit</source>
-        <translation type="unfinished"></translation>
+        <translation>1 位停止位</translation>
     </message>
     <message>
         <source>2 stop bits</source>
-        <translation type="unfinished"></translation>
+        <translation>2 位停止位</translation>
     </message>
 </context>
 <context>
     <name>PortPicker</name>
     <message>
         <source>Serial port</source>
-        <translation type="unfinished"></translation>
+        <translation>串口</translation>
     </message>
     <message>
         <source>This computer has no serial port. Plug in the adapter and press Search again.</source>
-        <translation type="unfinished"></translation>
+        <translation>本机没有串口。请插上转换器，再按“重新搜索”。</translation>
     </message>
     <message>
         <source>Search again</source>
-        <translation type="unfinished"></translation>
+        <translation>重新搜索</translation>
     </message>
 </context>
 <context>
     <name>RunPage</name>
     <message>
         <source>bags/min</source>
-        <translation type="unfinished"></translation>
+        <translation>袋/分</translation>
     </message>
     <message>
         <source>bags</source>
-        <translation type="unfinished"></translation>
+        <translation>袋</translation>
     </message>
 </context>
 <context>
     <name>SettingsPage</name>
     <message>
         <source>Display</source>
-        <translation type="unfinished"></translation>
+        <translation>显示</translation>
     </message>
     <message>
         <source>language, light or dark</source>
-        <translation type="unfinished"></translation>
+        <translation>语言、浅色或深色</translation>
     </message>
     <message>
         <source>Connection</source>
-        <translation type="unfinished"></translation>
+        <translation>通信</translation>
     </message>
     <message>
         <source>simulated or serial port</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟或串口</translation>
     </message>
     <message>
         <source>Machine</source>
-        <translation type="unfinished"></translation>
+        <translation>机器</translation>
     </message>
     <message>
         <source>knife, gear, motor limits</source>
-        <translation type="unfinished"></translation>
+        <translation>切刀、减速比、电机限值</translation>
     </message>
     <message>
         <source>About</source>
-        <translation type="unfinished"></translation>
+        <translation>关于</translation>
     </message>
     <message>
         <source>version, safety</source>
-        <translation type="unfinished"></translation>
+        <translation>版本、安全</translation>
     </message>
 </context>
 <context>
     <name>SpeedCard</name>
     <message>
         <source>Knife speed mm/s</source>
-        <translation type="unfinished"></translation>
+        <translation>切刀速度 mm/s</translation>
     </message>
     <message>
         <source>following error %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>跟随误差 %1 mm</translation>
     </message>
     <message>
         <source>target</source>
-        <translation type="unfinished"></translation>
+        <translation>目标</translation>
     </message>
     <message>
         <source>actual</source>
-        <translation type="unfinished"></translation>
+        <translation>实际</translation>
     </message>
     <message>
         <source>The controller has no program yet. Open Motion and press Download.</source>
-        <translation type="unfinished"></translation>
+        <translation>控制器中还没有程序。请打开“凸轮”页，按“下载”。</translation>
     </message>
 </context>
 <context>
     <name>TableSheet</name>
     <message>
         <source>Step table</source>
-        <translation type="unfinished"></translation>
+        <translation>步进表</translation>
     </message>
     <message>
         <source>Row</source>
-        <translation type="unfinished"></translation>
+        <translation>行</translation>
     </message>
     <message>
         <source>Stretch</source>
-        <translation type="unfinished"></translation>
+        <translation>区段</translation>
     </message>
     <message>
         <source>Time ms</source>
-        <translation type="unfinished"></translation>
+        <translation>时间 ms</translation>
     </message>
     <message>
         <source>Frequency Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>频率 Hz</translation>
     </message>
     <message>
         <source>Pulses</source>
-        <translation type="unfinished"></translation>
+        <translation>脉冲数</translation>
     </message>
     <message>
         <source>Timer ticks</source>
-        <translation type="unfinished"></translation>
+        <translation>定时计数</translation>
     </message>
 </context>
 <context>
     <name>TopBar</name>
     <message>
         <source>%1 · v%2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 · 第%2版</translation>
     </message>
     <message>
         <source>Edited</source>
-        <translation type="unfinished"></translation>
+        <translation>已修改</translation>
     </message>
     <message>
         <source>%1 s ago</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 秒前</translation>
     </message>
     <message>
         <source>Simulated</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟</translation>
     </message>
     <message>
         <source>%1/s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1/秒</translation>
     </message>
 </context>
 <context>
     <name>UnitKeypad</name>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>站号</translation>
     </message>
     <message>
         <source>The unit is from %1 to %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>站号范围为 %1 至 %2。</translation>
     </message>
 </context>
 </TS>
