@@ -13,6 +13,8 @@ SettingsSection {
     readonly property var parityNames: ({ N: qsTr("None"), E: qsTr("Even"), O: qsTr("Odd") })
     readonly property real half: (width - Theme.size.spacing) / 2
 
+    readonly property var bauds: Settings.bauds
+
     title: qsTr("Connection")
 
     Column {
@@ -95,7 +97,7 @@ SettingsSection {
         id: baudSheet
         ListPicker {
             title: qsTr("Baud rate")
-            choices: Settings.bauds.map(baud => ({ key: baud, text: baud.toString() }))
+            choices: section.bauds.map(baud => ({ key: baud, text: baud.toString() }))
             current: Settings.baud
             onChosen: key => {
                 Settings.baud = key

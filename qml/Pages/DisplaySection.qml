@@ -14,6 +14,9 @@ SettingsSection {
         dark: { key: "dark", text: qsTr("Dark"), glyph: Theme.icon.dark }
     })
 
+    readonly property var languages: Settings.languages
+    readonly property var themes: Settings.themes
+
     title: qsTr("Display")
 
     Column {
@@ -27,7 +30,7 @@ SettingsSection {
         Segmented {
             objectName: "languageChoice"
             width: parent.width
-            choices: Settings.languages.map((key, i) => ({ key: key, text: Settings.languageNames[i] }))
+            choices: section.languages.map((key, i) => ({ key: key, text: Settings.languageNames[i] }))
             current: Settings.language
             onChosen: key => Settings.language = key
         }
@@ -39,7 +42,7 @@ SettingsSection {
         Segmented {
             objectName: "themeChoice"
             width: parent.width
-            choices: Settings.themes.map(key => section.themeChoices[key])
+            choices: section.themes.map(key => section.themeChoices[key])
             current: Settings.theme
             onChosen: key => Settings.theme = key
         }

@@ -9,7 +9,7 @@ import CamPanel.Machine
 Item {
     id: overlay
 
-    required property list<EditorField> fields
+    required property var fields           // list of EditorField
     required property int index
     required property Item field
     readonly property real free: width - keypad.width      // right end of what the keypad leaves

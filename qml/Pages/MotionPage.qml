@@ -13,7 +13,7 @@ Page {
     property bool showPosition
     property bool showJerk
     property bool compare: true
-    readonly property list<EditorField> ratios: [Editor.k1, Editor.k2, Editor.k3, Editor.k4]
+    readonly property var ratios: [Editor.k1, Editor.k2, Editor.k3, Editor.k4]
     readonly property int columns: Theme.size.fieldColumns
     readonly property int rows: 4 / columns + 2
     readonly property real rowHeight: (side.height - 2 * Theme.size.spacing - (rows - 1) * Theme.size.spacing) / rows
@@ -57,7 +57,7 @@ Page {
             height: page.rowHeight
             label: qsTr("Speed law")
             value: Editor.lawName
-            onClicked: page.sheetRequested(lawSheet)
+            onClicked: page.sheetRequested(page.lawSheet)
         }
         Button {
             id: moreButton
@@ -66,7 +66,7 @@ Page {
             width: Theme.size.touch
             height: page.rowHeight
             glyph: Theme.icon.more
-            onClicked: page.sheetRequested(moreSheet)
+            onClicked: page.sheetRequested(page.moreSheet)
         }
     }
     CurveEditor {
@@ -79,7 +79,7 @@ Page {
         id: verdict
         visible: page.bottomInset === 0    // a banner takes its place
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
-        onDownloadRequested: page.sheetRequested(downloadSheet)
+        onDownloadRequested: page.sheetRequested(page.downloadSheet)
     }
 
     readonly property Component lawSheet: Component {

@@ -12,8 +12,9 @@ Item {
     property string refusal                // why Start was refused; set by the frame
     property string putAside
 
-    readonly property string linkTrouble: [Machine.Connection.Lost, Machine.Connection.WrongDevice, Machine.Connection.PortProblem]
-        .includes(Machine.connection) ? Machine.connectionText : ""
+    readonly property bool isTrouble: Machine.connection === Machine.Connection.Lost
+        || Machine.connection === Machine.Connection.WrongDevice || Machine.connection === Machine.Connection.PortProblem
+    readonly property string linkTrouble: isTrouble ? Machine.connectionText : ""
     readonly property string alarm: Machine.alarmText.length > 0 ? Machine.alarmText : linkTrouble
     readonly property string answer: Machine.commandMessage.length > 0 ? Machine.commandMessage
         : Editor.notice.length > 0 ? Editor.notice : refusal

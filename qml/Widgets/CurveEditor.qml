@@ -12,7 +12,7 @@ Card {
     required property bool showPosition
     required property bool showJerk
     required property bool compare
-    readonly property list<string> quantities: [...(showPosition ? ["position"] : []), "velocity", "acceleration",
+    readonly property var quantities: [...(showPosition ? ["position"] : []), "velocity", "acceleration",
         ...(showJerk ? ["jerk"] : []), "frequency"]
     readonly property list<string> units: ["mm", "mm/s", "m/s²", "m/s³", "kHz"]
     readonly property list<string> allQuantities: ["position", "velocity", "acceleration", "jerk", "frequency"]
@@ -31,7 +31,7 @@ Card {
         return near.reduce((best, i) => best < 0 || Math.abs(editor.handleX(i, 0) - x) < Math.abs(editor.handleX(best, 0) - x) ? i : best, -1)
     }
     function readout(time: real, at: int): string {
-        const values = plot.valuesAt(time).map((value, i) => Theme.number(value, 2) + " " + editor.units[editor.allQuantities.indexOf(editor.quantities[i])])
+        const values = Array.from(plot.valuesAt(time)).map((value, i) => Theme.number(value, 2) + " " + editor.units[editor.allQuantities.indexOf(editor.quantities[i])])
         return [Theme.number(time, 3) + " s", ...values].join("  ·  ")
     }
 

@@ -9,7 +9,8 @@ import CamPanel.Machine
 Sheet {
     id: sheet
 
-    readonly property bool busy: [Editor.DownloadState.Transferring, Editor.DownloadState.Sealing, Editor.DownloadState.Armed].includes(Editor.downloadState)
+    readonly property bool busy: Editor.downloadState === Editor.DownloadState.Transferring
+        || Editor.downloadState === Editor.DownloadState.Sealing || Editor.downloadState === Editor.DownloadState.Armed
     readonly property bool failed: Editor.downloadState === Editor.DownloadState.Failed
 
     title: qsTr("Download to the controller")

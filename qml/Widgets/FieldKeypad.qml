@@ -10,7 +10,7 @@ import CamPanel.Machine
 Item {
     id: editor
 
-    required property list<EditorField> fields
+    required property var fields           // list of EditorField
     required property int index
     readonly property EditorField field: fields[index]
     readonly property bool several: fields.length > 1

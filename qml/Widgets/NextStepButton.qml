@@ -11,7 +11,8 @@ Button {
 
     signal downloadRequested()
 
-    readonly property bool busy: [Editor.DownloadState.Transferring, Editor.DownloadState.Sealing, Editor.DownloadState.Armed].includes(Editor.downloadState)
+    readonly property bool busy: Editor.downloadState === Editor.DownloadState.Transferring
+        || Editor.downloadState === Editor.DownloadState.Sealing || Editor.downloadState === Editor.DownloadState.Armed
     readonly property bool suggests: !busy && !Editor.canDownload && Editor.hasSuggestion
     readonly property bool saves: !busy && !suggests && !Editor.canDownload && Editor.canSave
     readonly property bool settled: !busy && Editor.downloadState === Editor.DownloadState.NothingToDo && Editor.saved

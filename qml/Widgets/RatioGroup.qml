@@ -10,7 +10,7 @@ import CamPanel.Machine
 T.AbstractButton {
     id: group
 
-    required property list<EditorField> fields
+    required property var fields           // list of EditorField
     signal editRequested(int index)
 
     implicitHeight: Theme.size.touch

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Curves in the colors and sizes of the theme.
 pragma ComponentBehavior: Bound
+import QtQuick
 import CamPanel.Theme
 import CamPanel.Plot
 
 CurvePlot {
+    id: plot
+
     gridColor: Theme.color.line
     inkColor: Theme.color.ink
     secondaryInkColor: Theme.color.secondaryInk
@@ -23,6 +26,11 @@ CurvePlot {
     traceLineWidth: Theme.size.curve
     axisFont: Theme.captionFont
     titleFont: Theme.captionFont
-    locale: Theme.locale
     timeUnit: "s"
+
+    Binding {
+        target: plot
+        property: "locale"
+        value: Theme.locale
+    }
 }

@@ -11,11 +11,13 @@ Sheet {
 
     title: qsTr("Step table")
 
+    readonly property var figures: Editor.tableSummary
+
     Label {
         id: summary
         anchors { left: parent.left; right: parent.right; top: parent.top }
         wrapMode: Text.WordWrap
-        text: Editor.tableSummary.join("  ·  ")
+        text: sheet.figures.join("  ·  ")
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }
