@@ -155,6 +155,7 @@ LinkError RtuClient::failed(const std::string& request, int errorNumber)
     case EMBBADCRC:
         return error(LinkErrorKind::BadChecksum, request);
     case EMBBADSLAVE:
+    case EMBBADDATA: // whole and undamaged, but of another length or function
         return error(LinkErrorKind::ForeignAnswer, request);
     default:
         return error(LinkErrorKind::BadFrame, request, modbus_strerror(errorNumber));

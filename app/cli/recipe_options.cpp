@@ -153,6 +153,7 @@ Outcome applyLaw(const Invocation& call, program::Recipe& recipe)
 
 QList<QCommandLineOption> recipeOptions()
 {
+    constexpr int shownDigits = 9;
     QList<QCommandLineOption> options;
     for (const FieldOption& option : fieldOptions) {
         const profile::FieldInfo& info = profile::info(option.field);
@@ -160,9 +161,12 @@ QList<QCommandLineOption> recipeOptions()
             return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
         };
         const QString unit = info.unit.empty() ? QString() : u", "_s + text(info.unit);
-        options << QCommandLineOption(
-            QString::fromLatin1(option.name),
-            u"%1 (%2 to %3%4)."_s.arg(text(info.name)).arg(info.min).arg(info.max).arg(unit), u"NUMBER"_s);
+        options << QCommandLineOption(QString::fromLatin1(option.name),
+                                      u"%1 (%2 to %3%4)."_s.arg(text(info.name))
+                                          .arg(info.min, 0, 'g', shownDigits)
+                                          .arg(info.max, 0, 'g', shownDigits)
+                                          .arg(unit),
+                                      u"NUMBER"_s);
     }
     options << QCommandLineOption(u"gear"_s, u"Motor revolutions per knife revolution, such as 5/2."_s,
                                   u"A/B"_s)

@@ -5,23 +5,16 @@
 #include "app/main/fonts.h"
 #include "app/main/options.h"
 #include "app/main/panel.h"
+#include "app/main/qml_modules.h"
 #include "app/main/self_test.h"
 
 #include <QGuiApplication>
-#include <QtQml/qqmlextensionplugin.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <span>
 #include <string_view>
-
-Q_IMPORT_QML_PLUGIN(CamPanel_ThemePlugin)
-Q_IMPORT_QML_PLUGIN(CamPanel_ControlsPlugin)
-Q_IMPORT_QML_PLUGIN(CamPanel_WidgetsPlugin)
-Q_IMPORT_QML_PLUGIN(CamPanel_PagesPlugin)
-Q_IMPORT_QML_PLUGIN(CamPanel_MachinePlugin)
-Q_IMPORT_QML_PLUGIN(CamPanel_PlotPlugin)
 
 namespace {
 
@@ -56,6 +49,15 @@ int runPanel(const panel::Options& options)
     else
         panel.window().show();
     panel.machine().open();
+    if (options.isFirstFrameAnnounced) {
+        QObject::connect(
+            &panel.window(), &QQuickWindow::frameSwapped, &panel.window(),
+            [] {
+                std::puts("first frame");
+                std::fflush(stdout);
+            },
+            Qt::ConnectionType(Qt::DirectConnection | Qt::SingleShotConnection));
+    }
     return QGuiApplication::exec();
 }
 

@@ -80,6 +80,7 @@ Options readOptions(const QCoreApplication& application)
         {QStringLiteral("fullscreen"), QStringLiteral("Fill the screen; touch sizes follow its density.")},
         {QStringLiteral("capture"), QStringLiteral("Write every page and dialog in every language, theme and size as PNG, and end."), QStringLiteral("folder")},
         {QStringLiteral("self-test"), QStringLiteral("Load every page and dialog and check texts and touch targets, and end.")},
+        {QStringLiteral("announce-first-frame"), QStringLiteral("Print \"first frame\" when it is on the screen.")},
     });
     parser.process(application);
     if (!parser.positionalArguments().isEmpty())
@@ -94,6 +95,7 @@ Options readOptions(const QCoreApplication& application)
     options.isFullScreen = parser.isSet(QStringLiteral("fullscreen"));
     options.captureFolder = parser.value(QStringLiteral("capture"));
     options.isSelfTest = parser.isSet(QStringLiteral("self-test"));
+    options.isFirstFrameAnnounced = parser.isSet(QStringLiteral("announce-first-frame"));
     return options;
 }
 

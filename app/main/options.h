@@ -21,6 +21,7 @@ struct Options {
     bool isFullScreen = false;
     QString captureFolder; // empty: no capture
     bool isSelfTest = false;
+    bool isFirstFrameAnnounced = false; // a line on stdout, for measuring the start
 };
 
 // Prints and ends the process for --help, --version and for what it does not understand (exit code 2).

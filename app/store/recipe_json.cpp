@@ -175,8 +175,7 @@ void readProgram(const QJsonObject& object, Recipe& recipe, std::optional<FileEr
         reader.fail(u"kind"_s, FileError::Kind::NotAChoice, kind, kindName);
     readPinned(reader, recipe);
     for (const Field field : program::programFields) {
-        const bool needed = isPinnable(field) ? profile::isPinned(recipe.program, field)
-                                              : field <= Field::K4; // the others have useful defaults
+        const bool needed = profile::isPinned(recipe.program, field);
         // Values that are not pinned follow from the others: whatever stands there is not looked at.
         if (isPinnable(field) && !needed)
             reader.take(idOf(field));

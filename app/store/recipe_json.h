@@ -15,8 +15,9 @@ inline constexpr int recipeFormatVersion = 1;
 
 [[nodiscard]] QByteArray toJson(const program::Recipe& recipe);
 
-// `path` only goes into the error. Of the four cycle values the pinned two must be there; the others may be
-// absent or null. Keys that are not known are refused, so that a misspelled one does not become a default.
+// `path` only goes into the error. The two pinned values and the speed law must be there; what else is absent
+// or null has its default. Keys that are not known are refused, so that a misspelled one does not become a
+// default.
 [[nodiscard]] tl::expected<program::Recipe, FileError> fromJson(const QByteArray& json, const QString& path);
 
 } // namespace campanel::store

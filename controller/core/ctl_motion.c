@@ -222,8 +222,9 @@ uint16_t ctl_motion_master_angle(const ctl_core* core)
 uint16_t ctl_motion_master_speed(const ctl_core* core)
 {
     const ctl_motion* motion = &core->motion;
-    return motion->manual ? (uint16_t)0
-                          : (uint16_t)((uint64_t)motion->ramp.speed * 10000u / motion->ramp.full);
+    if (motion->manual)
+        return 0;
+    return (uint16_t)((uint64_t)motion->ramp.speed * 10000u / motion->ramp.full);
 }
 
 int64_t ctl_motion_commanded_hz(const ctl_core* core)

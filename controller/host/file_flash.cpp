@@ -68,7 +68,8 @@ bool FileFlash::read(std::uint32_t slot, std::uint32_t offset, std::span<std::ui
 
 bool FileFlash::erase(std::uint32_t slot)
 {
-    return ftruncate(m_slots.at(slot), 0) == 0 && fdatasync(m_slots.at(slot)) == 0;
+    // The slot that stays must be on the disk before this one is given up.
+    return fdatasync(m_slots.at(slot ^ 1u)) == 0 && ftruncate(m_slots.at(slot), 0) == 0;
 }
 
 bool FileFlash::write(std::uint32_t slot, std::uint32_t offset, std::span<const std::uint8_t> bytes)

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulated board's flash as files in a directory: one for each slot, written through to the disk.
+// The simulated board's flash as files in a directory, one for each slot. What is saved survives the end of
+// this process at any moment; should the computer lose power, at least the save before the last one is on its
+// disk.
 #pragma once
 
 #include "flash_device.h"

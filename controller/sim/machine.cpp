@@ -60,6 +60,13 @@ void Machine::setProgram(const ctl_bank& bank)
     m_hasProgram = true;
 }
 
+void Machine::setDriveOn(bool on)
+{
+    if (on && !m_driveOn)
+        m_commanded = encoder();
+    m_driveOn = on;
+}
+
 void Machine::followCommand(double stepS)
 {
     const double error = m_driveOn ? static_cast<double>(m_commanded) - m_position : 0.0;

@@ -26,8 +26,9 @@ public:
     // The program that is executed from now on; the knife keeps its angle.
     void setProgram(const ctl_bank& bank);
     void command(std::int64_t pulses) { m_commanded += pulses; }
-    // A drive that is cut off does not follow any more.
-    void setDriveOn(bool on) { m_driveOn = on; }
+    // A drive that is cut off does not follow any more; switched on again it has forgotten the pulses in
+    // between.
+    void setDriveOn(bool on);
 
     // Moves on by one step of time, while which `filmMm` of film is fed.
     void advance(double stepS, double filmMm);

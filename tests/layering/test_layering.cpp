@@ -14,6 +14,8 @@ constexpr auto standardCpp = R"([a-z][a-z0-9_]*)";
 constexpr auto standardC = R"((stdint|stddef|stdbool|string)\.h)";
 constexpr auto posix =
     R"((fcntl|unistd|termios|poll|grp|pwd|time|errno|stdlib|stdio|signal|getopt|limits|dirent|sys/[a-z]+|linux/serial|pty)\.h)";
+// The host programs find the core and the simulated machine on their include path.
+constexpr auto controllerHost = R"((ctl_[a-z_]+|machine|flash_device|simulated_controller)\.h)";
 constexpr auto expected = R"(tl/expected\.hpp)";
 constexpr auto qtAny = R"(Q[A-Za-z0-9]+(/.*)?)";
 
@@ -28,9 +30,8 @@ const QList<Rule>& includeRules()
         {u"profile"_s, {standardCpp, expected, u"profile/.*"_s}},
         {u"modbus"_s, {standardCpp, posix, expected, u"modbus/.*"_s, u"(modbus/)?modbus(-[a-z]+)?\\.h"_s}},
         {u"controller/core"_s, {standardC, u"ctl_[a-z_]+\\.h"_s}},
-        {u"controller/sim"_s, {standardCpp, standardC, u"ctl_[a-z_]+\\.h"_s, u"controller/(core|sim)/.*"_s}},
-        {u"controller/host"_s,
-         {standardCpp, standardC, posix, u"ctl_[a-z_]+\\.h"_s, u"controller/(core|sim|host)/.*"_s}},
+        {u"controller/sim"_s, {standardCpp, standardC, expected, u"ctl_[a-z_]+\\.h"_s}},
+        {u"controller/host"_s, {standardCpp, standardC, posix, expected, controllerHost}},
         {u"app/link"_s, {standardCpp, posix, expected, qtAny, u"modbus/.*"_s, u"app/link/.*"_s}},
         {u"app/program"_s, {standardCpp, expected, u"profile/.*"_s, u"modbus/.*"_s, u"app/program/.*"_s}},
         {u"app/store"_s, {standardCpp, expected, qtAny, u"profile/.*"_s, u"app/(program|store)/.*"_s}},

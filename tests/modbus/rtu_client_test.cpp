@@ -183,6 +183,10 @@ void RtuClientTest::lateAnswersNeverBecomeValues()
             QCOMPARE(status->heartbeat, static_cast<std::uint16_t>(i));
     }
     QVERIFY(right > 0);
+    // Answered late, and then another question asked: the stale answer has another length.
+    m_slave->script({Fault::LateAnswer});
+    QCOMPARE(m_client->exchangeStatus(0, 0).error().kind, LinkErrorKind::NoAnswer);
+    QCOMPARE(m_client->readProven(0x0400, 1).error().kind, LinkErrorKind::ForeignAnswer);
     // The same question answered late and asked again: the stale answer has the right length and address.
     m_slave->setRegister(0x0400, 1);
     m_slave->script({Fault::LateAnswer});

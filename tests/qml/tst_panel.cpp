@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The whole panel in a window, touched as a finger would, on the demonstration link: keypad, pins, handles, navigation, Stop, language.
+#include "app/main/qml_modules.h"
 #include "app/main/fonts.h"
 #include "app/main/stage.h"
 
 #include <QSignalSpy>
 #include <QTest>
-#include <QtQml/qqmlextensionplugin.h>
 
 #include <memory>
-
-Q_IMPORT_QML_PLUGIN(CamPanel_ThemePlugin)
-Q_IMPORT_QML_PLUGIN(CamPanel_ControlsPlugin)
-Q_IMPORT_QML_PLUGIN(CamPanel_WidgetsPlugin)
-Q_IMPORT_QML_PLUGIN(CamPanel_PagesPlugin)
-Q_IMPORT_QML_PLUGIN(CamPanel_MachinePlugin)
-Q_IMPORT_QML_PLUGIN(CamPanel_PlotPlugin)
 
 using campanel::panel::Look;
 using campanel::panel::Stage;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Starting, finding the port, stopping.
-#include "controller_process.h"
+// Starting, waiting for the port, killing.
+#include "tests/support/controller_process.h"
 
 #include <stdexcept>
 
@@ -8,31 +8,37 @@ namespace campanel::test {
 
 using namespace Qt::StringLiterals;
 
-ControllerProcess::ControllerProcess(const QStringList& arguments)
+ControllerProcess::ControllerProcess(QStringList arguments)
+    : m_arguments(std::move(arguments))
 {
-    QStringList all = arguments;
-    if (!all.contains(u"--state"_s))
-        all << u"--state"_s << m_state.path();
     m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    m_process.start(QStringLiteral(CAMPANEL_CONTROLLER), all);
-    while (!m_process.canReadLine()) {
-        if (!m_process.waitForReadyRead(10000))
-            throw std::runtime_error("campanel-controller printed no port: " + m_process.errorString().toStdString());
-    }
-    m_port = QString::fromLocal8Bit(m_process.readLine()).trimmed();
+    start();
 }
 
 ControllerProcess::~ControllerProcess()
 {
     m_process.terminate();
-    if (!m_process.waitForFinished(5000)) {
-        m_process.kill();
-        m_process.waitForFinished();
-    }
+    if (!m_process.waitForFinished(5000))
+        kill();
 }
 
-void ControllerProcess::killHard()
+void ControllerProcess::start()
 {
+    m_process.start(QStringLiteral(CAMPANEL_CONTROLLER),
+                    QStringList{u"--link"_s, port(), u"--state"_s, m_folder.filePath(u"state"_s)} +
+                        m_arguments);
+    while (!m_process.canReadLine()) {
+        if (!m_process.waitForReadyRead(10000))
+            throw std::runtime_error("campanel-controller printed no port: " +
+                                     m_process.errorString().toStdString());
+    }
+    m_process.readLine();
+}
+
+void ControllerProcess::kill()
+{
+    if (m_process.state() == QProcess::NotRunning)
+        return;
     m_process.kill();
     m_process.waitForFinished();
 }

@@ -5,7 +5,7 @@
 #include "app/link/link.h"
 #include "app/program/program_image.h"
 
-namespace campanel::tests {
+namespace campanel::test {
 
 class FakeLink : public link::Link {
     Q_OBJECT
@@ -94,4 +94,4 @@ private:
     }
 };
 
-} // namespace campanel::tests
+} // namespace campanel::test

@@ -2,7 +2,7 @@
 // The link thread against the real controller program over a pseudo-terminal.
 #include "app/link/threaded_link.h"
 #include "app/program/program_image.h"
-#include "controller_process.h"
+#include "tests/support/controller_process.h"
 
 #include <QFile>
 #include <QSignalSpy>
@@ -15,7 +15,7 @@ using namespace campanel;
 using link::DownloadStage;
 using link::LinkState;
 using modbus::Command;
-using tests::ControllerProcess;
+using test::ControllerProcess;
 
 namespace {
 
@@ -157,7 +157,6 @@ private slots:
         QFETCH(int, samples);
         QFETCH(double, leastPerSecond);
         ControllerProcess controller({QStringLiteral("--baud"), QString::number(baud)});
-        QVERIFY(controller.start());
         link::ThreadedLink link(nullptr);
         Listener listener(link);
         link.connectTo(portSettings(controller.port(), baud));
@@ -174,7 +173,6 @@ private slots:
     void downloadsAndChangesTheProgramAtTheEndOfACycle()
     {
         ControllerProcess controller;
-        QVERIFY(controller.start());
         link::ThreadedLink link(nullptr);
         Listener listener(link);
         link.connectTo(portSettings(controller.port()));
@@ -223,7 +221,6 @@ private slots:
     void showsTheRunningProgramToAPanelThatComesLater()
     {
         ControllerProcess controller;
-        QVERIFY(controller.start());
         const auto image = imageOf(200);
         std::uint32_t generation = 0;
         {
@@ -249,7 +246,6 @@ private slots:
     void comesBackAfterTheControllerWasKilled()
     {
         ControllerProcess controller;
-        QVERIFY(controller.start());
         link::ThreadedLink link(nullptr);
         Listener listener(link);
         link.connectTo(portSettings(controller.port()));
@@ -261,14 +257,13 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(listener.outcomes.size(), 1, timeoutMs);
         QCOMPARE(listener.outcomes.first().id, 7u);
         QCOMPARE(listener.outcomes.first().end, link::CommandEnd::NotSent);
-        QVERIFY(controller.start());
+        controller.start();
         QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
     }
 
     void downloadGoesOnAfterABreak()
     {
         ControllerProcess controller({QStringLiteral("--baud"), QStringLiteral("9600")});
-        QVERIFY(controller.start());
         link::ThreadedLink link(nullptr);
         Listener listener(link);
         link.connectTo(portSettings(controller.port(), 9600));
@@ -278,7 +273,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(listener.download().fraction > 0.2, timeoutMs);
         controller.kill();
         QTRY_VERIFY_WITH_TIMEOUT(listener.download().isInterrupted, timeoutMs);
-        QVERIFY(controller.start());
+        controller.start();
         QTRY_VERIFY_WITH_TIMEOUT(listener.downloadEnded(), timeoutMs);
         QCOMPARE(listener.download().stage, DownloadStage::Active);
         QTRY_COMPARE_WITH_TIMEOUT(listener.samples.last().status.activeCrc, image.crc, timeoutMs);
@@ -287,7 +282,6 @@ private slots:
     void canceledDownloadLeavesTheProgram()
     {
         ControllerProcess controller({QStringLiteral("--baud"), QStringLiteral("9600")});
-        QVERIFY(controller.start());
         link::ThreadedLink link(nullptr);
         Listener listener(link);
         link.connectTo(portSettings(controller.port(), 9600));
@@ -330,7 +324,6 @@ private slots:
     void aPortInUseIsNotTakenAway()
     {
         ControllerProcess controller;
-        QVERIFY(controller.start());
         link::ThreadedLink first(nullptr);
         Listener firstListener(first);
         first.connectTo(portSettings(controller.port()));

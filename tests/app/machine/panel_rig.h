@@ -9,7 +9,7 @@
 
 #include <QTemporaryDir>
 
-namespace campanel::tests {
+namespace campanel::test {
 
 struct PanelRig {
     QTemporaryDir folder;
@@ -50,4 +50,4 @@ struct PanelRig {
     }
 };
 
-} // namespace campanel::tests
+} // namespace campanel::test

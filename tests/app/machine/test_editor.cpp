@@ -14,7 +14,7 @@
 using namespace campanel;
 using machine::Editor;
 using machine::EditorField;
-using tests::PanelRig;
+using test::PanelRig;
 
 Q_DECLARE_METATYPE(std::shared_ptr<const profile::Curves>)
 
@@ -431,7 +431,7 @@ private slots:
     void theRecipeSurvivesARestart()
     {
         QTemporaryDir folder;
-        tests::FakeLink link;
+        test::FakeLink link;
         machine::Settings settings(folder.filePath("settings.ini"), nullptr);
         machine::Machine machine(link, settings, nullptr);
         {

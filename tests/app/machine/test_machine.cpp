@@ -12,7 +12,7 @@
 
 using namespace campanel;
 using machine::Machine;
-using tests::PanelRig;
+using test::PanelRig;
 using namespace std::chrono_literals;
 
 class TestMachine : public QObject {

@@ -10,7 +10,7 @@
 #include <QXmlStreamReader>
 
 using namespace campanel;
-using tests::PanelRig;
+using test::PanelRig;
 
 namespace {
 

@@ -100,7 +100,7 @@ private slots:
         QVERIFY(!panel.editor.edited());
         QTRY_COMPARE_WITH_TIMEOUT(panel.editor.downloadState(), Editor::DownloadState::NothingToDo,
                                   timeoutMs);
-        QCOMPARE(panel.machine.activeBagLengthMm(), 280.0);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine.activeBagLengthMm(), 280.0, timeoutMs);
         QVERIFY(panel.editor.saved());
     }
 };

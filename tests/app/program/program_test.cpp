@@ -29,6 +29,7 @@ private slots:
     void longNameIsCutBetweenCharacters();
     void refusals_data();
     void refusals();
+    void valueWithoutRoomInItsRegister();
     void headersThatCannotBeShown_data();
     void headersThatCannotBeShown();
     void differencesAreByField();
@@ -173,6 +174,17 @@ void ProgramTest::refusals()
     QVERIFY(!image.error().limits.empty());
     const QString sentence = QString::fromStdString(describe(image.error()));
     QVERIFY2(sentence.contains(word, Qt::CaseInsensitive), qPrintable(sentence));
+}
+
+void ProgramTest::valueWithoutRoomInItsRegister()
+{
+    Recipe recipe;
+    recipe.version = largestVersion + 1;
+    const auto image = buildProgram(recipe);
+    QVERIFY(!image.has_value());
+    QVERIFY(image.error().unstorable.has_value());
+    const QString sentence = QString::fromStdString(describe(image.error()));
+    QVERIFY2(sentence.contains("program.recipe_version: 65536 is outside 0 .. 65535"), qPrintable(sentence));
 }
 
 void ProgramTest::headersThatCannotBeShown_data()

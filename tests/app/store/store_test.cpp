@@ -25,6 +25,7 @@ private slots:
     void init();
     void trip();
     void documentedExample();
+    void absentValuesHaveTheirDefaults();
     void everyLawTrips();
     void complaints_data();
     void complaints();
@@ -96,6 +97,20 @@ void StoreTest::documentedExample()
     QCOMPARE(read->program.k[2], 1.6667);
 }
 
+void StoreTest::absentValuesHaveTheirDefaults()
+{
+    const auto read = fromJson(R"({"format":"campanel-recipe","format_version":1,"name":"Short","program":
+        {"kind":"rotary_cutter","pinned":["bag_length_mm","film_speed_mm_per_s"],"bag_length_mm":260,
+        "film_speed_mm_per_s":130,"speed_law":"trapezoid","k4":null}})",
+                               u"short"_s);
+    QVERIFY2(read.has_value(), read ? "" : qPrintable(FileErrorText::describe(read.error())));
+    QCOMPARE(read->program.filmSpeedMmPerS, 130.0);
+    QCOMPARE(read->program.k[3], profile::info(profile::Field::K4).defaultValue);
+    QVERIFY(read->program.speedLawParameters ==
+            profile::defaultParameters(*profile::findLaw(profile::LawId::Trapezoid)));
+    QCOMPARE(read->machine.knifeRadiusMm, profile::info(profile::Field::KnifeRadius).defaultValue);
+}
+
 void StoreTest::everyLawTrips()
 {
     for (const profile::Law& law : profile::laws()) {
@@ -139,7 +154,6 @@ void StoreTest::complaints_data()
         u"program.rate_bags_per_min"_s);
     row("text for a number", u"program"_s, u"k1"_s, u"4"_s, Kind::WrongType,
         u"program.k1 must be a number"_s);
-    row("k missing", u"program"_s, u"k4"_s, removed, Kind::MissingKey, u"program.k4"_s);
     row("out of range", u"program"_s, u"bag_length_mm"_s, 5, Kind::OutOfRange, u"10 to 2000 mm"_s);
     row("half a slice", u"program"_s, u"slices_per_ramp"_s, 20.5, Kind::WrongType, u"a whole number"_s);
     row("unknown kind", u"program"_s, u"kind"_s, u"press"_s, Kind::NotAChoice, u"rotary_cutter"_s);

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// From an edited field to the frame that shows it: the real Motion page at 1024x600 on the software renderer.
+#include "bench_report.h"
+
+#include "app/main/stage.h"
+
+#include <QElapsedTimer>
+#include <QEventLoop>
+
+#include <stdexcept>
+
+namespace campanel::bench {
+namespace {
+
+constexpr int edits = 600;
+constexpr int warmUp = 20;
+
+} // namespace
+
+Figures measurePlots()
+{
+    // The offscreen platform would wait 5 ms before each frame.
+    qputenv("QT_QPA_UPDATE_IDLE_TIME", "0");
+    panel::Stage stage({QStringLiteral("en"), QStringLiteral("light"), QSize(1024, 600)});
+    if (!stage.isReady())
+        throw std::runtime_error("the panel's window cannot be loaded");
+    stage.tap(QStringLiteral("nav1"));
+    stage.settle();
+
+    machine::EditorField& bagLength = *stage.panel().editor().bagLength();
+    QEventLoop untilShown;
+    QObject::connect(&stage.window(), &QQuickWindow::frameSwapped, &untilShown, &QEventLoop::quit);
+    std::vector<double> frameMs;
+    for (int edit = 0; edit < warmUp + edits; ++edit) {
+        QElapsedTimer timer;
+        timer.start();
+        bagLength.set(150.0 + edit % 200);
+        untilShown.exec();
+        if (edit >= warmUp)
+            frameMs.push_back(static_cast<double>(timer.nsecsElapsed()) / 1e6);
+    }
+    return {{"edit to painted Motion page at 1024x600, p99 of " + std::to_string(edits), quantile(frameMs, 0.99), 16.0, "ms", "one frame", true},
+            {"the same, median", quantile(frameMs, 0.5), 16.0, "ms", "one frame", true}};
+}
+
+} // namespace campanel::bench

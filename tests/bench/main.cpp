@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// campanel-bench: measures what the README states, as ratios against limits and peers in one run.
+#include "bench_report.h"
+
+#include "app/main/qml_modules.h"
+
+#include <QCommandLineParser>
+#include <QGuiApplication>
+
+#include <exception>
+#include <iostream>
+
+using namespace campanel::bench;
+using namespace Qt::StringLiterals;
+
+int main(int argc, char** argv)
+{
+    const QGuiApplication app(argc, argv);
+    QCommandLineParser parser;
+    parser.setApplicationDescription(u"Measures CamPanel against its limits; prints one table."_s);
+    parser.addHelpOption();
+    parser.addPositionalArgument(u"part"_s, u"motion, plots, link, start; all when none is named"_s, u"[part...]"_s);
+    parser.process(app);
+
+    const QStringList wanted = parser.positionalArguments();
+    const struct {
+        QString name;
+        Figures (*measure)();
+    } parts[] = {{u"motion"_s, measureMotion}, {u"plots"_s, measurePlots}, {u"link"_s, measureLink}, {u"start"_s, measureStart}};
+
+    Figures figures;
+    try {
+        for (const auto& part : parts) {
+            if (wanted.isEmpty() || wanted.contains(part.name)) {
+                for (const Figure& figure : part.measure())
+                    figures.push_back(figure);
+            }
+        }
+    } catch (const std::exception& problem) {
+        std::cerr << "campanel-bench: " << problem.what() << '\n';
+        return 1;
+    }
+    if (figures.empty()) {
+        std::cerr << "campanel-bench: no such part; see --help\n";
+        return 2;
+    }
+    std::cout << format(figures);
+    return 0;
+}
