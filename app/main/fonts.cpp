@@ -2,6 +2,7 @@
 // The font families of the panel; see fonts.h.
 #include "app/main/fonts.h"
 
+#include <QFile>
 #include <QFont>
 #include <QFontDatabase>
 #include <QGuiApplication>
@@ -23,6 +24,10 @@ constexpr Family iconFamily{"Material Design Icons", "fonts-materialdesignicons-
 
 void applyFonts()
 {
+    // The same place beside the program in the build tree and in an installed one.
+    const QString list = QCoreApplication::applicationDirPath() + QStringLiteral("/../share/campanel/fonts.conf");
+    if (qEnvironmentVariableIsEmpty("FONTCONFIG_FILE") && QFile::exists(list))
+        qputenv("FONTCONFIG_FILE", QFile::encodeName(list));
     QFont font;
     font.setFamilies({QString::fromLatin1(latinFamily.name), QString::fromLatin1(chineseFamily.name)});
     QGuiApplication::setFont(font);

@@ -31,33 +31,43 @@ void chooseOffscreen(std::span<char*> arguments)
         qputenv("QT_QPA_PLATFORM", "offscreen");
 }
 
+// Says which packages are missing.
+bool hasFonts()
+{
+    const QStringList missing = panel::missingFonts();
+    for (const QString& sentence : missing)
+        std::fprintf(stderr, "campanel: %s\n", qPrintable(sentence));
+    return missing.isEmpty();
+}
+
 int runPanel(const panel::Options& options)
 {
     link::ThreadedLink link(nullptr);
     panel::Panel panel(link, {});
+    hasFonts(); // reads all fonts while the QML is being loaded; without them the panel still works
     if (options.connection)
         panel.settings().overrideConnection(*options.connection);
     if (!options.language.isEmpty())
         panel.settings().overrideLanguage(options.language);
     if (!options.theme.isEmpty())
         panel.settings().overrideTheme(options.theme);
-    if (!panel.load())
+    if (!panel.load(options.size))
         return EXIT_FAILURE;
-    panel.window().resize(options.size);
     if (options.isFullScreen)
         panel.window().showFullScreen();
     else
         panel.window().show();
-    panel.machine().open();
-    if (options.isFirstFrameAnnounced) {
-        QObject::connect(
-            &panel.window(), &QQuickWindow::frameSwapped, &panel.window(),
-            [] {
+    // The line can wait for the first frame; a person cannot.
+    QObject::connect(
+        &panel.window(), &QQuickWindow::frameSwapped, &panel.machine(),
+        [&panel, isAnnounced = options.isFirstFrameAnnounced] {
+            if (isAnnounced) {
                 std::puts("first frame");
                 std::fflush(stdout);
-            },
-            Qt::ConnectionType(Qt::DirectConnection | Qt::SingleShotConnection));
-    }
+            }
+            panel.machine().open();
+        },
+        Qt::ConnectionType(Qt::AutoConnection | Qt::SingleShotConnection));
     return QGuiApplication::exec();
 }
 
@@ -73,13 +83,9 @@ int main(int argc, char* argv[])
     const panel::Options options = panel::readOptions(application);
 
     panel::applyFonts();
-    const QStringList missing = panel::missingFonts();
-    for (const QString& sentence : missing)
-        std::fprintf(stderr, "campanel: %s\n", qPrintable(sentence));
-
     if (!options.captureFolder.isEmpty())
-        return missing.isEmpty() ? panel::capture(options.captureFolder) : EXIT_FAILURE;
+        return hasFonts() ? panel::capture(options.captureFolder) : EXIT_FAILURE;
     if (options.isSelfTest)
-        return missing.isEmpty() ? panel::selfTest() : EXIT_FAILURE;
+        return hasFonts() ? panel::selfTest() : EXIT_FAILURE;
     return runPanel(options);
 }

@@ -5,9 +5,9 @@
 #include "app/machine/engine_instances.h"
 
 #include <QCoreApplication>
+#include <QEventLoop>
 #include <QLibraryInfo>
 #include <QLocale>
-#include <QQmlComponent>
 #include <QStandardPaths>
 
 namespace campanel::panel {
@@ -29,6 +29,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     machine::attachToEngine(m_engine, m_machine, m_editor, m_settings);
     connect(&m_settings, &machine::Settings::languageChanged, this, &Panel::translate);
     translate();
+    m_component.loadUrl(QUrl(QStringLiteral("qrc:/qt/qml/CamPanel/Pages/Main.qml")), QQmlComponent::Asynchronous);
 }
 
 Panel::~Panel()
@@ -37,12 +38,16 @@ Panel::~Panel()
         QCoreApplication::removeTranslator(&translator);
 }
 
-bool Panel::load()
+bool Panel::load(QSize size)
 {
-    QQmlComponent component(&m_engine, QUrl(QStringLiteral("qrc:/qt/qml/CamPanel/Pages/Main.qml")));
-    m_window.reset(qobject_cast<QQuickWindow*>(component.create()));
+    QEventLoop untilLoaded;
+    connect(&m_component, &QQmlComponent::statusChanged, &untilLoaded, &QEventLoop::quit);
+    while (m_component.isLoading())
+        untilLoaded.exec();
+    m_window.reset(qobject_cast<QQuickWindow*>(m_component.createWithInitialProperties(
+        {{QStringLiteral("width"), size.width()}, {QStringLiteral("height"), size.height()}})));
     if (!m_window)
-        qCritical("%s", qPrintable(component.errorString()));
+        qCritical("%s", qPrintable(m_component.errorString()));
     return m_window != nullptr;
 }
 

@@ -8,6 +8,7 @@
 #include "app/machine/settings.h"
 
 #include <QObject>
+#include <QQmlComponent>
 #include <QQmlEngine>
 #include <QQuickWindow>
 #include <QTranslator>
@@ -27,7 +28,7 @@ class Panel : public QObject {
     Q_OBJECT
 
 public:
-    // The link must outlive it.
+    // The link must outlive it. Begins to load the QML in the background.
     Panel(link::Link& link, const Storage& storage);
     ~Panel() override;
 
@@ -36,8 +37,9 @@ public:
     [[nodiscard]] machine::Editor& editor() { return m_editor; }
     [[nodiscard]] QQmlEngine& engine() { return m_engine; }
 
-    // Loads the window, hidden. False after QML errors, which went to the log.
-    [[nodiscard]] bool load();
+    // Loads the window, hidden, at its size from the first binding on: a later resize lays all texts out again.
+    // False after QML errors, which went to the log.
+    [[nodiscard]] bool load(QSize size);
     [[nodiscard]] QQuickWindow& window() { return *m_window; }
 
 private:
@@ -48,6 +50,7 @@ private:
     machine::Editor m_editor;
     std::array<QTranslator, 3> m_translators; // the panel's QML, its C++, Qt itself
     QQmlEngine m_engine;
+    QQmlComponent m_component{&m_engine};
     std::unique_ptr<QQuickWindow> m_window;
 };
 

@@ -48,10 +48,9 @@ Stage::Stage(const Look& look)
     m_panel.settings().overrideLanguage(look.language);
     m_panel.settings().overrideTheme(look.theme);
     m_panel.machine().setClock([this] { return m_link.now(); });
-    m_isReady = m_panel.load();
+    m_isReady = m_panel.load(look.size);
     if (!m_isReady)
         return;
-    m_panel.window().resize(look.size);
     auto* frame = m_panel.window().property("frame").value<QObject*>();
     theme()->setProperty("animated", false);
     frame->setProperty("clockRuns", false);

@@ -11,7 +11,10 @@ Rectangle {
     id: frame
 
     property int page
+    property bool showsPages               // off until the frame itself is on the screen: Start and Stop come first
     readonly property list<string> sources: ["RunPage.qml", "MotionPage.qml", "SettingsPage.qml"]
+    // What is not on the screen at the start is named by its file: naming its type would load it at once.
+    readonly property url explanation: "../Widgets/ExplanationSheet.qml"
     property alias clockRuns: topBar.clockRuns
     property alias now: topBar.now
     property var sheet: null               // the open dialog
@@ -40,7 +43,7 @@ Rectangle {
         const right = source.mapToItem(overlay, source.width, 0).x - frame.shift
         keypadLoader.setSource("KeypadOverlay.qml", { fields: fields, index: index, field: source })
         keypadLoader.active = true
-        frame.shift = Math.min(0, (keypadLoader.item as KeypadOverlay).free - Theme.size.spacing - right)
+        frame.shift = Math.min(0, (keypadLoader.item as Overlay).free - Theme.size.spacing - right)
     }
 
     color: Theme.color.ground
@@ -61,7 +64,7 @@ Rectangle {
                     id: loader
                     required property int index
                     required property string modelData
-                    property bool wanted: frame.page === index
+                    property bool wanted: frame.showsPages && frame.page === index
                     property bool opened
                     anchors.fill: parent
                     onWantedChanged: opened = opened || wanted
@@ -71,7 +74,7 @@ Rectangle {
                     Connections {
                         target: loader.item as Page
                         function onEditRequested(fields: var, index: int, source: Item) { frame.edit(fields, index, source) }
-                        function onExplainRequested(field: EditorField) { frame.openSheet(explanation, { field: field }) }
+                        function onExplainRequested(field: EditorField) { frame.openSheet(Qt.createComponent(frame.explanation), { field: field }) }
                         function onSheetRequested(sheet: Component) { frame.openSheet(sheet, {}) }
                     }
                     Binding {
@@ -98,10 +101,6 @@ Rectangle {
     TopBar {
         id: topBar
         anchors { left: parent.left; right: parent.right; top: parent.top }
-    }
-    Component {
-        id: explanation
-        ExplanationSheet {}
     }
     // Sheets and keypad live here: everything but the top bar and the command column.
     Item {

@@ -6,14 +6,14 @@ import CamPanel.Theme
 import CamPanel.Widgets
 import CamPanel.Machine
 
-Item {
+Overlay {
     id: overlay
 
     required property var fields           // list of EditorField
     required property int index
     required property Item field
-    readonly property real free: width - keypad.width      // right end of what the keypad leaves
-    signal closed()
+
+    free: width - keypad.width
 
     MouseArea {
         anchors.fill: parent

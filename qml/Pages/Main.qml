@@ -2,7 +2,6 @@
 // The window.
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Window
 import CamPanel.Theme
 import CamPanel.Machine
 
@@ -20,6 +19,10 @@ Window {
     Frame {
         id: frame
         anchors.fill: parent
+    }
+    Connections {
+        enabled: !frame.showsPages
+        function onFrameSwapped() { frame.showsPages = true }
     }
     Binding { target: Theme; property: "name"; value: Settings.theme }
     Binding { target: Theme; property: "language"; value: Settings.language }
