@@ -15,7 +15,8 @@ int capture(const QString& folder)
 {
     const QDir target(folder);
     if (!target.mkpath(QStringLiteral("."))) {
-        std::fprintf(stderr, "campanel: the folder %s cannot be made; choose another for --capture.\n", qPrintable(folder));
+        std::fprintf(stderr, "campanel: the folder %s cannot be made; choose another for --capture.\n",
+                     qPrintable(folder));
         return EXIT_FAILURE;
     }
     int written = 0;
@@ -27,7 +28,9 @@ int capture(const QString& folder)
             enterScene(stage, scene);
             const QString path = target.filePath(QStringLiteral("%1-%2.png").arg(scene.name, look.name()));
             if (!stage.grab().save(path)) {
-                std::fprintf(stderr, "campanel: %s cannot be written; is the disk full or the folder read-only?\n", qPrintable(path));
+                std::fprintf(stderr,
+                             "campanel: %s cannot be written; is the disk full or the folder read-only?\n",
+                             qPrintable(path));
                 return EXIT_FAILURE;
             }
             ++written;

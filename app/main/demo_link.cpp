@@ -94,17 +94,21 @@ void DemoLink::show(Situation situation)
         report(link::LinkState::Lost);
         return;
     }
+    if (situation == Situation::Empty)
+        emit reported({}); // another controller: what was known of the first one is forgotten
     report(link::LinkState::Connected);
     if (situation == Situation::Empty) {
         emit programRead({});
         modbus::StatusBlock idle;
         idle.state = modbus::State::Idle;
         emit statusReceived({{{m_now, idle}}, 0});
-        return;
+    } else {
+        const auto& bank = m_program.registers;
+        emit programRead(
+            {generation, m_program.crc, {bank.begin(), bank.begin() + modbus::bankHeaderRegisters}});
+        runBags();
     }
-    const auto& bank = m_program.registers;
-    emit programRead({generation, m_program.crc, {bank.begin(), bank.begin() + modbus::bankHeaderRegisters}});
-    runBags();
+    report(link::LinkState::Connected); // the figures of the link are read again
 }
 
 void DemoLink::report(link::LinkState state)
@@ -123,7 +127,8 @@ void DemoLink::runBags()
     std::normal_distribution<double> deviation(0.03, scatterMm);
     m_bags = firstBag;
     for (int bag = 0; bag <= bagsShown; ++bag) {
-        const int samples = bag < bagsShown ? samplesPerCycle : static_cast<int>(shareShown * samplesPerCycle);
+        const int samples =
+            bag < bagsShown ? samplesPerCycle : static_cast<int>(shareShown * samplesPerCycle);
         const double off = std::round(100 * deviation(random)) / 100;
         link::StatusBatch batch;
         for (int i = 0; i < samples; ++i) {
@@ -152,7 +157,7 @@ modbus::StatusBlock DemoLink::statusAt(double cycleShare) const
 
     modbus::StatusBlock status;
     status.state = m_situation == Situation::Running ? modbus::State::Running
-        : m_situation == Situation::Fault            ? modbus::State::Fault
+                   : m_situation == Situation::Fault ? modbus::State::Fault
                                                      : modbus::State::Ready;
     if (m_situation == Situation::Fault)
         status.faultBits = 1U << static_cast<unsigned>(modbus::FaultBit::FollowingError);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A link without a line: answers as a controller that runs a known program would, always with the same numbers and on its own clock. For captures and the self-test.
+// A link without a line: answers as a controller that runs a known program would, always with the same
+// numbers and on its own clock. For captures and the self-test.
 #pragma once
 
 #include "app/link/link.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The font families of the panel, and the check that their packages are installed: without them the screen shows squares.
+// The font families of the panel, and the check that their packages are installed: without them the screen
+// shows squares.
 #pragma once
 
 #include <QStringList>

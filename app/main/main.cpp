@@ -24,8 +24,8 @@ using namespace campanel;
 void chooseOffscreen(std::span<char*> arguments)
 {
     const auto needsNoDisplay = [](std::string_view argument) {
-        return argument == "--self-test" || argument.starts_with("--capture") || argument == "--help" || argument == "-h" ||
-            argument == "--version" || argument == "-v";
+        return argument == "--self-test" || argument.starts_with("--capture") || argument == "--help" ||
+               argument == "-h" || argument == "--version" || argument == "-v";
     };
     if (std::any_of(arguments.begin() + 1, arguments.end(), needsNoDisplay))
         qputenv("QT_QPA_PLATFORM", "offscreen");

@@ -25,7 +25,10 @@ int number(const QCommandLineParser& parser, const QString& option, int lowest, 
     bool isNumber = false;
     const int value = parser.value(option).toInt(&isNumber);
     if (!isNumber || value < lowest || value > highest)
-        refuse(QStringLiteral("--%1 %2 is not between %3 and %4.").arg(option, parser.value(option)).arg(lowest).arg(highest));
+        refuse(QStringLiteral("--%1 %2 is not between %3 and %4.")
+                   .arg(option, parser.value(option))
+                   .arg(lowest)
+                   .arg(highest));
     return value;
 }
 
@@ -33,7 +36,8 @@ QString oneOf(const QCommandLineParser& parser, const QString& option, const QSt
 {
     const QString value = parser.value(option);
     if (!value.isEmpty() && !choices.contains(value))
-        refuse(QStringLiteral("--%1 %2 is not one of %3.").arg(option, value, choices.join(QStringLiteral(", "))));
+        refuse(QStringLiteral("--%1 %2 is not one of %3.")
+                   .arg(option, value, choices.join(QStringLiteral(", "))));
     return value;
 }
 
@@ -52,7 +56,8 @@ machine::ConnectionChoice connectionFrom(const QCommandLineParser& parser)
     choice.simulated = false;
     choice.portName = parser.value(QStringLiteral("port"));
     choice.baud = number(parser, QStringLiteral("baud"), 1200, 921600);
-    choice.parity = oneOf(parser, QStringLiteral("parity"), {QStringLiteral("N"), QStringLiteral("E"), QStringLiteral("O")});
+    choice.parity = oneOf(parser, QStringLiteral("parity"),
+                          {QStringLiteral("N"), QStringLiteral("E"), QStringLiteral("O")});
     choice.stopBits = number(parser, QStringLiteral("stop-bits"), 1, 2);
     choice.unit = number(parser, QStringLiteral("unit"), 1, 247);
     return choice;
@@ -63,33 +68,47 @@ machine::ConnectionChoice connectionFrom(const QCommandLineParser& parser)
 Options readOptions(const QCoreApplication& application)
 {
     QCommandLineParser parser;
-    parser.setApplicationDescription(QStringLiteral(
-        "Touchscreen of an electronic-cam machine. Without --port it uses the connection of its settings; at first that is the "
-        "simulated controller."));
+    parser.setApplicationDescription(
+        QStringLiteral("Touchscreen of an electronic-cam machine. Without --port it uses the connection of "
+                       "its settings; at first that is the "
+                       "simulated controller."));
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addOptions({
-        {QStringLiteral("port"), QStringLiteral("Serial port of the controller, for this run."), QStringLiteral("path")},
-        {QStringLiteral("baud"), QStringLiteral("Baud rate (115200)."), QStringLiteral("rate"), QStringLiteral("115200")},
-        {QStringLiteral("parity"), QStringLiteral("N, E or O (N)."), QStringLiteral("parity"), QStringLiteral("N")},
-        {QStringLiteral("stop-bits"), QStringLiteral("1 or 2 (1)."), QStringLiteral("bits"), QStringLiteral("1")},
-        {QStringLiteral("unit"), QStringLiteral("Modbus unit, 1 to 247 (1)."), QStringLiteral("number"), QStringLiteral("1")},
-        {QStringLiteral("language"), QStringLiteral("en or zh_CN, for this run."), QStringLiteral("language")},
+        {QStringLiteral("port"), QStringLiteral("Serial port of the controller, for this run."),
+         QStringLiteral("path")},
+        {QStringLiteral("baud"), QStringLiteral("Baud rate (115200)."), QStringLiteral("rate"),
+         QStringLiteral("115200")},
+        {QStringLiteral("parity"), QStringLiteral("N, E or O (N)."), QStringLiteral("parity"),
+         QStringLiteral("N")},
+        {QStringLiteral("stop-bits"), QStringLiteral("1 or 2 (1)."), QStringLiteral("bits"),
+         QStringLiteral("1")},
+        {QStringLiteral("unit"), QStringLiteral("Modbus unit, 1 to 247 (1)."), QStringLiteral("number"),
+         QStringLiteral("1")},
+        {QStringLiteral("language"), QStringLiteral("en or zh_CN, for this run."),
+         QStringLiteral("language")},
         {QStringLiteral("theme"), QStringLiteral("light or dark, for this run."), QStringLiteral("theme")},
-        {QStringLiteral("size"), QStringLiteral("Size of the window (1024x600)."), QStringLiteral("WxH"), QStringLiteral("1024x600")},
+        {QStringLiteral("size"), QStringLiteral("Size of the window (1024x600)."), QStringLiteral("WxH"),
+         QStringLiteral("1024x600")},
         {QStringLiteral("fullscreen"), QStringLiteral("Fill the screen; touch sizes follow its density.")},
-        {QStringLiteral("capture"), QStringLiteral("Write every page and dialog in every language, theme and size as PNG, and end."), QStringLiteral("folder")},
-        {QStringLiteral("self-test"), QStringLiteral("Load every page and dialog and check texts and touch targets, and end.")},
-        {QStringLiteral("announce-first-frame"), QStringLiteral("Print \"first frame\" when it is on the screen.")},
+        {QStringLiteral("capture"),
+         QStringLiteral("Write every page and dialog in every language, theme and size as PNG, and end."),
+         QStringLiteral("folder")},
+        {QStringLiteral("self-test"),
+         QStringLiteral("Load every page and dialog and check texts and touch targets, and end.")},
+        {QStringLiteral("announce-first-frame"),
+         QStringLiteral("Print \"first frame\" when it is on the screen.")},
     });
     parser.process(application);
     if (!parser.positionalArguments().isEmpty())
-        refuse(QStringLiteral("\"%1\" is not an option; see --help.").arg(parser.positionalArguments().constFirst()));
+        refuse(QStringLiteral("\"%1\" is not an option; see --help.")
+                   .arg(parser.positionalArguments().constFirst()));
 
     Options options;
     if (parser.isSet(QStringLiteral("port")))
         options.connection = connectionFrom(parser);
-    options.language = oneOf(parser, QStringLiteral("language"), {QStringLiteral("en"), QStringLiteral("zh_CN")});
+    options.language =
+        oneOf(parser, QStringLiteral("language"), {QStringLiteral("en"), QStringLiteral("zh_CN")});
     options.theme = oneOf(parser, QStringLiteral("theme"), {QStringLiteral("light"), QStringLiteral("dark")});
     options.size = sizeFrom(parser.value(QStringLiteral("size")));
     options.isFullScreen = parser.isSet(QStringLiteral("fullscreen"));

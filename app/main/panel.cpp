@@ -15,7 +15,8 @@ namespace {
 
 QString recipeFolder(const Storage& storage)
 {
-    return storage.recipeFolder.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) : storage.recipeFolder;
+    return storage.recipeFolder.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)
+                                          : storage.recipeFolder;
 }
 
 } // namespace
@@ -54,8 +55,10 @@ bool Panel::load(QSize size)
 void Panel::translate()
 {
     const QLocale locale(m_settings.language());
-    const std::array names{QStringLiteral("campanel_qml"), QStringLiteral("campanel_app"), QStringLiteral("qtbase")};
-    const std::array folders{QStringLiteral(":/i18n"), QStringLiteral(":/i18n"), QLibraryInfo::path(QLibraryInfo::TranslationsPath)};
+    const std::array names{QStringLiteral("campanel_qml"), QStringLiteral("campanel_app"),
+                           QStringLiteral("qtbase")};
+    const std::array folders{QStringLiteral(":/i18n"), QStringLiteral(":/i18n"),
+                             QLibraryInfo::path(QLibraryInfo::TranslationsPath)};
     for (std::size_t i = 0; i < m_translators.size(); ++i) {
         QCoreApplication::removeTranslator(&m_translators[i]);
         if (m_translators[i].load(locale, names[i], QStringLiteral("_"), folders[i]))

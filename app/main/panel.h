@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel put together: settings, machine, editor, the QML engine and its window, in the language of the settings.
+// The panel put together: settings, machine, editor, the QML engine and its window, in the language of the
+// settings.
 #pragma once
 
 #include "app/link/link.h"

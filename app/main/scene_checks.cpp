@@ -91,7 +91,8 @@ public:
             for (qsizetype j = i + 1; j < m_texts.size(); ++j) {
                 const QRectF common = m_texts[i].rect.intersected(m_texts[j].rect);
                 if (common.width() > overlapPx && common.height() > m_texts[i].rect.height() / 4)
-                    m_faults += QStringLiteral("\"%1\" and \"%2\" overlap").arg(m_texts[i].text, m_texts[j].text);
+                    m_faults +=
+                        QStringLiteral("\"%1\" and \"%2\" overlap").arg(m_texts[i].text, m_texts[j].text);
             }
         }
         return m_faults;
@@ -106,7 +107,8 @@ private:
         if (item.property("truncated").toBool())
             m_faults += QStringLiteral("%1 is elided").arg(nameOf(item));
         const QRectF painted = paintedRect(item);
-        if (painted.width() > item.width() + tolerancePx || painted.height() > item.height() + 2 * tolerancePx)
+        if (painted.width() > item.width() + tolerancePx ||
+            painted.height() > item.height() + 2 * tolerancePx)
             m_faults += QStringLiteral("%1 needs %2 x %3 and has %4 x %5")
                             .arg(nameOf(item))
                             .arg(painted.width())
@@ -117,7 +119,8 @@ private:
             return;
         const QRectF rect = item.mapRectToScene(painted);
         if (const QQuickItem* surface = surfaceOf(item)) {
-            const QRectF limit = surface->mapRectToScene(surface->boundingRect()).adjusted(-tolerancePx, -tolerancePx, tolerancePx, tolerancePx);
+            const QRectF limit = surface->mapRectToScene(surface->boundingRect())
+                                     .adjusted(-tolerancePx, -tolerancePx, tolerancePx, tolerancePx);
             if (!limit.contains(rect))
                 m_faults += QStringLiteral("%1 stands out of its surface").arg(nameOf(item));
         }
@@ -126,7 +129,8 @@ private:
 
     void checkTarget(const QQuickItem& item)
     {
-        const bool isCommand = item.objectName() == QStringLiteral("startKey") || item.objectName() == QStringLiteral("stopKey");
+        const bool isCommand =
+            item.objectName() == QStringLiteral("startKey") || item.objectName() == QStringLiteral("stopKey");
         const double limit = std::floor(isCommand ? m_limits.commandPx : m_limits.touchPx) - tolerancePx;
         if (item.width() < limit || item.height() < limit)
             m_faults += QStringLiteral("%1 is %2 x %3, a finger needs %4")

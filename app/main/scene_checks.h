@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks of what is on the screen, computed from the scene: no text clipped, cut off or over another, no touch target too small.
+// Checks of what is on the screen, computed from the scene: no text clipped, cut off or over another, no
+// touch target too small.
 #pragma once
 
 #include <QStringList>
@@ -13,7 +14,8 @@ struct TouchLimits {
     double commandPx = 0; // 18 mm, for Start and Stop
 };
 
-// One sentence for each fault below `root`; only the uppermost layer (keypad, else dialog, else page) is looked at.
+// One sentence for each fault below `root`; only the uppermost layer (keypad, else dialog, else page) is
+// looked at.
 [[nodiscard]] QStringList checkScene(QQuickItem& root, const TouchLimits& limits);
 
 } // namespace campanel::panel

@@ -20,6 +20,7 @@ Scene situation(const char* name, Situation situation, const QString& page)
 {
     return {QString::fromLatin1(name), [situation, page](Stage& stage) {
                 stage.link().show(situation);
+                stage.lookAtClock();
                 stage.tap(page);
             }};
 }
@@ -89,7 +90,8 @@ const QList<Scene>& allScenes()
              stage.tap(QStringLiteral("portButton"));
          }},
         taps("settings-machine", {settings, QStringLiteral("section2")}),
-        taps("keypad-machine", {settings, QStringLiteral("section2"), QStringLiteral("field_maxAcceleration")}),
+        taps("keypad-machine",
+             {settings, QStringLiteral("section2"), QStringLiteral("field_maxAcceleration")}),
         taps("settings-about", {settings, QStringLiteral("section3")}),
         situation("run-stopped", Situation::Stopped, run),
         situation("run-empty", Situation::Empty, run),
@@ -126,6 +128,7 @@ void enterScene(Stage& stage, const Scene& scene)
         editor.undo();
     stage.panel().settings().setSimulated(true);
     stage.link().show(Situation::Running);
+    stage.lookAtClock();
     scene.enter(stage);
     stage.settle();
 }

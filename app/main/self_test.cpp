@@ -29,7 +29,8 @@ QStringList checkStop(Stage& stage)
 {
     const int before = stage.link().stopRequests();
     stage.tap(QStringLiteral("stopKey"));
-    return stage.link().stopRequests() > before ? QStringList() : QStringList(QStringLiteral("Stop cannot be reached"));
+    return stage.link().stopRequests() > before ? QStringList()
+                                                : QStringList(QStringLiteral("Stop cannot be reached"));
 }
 
 QStringList checkLook(const Look& look)
@@ -61,8 +62,9 @@ int selfTest()
         faults += found.size();
     }
     qInstallMessageHandler(before);
-    std::printf("%lld pages and dialogs in %lld looks: %lld faults\n", static_cast<long long>(allScenes().size()),
-                static_cast<long long>(allLooks().size()), static_cast<long long>(faults));
+    std::printf("%lld pages and dialogs in %lld looks: %lld faults\n",
+                static_cast<long long>(allScenes().size()), static_cast<long long>(allLooks().size()),
+                static_cast<long long>(faults));
     return faults == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 

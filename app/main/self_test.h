@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loads every page and dialog in every language, theme and size, and fails on any warning, clipped text, small target or unreachable Stop.
+// Loads every page and dialog in every language, theme and size, and fails on any warning, clipped text,
+// small target or unreachable Stop.
 #pragma once
 
 namespace campanel::panel {

@@ -12,7 +12,6 @@
 namespace campanel::panel {
 namespace {
 
-constexpr int longestWaitMs = 2000; // for a timer of some 100 ms
 constexpr int holdTimeMs = 1000; // longer than a long press
 
 QQuickItem* visibleItem(QQuickItem& below, const QString& name)
@@ -47,7 +46,7 @@ Stage::Stage(const Look& look)
 {
     m_panel.settings().overrideLanguage(look.language);
     m_panel.settings().overrideTheme(look.theme);
-    m_panel.machine().setClock([this] { return m_link.now(); });
+    lookAtClock();
     m_isReady = m_panel.load(look.size);
     if (!m_isReady)
         return;
@@ -58,20 +57,12 @@ Stage::Stage(const Look& look)
     m_panel.window().show();
     settle(); // the first frame comes before the first data, as on a machine
     m_panel.machine().open();
-    waitForLinkFigures();
     settle();
 }
 
-// The share of good answers is shown by a timer of the machine, not by each answer.
-void Stage::waitForLinkFigures()
+void Stage::lookAtClock()
 {
-    bool isShown = false;
-    const auto shown = QObject::connect(&m_panel.machine(), &machine::Machine::qualityChanged, [&isShown] { isShown = true; });
-    QElapsedTimer waited;
-    waited.start();
-    while (!isShown && waited.elapsed() < longestWaitMs)
-        QCoreApplication::processEvents(QEventLoop::AllEvents, holdTimeMs);
-    QObject::disconnect(shown);
+    m_panel.machine().setClock([this] { return m_link.now(); });
 }
 
 QObject* Stage::theme()
@@ -131,7 +122,8 @@ void Stage::settle()
     constexpr int rounds = 4; // loaders, then their bindings, then polish
     for (int i = 0; i < rounds; ++i) {
         QCoreApplication::processEvents();
-        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // closed dialogs; no event loop runs here
+        QCoreApplication::sendPostedEvents(nullptr,
+                                           QEvent::DeferredDelete); // closed dialogs; no event loop runs here
     }
     (void)grab();
 }

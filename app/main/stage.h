@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A panel on the demonstration link, driven as a finger would: find by name, tap, hold, type, grab. For captures and the self-test.
+// A panel on the demonstration link, driven as a finger would: find by name, tap, hold, type, grab. For
+// captures and the self-test.
 #pragma once
 
 #include "app/main/demo_link.h"
@@ -39,12 +40,13 @@ public:
     void hold(const QString& name);
     void type(const QString& keys);
     void closeDialogs();
+    // The machine looks at the age of its data now; by itself it does so every tenth of a real second.
+    void lookAtClock();
     // Events handled, bindings and layout settled, one frame drawn.
     void settle();
     [[nodiscard]] QImage grab();
 
 private:
-    void waitForLinkFigures();
     void press(const QString& name, int holdMs);
 
     QTemporaryDir m_folder;

@@ -141,7 +141,7 @@ void CurvePlot::placePanels()
     const double top = std::ceil(std::max(head, axisMetrics.height() / 2));
     const double gap = std::ceil(std::max(head + panelGap, axisMetrics.height() + 2));
     const double bottom = std::ceil(axisMetrics.height() + labelGap);
-    const double right = std::ceil(axisMetrics.horizontalAdvance(QStringLiteral("0.00 ") + m_timeUnit) / 2);
+    const double right = std::ceil(axisMetrics.horizontalAdvance(QStringLiteral("0.000 ") + m_timeUnit) / 2);
     const auto count = static_cast<double>(std::max<std::size_t>(1, m_panels.size()));
     const double panelHeight =
         std::max(1.0, std::floor((height() - top - bottom - (count - 1) * gap) / count));

@@ -33,6 +33,12 @@ KnifeDial::KnifeDial(QQuickItem* parent)
     connect(this, &KnifeDial::styleChanged, this, &KnifeDial::updateAll);
 }
 
+void KnifeDial::geometryChange(const QRectF& newGeometry, const QRectF& oldGeometry)
+{
+    QQuickPaintedItem::geometryChange(newGeometry, oldGeometry);
+    updateAll();
+}
+
 void KnifeDial::setAngleDeg(double angle)
 {
     if (sameNumber(angle, m_angleDeg)) {

@@ -51,6 +51,8 @@ signals:
 private:
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
+    void geometryChange(const QRectF& newGeometry, const QRectF& oldGeometry) override;
+    // An explicit rectangle always: a following update(rectangle) would make Qt forget update().
     void updateAll() { update(boundingRect().toAlignedRect()); }
     void changeMark(double& mark, double angle);
     void paintRing(QPainter& painter) const;

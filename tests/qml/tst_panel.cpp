@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole panel in a window, touched as a finger would, on the demonstration link: keypad, pins, handles, navigation, Stop, language.
-#include "app/main/qml_modules.h"
+// The whole panel in a window, touched as a finger would, on the demonstration link: keypad, pins, handles,
+// navigation, Stop, language.
 #include "app/main/fonts.h"
+#include "app/main/qml_modules.h"
 #include "app/main/stage.h"
 
 #include <QSignalSpy>
@@ -34,7 +35,8 @@ private slots:
     void initTestCase() { campanel::panel::applyFonts(); }
     void init()
     {
-        m_stage = std::make_unique<Stage>(Look{QStringLiteral("en"), QStringLiteral("light"), QSize(1024, 600)});
+        m_stage =
+            std::make_unique<Stage>(Look{QStringLiteral("en"), QStringLiteral("light"), QSize(1024, 600)});
         QVERIFY(m_stage->isReady());
     }
     void cleanup()
@@ -70,7 +72,8 @@ private slots:
         QTest::addColumn<QStringList>("way");
         QTest::newRow("bag length") << QStringList{"nav1", "field_bagLength"};
         QTest::newRow("film speed") << QStringList{"nav1", "field_filmSpeed"};
-        QTest::newRow("machine parameter at the right") << QStringList{"nav2", "section2", "field_maxAcceleration"};
+        QTest::newRow("machine parameter at the right")
+            << QStringList{"nav2", "section2", "field_maxAcceleration"};
     }
     void keypadLeavesItsFieldAndStopFree()
     {
