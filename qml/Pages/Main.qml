@@ -21,8 +21,9 @@ Window {
         anchors.fill: parent
     }
     Connections {
+        target: window
         enabled: !frame.showsPages
-        function onFrameSwapped() { frame.showsPages = true }
+        function onFrameSwapped() { Qt.callLater(() => frame.showsPages = true) }
     }
     Binding { target: Theme; property: "name"; value: Settings.theme }
     Binding { target: Theme; property: "language"; value: Settings.language }

@@ -250,7 +250,7 @@ void TestCurvePlot::notANumberLeavesTheRestStanding()
     plot.setProperty("violations", QVariant::fromValue(QList<QPointF>{{nan, nan}}));
     plot.setProperty("markerTimes", QVariant::fromValue(QList<double>{nan}));
     const QImage image = test::paintItem(plot);
-    QVERIFY(test::inkIn(image, test::around(plot.xOfTime(0.25), plot.yOfVelocity(325), 1), blue) >= 5);
+    QVERIFY(test::inkIn(image, test::around(plot.xOfTime(0.25), plot.yOfVelocity(325), 1), blue) >= 3);
     const QRect right(qRound(plot.xOfTime(0.55)), qRound(plot.panelTop(0)), 200, qRound(plot.panelHeight(0)));
     QCOMPARE(test::inkIn(image, right, blue), 0);
 }
