@@ -202,6 +202,9 @@ void LinkWorker::tryToConnect()
     m_lastPollAt = {};
     m_status.reset();
     m_programRead.reset();
+    m_headerOf.reset();
+    m_header.clear();
+    m_isHeaderWanted = false;
     if (m_download)
         m_download->connectionFound();
     report(LinkState::Connected);
@@ -214,6 +217,8 @@ void LinkWorker::exchange()
     const auto sinceLastPoll = steady_clock::now() - m_lastPollAt;
     if (const auto request = m_requests.take())
         sendCommand(*request);
+    else if (m_isHeaderWanted)
+        readHeader();
     else if (m_download && m_download->hasWork() && sinceLastPoll < pollPeriodInTransfer)
         advanceDownload();
     else if (sinceLastPoll >= shortestPollPeriod)
@@ -281,27 +286,31 @@ void LinkWorker::noteStatus(const modbus::StatusBlock& status)
     }
     if (isFirst && status.has(modbus::WarningBit::ClockNotSet))
         setClock();
-    if (m_programRead != std::pair(status.generation, status.activeCrc.value_or(0)))
-        readProgram();
+    noteProgram({status.generation, status.activeCrc.value_or(0)});
 }
 
-void LinkWorker::readProgram()
+void LinkWorker::noteProgram(const ProgramId& program)
 {
-    const std::pair program(m_status->generation, m_status->activeCrc.value_or(0));
-    if (!m_status->activeCrc) {
-        m_programRead = program;
-        emit programRead({program.first, 0, {}});
+    if (m_programRead == program)
+        return;
+    const bool isEmpty = !m_status->activeCrc;
+    // A header belongs to a program for certain when the status before it and the one after it name that
+    // program.
+    if (!isEmpty && (m_header.empty() || m_headerOf != program)) {
+        m_headerOf = program;
+        m_isHeaderWanted = true;
         return;
     }
-    const auto header = m_client->readProven(modbus::activeBankBase, modbus::bankHeaderRegisters);
-    if (!header)
-        return; // the next status asks again
-    // A program that became active between the two answers would carry the wrong generation.
-    const auto after = m_client->exchangeStatus(++m_heartbeat, 0);
-    if (!after || std::pair(after->generation, after->activeCrc.value_or(0)) != program)
-        return;
     m_programRead = program;
-    emit programRead({program.first, program.second, *header});
+    emit programRead({program.first, program.second, isEmpty ? std::vector<std::uint16_t>{} : m_header});
+}
+
+void LinkWorker::readHeader()
+{
+    m_isHeaderWanted = false;
+    // When it fails, the next status asks again.
+    m_header = m_client->readProven(modbus::activeBankBase, modbus::bankHeaderRegisters)
+                   .value_or(std::vector<std::uint16_t>{});
 }
 
 void LinkWorker::setClock()

@@ -39,6 +39,8 @@ signals:
     void downloadReported(const campanel::link::DownloadReport& report);
 
 private:
+    using ProgramId = std::pair<std::uint32_t, std::uint32_t>; // generation and CRC-32
+
     void startSimulator();
     void step();
     void tryToConnect();
@@ -47,7 +49,8 @@ private:
     void advanceDownload();
     void pollStatus();
     void noteStatus(const modbus::StatusBlock& status);
-    void readProgram();
+    void noteProgram(const ProgramId& program);
+    void readHeader();
     void setClock();
     void lose(const modbus::LinkError& error);
     void refuse(const CommandRequest& request);
@@ -74,8 +77,10 @@ private:
     SteadyTime m_lastPollAt;
     StatusBatch m_batch;
     SteadyTime m_lastFlushAt;
-    // Generation and CRC-32 of the program that was read last; empty: none was, in this connection.
-    std::optional<std::pair<std::uint32_t, std::uint32_t>> m_programRead;
+    std::optional<ProgramId> m_programRead; // told last; empty: none was, in this connection
+    bool m_isHeaderWanted = false;
+    std::optional<ProgramId> m_headerOf; // the program that was active before m_header was read
+    std::vector<std::uint16_t> m_header;
 };
 
 } // namespace campanel::link

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The link thread against the real controller program over a pseudo-terminal.
+#include "app/link/link_worker.h"
 #include "app/link/threaded_link.h"
 #include "app/program/program_image.h"
 #include "tests/support/controller_process.h"
@@ -259,6 +260,64 @@ private slots:
         QCOMPARE(listener.outcomes.first().end, link::CommandEnd::NotSent);
         controller.start();
         QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
+    }
+
+    void stopPressedDuringADownloadIsTheNextExchange()
+    {
+        ControllerProcess controller;
+        bool isConnected = false;
+        std::optional<modbus::StatusBlock> status;
+        link::DownloadReport download;
+        QList<link::CommandOutcome> outcomes;
+        int exchangesBeforeStop = 0;
+        bool isPressed = false;
+        link::LinkWorker worker; // in this thread, so that its exchanges can be counted
+        connect(&worker, &link::LinkWorker::reported, this,
+                [&](const link::LinkReport& report) { isConnected = report.state == LinkState::Connected; });
+        connect(&worker, &link::LinkWorker::statusReceived, this, [&](const link::StatusBatch& batch) {
+            if (!batch.samples.isEmpty())
+                status = batch.samples.last().status;
+            if (isPressed && outcomes.isEmpty())
+                ++exchangesBeforeStop;
+        });
+        connect(&worker, &link::LinkWorker::commandEnded, this, [&](const link::CommandOutcome& outcome) {
+            if (outcome.id != 0)
+                outcomes << outcome;
+        });
+        connect(&worker, &link::LinkWorker::downloadReported, this, [&](const link::DownloadReport& report) {
+            download = report;
+            if (isPressed && outcomes.isEmpty())
+                ++exchangesBeforeStop;
+        });
+        worker.connectTo(portSettings(controller.port()));
+        QTRY_VERIFY_WITH_TIMEOUT(isConnected && status, timeoutMs);
+        worker.download(imageOf(250).registers);
+        QTRY_COMPARE_WITH_TIMEOUT(download.stage, DownloadStage::Active, timeoutMs);
+        worker.request({1, Command::Start, {}});
+        QTRY_VERIFY_WITH_TIMEOUT(status->state == modbus::State::Running, timeoutMs);
+        QCOMPARE(outcomes.size(), 1);
+        outcomes.clear();
+
+        // The press arrives by the event queue, as from another thread, while the transfer is under way; with
+        // less urgent work before it.
+        connect(&worker, &link::LinkWorker::downloadReported, &worker, [&] {
+            if (isPressed || download.fraction < 0.3)
+                return;
+            isPressed = true;
+            const auto press = [&worker] {
+                worker.request({2, Command::DiscardStaged, {}});
+                worker.request({3, Command::StopNow, {}});
+            };
+            QMetaObject::invokeMethod(&worker, press, Qt::QueuedConnection);
+        });
+        worker.download(imageOf(300).registers);
+        QTRY_VERIFY_WITH_TIMEOUT(!outcomes.isEmpty(), timeoutMs);
+        QCOMPARE(outcomes.first().id, 3u);
+        QCOMPARE(outcomes.first().end, link::CommandEnd::Done);
+        QCOMPARE(exchangesBeforeStop, 0);
+        QVERIFY(download.fraction < 1);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            status->state == modbus::State::Stopping || status->state == modbus::State::Ready, timeoutMs);
     }
 
     void downloadGoesOnAfterABreak()
