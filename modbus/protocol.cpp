@@ -77,7 +77,6 @@ constexpr std::array refusals{
     entry(Refusal::MachineDataDiffers, "MachineDataDiffers",
           "Knife radius, number of knives or pulses per revolution differ; they change only at standstill."),
     entry(Refusal::NotArmed, "NotArmed", "No change is armed."),
-    entry(Refusal::NotHomed, "NotHomed", "The knife has not been homed since power-up."),
     entry(Refusal::FlashFailed, "FlashFailed",
           "The flash could not be written; the saved program is unchanged."),
     entry(Refusal::NoFault, "NoFault", "There is no fault to reset."),

@@ -54,7 +54,6 @@ enum class Refusal : std::uint16_t {
     WrongChecksum,
     MachineDataDiffers,
     NotArmed,
-    NotHomed,
     FlashFailed,
     NoFault,
     BadArgument,

@@ -210,10 +210,12 @@ constexpr std::array bankTable{
                  0,
                  {},
                  "name of the recipe"},
-    block("bank.rows", bankHeaderRegisters, rowRegisters* rowCapacity, Access::ReadOnly,
-          "row_count rows of three registers: pulses (u16), ticks (u32). Pulse j of a row comes floor(j * "
-          "ticks / pulses) ticks after "
-          "the row's start; a row without pulses is a pause"),
+    block(
+        "bank.rows", bankHeaderRegisters, rowRegisters* rowCapacity, Access::ReadOnly,
+        "row_count rows of three registers: pulses (u16), ticks (u32). Pulse j = 1 .. pulses of a row comes "
+        "floor(j * ticks / pulses) ticks after the row's start, the last one at its end; a row without "
+        "pulses "
+        "is a pause"),
 };
 
 template <std::size_t N> consteval bool ascendsWithoutOverlap(const std::array<RegisterInfo, N>& rows)

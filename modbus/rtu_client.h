@@ -51,7 +51,6 @@ public:
 
     [[nodiscard]] tl::expected<void, LinkError> open();
     void close();
-    [[nodiscard]] bool isOpen() const { return m_context != nullptr; }
     [[nodiscard]] const LinkSettings& settings() const { return m_settings; }
 
     // Reads before it writes anything, so that a foreign device is left alone; refuses another device type or

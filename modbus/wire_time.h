@@ -68,11 +68,6 @@ inline constexpr FramePair commandFrames = writeReadFrames(6, 4);
     return writeReadFrames(4 + data, 8);
 }
 
-[[nodiscard]] constexpr FramePair readbackFrames(int registers)
-{
-    return writeReadFrames(3, 3 + registers);
-}
-
 // Shortest time from the first byte of a request to the moment when the next may begin: both frames, the
 // silence by which the controller recognises the end of the request, and that before the next request.
 [[nodiscard]] constexpr std::chrono::nanoseconds pairTime(const LineSettings& line, const FramePair& pair)

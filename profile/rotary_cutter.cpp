@@ -116,17 +116,6 @@ bool isPinned(const RotaryCutterProgram& program, Field field)
     return program.pinned[0] == field || program.pinned[1] == field;
 }
 
-double ratioAt(const RotaryCutter& cutter, std::size_t index, double timeS)
-{
-    const std::array<double, 4>& k = cutter.program.k;
-    const FieldInfo& f = info(Field::K1);
-    const double low = index + 1 < k.size() ? k[index + 1] + f.resolution() : f.min;
-    const double high = index > 0 ? k[index - 1] - f.resolution() : f.max;
-    const double ratio = timeS > 0 ? cutter.cycle.cycleTimeS / timeS : high;
-    // Neighbors closer than the grid leave no room to move.
-    return low <= high ? snapToGrid(Field::K1, std::clamp(ratio, low, high)) : k[index];
-}
-
 tl::expected<CycleNumbers, Refusal> solveNumbers(const RotaryCutterProgram& program, const Machine& machine)
 {
     if (auto refusal = detail::findInvalid(program, machine))

@@ -62,10 +62,6 @@ struct RotaryCutter {
     [[nodiscard]] double angleDegAt(double timeS) const { return 360 * timeS / cycle.cycleTimeS; }
 };
 
-// The ratio k1..k4 (index 0..3) that puts its corner at this time of the cycle: on the field's grid, clear of
-// its neighbors. For dragging a corner of the curve.
-[[nodiscard]] double ratioAt(const RotaryCutter& cutter, std::size_t index, double timeS);
-
 // Solves the geometry. Refuses what cannot be a cycle at all: values out of range or not finite, k not
 // descending, v_a < 0. A refusal names the nearest value of each pinned input with which the whole recipe
 // would be feasible.

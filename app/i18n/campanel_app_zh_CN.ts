@@ -311,10 +311,6 @@
         <translation>没有等待生效的更改。</translation>
     </message>
     <message>
-        <source>The knife&apos;s angle is not known. Home the machine first.</source>
-        <translation>切刀角度未知。请先回零。</translation>
-    </message>
-    <message>
         <source>The controller&apos;s flash could not be written; what was saved before is unchanged.</source>
         <translation>控制器闪存写入失败，之前保存的内容没有改变。</translation>
     </message>

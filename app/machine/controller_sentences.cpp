@@ -75,8 +75,6 @@ QString ControllerSentences::refusal(Refusal reason)
         return tr("Knife radius, knives, pulses and gear change only at standstill. Stop the machine first.");
     case Refusal::NotArmed:
         return tr("No change is waiting.");
-    case Refusal::NotHomed:
-        return tr("The knife's angle is not known. Home the machine first.");
     case Refusal::FlashFailed:
         return tr("The controller's flash could not be written; what was saved before is unchanged.");
     case Refusal::NoFault:

@@ -171,11 +171,6 @@ void Machine::stop()
     send(state() == State::Stopping ? modbus::Command::StopNow : modbus::Command::StopAtCycleEnd);
 }
 
-void Machine::stopNow()
-{
-    send(modbus::Command::StopNow);
-}
-
 void Machine::home()
 {
     send(modbus::Command::Home);

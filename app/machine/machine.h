@@ -149,7 +149,6 @@ public:
     Q_INVOKABLE void start();
     // At the end of the cycle; pressed again while stopping: now.
     Q_INVOKABLE void stop();
-    Q_INVOKABLE void stopNow();
     Q_INVOKABLE void home();
     Q_INVOKABLE void resetFault();
     Q_INVOKABLE void dismissMessage();

@@ -25,7 +25,8 @@ constexpr Family iconFamily{"Material Design Icons", "fonts-materialdesignicons-
 void applyFonts()
 {
     // The same place beside the program in the build tree and in an installed one.
-    const QString list = QCoreApplication::applicationDirPath() + QStringLiteral("/../share/campanel/fonts.conf");
+    const QString list =
+        QCoreApplication::applicationDirPath() + QStringLiteral("/../share/campanel/fonts.conf");
     if (qEnvironmentVariableIsEmpty("FONTCONFIG_FILE") && QFile::exists(list))
         qputenv("FONTCONFIG_FILE", QFile::encodeName(list));
     QFont font;

@@ -30,7 +30,8 @@ Panel::Panel(link::Link& link, const Storage& storage)
     machine::attachToEngine(m_engine, m_machine, m_editor, m_settings);
     connect(&m_settings, &machine::Settings::languageChanged, this, &Panel::translate);
     translate();
-    m_component.loadUrl(QUrl(QStringLiteral("qrc:/qt/qml/CamPanel/Pages/Main.qml")), QQmlComponent::Asynchronous);
+    m_component.loadUrl(QUrl(QStringLiteral("qrc:/qt/qml/CamPanel/Pages/Main.qml")),
+                        QQmlComponent::Asynchronous);
 }
 
 Panel::~Panel()

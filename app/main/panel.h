@@ -38,8 +38,8 @@ public:
     [[nodiscard]] machine::Editor& editor() { return m_editor; }
     [[nodiscard]] QQmlEngine& engine() { return m_engine; }
 
-    // Loads the window, hidden, at its size from the first binding on: a later resize lays all texts out again.
-    // False after QML errors, which went to the log.
+    // Loads the window, hidden, at its size from the first binding on: a later resize lays all texts out
+    // again. False after QML errors, which went to the log.
     [[nodiscard]] bool load(QSize size);
     [[nodiscard]] QQuickWindow& window() { return *m_window; }
 

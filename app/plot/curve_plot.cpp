@@ -54,9 +54,7 @@ void CurvePlot::connectProperties()
     for (const auto signal : {&CurvePlot::styleChanged, &CurvePlot::markersChanged}) {
         connect(this, signal, this, &CurvePlot::invalidateImage);
     }
-    for (const auto signal : {&CurvePlot::dynamicStyleChanged, &CurvePlot::traceVisibleChanged}) {
-        connect(this, signal, this, &CurvePlot::updateAll);
-    }
+    connect(this, &CurvePlot::dynamicStyleChanged, this, &CurvePlot::updateAll);
 }
 
 void CurvePlot::invalidateLayout()
@@ -239,18 +237,8 @@ void CurvePlot::setTrace(const QList<QPointF>& trace)
     const double to =
         std::max(m_trace.isEmpty() ? 0.0 : m_trace.last().x(), trace.isEmpty() ? 0.0 : trace.last().x());
     m_trace = trace;
-    if (m_traceVisible) {
-        update(traceStrip(from, to).toAlignedRect());
-    }
+    update(traceStrip(from, to).toAlignedRect());
     emit traceChanged();
-}
-
-void CurvePlot::setTraceVisible(bool visible)
-{
-    if (visible != m_traceVisible) {
-        m_traceVisible = visible;
-        emit traceVisibleChanged();
-    }
 }
 
 void CurvePlot::setCursorTime(double timeS)

@@ -28,7 +28,6 @@ class CurvePlot : public QQuickPaintedItem {
     Q_PROPERTY(QStringList titles MEMBER m_titles NOTIFY titlesChanged FINAL)
     // Measured points over the velocity panel: x cycle time in s, ascending; y in mm/s.
     Q_PROPERTY(QList<QPointF> trace READ trace WRITE setTrace NOTIFY traceChanged FINAL)
-    Q_PROPERTY(bool traceVisible READ isTraceVisible WRITE setTraceVisible NOTIFY traceVisibleChanged FINAL)
     // s; NaN for no cursor.
     Q_PROPERTY(double cursorTime READ cursorTime WRITE setCursorTime NOTIFY cursorTimeChanged FINAL)
     Q_PROPERTY(bool cursorDotsVisible MEMBER m_cursorDotsVisible NOTIFY dynamicStyleChanged FINAL)
@@ -87,8 +86,6 @@ public:
     [[nodiscard]] QRectF plotArea();
     [[nodiscard]] const QList<QPointF>& trace() const { return m_trace; }
     void setTrace(const QList<QPointF>& trace);
-    [[nodiscard]] bool isTraceVisible() const { return m_traceVisible; }
-    void setTraceVisible(bool visible);
     [[nodiscard]] double cursorTime() const { return m_cursorTime; }
     void setCursorTime(double timeS);
     [[nodiscard]] double limitVelocity() const { return m_limitVelocity; }
@@ -109,7 +106,6 @@ signals:
     void quantitiesChanged();
     void titlesChanged();
     void traceChanged();
-    void traceVisibleChanged();
     void cursorTimeChanged();
     void markersChanged();
     void limitsChanged();
@@ -171,7 +167,6 @@ private:
     QStringList m_quantities{QStringLiteral("velocity")};
     QStringList m_titles;
     QList<QPointF> m_trace;
-    bool m_traceVisible = true;
     double m_cursorTime = none;
     bool m_cursorDotsVisible = true;
     QList<double> m_markerTimes;

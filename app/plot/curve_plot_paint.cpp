@@ -140,7 +140,7 @@ void CurvePlot::paintTimeLabels(QPainter& painter, const PlotStyle& look) const
 void CurvePlot::paintTrace(QPainter& painter) const
 {
     const PlotPanel* panel = velocityPanel();
-    if (!m_traceVisible || !panel || m_trace.isEmpty()) {
+    if (!panel || m_trace.isEmpty()) {
         return;
     }
     std::vector<double> times;

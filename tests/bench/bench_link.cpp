@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Status exchanges and table downloads against the real controller program, whose bytes take as long as on the wire.
+// Status exchanges and table downloads against the real controller program, whose bytes take as long as on
+// the wire.
 #include "bench_report.h"
 
 #include "app/program/program_image.h"
@@ -85,15 +86,20 @@ void measureAt(std::uint32_t baud, double statusFloor, Figures& figures)
     openAt(client);
 
     const std::string at = " at " + std::to_string(baud);
-    const double wireStatus = 1.0 / std::chrono::duration<double>(modbus::pairTime(settings.line, modbus::statusFrames)).count();
+    const double wireStatus =
+        1.0 / std::chrono::duration<double>(modbus::pairTime(settings.line, modbus::statusFrames)).count();
     const double status = statusPerSecond(client);
-    figures.push_back({"status exchanges" + at, status, 0.95 * wireStatus, "/s", "95 % of the wire's limit", false});
+    figures.push_back(
+        {"status exchanges" + at, status, 0.95 * wireStatus, "/s", "95 % of the wire's limit", false});
     figures.push_back({"status exchanges" + at, status, statusFloor, "/s", "the least wanted", false});
 
     const std::vector<std::uint16_t> image = bank();
-    const double wireDownload = std::chrono::duration<double>(modbus::downloadTime(settings.line, static_cast<int>(image.size()))).count();
-    figures.push_back({"download of " + std::to_string(image.size()) + " registers" + at, downloadSeconds(client, image), wireDownload / 0.95, "s",
-                       "wire's limit / 0.95", true});
+    const double wireDownload =
+        std::chrono::duration<double>(modbus::downloadTime(settings.line, static_cast<int>(image.size())))
+            .count();
+    figures.push_back({"download of " + std::to_string(image.size()) + " registers" + at,
+                       downloadSeconds(client, image), wireDownload / 0.95, "s", "wire's limit / 0.95",
+                       true});
 }
 
 } // namespace

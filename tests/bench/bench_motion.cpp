@@ -65,8 +65,8 @@ Figures measureMotion()
         ->ReportAggregatesOnly();
     MedianReporter reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);
-    return {{"solve + sample 1000 points + " + std::to_string(table->rows.size()) + "-row table", reporter.medianMs(), 1.0, "ms",
-             "one millisecond", true}};
+    return {{"solve + sample 1000 points + " + std::to_string(table->rows.size()) + "-row table",
+             reporter.medianMs(), 1.0, "ms", "one millisecond", true}};
 }
 
 } // namespace campanel::bench

@@ -39,7 +39,8 @@ Figures measurePlots()
         if (edit >= warmUp)
             frameMs.push_back(static_cast<double>(timer.nsecsElapsed()) / 1e6);
     }
-    return {{"edit to painted Motion page at 1024x600, p99 of " + std::to_string(edits), quantile(frameMs, 0.99), 16.0, "ms", "one frame", true},
+    return {{"edit to painted Motion page at 1024x600, p99 of " + std::to_string(edits),
+             quantile(frameMs, 0.99), 16.0, "ms", "one frame", true},
             {"the same, median", quantile(frameMs, 0.5), 16.0, "ms", "one frame", true}};
 }
 

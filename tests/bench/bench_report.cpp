@@ -44,8 +44,9 @@ std::string format(const Figures& figures)
         };
         out << "| " << figure.what << " | ";
         number(figure.measured) << ' ' << figure.unit << " | " << (figure.atMost ? "<= " : ">= ");
-        number(figure.limit) << ' ' << figure.unit << " (" << figure.limitText << ") | " << std::setprecision(3) << figure.ratio()
-                             << " | " << (figure.holds() ? "ok" : "MISSED") << " |\n";
+        number(figure.limit) << ' ' << figure.unit << " (" << figure.limitText << ") | "
+                             << std::setprecision(3) << figure.ratio() << " | "
+                             << (figure.holds() ? "ok" : "MISSED") << " |\n";
     }
     return out.str();
 }

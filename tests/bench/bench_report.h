@@ -23,7 +23,8 @@ struct Figure {
 
 using Figures = std::vector<Figure>;
 
-// The parts; each returns its figures, or throws std::runtime_error when something could not be measured at all.
+// The parts; each returns its figures, or throws std::runtime_error when something could not be measured at
+// all.
 [[nodiscard]] Figures measureMotion();
 [[nodiscard]] Figures measurePlots();
 [[nodiscard]] Figures measureLink();

@@ -68,7 +68,8 @@ Figures measureStart()
     std::vector<double> panelMs, emptyMs, ratios, panelMb, emptyMb;
     for (int run = 0; run <= runs; ++run) {
         const Start empty = startOnce(QStringLiteral(CAMPANEL_EMPTY_WINDOW), {}, home.path());
-        const Start panel = startOnce(QStringLiteral(CAMPANEL_PANEL), {u"--announce-first-frame"_s}, home.path());
+        const Start panel =
+            startOnce(QStringLiteral(CAMPANEL_PANEL), {u"--announce-first-frame"_s}, home.path());
         if (run == 0)
             continue; // fills the disk cache
         emptyMs.push_back(empty.firstFrameMs);
@@ -78,9 +79,10 @@ Figures measureStart()
         panelMb.push_back(panel.residentMb);
     }
     const double medianEmptyMs = quantile(emptyMs, 0.5);
-    return {{"start to first frame (median of " + std::to_string(runs) + ")", medianEmptyMs * quantile(ratios, 0.5), 1.5 * medianEmptyMs, "ms",
-             "1.5 empty windows", true},
-            {"memory above an empty window", quantile(panelMb, 0.5) - quantile(emptyMb, 0.5), 60.0, "MB", "resident", true}};
+    return {{"start to first frame (median of " + std::to_string(runs) + ")",
+             medianEmptyMs * quantile(ratios, 0.5), 1.5 * medianEmptyMs, "ms", "1.5 empty windows", true},
+            {"memory above an empty window", quantile(panelMb, 0.5) - quantile(emptyMb, 0.5), 60.0, "MB",
+             "resident", true}};
 }
 
 } // namespace campanel::bench

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The peer for start-up time and memory: an empty Qt Quick Controls window. Prints "first frame" once it is painted.
+// The peer for start-up time and memory: an empty Qt Quick Controls window. Prints "first frame" once it is
+// painted.
 #include <QGuiApplication>
 #include <QQmlApplicationEngine>
 #include <QQuickWindow>
@@ -15,9 +16,12 @@ int main(int argc, char** argv)
     if (engine.rootObjects().isEmpty())
         return 1;
     const auto* window = qobject_cast<QQuickWindow*>(engine.rootObjects().constFirst());
-    QObject::connect(window, &QQuickWindow::frameSwapped, window, [] {
-        std::puts("first frame");
-        std::fflush(stdout);
-    }, Qt::ConnectionType(Qt::DirectConnection | Qt::SingleShotConnection));
+    QObject::connect(
+        window, &QQuickWindow::frameSwapped, window,
+        [] {
+            std::puts("first frame");
+            std::fflush(stdout);
+        },
+        Qt::ConnectionType(Qt::DirectConnection | Qt::SingleShotConnection));
     return QGuiApplication::exec();
 }

@@ -41,7 +41,6 @@ private slots:
     void refusals_data();
     void refusals();
     void refusalOfALawParameter();
-    void draggingACorner();
 };
 
 void TestRotaryCutter::checkValues_data()
@@ -296,27 +295,6 @@ void TestRotaryCutter::refusalOfALawParameter()
     r.program.pinned = {Field::Rate, Field::Rate};
     QCOMPARE(static_cast<int>(solve(r.program, r.machine).error().limit),
              static_cast<int>(Limit::PinnedPair));
-}
-
-void TestRotaryCutter::draggingACorner()
-{
-    const Recipe r = checkRecipe();
-    const auto cutter = solve(r.program, r.machine);
-    QVERIFY(cutter.has_value());
-    QCOMPARE(ratioAt(*cutter, 0, 0.2), 5.0);
-    QCOMPARE(ratioAt(*cutter, 1, 0.3), 3.3333);
-    QCOMPARE(ratioAt(*cutter, 1, 0.2), 3.9999); // stays clear of k1 = 4
-    QCOMPARE(ratioAt(*cutter, 1, 0.9), 1.6668); // and of k3 = 5/3
-    QCOMPARE(ratioAt(*cutter, 0, -1), 1000.0);  // dragged off the left edge
-    QCOMPARE(ratioAt(*cutter, 3, 2), 1.0001);   // and off the right one
-    for (std::size_t i = 0; i < 4; ++i) {
-        for (const double timeS : {-1.0, 0.1, 0.5, 0.99, 3.0}) {
-            RotaryCutterProgram dragged = r.program;
-            dragged.k[i] = ratioAt(*cutter, i, timeS);
-            const auto again = solveNumbers(dragged, r.machine);
-            QVERIFY(again.has_value() || again.error().limit != Limit::RatioOrder);
-        }
-    }
 }
 
 QTEST_APPLESS_MAIN(TestRotaryCutter)

@@ -204,7 +204,7 @@ void TestCurvePlot::overlayCursorTraceAndMarkersAreDrawn()
     QVERIFY(test::inkIn(image, column(0.25), red) > 50);
     // The dot of the cursor is on the curve.
     QVERIFY(test::inkIn(image, test::around(plot.xOfTime(0.6), plot.yOfVelocity(360), 2), blue) > 15);
-    plot.setTraceVisible(false);
+    plot.setTrace({});
     plot.setCursorTime(nan);
     image = test::paintItem(plot);
     QCOMPARE(test::inkIn(image, image.rect(), Qt::magenta), 0);

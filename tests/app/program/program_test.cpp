@@ -258,6 +258,8 @@ void ProgramTest::everyRegisterFieldExists()
         // What a person can enter on the field's grid, the register holds exactly.
         QVERIFY2(info->scale <= profile::info(entry.field).resolution() * 1.000001,
                  entry.registerName.data());
+        const double largestRaw = info->type == modbus::RegisterType::U16 ? UINT16_MAX : UINT32_MAX;
+        QVERIFY2(profile::info(entry.field).max <= largestRaw * info->scale, entry.registerName.data());
     }
 }
 
