@@ -81,8 +81,7 @@ void TestTableInController::aMillionCyclesWithoutDrift_data()
     QTest::newRow("K 10007, N 3") << Case{.pulsesPerRev = 10007, .knives = 3, .bagLengthMm = 83};
     QTest::newRow("gear 7/3") << Case{.gearNumerator = 7, .gearDenominator = 3};
     // 82.7 a minute is no whole number of ticks: what is rounded must be rounded once, not once a row.
-    QTest::newRow("K 10007, N 3, gear 7/3, rate 82.7, 60 slices")
-        << Case{10007, 3, 7, 3, 60, 83, 82.7};
+    QTest::newRow("K 10007, N 3, gear 7/3, rate 82.7, 60 slices") << Case{10007, 3, 7, 3, 60, 83, 82.7};
 }
 
 void TestTableInController::aMillionCyclesWithoutDrift()
@@ -155,8 +154,7 @@ void TestTableInController::theShaftStandsWhereItShould_data()
     QTest::addColumn<Case>("values");
     QTest::newRow("K 10000") << Case{};
     QTest::newRow("K 10007, N 3") << Case{.pulsesPerRev = 10007, .knives = 3, .bagLengthMm = 83};
-    QTest::newRow("gear 7/3, 127 slices")
-        << Case{.gearNumerator = 7, .gearDenominator = 3, .slices = 127};
+    QTest::newRow("gear 7/3, 127 slices") << Case{.gearNumerator = 7, .gearDenominator = 3, .slices = 127};
 }
 
 // The whole controller with its machine: homed, started, a hundred seconds of bags, stopped at a cycle's end.
