@@ -50,6 +50,19 @@ QSize sizeFrom(const QString& text)
     return {match.captured(1).toInt(), match.captured(2).toInt()};
 }
 
+// Without a port they would change nothing, and nobody would notice.
+void refuseLineParametersWithoutPort(const QCommandLineParser& parser)
+{
+    for (const char* name : {"baud", "parity", "stop-bits", "unit"}) {
+        const QString option = QString::fromLatin1(name);
+        if (parser.isSet(option))
+            refuse(
+                QStringLiteral("--%1 %2 needs a port: add --port /dev/ttyUSB0, or leave --%1 out and set it "
+                               "in Settings > Connection.")
+                    .arg(option, parser.value(option)));
+    }
+}
+
 machine::ConnectionChoice connectionFrom(const QCommandLineParser& parser)
 {
     machine::ConnectionChoice choice;
@@ -77,14 +90,14 @@ Options readOptions(const QCoreApplication& application)
     parser.addOptions({
         {QStringLiteral("port"), QStringLiteral("Serial port of the controller, for this run."),
          QStringLiteral("path")},
-        {QStringLiteral("baud"), QStringLiteral("Baud rate (115200)."), QStringLiteral("rate"),
+        {QStringLiteral("baud"), QStringLiteral("Baud rate of --port (115200)."), QStringLiteral("rate"),
          QStringLiteral("115200")},
-        {QStringLiteral("parity"), QStringLiteral("N, E or O (N)."), QStringLiteral("parity"),
+        {QStringLiteral("parity"), QStringLiteral("N, E or O of --port (N)."), QStringLiteral("parity"),
          QStringLiteral("N")},
-        {QStringLiteral("stop-bits"), QStringLiteral("1 or 2 (1)."), QStringLiteral("bits"),
+        {QStringLiteral("stop-bits"), QStringLiteral("1 or 2 of --port (1)."), QStringLiteral("bits"),
          QStringLiteral("1")},
-        {QStringLiteral("unit"), QStringLiteral("Modbus unit, 1 to 247 (1)."), QStringLiteral("number"),
-         QStringLiteral("1")},
+        {QStringLiteral("unit"), QStringLiteral("Modbus unit on --port, 1 to 247 (1)."),
+         QStringLiteral("number"), QStringLiteral("1")},
         {QStringLiteral("language"), QStringLiteral("en or zh_CN, for this run."),
          QStringLiteral("language")},
         {QStringLiteral("theme"), QStringLiteral("light or dark, for this run."), QStringLiteral("theme")},
@@ -95,7 +108,7 @@ Options readOptions(const QCoreApplication& application)
          QStringLiteral("Write every page and dialog in every language, theme and size as PNG, and end."),
          QStringLiteral("folder")},
         {QStringLiteral("self-test"),
-         QStringLiteral("Load every page and dialog and check texts and touch targets, and end.")},
+         QStringLiteral("Load every page and dialog and check texts, contrast and touch targets, and end.")},
         {QStringLiteral("announce-first-frame"),
          QStringLiteral("Print \"first frame\" when it is on the screen.")},
     });
@@ -107,6 +120,8 @@ Options readOptions(const QCoreApplication& application)
     Options options;
     if (parser.isSet(QStringLiteral("port")))
         options.connection = connectionFrom(parser);
+    else
+        refuseLineParametersWithoutPort(parser);
     options.language =
         oneOf(parser, QStringLiteral("language"), {QStringLiteral("en"), QStringLiteral("zh_CN")});
     options.theme = oneOf(parser, QStringLiteral("theme"), {QStringLiteral("light"), QStringLiteral("dark")});

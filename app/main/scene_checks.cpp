@@ -2,6 +2,9 @@
 // Checks of what is on the screen; see scene_checks.h.
 #include "app/main/scene_checks.h"
 
+#include "app/main/contrast.h"
+
+#include <QImage>
 #include <QQuickItem>
 
 #include <cmath>
@@ -48,13 +51,13 @@ QRectF paintedRect(const QQuickItem& text)
     return {left + x, y, width, height};
 }
 
-bool isScrolled(const QQuickItem& item)
+// The list or flickable that the item scrolls in; null if it stands still.
+const QQuickItem* scrollerOf(const QQuickItem& item)
 {
-    for (const QQuickItem* parent = item.parentItem(); parent; parent = parent->parentItem()) {
-        if (parent->inherits("QQuickFlickable"))
-            return true;
-    }
-    return false;
+    const QQuickItem* parent = item.parentItem();
+    while (parent && !parent->inherits("QQuickFlickable"))
+        parent = parent->parentItem();
+    return parent;
 }
 
 // The button or surface that the text stands on.
@@ -68,8 +71,9 @@ const QQuickItem* surfaceOf(const QQuickItem& text)
 
 class Checker {
 public:
-    explicit Checker(const TouchLimits& limits)
+    Checker(const TouchLimits& limits, const QImage& picture)
         : m_limits(limits)
+        , m_picture(picture)
     {
     }
 
@@ -115,9 +119,12 @@ private:
                             .arg(painted.height())
                             .arg(item.width())
                             .arg(item.height());
-        if (isScrolled(item))
-            return;
         const QRectF rect = item.mapRectToScene(painted);
+        const QQuickItem* scroller = scrollerOf(item);
+        if (!scroller || scroller->mapRectToScene(scroller->boundingRect()).contains(rect))
+            checkContrast(item, rect);
+        if (scroller)
+            return;
         if (const QQuickItem* surface = surfaceOf(item)) {
             const QRectF limit = surface->mapRectToScene(surface->boundingRect())
                                      .adjusted(-tolerancePx, -tolerancePx, tolerancePx, tolerancePx);
@@ -125,6 +132,22 @@ private:
                 m_faults += QStringLiteral("%1 stands out of its surface").arg(nameOf(item));
         }
         m_texts.append({text, rect});
+    }
+
+    // What cannot be used now may be pale (WCAG exempts it).
+    void checkContrast(const QQuickItem& item, const QRectF& rect)
+    {
+        const double scale = m_picture.devicePixelRatio();
+        const auto behind = colorBehind(m_picture, {rect.topLeft() * scale, rect.size() * scale});
+        if (!behind || !item.isEnabled())
+            return;
+        const QColor ink = inkOn(item, *behind);
+        const double ratio = contrastRatio(ink, *behind);
+        if (ratio < contrastNeeded(item))
+            m_faults += QStringLiteral("%1 in %2 on %3 has a contrast of %4, it needs %5")
+                            .arg(nameOf(item), ink.name(), behind->name())
+                            .arg(ratio, 0, 'f', 2)
+                            .arg(contrastNeeded(item));
     }
 
     void checkTarget(const QQuickItem& item)
@@ -141,6 +164,7 @@ private:
     }
 
     TouchLimits m_limits;
+    const QImage& m_picture;
     QList<PaintedText> m_texts;
     QStringList m_faults;
 };
@@ -158,7 +182,7 @@ QQuickItem* childNamed(QQuickItem& below, const QString& name)
 
 } // namespace
 
-QStringList checkScene(QQuickItem& root, const TouchLimits& limits)
+QStringList checkScene(QQuickItem& root, const TouchLimits& limits, const QImage& picture)
 {
     QQuickItem* layer = &root;
     for (const char* host : {"sheetHost", "keypadLoader"}) {
@@ -166,7 +190,7 @@ QStringList checkScene(QQuickItem& root, const TouchLimits& limits)
         if (item && !item->childItems().isEmpty())
             layer = item;
     }
-    Checker checker(limits);
+    Checker checker(limits, picture);
     checker.visit(*layer);
     return checker.finish();
 }

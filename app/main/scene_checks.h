@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks of what is on the screen, computed from the scene: no text clipped, cut off or over another, no
-// touch target too small.
+// Checks of what is on the screen, computed from the scene: no text clipped, cut off, over another or
+// too pale, no touch target too small.
 #pragma once
 
 #include <QStringList>
 
+class QImage;
 class QQuickItem;
 
 namespace campanel::panel {
@@ -15,7 +16,7 @@ struct TouchLimits {
 };
 
 // One sentence for each fault below `root`; only the uppermost layer (keypad, else dialog, else page) is
-// looked at.
-[[nodiscard]] QStringList checkScene(QQuickItem& root, const TouchLimits& limits);
+// looked at. `picture` is the scene as drawn; texts are compared with the pixels behind them.
+[[nodiscard]] QStringList checkScene(QQuickItem& root, const TouchLimits& limits, const QImage& picture);
 
 } // namespace campanel::panel

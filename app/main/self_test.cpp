@@ -41,7 +41,7 @@ QStringList checkLook(const Look& look)
         return {QStringLiteral("the window cannot be loaded")};
     for (const Scene& scene : allScenes()) {
         enterScene(stage, scene);
-        const QStringList found = checkScene(stage.root(), limitsOf(stage)) + checkStop(stage);
+        const QStringList found = checkScene(stage.root(), limitsOf(stage), stage.grab()) + checkStop(stage);
         for (const QString& fault : found)
             faults += QStringLiteral("%1: %2").arg(scene.name, fault);
     }

@@ -136,24 +136,6 @@ private slots:
         QVERIFY2(all.isEmpty(), qPrintable(u"not allowed:\n  "_s + all.join(u"\n  "_s)));
     }
 
-    // The core must run where there is no floating-point unit and no heap.
-    void controllerCoreHasNoFloatAndNoHeap()
-    {
-        static const QRegularExpression forbidden(
-            uR"(\b(float|double|malloc|calloc|realloc|free|printf)\b)"_s);
-        static const QRegularExpression comments(uR"(/\*.*?\*/|//[^\n]*)"_s,
-                                                 QRegularExpression::DotMatchesEverythingOption);
-        const QStringList files = filesBelow({u"controller/core"_s}, {u"*.c"_s, u"*.h"_s});
-        QVERIFY(files.size() > 5);
-        for (const QString& name : files) {
-            QFile file(QDir(QStringLiteral(CAMPANEL_SOURCE_DIR)).filePath(name));
-            QVERIFY(file.open(QIODevice::ReadOnly));
-            const QString code = QString::fromUtf8(file.readAll()).remove(comments);
-            QVERIFY2(!forbidden.match(code).hasMatch(),
-                     qPrintable(name + u": "_s + forbidden.match(code).captured()));
-        }
-    }
-
     void everySourceFileNamesItsLicence()
     {
         const QStringList files = filesBelow({u"profile"_s, u"modbus"_s, u"controller"_s, u"app"_s, u"qml"_s,

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mouse and key events for a panel's window; see finger.h.
+#include "app/main/finger.h"
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QKeyEvent>
+#include <QMouseEvent>
+
+namespace campanel::panel {
+namespace {
+
+constexpr int holdTimeMs = 1000; // longer than a long press
+
+QQuickItem* visibleItem(QQuickItem& below, const QString& name)
+{
+    if (!below.isVisible())
+        return nullptr;
+    if (below.objectName() == name)
+        return &below;
+    for (QQuickItem* child : below.childItems()) {
+        if (QQuickItem* found = visibleItem(*child, name))
+            return found;
+    }
+    return nullptr;
+}
+
+void sendMouse(QQuickWindow& window, QEvent::Type type, const QPointF& at)
+{
+    const Qt::MouseButtons buttons = type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton;
+    QMouseEvent event(type, at, window.mapToGlobal(at), Qt::LeftButton, buttons, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &event);
+}
+
+} // namespace
+
+QObject* Finger::theme()
+{
+    return window().property("theme").value<QObject*>();
+}
+
+QObject* Finger::frame()
+{
+    return window().property("frame").value<QObject*>();
+}
+
+QQuickItem* Finger::find(const QString& name)
+{
+    return visibleItem(root(), name);
+}
+
+void Finger::press(const QString& name, int holdMs)
+{
+    QQuickItem* item = find(name);
+    if (!item) {
+        m_complaints += QStringLiteral("%1 is not on the screen").arg(name);
+        return;
+    }
+    press(*item, holdMs);
+}
+
+void Finger::press(QQuickItem& item, int holdMs)
+{
+    const QPointF at = item.mapToScene(item.boundingRect().center());
+    sendMouse(window(), QEvent::MouseButtonPress, at);
+    QElapsedTimer held;
+    held.start();
+    while (held.elapsed() < holdMs)
+        QCoreApplication::processEvents(QEventLoop::AllEvents, holdMs);
+    sendMouse(window(), QEvent::MouseButtonRelease, at);
+    settle();
+}
+
+void Finger::tap(const QString& name)
+{
+    press(name, 0);
+}
+
+void Finger::tap(QQuickItem& item)
+{
+    press(item, 0);
+}
+
+void Finger::hold(const QString& name)
+{
+    press(name, holdTimeMs);
+}
+
+void Finger::type(const QString& keys)
+{
+    for (const QChar key : keys) {
+        QKeyEvent event(QEvent::KeyPress, 0, Qt::NoModifier, QString(key));
+        QCoreApplication::sendEvent(&window(), &event);
+    }
+    settle();
+}
+
+void Finger::closeDialogs()
+{
+    QMetaObject::invokeMethod(frame(), "closeAll");
+    settle();
+}
+
+void Finger::settle()
+{
+    constexpr int rounds = 4; // loaders, then their bindings, then polish
+    for (int i = 0; i < rounds; ++i) {
+        QCoreApplication::processEvents();
+        QCoreApplication::sendPostedEvents(nullptr,
+                                           QEvent::DeferredDelete); // closed dialogs; no event loop runs here
+    }
+    (void)grab();
+}
+
+QImage Finger::grab()
+{
+    return window().grabWindow();
+}
+
+} // namespace campanel::panel

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Drives a panel's window as a finger would: find by name, tap, hold, type, grab. For captures, the self-test
+// and the tests, on whatever link the panel has.
+#pragma once
+
+#include "app/main/panel.h"
+
+#include <QImage>
+#include <QQuickItem>
+#include <QStringList>
+
+namespace campanel::panel {
+
+class Finger {
+public:
+    // The panel must outlive it and be loaded before anything is called here.
+    explicit Finger(Panel& panel)
+        : m_panel(panel)
+    {
+    }
+
+    [[nodiscard]] QQuickWindow& window() { return m_panel.window(); }
+    [[nodiscard]] QQuickItem& root() { return *m_panel.window().contentItem(); }
+    [[nodiscard]] QObject* theme(); // the Theme singleton
+    [[nodiscard]] QObject* frame(); // what every page stands in
+    [[nodiscard]] const QStringList& complaints() const { return m_complaints; }
+
+    // The first visible item of that objectName; null if there is none.
+    [[nodiscard]] QQuickItem* find(const QString& name);
+    // What cannot be found or reached becomes a complaint.
+    void tap(const QString& name);
+    void tap(QQuickItem& item);
+    void hold(const QString& name);
+    void type(const QString& keys);
+    void closeDialogs();
+    // Events handled, bindings and layout settled, one frame drawn.
+    void settle();
+    [[nodiscard]] QImage grab();
+
+private:
+    void press(const QString& name, int holdMs);
+    void press(QQuickItem& item, int holdMs);
+
+    Panel& m_panel;
+    QStringList m_complaints;
+};
+
+} // namespace campanel::panel

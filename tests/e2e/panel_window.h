@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// The panel as it is delivered, on the real link, in a window under a finger; it keeps every status that came
+// over the line.
+#pragma once
+
+#include "app/link/threaded_link.h"
+#include "app/main/finger.h"
+
+#include <QTemporaryDir>
+
+#include <vector>
+
+namespace campanel::test {
+
+class PanelWindow {
+public:
+    // Loads the window and connects. A folder of its own: what it knows of the machine came over the line.
+    explicit PanelWindow(const QString& port)
+    {
+        m_panel.settings().overrideLanguage(QStringLiteral("en"));
+        machine::ConnectionChoice choice;
+        choice.simulated = false;
+        choice.portName = port;
+        m_panel.settings().overrideConnection(choice);
+        QObject::connect(&m_link, &link::Link::statusReceived, &m_panel,
+                         [this](const link::StatusBatch& batch) {
+                             for (const link::StatusSample& sample : batch.samples)
+                                 m_statuses.push_back(sample.status);
+                         });
+        if (!m_panel.load({1024, 600}))
+            qFatal("the window cannot be loaded");
+        m_finger.theme()->setProperty("animated", false);
+        m_panel.window().show();
+        m_finger.settle();
+        m_panel.machine().open();
+    }
+
+    [[nodiscard]] machine::Machine& machine() { return m_panel.machine(); }
+    [[nodiscard]] machine::Editor& editor() { return m_panel.editor(); }
+    [[nodiscard]] panel::Finger& finger() { return m_finger; }
+    [[nodiscard]] const std::vector<modbus::StatusBlock>& statuses() const { return m_statuses; }
+
+    void tap(const char* name) { m_finger.tap(QString::fromLatin1(name)); }
+    // On the keys of the open keypad.
+    void tapDigits(const QString& digits)
+    {
+        for (const QChar digit : digits) {
+            QQuickItem* keypad = m_finger.find(QStringLiteral("keypad"));
+            QQuickItem* key = keypad ? keyWith(*keypad, digit) : nullptr;
+            if (key)
+                m_finger.tap(*key);
+            else
+                m_missing += digit;
+        }
+    }
+    // What was not on the screen when it was to be touched.
+    [[nodiscard]] QStringList complaints() const { return m_finger.complaints() + m_missing; }
+    // Every text on the screen.
+    [[nodiscard]] QString texts() { return textsBelow(m_finger.root()); }
+
+private:
+    static QQuickItem* keyWith(QQuickItem& below, QChar digit)
+    {
+        if (below.inherits("QQuickAbstractButton") && below.property("text").toString() == digit)
+            return &below;
+        for (QQuickItem* child : below.childItems()) {
+            if (QQuickItem* found = keyWith(*child, digit))
+                return found;
+        }
+        return nullptr;
+    }
+    static QString textsBelow(const QQuickItem& item)
+    {
+        if (!item.isVisible())
+            return {};
+        QString texts = item.inherits("QQuickText") ? item.property("text").toString() + u'\n' : QString();
+        for (const QQuickItem* child : item.childItems())
+            texts += textsBelow(*child);
+        return texts;
+    }
+
+    QTemporaryDir m_folder;
+    link::ThreadedLink m_link{nullptr};
+    panel::Panel m_panel{m_link, {m_folder.filePath(QStringLiteral("settings.ini")), m_folder.path()}};
+    panel::Finger m_finger{m_panel};
+    std::vector<modbus::StatusBlock> m_statuses;
+    QStringList m_missing;
+};
+
+} // namespace campanel::test

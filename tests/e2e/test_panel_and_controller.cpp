@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: Apache-2.0
+// The panel's window touched as an operator does, campanel-controller at the other end of the line, and
+// campanelctl as the witness of what the controller runs.
+#include "app/main/fonts.h"
+#include "app/main/qml_modules.h"
+#include "app/program/program_image.h"
+#include "panel_window.h"
+#include "tests/support/controller_process.h"
+#include "tests/support/scripted_slave.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace campanel;
+using machine::Editor;
+using machine::Machine;
+using modbus::State;
+using modbus::StatusBlock;
+using test::ControllerProcess;
+using test::PanelWindow;
+
+namespace {
+
+constexpr int timeoutMs = 20'000;
+constexpr std::int32_t pulsesPerCycle = 10000;
+
+QJsonObject statusFromOutside(const QString& port)
+{
+    QProcess process;
+    process.start(QStringLiteral(CAMPANELCTL), {"status", "--format", "json", "--port", port});
+    if (!process.waitForFinished() || process.exitCode() != 0)
+        qWarning("%s", process.readAllStandardError().constData());
+    return QJsonDocument::fromJson(process.readAllStandardOutput()).object();
+}
+
+double highestFrequencyHz(const program::Recipe& recipe)
+{
+    const auto image = program::buildProgram(recipe);
+    if (!image)
+        qFatal("%s", program::describe(image.error()).c_str());
+    double highest = 0;
+    for (const profile::StepRow& row : image->table.rows)
+        highest = std::max(highest, profile::frequencyHz(row, image->recipe.machine));
+    return highest;
+}
+
+bool moves(const StatusBlock& status)
+{
+    return status.state == State::Running || status.state == State::Stopping;
+}
+
+// Empty, or what is wrong with the motion: never backward, never further than the fastest row allows.
+QString faultOfMotion(const std::vector<StatusBlock>& statuses, double highestHz)
+{
+    for (std::size_t i = 1; i < statuses.size(); ++i) {
+        const StatusBlock& before = statuses[i - 1];
+        const StatusBlock& now = statuses[i];
+        if (!moves(before) || !moves(now))
+            continue;
+        const int step = now.commandedPositionPulses - before.commandedPositionPulses;
+        const auto passedMs = static_cast<std::uint16_t>(now.sampleTimeMs - before.sampleTimeMs);
+        const double longest = highestHz * (passedMs + 1) / 1000 + 1; // the time is a whole number of ms
+        if (step < 0 || step > longest)
+            return QStringLiteral("%1 pulses in %2 ms at pulse %3, at most %4 are right")
+                .arg(step)
+                .arg(passedMs)
+                .arg(before.commandedPositionPulses)
+                .arg(longest);
+    }
+    return {};
+}
+
+} // namespace
+
+class TestPanelAndController : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { panel::applyFonts(); }
+    void theMainJob();
+    void aBusyPortIsTakenWhenItIsFree();
+    void badPorts_data();
+    void badPorts();
+    void otherDevices_data();
+    void otherDevices();
+
+private:
+    static void enterLength(PanelWindow& panel, const QString& digits)
+    {
+        panel.tap("nav1");
+        panel.tap("field_bagLength");
+        panel.tapDigits(digits);
+        panel.tap("keypadAccept");
+    }
+    // Until the controller runs it.
+    static void download(PanelWindow& panel)
+    {
+        QTRY_VERIFY_WITH_TIMEOUT(panel.editor().canDownload(), timeoutMs);
+        panel.tap("nextStep");
+        panel.tap("downloadStart");
+        QTRY_COMPARE_WITH_TIMEOUT(panel.editor().downloadState(), Editor::DownloadState::Applied, timeoutMs);
+        panel.tap("downloadCancel"); // "Close" by now
+        QVERIFY(!panel.finger().find("sheetPanel"));
+    }
+    static void runLength(PanelWindow& panel);
+    static void changeWhileItRuns(PanelWindow& panel);
+    static void lookFromOutsideAndAgain(const QString& port);
+};
+
+void TestPanelAndController::theMainJob()
+{
+    const ControllerProcess controller;
+    {
+        PanelWindow panel(controller.port());
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().connection(), Machine::Connection::Connected, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        runLength(panel);
+        if (!QTest::currentTestFailed())
+            changeWhileItRuns(panel);
+        QCOMPARE(panel.complaints(), QStringList());
+        if (QTest::currentTestFailed())
+            return;
+    }
+    lookFromOutsideAndAgain(controller.port());
+}
+
+void TestPanelAndController::runLength(PanelWindow& panel)
+{
+    enterLength(panel, "260");
+    QCOMPARE(panel.editor().bagLength()->value(), 260.0);
+    download(panel);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().activeBagLengthMm(), 260.0, timeoutMs);
+    QCOMPARE(panel.machine().generation(), 1.0);
+
+    panel.tap("nav0");
+    QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
+    panel.tap("startKey");
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Running, timeoutMs);
+    const double angle = panel.machine().knifeAngleDeg();
+    QVERIFY(!std::isnan(angle));
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(panel.machine().knifeAngleDeg() - angle) > 10, timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(panel.machine().bagCount() >= 2, timeoutMs);
+    QVERIFY2(std::abs(panel.machine().bagLengthMm() - 260) < panel.machine().bagToleranceMm(),
+             qPrintable(QString::number(panel.machine().bagLengthMm())));
+    QCOMPARE(panel.machine().state(), Machine::State::Running);
+}
+
+void TestPanelAndController::changeWhileItRuns(PanelWindow& panel)
+{
+    const double fastest = highestFrequencyHz(panel.editor().recipe());
+    enterLength(panel, "300");
+    QCOMPARE(panel.editor().differenceCount(), 1);
+    download(panel);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().activeBagLengthMm(), 300.0, timeoutMs);
+    QCOMPARE(panel.machine().generation(), 2.0);
+    const double bags = panel.machine().bagCount();
+    // The bag under the knife began with the old length.
+    QTRY_VERIFY_WITH_TIMEOUT(panel.machine().bagCount() >= bags + 2, timeoutMs);
+    QVERIFY2(std::abs(panel.machine().bagLengthMm() - 300) < panel.machine().bagToleranceMm(),
+             qPrintable(QString::number(panel.machine().bagLengthMm())));
+    QCOMPARE(panel.machine().state(), Machine::State::Running);
+
+    panel.tap("stopKey");
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Ready, timeoutMs);
+    QVERIFY2(panel.machine().commandMessage().isEmpty(), qPrintable(panel.machine().commandMessage()));
+    QVERIFY2(panel.machine().alarmText().isEmpty(), qPrintable(panel.machine().alarmText()));
+
+    const auto& statuses = panel.statuses();
+    const QString fault =
+        faultOfMotion(statuses, std::max(fastest, highestFrequencyHz(panel.editor().recipe())));
+    QVERIFY2(fault.isEmpty(), qPrintable(fault));
+    const auto changed = std::ranges::adjacent_find(statuses, [](const auto& before, const auto& now) {
+        return before.generation == 1 && now.generation == 2;
+    });
+    QVERIFY(changed != statuses.end());
+    QCOMPARE(changed[0].state, std::optional(State::Running));
+    QCOMPARE(changed[1].state, std::optional(State::Running));
+    // A cycle's boundary lies between the two.
+    const auto boundary = changed[1].commandedPositionPulses / pulsesPerCycle * pulsesPerCycle;
+    QVERIFY2(boundary >= changed[0].commandedPositionPulses,
+             qPrintable(QStringLiteral("changed between pulse %1 and %2")
+                            .arg(changed[0].commandedPositionPulses)
+                            .arg(changed[1].commandedPositionPulses)));
+    QCOMPARE(statuses.back().commandedPositionPulses % pulsesPerCycle, 0);
+}
+
+// The first panel is gone, and with it all that it knew.
+void TestPanelAndController::lookFromOutsideAndAgain(const QString& port)
+{
+    const QJsonObject outside = statusFromOutside(port);
+    QCOMPARE(outside["generation"].toInt(), 2);
+    QCOMPARE(outside["state"].toString(), "Ready");
+    QCOMPARE(outside["program"]["bag_length_mm"].toDouble(), 300.0);
+    QVERIFY(std::abs(outside["bag_length_mm"].toDouble() - 300) < 1);
+
+    PanelWindow panel(port);
+    QTRY_VERIFY_WITH_TIMEOUT(panel.machine().hasActiveProgram(), timeoutMs);
+    QCOMPARE(panel.machine().activeBagLengthMm(), 300.0);
+    QCOMPARE(panel.machine().activeName(), outside["program"]["name"].toString());
+    QCOMPARE(panel.machine().activeVersion(), outside["program"]["version"].toDouble());
+    QCOMPARE(panel.machine().generation(), 2.0);
+    QCOMPARE(panel.machine().state(), Machine::State::Ready);
+    panel.tap("nav1");
+    QVERIFY2(panel.texts().contains("generation 2"), qPrintable(panel.texts()));
+    QCOMPARE(panel.complaints(), QStringList());
+}
+
+void TestPanelAndController::aBusyPortIsTakenWhenItIsFree()
+{
+    const ControllerProcess controller;
+    auto first = std::make_unique<PanelWindow>(controller.port());
+    QTRY_COMPARE_WITH_TIMEOUT(first->machine().connection(), Machine::Connection::Connected, timeoutMs);
+    PanelWindow second(controller.port());
+    QTRY_COMPARE_WITH_TIMEOUT(second.machine().connection(), Machine::Connection::PortProblem, timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(second.texts().contains("in use by another program. Close that program"),
+                             timeoutMs);
+    QCOMPARE(first->machine().connection(), Machine::Connection::Connected);
+    first.reset();
+    QTRY_COMPARE_WITH_TIMEOUT(second.machine().connection(), Machine::Connection::Connected, timeoutMs);
+}
+
+void TestPanelAndController::badPorts_data()
+{
+    QTest::addColumn<QString>("port");
+    QTest::addColumn<Machine::Connection>("connection");
+    QTest::addColumn<QString>("words");
+    // It may still be plugged in: the panel goes on looking for it.
+    QTest::newRow("absent") << "/dev/ttyNONE7" << Machine::Connection::Searching
+                            << "There is no port /dev/ttyNONE7. Plug the adapter in, or choose another port";
+    QTest::newRow("no serial port") << "/dev/null" << Machine::Connection::PortProblem
+                                    << "/dev/null is not a serial port. Choose another port";
+}
+
+void TestPanelAndController::badPorts()
+{
+    QFETCH(QString, port);
+    QFETCH(Machine::Connection, connection);
+    QFETCH(QString, words);
+    PanelWindow panel(port);
+    QTRY_VERIFY2_WITH_TIMEOUT(panel.texts().contains(words), qPrintable(panel.texts()), timeoutMs);
+    QCOMPARE(panel.machine().connection(), connection);
+    panel.tap("startKey");
+    QVERIFY2(panel.texts().contains("There is no connection to the controller."), qPrintable(panel.texts()));
+}
+
+void TestPanelAndController::otherDevices_data()
+{
+    QTest::addColumn<int>("deviceType");
+    QTest::addColumn<bool>("answers");
+    QTest::addColumn<Machine::Connection>("connection");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("another device") << 0x1234 << true << Machine::Connection::WrongDevice
+                                    << "is not a CamPanel controller. Choose another port or unit number.";
+    QTest::newRow("nobody") << 0xCA3D << false << Machine::Connection::Connecting
+                            << "Check cable, power, baud rate, parity and unit number.";
+}
+
+void TestPanelAndController::otherDevices()
+{
+    QFETCH(int, deviceType);
+    QFETCH(bool, answers);
+    QFETCH(Machine::Connection, connection);
+    QFETCH(QString, words);
+    test::ScriptedSlave device;
+    device.setRegister(0, static_cast<std::uint16_t>(deviceType));
+    if (!answers)
+        device.script(std::vector<test::Fault>(10'000, test::Fault::LostRequest));
+    PanelWindow panel(QString::fromStdString(device.port()));
+    QTRY_VERIFY2_WITH_TIMEOUT(panel.texts().contains(words), qPrintable(panel.texts()), timeoutMs);
+    QCOMPARE(panel.machine().connection(), connection);
+    QCOMPARE(device.writes(), 0);
+}
+
+QTEST_MAIN(TestPanelAndController)
+#include "test_panel_and_controller.moc"

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// A recipe's table as the controller executes it: downloaded frame by frame, then 10^6 cycles of its engine.
+// What is counted is compared with K Z / N as an exact fraction, computed here.
+#include "app/program/program_image.h"
+#include "rig.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace campanel;
+using test::Rig;
+
+namespace {
+
+constexpr std::int64_t manyCycles = 1'000'000;
+constexpr std::int64_t clockHz = 8'000'000;
+
+struct Case {
+    int pulsesPerRev = 10000;
+    int knives = 1;
+    int gearNumerator = 1;
+    int gearDenominator = 1;
+    int slices = 20;
+    double bagLengthMm = 250;
+    double rateBagsPerMin = 60;
+};
+
+program::Recipe recipeOf(const Case& values)
+{
+    program::Recipe recipe;
+    recipe.program.bagLengthMm = values.bagLengthMm;
+    recipe.program.rateBagsPerMin = values.rateBagsPerMin;
+    recipe.program.k = {4, 2.5, 1.6667, 1.3333};
+    recipe.program.slicesPerRamp = values.slices;
+    recipe.machine.knifeRadiusMm = 60;
+    recipe.machine.knives = values.knives;
+    recipe.machine.pulsesPerMotorRev = values.pulsesPerRev;
+    recipe.machine.gearNumerator = values.gearNumerator;
+    recipe.machine.gearDenominator = values.gearDenominator;
+    return recipe;
+}
+
+// Whole pulses that n cycles have to give: floor(n K Z / N).
+std::int64_t exactPulses(const Case& values, std::int64_t cycles)
+{
+    const std::int64_t numerator = std::int64_t{values.pulsesPerRev} * values.gearNumerator;
+    return cycles * numerator / (std::int64_t{values.gearDenominator} * values.knives);
+}
+
+// As the line brings it: blocks, seal with the controller's own check, CRC-32, apply.
+void install(Rig& rig, const program::ProgramImage& image)
+{
+    QCOMPARE(rig.download(image.registers), CTL_TRANSFER_RESULT_ACCEPTED);
+    QCOMPARE(rig.apply(image.registers, CTL_APPLY_MODE_WHEN_STOPPED), CTL_REFUSAL_NONE);
+    QCOMPARE(rig.core().banks.active_crc, image.crc);
+    QCOMPARE(rig.core().banks.generation, 1u);
+}
+
+} // namespace
+
+Q_DECLARE_METATYPE(Case)
+
+class TestTableInController : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aMillionCyclesWithoutDrift_data();
+    void aMillionCyclesWithoutDrift();
+    void slicesDoNotChangeTheCycle_data();
+    void slicesDoNotChangeTheCycle();
+    void theShaftStandsWhereItShould_data();
+    void theShaftStandsWhereItShould();
+};
+
+void TestTableInController::aMillionCyclesWithoutDrift_data()
+{
+    QTest::addColumn<Case>("values");
+    QTest::newRow("K 10000") << Case{};
+    QTest::newRow("K 10007, N 3") << Case{.pulsesPerRev = 10007, .knives = 3, .bagLengthMm = 83};
+    QTest::newRow("gear 7/3") << Case{.gearNumerator = 7, .gearDenominator = 3};
+    // 82.7 a minute is no whole number of ticks: what is rounded must be rounded once, not once a row.
+    QTest::newRow("K 10007, N 3, gear 7/3, rate 82.7, 60 slices") << Case{10007, 3, 7, 3, 60, 83, 82.7};
+}
+
+void TestTableInController::aMillionCyclesWithoutDrift()
+{
+    QFETCH(Case, values);
+    const auto image = program::buildProgram(recipeOf(values));
+    QVERIFY2(image, image ? "" : program::describe(image.error()).c_str());
+    Rig rig;
+    install(rig, *image);
+
+    const double cycleTicks = 60 / values.rateBagsPerMin * clockHz;
+    ctl_step step{};
+    ctl_step_reset(&step, ctl_active_bank(&rig.core()));
+    std::int64_t pulses = 0;
+    std::int64_t ticks = 0;
+    for (std::int64_t cycle = 1; cycle <= manyCycles; ++cycle) {
+        ctl_step_begin_cycle(&step);
+        std::int64_t ticksOfCycle = 0;
+        while (!ctl_step_between_cycles(&step)) {
+            std::uint32_t advance = image->table.cycleTicks;
+            pulses += ctl_step_advance(&step, &advance);
+            ticksOfCycle += advance;
+        }
+        ticks += ticksOfCycle;
+        if (pulses != exactPulses(values, cycle) ||
+            std::abs(static_cast<double>(ticksOfCycle) - cycleTicks) >= 1)
+            QFAIL(qPrintable(QStringLiteral("cycle %1: %2 pulses, %3 expected; %4 ticks, %5 expected")
+                                 .arg(cycle)
+                                 .arg(pulses)
+                                 .arg(exactPulses(values, cycle))
+                                 .arg(ticksOfCycle)
+                                 .arg(cycleTicks)));
+    }
+    QCOMPARE(ticks, manyCycles * std::llround(cycleTicks));
+}
+
+void TestTableInController::slicesDoNotChangeTheCycle_data()
+{
+    QTest::addColumn<int>("slices");
+    for (const int slices : {1, 2, 3, 20, 60, 127, 255})
+        QTest::addRow("%d slices", slices) << slices;
+}
+
+// Each pulse as the timer's interrupt gives it, one by one.
+void TestTableInController::slicesDoNotChangeTheCycle()
+{
+    QFETCH(int, slices);
+    const auto image = program::buildProgram(recipeOf({.slices = slices}));
+    QVERIFY2(image, image ? "" : program::describe(image.error()).c_str());
+    Rig rig;
+    install(rig, *image);
+    ctl_step step{};
+    ctl_step_reset(&step, ctl_active_bank(&rig.core()));
+    for (int cycle = 0; cycle < 3; ++cycle) {
+        int pulses = 0;
+        std::int64_t ticks = 0;
+        ctl_step_begin_cycle(&step);
+        while (!ctl_step_between_cycles(&step)) {
+            const ctl_event event = ctl_step_next(&step);
+            pulses += event.pulse ? 1 : 0;
+            ticks += event.ticks;
+        }
+        QCOMPARE(pulses, 10000);
+        QCOMPARE(ticks, clockHz);
+    }
+}
+
+void TestTableInController::theShaftStandsWhereItShould_data()
+{
+    QTest::addColumn<Case>("values");
+    QTest::newRow("K 10000") << Case{};
+    QTest::newRow("K 10007, N 3") << Case{.pulsesPerRev = 10007, .knives = 3, .bagLengthMm = 83};
+    QTest::newRow("gear 7/3, 127 slices") << Case{.gearNumerator = 7, .gearDenominator = 3, .slices = 127};
+}
+
+// The whole controller with its machine: homed, started, a hundred seconds of bags, stopped at a cycle's end.
+// The pulses sent and the encoder of the shaft must both be where the number of cycles puts them.
+void TestTableInController::theShaftStandsWhereItShould()
+{
+    QFETCH(Case, values);
+    const auto image = program::buildProgram(recipeOf(values));
+    QVERIFY2(image, image ? "" : program::describe(image.error()).c_str());
+    Rig rig;
+    install(rig, *image);
+    rig.start();
+    const std::int64_t cyclesBefore = rig.core().motion.cycle_count;
+    rig.run(100'000'000);
+    QCOMPARE(rig.command(CTL_COMMAND_STOP_AT_CYCLE_END), CTL_REFUSAL_NONE);
+    QVERIFY(rig.runUntilState(CTL_STATE_READY));
+    rig.run(2'000'000); // the axis follows with a lag
+    const std::int64_t cycles = rig.core().motion.cycle_count - cyclesBefore;
+    QVERIFY2(cycles > 95 && cycles < 105, qPrintable(QString::number(cycles)));
+    QCOMPARE(rig.commanded(), exactPulses(values, cycles));
+    QCOMPARE(rig.core().motion.actual - rig.core().motion.origin, exactPulses(values, cycles));
+}
+
+QTEST_GUILESS_MAIN(TestTableInController)
+#include "test_table_in_controller.moc"
