@@ -8,14 +8,34 @@ namespace campanel::plot {
 
 namespace {
 
+constexpr double levelShare = 1e-9; // of the value; heights closer than this are the same
+
+// Whether the last point stands between two of its own height. Drawn piece by piece such a stretch would look
+// beaded: the smoothed ends of the pieces cover one another.
+bool isInsideLevelStretch(const QPolygonF& points, const QPointF& next)
+{
+    const qsizetype count = points.size();
+    const auto sameHeight = [](double a, double b) {
+        return std::abs(a - b) <= levelShare * std::max(std::abs(a), std::abs(b));
+    };
+    return count >= 2 && sameHeight(points[count - 1].y(), points[count - 2].y()) &&
+           sameHeight(points[count - 1].y(), next.y());
+}
+
 QPolygonF finitePoints(std::span<const double> x, std::span<const double> y, double yFactor)
 {
     const std::size_t count = std::min(x.size(), y.size());
     QPolygonF points;
     points.reserve(static_cast<qsizetype>(count));
     for (std::size_t i = 0; i < count; ++i) {
-        if (std::isfinite(x[i]) && std::isfinite(y[i])) {
-            points.append(QPointF(x[i], y[i] * yFactor));
+        if (!std::isfinite(x[i]) || !std::isfinite(y[i])) {
+            continue;
+        }
+        const QPointF point(x[i], y[i] * yFactor);
+        if (isInsideLevelStretch(points, point)) {
+            points.last() = point;
+        } else {
+            points.append(point);
         }
     }
     return points;

@@ -14,7 +14,7 @@ inline constexpr qsizetype maximumDrawnPoints = 1000;
 
 // The points (x, y * yFactor), x not descending, with at most maximumPoints (at least 4) of them: the first
 // and the last one stay, and of each of the equal stretches between them the lowest and the highest. Points
-// that are not finite are left out.
+// that are not finite are left out, and so are those inside a level stretch.
 [[nodiscard]] QPolygonF decimate(std::span<const double> x, std::span<const double> y,
                                  qsizetype maximumPoints, double yFactor = 1.0);
 

@@ -16,7 +16,7 @@ T.AbstractButton {
     property bool small: false
     property color baseColor: Theme.color.good
     property color pressedColor: Theme.color.good
-    readonly property color inkColor: filled ? Theme.color.stopInk : baseColor
+    readonly property color inkColor: filled ? Theme.color.stopInk : ready ? baseColor : Theme.color.disabledInk
 
     implicitWidth: Theme.size.commandKey
     implicitHeight: Theme.size.commandKey
@@ -24,15 +24,13 @@ T.AbstractButton {
     background: Rectangle {
         radius: Theme.size.radius
         color: key.filled ? (key.down ? key.pressedColor : key.baseColor)
-            : key.down ? Theme.color.inset : Theme.color.surface
-        border { width: key.filled ? 0 : Theme.size.outline; color: key.baseColor }
-        opacity: key.ready ? 1 : Theme.dimmed
+            : key.down || !key.ready ? Theme.color.inset : Theme.color.surface
+        border { width: key.filled ? 0 : Theme.size.outline; color: key.ready ? key.baseColor : Theme.color.line }
     }
     Item {
         anchors.fill: parent
         Column {
             anchors.centerIn: parent
-            opacity: key.ready ? 1 : Theme.dimmed
             spacing: Theme.size.spacing
             Item {
                 anchors.horizontalCenter: parent.horizontalCenter

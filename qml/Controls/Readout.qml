@@ -10,6 +10,7 @@ Item {
     required property string text
     property string unit
     property bool stale
+    readonly property bool known: text !== Theme.unknownText
     property int pixelSize: Theme.size.hero
 
     implicitWidth: number.implicitWidth + (unit.length > 0 ? suffix.implicitWidth + Theme.size.spacing : 0)
@@ -27,6 +28,7 @@ Item {
     }
     Label {
         id: suffix
+        visible: readout.known             // nothing has no unit
         anchors { left: number.right; leftMargin: Theme.size.spacing; baseline: number.baseline }
         text: readout.unit
         color: Theme.color.secondaryInk

@@ -72,8 +72,16 @@ SettingsSection {
             color: Theme.color.secondaryInk
         }
     }
+    IconLabel {
+        id: mark
+        anchors { left: parent.left; verticalCenter: state.verticalCenter }
+        code: Machine.connection === Machine.Connection.Connected ? Theme.icon.linkUp : Theme.icon.linkDown
+        color: Theme.color.secondaryInk
+    }
     Label {
-        anchors { left: parent.left; right: parent.right; top: body.bottom; bottom: connectButton.top; topMargin: Theme.size.spacing; bottomMargin: Theme.size.spacing }
+        id: state
+        anchors { left: mark.right; leftMargin: Theme.size.spacing; right: parent.right; bottom: connectButton.top; bottomMargin: Theme.size.spacing }
+        height: Math.min(Theme.size.touch, connectButton.y - body.y - body.height - 2 * Theme.size.spacing)
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
         minimumPixelSize: Theme.size.caption - 2

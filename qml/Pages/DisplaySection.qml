@@ -17,6 +17,9 @@ SettingsSection {
     readonly property var languages: Settings.languages
     readonly property var themes: Settings.themes
 
+    // Taller keys where there is room.
+    readonly property real keyHeight: Math.max(Theme.size.touch, Math.min(1.5 * Theme.size.touch, (height - bodyTop) / 4))
+
     title: qsTr("Display")
 
     Column {
@@ -30,6 +33,7 @@ SettingsSection {
         Segmented {
             objectName: "languageChoice"
             width: parent.width
+            height: section.keyHeight
             choices: section.languages.map((key, i) => ({ key: key, text: Settings.languageNames[i] }))
             current: Settings.language
             onChosen: key => Settings.language = key
@@ -42,6 +46,7 @@ SettingsSection {
         Segmented {
             objectName: "themeChoice"
             width: parent.width
+            height: section.keyHeight
             choices: section.themes.map(key => section.themeChoices[key])
             current: Settings.theme
             onChosen: key => Settings.theme = key

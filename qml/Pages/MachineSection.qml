@@ -3,6 +3,7 @@
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
+import CamPanel.Controls
 import CamPanel.Widgets
 import CamPanel.Machine
 
@@ -15,6 +16,7 @@ SettingsSection {
     title: qsTr("Machine")
 
     Flickable {
+        id: list
         anchors { fill: parent; topMargin: section.bodyTop }
         contentHeight: grid.height
         clip: true
@@ -39,4 +41,5 @@ SettingsSection {
             }
         }
     }
+    ScrollMark { view: list }
 }

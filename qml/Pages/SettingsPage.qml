@@ -22,6 +22,7 @@ Page {
         width: Theme.size.sideColumn
         anchors { top: parent.top; bottom: parent.bottom; bottomMargin: page.bottomInset }
         Column {
+            id: menu
             anchors { fill: parent; margins: Theme.size.spacing }
             spacing: Theme.size.spacing
             Repeater {
@@ -30,7 +31,8 @@ Page {
                     required property int index
                     required property var modelData
                     objectName: "section" + index
-                    width: parent.width
+                    width: menu.width
+                    height: (menu.height - (page.sections.length - 1) * menu.spacing) / page.sections.length
                     text: modelData.text
                     note: modelData.note
                     holds: page.section === index

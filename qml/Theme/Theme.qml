@@ -23,8 +23,6 @@ QtObject {
     readonly property font captionFont: Qt.font({ pixelSize: theme.size.caption })
     readonly property string unknownText: "--"
 
-    readonly property real dimmed: 0.55     // opacity of a key that cannot be used now
-
     readonly property int shortTime: theme.animated ? 120 : 0
     readonly property int longPressTime: 600
     readonly property int clockTime: 1000

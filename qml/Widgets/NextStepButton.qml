@@ -19,7 +19,7 @@ Button {
 
     objectName: "nextStep"
     kind: Button.Primary
-    width: Math.max(implicitWidth, Theme.size.touch * 2)
+    width: Math.max(implicitWidth, Theme.size.touch * 1.5)
     enabled: busy || suggests || saves || Editor.canDownload
     text: busy ? qsTr("Downloading") : suggests ? Editor.suggestionText : saves ? qsTr("Save")
         : settled ? qsTr("Saved") : qsTr("Download")

@@ -52,7 +52,7 @@ T.AbstractButton {
                         fontSizeMode: Text.HorizontalFit
                         minimumPixelSize: Theme.size.caption
                         text: cell.field.text
-                        font { pixelSize: Theme.size.body + Theme.size.outline; bold: true }
+                        font { pixelSize: Theme.size.body; bold: true }
                     }
                 }
             }

@@ -9,6 +9,8 @@ import CamPanel.Machine
 Card {
     id: card
 
+    readonly property color traceColor: Machine.fresh ? Theme.color.touch : Theme.color.disabledInk
+
     component Key: Row {
         id: key
         required property string text
@@ -45,7 +47,7 @@ Card {
             font.pixelSize: Theme.size.caption
         }
         Key { text: qsTr("target"); color: Theme.color.target }
-        Key { text: qsTr("actual"); color: Theme.color.touch }
+        Key { text: qsTr("actual"); color: card.traceColor }
     }
     StyledCurves {
         anchors { left: parent.left; right: parent.right; top: caption.bottom; bottom: parent.bottom; margins: Theme.size.spacing; topMargin: Theme.size.outline }
@@ -55,7 +57,7 @@ Card {
         velocityColor: Theme.color.target
         lineWidth: 2 * Theme.size.curve
         trace: Machine.actualTrace
-        traceColor: Machine.fresh ? Theme.color.touch : Theme.color.disabledInk
+        traceColor: card.traceColor
         cursorTime: Machine.masterAngleDeg / 360 * Machine.cycleSeconds
         cursorDotsVisible: false
     }

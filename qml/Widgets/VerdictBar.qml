@@ -30,7 +30,7 @@ Card {
         height: (parent.height - 2 * Theme.size.spacing) * (bar.good ? 0.56 : 1)
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
-        minimumPixelSize: Theme.size.caption - 2
+        minimumPixelSize: Theme.size.caption - 1
         text: Editor.verdict
         font.weight: Font.DemiBold
     }
@@ -46,10 +46,12 @@ Card {
     }
     Row {
         id: tools
+        readonly property bool goesBack: Editor.canUndo || Editor.canRedo   // before the first edit the words have their room
         anchors { right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
         spacing: Theme.size.spacing
         Button {
             objectName: "undo"
+            visible: tools.goesBack
             width: Theme.size.touch
             kind: Button.Quiet
             glyph: Theme.icon.undo
@@ -58,6 +60,7 @@ Card {
         }
         Button {
             objectName: "redo"
+            visible: tools.goesBack
             width: Theme.size.touch
             kind: Button.Quiet
             glyph: Theme.icon.redo

@@ -39,6 +39,10 @@
         <translation>尚未测得袋长。请按“启动”。</translation>
     </message>
     <message>
+        <source>No bag measured yet.</source>
+        <translation>尚未测得袋长。</translation>
+    </message>
+    <message>
         <source>tolerance ±%1 mm</source>
         <translation>允差 ±%1 mm</translation>
     </message>

@@ -3,6 +3,7 @@
 // navigation, Stop, language.
 #include "app/main/fonts.h"
 #include "app/main/qml_modules.h"
+#include "app/main/scene_checks.h"
 #include "app/main/stage.h"
 
 #include <QSignalSpy>
@@ -43,6 +44,18 @@ private slots:
     {
         QCOMPARE(m_stage->complaints(), QStringList());
         m_stage.reset();
+    }
+
+    void paleTextIsFound()
+    {
+        const campanel::panel::TouchLimits anySize;
+        QCOMPARE(checkScene(m_stage->root(), anySize, m_stage->grab()), QStringList());
+        m_stage->find(QStringLiteral("stateText"))->setProperty("color", QColor(0x98, 0x98, 0x98));
+        const QStringList faults = checkScene(m_stage->root(), anySize, m_stage->grab());
+        QCOMPARE(faults.size(), 1);
+        QCOMPARE(
+            faults.constFirst(),
+            QStringLiteral("stateText \"Running\" in #989898 on #ffffff has a contrast of 2.88, it needs 3"));
     }
 
     void keypadTakesANumber()
