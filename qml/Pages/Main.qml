@@ -20,10 +20,15 @@ Window {
         id: frame
         anchors.fill: parent
     }
+    Timer {
+        id: nextTurn
+        interval: 0
+        onTriggered: frame.showsPages = true
+    }
     Connections {
         target: window
         enabled: !frame.showsPages
-        function onFrameSwapped() { Qt.callLater(() => frame.showsPages = true) }
+        function onFrameSwapped() { nextTurn.start() }
     }
     Binding { target: Theme; property: "name"; value: Settings.theme }
     Binding { target: Theme; property: "language"; value: Settings.language }
