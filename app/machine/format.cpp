@@ -20,6 +20,16 @@ QString Format::number(double value, int decimals) const
     return m_locale.toString(std::abs(value) < step / 2 ? 0.0 : value, 'f', decimals);
 }
 
+QString Format::grouped(double value, int decimals) const
+{
+    constexpr double groupedFrom = 10000;
+    if (!std::isfinite(value) || std::abs(value) < groupedFrom)
+        return number(value, decimals);
+    QLocale locale = m_locale;
+    locale.setNumberOptions(QLocale::DefaultNumberOptions);
+    return locale.toString(value, 'f', decimals);
+}
+
 QString Format::compact(double value, int minimumDecimals, int maximumDecimals) const
 {
     QString text = number(value, maximumDecimals);

@@ -13,6 +13,8 @@ public:
 
     // Exactly `decimals` digits after the mark, no group separators.
     [[nodiscard]] QString number(double value, int decimals) const;
+    // As number(), with group separators from five digits on: 50,000. For sentences, which nobody edits.
+    [[nodiscard]] QString grouped(double value, int decimals) const;
     // Between the two numbers of decimals, without superfluous zeros: 2.50, 1.6667.
     [[nodiscard]] QString compact(double value, int minimumDecimals, int maximumDecimals) const;
     [[nodiscard]] const QLocale& locale() const { return m_locale; }

@@ -9,10 +9,24 @@ namespace campanel::machine {
 
 using profile::Limit;
 
+namespace {
+
+// What the machine would do, in the units of the plots: accelerations in m/s².
+QString quantityText(profile::Field field, double value)
+{
+    if (field != profile::Field::MaxKnifeAcceleration)
+        return RefusalSentences::valueWithUnit(field, value);
+    constexpr double mmPerM = 1000;
+    return RefusalSentences::tr("%1 %2", "%1: number, %2: unit")
+        .arg(Format().grouped(value / mmPerM, 2), QStringLiteral("m/s²"));
+}
+
+} // namespace
+
 QString RefusalSentences::valueWithUnit(profile::Field field, double value)
 {
     const profile::FieldInfo& info = profile::info(field);
-    const QString number = Format().number(value, info.decimals);
+    const QString number = Format().grouped(value, info.decimals);
     return info.unit.empty() ? number
                              : tr("%1 %2", "%1: number, %2: unit").arg(number, RecipeWords::unit(info.unit));
 }
@@ -45,8 +59,8 @@ QString RefusalSentences::closeToLimits(const std::optional<profile::FastestRate
 QString RefusalSentences::limitBrokenAt(const profile::Refusal& refusal)
 {
     const Format format;
-    const QString actual = valueWithUnit(refusal.field, refusal.actual);
-    const QString allowed = valueWithUnit(refusal.field, refusal.allowed);
+    const QString actual = quantityText(refusal.field, refusal.actual);
+    const QString allowed = quantityText(refusal.field, refusal.allowed);
     const QString time = format.number(*refusal.timeS, 3);
     const QString angle = format.number(refusal.angleDeg.value_or(NAN), 0);
     switch (refusal.limit) {

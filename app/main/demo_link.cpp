@@ -94,6 +94,10 @@ void DemoLink::show(Situation situation)
         report(link::LinkState::Lost);
         return;
     }
+    if (situation == Situation::Absent) {
+        report(link::LinkState::Searching);
+        return;
+    }
     if (situation == Situation::Empty)
         emit reported({}); // another controller: what was known of the first one is forgotten
     report(link::LinkState::Connected);
@@ -118,6 +122,8 @@ void DemoLink::report(link::LinkState state)
     report.portName = QStringLiteral("/dev/ttyUSB0");
     report.simulated = false;
     report.identity = demoIdentity();
+    if (state == link::LinkState::Searching)
+        report.error = modbus::LinkError{modbus::LinkErrorKind::PortAbsent, "/dev/ttyUSB0", {}, {}, 0};
     emit reported(report);
 }
 

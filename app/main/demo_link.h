@@ -12,7 +12,7 @@ class DemoLink : public link::Link {
     Q_OBJECT
 
 public:
-    enum class Situation { Running, Stopped, Fault, Lost, Empty };
+    enum class Situation { Running, Stopped, Fault, Lost, Absent, Empty };
 
     explicit DemoLink(QObject* parent);
 

@@ -145,9 +145,10 @@ void PlotPanel::paintLimit(QPainter& painter, const PlotStyle& style, double val
     if (!(value >= m_scale.lower() && value <= m_scale.upper())) {
         return;
     }
-    const double y = m_valueMap.transform(value);
-    QPen pen(style.limit, 1.5);
-    pen.setDashPattern({5, 4});
+    // Between two rows of pixels and two wide: the upper and the lower limit look the same.
+    const double y = std::round(m_valueMap.transform(value));
+    QPen pen(style.limit, 2);
+    pen.setDashPattern({4, 3});
     pen.setCapStyle(Qt::FlatCap);
     painter.setPen(pen);
     painter.drawLine(QPointF(m_canvas.left(), y), QPointF(m_canvas.right(), y));

@@ -12,8 +12,10 @@ Item {
     property string refusal                // why Start was refused; set by the frame
     property string putAside
 
-    readonly property bool isTrouble: Machine.connection === Machine.Connection.Lost
-        || Machine.connection === Machine.Connection.WrongDevice || Machine.connection === Machine.Connection.PortProblem
+    // A link takes a moment to come up; only one that stays away is worth a banner.
+    readonly property bool isComing: Machine.connection === Machine.Connection.Searching
+        || Machine.connection === Machine.Connection.Connecting
+    readonly property bool isTrouble: isComing ? patience.over : Machine.connection !== Machine.Connection.Connected
     readonly property string linkTrouble: isTrouble ? Machine.connectionText : ""
     readonly property string alarm: Machine.alarmText.length > 0 ? Machine.alarmText : linkTrouble
     readonly property string answer: Machine.commandMessage.length > 0 ? Machine.commandMessage
@@ -32,6 +34,24 @@ Item {
 
     implicitHeight: Theme.size.actionBar
     visible: shown
+
+    Timer {
+        id: patience
+
+        property bool over
+
+        interval: 3000
+        running: host.isComing && !over
+        onTriggered: over = true
+    }
+
+    Connections {
+        target: Machine
+        function onConnectionChanged() {
+            if (Machine.connection === Machine.Connection.Connected)
+                patience.over = false
+        }
+    }
 
     Banner {
         objectName: "banner"

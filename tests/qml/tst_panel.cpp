@@ -183,6 +183,17 @@ private slots:
         QVERIFY(m_stage->find(QStringLiteral("motionPlot")));
     }
 
+    void absentPortIsSaidAfterAMoment()
+    {
+        m_stage->link().show(campanel::panel::DemoLink::Situation::Absent);
+        m_stage->settle();
+        QVERIFY2(!m_stage->find(QStringLiteral("banner")), "a link that is just coming up is no trouble");
+        QTRY_VERIFY(m_stage->find(QStringLiteral("banner")));
+        QVERIFY2(textOf("banner").contains(QStringLiteral("/dev/ttyUSB0")), qPrintable(textOf("banner")));
+        m_stage->link().show(campanel::panel::DemoLink::Situation::Running);
+        QTRY_VERIFY(!m_stage->find(QStringLiteral("banner")));
+    }
+
     void startRefusedSaysWhy()
     {
         tap("startKey");
