@@ -21,7 +21,7 @@ struct TableRow {
 };
 
 struct BankHeader {
-    std::uint16_t layout = bankLayout;
+    std::uint16_t layout = static_cast<std::uint16_t>(TableLayout::StepTable);
     ProgramKind kind = ProgramKind::RotaryCutter;
     std::uint16_t rowCount = 0;
     std::uint32_t cycleTicks = 0;

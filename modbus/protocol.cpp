@@ -24,7 +24,80 @@ constexpr std::array states{
 
 constexpr std::array programKinds{
     entry(ProgramKind::None, "None", "Nothing."),
-    entry(ProgramKind::RotaryCutter, "RotaryCutter", "Rotary cutter cam as a step table."),
+    entry(ProgramKind::RotaryCutter, "RotaryCutter", "Rotary cutter cam."),
+    entry(ProgramKind::PositionMove, "PositionMove", "Move over a distance, from rest to rest."),
+    entry(ProgramKind::SpeedMove, "SpeedMove", "Move from one speed to another, which is then held."),
+    entry(ProgramKind::PointCam, "PointCam", "Cam through given points, following a virtual master."),
+    entry(ProgramKind::Press, "Press", "Press stroke in five stages."),
+};
+
+constexpr std::array tableLayouts{
+    entry(TableLayout::None, "None", "Nothing."),
+    entry(TableLayout::StepTable, "StepTable",
+          "Rows of three registers: pulses (u16), ticks (u32). Pulse j = 1 .. pulses comes floor(j * ticks / "
+          "pulses) "
+          "ticks after the row's start, the last one at its end; a row without pulses is a pause."),
+    entry(TableLayout::CamPoints, "CamPoints",
+          "Rows of four registers, one for each end of the equal intervals of the master: position (i32, "
+          "1/256 pulse "
+          "from the first row) and slope (i32, 1/256 pulse per interval); in between a cubic with these "
+          "slopes. After "
+          "the rows cam.knot_count knots of four registers: master (u32, 0.0001 degrees), slave (i32, 0.001 "
+          "mm)."),
+    entry(TableLayout::Intervals, "Intervals",
+          "Rows of eight registers, constant acceleration each: distance (u32, pulses), first and last speed "
+          "(u32, "
+          "pulses/s), acceleration (u32, pulses/s^2), as the accumulators of the engine take them."),
+    entry(TableLayout::PressStages, "PressStages",
+          "Five rows of eight registers: speed (u32, Hz), end position (i32, pulses), force (u32, N), time "
+          "(u32, ms): "
+          "approach, probe, press, hold, return."),
+};
+
+constexpr std::array endBehaviors{
+    entry(EndBehavior::Repeat, "Repeat", "The table begins again."),
+    entry(EndBehavior::Stop, "Stop", "The axis stands still; Start runs the table once more."),
+    entry(EndBehavior::HoldSpeed, "HoldSpeed", "The last speed is held until a stop."),
+};
+
+constexpr std::array rampShapes{
+    entry(RampShape::Trapezoid, "Trapezoid", "Constant acceleration of the master."),
+    entry(RampShape::SCurve, "SCurve", "The acceleration of the master rises and falls linearly."),
+};
+
+constexpr std::array moveDurations{
+    entry(MoveDuration::GivenTime, "GivenTime", "The time is given."),
+    entry(MoveDuration::Fastest, "Fastest", "As fast as the limits of the machine allow."),
+    entry(MoveDuration::OverDistance, "OverDistance", "The distance of a change of speed is given."),
+};
+
+constexpr std::array splineEnds{
+    entry(SplineEnds::Natural, "Natural", "No curvature at the ends."),
+    entry(SplineEnds::Clamped, "Clamped", "No speed at the ends."),
+    entry(SplineEnds::Periodic, "Periodic", "Speed and acceleration continue where the cycle closes."),
+};
+
+constexpr std::array pressStages{
+    entry(PressStage::Standing, "Standing", "No stroke under way."),
+    entry(PressStage::Approach, "Approach", "Fast to a position near the work piece."),
+    entry(PressStage::Probe, "Probe", "Slowly until the work piece is felt."),
+    entry(PressStage::Press, "Press", "The counted pulses to the stop position."),
+    entry(PressStage::Hold, "Hold", "Standing at the stop position under force."),
+    entry(PressStage::Return, "Return", "Back to the upper position."),
+};
+
+constexpr std::array strokeResults{
+    entry(StrokeResult::None, "None", "No stroke has ended since power-up."),
+    entry(StrokeResult::Ok, "Ok", "Stop position and force within their windows."),
+    entry(StrokeResult::PositionOutside, "PositionOutside",
+          "Stopped farther from the position than the tolerance."),
+    entry(StrokeResult::ForceTooLow, "ForceTooLow", "Less force at the stop than the window allows."),
+    entry(StrokeResult::ForceTooHigh, "ForceTooHigh", "More force at the stop than the window allows."),
+    entry(StrokeResult::TouchedTooEarly, "TouchedTooEarly", "The work piece was felt during the approach."),
+    entry(StrokeResult::NeverTouched, "NeverTouched",
+          "The work piece was not felt where it should have been."),
+    entry(StrokeResult::ForceLimit, "ForceLimit", "The largest force was reached: stopped and returned."),
+    entry(StrokeResult::Stopped, "Stopped", "Ended by a stop."),
 };
 
 constexpr std::array stagedStates{
@@ -117,6 +190,13 @@ constexpr std::array faultBits{
     entry(FaultBit::ActiveTableDamaged, "ActiveTableDamaged", "The active table no longer has its CRC-32."),
     entry(FaultBit::DriveNotFollowing, "DriveNotFollowing",
           "No index mark found within two knife revolutions of homing."),
+    entry(FaultBit::ForceLimit, "ForceLimit",
+          "The press reached its largest force; it stopped and returned."),
+    entry(FaultBit::TouchedTooEarly, "TouchedTooEarly", "The press felt the work piece during the approach."),
+    entry(FaultBit::NeverTouched, "NeverTouched",
+          "The press did not feel the work piece where it should be."),
+    entry(FaultBit::MasterTooFast, "MasterTooFast",
+          "The cam asked for more pulses in one update than the output stage gives."),
 };
 
 constexpr std::array warningBits{
@@ -138,7 +218,7 @@ constexpr std::array heartbeatLostActions{
     entry(HeartbeatLostAction::StopAtCycleEnd, "StopAtCycleEnd", "Warn and stop at the end of the cycle."),
 };
 
-constexpr std::array<EnumInfo, 13> infos{{
+constexpr std::array<EnumInfo, 20> infos{{
     {"State", states},
     {"ProgramKind", programKinds},
     {"StagedState", stagedStates},
@@ -152,6 +232,13 @@ constexpr std::array<EnumInfo, 13> infos{{
     {"WarningBit", warningBits},
     {"JogBit", jogBits},
     {"HeartbeatLostAction", heartbeatLostActions},
+    {"TableLayout", tableLayouts},
+    {"EndBehavior", endBehaviors},
+    {"RampShape", rampShapes},
+    {"MoveDuration", moveDurations},
+    {"SplineEnds", splineEnds},
+    {"PressStage", pressStages},
+    {"StrokeResult", strokeResults},
 }};
 
 } // namespace

@@ -14,12 +14,51 @@ namespace campanel::modbus {
 inline constexpr std::uint16_t deviceType = 0xCA3D;
 // A panel refuses a controller whose major version differs; a higher minor version only adds registers.
 inline constexpr std::uint16_t mapMajor = 1;
-inline constexpr std::uint16_t mapMinor = 0;
-inline constexpr std::uint16_t bankLayout = 1;
+inline constexpr std::uint16_t mapMinor = 1;
 
 enum class State : std::uint16_t { Idle = 0, Ready, Running, Stopping, Jogging, Homing, Fault };
 
-enum class ProgramKind : std::uint16_t { None = 0, RotaryCutter = 1 };
+enum class ProgramKind : std::uint16_t {
+    None = 0,
+    RotaryCutter = 1,
+    PositionMove = 2,
+    SpeedMove = 3,
+    PointCam = 4,
+    Press = 5,
+};
+
+// What the rows of a bank are, and what its header says about them.
+enum class TableLayout : std::uint16_t {
+    None = 0,
+    StepTable = 1,
+    CamPoints = 2,
+    Intervals = 3,
+    PressStages = 4
+};
+
+// What happens when a table has come to its end.
+enum class EndBehavior : std::uint16_t { Repeat = 0, Stop = 1, HoldSpeed = 2 };
+
+enum class RampShape : std::uint16_t { Trapezoid = 0, SCurve = 1 };
+
+// Which input of a move is given.
+enum class MoveDuration : std::uint16_t { GivenTime = 0, Fastest = 1, OverDistance = 2 };
+
+enum class SplineEnds : std::uint16_t { Natural = 0, Clamped = 1, Periodic = 2 };
+
+enum class PressStage : std::uint16_t { Standing = 0, Approach, Probe, Press, Hold, Return };
+
+enum class StrokeResult : std::uint16_t {
+    None = 0,
+    Ok,
+    PositionOutside,
+    ForceTooLow,
+    ForceTooHigh,
+    TouchedTooEarly,
+    NeverTouched,
+    ForceLimit,
+    Stopped,
+};
 
 enum class StagedState : std::uint16_t { Empty = 0, Receiving, Sealed, Armed };
 
@@ -80,7 +119,15 @@ enum class TransferResult : std::uint16_t {
 };
 
 // Bits of status.fault.
-enum class FaultBit : std::uint16_t { FollowingError = 0, ActiveTableDamaged = 1, DriveNotFollowing = 2 };
+enum class FaultBit : std::uint16_t {
+    FollowingError = 0,
+    ActiveTableDamaged = 1,
+    DriveNotFollowing = 2,
+    ForceLimit = 3,
+    TouchedTooEarly = 4,
+    NeverTouched = 5,
+    MasterTooFast = 6
+};
 
 // Bits of status.warning.
 enum class WarningBit : std::uint16_t {

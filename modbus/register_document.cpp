@@ -63,12 +63,19 @@ void printCHeader(std::ostream& out)
     define("DEVICE_TYPE", hexAddress(deviceType) + "u");
     define("MAP_MAJOR", std::to_string(mapMajor) + "u");
     define("MAP_MINOR", std::to_string(mapMinor) + "u");
-    define("BANK_LAYOUT", std::to_string(bankLayout) + "u");
     define("ACTIVE_BANK_BASE", hexAddress(activeBankBase) + "u");
     define("STAGED_BANK_BASE", hexAddress(stagedBankBase) + "u");
     define("BANK_HEADER_REGISTERS", std::to_string(bankHeaderRegisters) + "u");
     define("ROW_REGISTERS", std::to_string(rowRegisters) + "u");
     define("ROW_CAPACITY", std::to_string(rowCapacity) + "u");
+    define("CAM_POINT_REGISTERS", std::to_string(camPointRegisters) + "u");
+    define("CAM_POINT_CAPACITY", std::to_string(camPointCapacity) + "u");
+    define("KNOT_REGISTERS", std::to_string(knotRegisters) + "u");
+    define("KNOT_CAPACITY", std::to_string(knotCapacity) + "u");
+    define("INTERVAL_REGISTERS", std::to_string(intervalRegisters) + "u");
+    define("INTERVAL_CAPACITY", std::to_string(intervalCapacity) + "u");
+    define("STAGE_REGISTERS", std::to_string(stageRegisters) + "u");
+    define("STAGE_COUNT", std::to_string(stageCount) + "u");
     define("BANK_REGISTERS", std::to_string(bankRegisters) + "u");
     define("BLOCK_REGISTERS", std::to_string(blockRegisters) + "u");
     define("READBACK_REGISTERS", std::to_string(readbackRegisters) + "u");
@@ -95,6 +102,22 @@ void printCHeader(std::ostream& out)
     out << "\n#endif\n";
 }
 
+// "; only Press": the values whose bits are set.
+void printCondition(std::ostream& out, std::string_view enumName, unsigned bits)
+{
+    std::string_view separator = "; only ";
+    for (const EnumInfo& info : enumerations()) {
+        if (info.name != enumName)
+            continue;
+        for (const EnumValue& value : info.values) {
+            if ((bits & (1u << value.value)) == 0)
+                continue;
+            out << separator << value.name;
+            separator = ", ";
+        }
+    }
+}
+
 void printRow(std::ostream& out, const RegisterInfo& row, const std::string& address)
 {
     out << "| " << address << " | `" << row.name << "` | " << typeName(row.type);
@@ -109,6 +132,8 @@ void printRow(std::ostream& out, const RegisterInfo& row, const std::string& add
     out << " | " << row.text;
     if (!row.enumName.empty())
         out << " (" << row.enumName << ")";
+    printCondition(out, "ProgramKind", row.kinds);
+    printCondition(out, "TableLayout", row.layouts);
     out << " |\n";
 }
 

@@ -1,59 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows of the register table. Addresses are written out so that a change of the map is seen in review;
-// the checks below refuse rows that overlap or go down.
+// The registers at fixed addresses. Addresses and encodings are the contract: change them only with a new map
+// version.
 #include "modbus/register_map.h"
+
+#include "modbus/register_rows.h"
 
 #include <algorithm>
 
 namespace campanel::modbus {
 namespace {
 
-constexpr RegisterInfo ro16(std::string_view name, std::uint16_t address, std::string_view text,
-                            std::string_view enumName = {}, double scale = 1.0, std::string_view unit = {})
-{
-    return {name, address, RegisterType::U16, 1, Access::ReadOnly, scale, unit, 0, 0, 0, enumName, text};
-}
-
-constexpr RegisterInfo ro32(std::string_view name, std::uint16_t address, std::string_view text,
-                            double scale = 1.0, std::string_view unit = {})
-{
-    return {name, address, RegisterType::U32, 2, Access::ReadOnly, scale, unit, 0, 0, 0, {}, text};
-}
-
-constexpr RegisterInfo roI32(std::string_view name, std::uint16_t address, std::string_view text,
-                             std::string_view unit)
-{
-    return {name, address, RegisterType::I32, 2, Access::ReadOnly, 1.0, unit, 0, 0, 0, {}, text};
-}
-
-constexpr RegisterInfo roI16(std::string_view name, std::uint16_t address, std::string_view text,
-                             double scale, std::string_view unit)
-{
-    return {name, address, RegisterType::I16, 1, Access::ReadOnly, scale, unit, 0, 0, 0, {}, text};
-}
-
-constexpr RegisterInfo rw16(std::string_view name, std::uint16_t address, std::string_view text,
-                            std::string_view enumName = {}, double minimum = 0, double maximum = 65535,
-                            double defaultValue = 0, double scale = 1.0, std::string_view unit = {})
-{
-    return {name,    address,      RegisterType::U16, 1,   Access::ReadWrite, scale, unit, minimum,
-            maximum, defaultValue, enumName,          text};
-}
-
-constexpr RegisterInfo rw32(std::string_view name, std::uint16_t address, std::string_view text,
-                            double minimum, double maximum, double defaultValue, double scale = 1.0,
-                            std::string_view unit = {})
-{
-    return {name,  address, RegisterType::U32, 2,       Access::ReadWrite,
-            scale, unit,    minimum,           maximum, defaultValue,
-            {},    text};
-}
-
-constexpr RegisterInfo block(std::string_view name, std::uint16_t address, std::uint16_t count, Access access,
-                             std::string_view text)
-{
-    return {name, address, RegisterType::Block, count, access, 1.0, {}, 0, 0, 0, {}, text};
-}
+using namespace rows;
 
 constexpr double max32 = 4294967295.0;
 
@@ -109,11 +66,27 @@ constexpr std::array table{
     roI32("status.commanded_position", 0x0115, "pulses sent since homing, lower 32 bits", "pulses"),
     roI32("status.axis_position", 0x0117, "encoder position in pulses since homing, lower 32 bits", "pulses"),
     roI16("status.following_error", 0x0119, "commanded minus actual, saturating", 1.0, "pulses"),
-    ro16("status.knife_angle", 0x011A, "knife angle from the encoder, 0 at the index mark", {}, 0.01, "deg"),
-    ro32("status.bag_length", 0x011B, "last bag as measured on the cut film; 0 until one was measured", 0.001,
-         "mm"),
-    roI16("status.bag_deviation", 0x011D, "last measured length minus set length, saturating", 0.001, "mm"),
-    ro32("status.bag_count", 0x011E, "bags cut since power-up"),
+    withKind(ProgramKind::RotaryCutter,
+             ro16("status.knife_angle", 0x011A, "knife angle from the encoder, 0 at the index mark", {}, 0.01,
+                  "deg")),
+    withKind(ProgramKind::RotaryCutter,
+             ro32("status.bag_length", 0x011B,
+                  "last bag as measured on the cut film; 0 until one was measured", 0.001, "mm")),
+    withKind(ProgramKind::RotaryCutter,
+             roI16("status.bag_deviation", 0x011D, "last measured length minus set length, saturating", 0.001,
+                   "mm")),
+    withKind(ProgramKind::RotaryCutter, ro32("status.bag_count", 0x011E, "bags cut since power-up")),
+    withKind(ProgramKind::Press, ro16("status.press_stage", 0x011A, "stage of the stroke", "PressStage")),
+    withKind(ProgramKind::Press, ro16("status.press_force", 0x011B, "force now, saturating", {}, 1.0, "N")),
+    withKind(ProgramKind::Press,
+             roI16("status.stop_error", 0x011C,
+                   "last stroke: where it stopped minus where it should have, saturating", 1.0, "pulses")),
+    withKind(ProgramKind::Press,
+             ro16("status.stop_force", 0x011D, "last stroke: force at the stop", {}, 1.0, "N")),
+    withKind(ProgramKind::Press,
+             ro16("status.stroke_result", 0x011E, "last stroke: outcome", "StrokeResult")),
+    withKind(ProgramKind::Press,
+             ro16("status.peak_force", 0x011F, "last stroke: largest force", {}, 1.0, "N")),
     ro32("status.uptime", 0x0120, "time since power-up", 1.0, "s"),
     ro16("status.command_counter", 0x0122, "counter of the last command received"),
     ro16("status.link_crc_errors", 0x0123, "frames with a wrong CRC-16, wrapping"),
@@ -165,87 +138,13 @@ constexpr std::array table{
     block("staged", stagedBankBase, bankRegisters, Access::ReadOnly, "the shadow bank; layout below"),
 };
 
-constexpr std::array bankTable{
-    ro16("bank.layout", 0, "layout version of the bank, 1"),
-    ro16("bank.kind", 1, "program kind", "ProgramKind"),
-    ro16("bank.row_count", 2, "rows that follow the header"),
-    ro32("bank.cycle_ticks", 3, "timer ticks of one cycle; the rows' ticks add up to it", 1.0, "ticks"),
-    ro32("bank.cycle_pulses", 5, "whole pulses of one cycle; the rows' pulses add up to it", 1.0, "pulses"),
-    ro32("bank.remainder", 7, "numerator of the fraction of a pulse that each cycle owes", 1.0, "pulses"),
-    ro32("bank.divisor", 9, "its denominator; 1 when there is no fraction"),
-    ro16("bank.carry_row", 11, "row that takes one pulse more whenever a whole one is owed"),
-    ro16("bank.cut_angle", 12, "master angle at which the knife closes", {}, 0.01, "deg"),
-    ro16("bank.sync_start", 13, "master angle at which knife and film start to move together", {}, 0.01,
-         "deg"),
-    ro16("bank.sync_end", 14, "master angle at which they stop doing so", {}, 0.01, "deg"),
-    ro32("program.knife_radius", 15, "knife-tip radius", 0.001, "mm"),
-    ro16("program.knives", 17, "knives on the shaft"),
-    ro32("program.pulses_per_motor_rev", 18, "pulses per motor revolution K", 1.0, "pulses"),
-    ro16("program.gear_numerator", 20, "motor revolutions per knife revolution Z, numerator"),
-    ro16("program.gear_denominator", 21, "Z, denominator"),
-    ro16("program.pinned", 22, "the two inputs: bit 0 bag length, 1 rate, 2 base speed, 3 film speed"),
-    ro32("program.bag_length", 23, "bag length L: film fed per cycle", 0.001, "mm"),
-    ro32("program.rate", 25, "bags per minute", 0.0001, "bags/min"),
-    ro32("program.base_speed", 27, "v_a", 0.001, "mm/s"),
-    ro32("program.film_speed", 29, "v_b", 0.001, "mm/s"),
-    ro32("program.sync_ratio", 31, "v_b over film speed", 0.000001),
-    ro32("program.k1", 33, "T / t_a", 0.000001),
-    ro32("program.k2", 35, "T / t_b", 0.000001),
-    ro32("program.k3", 37, "T / t_c", 0.000001),
-    ro32("program.k4", 39, "T / t_d", 0.000001),
-    ro16("program.law", 41, "speed law, numbered as in the law table"),
-    ro32("program.law_parameter1", 42, "first parameter of the law, 0 when it has none", 0.000001),
-    ro32("program.law_parameter2", 44, "second parameter of the law, 0 when it has none", 0.000001),
-    ro16("program.ramp_slices", 46, "slices per ramp of the step table"),
-    ro16("program.recipe_version", 47, "version of the recipe that this was built from"),
-    RegisterInfo{"program.recipe_name",
-                 48,
-                 RegisterType::Text,
-                 16,
-                 Access::ReadOnly,
-                 1.0,
-                 {},
-                 0,
-                 0,
-                 0,
-                 {},
-                 "name of the recipe"},
-    block(
-        "bank.rows", bankHeaderRegisters, rowRegisters* rowCapacity, Access::ReadOnly,
-        "row_count rows of three registers: pulses (u16), ticks (u32). Pulse j = 1 .. pulses of a row comes "
-        "floor(j * ticks / pulses) ticks after the row's start, the last one at its end; a row without "
-        "pulses "
-        "is a pause"),
-};
-
-template <std::size_t N> consteval bool ascendsWithoutOverlap(const std::array<RegisterInfo, N>& rows)
-{
-    unsigned next = 0;
-    for (const RegisterInfo& row : rows) {
-        if (row.address < next || row.count == 0)
-            return false;
-        const bool wide = row.type == RegisterType::U32 || row.type == RegisterType::I32;
-        const bool narrow = row.type == RegisterType::U16 || row.type == RegisterType::I16;
-        if ((wide && row.count != 2) || (narrow && row.count != 1))
-            return false;
-        next = static_cast<unsigned>(row.address) + row.count;
-    }
-    return next <= 0x10000;
-}
-
-static_assert(ascendsWithoutOverlap(table));
-static_assert(ascendsWithoutOverlap(bankTable));
+static_assert(isConsistent(table));
 
 } // namespace
 
 std::span<const RegisterInfo> registers()
 {
     return table;
-}
-
-std::span<const RegisterInfo> bankFields()
-{
-    return bankTable;
 }
 
 const RegisterInfo* findRegister(std::string_view name)

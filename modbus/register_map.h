@@ -31,15 +31,36 @@ struct RegisterInfo {
     std::string_view
         enumName; // enumeration of protocol.h that explains the values; bits when it ends in "Bit"
     std::string_view text;
+    // Only with these program kinds or table layouts (bit n: kind or layout n); 0: always.
+    std::uint16_t kinds = 0;
+    std::uint16_t layouts = 0;
+
+    [[nodiscard]] constexpr bool appliesTo(ProgramKind kind, TableLayout layout) const
+    {
+        return (kinds == 0 || (kinds & bitOf(kind)) != 0) && (layouts == 0 || (layouts & bitOf(layout)) != 0);
+    }
+    template <typename E> [[nodiscard]] static constexpr std::uint16_t bitOf(E value)
+    {
+        return static_cast<std::uint16_t>(1u << static_cast<unsigned>(value));
+    }
 };
 
 // First address of the two program banks; both have the layout of bankFields().
 inline constexpr std::uint16_t activeBankBase = 0x4000;
 inline constexpr std::uint16_t stagedBankBase = 0x8000;
 inline constexpr std::uint16_t bankHeaderRegisters = 64;
-inline constexpr std::uint16_t rowRegisters = 3; // pulses u16, ticks u32
-inline constexpr std::uint16_t rowCapacity = 2048;
-inline constexpr std::uint16_t bankRegisters = bankHeaderRegisters + rowRegisters * rowCapacity;
+inline constexpr std::uint16_t rowRegisters = 3;      // of a step table: pulses u16, ticks u32
+inline constexpr std::uint16_t rowCapacity = 2048;    // of a step table
+inline constexpr std::uint16_t camPointRegisters = 4; // position i32, slope i32
+inline constexpr std::uint16_t camPointCapacity = 2001;
+inline constexpr std::uint16_t knotRegisters = 4; // master u32, slave i32
+inline constexpr std::uint16_t knotCapacity = 100;
+inline constexpr std::uint16_t intervalRegisters = 8; // distance, first speed, last speed, acceleration u32
+inline constexpr std::uint16_t intervalCapacity = 1024;
+inline constexpr std::uint16_t stageRegisters = 8; // speed u32, position i32, force u32, time u32
+inline constexpr std::uint16_t stageCount = 5;
+inline constexpr std::uint16_t bankRegisters =
+    bankHeaderRegisters + camPointRegisters * camPointCapacity + knotRegisters * knotCapacity;
 inline constexpr std::uint16_t blockRegisters =
     116; // payload of one transfer block: the most that one FC23 request holds
 inline constexpr std::uint16_t readbackRegisters = 122; // payload of one read-back answer

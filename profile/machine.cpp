@@ -50,6 +50,16 @@ double value(const Machine& machine, Field field)
         return machine.timerBits;
     case Field::RowCapacity:
         return machine.rowCapacity;
+    case Field::FeedPerMotorRev:
+        return machine.feedMmPerMotorRev;
+    case Field::MaxAcceleration:
+        return machine.maxAccelerationMmPerS2;
+    case Field::MaxTorque:
+        return machine.maxTorqueNm;
+    case Field::Inertia:
+        return machine.inertiaKgCm2;
+    case Field::Friction:
+        return machine.frictionNm;
     default:
         return std::numeric_limits<double>::quiet_NaN();
     }
@@ -95,6 +105,21 @@ void setValue(Machine& machine, Field field, double value)
     case Field::RowCapacity:
         machine.rowCapacity = asInt();
         break;
+    case Field::FeedPerMotorRev:
+        machine.feedMmPerMotorRev = value;
+        break;
+    case Field::MaxAcceleration:
+        machine.maxAccelerationMmPerS2 = value;
+        break;
+    case Field::MaxTorque:
+        machine.maxTorqueNm = value;
+        break;
+    case Field::Inertia:
+        machine.inertiaKgCm2 = value;
+        break;
+    case Field::Friction:
+        machine.frictionNm = value;
+        break;
     default:
         break;
     }
@@ -137,6 +162,24 @@ std::int64_t largestTimerConstant(const Machine& machine)
 double pulseFrequencyLimitHz(const Machine& machine)
 {
     return static_cast<double>(machine.timerClockHz) / static_cast<double>(smallestTimerConstant(machine));
+}
+
+double axisPulsesPerMm(const Machine& machine)
+{
+    return machine.pulsesPerMotorRev / machine.feedMmPerMotorRev;
+}
+
+double axisRpmPerMmPerS(const Machine& machine)
+{
+    constexpr double secondsPerMinute = 60;
+    return secondsPerMinute / machine.feedMmPerMotorRev;
+}
+
+double axisTorqueNm(const Machine& machine, double accelerationMmPerS2)
+{
+    constexpr double kgM2PerKgCm2 = 1e-4;
+    const double radPerS2 = 2 * std::numbers::pi * std::abs(accelerationMmPerS2) / machine.feedMmPerMotorRev;
+    return machine.inertiaKgCm2 * kgM2PerKgCm2 * radPerS2 + machine.frictionNm;
 }
 
 } // namespace campanel::profile

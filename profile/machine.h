@@ -21,6 +21,13 @@ struct Machine {
         info(Field::MaxPulseFrequency).defaultValue; // 200 kHz open collector, 500 kHz line driver
     double maxRateBagsPerMin = info(Field::MaxRate).defaultValue;
 
+    // An axis other than the knife's: what moves is not on a circle.
+    double feedMmPerMotorRev = info(Field::FeedPerMotorRev).defaultValue;
+    double maxAccelerationMmPerS2 = info(Field::MaxAcceleration).defaultValue;
+    double maxTorqueNm = info(Field::MaxTorque).defaultValue;
+    double inertiaKgCm2 = info(Field::Inertia).defaultValue; // of all that turns, seen by the motor
+    double frictionNm = info(Field::Friction).defaultValue;  // seen by the motor
+
     // From the controller's identity block.
     std::uint32_t timerClockHz = 8000000;
     int timerBits = 16;
@@ -46,6 +53,12 @@ struct PulsesPerCycle {
 [[nodiscard]] double strokeMm(const Machine& machine);               // h = 2 pi R / N
 [[nodiscard]] double pulsesPerMm(const Machine& machine);            // K Z / (2 pi R), eq. 10 of the paper
 [[nodiscard]] double motorRpmPerMmPerS(const Machine& machine);      // 60 Z / (2 pi R)
+
+// The same of an axis other than the knife's.
+[[nodiscard]] double axisPulsesPerMm(const Machine& machine);  // K / feed
+[[nodiscard]] double axisRpmPerMmPerS(const Machine& machine); // 60 / feed
+// Motor torque at this acceleration: J alpha + friction, always as a magnitude.
+[[nodiscard]] double axisTorqueNm(const Machine& machine, double accelerationMmPerS2);
 
 // Range of timer constants, in ticks per pulse. The smallest also bounds the frequency: clock / smallest <=
 // max.

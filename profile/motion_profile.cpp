@@ -8,27 +8,63 @@
 
 namespace campanel::profile {
 
+namespace {
+
+MotionPoint rampAt(const Segment& segment, double elapsedS)
+{
+    const double duration = segment.durationS;
+    const double change = segment.endVelocityMmPerS - segment.startVelocityMmPerS;
+    const double x = std::clamp(elapsedS / duration, 0.0, 1.0);
+    const LawPoint p = segment.law->at(segment.isMirrored ? 1 - x : x, segment.parameters);
+    const double acceleration = change / duration * p.g1;
+    const double jerk = change / (duration * duration) * p.g2;
+    if (!segment.isMirrored) {
+        return {segment.startPositionMm + segment.startVelocityMmPerS * elapsedS +
+                    change * duration * p.integral,
+                segment.startVelocityMmPerS + change * p.g, acceleration, jerk};
+    }
+    const double whole = segment.law->isSymmetric ? 0.5 : segment.law->at(1, segment.parameters).integral;
+    return {segment.startPositionMm + segment.endVelocityMmPerS * elapsedS -
+                change * duration * (whole - p.integral),
+            segment.endVelocityMmPerS - change * p.g, acceleration, -jerk};
+}
+
+MotionPoint displacementAt(const Segment& segment, double elapsedS)
+{
+    const double duration = segment.durationS;
+    const LawPoint p = segment.law->at(std::clamp(elapsedS / duration, 0.0, 1.0), segment.parameters);
+    return {segment.startPositionMm + segment.startVelocityMmPerS * elapsedS + segment.distanceMm * p.g,
+            segment.startVelocityMmPerS + segment.distanceMm / duration * p.g1,
+            segment.distanceMm / (duration * duration) * p.g2,
+            segment.distanceMm / (duration * duration * duration) * p.g3};
+}
+
+MotionPoint cubicAt(const Segment& segment, double t)
+{
+    const double v0 = segment.startVelocityMmPerS;
+    const double a0 = segment.startAccelerationMmPerS2;
+    const double j = segment.jerkMmPerS3;
+    return {segment.startPositionMm + t * (v0 + t * (a0 / 2 + t * j / 6)), v0 + t * (a0 + t * j / 2),
+            a0 + t * j, j};
+}
+
+} // namespace
+
 MotionPoint Segment::at(double timeS) const
 {
     const double elapsed = timeS - startS;
-    if (law == nullptr || durationS <= 0)
-        return {startPositionMm + startVelocityMmPerS * elapsed, startVelocityMmPerS, 0, 0};
-    const double change = endVelocityMmPerS - startVelocityMmPerS;
-    const double x = std::clamp(elapsed / durationS, 0.0, 1.0);
-    const LawPoint p = law->at(isMirrored ? 1 - x : x, parameters);
-    const double acceleration = change / durationS * p.g1;
-    const double jerk = change / (durationS * durationS) * p.g2;
-    if (!isMirrored) {
-        return {startPositionMm + startVelocityMmPerS * elapsed + change * durationS * p.integral,
-                startVelocityMmPerS + change * p.g, acceleration, jerk};
-    }
-    const double whole = law->isSymmetric ? 0.5 : law->at(1, parameters).integral;
-    return {startPositionMm + endVelocityMmPerS * elapsed - change * durationS * (whole - p.integral),
-            endVelocityMmPerS - change * p.g, acceleration, -jerk};
+    if (form == SegmentForm::Cubic)
+        return cubicAt(*this, elapsed);
+    if (form == SegmentForm::Ramp && durationS > 0)
+        return rampAt(*this, elapsed);
+    if (form == SegmentForm::Displacement && durationS > 0)
+        return displacementAt(*this, elapsed);
+    return {startPositionMm + startVelocityMmPerS * elapsed, startVelocityMmPerS, 0, 0};
 }
 
 void MotionProfile::append(Segment segment)
 {
+    segment.startPositionMm = m_startPositionMm;
     if (!m_segments.empty()) {
         const Segment& last = m_segments.back();
         segment.startS = last.endS();
@@ -50,12 +86,39 @@ void MotionProfile::addRamp(double durationS, double fromMmPerS, double toMmPerS
                             const LawParameters& parameters, bool isMirrored)
 {
     Segment segment;
+    segment.form = SegmentForm::Ramp;
     segment.durationS = durationS;
     segment.startVelocityMmPerS = fromMmPerS;
     segment.endVelocityMmPerS = toMmPerS;
     segment.law = &law;
     segment.parameters = parameters;
     segment.isMirrored = isMirrored;
+    append(segment);
+}
+
+void MotionProfile::addDisplacement(double durationS, double distanceMm, const Law& law,
+                                    const LawParameters& parameters, double velocityMmPerS)
+{
+    Segment segment;
+    segment.form = SegmentForm::Displacement;
+    segment.durationS = durationS;
+    segment.startVelocityMmPerS = velocityMmPerS;
+    segment.endVelocityMmPerS = velocityMmPerS;
+    segment.distanceMm = distanceMm;
+    segment.law = &law;
+    segment.parameters = parameters;
+    append(segment);
+}
+
+void MotionProfile::addCubic(double durationS, double velocityMmPerS, double accelerationMmPerS2,
+                             double jerkMmPerS3)
+{
+    Segment segment;
+    segment.form = SegmentForm::Cubic;
+    segment.durationS = durationS;
+    segment.startVelocityMmPerS = velocityMmPerS;
+    segment.startAccelerationMmPerS2 = accelerationMmPerS2;
+    segment.jerkMmPerS3 = jerkMmPerS3;
     append(segment);
 }
 

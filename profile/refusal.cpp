@@ -44,6 +44,35 @@ std::string overLimit(std::string_view what, const Refusal& r)
                    " % over the limit of ", withUnit(fixedText(r.allowed, decimals), r.unit), "."});
 }
 
+std::string knotReason(const Refusal& r)
+{
+    const std::string knot = concat({"Knot ", std::to_string(r.index + 1)});
+    const std::string actual = withUnit(significantText(r.actual), r.unit);
+    const std::string allowed = withUnit(significantText(r.allowed), r.unit);
+    switch (r.limit) {
+    case Limit::KnotCount:
+        return concat({"A cam of ", fixedText(r.actual, 0), " knots; the nearest number it can have is ",
+                       fixedText(r.allowed, 0), "."});
+    case Limit::KnotOrder:
+        return concat({knot, " at ", actual, " must come after the one before it at ", allowed, "."});
+    case Limit::KnotSpacing:
+        return concat({knot, " is ", actual, " after the one before it; keep at least ", allowed, "."});
+    case Limit::KnotRange:
+        return concat({knot, " at ", actual, " is out of range; the nearest place is ", allowed, "."});
+    case Limit::KnotEnds:
+        return concat({knot, " is at ", actual, " but the cam must have one at ", allowed, "."});
+    case Limit::Overshoot:
+        return concat({"Near knot ", std::to_string(r.index + 1), " the curve reaches ", actual,
+                       ", beyond the knots' own range, which ends at ", allowed,
+                       ". Move the knot or add one beside it."});
+    case Limit::WrapJump:
+        return concat(
+            {"Where the cycle closes the ", r.lawParameter, " jumps by ", actual, "; choose periodic ends."});
+    default:
+        return {};
+    }
+}
+
 std::string reason(const Refusal& r)
 {
     switch (r.limit) {
@@ -79,6 +108,39 @@ std::string reason(const Refusal& r)
     case Limit::TooFewPulses:
         return concat({"A cycle has ", significantText(r.actual), " pulses; it needs at least ",
                        fixedText(r.allowed, 0), "."});
+    case Limit::AxisAcceleration:
+        return overLimit("Acceleration", r);
+    case Limit::MotorTorque:
+        return overLimit("Motor torque", r);
+    case Limit::NoMotion:
+        return concat({info(r.field).name, " is ", fieldValue(r.field, r.actual),
+                       ": nothing would move. Enter another value."});
+    case Limit::DistanceTooShort:
+        return concat({"The speeds need at least ", fieldValue(Field::Distance, r.allowed), ", not ",
+                       fieldValue(Field::Distance, r.actual), "."});
+    case Limit::DistanceSign:
+        return concat({"A distance of ", fieldValue(Field::Distance, r.actual),
+                       " points the other way than the speeds. Change its sign."});
+    case Limit::MasterTooFast:
+        return overLimit("Pulse frequency between two updates of the master", r);
+    case Limit::StageOrder:
+        return concat({info(r.field).name, " ", fieldValue(r.field, r.actual), " must be beyond ",
+                       fieldValue(r.field, r.allowed), "."});
+    case Limit::ForceOrder:
+        return concat({info(r.field).name, " ", fieldValue(r.field, r.actual), " must be at most ",
+                       fieldValue(r.field, r.allowed), "."});
+    case Limit::TableRange:
+        return concat({"The table would hold ", significantText(r.actual),
+                       " where the controller takes at most ", significantText(r.allowed),
+                       ". Use fewer pulses per revolution or a shorter motion."});
+    case Limit::KnotCount:
+    case Limit::KnotOrder:
+    case Limit::KnotSpacing:
+    case Limit::KnotRange:
+    case Limit::KnotEnds:
+    case Limit::Overshoot:
+    case Limit::WrapJump:
+        return knotReason(r);
     }
     return {};
 }
@@ -87,10 +149,13 @@ std::string reason(const Refusal& r)
 
 std::string_view limitId(Limit limit)
 {
-    static constexpr std::array<std::string_view, 12> ids{
-        "field_range",     "pinned_pair",         "law_unknown",  "law_parameter",
-        "ratio_order",     "stroke_cannot_close", "motor_speed",  "knife_acceleration",
-        "pulse_frequency", "machine_rate",        "row_capacity", "too_few_pulses"};
+    static constexpr std::array<std::string_view, 28> ids{
+        "field_range",         "pinned_pair",     "law_unknown",        "law_parameter",   "ratio_order",
+        "stroke_cannot_close", "motor_speed",     "knife_acceleration", "pulse_frequency", "machine_rate",
+        "row_capacity",        "too_few_pulses",  "axis_acceleration",  "motor_torque",    "no_motion",
+        "distance_too_short",  "distance_sign",   "knot_count",         "knot_order",      "knot_spacing",
+        "knot_range",          "knot_ends",       "overshoot",          "wrap_jump",       "stage_order",
+        "force_order",         "master_too_fast", "table_range"};
     return ids[static_cast<std::size_t>(limit)];
 }
 

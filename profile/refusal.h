@@ -27,6 +27,22 @@ enum class Limit : std::uint8_t {
     MachineRate,
     RowCapacity,  // the table has more rows than the controller holds
     TooFewPulses, // less than one pulse per cycle
+    AxisAcceleration,
+    MotorTorque,
+    NoMotion,         // nothing to do: no distance, no change of speed, no master speed
+    DistanceTooShort, // for the two speeds and the law; `allowed` is the least one
+    DistanceSign,     // the distance points the other way than the speeds
+    KnotCount,        // fewer or more knots than a cam has; `allowed` is the nearest number
+    KnotOrder,        // knot `index` does not come after the one before it
+    KnotSpacing,      // knots `index` - 1 and `index` are closer than `allowed` degrees
+    KnotRange,        // knot `index` lies outside 0..360 degrees, or the slave's range
+    KnotEnds,         // the first is not at 0 or the last not at 360 degrees
+    Overshoot,        // the spline leaves the range of its knots by more than a tenth of their span
+    WrapJump,         // position, speed or acceleration jump where the cycle closes
+    StageOrder,       // a press stage ends before it begins: `field` must exceed `allowed`
+    ForceOrder,       // `field` must not exceed `allowed`
+    MasterTooFast,    // the slave would need more pulses in one update than the output stage gives
+    TableRange,       // a table value that its register cannot hold
 };
 
 // Stable id of a limit, for logs and machine-readable output.
@@ -54,7 +70,9 @@ struct Refusal {
     std::optional<double> angleDeg; // the same as an angle of the master, 360 degrees per cycle
     std::vector<TimeSpan> brokenDuring;
     std::vector<Suggestion> nearest; // best first; empty when no single input alone can mend it
-    std::string_view lawParameter;   // id of the parameter, for LawParameter only
+    std::string_view
+        lawParameter; // LawParameter: id of the parameter; WrapJump: "position", "speed", "acceleration"
+    int index = -1;   // of the knot, from 0, for the limits of knots only
 };
 
 // One or two English sentences: what is wrong, by how much, where, and what to do.

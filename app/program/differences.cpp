@@ -15,7 +15,8 @@ std::vector<Difference> differences(std::span<const std::uint16_t> a, std::span<
     const modbus::RegisterReader readA(a, 0);
     const modbus::RegisterReader readB(b, 0);
     for (const modbus::RegisterInfo& info : modbus::bankFields()) {
-        if (!info.name.starts_with("program."))
+        if (!info.name.starts_with("program.") ||
+            !info.appliesTo(modbus::ProgramKind::RotaryCutter, modbus::TableLayout::StepTable))
             continue;
         if (std::ranges::equal(a.subspan(info.address, info.count), b.subspan(info.address, info.count)))
             continue;

@@ -105,8 +105,8 @@ std::string describe(const DecodeError& error)
     const std::string code = std::to_string(error.code);
     switch (error.kind) {
     case DecodeErrorKind::Layout:
-        return "The controller's program has layout " + code + ", this program knows layout " +
-               std::to_string(modbus::bankLayout) + ". Update the panel's software.";
+        return "The controller's program has layout " + code +
+               ", which this version does not know. Update the panel's software.";
     case DecodeErrorKind::Kind:
         return "The controller runs a program of kind " + code +
                ", which this version cannot show. Update the panel's software.";
@@ -127,7 +127,7 @@ tl::expected<Recipe, DecodeError> decodeProgram(std::span<const std::uint16_t> r
         return tl::unexpected(DecodeError{kind, code});
     };
     const modbus::BankHeader header = modbus::decodeBankHeader(registers);
-    if (header.layout != modbus::bankLayout)
+    if (header.layout != static_cast<std::uint16_t>(modbus::TableLayout::StepTable))
         return refuse(DecodeErrorKind::Layout, header.layout);
     if (header.kind != modbus::ProgramKind::RotaryCutter)
         return refuse(DecodeErrorKind::Kind, static_cast<int>(header.kind));

@@ -78,7 +78,7 @@ static uint32_t bad_header_offset(const ctl_bank* bank, uint32_t length)
                                      CTL_OFFSET_BANK_SYNC_END};
     const uint16_t* header = bank->registers;
     const uint32_t rows = ctl_bank_row_count(bank);
-    if (header[CTL_OFFSET_BANK_LAYOUT] != CTL_BANK_LAYOUT)
+    if (header[CTL_OFFSET_BANK_LAYOUT] != CTL_TABLE_LAYOUT_STEP_TABLE)
         return CTL_OFFSET_BANK_LAYOUT;
     if (header[CTL_OFFSET_BANK_KIND] != CTL_PROGRAM_KIND_ROTARY_CUTTER)
         return CTL_OFFSET_BANK_KIND;

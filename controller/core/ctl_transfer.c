@@ -6,8 +6,6 @@
 
 #include <string.h>
 
-_Static_assert(CTL_BANK_REGISTERS <= 64u * CTL_BLOCK_REGISTERS, "the blocks of a bank fit the bit map");
-
 /* The transfer registers as written by the panel. */
 enum { SESSION = 0, OPERATION = 1, BLOCK = 2, LENGTH = 3, DATA = 4 };
 
@@ -16,11 +14,16 @@ static uint32_t block_count(const ctl_transfer* transfer)
     return (transfer->length + CTL_BLOCK_REGISTERS - 1u) / CTL_BLOCK_REGISTERS;
 }
 
+static bool has_block(const ctl_transfer* transfer, uint32_t block)
+{
+    return (transfer->received_blocks[block / 32u] >> block % 32u & 1u) != 0;
+}
+
 static uint16_t next_missing(const ctl_transfer* transfer)
 {
     const uint32_t blocks = block_count(transfer);
     uint32_t block = 0;
-    while (block < blocks && (transfer->received_blocks >> block & 1u) != 0)
+    while (block < blocks && has_block(transfer, block))
         ++block;
     return (uint16_t)block;
 }
@@ -32,7 +35,7 @@ void ctl_transfer_discard(ctl_core* core)
     transfer->session = 0;
     transfer->kind = 0;
     transfer->length = 0;
-    transfer->received_blocks = 0;
+    memset(transfer->received_blocks, 0, sizeof transfer->received_blocks);
     transfer->staged_crc = 0;
 }
 
@@ -49,7 +52,7 @@ static uint16_t begin(ctl_core* core, const uint16_t* request)
         return CTL_TRANSFER_RESULT_WRONG_MAP_VERSION;
     if (kind != CTL_PROGRAM_KIND_ROTARY_CUTTER)
         return CTL_TRANSFER_RESULT_KIND_NOT_SUPPORTED;
-    if (length <= CTL_BANK_HEADER_REGISTERS || length > CTL_BANK_REGISTERS ||
+    if (length <= CTL_BANK_HEADER_REGISTERS || length > CTL_BANK_HEADER_REGISTERS + CTL_ROW_REGISTERS * CTL_ROW_CAPACITY ||
         (length - CTL_BANK_HEADER_REGISTERS) % CTL_ROW_REGISTERS != 0)
         return CTL_TRANSFER_RESULT_BAD_LENGTH;
     /* The same transfer begun again goes on where it was interrupted. */
@@ -81,7 +84,7 @@ static uint16_t receive_block(ctl_core* core, const uint16_t* request)
     if (request[LENGTH] != expected)
         return CTL_TRANSFER_RESULT_BAD_LENGTH;
     memcpy(&ctl_staged_bank(core)->registers[first], &request[DATA], expected * sizeof request[0]);
-    transfer->received_blocks |= (uint64_t)1 << block;
+    transfer->received_blocks[block / 32u] |= 1u << block % 32u;
     return CTL_TRANSFER_RESULT_ACCEPTED;
 }
 

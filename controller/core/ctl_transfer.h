@@ -4,6 +4,8 @@
 #define CTL_TRANSFER_H
 
 #include <stdbool.h>
+#include "ctl_registers.h"
+
 #include <stdint.h>
 
 #ifdef __cplusplus
@@ -11,6 +13,7 @@ extern "C" {
 #endif
 
 #define CTL_TRANSFER_RESULT_REGISTERS 8u
+#define CTL_TRANSFER_BLOCK_WORDS ((CTL_BANK_REGISTERS / CTL_BLOCK_REGISTERS + 32u) / 32u)
 
 struct ctl_core;
 
@@ -19,7 +22,7 @@ typedef struct {
     uint16_t session;         /* 0 when there is none */
     uint16_t kind;            /* announced */
     uint16_t length;          /* registers announced */
-    uint64_t received_blocks; /* bit n: block n is here */
+    uint32_t received_blocks[CTL_TRANSFER_BLOCK_WORDS]; /* bit n: block n is here */
     uint32_t staged_crc;      /* 0 until sealed */
     uint16_t operation;       /* echo of the last request */
     uint16_t block;

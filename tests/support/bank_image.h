@@ -46,7 +46,7 @@ struct BankImage {
             result.at(offset) = static_cast<std::uint16_t>(value >> 16);
             result.at(offset + 1) = static_cast<std::uint16_t>(value & 0xFFFFu);
         };
-        result[CTL_OFFSET_BANK_LAYOUT] = CTL_BANK_LAYOUT;
+        result[CTL_OFFSET_BANK_LAYOUT] = CTL_TABLE_LAYOUT_STEP_TABLE;
         result[CTL_OFFSET_BANK_KIND] = CTL_PROGRAM_KIND_ROTARY_CUTTER;
         result[CTL_OFFSET_BANK_ROW_COUNT] = static_cast<std::uint16_t>(rows.size());
         wide(CTL_OFFSET_BANK_CYCLE_TICKS, cycleTicks());
