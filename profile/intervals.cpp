@@ -219,20 +219,28 @@ tl::expected<IntervalTable, Refusal> compileIntervals(const MotionProfile& motio
 
     const double errorHz = speedErrorMmPerS * pulsesPerMm;
     PlanRules rules = planRules(curve, machine, mode, std::isfinite(errorHz) ? errorHz : 0);
-    auto rows = plan(curve, rules);
-    if (!rows) {
-        const double triedHz = std::isfinite(errorHz) ? std::max(0.0, errorHz) : 0;
-        return tl::unexpected(refusal(Limit::SpeedError, speedErrorMmPerS,
-                                      keptSpeedErrorMmPerS(curve, machine, mode, triedHz), "mm/s"));
+    // What lies between the samples of the search is measured afterwards; a plan beyond the error is made
+    // again.
+    constexpr int attempts = 4;
+    constexpr double tighter = 0.95;
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+        auto rows = plan(curve, rules);
+        if (!rows)
+            break;
+        IntervalTable table;
+        table.rows = refined(curve, rules, std::move(*rows));
+        table.fractionBits = rules.fractionBits;
+        table.advance = static_cast<std::int64_t>(direction) * curve.wholePulses();
+        table.profileTimeS = duration;
+        measure(table, motion, pulsesPerMm, rules.iterationS);
+        table.cycleTicks = static_cast<std::uint32_t>(std::ceil(table.timeS * machine.timerClockHz - 1e-6));
+        if (table.errors.speedMmPerS <= speedErrorMmPerS)
+            return table;
+        rules.toleranceHz *= tighter;
     }
-    IntervalTable table;
-    table.rows = refined(curve, rules, std::move(*rows));
-    table.fractionBits = rules.fractionBits;
-    table.advance = static_cast<std::int64_t>(direction) * curve.wholePulses();
-    table.profileTimeS = duration;
-    measure(table, motion, pulsesPerMm, rules.iterationS);
-    table.cycleTicks = static_cast<std::uint32_t>(std::ceil(table.timeS * machine.timerClockHz - 1e-6));
-    return table;
+    const double triedHz = std::isfinite(errorHz) ? std::max(0.0, errorHz) : 0;
+    return tl::unexpected(refusal(Limit::SpeedError, speedErrorMmPerS,
+                                  keptSpeedErrorMmPerS(curve, machine, mode, triedHz), "mm/s"));
 }
 
 } // namespace campanel::profile

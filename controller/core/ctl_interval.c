@@ -28,7 +28,7 @@ ctl_interval_row ctl_interval_bank_row(const ctl_bank* bank, uint32_t index)
     return row;
 }
 
-/* Keeps the generator one row ahead. */
+/* Keeps the generator one row ahead; a speed that is held is one more row, without end. */
 static void feed(ctl_interval* interval)
 {
     const uint32_t rows = ctl_bank_row_count(interval->bank);
@@ -39,6 +39,14 @@ static void feed(ctl_interval* interval)
             row.distance += (uint32_t)interval->direction;
         (void)ctl_dda_write(&interval->dda, row);
     }
+    const bool holds = interval->bank->registers[CTL_OFFSET_BANK_END_BEHAVIOR] == CTL_END_BEHAVIOR_HOLD_SPEED;
+    if (holds && interval->next_row == rows && (ctl_dda_status(&interval->dda) & CTL_DDA_WRITABLE) != 0) {
+        ctl_interval_row row = ctl_interval_bank_row(interval->bank, rows - 1u);
+        row.distance = UINT32_MAX;
+        row.first_speed = row.last_speed;
+        interval->next_row += 1;
+        (void)ctl_dda_write(&interval->dda, row);
+    }
 }
 
 static void stand(ctl_interval* interval, const ctl_bank* bank)
@@ -46,7 +54,6 @@ static void stand(ctl_interval* interval, const ctl_bank* bank)
     interval->bank = bank;
     interval->direction = advance_of(bank) < 0 ? -1 : 1;
     interval->in_cycle = false;
-    interval->holds = false;
     interval->cycle_ticks = 0;
     interval->next_row = 0;
     ctl_dda_reset(&interval->dda, fraction_bits(bank));
@@ -97,24 +104,9 @@ void ctl_interval_begin_cycle(ctl_interval* interval)
     feed(interval);
 }
 
-void ctl_interval_begin_hold(ctl_interval* interval)
+bool ctl_interval_holding(const ctl_interval* interval)
 {
-    const uint32_t rows = ctl_bank_row_count(interval->bank);
-    ctl_interval_row row = ctl_interval_bank_row(interval->bank, rows - 1u);
-    row.distance = UINT32_MAX;
-    row.first_speed = row.last_speed;
-    stand(interval, interval->bank);
-    interval->next_row = rows;
-    interval->in_cycle = true;
-    interval->holds = true;
-    (void)ctl_dda_write(&interval->dda, row);
-}
-
-static void count_ticks(ctl_interval* interval, uint32_t ticks)
-{
-    /* A held speed has no end; the angle of a cycle does. */
-    if (!interval->holds)
-        interval->cycle_ticks += ticks;
+    return interval->next_row > ctl_bank_row_count(interval->bank) && !interval->dda.has_loaded;
 }
 
 int32_t ctl_interval_advance(ctl_interval* interval, uint32_t* ticks)
@@ -123,6 +115,7 @@ int32_t ctl_interval_advance(ctl_interval* interval, uint32_t* ticks)
         *ticks = 0;
         return 0;
     }
+    const bool held = ctl_interval_holding(interval);
     uint64_t time = interval->iterations_rest + (uint64_t)*ticks * interval->iterations;
     uint32_t emitted = 0;
     while (interval->in_cycle && time >= interval->ticks) {
@@ -130,8 +123,8 @@ int32_t ctl_interval_advance(ctl_interval* interval, uint32_t* ticks)
         uint32_t iterations = whole < MOST_ITERATIONS ? (uint32_t)whole : MOST_ITERATIONS;
         emitted += ctl_dda_iterate(&interval->dda, &iterations);
         time -= (uint64_t)iterations * interval->ticks;
-        if (interval->holds)
-            interval->dda.emitted = 0;
+        if (ctl_interval_holding(interval))
+            interval->dda.emitted = 0; /* without end */
         feed(interval);
         interval->in_cycle = interval->dda.moves;
     }
@@ -141,7 +134,8 @@ int32_t ctl_interval_advance(ctl_interval* interval, uint32_t* ticks)
         interval->iterations_rest = time % interval->iterations;
         *ticks -= unused;
     }
-    count_ticks(interval, *ticks);
+    if (!held)
+        interval->cycle_ticks += *ticks;
     return interval->direction * (int32_t)emitted;
 }
 

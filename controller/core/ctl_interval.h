@@ -17,7 +17,6 @@ typedef struct {
     ctl_dda dda;
     uint32_t next_row; /* to be written to the generator */
     bool in_cycle;
-    bool holds;               /* the last speed is held beyond the table's end */
     int32_t direction;        /* 1 or -1 */
     uint32_t cycle_ticks;     /* passed in the cycle */
     uint32_t owed;            /* fraction of a pulse owed, numerator over the bank's divisor */
@@ -37,12 +36,13 @@ bool ctl_interval_between_cycles(const ctl_interval* interval);
 /* Between two cycles: start the next one; the bank's remainder becomes due. A whole pulse owed makes the last
  * row one longer, backwards one shorter. */
 void ctl_interval_begin_cycle(ctl_interval* interval);
-/* Between two cycles: go on at the table's last speed; ends with a reset or a change of bank only. */
-void ctl_interval_begin_hold(ctl_interval* interval);
 /* Moves on by *ticks, at most to the end of the cycle; returns the pulses, negative in reverse. *ticks
  * becomes what was used: a cycle ends with the tick in or at the end of which its last pulse came. */
 int32_t ctl_interval_advance(ctl_interval* interval, uint32_t* ticks);
 
+/* The table is over and its last speed is held, as bank.end_behavior says; such a cycle ends with a reset or
+ * a change of bank only. */
+bool ctl_interval_holding(const ctl_interval* interval);
 /* CTL_DDA_... */
 uint32_t ctl_interval_status(const ctl_interval* interval);
 /* Pulse frequency now, negative in reverse, 0 between two cycles. */

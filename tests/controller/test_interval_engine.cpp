@@ -337,23 +337,31 @@ void TestIntervalEngine::fractionOwed()
     }
 }
 
+// After the ten pulses the accumulators run on at the last speed, without a gap.
 void TestIntervalEngine::holdsTheLastSpeed()
 {
     const auto bank = bankOf(std::vector{correctedRow}, 8, true);
+    bank->registers[CTL_OFFSET_BANK_END_BEHAVIOR] = CTL_END_BEHAVIOR_HOLD_SPEED;
     ctl_interval interval{};
     ctl_interval_reset(&interval, bank.get(), 8'000'000);
     QCOMPARE(ctl_interval_hz(&interval), std::int64_t{0});
-    ctl_interval_begin_hold(&interval);
-    QCOMPARE(ctl_interval_hz(&interval), std::int64_t{-799}); // 799.9996, cut off
+    ctl_interval_begin_cycle(&interval);
+    QVERIFY(!ctl_interval_holding(&interval));
     std::int64_t emitted = 0;
-    for (int second = 0; second < 10'000; ++second) {
+    constexpr int seconds = 10'000;
+    for (int second = 0; second < seconds; ++second) {
         std::uint32_t ticks = 8'000'000;
         emitted += ctl_interval_advance(&interval, &ticks);
         QCOMPARE(ticks, 8'000'000u);
+        QVERIFY(ctl_interval_holding(&interval));
     }
     QVERIFY(!ctl_interval_between_cycles(&interval));
-    // 206158 / 2^31 * 25e6 / 3 = 800.0003 or 799.9997 pulses/s, to the last pulse.
-    QCOMPARE(emitted, -std::int64_t{206158LL * 25'000'000 / 3 * 10'000 >> 31});
+    QCOMPARE(ctl_interval_hz(&interval), std::int64_t{-799}); // 799.9995, cut off
+    PlainModel plain{8};
+    (void)plain.run(correctedRow);
+    const std::uint64_t rest = std::uint64_t{25'000'000} * seconds / 3 - plain.now;
+    const std::uint64_t held = (plain.positionRest + rest * correctedRow.last_speed) >> 31u;
+    QCOMPARE(emitted, -10 - static_cast<std::int64_t>(held));
 }
 
 void TestIntervalEngine::check_data()

@@ -1,1 +1,357 @@
-int main(){}
+// SPDX-License-Identifier: Apache-2.0
+// The compiler of intervals: sums, joints and errors of its tables, checked with the accumulators gone
+// through iteration by iteration; the number of rows against known shapes and against an exhaustive search.
+#include "profile/interval_plan.h"
+#include "profile/intervals.h"
+#include "profile/laws.h"
+#include "recipes.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+using namespace campanel::profile;
+
+namespace {
+
+constexpr double k = 1.00663296; // 2^23 / (50e6 / 6)
+
+const Law& lawOf(LawId id)
+{
+    return *std::ranges::find(laws(), id, &Law::id);
+}
+
+MotionProfile move(LawId id, double distanceMm, double durationS, LawParameters parameters = {})
+{
+    MotionProfile motion;
+    motion.addDisplacement(durationS, distanceMm, lawOf(id), parameters);
+    return motion;
+}
+
+// 0 -> 200 mm/s in 0.2 s, 0.5 s, back in 0.25 s: 2000, 10000 and 2500 pulses.
+MotionProfile trapezoid(double sign = 1)
+{
+    MotionProfile motion;
+    motion.addCubic(0.2, 0, sign * 1000, 0);
+    motion.addConstant(0.5, sign * 200);
+    motion.addCubic(0.25, sign * 200, sign * -800, 0);
+    return motion;
+}
+
+// What holds for every table; empty when it does.
+QString broken(const IntervalTable& table, double speedErrorMmPerS)
+{
+    std::int64_t pulses = 0;
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        const IntervalRow& row = table.rows[i];
+        pulses += row.pulses;
+        if (row.pulses == 0 || row.firstSpeed == 0 || row.lastSpeed == 0)
+            return QStringLiteral("row %1 has a zero").arg(i);
+        if (i > 0 && row.firstSpeed != table.rows[i - 1].lastSpeed)
+            return QStringLiteral("the speed jumps before row %1").arg(i);
+        const double v0 = row.firstSpeed;
+        const double v1 = row.lastSpeed;
+        const double scale = std::ldexp(2.0, table.fractionBits);
+        if (v0 != v1 && std::abs(v1 * v1 - v0 * v0) / (scale * row.acceleration) >= row.pulses + 1.0)
+            return QStringLiteral("the ramp of row %1 is longer than its distance").arg(i);
+    }
+    if (pulses != std::abs(table.advance))
+        return QStringLiteral("%1 pulses, not %2").arg(pulses).arg(table.advance);
+    if (!(table.errors.speedMmPerS <= speedErrorMmPerS))
+        return QStringLiteral("speed error %1").arg(table.errors.speedMmPerS);
+    return {};
+}
+
+// Time of the last pulse by the flow chart of the paper.
+double plainTimeS(const IntervalTable& table)
+{
+    std::uint64_t iterations = 0;
+    std::uint64_t position = 0;
+    const std::uint64_t capacity = std::uint64_t{1} << (23 + table.fractionBits);
+    for (const IntervalRow& row : table.rows) {
+        std::uint64_t speed = row.firstSpeed;
+        std::uint64_t rest = 0;
+        for (std::uint32_t pulses = 0; pulses < row.pulses;) {
+            ++iterations;
+            rest += row.acceleration;
+            for (; rest >= 1u << 23u; rest -= 1u << 23u)
+                speed += speed < row.lastSpeed ? 1u : (speed > row.lastSpeed ? ~std::uint64_t{0} : 0u);
+            position += speed;
+            if (position >= capacity) {
+                position -= capacity;
+                ++pulses;
+            }
+        }
+    }
+    return static_cast<double>(iterations) * 6 / 50e6;
+}
+
+} // namespace
+
+class TestIntervals : public QObject {
+    Q_OBJECT
+
+private slots:
+    void trapezoidIsThreeRows_data();
+    void trapezoidIsThreeRows();
+    void timeIsTheAccumulators_data();
+    void timeIsTheAccumulators();
+    void laws_data();
+    void laws();
+    void cutter();
+    void fewestOnSmallCases();
+    void refusals();
+    void randomMoves();
+};
+
+void TestIntervals::trapezoidIsThreeRows_data()
+{
+    QTest::addColumn<int>("mode");
+    QTest::addColumn<double>("sign");
+    QTest::newRow("published") << 0 << 1.0;
+    QTest::newRow("corrected") << 1 << 1.0;
+    QTest::newRow("backwards") << 1 << -1.0;
+}
+
+void TestIntervals::trapezoidIsThreeRows()
+{
+    QFETCH(int, mode);
+    QFETCH(double, sign);
+    const auto table = compileIntervals(trapezoid(sign), Machine{}, 2, static_cast<IntervalMode>(mode));
+    QVERIFY(table);
+    QCOMPARE(broken(*table, 0.1), QString());
+    QCOMPARE(table->rows.size(), std::size_t{3});
+    QCOMPARE(table->advance, static_cast<std::int64_t>(sign * 14500));
+    const std::array<double, 3> pulses{2000, 10000, 2500};
+    const double unit = mode == 0 ? 1 : 256 * k;
+    for (std::size_t i = 0; i < 3; ++i)
+        QVERIFY(std::abs(table->rows[i].pulses - pulses[i]) <= 2);
+    QVERIFY(std::abs(table->rows[0].lastSpeed / unit - 20000) < 2);
+    QVERIFY(std::abs(table->rows[1].lastSpeed / unit - 20000) < 2);
+    const double accelerationUnit = mode == 0 ? 1 : 256 * k * k;
+    QVERIFY(std::abs(table->rows[0].acceleration / accelerationUnit - 100'000) < 100);
+    QVERIFY(std::abs(table->rows[2].acceleration / accelerationUnit - 80'000) < 100);
+    // The published registers run k times slower; a rest is reached to a thousandth of a pulse only.
+    QVERIFY(std::abs(table->timeS - 0.95 * (mode == 0 ? k : 1)) < 0.003);
+}
+
+void TestIntervals::timeIsTheAccumulators_data()
+{
+    QTest::addColumn<int>("mode");
+    QTest::newRow("published") << 0;
+    QTest::newRow("corrected") << 1;
+}
+
+void TestIntervals::timeIsTheAccumulators()
+{
+    QFETCH(int, mode);
+    const auto table =
+        compileIntervals(move(LawId::ModifiedSine, 600, 1), Machine{}, 10, static_cast<IntervalMode>(mode));
+    QVERIFY(table);
+    QVERIFY(std::abs(table->timeS - plainTimeS(*table)) < 1e-9);
+    QCOMPARE(table->cycleTicks, static_cast<std::uint32_t>(std::ceil(table->timeS * 8e6 - 1e-6)));
+}
+
+void TestIntervals::laws_data()
+{
+    QTest::addColumn<int>("law");
+    QTest::addColumn<double>("speedError");
+    QTest::addColumn<int>("mostRows");
+    // 600 mm in 1 s; a row bends away from a curve of constant jerk j by j h^2 / 12 at the least.
+    QTest::newRow("cubic, 10 mm/s") << static_cast<int>(LawId::Cubic) << 10.0 << 11;
+    QTest::newRow("cubic, 1 mm/s") << static_cast<int>(LawId::Cubic) << 1.0 << 28;
+    QTest::newRow("quintic, 10 mm/s") << static_cast<int>(LawId::Quintic) << 10.0 << 15;
+    QTest::newRow("quintic, 1 mm/s") << static_cast<int>(LawId::Quintic) << 1.0 << 36;
+    QTest::newRow("modified sine, 10 mm/s") << static_cast<int>(LawId::ModifiedSine) << 10.0 << 14;
+    QTest::newRow("modified sine, 1 mm/s") << static_cast<int>(LawId::ModifiedSine) << 1.0 << 37;
+    QTest::newRow("parabolic, 1 mm/s") << static_cast<int>(LawId::Parabolic) << 1.0 << 2;
+}
+
+void TestIntervals::laws()
+{
+    QFETCH(int, law);
+    QFETCH(double, speedError);
+    QFETCH(int, mostRows);
+    const auto table = compileIntervals(move(static_cast<LawId>(law), 600, 1), Machine{}, speedError,
+                                        IntervalMode::Corrected);
+    QVERIFY(table);
+    QCOMPARE(broken(*table, speedError), QString());
+    QCOMPARE(table->advance, std::int64_t{60000});
+    qInfo("%zu rows, speed error %.3f mm/s, position error %.2f pulses, %.3f us late", table->rows.size(),
+          table->errors.speedMmPerS, table->errors.positionPulses,
+          (table->timeS - table->profileTimeS) * 1e6);
+    QVERIFY(static_cast<int>(table->rows.size()) <= mostRows);
+    QVERIFY(std::abs(table->timeS - 1) < 5e-4);
+}
+
+// The knife of L = 250 mm, its feed being the circumference.
+void TestIntervals::cutter()
+{
+    const test::Recipe recipe = test::checkRecipe();
+    const auto knife = solve(recipe.program, recipe.machine);
+    QVERIFY(knife);
+    Machine machine = recipe.machine;
+    machine.feedMmPerMotorRev = 2 * std::numbers::pi * machine.knifeRadiusMm;
+    const auto table = compileIntervals(knife->motion, machine, 5, IntervalMode::Corrected);
+    QVERIFY(table);
+    QCOMPARE(broken(*table, 5), QString());
+    QCOMPARE(table->advance, std::int64_t{10000});
+    qInfo("%zu rows, speed error %.3f mm/s, %.3f us late", table->rows.size(), table->errors.speedMmPerS,
+          (table->timeS - table->profileTimeS) * 1e6);
+    QVERIFY(table->rows.size() <= 9);
+    QVERIFY(std::abs(table->timeS - 1) < 1e-3);
+}
+
+// Fewest rows by breadth first over every pulse and a grid of speeds, rows being straight lines that begin
+// and end on the curve's time, to the same half pulse.
+namespace {
+
+int fewestRows(const detail::SpeedCurve& curve, double toleranceHz)
+{
+    constexpr int levels = 40; // of speed, to each side of the curve
+    const auto count = static_cast<int>(curve.wholePulses());
+    std::vector<double> times;
+    for (int i = 0; i <= count; ++i)
+        times.push_back(curve.timeAt(i));
+    const auto speed = [&](int i, int level) {
+        return curve.speedAt(times[static_cast<std::size_t>(i)]) + toleranceHz * level / levels;
+    };
+    const auto fits = [&](int i, double first, int j, double last) {
+        const double from = times[static_cast<std::size_t>(i)];
+        const double time = times[static_cast<std::size_t>(j)] - from;
+        if (std::abs((first + last) / 2 * time - (j - i)) > 0.5)
+            return false;
+        for (int s = 0; s <= 16; ++s) {
+            const double x = s / 16.0;
+            if (std::abs(curve.speedAt(from + time * x) - first - (last - first) * x) > toleranceHz * 1.0001)
+                return false;
+        }
+        return true;
+    };
+    std::vector<std::vector<int>> rows(static_cast<std::size_t>(count + 1),
+                                       std::vector<int>(2 * levels + 1, count + 1));
+    for (int level = -levels; level <= levels; ++level) {
+        if (speed(0, level) > 0)
+            rows[0][static_cast<std::size_t>(level + levels)] = 0;
+    }
+    int best = count + 1;
+    for (int j = 1; j <= count; ++j) {
+        for (int last = -levels; last <= levels; ++last) {
+            int& least = rows[static_cast<std::size_t>(j)][static_cast<std::size_t>(last + levels)];
+            for (int i = 0; i < j && speed(j, last) > 0; ++i) {
+                for (int first = -levels; first <= levels; ++first) {
+                    const int before =
+                        rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(first + levels)];
+                    if (before + 1 < least && fits(i, speed(i, first), j, speed(j, last)))
+                        least = before + 1;
+                }
+            }
+            if (j == count)
+                best = std::min(best, least);
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+void TestIntervals::fewestOnSmallCases()
+{
+    Machine machine;
+    int more = 0;
+    int cases = 0;
+    for (const LawId law : {LawId::Cubic, LawId::Quintic, LawId::ModifiedSine, LawId::Parabolic}) {
+        for (const double share : {0.1, 0.2, 0.3}) {
+            const MotionProfile motion = move(law, 0.4, 1); // 40 pulses
+            const detail::SpeedCurve curve(motion, axisPulsesPerMm(machine));
+            const double toleranceHz = share * 40;
+            detail::PlanRules rules;
+            rules.fractionBits = 8;
+            rules.toleranceHz = toleranceHz;
+            rules.maxSpeedHz = 1e5;
+            const auto plan = detail::planRows(curve, rules, 100);
+            const int least = fewestRows(curve, toleranceHz);
+            QVERIFY(plan);
+            qInfo("law %d, %.0f %%: %zu rows, fewest %d", static_cast<int>(law), share * 100, plan->size(),
+                  least);
+            more += std::max(0, static_cast<int>(plan->size()) - least);
+            ++cases;
+        }
+    }
+    qInfo("%d rows more than the fewest in %d cases", more, cases);
+    QVERIFY(more <= 1); // the cubic at 10 %
+}
+
+void TestIntervals::refusals()
+{
+    const Machine machine;
+    const auto limit = [&](const MotionProfile& motion, double error) {
+        const auto table = compileIntervals(motion, machine, error, IntervalMode::Corrected);
+        return table ? std::optional<Limit>() : table.error().limit;
+    };
+    MotionProfile there = move(LawId::Quintic, 100, 1);
+    there.addDisplacement(1, -50, lawOf(LawId::Quintic), {});
+    QCOMPARE(limit(there, 10), std::optional(Limit::Reversal));
+    QCOMPARE(limit(move(LawId::Quintic, 0.001, 1), 10), std::optional(Limit::TooFewPulses));
+    QCOMPARE(limit(move(LawId::Quintic, 600, 1), 0), std::optional(Limit::SpeedError));
+    QCOMPARE(limit(move(LawId::Quintic, 600, 1), -1), std::optional(Limit::SpeedError));
+    QCOMPARE(limit(move(LawId::Quintic, 600, 1), std::nan("")), std::optional(Limit::SpeedError));
+    QCOMPARE(limit(move(LawId::Quintic, 60000, 1), 10), std::optional(Limit::PulseFrequency));
+    const auto tight = compileIntervals(move(LawId::Quintic, 600, 1), machine, 0.01, IntervalMode::Corrected);
+    QVERIFY(!tight && tight.error().limit == Limit::SpeedError);
+    QVERIFY(compileIntervals(move(LawId::Quintic, 600, 1), machine, tight.error().allowed,
+                             IntervalMode::Corrected));
+    QVERIFY(!describe(tight.error()).empty());
+}
+
+void TestIntervals::randomMoves()
+{
+    constexpr unsigned seed = 31;
+    // CAMPANEL_INTERVAL_CASES=10000 takes a minute.
+    const int cases = std::max(1000, qEnvironmentVariableIntValue("CAMPANEL_INTERVAL_CASES"));
+    qInfo("seed %u", seed);
+    std::mt19937 random(seed);
+    const auto uniform = [&random](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    int refused = 0;
+    for (int i = 0; i < cases; ++i) {
+        const Law& law = campanel::profile::laws()[random() % campanel::profile::laws().size()];
+        LawParameters parameters{};
+        for (std::size_t p = 0; p < law.parameters.size(); ++p)
+            parameters[p] = law.parameters[p].defaultValue;
+        const double sign = random() % 2 == 0 ? 1 : -1;
+        const double duration = uniform(0.1, 2);
+        const double distance = sign * uniform(5, 500) * duration;
+        MotionProfile motion;
+        if (law.isDisplacementLaw)
+            motion.addDisplacement(duration, distance, law, parameters);
+        else
+            motion.addRamp(duration, 0, distance / duration, law, parameters, false);
+        const double error = uniform(0.05, 0.2) * std::abs(distance) / duration;
+        const auto mode = static_cast<IntervalMode>(random() % 2);
+        const auto table = compileIntervals(motion, Machine{}, error, mode);
+        if (!table) {
+            QVERIFY2(table.error().limit == Limit::SpeedError, describe(table.error()).c_str());
+            ++refused;
+            continue;
+        }
+        const QString complaint = broken(*table, error);
+        QVERIFY2(complaint.isEmpty(), qPrintable(QStringLiteral("case %1, %2: %3 (allowed %4)")
+                                                     .arg(i)
+                                                     .arg(QString::fromUtf8(law.key.data()))
+                                                     .arg(complaint)
+                                                     .arg(error)));
+        const double pulses = std::abs(motion.at(duration).positionMm) * 100;
+        QVERIFY(std::abs(static_cast<double>(std::abs(table->advance)) - pulses) <= 0.5 + 1e-6);
+        QVERIFY((table->advance > 0) == (sign > 0));
+    }
+    qInfo("%d of %d refused", refused, cases);
+    QVERIFY(refused * 50 < cases);
+}
+
+QTEST_APPLESS_MAIN(TestIntervals)
+#include "test_intervals.moc"
