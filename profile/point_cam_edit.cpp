@@ -84,7 +84,8 @@ std::optional<std::size_t> insertKnot(PointCamProgram& program, double masterDeg
     if (!place)
         return std::nullopt;
     const Knot knot{*place, slaveOnGrid(camCurve(program).at(*place).value)};
-    return static_cast<std::size_t>(knots.insert(next, knot) - knots.begin());
+    const auto inserted = knots.insert(next, knot);
+    return static_cast<std::size_t>(inserted - knots.begin());
 }
 
 bool removeKnot(PointCamProgram& program, std::size_t index)
