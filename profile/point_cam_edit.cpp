@@ -54,9 +54,10 @@ WrapCheck wrapCheck(const PointCamProgram& program)
     const SplinePoint first = curve.pieces().front().at0;
     const SplinePoint last = curve.at(camCycleDeg);
     WrapCheck wrap;
-    const double advanceMm = netAdvanceMm(program);
-    (isMeantToBeClosed(program) ? wrap.positionMm : wrap.advanceMm) = advanceMm;
-    wrap.positionMm = -wrap.positionMm;
+    if (isMeantToBeClosed(program))
+        wrap.positionMm = program.knots.front().slaveMm - program.knots.back().slaveMm;
+    else
+        wrap.advanceMm = netAdvanceMm(program);
     wrap.speedMmPerDeg = first.slope - last.slope;
     wrap.accelerationMmPerDeg2 = first.curvature - last.curvature;
     const double tolerance = 1e-9 * slaveSpanMm(program);
