@@ -81,10 +81,10 @@ std::string reason(const Refusal& r)
     case Limit::PinnedPair:
         return "Pin two different ones of bag length, rate, base speed and film speed.";
     case Limit::LawUnknown:
-        return concat(
-            {"There is no speed law with the code ", fixedText(r.actual, 0), "; choose one of the list."});
+        return concat({"There is no such law for this program (code ", fixedText(r.actual, 0),
+                       "); choose one of the list."});
     case Limit::LawParameter:
-        return concat({"Speed law parameter ", r.lawParameter, " = ", significantText(r.actual),
+        return concat({"Law parameter ", r.lawParameter, " = ", significantText(r.actual),
                        " is outside its range; the nearest allowed value is ", significantText(r.allowed),
                        "."});
     case Limit::RatioOrder:

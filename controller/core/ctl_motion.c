@@ -25,8 +25,12 @@ void ctl_motion_init(ctl_core* core)
         motion->meter.position[i] = motion->actual;
         motion->meter.time_us[i] = core->now_us;
     }
+    ctl_table_init(&motion->table, &core->config);
+    ctl_press_reset(&motion->press);
+    if (ctl_motion_is_press(core))
+        ctl_motion_take_top(core);
     if (core->banks.has_active)
-        ctl_step_reset(&motion->step, ctl_active_bank(core));
+        ctl_table_reset(&motion->table, ctl_active_bank(core));
     ctl_motion_stand(core);
 }
 
@@ -48,13 +52,15 @@ void ctl_motion_change_program(ctl_core* core)
     const bool had_program = core->banks.has_active;
     const bool same = had_program && ctl_bank_same_machine(ctl_active_bank(core), ctl_staged_bank(core));
     ctl_swap_banks(core);
-    if (same && motion->in_phase && ctl_step_between_cycles(&motion->step)) {
-        ctl_step_change_bank(&motion->step, ctl_active_bank(core));
+    if (same && motion->in_phase && ctl_table_between_cycles(&motion->table)) {
+        ctl_table_change_bank(&motion->table, ctl_active_bank(core));
     } else {
         motion->in_phase = false;
         motion->homed = motion->homed && same;
-        ctl_step_reset(&motion->step, ctl_active_bank(core));
+        ctl_table_reset(&motion->table, ctl_active_bank(core));
     }
+    if (ctl_motion_is_press(core) && !same)
+        ctl_motion_take_top(core);
     if (motion->state == CTL_STATE_IDLE)
         motion->state = CTL_STATE_READY;
 }
@@ -66,7 +72,7 @@ void ctl_motion_stand(ctl_core* core)
     motion->manual = false;
     motion->start_after_home = false;
     motion->state = core->banks.has_active ? CTL_STATE_READY : CTL_STATE_IDLE;
-    if (core->transfer.state == CTL_STAGED_STATE_ARMED && ctl_step_between_cycles(&motion->step))
+    if (core->transfer.state == CTL_STAGED_STATE_ARMED && ctl_table_between_cycles(&motion->table))
         ctl_motion_change_program(core);
 }
 
@@ -77,6 +83,8 @@ void ctl_motion_run(ctl_core* core)
     motion->manual = false;
     motion->start_after_home = false;
     motion->state = CTL_STATE_RUNNING;
+    if (ctl_motion_is_press(core))
+        ctl_motion_begin_stroke(core);
 }
 
 void ctl_motion_begin_manual(ctl_core* core, uint32_t frequency_hz, int32_t direction)
@@ -89,7 +97,7 @@ void ctl_motion_begin_manual(ctl_core* core, uint32_t frequency_hz, int32_t dire
     motion->manual_rest = 0;
     motion->in_phase = false;
     if (core->banks.has_active)
-        ctl_step_reset(&motion->step, ctl_active_bank(core));
+        ctl_table_reset(&motion->table, ctl_active_bank(core));
 }
 
 static void begin_homing(ctl_core* core)
@@ -109,10 +117,14 @@ void ctl_motion_fault(ctl_core* core, uint16_t fault_bit)
     ctl_motion* motion = &core->motion;
     motion->fault = (uint16_t)(motion->fault | 1u << fault_bit);
     motion->state = CTL_STATE_FAULT;
+    if (motion->press.stage != CTL_PRESS_STAGE_STANDING) {
+        ctl_press_abandon(&motion->press);
+        motion->cycle_count += 1;
+    }
     motion->ramp.speed = 0;
     motion->manual = false;
     motion->start_after_home = false;
-    motion->homed = false;
+    motion->homed = motion->homed && ctl_motion_is_press(core);
     motion->in_phase = false;
 }
 
@@ -140,7 +152,7 @@ uint16_t ctl_motion_start(ctl_core* core)
     const uint16_t refusal = refuse_to_move(core, CTL_REFUSAL_ALREADY_RUNNING);
     if (refusal != CTL_REFUSAL_NONE)
         return refusal;
-    if (core->motion.in_phase) {
+    if (core->motion.in_phase || !ctl_bank_needs_homing(ctl_active_bank(core))) {
         ctl_motion_run(core);
     } else {
         begin_homing(core);
@@ -152,9 +164,13 @@ uint16_t ctl_motion_start(ctl_core* core)
 uint16_t ctl_motion_home(ctl_core* core)
 {
     const uint16_t refusal = refuse_to_move(core, CTL_REFUSAL_NOT_STANDSTILL);
-    if (refusal == CTL_REFUSAL_NONE)
+    if (refusal != CTL_REFUSAL_NONE)
+        return refusal;
+    if (ctl_motion_is_press(core))
+        ctl_motion_take_top(core);
+    else
         begin_homing(core);
-    return refusal;
+    return CTL_REFUSAL_NONE;
 }
 
 uint16_t ctl_motion_stop_now(ctl_core* core)
@@ -165,6 +181,8 @@ uint16_t ctl_motion_stop_now(ctl_core* core)
     if (motion->state == CTL_STATE_JOGGING) {
         core->heartbeat.jog_blocked = true;
     } else {
+        if (ctl_motion_is_press(core))
+            ctl_press_stop(&motion->press);
         motion->stop = CTL_STOP_NOW;
         motion->state = CTL_STATE_STOPPING;
     }
@@ -178,9 +196,12 @@ uint16_t ctl_motion_stop_at_cycle_end(ctl_core* core)
         return CTL_REFUSAL_NONE;
     if (motion->state != CTL_STATE_RUNNING)
         return ctl_motion_stop_now(core);
-    const uint32_t cycle = ctl_bank_cycle_ticks(motion->step.bank);
-    motion->stop_remaining =
-        ctl_step_between_cycles(&motion->step) ? cycle : cycle - motion->step.cycle_ticks;
+    if (ctl_motion_is_press(core)) {
+        motion->state = CTL_STATE_STOPPING;
+        return CTL_REFUSAL_NONE;
+    }
+    const uint32_t cycle = ctl_bank_cycle_ticks(motion->table.bank);
+    motion->stop_remaining = cycle - ctl_table_position(&motion->table);
     while (!ctl_ramp_can_land(&motion->ramp, motion->stop_remaining))
         motion->stop_remaining += cycle;
     /* Stopped soon after a start, it may gain some speed, so that the end of the cycle is not hours away. */
@@ -213,10 +234,10 @@ uint16_t ctl_motion_reset_fault(ctl_core* core)
 
 uint16_t ctl_motion_master_angle(const ctl_core* core)
 {
-    const ctl_step* step = &core->motion.step;
-    if (!core->banks.has_active || ctl_step_between_cycles(step))
+    const ctl_table* table = &core->motion.table;
+    if (!core->banks.has_active)
         return 0;
-    return (uint16_t)((uint64_t)step->cycle_ticks * 36000u / ctl_bank_cycle_ticks(step->bank));
+    return (uint16_t)((uint64_t)ctl_table_position(table) * 36000u / ctl_bank_cycle_ticks(table->bank));
 }
 
 uint16_t ctl_motion_master_speed(const ctl_core* core)
@@ -231,11 +252,11 @@ int64_t ctl_motion_commanded_hz(const ctl_core* core)
 {
     const ctl_motion* motion = &core->motion;
     const ctl_ramp* ramp = &motion->ramp;
+    if (ctl_motion_is_press(core) && ctl_motion_in_cycle(core))
+        return ctl_press_hz(&motion->press);
     if (ramp->speed == 0)
         return 0;
     if (motion->manual)
         return motion->manual_direction * (int64_t)((uint64_t)motion->manual_hz * ramp->speed / ramp->full);
-    const ctl_row row = motion->step.current;
-    const uint64_t table_hz = (uint64_t)row.pulses * core->config.timer_clock_hz / row.ticks;
-    return (int64_t)(table_hz * ramp->speed / ramp->full);
+    return ctl_table_full_speed_hz(&motion->table) * ramp->speed / ramp->full;
 }
