@@ -22,6 +22,14 @@ double wide(const ctl_bank& bank, unsigned offset)
     return ctl_get32(&bank.registers[offset]);
 }
 
+// Pulses of one turn of the knife shaft.
+double knifeRevolution(const ctl_bank& bank)
+{
+    return wide(bank, CTL_OFFSET_PROGRAM_PULSES_PER_MOTOR_REV) *
+           bank.registers[CTL_OFFSET_PROGRAM_GEAR_NUMERATOR] /
+           bank.registers[CTL_OFFSET_PROGRAM_GEAR_DENOMINATOR];
+}
+
 // Pulses of the table from the start of the cycle to a master angle.
 double pulsesAtAngle(const ctl_bank& bank, double angle)
 {
@@ -49,16 +57,19 @@ Machine::Machine(const MachineOptions& options)
 void Machine::setProgram(const ctl_bank& bank)
 {
     const double revolutions = (m_position - m_mark) / m_revolution;
-    const double revolution = wide(bank, CTL_OFFSET_PROGRAM_PULSES_PER_MOTOR_REV) *
-                              bank.registers[CTL_OFFSET_PROGRAM_GEAR_NUMERATOR] /
-                              bank.registers[CTL_OFFSET_PROGRAM_GEAR_DENOMINATOR];
+    const bool cuts = ctl_bank_kind(&bank) == CTL_PROGRAM_KIND_ROTARY_CUTTER;
+    const double revolution = cuts ? knifeRevolution(bank) : ctl_bank_revolution_pulses(&bank, 1);
     if (std::abs(revolution - m_revolution) > restPulses) {
         m_revolution = revolution;
         m_mark = m_position - revolutions * revolution;
     }
+    m_cuts = cuts;
+    if (!cuts) {
+        forgetLastCut();
+        return;
+    }
     m_stroke = m_revolution / bank.registers[CTL_OFFSET_PROGRAM_KNIVES];
     m_cutOffset = pulsesAtAngle(bank, bank.registers[CTL_OFFSET_BANK_CUT_ANGLE]);
-    m_hasProgram = true;
 }
 
 void Machine::setDriveOn(bool on)
@@ -90,7 +101,7 @@ void Machine::passCut(double before, double filmMm)
 {
     const double first = m_mark + m_cutOffset;
     const double strokes = std::floor((m_position - first) / m_stroke);
-    if (!m_hasProgram || strokes <= std::floor((before - first) / m_stroke))
+    if (!m_cuts || strokes <= std::floor((before - first) / m_stroke))
         return;
     const double passed = (first + strokes * m_stroke - before) / (m_position - before);
     const double filmAtCutMm = m_filmMm + passed * filmMm + m_slipMm(m_random);

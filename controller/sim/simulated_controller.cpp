@@ -32,8 +32,11 @@ double phaseOf(const ctl_core& core)
     return static_cast<double>(ctl_table_position(&table)) / ctl_bank_cycle_ticks(table.bank);
 }
 
+// Film is fed for a knife only.
 double bagLengthMm(const ctl_core& core)
 {
+    if (ctl_bank_kind(ctl_active_bank(&core)) != CTL_PROGRAM_KIND_ROTARY_CUTTER)
+        return 0.0;
     return mmPerUm * ctl_get32(&ctl_active_bank(&core)->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH]);
 }
 
