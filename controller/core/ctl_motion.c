@@ -12,7 +12,8 @@
 
 static uint32_t ramp_ticks(const ctl_core* core, uint32_t time_ms)
 {
-    return (uint32_t)((uint64_t)time_ms * core->config.timer_clock_hz / MS_PER_S);
+    const uint64_t ticks = (uint64_t)time_ms * core->config.timer_clock_hz / MS_PER_S;
+    return ticks < UINT32_MAX ? (uint32_t)ticks : UINT32_MAX;
 }
 
 void ctl_motion_init(ctl_core* core)
