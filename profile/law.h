@@ -38,13 +38,14 @@ struct LawPoint {
     double integral = 0;
 };
 
-// Largest |g'|, |g''|, |g'''| (Cv, Ca, Cj; infinite where g'' has a step inside), and the x where |g'| is
-// largest.
+// Largest |g'|, |g''|, |g'''| (Cv, Ca, Cj; infinite where g'' has a step inside), and the first x where |g'|
+// and |g''| are largest.
 struct LawPeaks {
     double cv = 0;
     double ca = 0;
     double cj = 0;
     double cvAt = 0;
+    double caAt = 0;
 };
 
 struct LawParameterInfo {
@@ -66,6 +67,8 @@ struct Law {
     std::span<const LawParameterInfo> parameters;
     LawPoint (*at)(double x, const LawParameters& parameters) = nullptr; // x in [0,1]
     LawPeaks (*peaks)(const LawParameters& parameters) = nullptr;
+    std::string_view strength; // one English sentence each
+    std::string_view weakness;
 };
 
 } // namespace campanel::profile

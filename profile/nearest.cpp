@@ -5,6 +5,7 @@
 #include "profile/nearest.h"
 
 #include "profile/cycle_shape.h"
+#include "profile/grid_search.h"
 #include "profile/limits.h"
 #include "profile/validate.h"
 
@@ -18,60 +19,6 @@ namespace campanel::profile::detail {
 namespace {
 
 constexpr std::array cycleFields{Field::BagLength, Field::Rate, Field::BaseSpeed, Field::FilmSpeed};
-
-// Tests values of one field and keeps the feasible one nearest to the present value.
-class Search {
-public:
-    Search(const RotaryCutterProgram& program, const Machine& machine, Field field)
-        : m_program(program)
-        , m_machine(machine)
-        , m_field(field)
-        , m_present(value(program, field))
-    {
-        if (!std::isfinite(m_present))
-            m_present = info(field).defaultValue;
-    }
-
-    // Tries the grid points around a candidate.
-    void tryAround(double candidate)
-    {
-        if (!std::isfinite(candidate))
-            return;
-        const double step = info(m_field).resolution();
-        for (const int offset : {-1, 0, 1})
-            tryValue(snapToGrid(m_field, candidate + offset * step));
-    }
-
-    [[nodiscard]] bool isFeasibleAt(double x)
-    {
-        setValue(m_program, m_field, x);
-        return isFeasible(m_program, m_machine);
-    }
-
-    [[nodiscard]] std::optional<Suggestion> best() const
-    {
-        if (!m_best)
-            return std::nullopt;
-        return Suggestion{m_field, *m_best};
-    }
-
-    [[nodiscard]] double present() const { return m_present; }
-
-private:
-    void tryValue(double x)
-    {
-        if (m_best && std::abs(x - m_present) >= std::abs(*m_best - m_present))
-            return;
-        if (isFeasibleAt(x))
-            m_best = x;
-    }
-
-    RotaryCutterProgram m_program;
-    Machine m_machine;
-    Field m_field;
-    double m_present;
-    std::optional<double> m_best;
-};
 
 // Cycle times at which the acceleration's peak equals +-limit while `kept` keeps its value. With D = limit *
 // shortest ramp / Cv and both signs of D: v_b - v_a = D T.
@@ -139,7 +86,7 @@ std::optional<Suggestion> nearestPinned(const RotaryCutterProgram& program, cons
     setValue(mendable, field, info(field).defaultValue);
     if (findInvalid(mendable, machine))
         return std::nullopt; // something else is wrong as well
-    Search search(program, machine, field);
+    GridSearch search(program, machine, field);
     search.tryAround(search.present()); // feasible when only the value's grid or finiteness was wrong
     for (const double candidate : candidates(program, machine, field))
         search.tryAround(candidate);
@@ -157,7 +104,7 @@ std::optional<Suggestion> nearestRatio(const RotaryCutterProgram& program, const
     const double high = (i > 0 ? program.k[i - 1] - step : info(field).max);
     if (!(low <= high))
         return std::nullopt;
-    Search search(program, machine, field);
+    GridSearch search(program, machine, field);
     const bool fromAbove = search.present() > high;
     const auto place = [&](double share) { // share 0: at the offended neighbor
         return snapToGrid(field, fromAbove ? high - share * (high - low) : low + share * (high - low));
@@ -177,16 +124,6 @@ std::optional<Suggestion> nearestRatio(const RotaryCutterProgram& program, const
         return Suggestion{field, feasible};
     }
     return std::nullopt;
-}
-
-std::optional<Suggestion> nearestInRange(RotaryCutterProgram program, Machine machine, const Refusal& refusal)
-{
-    const double inside = std::isfinite(refusal.actual) ? refusal.allowed : info(refusal.field).defaultValue;
-    setValue(program, refusal.field, inside);
-    setValue(machine, refusal.field, inside);
-    if (!isFeasible(program, machine))
-        return std::nullopt;
-    return Suggestion{refusal.field, inside};
 }
 
 // Sorts first what a person would rather change: a machine that cannot follow runs slower; the product stays.

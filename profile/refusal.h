@@ -16,8 +16,8 @@ namespace campanel::profile {
 enum class Limit : std::uint8_t {
     FieldRange,   // the value of `field` is outside its range (or not a number)
     PinnedPair,   // the two pinned fields are not two different ones of L, n, v_a, v_b
-    LawUnknown,   // no such speed law
-    LawParameter, // a parameter of the speed law is outside its range
+    LawUnknown,   // no such law, or not one for this kind of program
+    LawParameter, // a parameter of the law is outside its range
     RatioOrder,   // k1 > k2 > k3 > k4 > 1 does not hold; `allowed` is the neighbour it must stay clear of
     StrokeCannotClose, // the film would take more than the knife's stroke: v_a (or the cycle time) would be
                        // negative
@@ -43,6 +43,8 @@ enum class Limit : std::uint8_t {
     ForceOrder,       // `field` must not exceed `allowed`
     MasterTooFast,    // the slave would need more pulses in one update than the output stage gives
     TableRange,       // a table value that its register cannot hold
+    Reversal,         // the motion turns round within a cycle, and intervals go one way
+    SpeedError,       // intervals cannot keep it with whole pulses; `allowed` can be kept
 };
 
 // Stable id of a limit, for logs and machine-readable output.

@@ -6,12 +6,11 @@
 
 namespace campanel::profile {
 
-Curves sampleCurves(const RotaryCutter& cutter, std::size_t points)
+Curves sampleCurves(const MotionProfile& motion, double pulsesPerMm, std::size_t points)
 {
     const std::size_t intervals = std::max<std::size_t>(points, 2) - 1;
-    const double total = cutter.cycle.cycleTimeS;
-    const double toHz = pulsesPerMm(cutter.machine);
-    const auto segments = cutter.motion.segments();
+    const double total = motion.durationS();
+    const auto segments = motion.segments();
 
     Curves curves;
     const std::size_t capacity = intervals + 1 + 2 * segments.size();
@@ -26,7 +25,7 @@ Curves sampleCurves(const RotaryCutter& cutter, std::size_t points)
         curves.velocityMmPerS.push_back(p.velocityMmPerS);
         curves.accelerationMmPerS2.push_back(p.accelerationMmPerS2);
         curves.jerkMmPerS3.push_back(p.jerkMmPerS3);
-        curves.frequencyHz.push_back(p.velocityMmPerS * toHz);
+        curves.frequencyHz.push_back(p.velocityMmPerS * pulsesPerMm);
     };
     std::size_t next = 1; // the even grid; its first and last points are the ends of segments
     for (const Segment& segment : segments) {
@@ -41,6 +40,11 @@ Curves sampleCurves(const RotaryCutter& cutter, std::size_t points)
         append(segment, segment.endS());
     }
     return curves;
+}
+
+Curves sampleCurves(const RotaryCutter& cutter, std::size_t points)
+{
+    return sampleCurves(cutter.motion, pulsesPerMm(cutter.machine), points);
 }
 
 } // namespace campanel::profile

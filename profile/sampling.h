@@ -21,7 +21,9 @@ struct Curves {
     std::vector<double> frequencyHz;
 };
 
-// `points` evenly spaced points from 0 to T (at least 2), and the joints in addition.
+// `points` evenly spaced points from 0 to T (at least 2), and the joints in addition. A negative frequency
+// stands for backwards.
+[[nodiscard]] Curves sampleCurves(const MotionProfile& motion, double pulsesPerMm, std::size_t points);
 [[nodiscard]] Curves sampleCurves(const RotaryCutter& cutter, std::size_t points);
 
 } // namespace campanel::profile

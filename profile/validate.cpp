@@ -22,6 +22,9 @@ constexpr std::array machineFields{Field::KnifeRadius,
                                    Field::TimerClock,
                                    Field::TimerBits,
                                    Field::RowCapacity};
+constexpr std::array axisFields{Field::PulsesPerMotorRev, Field::FeedPerMotorRev,   Field::MaxMotorRpm,
+                                Field::MaxAcceleration,   Field::MaxTorque,         Field::Inertia,
+                                Field::Friction,          Field::MaxPulseFrequency, Field::TimerClock};
 
 bool isCycleValue(Field field)
 {
@@ -38,30 +41,6 @@ std::optional<Refusal> findNarrowTimer(const Machine& machine)
     refusal.allowed =
         static_cast<double>(std::bit_width(static_cast<std::uint64_t>(smallestTimerConstant(machine))));
     return refusal;
-}
-
-std::optional<Refusal> findInvalidLaw(const RotaryCutterProgram& program)
-{
-    const Law* law = findLaw(program.speedLaw);
-    if (law == nullptr || !law->isSpeedLaw) {
-        Refusal refusal;
-        refusal.limit = Limit::LawUnknown;
-        refusal.actual = static_cast<double>(program.speedLaw);
-        return refusal;
-    }
-    for (std::size_t i = 0; i < law->parameters.size(); ++i) {
-        const LawParameterInfo& parameter = law->parameters[i];
-        const double given = program.speedLawParameters[i];
-        if (given >= parameter.min && given <= parameter.max)
-            continue;
-        Refusal refusal;
-        refusal.limit = Limit::LawParameter;
-        refusal.actual = given;
-        refusal.allowed = given > parameter.max ? parameter.max : parameter.min;
-        refusal.lawParameter = parameter.id;
-        return refusal;
-    }
-    return std::nullopt;
 }
 
 std::optional<Refusal> findWrongOrder(const RotaryCutterProgram& program)
@@ -93,6 +72,41 @@ Refusal outOfRange(Field field, double value)
     return refusal;
 }
 
+std::optional<Refusal> findInvalidLaw(LawId id, const LawParameters& parameters, LawUse use)
+{
+    const Law* law = findLaw(id);
+    const bool isSuitable =
+        law != nullptr && (use == LawUse::Speed ? law->isSpeedLaw : law->isDisplacementLaw);
+    if (!isSuitable) {
+        Refusal refusal;
+        refusal.limit = Limit::LawUnknown;
+        refusal.actual = static_cast<double>(id);
+        return refusal;
+    }
+    for (std::size_t i = 0; i < law->parameters.size(); ++i) {
+        const LawParameterInfo& parameter = law->parameters[i];
+        const double given = parameters[i];
+        if (given >= parameter.min && given <= parameter.max)
+            continue;
+        Refusal refusal;
+        refusal.limit = Limit::LawParameter;
+        refusal.actual = given;
+        refusal.allowed = given > parameter.max ? parameter.max : parameter.min;
+        refusal.lawParameter = parameter.id;
+        return refusal;
+    }
+    return std::nullopt;
+}
+
+std::optional<Refusal> findInvalidAxis(const Machine& machine)
+{
+    for (const Field field : axisFields) {
+        if (!inRange(field, value(machine, field)))
+            return outOfRange(field, value(machine, field));
+    }
+    return std::nullopt;
+}
+
 std::optional<Refusal> findInvalid(const RotaryCutterProgram& program, const Machine& machine)
 {
     if (!isCycleValue(program.pinned[0]) || !isCycleValue(program.pinned[1]) ||
@@ -113,7 +127,7 @@ std::optional<Refusal> findInvalid(const RotaryCutterProgram& program, const Mac
         if (!inRange(field, value(program, field)))
             return outOfRange(field, value(program, field));
     }
-    if (auto refusal = findInvalidLaw(program))
+    if (auto refusal = findInvalidLaw(program.speedLaw, program.speedLawParameters, LawUse::Speed))
         return refusal;
     return findWrongOrder(program);
 }

@@ -3,6 +3,7 @@
 
 #include "ctl_cam.h"
 #include "ctl_crc.h"
+#include "ctl_press.h"
 #include "ctl_step.h"
 #include "ctl_words.h"
 
@@ -29,6 +30,8 @@ static const layout_info layouts[] = {
                                      ctl_step_check},
     [CTL_TABLE_LAYOUT_CAM_POINTS] = {CTL_CAM_POINT_REGISTERS, 2, CTL_CAM_POINT_CAPACITY,
                                      KIND(POSITION_MOVE) | KIND(SPEED_MOVE) | KIND(POINT_CAM), ctl_cam_check},
+    [CTL_TABLE_LAYOUT_PRESS_STAGES] = {CTL_PRESS_ROW_REGISTERS, CTL_PRESS_ROWS, CTL_PRESS_ROWS, KIND(PRESS),
+                                       ctl_press_check},
 };
 
 #define LAYOUTS (sizeof layouts / sizeof layouts[0])
@@ -56,7 +59,7 @@ static const kind_info kinds[] = {
                                      false},
     [CTL_PROGRAM_KIND_POINT_CAM] = {CTL_OFFSET_POINT_CAM_PULSES_PER_MOTOR_REV, CTL_OFFSET_POINT_CAM_FEED,
                                     true},
-    [CTL_PROGRAM_KIND_PRESS] = {CTL_OFFSET_PRESS_PULSES_PER_MOTOR_REV, CTL_OFFSET_PRESS_FEED, true},
+    [CTL_PROGRAM_KIND_PRESS] = {CTL_OFFSET_PRESS_PULSES_PER_MOTOR_REV, CTL_OFFSET_PRESS_FEED, false},
 };
 
 /* A bank that was damaged after its check may name any kind. */

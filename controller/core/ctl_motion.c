@@ -28,6 +28,9 @@ void ctl_motion_init(ctl_core* core)
         motion->meter.time_us[i] = core->now_us;
     }
     ctl_table_init(&motion->table, &core->config);
+    ctl_press_reset(&motion->press);
+    if (ctl_motion_is_press(core))
+        ctl_motion_take_top(core);
     if (core->banks.has_active)
         ctl_table_reset(&motion->table, ctl_active_bank(core));
     ctl_motion_stand(core);
@@ -59,6 +62,8 @@ void ctl_motion_change_program(ctl_core* core)
         motion->homed = motion->homed && same;
         ctl_table_reset(&motion->table, ctl_active_bank(core));
     }
+    if (ctl_motion_is_press(core) && !same)
+        ctl_motion_take_top(core);
     if (motion->state == CTL_STATE_IDLE)
         motion->state = CTL_STATE_READY;
 }
@@ -115,6 +120,8 @@ void ctl_motion_run(ctl_core* core)
     motion->manual = false;
     motion->start_after_home = false;
     motion->state = CTL_STATE_RUNNING;
+    if (ctl_motion_is_press(core))
+        ctl_motion_begin_stroke(core);
 }
 
 void ctl_motion_begin_manual(ctl_core* core, uint32_t frequency_hz, int32_t direction)
@@ -147,10 +154,14 @@ void ctl_motion_fault(ctl_core* core, uint16_t fault_bit)
     ctl_motion* motion = &core->motion;
     motion->fault = (uint16_t)(motion->fault | 1u << fault_bit);
     motion->state = CTL_STATE_FAULT;
+    if (motion->press.stage != CTL_PRESS_STAGE_STANDING) {
+        ctl_press_abandon(&motion->press);
+        motion->cycle_count += 1;
+    }
     motion->ramp.speed = 0;
     motion->manual = false;
     motion->start_after_home = false;
-    motion->homed = false;
+    motion->homed = motion->homed && ctl_motion_is_press(core);
     motion->in_phase = false;
 }
 
@@ -190,9 +201,13 @@ uint16_t ctl_motion_start(ctl_core* core)
 uint16_t ctl_motion_home(ctl_core* core)
 {
     const uint16_t refusal = refuse_to_move(core, CTL_REFUSAL_NOT_STANDSTILL);
-    if (refusal == CTL_REFUSAL_NONE)
+    if (refusal != CTL_REFUSAL_NONE)
+        return refusal;
+    if (ctl_motion_is_press(core))
+        ctl_motion_take_top(core);
+    else
         begin_homing(core);
-    return refusal;
+    return CTL_REFUSAL_NONE;
 }
 
 uint16_t ctl_motion_stop_now(ctl_core* core)
@@ -203,6 +218,8 @@ uint16_t ctl_motion_stop_now(ctl_core* core)
     if (motion->state == CTL_STATE_JOGGING) {
         core->heartbeat.jog_blocked = true;
     } else {
+        if (ctl_motion_is_press(core))
+            ctl_press_stop(&motion->press);
         motion->stop = CTL_STOP_NOW;
         motion->state = CTL_STATE_STOPPING;
     }
@@ -216,6 +233,10 @@ uint16_t ctl_motion_stop_at_cycle_end(ctl_core* core)
         return CTL_REFUSAL_NONE;
     if (motion->state != CTL_STATE_RUNNING)
         return ctl_motion_stop_now(core);
+    if (ctl_motion_is_press(core)) {
+        motion->state = CTL_STATE_STOPPING;
+        return CTL_REFUSAL_NONE;
+    }
     const uint16_t at_end = ctl_bank_at_end(ctl_active_bank(core));
     if (at_end == CTL_END_BEHAVIOR_HOLD_SPEED)
         return ctl_motion_stop_now(core);
@@ -277,6 +298,8 @@ uint16_t ctl_motion_master_speed(const ctl_core* core)
 int64_t ctl_motion_commanded_hz(const ctl_core* core)
 {
     const ctl_motion* motion = &core->motion;
+    if (ctl_motion_is_press(core) && ctl_motion_in_cycle(core))
+        return ctl_press_hz(&motion->press);
     if (motion->manual)
         return motion->manual_direction * (int64_t)ctl_ramp_share(&motion->ramp, motion->manual_hz);
     return ctl_motion_in_cycle(core) ? ctl_table_hz(&motion->table, &motion->ramp) : 0;

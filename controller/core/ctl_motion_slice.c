@@ -7,7 +7,7 @@
 #define US_PER_S 1000000
 #define SPEED_SAMPLE_US 1000u
 
-static void emit(ctl_core* core, int64_t pulses)
+void ctl_motion_emit(ctl_core* core, int64_t pulses)
 {
     if (pulses == 0)
         return;
@@ -48,7 +48,7 @@ static void run_table(ctl_core* core, uint32_t ticks)
             cross_boundary(core);
         const bool held = ctl_table_holding(table);
         uint32_t used = ticks;
-        emit(core, ctl_table_advance(table, core->motion.direction, &used));
+        ctl_motion_emit(core, ctl_table_advance(table, core->motion.direction, &used));
         ticks -= used;
         const bool over = ctl_table_between_cycles(table) || ctl_table_holding(table) != held;
         if (over && used != 0 && !count_cycle(core))
@@ -110,7 +110,7 @@ static void slice_table(ctl_core* core, uint32_t ticks)
             slice_running(core, part);
         else
             slice_stopping(core, part);
-        emit(core, ctl_table_pass(&motion->table, part));
+        ctl_motion_emit(core, ctl_table_pass(&motion->table, part));
         if (ctl_table_too_fast(&motion->table)) {
             ctl_motion_fault(core, CTL_FAULT_BIT_MASTER_TOO_FAST);
             return;
@@ -126,7 +126,8 @@ static void slice_table(ctl_core* core, uint32_t ticks)
 static void slice_manual_stop(ctl_core* core, uint32_t ticks)
 {
     ctl_motion* motion = &core->motion;
-    emit(core, motion->manual_direction * manual_pulses(core, ctl_ramp_down(&motion->ramp, ticks)));
+    ctl_motion_emit(core,
+                    motion->manual_direction * manual_pulses(core, ctl_ramp_down(&motion->ramp, ticks)));
     if (motion->ramp.speed == 0)
         ctl_motion_stand(core);
 }
@@ -134,9 +135,10 @@ static void slice_manual_stop(ctl_core* core, uint32_t ticks)
 static void slice_jogging(ctl_core* core, uint32_t ticks)
 {
     ctl_motion* motion = &core->motion;
-    const bool held = ctl_jog_request(core) == motion->manual_direction;
+    const bool held = ctl_jog_request(core) == motion->manual_direction &&
+                      (motion->manual_direction < 0 || !ctl_motion_force_forbids(core));
     const uint32_t travelled = held ? ctl_ramp_up(&motion->ramp, ticks) : ctl_ramp_down(&motion->ramp, ticks);
-    emit(core, motion->manual_direction * manual_pulses(core, travelled));
+    ctl_motion_emit(core, motion->manual_direction * manual_pulses(core, travelled));
     if (!held && motion->ramp.speed == 0)
         ctl_motion_stand(core);
 }
@@ -152,7 +154,7 @@ static void search_index(ctl_core* core, uint32_t ticks)
     int64_t pulses = manual_pulses(core, ctl_ramp_up(&motion->ramp, ticks));
     if ((uint64_t)pulses > motion->homing_left)
         pulses = (int64_t)motion->homing_left;
-    emit(core, pulses);
+    ctl_motion_emit(core, pulses);
     motion->homing_left -= (uint64_t)pulses;
     if (motion->homing_left == 0)
         ctl_motion_fault(core, CTL_FAULT_BIT_DRIVE_NOT_FOLLOWING);
@@ -189,10 +191,10 @@ static void return_to_mark(ctl_core* core, uint32_t ticks)
     const int64_t pulses = manual_pulses(core, travelled);
     motion->homing_left -= travelled;
     if (motion->homing_left != 0) {
-        emit(core, motion->manual_direction * pulses);
+        ctl_motion_emit(core, motion->manual_direction * pulses);
         return;
     }
-    emit(core, motion->origin - motion->commanded);
+    ctl_motion_emit(core, motion->origin - motion->commanded);
     end_homing(core);
 }
 
@@ -204,7 +206,7 @@ static void slice_homing(ctl_core* core, uint32_t ticks)
         search_index(core, ticks);
         break;
     case CTL_HOMING_BRAKE:
-        emit(core, manual_pulses(core, ctl_ramp_down(&motion->ramp, ticks)));
+        ctl_motion_emit(core, manual_pulses(core, ctl_ramp_down(&motion->ramp, ticks)));
         if (motion->ramp.speed == 0)
             begin_return(core);
         break;
@@ -217,7 +219,7 @@ static void slice_homing(ctl_core* core, uint32_t ticks)
 static void begin_jog_when_asked(ctl_core* core)
 {
     const int32_t direction = ctl_jog_request(core);
-    if (direction == 0)
+    if (direction == 0 || (direction > 0 && ctl_motion_force_forbids(core)))
         return;
     ctl_motion_begin_manual(core, ctl_parameter32(core, CTL_REG_PARAMETER_JOG_FREQUENCY), direction);
     core->motion.state = CTL_STATE_JOGGING;
@@ -251,11 +253,16 @@ void ctl_motion_slice(ctl_core* core, uint32_t ticks)
         begin_jog_when_asked(core);
         break;
     case CTL_STATE_RUNNING:
-        slice_table(core, ticks);
+        if (ctl_motion_is_press(core))
+            ctl_motion_slice_stroke(core, ticks);
+        else
+            slice_table(core, ticks);
         break;
     case CTL_STATE_STOPPING:
         if (motion->manual)
             slice_manual_stop(core, ticks);
+        else if (ctl_motion_is_press(core))
+            ctl_motion_slice_stroke(core, ticks);
         else
             slice_table(core, ticks);
         break;

@@ -37,6 +37,9 @@ bool ctl_ramp_can_land(const ctl_ramp* ramp, uint64_t remaining);
 /* The share of `value` that the present speed is of full speed, rounded down; value below 2^32. */
 uint32_t ctl_ramp_share(const ctl_ramp* ramp, uint32_t value);
 
+/* Largest root with root * root <= square. */
+uint32_t ctl_square_root(uint64_t square);
+
 #ifdef __cplusplus
 }
 #endif

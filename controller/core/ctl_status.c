@@ -108,6 +108,24 @@ static void put_knife(const ctl_core* core, uint16_t* registers)
                         ctl_get32(&bank->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH])));
 }
 
+static uint16_t saturated_force(int32_t force)
+{
+    if (force < 0)
+        return 0;
+    return force > UINT16_MAX ? UINT16_MAX : (uint16_t)force;
+}
+
+static void put_press(const ctl_core* core, uint16_t* registers)
+{
+    const ctl_press* press = &core->motion.press;
+    put(registers, CTL_REG_STATUS_PRESS_STAGE, press->stage);
+    put(registers, CTL_REG_STATUS_PRESS_FORCE, saturated_force(ctl_motion_press_force(core)));
+    put(registers, CTL_REG_STATUS_STOP_ERROR, saturated16(press->last.error));
+    put(registers, CTL_REG_STATUS_STOP_FORCE, saturated_force(press->last.force));
+    put(registers, CTL_REG_STATUS_STROKE_RESULT, press->last.result);
+    put(registers, CTL_REG_STATUS_PEAK_FORCE, saturated_force(press->last.peak));
+}
+
 static void put_motion(const ctl_core* core, uint16_t* registers)
 {
     const ctl_motion* motion = &core->motion;
@@ -120,6 +138,10 @@ static void put_motion(const ctl_core* core, uint16_t* registers)
     put_wide(registers, CTL_REG_STATUS_COMMANDED_POSITION, (uint64_t)(motion->commanded - motion->origin));
     put_wide(registers, CTL_REG_STATUS_AXIS_POSITION, (uint64_t)position);
     put(registers, CTL_REG_STATUS_FOLLOWING_ERROR, saturated16(motion->commanded - motion->actual));
+    if (ctl_motion_is_press(core))
+        put_press(core, registers);
+    else
+        put_knife(core, registers);
 }
 
 void ctl_status(const ctl_core* core, uint16_t* registers)
@@ -135,6 +157,5 @@ void ctl_status(const ctl_core* core, uint16_t* registers)
     put(registers, CTL_REG_STATUS_SAMPLE_TIME, (uint16_t)(up_us / 1000u & 0xFFFFu));
     put_program(core, registers);
     put_motion(core, registers);
-    put_knife(core, registers);
     put_link(core, registers);
 }

@@ -14,7 +14,7 @@ inline LawPoint cubicAt(double x, const LawParameters&)
 
 inline LawPeaks cubicPeaks(const LawParameters&)
 {
-    return {1.5, 6, 12, 0.5};
+    return {1.5, 6, 12, 0.5, 0};
 }
 
 } // namespace campanel::profile::detail

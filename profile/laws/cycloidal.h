@@ -20,7 +20,7 @@ inline LawPoint cycloidalAt(double x, const LawParameters&)
 inline LawPeaks cycloidalPeaks(const LawParameters&)
 {
     constexpr double w = 2 * std::numbers::pi;
-    return {2, w, w * w, 0.5};
+    return {2, w, w * w, 0.5, 0.25};
 }
 
 } // namespace campanel::profile::detail

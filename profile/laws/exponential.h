@@ -26,7 +26,7 @@ inline LawPeaks exponentialPeaks(const LawParameters& parameters)
 {
     const double k = parameters[0];
     const double cv = -k / std::expm1(-k);
-    return {cv, k * cv, std::numeric_limits<double>::infinity(), 0};
+    return {cv, k * cv, std::numeric_limits<double>::infinity(), 0, 0};
 }
 
 } // namespace campanel::profile::detail

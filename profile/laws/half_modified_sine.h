@@ -19,7 +19,7 @@ inline LawPoint halfModifiedSineAt(double x, const LawParameters&)
 inline LawPeaks halfModifiedSinePeaks(const LawParameters&)
 {
     using std::numbers::pi;
-    return {pi / 2, pi * pi, 2 * pi * pi * pi, 0.25};
+    return {pi / 2, pi * pi, 2 * pi * pi * pi, 0.25, 0};
 }
 
 } // namespace campanel::profile::detail

@@ -20,7 +20,7 @@ inline LawPoint harmonicAt(double x, const LawParameters&)
 inline LawPeaks harmonicPeaks(const LawParameters&)
 {
     using std::numbers::pi;
-    return {pi / 2, pi * pi / 2, pi * pi * pi / 2, 0.5};
+    return {pi / 2, pi * pi / 2, pi * pi * pi / 2, 0.5, 0};
 }
 
 } // namespace campanel::profile::detail

@@ -38,7 +38,7 @@ inline LawPeaks modifiedSinePeaks(const LawParameters&)
 {
     using std::numbers::pi;
     constexpr double d = modifiedSineScale;
-    return {4 * pi / d, 4 * pi * pi / d, 16 * pi * pi * pi / d, 0.5};
+    return {4 * pi / d, 4 * pi * pi / d, 16 * pi * pi * pi / d, 0.5, 0.125};
 }
 
 } // namespace campanel::profile::detail

@@ -45,7 +45,7 @@ inline LawPoint modifiedTrapezoidAt(double x, const LawParameters&)
 
 inline LawPeaks modifiedTrapezoidPeaks(const LawParameters&)
 {
-    return {2, modifiedTrapezoidCa, 4 * std::numbers::pi * modifiedTrapezoidCa, 0.5};
+    return {2, modifiedTrapezoidCa, 4 * std::numbers::pi * modifiedTrapezoidCa, 0.5, 0.125};
 }
 
 } // namespace campanel::profile::detail

@@ -15,7 +15,7 @@ inline LawPoint parabolicAt(double x, const LawParameters&)
 
 inline LawPeaks parabolicPeaks(const LawParameters&)
 {
-    return {2, 4, std::numeric_limits<double>::infinity(), 0.5};
+    return {2, 4, std::numeric_limits<double>::infinity(), 0.5, 0};
 }
 
 } // namespace campanel::profile::detail

@@ -21,7 +21,7 @@ inline LawPoint polynomial4567At(double x, const LawParameters&)
 // |g''| is largest at x = (5 - sqrt 5) / 10, |g'''| at x = 1/2.
 inline LawPeaks polynomial4567Peaks(const LawParameters&)
 {
-    return {2.1875, 84 * std::sqrt(5.0) / 25, 52.5, 0.5};
+    return {2.1875, 84 * std::sqrt(5.0) / 25, 52.5, 0.5, (5 - std::sqrt(5.0)) / 10};
 }
 
 } // namespace campanel::profile::detail

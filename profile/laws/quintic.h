@@ -18,7 +18,7 @@ inline LawPoint quinticAt(double x, const LawParameters&)
 
 inline LawPeaks quinticPeaks(const LawParameters&)
 {
-    return {1.875, 10 * std::numbers::inv_sqrt3, 60, 0.5};
+    return {1.875, 10 * std::numbers::inv_sqrt3, 60, 0.5, (3 - std::numbers::sqrt3) / 6};
 }
 
 } // namespace campanel::profile::detail

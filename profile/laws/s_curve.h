@@ -17,7 +17,7 @@ inline LawPeaks sCurvePeaks(const LawParameters& parameters)
     const double r = parameters[0];
     const double q = parameters[1];
     const double ca = 1 / (r * (1 - q) * (1 - r));
-    return {1 / (1 - r), ca, ca / (q * r), 0.5};
+    return {1 / (1 - r), ca, ca / (q * r), 0.5, q * r};
 }
 
 inline LawPoint sCurveAt(double x, const LawParameters& parameters)

@@ -26,7 +26,7 @@ inline LawPoint trapezoidAt(double x, const LawParameters& parameters)
 inline LawPeaks trapezoidPeaks(const LawParameters& parameters)
 {
     const double r = parameters[0];
-    return {1 / (1 - r), 1 / (r * (1 - r)), std::numeric_limits<double>::infinity(), 0.5};
+    return {1 / (1 - r), 1 / (r * (1 - r)), std::numeric_limits<double>::infinity(), 0.5, 0};
 }
 
 } // namespace campanel::profile::detail
