@@ -23,6 +23,14 @@ double wide(const ctl_bank& bank, unsigned offset)
     return ctl_get32(&bank.registers[offset]);
 }
 
+// Pulses of one turn of the knife shaft.
+double knifeRevolution(const ctl_bank& bank)
+{
+    return wide(bank, CTL_OFFSET_PROGRAM_PULSES_PER_MOTOR_REV) *
+           bank.registers[CTL_OFFSET_PROGRAM_GEAR_NUMERATOR] /
+           bank.registers[CTL_OFFSET_PROGRAM_GEAR_DENOMINATOR];
+}
+
 // Pulses of the table from the start of the cycle to a master angle.
 double pulsesAtAngle(const ctl_bank& bank, double angle)
 {
@@ -57,8 +65,21 @@ void Machine::setProgram(const ctl_bank& bank)
     }
     m_ram.reset();
     m_hasKnife = ctl_bank_kind(&bank) == CTL_PROGRAM_KIND_ROTARY_CUTTER;
+    turnBy(m_hasKnife ? knifeRevolution(bank) : ctl_bank_revolution_pulses(&bank, 1));
     if (m_hasKnife)
         setKnife(bank);
+    else
+        forgetLastCut();
+}
+
+// From now on so many pulses lie between two index marks; the shaft keeps its angle.
+void Machine::turnBy(double revolution)
+{
+    const double revolutions = (m_position - m_mark) / m_revolution;
+    if (std::abs(revolution - m_revolution) > restPulses) {
+        m_revolution = revolution;
+        m_mark = m_position - revolutions * revolution;
+    }
 }
 
 // Another press begins with its ram up.
@@ -75,14 +96,6 @@ void Machine::setPress(const ctl_bank& bank)
 
 void Machine::setKnife(const ctl_bank& bank)
 {
-    const double revolutions = (m_position - m_mark) / m_revolution;
-    const double revolution = wide(bank, CTL_OFFSET_PROGRAM_PULSES_PER_MOTOR_REV) *
-                              bank.registers[CTL_OFFSET_PROGRAM_GEAR_NUMERATOR] /
-                              bank.registers[CTL_OFFSET_PROGRAM_GEAR_DENOMINATOR];
-    if (std::abs(revolution - m_revolution) > restPulses) {
-        m_revolution = revolution;
-        m_mark = m_position - revolutions * revolution;
-    }
     m_stroke = m_revolution / bank.registers[CTL_OFFSET_PROGRAM_KNIVES];
     m_cutOffset = pulsesAtAngle(bank, bank.registers[CTL_OFFSET_BANK_CUT_ANGLE]);
 }

@@ -39,7 +39,7 @@ void TestRegisters::identity()
                              0x4567,
                              0x89AB,
                              0xCDEF,
-                             2,
+                             CTL_PROGRAM_KINDS,
                              modbus::rowCapacity,
                              modbus::bankRegisters,
                              modbus::blockRegisters,
@@ -96,7 +96,7 @@ void TestRegisters::defaultsAndLimits()
         QCOMPARE(rig.read(info.address, info.count), words(info.minimum));
         ++checked;
     }
-    QCOMPARE(checked, 6);
+    QCOMPARE(checked, 7);
 }
 
 void TestRegisters::halfOfAWideValueIsChecked()
