@@ -186,7 +186,7 @@ void TestPressEngine::transmissionIsCompensated()
 {
     MachineOptions options;
     options.press.backlashMm = 0.6;
-    options.press.travelError = -0.004;
+    options.press.leadError = -0.004;
     options.press.screwErrorMm = 0.0;
     PressBench bench(PressImage{}, options);
     QVERIFY(bench.stroke());

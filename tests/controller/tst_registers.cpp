@@ -39,7 +39,7 @@ void TestRegisters::identity()
                              0x4567,
                              0x89AB,
                              0xCDEF,
-                             2,
+                             CTL_PROGRAM_KINDS,
                              modbus::rowCapacity,
                              modbus::bankRegisters,
                              modbus::blockRegisters,
