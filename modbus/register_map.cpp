@@ -43,6 +43,9 @@ constexpr std::array table{
     rw32("parameter.home_frequency", 0x0085, "pulse frequency while homing", 10, 20000, 2000, 1.0, "Hz"),
     rw32("parameter.following_error_limit", 0x0087, "following error that becomes a fault", 10, 1000000, 3000,
          1.0, "pulses"),
+    rw16("parameter.master_direction", 0x0089,
+         "of the master of a point cam: 0 forward, 1 backward; a running one ramps through zero", {}, 0, 1,
+         0),
 
     // Status block: the answer to the periodic FC23 exchange. 40 registers, so that 9600 baud still carries 8
     // a second.

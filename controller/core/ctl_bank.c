@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "ctl_bank.h"
 
+#include "ctl_cam.h"
 #include "ctl_crc.h"
 #include "ctl_press.h"
 #include "ctl_step.h"
@@ -29,6 +30,8 @@ static const layout_info layouts[] = {
                                      ctl_step_check},
     [CTL_TABLE_LAYOUT_PRESS_STAGES] = {CTL_PRESS_ROW_REGISTERS, CTL_PRESS_ROWS, CTL_PRESS_ROWS, KIND(PRESS),
                                        ctl_press_check},
+    [CTL_TABLE_LAYOUT_CAM_POINTS] = {CTL_CAM_POINT_REGISTERS, 2, CTL_CAM_POINT_CAPACITY,
+                                     KIND(POSITION_MOVE) | KIND(SPEED_MOVE) | KIND(POINT_CAM), ctl_cam_check},
 };
 
 #define LAYOUTS (sizeof layouts / sizeof layouts[0])
@@ -59,10 +62,11 @@ static const kind_info kinds[] = {
     [CTL_PROGRAM_KIND_PRESS] = {CTL_OFFSET_PRESS_PULSES_PER_MOTOR_REV, CTL_OFFSET_PRESS_FEED, false},
 };
 
-/* Only of a bank whose kind was checked. */
+/* A bank that was damaged after its check may name any kind. */
 static const kind_info* kind_of(const ctl_bank* bank)
 {
-    return &kinds[ctl_bank_kind(bank)];
+    const uint32_t kind = ctl_bank_kind(bank);
+    return &kinds[kind <= CTL_PROGRAM_KIND_PRESS ? kind : CTL_PROGRAM_KIND_NONE];
 }
 
 static uint32_t wide(const ctl_bank* bank, uint32_t offset)
@@ -88,6 +92,21 @@ uint16_t ctl_bank_at_end(const ctl_bank* bank)
     return CTL_END_BEHAVIOR_REPEAT;
 }
 
+static bool has_cam_points(const ctl_bank* bank)
+{
+    return ctl_bank_layout(bank) == CTL_TABLE_LAYOUT_CAM_POINTS;
+}
+
+uint16_t ctl_bank_master_ramp_ms(const ctl_bank* bank)
+{
+    return has_cam_points(bank) ? bank->registers[CTL_OFFSET_CAM_MASTER_RAMP] : (uint16_t)0;
+}
+
+uint16_t ctl_bank_ramp_shape(const ctl_bank* bank)
+{
+    return has_cam_points(bank) ? bank->registers[CTL_OFFSET_CAM_RAMP_SHAPE] : CTL_RAMP_SHAPE_TRAPEZOID;
+}
+
 uint32_t ctl_bank_row_count(const ctl_bank* bank)
 {
     return bank->registers[CTL_OFFSET_BANK_ROW_COUNT];
@@ -99,7 +118,7 @@ uint32_t ctl_bank_length(const ctl_bank* bank)
     uint32_t length = CTL_BANK_HEADER_REGISTERS;
     if (layout != NULL)
         length += layout->row_registers * ctl_bank_row_count(bank);
-    if (ctl_bank_layout(bank) == CTL_TABLE_LAYOUT_CAM_POINTS)
+    if (has_cam_points(bank))
         length += (uint32_t)CTL_KNOT_REGISTERS * bank->registers[CTL_OFFSET_CAM_KNOT_COUNT];
     return length;
 }

@@ -24,11 +24,16 @@ typedef struct {
 } ctl_verdict;
 
 /* Bit n set: program kind n can be executed. */
-#define CTL_PROGRAM_KINDS (1u << CTL_PROGRAM_KIND_ROTARY_CUTTER | 1u << CTL_PROGRAM_KIND_PRESS)
+#define CTL_PROGRAM_KINDS                                                                                    \
+    (1u << CTL_PROGRAM_KIND_ROTARY_CUTTER | 1u << CTL_PROGRAM_KIND_POSITION_MOVE |                           \
+     1u << CTL_PROGRAM_KIND_SPEED_MOVE | 1u << CTL_PROGRAM_KIND_POINT_CAM | 1u << CTL_PROGRAM_KIND_PRESS)
 
 uint16_t ctl_bank_kind(const ctl_bank* bank);   /* CTL_PROGRAM_KIND_... */
 uint16_t ctl_bank_layout(const ctl_bank* bank); /* CTL_TABLE_LAYOUT_... */
 uint16_t ctl_bank_at_end(const ctl_bank* bank); /* CTL_END_BEHAVIOR_...; step tables repeat */
+/* Of the master from standstill to full speed; 0 when the layout has none or full speed comes at once. */
+uint16_t ctl_bank_master_ramp_ms(const ctl_bank* bank);
+uint16_t ctl_bank_ramp_shape(const ctl_bank* bank); /* CTL_RAMP_SHAPE_... */
 uint32_t ctl_bank_row_count(const ctl_bank* bank);
 /* Registers in use: header, rows and what follows them; the header alone when the layout is not known. */
 uint32_t ctl_bank_length(const ctl_bank* bank);

@@ -9,7 +9,7 @@
 
 #define US_PER_S 1000000u
 /* Registers of the active bank that the background check reads per slice: a full bank in under a second. */
-#define CHECKED_PER_SLICE 2u
+#define CHECKED_PER_SLICE 3u
 
 const ctl_bank* ctl_active_bank(const ctl_core* core)
 {

@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-#define MAGIC 0x43414D31u /* "CAM1" */
+#define MAGIC 0x43414D32u /* "CAM2" */
 #define BLANK 0xFFFFFFFFu
 #define HEAD_REGISTERS (6u + CTL_PARAMETER_REGISTERS)
 #define CHUNK_REGISTERS 32u

@@ -17,7 +17,7 @@ extern "C" {
 #define CTL_ILLEGAL_ADDRESS 2u
 #define CTL_ILLEGAL_VALUE 3u
 
-#define CTL_PARAMETER_REGISTERS 9u
+#define CTL_PARAMETER_REGISTERS 10u
 
 struct ctl_core;
 
@@ -35,7 +35,7 @@ void ctl_map_init(struct ctl_core* core);
 /* Both return 0 or the exception code; a write that is refused has changed nothing. */
 uint8_t ctl_map_read(struct ctl_core* core, uint32_t address, uint16_t* values, uint32_t count);
 uint8_t ctl_map_write(struct ctl_core* core, uint32_t address, const uint16_t* values, uint32_t count);
-/* The nine parameter registers hold values within their limits. */
+/* The parameter registers hold values within their limits. */
 int ctl_map_parameters_valid(const uint16_t* parameter);
 
 #ifdef __cplusplus

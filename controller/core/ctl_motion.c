@@ -12,13 +12,15 @@
 
 static uint32_t ramp_ticks(const ctl_core* core, uint32_t time_ms)
 {
-    return (uint32_t)((uint64_t)time_ms * core->config.timer_clock_hz / MS_PER_S);
+    const uint64_t ticks = (uint64_t)time_ms * core->config.timer_clock_hz / MS_PER_S;
+    return ticks < UINT32_MAX ? (uint32_t)ticks : UINT32_MAX;
 }
 
 void ctl_motion_init(ctl_core* core)
 {
     ctl_motion* motion = &core->motion;
     ctl_ramp_reset(&motion->ramp, ramp_ticks(core, CTL_JOG_RAMP_MS));
+    motion->direction = 1;
     motion->actual = core->port.encoder(core->port.context);
     motion->commanded = motion->actual;
     for (uint32_t i = 0; i < CTL_SPEED_SAMPLES; ++i) {
@@ -52,7 +54,8 @@ void ctl_motion_change_program(ctl_core* core)
     const bool had_program = core->banks.has_active;
     const bool same = had_program && ctl_bank_same_machine(ctl_active_bank(core), ctl_staged_bank(core));
     ctl_swap_banks(core);
-    if (same && motion->in_phase && ctl_table_between_cycles(&motion->table)) {
+    const bool stands_right = motion->in_phase || !ctl_bank_needs_homing(ctl_active_bank(core));
+    if (same && stands_right && ctl_table_between_cycles(&motion->table)) {
         ctl_table_change_bank(&motion->table, ctl_active_bank(core));
     } else {
         motion->in_phase = false;
@@ -65,6 +68,11 @@ void ctl_motion_change_program(ctl_core* core)
         motion->state = CTL_STATE_READY;
 }
 
+static bool repeats(const ctl_core* core)
+{
+    return ctl_bank_at_end(ctl_active_bank(core)) == CTL_END_BEHAVIOR_REPEAT;
+}
+
 void ctl_motion_stand(ctl_core* core)
 {
     ctl_motion* motion = &core->motion;
@@ -72,14 +80,43 @@ void ctl_motion_stand(ctl_core* core)
     motion->manual = false;
     motion->start_after_home = false;
     motion->state = core->banks.has_active ? CTL_STATE_READY : CTL_STATE_IDLE;
+    /* A table that does not repeat is over when it was stopped: the next start is its beginning. */
+    if (core->banks.has_active && !repeats(core) && !ctl_table_between_cycles(&motion->table))
+        ctl_table_reset(&motion->table, ctl_active_bank(core));
     if (core->transfer.state == CTL_STAGED_STATE_ARMED && ctl_table_between_cycles(&motion->table))
         ctl_motion_change_program(core);
+}
+
+/* Step tables ramp by the parameter. Others may have their master's ramp in the bank; where they have none,
+ * full speed comes at once at the start of a cycle, and the parameter serves all other changes of speed. */
+static void begin_master_ramp(ctl_core* core)
+{
+    ctl_motion* motion = &core->motion;
+    const ctl_bank* bank = ctl_active_bank(core);
+    const uint32_t bank_ms = ctl_bank_master_ramp_ms(bank);
+    const uint32_t ramp_ms = bank_ms != 0 ? bank_ms : ctl_parameter16(core, CTL_REG_PARAMETER_RAMP_TIME);
+    const uint32_t full = ramp_ticks(core, ramp_ms);
+    if (ctl_bank_ramp_shape(bank) == CTL_RAMP_SHAPE_SCURVE)
+        ctl_ramp_reset_s(&motion->ramp, full);
+    else
+        ctl_ramp_reset(&motion->ramp, full);
+    if (bank_ms == 0 && ctl_bank_layout(bank) != CTL_TABLE_LAYOUT_STEP_TABLE &&
+        ctl_table_between_cycles(&motion->table))
+        motion->ramp.speed = full;
+}
+
+int32_t ctl_motion_wanted_direction(const ctl_core* core)
+{
+    const bool may_reverse =
+        repeats(core) && ctl_bank_layout(ctl_active_bank(core)) == CTL_TABLE_LAYOUT_CAM_POINTS;
+    return may_reverse && ctl_parameter16(core, CTL_REG_PARAMETER_MASTER_DIRECTION) != 0 ? -1 : 1;
 }
 
 void ctl_motion_run(ctl_core* core)
 {
     ctl_motion* motion = &core->motion;
-    ctl_ramp_reset(&motion->ramp, ramp_ticks(core, ctl_parameter16(core, CTL_REG_PARAMETER_RAMP_TIME)));
+    begin_master_ramp(core);
+    motion->direction = ctl_motion_wanted_direction(core);
     motion->manual = false;
     motion->start_after_home = false;
     motion->state = CTL_STATE_RUNNING;
@@ -200,8 +237,18 @@ uint16_t ctl_motion_stop_at_cycle_end(ctl_core* core)
         motion->state = CTL_STATE_STOPPING;
         return CTL_REFUSAL_NONE;
     }
+    const uint16_t at_end = ctl_bank_at_end(ctl_active_bank(core));
+    if (at_end == CTL_END_BEHAVIOR_HOLD_SPEED)
+        return ctl_motion_stop_now(core);
+    if (at_end == CTL_END_BEHAVIOR_STOP) {
+        motion->stop = CTL_STOP_AT_REST;
+        motion->state = CTL_STATE_STOPPING;
+        return CTL_REFUSAL_NONE;
+    }
     const uint32_t cycle = ctl_bank_cycle_ticks(motion->table.bank);
-    motion->stop_remaining = cycle - ctl_table_position(&motion->table);
+    const uint32_t position = ctl_table_position(&motion->table);
+    motion->stop_remaining =
+        motion->direction > 0 || ctl_table_between_cycles(&motion->table) ? cycle - position : position;
     while (!ctl_ramp_can_land(&motion->ramp, motion->stop_remaining))
         motion->stop_remaining += cycle;
     /* Stopped soon after a start, it may gain some speed, so that the end of the cycle is not hours away. */
@@ -228,6 +275,8 @@ uint16_t ctl_motion_reset_fault(ctl_core* core)
     motion->commanded = motion->actual;
     motion->fault = 0;
     core->banks.check_position = 0;
+    if (core->banks.has_active)
+        ctl_table_reset(&motion->table, ctl_active_bank(core));
     ctl_motion_stand(core);
     return CTL_REFUSAL_NONE;
 }
@@ -243,20 +292,15 @@ uint16_t ctl_motion_master_angle(const ctl_core* core)
 uint16_t ctl_motion_master_speed(const ctl_core* core)
 {
     const ctl_motion* motion = &core->motion;
-    if (motion->manual)
-        return 0;
-    return (uint16_t)((uint64_t)motion->ramp.speed * 10000u / motion->ramp.full);
+    return motion->manual ? (uint16_t)0 : (uint16_t)ctl_ramp_share(&motion->ramp, 10000u);
 }
 
 int64_t ctl_motion_commanded_hz(const ctl_core* core)
 {
     const ctl_motion* motion = &core->motion;
-    const ctl_ramp* ramp = &motion->ramp;
     if (ctl_motion_is_press(core) && ctl_motion_in_cycle(core))
         return ctl_press_hz(&motion->press);
-    if (ramp->speed == 0)
-        return 0;
     if (motion->manual)
-        return motion->manual_direction * (int64_t)((uint64_t)motion->manual_hz * ramp->speed / ramp->full);
-    return ctl_table_full_speed_hz(&motion->table) * ramp->speed / ramp->full;
+        return motion->manual_direction * (int64_t)ctl_ramp_share(&motion->ramp, motion->manual_hz);
+    return ctl_motion_in_cycle(core) ? ctl_table_hz(&motion->table, &motion->ramp) : 0;
 }

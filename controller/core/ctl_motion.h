@@ -21,7 +21,8 @@ extern "C" {
 
 struct ctl_core;
 
-typedef enum { CTL_STOP_NOW, CTL_STOP_AT_BOUNDARY } ctl_stop;
+/* At once; landing on the cycle's boundary; where the table itself comes to rest. */
+typedef enum { CTL_STOP_NOW, CTL_STOP_AT_BOUNDARY, CTL_STOP_AT_REST } ctl_stop;
 typedef enum { CTL_HOMING_SEARCH, CTL_HOMING_BRAKE, CTL_HOMING_RETURN } ctl_homing;
 
 typedef struct {
@@ -34,7 +35,7 @@ typedef struct {
     uint16_t state; /* CTL_STATE_... */
     uint16_t fault; /* bits CTL_FAULT_BIT_... */
     bool homed;     /* origin is the index mark */
-    bool in_phase;  /* the knife stands where the table's cycle says */
+    bool in_phase;  /* the axis stands where the table's cycle says */
     bool manual;    /* jogging or homing moves the axis, otherwise the table */
     bool start_after_home;
     ctl_stop stop;
@@ -42,6 +43,7 @@ typedef struct {
     ctl_ramp ramp;
     ctl_table table;         /* valid while there is an active bank */
     ctl_press press;         /* instead of it when that is a press's */
+    int32_t direction;       /* of the master, 1 or -1 */
     uint32_t cycle_count;    /* cycles completed since power-up; strokes of a press however they ended */
     uint64_t stop_remaining; /* master ticks to the boundary where the motion ends */
     uint32_t stop_limit;     /* ramp speed that a stopping master does not exceed */
@@ -78,7 +80,7 @@ bool ctl_motion_standstill(const struct ctl_core* core);
 bool ctl_motion_in_cycle(const struct ctl_core* core);
 
 uint16_t ctl_motion_master_angle(const struct ctl_core* core); /* 0.01 degrees */
-uint16_t ctl_motion_master_speed(const struct ctl_core* core); /* 0.01 % of the table's speed */
+uint16_t ctl_motion_master_speed(const struct ctl_core* core); /* 0.01 % of the table's speed, unsigned */
 int64_t ctl_motion_commanded_hz(const struct ctl_core* core);
 
 /* Force of a press, N; 0 on a machine without. */
@@ -95,6 +97,7 @@ void ctl_motion_begin_stroke(struct ctl_core* core);
 void ctl_motion_slice_stroke(struct ctl_core* core, uint32_t ticks);
 void ctl_motion_run(struct ctl_core* core);
 void ctl_motion_stand(struct ctl_core* core);
+int32_t ctl_motion_wanted_direction(const struct ctl_core* core);
 void ctl_motion_begin_manual(struct ctl_core* core, uint32_t frequency_hz, int32_t direction);
 
 #ifdef __cplusplus

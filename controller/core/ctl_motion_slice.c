@@ -23,20 +23,36 @@ static void cross_boundary(ctl_core* core)
         ctl_swap_banks(core);
         ctl_table_change_bank(table, ctl_active_bank(core));
     }
-    ctl_table_begin_cycle(table);
+    ctl_table_begin_cycle(table, core->motion.direction);
 }
 
+/* A cycle was completed; false when the table ends with it. */
+static bool count_cycle(ctl_core* core)
+{
+    ctl_motion* motion = &core->motion;
+    motion->cycle_count += 1;
+    if (ctl_bank_at_end(motion->table.bank) != CTL_END_BEHAVIOR_STOP)
+        return true;
+    motion->stop = CTL_STOP_NOW;
+    motion->state = CTL_STATE_STOPPING;
+    motion->ramp.speed = 0;
+    return false;
+}
+
+/* The master moves on by so many ticks. */
 static void run_table(ctl_core* core, uint32_t ticks)
 {
     ctl_table* table = &core->motion.table;
     while (ticks != 0) {
         if (ctl_table_between_cycles(table))
             cross_boundary(core);
+        const bool held = ctl_table_holding(table);
         uint32_t used = ticks;
-        ctl_motion_emit(core, ctl_table_advance(table, &used));
+        ctl_motion_emit(core, ctl_table_advance(table, core->motion.direction, &used));
         ticks -= used;
-        if (ctl_table_between_cycles(table))
-            core->motion.cycle_count += 1;
+        const bool over = ctl_table_between_cycles(table) || ctl_table_holding(table) != held;
+        if (over && used != 0 && !count_cycle(core))
+            return;
     }
 }
 
@@ -49,29 +65,70 @@ static int64_t manual_pulses(ctl_core* core, uint32_t ticks)
     return (int64_t)(sum / core->config.timer_clock_hz);
 }
 
+static void slice_running(ctl_core* core, uint32_t ticks)
+{
+    ctl_motion* motion = &core->motion;
+    const int32_t wanted = ctl_motion_wanted_direction(core);
+    if (wanted == motion->direction) {
+        run_table(core, ctl_ramp_up(&motion->ramp, ticks));
+        return;
+    }
+    run_table(core, ctl_ramp_down(&motion->ramp, ticks));
+    if (motion->ramp.speed == 0)
+        motion->direction = wanted;
+}
+
 static void slice_stopping(ctl_core* core, uint32_t ticks)
 {
     ctl_motion* motion = &core->motion;
-    if (ctl_motion_is_press(core) && !motion->manual) {
-        ctl_motion_slice_stroke(core, ticks);
-        return;
-    }
-    if (motion->manual) {
-        ctl_motion_emit(core,
-                        motion->manual_direction * manual_pulses(core, ctl_ramp_down(&motion->ramp, ticks)));
-        if (motion->ramp.speed == 0)
-            ctl_motion_stand(core);
-        return;
-    }
-    if (motion->stop == CTL_STOP_NOW) {
+    switch (motion->stop) {
+    case CTL_STOP_NOW:
         run_table(core, ctl_ramp_down(&motion->ramp, ticks));
-    } else {
+        break;
+    case CTL_STOP_AT_REST:
+        run_table(core, ctl_ramp_up(&motion->ramp, ticks));
+        break;
+    case CTL_STOP_AT_BOUNDARY: {
         const uint32_t travelled =
             ctl_ramp_land(&motion->ramp, ticks, motion->stop_remaining, motion->stop_limit);
         run_table(core, travelled);
         motion->stop_remaining -= travelled;
+        break;
     }
-    if (motion->ramp.speed == 0 && (motion->stop == CTL_STOP_NOW || motion->stop_remaining == 0))
+    }
+}
+
+/* Running, or stopping from it: the master moves, then what follows it at its own pace. */
+static void slice_table(ctl_core* core, uint32_t ticks)
+{
+    ctl_motion* motion = &core->motion;
+    while (ticks != 0 && ctl_motion_in_cycle(core)) {
+        const uint32_t longest = ctl_table_longest_pass(&motion->table);
+        const uint32_t part = ticks < longest ? ticks : longest;
+        ticks -= part;
+        if (motion->state == CTL_STATE_RUNNING)
+            slice_running(core, part);
+        else
+            slice_stopping(core, part);
+        ctl_motion_emit(core, ctl_table_pass(&motion->table, part));
+        if (ctl_table_too_fast(&motion->table)) {
+            ctl_motion_fault(core, CTL_FAULT_BIT_MASTER_TOO_FAST);
+            return;
+        }
+        const bool landed = motion->stop != CTL_STOP_AT_BOUNDARY || motion->stop_remaining == 0;
+        if (motion->state == CTL_STATE_STOPPING && motion->ramp.speed == 0 && landed &&
+            ctl_table_settled(&motion->table))
+            ctl_motion_stand(core);
+    }
+}
+
+/* Jogging or homing was stopped. */
+static void slice_manual_stop(ctl_core* core, uint32_t ticks)
+{
+    ctl_motion* motion = &core->motion;
+    ctl_motion_emit(core,
+                    motion->manual_direction * manual_pulses(core, ctl_ramp_down(&motion->ramp, ticks)));
+    if (motion->ramp.speed == 0)
         ctl_motion_stand(core);
 }
 
@@ -187,6 +244,14 @@ static void measure(ctl_core* core)
         ctl_motion_fault(core, CTL_FAULT_BIT_FOLLOWING_ERROR);
 }
 
+static void slice_cycle(ctl_core* core, uint32_t ticks)
+{
+    if (ctl_motion_is_press(core))
+        ctl_motion_slice_stroke(core, ticks);
+    else
+        slice_table(core, ticks);
+}
+
 void ctl_motion_slice(ctl_core* core, uint32_t ticks)
 {
     ctl_motion* motion = &core->motion;
@@ -196,13 +261,13 @@ void ctl_motion_slice(ctl_core* core, uint32_t ticks)
         begin_jog_when_asked(core);
         break;
     case CTL_STATE_RUNNING:
-        if (ctl_motion_is_press(core))
-            ctl_motion_slice_stroke(core, ticks);
-        else
-            run_table(core, ctl_ramp_up(&motion->ramp, ticks));
+        slice_cycle(core, ticks);
         break;
     case CTL_STATE_STOPPING:
-        slice_stopping(core, ticks);
+        if (motion->manual)
+            slice_manual_stop(core, ticks);
+        else
+            slice_cycle(core, ticks);
         break;
     case CTL_STATE_JOGGING:
         slice_jogging(core, ticks);

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Speed of the master against the table's, with linear ramps, in whole numbers only: the speed is speed /
- * full, both in timer ticks, and changes by one per tick. The travel (master ticks) is exact over any number
- * of calls; at full speed a master tick is a timer tick. */
+/* Speed of the master against the table's, with ramps, in whole numbers only. `speed` goes from 0 to `full`
+ * by one per timer tick. Linear: speed / full is the share of full speed. S-curve: the share is 2 x^2 up to
+ * x = speed / full = 1/2 and 1 - 2 (1 - x)^2 beyond, so that the acceleration rises and falls linearly; both
+ * shapes travel full / 2 from standstill to full speed. The travel (master ticks) is exact over any number of
+ * calls; at full speed a master tick is a timer tick. */
 #ifndef CTL_RAMP_H
 #define CTL_RAMP_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #ifdef __cplusplus
@@ -14,11 +17,14 @@ extern "C" {
 typedef struct {
     uint32_t full;  /* ticks from standstill to full speed, not 0 */
     uint32_t speed; /* 0..full */
-    uint64_t rest;  /* travel not yet handed out, in 1 / (2 full) ticks */
+    uint64_t rest;  /* travel not yet handed out: linear in 1 / (2 full) ticks, S-curve in 1 / 2^31 */
+    bool s_curve;
 } ctl_ramp;
 
-/* Stand still, with `full` ticks to full speed from now on. */
+/* Stand still, with `full` ticks to full speed from now on, linearly. */
 void ctl_ramp_reset(ctl_ramp* ramp, uint32_t full);
+/* The same with an S-curve. */
+void ctl_ramp_reset_s(ctl_ramp* ramp, uint32_t full);
 
 /* Each takes the timer ticks that pass and returns the master ticks travelled. */
 uint32_t ctl_ramp_up(ctl_ramp* ramp, uint32_t ticks);
@@ -27,7 +33,9 @@ uint32_t ctl_ramp_down(ctl_ramp* ramp, uint32_t ticks);
  * Has landed when it returns `remaining`. Needs ctl_ramp_can_land(). */
 uint32_t ctl_ramp_land(ctl_ramp* ramp, uint32_t ticks, uint64_t remaining, uint32_t limit);
 /* The ramp is short enough to stand still within `remaining` master ticks. */
-int ctl_ramp_can_land(const ctl_ramp* ramp, uint64_t remaining);
+bool ctl_ramp_can_land(const ctl_ramp* ramp, uint64_t remaining);
+/* The share of `value` that the present speed is of full speed, rounded down; value below 2^32. */
+uint32_t ctl_ramp_share(const ctl_ramp* ramp, uint32_t value);
 
 /* Largest root with root * root <= square. */
 uint32_t ctl_square_root(uint64_t square);

@@ -5,6 +5,8 @@
 #include "ctl_core.h"
 #include "ctl_words.h"
 
+#include <string.h>
+
 #define US_PER_S 1000000u
 
 void ctl_identity(const ctl_core* core, uint16_t* registers)
@@ -32,7 +34,8 @@ uint16_t ctl_warnings(const ctl_core* core)
     uint32_t bits = 0;
     if (ctl_heartbeat_lost(core))
         bits |= 1u << CTL_WARNING_BIT_HEARTBEAT_LOST;
-    if (!core->motion.homed)
+    const bool any_place_will_do = core->banks.has_active && !ctl_bank_needs_homing(ctl_active_bank(core));
+    if (!core->motion.homed && !any_place_will_do)
         bits |= 1u << CTL_WARNING_BIT_NOT_HOMED;
     if (core->flash.slot_invalid)
         bits |= 1u << CTL_WARNING_BIT_FLASH_SLOT_INVALID;
@@ -89,16 +92,20 @@ static void put_program(const ctl_core* core, uint16_t* registers)
     put_wide(registers, CTL_REG_STATUS_SAVED_CRC, core->flash.saved_crc);
 }
 
-static void put_bags(const ctl_core* core, uint16_t* registers)
+/* Only of the rotary cutter: other kinds have other values at the same addresses. */
+static void put_knife(const ctl_core* core, uint16_t* registers)
 {
     const ctl_bank* bank = ctl_active_bank(core);
+    if (!core->banks.has_active || ctl_bank_kind(bank) != CTL_PROGRAM_KIND_ROTARY_CUTTER)
+        return;
+    put(registers, CTL_REG_STATUS_KNIFE_ANGLE,
+        ctl_bank_knife_angle(bank, core->motion.actual - core->motion.origin));
     put_wide(registers, CTL_REG_STATUS_BAG_LENGTH, core->bags.length_um);
     put_wide(registers, CTL_REG_STATUS_BAG_COUNT, core->bags.count);
-    uint16_t deviation = 0;
-    if (core->banks.has_active && core->bags.length_um != 0)
-        deviation = saturated16((int64_t)core->bags.length_um -
-                                ctl_get32(&bank->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH]));
-    put(registers, CTL_REG_STATUS_BAG_DEVIATION, deviation);
+    if (core->bags.length_um != 0)
+        put(registers, CTL_REG_STATUS_BAG_DEVIATION,
+            saturated16((int64_t)core->bags.length_um -
+                        ctl_get32(&bank->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH])));
 }
 
 static uint16_t saturated_force(int32_t force)
@@ -131,18 +138,12 @@ static void put_motion(const ctl_core* core, uint16_t* registers)
     put_wide(registers, CTL_REG_STATUS_COMMANDED_POSITION, (uint64_t)(motion->commanded - motion->origin));
     put_wide(registers, CTL_REG_STATUS_AXIS_POSITION, (uint64_t)position);
     put(registers, CTL_REG_STATUS_FOLLOWING_ERROR, saturated16(motion->commanded - motion->actual));
-    if (ctl_motion_is_press(core)) {
-        put_press(core, registers);
-        return;
-    }
-    put_bags(core, registers);
-    put(registers, CTL_REG_STATUS_KNIFE_ANGLE,
-        core->banks.has_active ? ctl_bank_knife_angle(ctl_active_bank(core), position) : (uint16_t)0);
 }
 
 void ctl_status(const ctl_core* core, uint16_t* registers)
 {
     const uint64_t up_us = core->now_us - core->started_us;
+    memset(registers, 0, CTL_STATUS_REGISTERS * sizeof registers[0]);
     put(registers, CTL_REG_STATUS_TAG, core->written.exchange[0]);
     put(registers, CTL_REG_STATUS_HEARTBEAT, core->written.exchange[1]);
     put(registers, CTL_REG_STATUS_STATE, core->motion.state);
@@ -152,5 +153,8 @@ void ctl_status(const ctl_core* core, uint16_t* registers)
     put(registers, CTL_REG_STATUS_SAMPLE_TIME, (uint16_t)(up_us / 1000u & 0xFFFFu));
     put_program(core, registers);
     put_motion(core, registers);
+    put_knife(core, registers);
+    if (ctl_motion_is_press(core))
+        put_press(core, registers);
     put_link(core, registers);
 }

@@ -6,6 +6,8 @@
 #define CTL_TABLE_H
 
 #include "ctl_bank.h"
+#include "ctl_cam.h"
+#include "ctl_ramp.h"
 #include "ctl_step.h"
 
 #ifdef __cplusplus
@@ -15,8 +17,10 @@ extern "C" {
 typedef struct {
     const ctl_config* config;
     const ctl_bank* bank; /* NULL until there is one */
+    uint16_t layout;      /* of that bank */
     union {
         ctl_step step;
+        ctl_cam cam;
     };
 } ctl_table;
 
@@ -26,15 +30,26 @@ void ctl_table_reset(ctl_table* table, const ctl_bank* bank);
 /* Between two cycles: go on with another bank; what is owed is kept when the layout is the same. */
 void ctl_table_change_bank(ctl_table* table, const ctl_bank* bank);
 bool ctl_table_between_cycles(const ctl_table* table);
-/* Between two cycles: start the next one. */
-void ctl_table_begin_cycle(ctl_table* table);
-/* Moves on by *ticks, at most to the end of the cycle; returns the pulses that leave meanwhile, *ticks
- * becomes what was used. */
-int64_t ctl_table_advance(ctl_table* table, uint32_t* ticks);
+/* Between two cycles: start the next one, where the layout allows it also backwards (-1). */
+void ctl_table_begin_cycle(ctl_table* table, int32_t direction);
+/* Moves on by *ticks, at most to the end of the cycle, which is not the end where the last speed is held;
+ * returns the pulses that leave as the master advances, *ticks becomes what was used. */
+int64_t ctl_table_advance(ctl_table* table, int32_t direction, uint32_t* ticks);
+/* The cycle is over and its last speed is held. */
+bool ctl_table_holding(const ctl_table* table);
 /* Ticks from the start of the cycle, 0 between two cycles. */
 uint32_t ctl_table_position(const ctl_table* table);
-/* Pulse frequency here if the master ran at full speed. */
-int64_t ctl_table_full_speed_hz(const ctl_table* table);
+
+/* Most timer ticks that may pass at once. */
+uint32_t ctl_table_longest_pass(const ctl_table* table);
+/* So many timer ticks pass; returns the pulses that leave by the engine's own pace. */
+int64_t ctl_table_pass(ctl_table* table, uint32_t ticks);
+/* All pulses up to where the master stands have left. */
+bool ctl_table_settled(const ctl_table* table);
+/* The master runs so fast that the output stage cannot follow. */
+bool ctl_table_too_fast(const ctl_table* table);
+/* Pulse frequency now, with the master at the speed of `ramp`. */
+int64_t ctl_table_hz(const ctl_table* table, const ctl_ramp* ramp);
 
 #ifdef __cplusplus
 }

@@ -23,6 +23,14 @@ double wide(const ctl_bank& bank, unsigned offset)
     return ctl_get32(&bank.registers[offset]);
 }
 
+// Pulses of one turn of the knife shaft.
+double knifeRevolution(const ctl_bank& bank)
+{
+    return wide(bank, CTL_OFFSET_PROGRAM_PULSES_PER_MOTOR_REV) *
+           bank.registers[CTL_OFFSET_PROGRAM_GEAR_NUMERATOR] /
+           bank.registers[CTL_OFFSET_PROGRAM_GEAR_DENOMINATOR];
+}
+
 // Pulses of the table from the start of the cycle to a master angle.
 double pulsesAtAngle(const ctl_bank& bank, double angle)
 {
@@ -50,20 +58,30 @@ Machine::Machine(const MachineOptions& options)
 
 void Machine::setProgram(const ctl_bank& bank)
 {
-    if (ctl_bank_kind(&bank) == CTL_PROGRAM_KIND_PRESS) {
-        m_hasKnife = false;
-        setPress(bank);
+    setPress(bank);
+    const double revolutions = (m_position - m_mark) / m_revolution;
+    const bool cuts = ctl_bank_kind(&bank) == CTL_PROGRAM_KIND_ROTARY_CUTTER;
+    const double revolution = cuts ? knifeRevolution(bank) : ctl_bank_revolution_pulses(&bank, 1);
+    if (std::abs(revolution - m_revolution) > restPulses) {
+        m_revolution = revolution;
+        m_mark = m_position - revolutions * revolution;
+    }
+    m_cuts = cuts;
+    if (!cuts) {
+        forgetLastCut();
         return;
     }
-    m_ram.reset();
-    m_hasKnife = ctl_bank_kind(&bank) == CTL_PROGRAM_KIND_ROTARY_CUTTER;
-    if (m_hasKnife)
-        setKnife(bank);
+    m_stroke = m_revolution / bank.registers[CTL_OFFSET_PROGRAM_KNIVES];
+    m_cutOffset = pulsesAtAngle(bank, bank.registers[CTL_OFFSET_BANK_CUT_ANGLE]);
 }
 
 // Another press begins with its ram up.
 void Machine::setPress(const ctl_bank& bank)
 {
+    if (ctl_bank_kind(&bank) != CTL_PROGRAM_KIND_PRESS) {
+        m_ram.reset();
+        return;
+    }
     const double pulseMm =
         wide(bank, CTL_OFFSET_PRESS_FEED) / umPerMm / wide(bank, CTL_OFFSET_PRESS_PULSES_PER_MOTOR_REV);
     if (m_ram && pulseMm == m_pulseMm)
@@ -71,20 +89,6 @@ void Machine::setPress(const ctl_bank& bank)
     m_ram.emplace(m_options.press, m_options.seed);
     m_pulseMm = pulseMm;
     m_top = m_position;
-}
-
-void Machine::setKnife(const ctl_bank& bank)
-{
-    const double revolutions = (m_position - m_mark) / m_revolution;
-    const double revolution = wide(bank, CTL_OFFSET_PROGRAM_PULSES_PER_MOTOR_REV) *
-                              bank.registers[CTL_OFFSET_PROGRAM_GEAR_NUMERATOR] /
-                              bank.registers[CTL_OFFSET_PROGRAM_GEAR_DENOMINATOR];
-    if (std::abs(revolution - m_revolution) > restPulses) {
-        m_revolution = revolution;
-        m_mark = m_position - revolutions * revolution;
-    }
-    m_stroke = m_revolution / bank.registers[CTL_OFFSET_PROGRAM_KNIVES];
-    m_cutOffset = pulsesAtAngle(bank, bank.registers[CTL_OFFSET_BANK_CUT_ANGLE]);
 }
 
 void Machine::setDriveOn(bool on)
@@ -116,7 +120,7 @@ void Machine::passCut(double before, double filmMm)
 {
     const double first = m_mark + m_cutOffset;
     const double strokes = std::floor((m_position - first) / m_stroke);
-    if (!m_hasKnife || strokes <= std::floor((before - first) / m_stroke))
+    if (!m_cuts || strokes <= std::floor((before - first) / m_stroke))
         return;
     const double passed = (first + strokes * m_stroke - before) / (m_position - before);
     const double filmAtCutMm = m_filmMm + passed * filmMm + m_slipMm(m_random);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulated machine: a servo that follows the pulses with a lag. With a cutter's program it turns a
-// knife with encoder and index mark over a film that is fed in proportion to the master and measured where it
-// is cut; with a press's it drives the ram. Same seed and same calls: same results.
+// The simulated machine: a servo that follows the pulses with a lag, its encoder and index mark. With a
+// rotary cutter's program it turns a knife, and a film is fed in proportion to the master and measured where
+// it is cut; with a press's it drives the ram; with any other it is a plain axis with a mark at each motor
+// revolution. Same seed and same calls: same results.
 #pragma once
 
 #include "ctl_bank.h"
@@ -17,7 +18,7 @@ struct MachineOptions {
     std::uint64_t seed = 1;
     double filmSlipMm = 0.03;         // standard deviation of the film's slip from bag to bag
     double servoBandwidthHz = 80.0;   // critically damped; the knife lags by 1 / (pi * bandwidth)
-    double startAngleDegrees = 300.0; // of the knife at power-up, from its index mark
+    double startAngleDegrees = 300.0; // of the shaft at power-up, from its index mark
     PressOptions press;
 };
 
@@ -25,7 +26,7 @@ class Machine {
 public:
     explicit Machine(const MachineOptions& options);
 
-    // The program that is executed from now on; the knife keeps its angle.
+    // The program that is executed from now on; the shaft keeps its angle.
     void setProgram(const ctl_bank& bank);
     void command(std::int64_t pulses) { m_commanded += pulses; }
     // A drive that is cut off does not follow any more; switched on again it has forgotten the pulses in
@@ -49,7 +50,6 @@ public:
     [[nodiscard]] std::optional<std::uint32_t> takeCutUm();
 
 private:
-    void setKnife(const ctl_bank& bank);
     void setPress(const ctl_bank& bank);
     void followCommand(double stepS);
     void passIndex(double before);
@@ -63,12 +63,12 @@ private:
     std::int64_t m_commanded = 0;  // pulses
     double m_position = 0.0;       // pulses
     double m_speed = 0.0;          // pulses/s
-    double m_revolution = 10000.0; // pulses of one knife revolution
+    double m_revolution = 10000.0; // pulses from mark to mark
     double m_mark = 0.0;           // position of an index mark, pulses
     double m_stroke = 10000.0;     // pulses from one knife to the next
     double m_cutOffset = 0.0;      // pulses from an index mark to the cut
-    bool m_hasKnife = false;
-    double m_filmMm = 0.0; // fed since power-up
+    bool m_cuts = false;           // there is a program, and it has a knife
+    double m_filmMm = 0.0;         // fed since power-up
     std::optional<double> m_filmAtCutMm;
     std::optional<std::int64_t> m_index;
     std::optional<std::uint32_t> m_cutUm;

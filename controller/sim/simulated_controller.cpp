@@ -32,7 +32,7 @@ double phaseOf(const ctl_core& core)
     return static_cast<double>(ctl_table_position(&table)) / ctl_bank_cycle_ticks(table.bank);
 }
 
-// Film that a cycle feeds: none where there is no knife.
+// Film is fed for a knife only.
 double bagLengthMm(const ctl_core& core)
 {
     if (ctl_bank_kind(ctl_active_bank(&core)) != CTL_PROGRAM_KIND_ROTARY_CUTTER)

@@ -181,10 +181,11 @@ Registers Rig::transfer(std::uint16_t session, std::uint16_t operation, std::uin
     return readWrite(CTL_REG_TRANSFER_RESULT_SESSION, 8, CTL_REG_TRANSFER_SESSION, values);
 }
 
-std::uint16_t Rig::download(const Registers& image, std::uint16_t session)
+std::uint16_t Rig::download(const Registers& image, std::uint16_t session, std::optional<std::uint16_t> kind)
 {
     const auto size = static_cast<std::uint16_t>(image.size());
-    transfer(session, CTL_TRANSFER_OPERATION_BEGIN, 0, {CTL_PROGRAM_KIND_ROTARY_CUTTER, size, CTL_MAP_MAJOR});
+    transfer(session, CTL_TRANSFER_OPERATION_BEGIN, 0,
+             {kind.value_or(image.at(CTL_OFFSET_BANK_KIND)), size, CTL_MAP_MAJOR});
     for (std::size_t first = 0; first < image.size(); first += CTL_BLOCK_REGISTERS) {
         const std::size_t last = std::min<std::size_t>(image.size(), first + CTL_BLOCK_REGISTERS);
         transfer(session, CTL_TRANSFER_OPERATION_BLOCK,

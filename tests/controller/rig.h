@@ -55,8 +55,9 @@ public:
     // The eight transfer result registers.
     Registers transfer(std::uint16_t session, std::uint16_t operation, std::uint16_t block,
                        const Registers& data);
-    // Result of the seal.
-    std::uint16_t download(const Registers& image, std::uint16_t session = 1);
+    // Result of the seal; announced as a program of the image's kind where no other is given.
+    std::uint16_t download(const Registers& image, std::uint16_t session = 1,
+                           std::optional<std::uint16_t> kind = {});
     std::uint16_t apply(const Registers& image, std::uint16_t mode, std::uint16_t session = 1);
     // Downloads and activates at standstill.
     void install(const BankImage& bank);

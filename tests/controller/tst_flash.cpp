@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What survives a power loss: program, parameters, generation; a power cut at any byte leaves the older slot.
 #include "rig.h"
+#include "support/cam_image.h"
 
 #include <QTest>
 
@@ -36,6 +37,7 @@ private slots:
     void everyDamagedByteIsNoticed();
     void flashFailureIsReported();
     void savingWhileRunning();
+    void largestCamThroughFlash();
 };
 
 void TestFlash::blankFlash()
@@ -168,6 +170,32 @@ void TestFlash::savingWhileRunning()
     QVERIFY(rig.runUntilState(CTL_STATE_RUNNING));
     QCOMPARE(rig.command(CTL_COMMAND_SAVE_TO_FLASH, 0, 0, crc32(bank.registers())), CTL_REFUSAL_NONE);
     QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
+}
+
+void TestFlash::largestCamThroughFlash()
+{
+    CamImage cam = sineCam(5000.0, 1000.0, CTL_CAM_POINT_CAPACITY - 1, 8'000'000);
+    cam.knots = CTL_KNOT_CAPACITY;
+    const Registers image = cam.registers();
+    QCOMPARE(image.size(), std::size_t{CTL_BANK_REGISTERS});
+    MemoryFlash flash;
+    {
+        Rig rig({}, &flash);
+        QCOMPARE(rig.download(image), CTL_TRANSFER_RESULT_ACCEPTED);
+        QCOMPARE(rig.apply(image, CTL_APPLY_MODE_WHEN_STOPPED), CTL_REFUSAL_NONE);
+        QCOMPARE(rig.read(static_cast<std::uint16_t>(CTL_ACTIVE_BANK_BASE + CTL_BANK_REGISTERS - 100), 100),
+                 Registers(image.end() - 100, image.end()));
+        QCOMPARE(rig.command(CTL_COMMAND_SAVE_TO_FLASH, 0, 0, crc32(image)), CTL_REFUSAL_NONE);
+    }
+    Rig rig({}, &flash);
+    QCOMPARE(rig.statusWide(CTL_REG_STATUS_ACTIVE_CRC), crc32(image));
+    QCOMPARE(rig.statusWide(CTL_REG_STATUS_SAVED_CRC), crc32(image));
+    QCOMPARE(rig.read(CTL_ACTIVE_BANK_BASE, 100), Registers(image.begin(), image.begin() + 100));
+    rig.start();
+    rig.run(5'000'000);
+    QCOMPARE(rig.command(CTL_COMMAND_STOP_AT_CYCLE_END), CTL_REFUSAL_NONE);
+    QVERIFY(rig.runUntilState(CTL_STATE_READY));
+    QCOMPARE(rig.commanded(), std::int64_t{5000} * rig.core().motion.cycle_count);
 }
 
 QTEST_APPLESS_MAIN(TestFlash)

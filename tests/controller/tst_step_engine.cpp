@@ -44,6 +44,8 @@ private slots:
     void changeOfBankKeepsWhatIsOwed();
     void rampIsExactHoweverItIsCut();
     void landingIsExact();
+    void sCurveIsExactHoweverItIsCut();
+    void sCurveLandsExactly();
 };
 
 // Pulse j of a row at floor(j * ticks / pulses), computed here in plain arithmetic.
@@ -288,6 +290,65 @@ void TestStepEngine::landingIsExact()
             // Never harder than twice the ramp, until a tick of the master is longer than the rest of the
             // way.
             QVERIFY(before <= ramp.speed + 4000 || before < ramp.full / 100);
+            QVERIFY(++slices < 100'000);
+        }
+        QCOMPARE(ramp.speed, 0u);
+    }
+}
+
+// Against the integral of the S-curve's share in floating point, up and down again.
+void TestStepEngine::sCurveIsExactHoweverItIsCut()
+{
+    constexpr std::uint64_t seed = 14;
+    qInfo("seed %llu", static_cast<unsigned long long>(seed));
+    std::mt19937_64 random(seed);
+    for (const std::uint32_t full : {6'400'000u, 6'400'001u, 400'000u, 4'000'000'000u}) {
+        const auto travel = [full](double speed) {
+            const double x = speed / full;
+            const double rest = 1.0 - x;
+            return full * (x <= 0.5 ? 2.0 / 3.0 * x * x * x : x - 0.5 + 2.0 / 3.0 * rest * rest * rest);
+        };
+        ctl_ramp ramp{};
+        ctl_ramp_reset_s(&ramp, full);
+        std::uint64_t travelled = 0;
+        while (ramp.speed < full) {
+            const std::uint32_t share = ctl_ramp_share(&ramp, 1'000'000);
+            travelled += ctl_ramp_up(
+                &ramp, std::min(full - ramp.speed, 1 + static_cast<std::uint32_t>(random() % (full / 100))));
+            QVERIFY(std::abs(static_cast<double>(travelled) - travel(ramp.speed)) <= 3.0);
+            QVERIFY(ctl_ramp_share(&ramp, 1'000'000) >= share);
+        }
+        QCOMPARE(ctl_ramp_share(&ramp, 1'000'000), 1'000'000u);
+        QCOMPARE(travelled, std::uint64_t{full - full / 2});
+        QCOMPARE(ctl_ramp_up(&ramp, 12'345), 12'345u);
+        while (ramp.speed > 0)
+            travelled -= ctl_ramp_down(&ramp, 1 + static_cast<std::uint32_t>(random() % (full / 100)));
+        QCOMPARE(travelled, std::uint64_t{0});
+    }
+}
+
+void TestStepEngine::sCurveLandsExactly()
+{
+    constexpr std::uint64_t seed = 15;
+    qInfo("seed %llu", static_cast<unsigned long long>(seed));
+    std::mt19937_64 random(seed);
+    for (int i = 0; i < 500; ++i) {
+        ctl_ramp ramp{};
+        ctl_ramp_reset_s(&ramp, 400'000 + static_cast<std::uint32_t>(random() % 8'000'000));
+        ramp.speed = static_cast<std::uint32_t>(random() % (ramp.full + 1u));
+        std::uint64_t remaining = 1 + random() % 8'000'000;
+        while (!ctl_ramp_can_land(&ramp, remaining))
+            remaining += 1'000'000;
+        const std::uint32_t most = std::max(ramp.speed, ramp.full / 4);
+        std::uint64_t slices = 0;
+        while (remaining > 0) {
+            const std::uint32_t before = ramp.speed;
+            const std::uint32_t travelled = ctl_ramp_land(&ramp, 2000, remaining, ramp.full / 4);
+            QVERIFY(travelled <= remaining);
+            remaining -= travelled;
+            QVERIFY(ramp.speed <= most);
+            // No harder than the ramp, until a tick of the master is longer than the rest of the way.
+            QVERIFY(before <= ramp.speed + 2000 || (remaining == 0 && before < ramp.full / 10));
             QVERIFY(++slices < 100'000);
         }
         QCOMPARE(ramp.speed, 0u);

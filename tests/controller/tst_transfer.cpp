@@ -165,7 +165,9 @@ void TestTransfer::sealChecksEveryRow_data()
                            << detail;
     };
     QTest::newRow("untouched") << Change([](Registers&) {}) << int{CTL_TRANSFER_RESULT_ACCEPTED} << 0;
-    header("layout", CTL_OFFSET_BANK_LAYOUT, 2, CTL_OFFSET_BANK_LAYOUT);
+    header("layout", CTL_OFFSET_BANK_LAYOUT, 0, CTL_OFFSET_BANK_LAYOUT);
+    header("layout of other kinds", CTL_OFFSET_BANK_LAYOUT, CTL_TABLE_LAYOUT_CAM_POINTS,
+           CTL_OFFSET_BANK_KIND);
     header("kind", CTL_OFFSET_BANK_KIND, 0, CTL_OFFSET_BANK_KIND);
     header("fewer rows", CTL_OFFSET_BANK_ROW_COUNT, 39, CTL_OFFSET_BANK_ROW_COUNT);
     header("more rows", CTL_OFFSET_BANK_ROW_COUNT, 41, CTL_OFFSET_BANK_ROW_COUNT);
@@ -206,7 +208,7 @@ void TestTransfer::sealChecksEveryRow()
     Rig rig;
     Registers image = goodBank().registers();
     change(image);
-    QCOMPARE(rig.download(image), result);
+    QCOMPARE(rig.download(image, 1, CTL_PROGRAM_KIND_ROTARY_CUTTER), result);
     const Registers answer = rig.read(CTL_REG_TRANSFER_RESULT_SESSION, 8);
     QCOMPARE(answer[4], detail);
     const bool accepted = result == CTL_TRANSFER_RESULT_ACCEPTED;

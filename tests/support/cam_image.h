@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// Banks of cam points for tests, made without the profile layer: any curve with its derivative, sampled at
+// the ends of equal intervals.
+#pragma once
+
+#include "ctl_registers.h"
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+namespace campanel::test {
+
+struct CamRow {
+    std::int32_t position = 0; // 1/256 pulse from the first row
+    std::int32_t slope = 0;    // 1/256 pulse per interval
+};
+
+struct CamImage {
+    std::uint16_t kind = CTL_PROGRAM_KIND_POINT_CAM;
+    std::uint16_t atEnd = CTL_END_BEHAVIOR_REPEAT;
+    std::vector<CamRow> rows;
+    std::uint32_t cycleTicks = 8'000'000;
+    std::int32_t advance = 0; // pulses, rounded down
+    std::uint32_t remainder = 0;
+    std::uint32_t divisor = 1;
+    std::uint16_t masterRampMs = 300;
+    std::uint16_t rampShape = CTL_RAMP_SHAPE_TRAPEZOID;
+    std::uint16_t knots = 0;
+    std::uint32_t pulsesPerMotorRev = 10000;
+    std::uint32_t feedUm = 100'000;
+
+    // Header, rows and knots as they go over the line.
+    [[nodiscard]] std::vector<std::uint16_t> registers() const
+    {
+        std::vector<std::uint16_t> result(CTL_BANK_HEADER_REGISTERS, 0);
+        const auto wide = [&result](unsigned offset, std::uint32_t value) {
+            result.at(offset) = static_cast<std::uint16_t>(value >> 16);
+            result.at(offset + 1) = static_cast<std::uint16_t>(value & 0xFFFFu);
+        };
+        const auto append = [&result](std::int32_t value) {
+            const auto bits = static_cast<std::uint32_t>(value);
+            result.push_back(static_cast<std::uint16_t>(bits >> 16));
+            result.push_back(static_cast<std::uint16_t>(bits & 0xFFFFu));
+        };
+        result[CTL_OFFSET_BANK_LAYOUT] = CTL_TABLE_LAYOUT_CAM_POINTS;
+        result[CTL_OFFSET_BANK_KIND] = kind;
+        result[CTL_OFFSET_BANK_ROW_COUNT] = static_cast<std::uint16_t>(rows.size());
+        wide(CTL_OFFSET_BANK_CYCLE_TICKS, cycleTicks);
+        wide(CTL_OFFSET_BANK_ADVANCE, static_cast<std::uint32_t>(advance));
+        wide(CTL_OFFSET_BANK_REMAINDER, remainder);
+        wide(CTL_OFFSET_BANK_DIVISOR, divisor);
+        result[CTL_OFFSET_BANK_END_BEHAVIOR] = atEnd;
+        result[CTL_OFFSET_CAM_MASTER_RAMP] = masterRampMs;
+        result[CTL_OFFSET_CAM_RAMP_SHAPE] = rampShape;
+        result[CTL_OFFSET_CAM_KNOT_COUNT] = knots;
+        switch (kind) {
+        case CTL_PROGRAM_KIND_POSITION_MOVE:
+            wide(CTL_OFFSET_POSITION_MOVE_PULSES_PER_MOTOR_REV, pulsesPerMotorRev);
+            wide(CTL_OFFSET_POSITION_MOVE_FEED, feedUm);
+            break;
+        case CTL_PROGRAM_KIND_SPEED_MOVE:
+            wide(CTL_OFFSET_SPEED_MOVE_PULSES_PER_MOTOR_REV, pulsesPerMotorRev);
+            wide(CTL_OFFSET_SPEED_MOVE_FEED, feedUm);
+            break;
+        default:
+            wide(CTL_OFFSET_POINT_CAM_PULSES_PER_MOTOR_REV, pulsesPerMotorRev);
+            wide(CTL_OFFSET_POINT_CAM_FEED, feedUm);
+            break;
+        }
+        for (const CamRow& row : rows) {
+            append(row.position);
+            append(row.slope);
+        }
+        for (std::int32_t i = 0; i < knots; ++i) {
+            append(3'600'000 / knots * i);
+            append(1000 * i);
+        }
+        return result;
+    }
+};
+
+// Rows of `curve` (pulses) and `derivative` (pulses per cycle), both of x = 0..1.
+template <typename Curve, typename Derivative>
+std::vector<CamRow> camRows(unsigned intervals, Curve curve, Derivative derivative)
+{
+    std::vector<CamRow> rows;
+    for (unsigned i = 0; i <= intervals; ++i) {
+        const double x = static_cast<double>(i) / intervals;
+        rows.push_back({static_cast<std::int32_t>(std::lround(256.0 * curve(x))),
+                        static_cast<std::int32_t>(std::lround(256.0 * derivative(x) / intervals))});
+    }
+    return rows;
+}
+
+// A progressive cam: net pulses a cycle with a sine on top, `swing` pulses to both sides.
+inline CamImage sineCam(double net, double swing, unsigned intervals, std::uint32_t cycleTicks)
+{
+    constexpr double turn = 2.0 * std::numbers::pi;
+    CamImage cam;
+    cam.cycleTicks = cycleTicks;
+    cam.rows = camRows(
+        intervals, [=](double x) { return net * x + swing * std::sin(turn * x); },
+        [=](double x) { return net + swing * turn * std::cos(turn * x); });
+    cam.advance = static_cast<std::int32_t>(std::floor(net));
+    return cam;
+}
+
+// From rest to rest over so many pulses, by the quintic.
+inline CamImage quinticMove(double pulses, unsigned intervals, std::uint32_t cycleTicks)
+{
+    CamImage cam;
+    cam.kind = CTL_PROGRAM_KIND_POSITION_MOVE;
+    cam.atEnd = CTL_END_BEHAVIOR_STOP;
+    cam.masterRampMs = 0;
+    cam.cycleTicks = cycleTicks;
+    cam.rows = camRows(
+        intervals, [=](double x) { return pulses * x * x * x * (10.0 - 15.0 * x + 6.0 * x * x); },
+        [=](double x) { return pulses * 30.0 * x * x * (1.0 - x) * (1.0 - x); });
+    cam.advance = static_cast<std::int32_t>(std::floor(pulses));
+    return cam;
+}
+
+// From rest to so many pulses a second, by the cubic 2-3 as speed law; that speed is held.
+inline CamImage speedMove(double pulsesPerS, unsigned intervals, std::uint32_t cycleTicks,
+                          double clockHz = 8e6)
+{
+    const double perCycle = pulsesPerS * cycleTicks / clockHz;
+    CamImage cam;
+    cam.kind = CTL_PROGRAM_KIND_SPEED_MOVE;
+    cam.atEnd = CTL_END_BEHAVIOR_HOLD_SPEED;
+    cam.masterRampMs = 0;
+    cam.cycleTicks = cycleTicks;
+    cam.rows = camRows(
+        intervals, [=](double x) { return perCycle * x * x * x * (1.0 - x / 2.0); },
+        [=](double x) { return perCycle * x * x * (3.0 - 2.0 * x); });
+    cam.advance = static_cast<std::int32_t>(std::floor(perCycle / 2.0));
+    return cam;
+}
+
+} // namespace campanel::test
