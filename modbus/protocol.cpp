@@ -49,14 +49,15 @@ constexpr std::array tableLayouts{
           "(u32, "
           "pulses/s), acceleration (u32, pulses/s^2), as the accumulators of the engine take them: at 2^23 "
           "iterations per second, in units of 2^-interval.fraction_bits."),
-    entry(TableLayout::PressStages, "PressStages",
-          "Five rows of eight registers: speed (u32, Hz), end position (i32, pulses), force (u32, N), time "
-          "(u32, ms): "
-          "approach, probe, press, hold, return. The time of a stage that moves is its ramp, that of the hold "
-          "its length. "
-          "The force of approach and probe is the one by which the work piece is felt, that of press the "
-          "largest "
-          "allowed in any stage."),
+    entry(
+        TableLayout::PressStages, "PressStages",
+        "Five rows of eight registers: speed (u32, Hz), end position (i32, pulses), force (u32, N), time "
+        "(u32, ms): "
+        "approach, probe, press, hold, return. The time of a stage that moves is its ramp, that of the hold "
+        "its length. "
+        "The force of approach and probe is the one by which the work piece is felt, that of press the "
+        "largest "
+        "allowed in any stage."),
 };
 
 constexpr std::array endBehaviors{
@@ -118,7 +119,9 @@ constexpr std::array commands{
     entry(Command::StopAtCycleEnd, "StopAtCycleEnd",
           "Ramp down so that the motion ends at a cycle boundary."),
     entry(Command::StopNow, "StopNow", "Ramp down at once; the cam phase is kept."),
-    entry(Command::Home, "Home", "Turn slowly to the knife's index mark and call it zero."),
+    entry(Command::Home, "Home",
+          "Turn slowly to the index mark and call it zero; a press: call the place where it stands its upper "
+          "position."),
     entry(Command::ResetFault, "ResetFault", "Leave Fault when its cause is gone."),
     entry(Command::ApplyStaged, "ApplyStaged",
           "argument0 = ApplyMode, argument1 = transfer session, argument2 = CRC-32 of the staged bytes."),

@@ -27,6 +27,14 @@ printed is that port's path. Ends on SIGTERM or SIGINT.
   --speed FACTOR       simulated seconds per second, 0.01..1000 (1)
   --seed N             seed of the machine's disturbances (1)
   --film-slip MM       standard deviation of the film's slip per bag, 0..10 (0.03)
+  --work-piece MM      where the work piece of a press begins, below the upper position, 0..1000 (75)
+  --work-piece-scatter MM  standard deviation of that from stroke to stroke, 0..100 (0.2)
+  --work-piece-missing P   share of the strokes that find none, 0..1 (0)
+  --work-piece-stiffness N force per mm that the ram goes into it, 0..1000000 (200)
+  --press-backlash MM  play between motor and ram, 0..10 (0.037)
+  --press-lead-error R the ram goes 1 + R times as far as the motor says, -0.1..0.1 (0.00012)
+  --press-screw-error MM   error to both sides within each turn of the screw, 0..1 (0.001)
+  --press-drift MM     standard deviation of heat's move of the ram from stroke to stroke, 0..1 (0.005)
   --exit-with-parent   end when the process that started this one ends
   --help, --version
 )";
@@ -56,6 +64,14 @@ enum Code {
     Speed,
     Seed,
     FilmSlip,
+    WorkPiece,
+    WorkPieceScatter,
+    WorkPieceMissing,
+    WorkPieceStiffness,
+    PressBacklash,
+    PressLeadError,
+    PressScrewError,
+    PressDrift,
     ExitWithParent,
     Help,
     Version
@@ -71,10 +87,40 @@ const option table[] = {{"link", required_argument, nullptr, Link},
                         {"speed", required_argument, nullptr, Speed},
                         {"seed", required_argument, nullptr, Seed},
                         {"film-slip", required_argument, nullptr, FilmSlip},
+                        {"work-piece", required_argument, nullptr, WorkPiece},
+                        {"work-piece-scatter", required_argument, nullptr, WorkPieceScatter},
+                        {"work-piece-missing", required_argument, nullptr, WorkPieceMissing},
+                        {"work-piece-stiffness", required_argument, nullptr, WorkPieceStiffness},
+                        {"press-backlash", required_argument, nullptr, PressBacklash},
+                        {"press-lead-error", required_argument, nullptr, PressLeadError},
+                        {"press-screw-error", required_argument, nullptr, PressScrewError},
+                        {"press-drift", required_argument, nullptr, PressDrift},
                         {"exit-with-parent", no_argument, nullptr, ExitWithParent},
                         {"help", no_argument, nullptr, Help},
                         {"version", no_argument, nullptr, Version},
                         {nullptr, 0, nullptr, 0}};
+
+bool takePressOption(int code, std::string_view argument, PressOptions& press)
+{
+    switch (code) {
+    case WorkPiece:
+        return parseNumber(argument, 0.0, 1000.0, press.workPieceMm);
+    case WorkPieceScatter:
+        return parseNumber(argument, 0.0, 100.0, press.workPieceScatterMm);
+    case WorkPieceMissing:
+        return parseNumber(argument, 0.0, 1.0, press.missing);
+    case WorkPieceStiffness:
+        return parseNumber(argument, 0.0, 1e6, press.stiffnessNPerMm);
+    case PressBacklash:
+        return parseNumber(argument, 0.0, 10.0, press.backlashMm);
+    case PressLeadError:
+        return parseNumber(argument, -0.1, 0.1, press.leadError);
+    case PressScrewError:
+        return parseNumber(argument, 0.0, 1.0, press.screwErrorMm);
+    default:
+        return parseNumber(argument, 0.0, 1.0, press.driftMm);
+    }
+}
 
 // False when the option's argument is outside its range.
 bool takeOption(int code, std::string_view argument, Options& options)
@@ -104,9 +150,11 @@ bool takeOption(int code, std::string_view argument, Options& options)
         return parseNumber<std::uint64_t>(argument, 0, UINT64_MAX, options.machine.seed);
     case FilmSlip:
         return parseNumber(argument, 0.0, 10.0, options.machine.filmSlipMm);
-    default:
+    case ExitWithParent:
         options.exitWithParent = true;
         return true;
+    default:
+        return takePressOption(code, argument, options.machine.press);
     }
 }
 

@@ -33,7 +33,7 @@ void PressRam::follow(double motorMm)
 {
     const double turn = 2.0 * std::numbers::pi * motorMm / screwPitchMm;
     const double drivenMm =
-        motorMm * (1.0 + m_options.travelError) + m_options.screwErrorMm * std::sin(turn) + m_driftMm;
+        motorMm * (1.0 + m_options.leadError) + m_options.screwErrorMm * std::sin(turn) + m_driftMm;
     m_positionMm = std::clamp(m_positionMm, drivenMm - m_options.backlashMm, drivenMm);
     const bool isUp = m_positionMm < topMm;
     if (isUp && !m_isUp)

@@ -14,7 +14,7 @@ struct PressOptions {
     double missing = 0.0;            // share of the strokes that find none
     double stiffnessNPerMm = 200.0;  // of the work piece
     double backlashMm = 0.037;       // between motor and ram
-    double travelError = 0.00012;    // the ram goes that much farther than the motor says
+    double leadError = 0.00012;      // the ram goes that much farther than the motor says
     double driftMm = 0.005; // by which heat moves the ram against the motor from stroke to stroke, st. dev.
     double screwErrorMm = 0.001; // and is wrong by this much to both sides within each turn of the screw
 };

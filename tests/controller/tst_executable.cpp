@@ -286,6 +286,9 @@ void TestExecutable::wrongOptions_data()
     QTest::newRow("stop bits") << QStringList{u"--stop-bits"_s, u"3"_s} << QByteArray("--stop-bits");
     QTest::newRow("speed") << QStringList{u"--speed"_s, u"nan"_s} << QByteArray("--speed");
     QTest::newRow("slip") << QStringList{u"--film-slip"_s, u"-1"_s} << QByteArray("--film-slip");
+    QTest::newRow("missing") << QStringList{u"--work-piece-missing"_s, u"1.1"_s}
+                             << QByteArray("--work-piece-missing");
+    QTest::newRow("play") << QStringList{u"--press-backlash"_s, u"-1"_s} << QByteArray("--press-backlash");
     QTest::newRow("no argument") << QStringList{u"--baud"_s} << QByteArray("--baud");
     QTest::newRow("word") << QStringList{u"word"_s} << QByteArray("word");
 }
@@ -304,8 +307,11 @@ void TestExecutable::helpAndVersion()
 {
     const auto help = runToEnd({u"--help"_s});
     QCOMPARE(help.first, 0);
-    for (const char* option : {"--link", "--unit", "--baud", "--parity", "--stop-bits", "--no-pacing",
-                               "--state", "--speed", "--seed", "--film-slip", "--exit-with-parent"})
+    for (const char* option :
+         {"--link", "--unit", "--baud", "--parity", "--stop-bits", "--no-pacing", "--state", "--speed",
+          "--seed", "--film-slip", "--work-piece", "--work-piece-scatter", "--work-piece-missing",
+          "--work-piece-stiffness", "--press-backlash", "--press-lead-error", "--press-screw-error",
+          "--press-drift", "--exit-with-parent"})
         QVERIFY2(help.second.contains(option), option);
     const auto version = runToEnd({u"--version"_s});
     QCOMPARE(version.first, 0);

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// The press program as the controller takes it: whole pulses, Hz, N and ms.
+#include "profile/press.h"
+#include "profile/press_ramp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace campanel::profile {
+namespace {
+
+constexpr std::int64_t longestRampMs = 1000;
+constexpr std::int64_t farthestPulses = std::numeric_limits<std::int32_t>::max() / 2;
+
+Refusal beyondTable(Field field, double actual, double allowed)
+{
+    Refusal refusal;
+    refusal.limit = Limit::TableRange;
+    refusal.field = field;
+    refusal.actual = actual;
+    refusal.allowed = allowed;
+    return refusal;
+}
+
+class Rounding {
+public:
+    Rounding(const Machine& machine, PressTable& table)
+        : m_machine(machine)
+        , m_pulsesPerMm(axisPulsesPerMm(machine))
+        , m_table(table)
+    {
+    }
+
+    PressRow row(double speedMmPerS, double endMm, double forceN)
+    {
+        PressRow row;
+        const double hz = std::max(1.0, std::round(speedMmPerS * m_pulsesPerMm));
+        const double pulses = std::round(endMm * m_pulsesPerMm);
+        row.speedHz = static_cast<std::uint32_t>(hz);
+        row.endPulses = static_cast<std::int32_t>(pulses);
+        row.forceN = static_cast<std::uint32_t>(std::llround(forceN));
+        row.timeMs = static_cast<std::uint32_t>(detail::pressRampMs(speedMmPerS, m_machine));
+        m_table.positionErrorMm = std::max(m_table.positionErrorMm, std::abs(pulses / m_pulsesPerMm - endMm));
+        m_table.speedErrorMmPerS =
+            std::max(m_table.speedErrorMmPerS, std::abs(hz / m_pulsesPerMm - speedMmPerS));
+        return row;
+    }
+
+private:
+    const Machine& m_machine;
+    double m_pulsesPerMm;
+    PressTable& m_table;
+};
+
+std::optional<Refusal> findUnfit(const PressProgram& program, const Machine& machine)
+{
+    const double pulses = program.pressPositionMm * axisPulsesPerMm(machine);
+    if (pulses > static_cast<double>(farthestPulses))
+        return beyondTable(Field::PressPosition, pulses, static_cast<double>(farthestPulses));
+    for (const Field field :
+         {Field::ApproachSpeed, Field::ProbeSpeed, Field::PressSpeed, Field::ReturnSpeed}) {
+        const std::int64_t ms = detail::pressRampMs(value(program, field), machine);
+        if (ms > longestRampMs)
+            return beyondTable(field, static_cast<double>(ms), static_cast<double>(longestRampMs));
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+tl::expected<PressTable, Refusal> buildPressTable(const PressProgram& program, const Machine& machine)
+{
+    const auto stroke = solveStroke(program, machine);
+    if (!stroke)
+        return tl::unexpected(stroke.error());
+    if (auto refusal = findUnfit(program, machine))
+        return tl::unexpected(*std::move(refusal));
+    PressTable table;
+    Rounding rounding(machine, table);
+    auto& rows = table.rows;
+    rows[0] = rounding.row(program.approachSpeedMmPerS, program.approachPositionMm, program.probeForceN);
+    rows[1] = rounding.row(program.probeSpeedMmPerS, program.probeEndMm, program.probeForceN);
+    rows[2] = rounding.row(program.pressSpeedMmPerS, program.pressPositionMm, program.maxForceN);
+    rows[3] = {0, rows[2].endPulses, rows[2].forceN,
+               static_cast<std::uint32_t>(std::llround(program.holdTimeS * 1000))};
+    rows[4] = rounding.row(program.returnSpeedMmPerS, 0, program.maxForceN);
+    const double pulseMm = 1 / axisPulsesPerMm(machine);
+    if (rows[1].endPulses <= rows[0].endPulses)
+        return tl::unexpected(
+            detail::stageOrder(Field::ProbeEnd, program.probeEndMm, program.approachPositionMm + pulseMm));
+    if (rows[2].endPulses <= rows[1].endPulses)
+        return tl::unexpected(
+            detail::stageOrder(Field::PressPosition, program.pressPositionMm, program.probeEndMm + pulseMm));
+    const double ticks = std::round(stroke->motion.motion.durationS() * machine.timerClockHz);
+    table.cycleTicks = static_cast<std::uint32_t>(
+        std::min(ticks, static_cast<double>(std::numeric_limits<std::uint32_t>::max())));
+    return table;
+}
+
+} // namespace campanel::profile
