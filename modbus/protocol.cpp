@@ -47,11 +47,16 @@ constexpr std::array tableLayouts{
     entry(TableLayout::Intervals, "Intervals",
           "Rows of eight registers, constant acceleration each: distance (u32, pulses), first and last speed "
           "(u32, "
-          "pulses/s), acceleration (u32, pulses/s^2), as the accumulators of the engine take them."),
+          "pulses/s), acceleration (u32, pulses/s^2), as the accumulators of the engine take them: at 2^23 "
+          "iterations per second, in units of 2^-interval.fraction_bits."),
     entry(TableLayout::PressStages, "PressStages",
           "Five rows of eight registers: speed (u32, Hz), end position (i32, pulses), force (u32, N), time "
           "(u32, ms): "
-          "approach, probe, press, hold, return."),
+          "approach, probe, press, hold, return. The time of a stage that moves is its ramp, that of the hold "
+          "its length. "
+          "The force of approach and probe is the one by which the work piece is felt, that of press the "
+          "largest "
+          "allowed in any stage."),
 };
 
 constexpr std::array endBehaviors{

@@ -7,7 +7,10 @@
 
 #include <algorithm>
 #include <array>
+#include <clocale>
 #include <cstdio>
+#include <langinfo.h>
+#include <string_view>
 
 using namespace Qt::StringLiterals;
 using namespace campanel::cli;
@@ -95,10 +98,19 @@ int print(const QString& text)
     return static_cast<int>(ExitCode::Success);
 }
 
+// Newer versions of Qt complain on standard error about a locale without UTF-8, although they replace it themselves.
+void preferUtf8()
+{
+    std::setlocale(LC_ALL, "");
+    if (std::string_view(nl_langinfo(CODESET)) != "UTF-8")
+        qputenv("LC_ALL", "C.UTF-8");
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
+    preferUtf8();
     QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(u"campanelctl"_s);
     QCoreApplication::setApplicationVersion(QStringLiteral(CAMPANEL_VERSION));

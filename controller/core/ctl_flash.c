@@ -68,7 +68,7 @@ static bool read_slot(ctl_core* core, uint32_t slot, uint16_t* head, ctl_bank* b
     if (!stream.ok || ctl_get32(head) != MAGIC)
         return false;
     read_some(&stream, bank->registers, CTL_BANK_HEADER_REGISTERS);
-    if (!stream.ok || ctl_bank_row_count(bank) > CTL_ROW_CAPACITY)
+    if (!stream.ok || ctl_bank_length(bank) > CTL_BANK_REGISTERS)
         return false;
     read_some(&stream, &bank->registers[CTL_BANK_HEADER_REGISTERS],
               ctl_bank_length(bank) - CTL_BANK_HEADER_REGISTERS);

@@ -25,8 +25,9 @@ void ctl_motion_init(ctl_core* core)
         motion->meter.position[i] = motion->actual;
         motion->meter.time_us[i] = core->now_us;
     }
+    ctl_table_init(&motion->table, &core->config);
     if (core->banks.has_active)
-        ctl_step_reset(&motion->step, ctl_active_bank(core));
+        ctl_table_reset(&motion->table, ctl_active_bank(core));
     ctl_motion_stand(core);
 }
 
@@ -48,12 +49,12 @@ void ctl_motion_change_program(ctl_core* core)
     const bool had_program = core->banks.has_active;
     const bool same = had_program && ctl_bank_same_machine(ctl_active_bank(core), ctl_staged_bank(core));
     ctl_swap_banks(core);
-    if (same && motion->in_phase && ctl_step_between_cycles(&motion->step)) {
-        ctl_step_change_bank(&motion->step, ctl_active_bank(core));
+    if (same && motion->in_phase && ctl_table_between_cycles(&motion->table)) {
+        ctl_table_change_bank(&motion->table, ctl_active_bank(core));
     } else {
         motion->in_phase = false;
         motion->homed = motion->homed && same;
-        ctl_step_reset(&motion->step, ctl_active_bank(core));
+        ctl_table_reset(&motion->table, ctl_active_bank(core));
     }
     if (motion->state == CTL_STATE_IDLE)
         motion->state = CTL_STATE_READY;
@@ -66,7 +67,7 @@ void ctl_motion_stand(ctl_core* core)
     motion->manual = false;
     motion->start_after_home = false;
     motion->state = core->banks.has_active ? CTL_STATE_READY : CTL_STATE_IDLE;
-    if (core->transfer.state == CTL_STAGED_STATE_ARMED && ctl_step_between_cycles(&motion->step))
+    if (core->transfer.state == CTL_STAGED_STATE_ARMED && ctl_table_between_cycles(&motion->table))
         ctl_motion_change_program(core);
 }
 
@@ -89,7 +90,7 @@ void ctl_motion_begin_manual(ctl_core* core, uint32_t frequency_hz, int32_t dire
     motion->manual_rest = 0;
     motion->in_phase = false;
     if (core->banks.has_active)
-        ctl_step_reset(&motion->step, ctl_active_bank(core));
+        ctl_table_reset(&motion->table, ctl_active_bank(core));
 }
 
 static void begin_homing(ctl_core* core)
@@ -178,9 +179,8 @@ uint16_t ctl_motion_stop_at_cycle_end(ctl_core* core)
         return CTL_REFUSAL_NONE;
     if (motion->state != CTL_STATE_RUNNING)
         return ctl_motion_stop_now(core);
-    const uint32_t cycle = ctl_bank_cycle_ticks(motion->step.bank);
-    motion->stop_remaining =
-        ctl_step_between_cycles(&motion->step) ? cycle : cycle - motion->step.cycle_ticks;
+    const uint32_t cycle = ctl_bank_cycle_ticks(motion->table.bank);
+    motion->stop_remaining = cycle - ctl_table_position(&motion->table);
     while (!ctl_ramp_can_land(&motion->ramp, motion->stop_remaining))
         motion->stop_remaining += cycle;
     /* Stopped soon after a start, it may gain some speed, so that the end of the cycle is not hours away. */
@@ -213,10 +213,10 @@ uint16_t ctl_motion_reset_fault(ctl_core* core)
 
 uint16_t ctl_motion_master_angle(const ctl_core* core)
 {
-    const ctl_step* step = &core->motion.step;
-    if (!core->banks.has_active || ctl_step_between_cycles(step))
+    const ctl_table* table = &core->motion.table;
+    if (!core->banks.has_active)
         return 0;
-    return (uint16_t)((uint64_t)step->cycle_ticks * 36000u / ctl_bank_cycle_ticks(step->bank));
+    return (uint16_t)((uint64_t)ctl_table_position(table) * 36000u / ctl_bank_cycle_ticks(table->bank));
 }
 
 uint16_t ctl_motion_master_speed(const ctl_core* core)
@@ -235,7 +235,5 @@ int64_t ctl_motion_commanded_hz(const ctl_core* core)
         return 0;
     if (motion->manual)
         return motion->manual_direction * (int64_t)((uint64_t)motion->manual_hz * ramp->speed / ramp->full);
-    const ctl_row row = motion->step.current;
-    const uint64_t table_hz = (uint64_t)row.pulses * core->config.timer_clock_hz / row.ticks;
-    return (int64_t)(table_hz * ramp->speed / ramp->full);
+    return ctl_table_full_speed_hz(&motion->table) * ramp->speed / ramp->full;
 }

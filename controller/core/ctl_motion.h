@@ -5,7 +5,7 @@
 #define CTL_MOTION_H
 
 #include "ctl_ramp.h"
-#include "ctl_step.h"
+#include "ctl_table.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -39,7 +39,7 @@ typedef struct {
     ctl_stop stop;
     ctl_homing homing;
     ctl_ramp ramp;
-    ctl_step step;           /* valid while there is an active bank */
+    ctl_table table;         /* valid while there is an active bank */
     uint32_t cycle_count;    /* cycles completed since power-up */
     uint64_t stop_remaining; /* master ticks to the boundary where the motion ends */
     uint32_t stop_limit;     /* ramp speed that a stopping master does not exceed */

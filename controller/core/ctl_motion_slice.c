@@ -18,24 +18,24 @@ static void emit(ctl_core* core, int64_t pulses)
 /* An armed program takes over here, between the last pulse of one cycle and the first of the next. */
 static void cross_boundary(ctl_core* core)
 {
-    ctl_step* step = &core->motion.step;
+    ctl_table* table = &core->motion.table;
     if (core->transfer.state == CTL_STAGED_STATE_ARMED && core->motion.state == CTL_STATE_RUNNING) {
         ctl_swap_banks(core);
-        ctl_step_change_bank(step, ctl_active_bank(core));
+        ctl_table_change_bank(table, ctl_active_bank(core));
     }
-    ctl_step_begin_cycle(step);
+    ctl_table_begin_cycle(table);
 }
 
 static void run_table(ctl_core* core, uint32_t ticks)
 {
-    ctl_step* step = &core->motion.step;
+    ctl_table* table = &core->motion.table;
     while (ticks != 0) {
-        if (ctl_step_between_cycles(step))
+        if (ctl_table_between_cycles(table))
             cross_boundary(core);
         uint32_t used = ticks;
-        emit(core, ctl_step_advance(step, &used));
+        emit(core, ctl_table_advance(table, &used));
         ticks -= used;
-        if (ctl_step_between_cycles(step))
+        if (ctl_table_between_cycles(table))
             core->motion.cycle_count += 1;
     }
 }

@@ -35,8 +35,7 @@ uint32_t ctl_ramp_down(ctl_ramp* ramp, uint32_t ticks)
     return travel(ramp, ramp->speed - falling, falling);
 }
 
-/* Largest root with root * root <= square. */
-static uint32_t square_root(uint64_t square)
+uint32_t ctl_square_root(uint64_t square)
 {
     uint64_t root = 0;
     for (uint64_t bit = (uint64_t)1 << 31; bit != 0; bit >>= 1) {
@@ -54,7 +53,7 @@ int ctl_ramp_can_land(const ctl_ramp* ramp, uint64_t remaining)
 uint32_t ctl_ramp_land(ctl_ramp* ramp, uint32_t ticks, uint64_t remaining, uint32_t limit)
 {
     /* Speed from which the ramp ends exactly there: v = sqrt(2 a d). */
-    const uint32_t curve = square_root(2u * (uint64_t)ramp->full * remaining);
+    const uint32_t curve = ctl_square_root(2u * (uint64_t)ramp->full * remaining);
     if (curve <= ticks) {
         ramp->speed = 0;
         ramp->rest = 0;

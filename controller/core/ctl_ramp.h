@@ -29,6 +29,9 @@ uint32_t ctl_ramp_land(ctl_ramp* ramp, uint32_t ticks, uint64_t remaining, uint3
 /* The ramp is short enough to stand still within `remaining` master ticks. */
 int ctl_ramp_can_land(const ctl_ramp* ramp, uint64_t remaining);
 
+/* Largest root with root * root <= square. */
+uint32_t ctl_square_root(uint64_t square);
+
 #ifdef __cplusplus
 }
 #endif

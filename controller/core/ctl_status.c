@@ -18,7 +18,7 @@ void ctl_identity(const ctl_core* core, uint16_t* registers)
     registers[CTL_REG_IDENTITY_FIRMWARE_PATCH] = config->firmware[2];
     ctl_put32(&registers[CTL_REG_IDENTITY_UNIQUE_ID_HIGH], (uint32_t)(config->unique_id >> 32));
     ctl_put32(&registers[CTL_REG_IDENTITY_UNIQUE_ID_LOW], (uint32_t)(config->unique_id & 0xFFFFFFFFu));
-    registers[CTL_REG_IDENTITY_PROGRAM_KINDS] = 1u << CTL_PROGRAM_KIND_ROTARY_CUTTER;
+    registers[CTL_REG_IDENTITY_PROGRAM_KINDS] = CTL_PROGRAM_KINDS;
     registers[CTL_REG_IDENTITY_ROW_CAPACITY] = CTL_ROW_CAPACITY;
     registers[CTL_REG_IDENTITY_BANK_REGISTERS] = CTL_BANK_REGISTERS;
     registers[CTL_REG_IDENTITY_BLOCK_REGISTERS] = CTL_BLOCK_REGISTERS;

@@ -4,6 +4,77 @@
 #include "ctl_words.h"
 
 #define LONGEST_EVENT_TICKS 65535u
+#define FULL_CIRCLE 36000u /* 0.01 degrees */
+
+ctl_row ctl_step_row(const ctl_bank* bank, uint32_t index)
+{
+    const uint16_t* registers = ctl_bank_row_at(bank, index, CTL_ROW_REGISTERS);
+    const ctl_row row = {registers[0], ctl_get32(&registers[1])};
+    return row;
+}
+
+/* Offset of the first header register outside its range; CTL_BANK_HEADER_REGISTERS when there is none. */
+static uint32_t bad_header_offset(const ctl_bank* bank)
+{
+    static const uint8_t angles[] = {CTL_OFFSET_BANK_CUT_ANGLE, CTL_OFFSET_BANK_SYNC_START,
+                                     CTL_OFFSET_BANK_SYNC_END};
+    static const uint8_t not_zero[] = {CTL_OFFSET_PROGRAM_KNIVES, CTL_OFFSET_PROGRAM_GEAR_NUMERATOR,
+                                       CTL_OFFSET_PROGRAM_GEAR_DENOMINATOR};
+    const uint32_t bad_cycle = ctl_bank_bad_cycle(bank);
+    if (bad_cycle != CTL_BANK_HEADER_REGISTERS)
+        return bad_cycle;
+    if (bank->registers[CTL_OFFSET_BANK_CARRY_ROW] >= ctl_bank_row_count(bank))
+        return CTL_OFFSET_BANK_CARRY_ROW;
+    for (uint32_t i = 0; i < sizeof angles / sizeof angles[0]; ++i) {
+        if (bank->registers[angles[i]] > FULL_CIRCLE)
+            return angles[i];
+    }
+    for (uint32_t i = 0; i < sizeof not_zero / sizeof not_zero[0]; ++i) {
+        if (bank->registers[not_zero[i]] == 0)
+            return not_zero[i];
+    }
+    return CTL_BANK_HEADER_REGISTERS;
+}
+
+/* Every distance between two of the row's pulses lies in the timer's and the output stage's range. */
+static bool row_fits(ctl_row row, const ctl_config* config)
+{
+    const uint32_t longest_gap = (1u << config->timer_bits) - 1u;
+    if (row.ticks == 0)
+        return false;
+    if (row.pulses == 0)
+        return true;
+    return (uint64_t)row.ticks * config->max_pulse_hz >= (uint64_t)row.pulses * config->timer_clock_hz &&
+           row.ticks <= (uint64_t)row.pulses * longest_gap;
+}
+
+ctl_verdict ctl_step_check(const ctl_bank* bank, const ctl_config* config)
+{
+    const uint32_t bad_offset = bad_header_offset(bank);
+    if (bad_offset != CTL_BANK_HEADER_REGISTERS)
+        return ctl_refuse(CTL_TRANSFER_RESULT_BAD_HEADER, bad_offset);
+
+    uint64_t ticks = 0;
+    uint64_t pulses = 0;
+    const uint32_t rows = ctl_bank_row_count(bank);
+    for (uint32_t i = 0; i < rows; ++i) {
+        const ctl_row row = ctl_step_row(bank, i);
+        if (!row_fits(row, config))
+            return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, i);
+        ticks += row.ticks;
+        pulses += row.pulses;
+    }
+    const uint32_t carry = bank->registers[CTL_OFFSET_BANK_CARRY_ROW];
+    ctl_row longer = ctl_step_row(bank, carry);
+    longer.pulses += 1;
+    if (ctl_bank_remainder(bank) != 0 && !row_fits(longer, config))
+        return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, carry);
+    if (ticks != ctl_bank_cycle_ticks(bank))
+        return ctl_refuse(CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_BANK_CYCLE_TICKS);
+    if (pulses != ctl_get32(&bank->registers[CTL_OFFSET_BANK_CYCLE_PULSES]))
+        return ctl_refuse(CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_BANK_CYCLE_PULSES);
+    return ctl_refuse(CTL_TRANSFER_RESULT_ACCEPTED, 0);
+}
 
 static void enter_row(ctl_step* step, uint32_t row)
 {
@@ -12,21 +83,16 @@ static void enter_row(ctl_step* step, uint32_t row)
     step->row_pulses = 0;
     if (row == ctl_bank_row_count(step->bank))
         return;
-    step->current = ctl_bank_row(step->bank, row);
+    step->current = ctl_step_row(step->bank, row);
     if (step->carries && row == step->bank->registers[CTL_OFFSET_BANK_CARRY_ROW])
         step->current.pulses += 1;
 }
 
-static uint32_t divisor(const ctl_bank* bank)
-{
-    return ctl_get32(&bank->registers[CTL_OFFSET_BANK_DIVISOR]);
-}
-
 void ctl_step_begin_cycle(ctl_step* step)
 {
-    const uint64_t due = (uint64_t)step->owed + ctl_get32(&step->bank->registers[CTL_OFFSET_BANK_REMAINDER]);
-    step->carries = due >= divisor(step->bank);
-    step->owed = (uint32_t)(step->carries ? due - divisor(step->bank) : due);
+    const uint64_t due = (uint64_t)step->owed + ctl_bank_remainder(step->bank);
+    step->carries = due >= ctl_bank_divisor(step->bank);
+    step->owed = (uint32_t)(step->carries ? due - ctl_bank_divisor(step->bank) : due);
     step->cycle_ticks = 0;
     enter_row(step, 0);
 }
@@ -36,14 +102,14 @@ void ctl_step_reset(ctl_step* step, const ctl_bank* bank)
     step->bank = bank;
     step->owed = 0;
     step->carries = false;
-    step->current = ctl_bank_row(bank, 0);
+    step->current = ctl_step_row(bank, 0);
     step->cycle_ticks = 0;
     enter_row(step, ctl_bank_row_count(bank));
 }
 
 void ctl_step_change_bank(ctl_step* step, const ctl_bank* bank)
 {
-    step->owed = (uint32_t)((uint64_t)step->owed * divisor(bank) / divisor(step->bank));
+    step->owed = (uint32_t)((uint64_t)step->owed * ctl_bank_divisor(bank) / ctl_bank_divisor(step->bank));
     step->bank = bank;
     step->cycle_ticks = 0;
     enter_row(step, ctl_bank_row_count(bank));

@@ -13,6 +13,11 @@ extern "C" {
 #endif
 
 typedef struct {
+    uint32_t pulses;
+    uint32_t ticks;
+} ctl_row;
+
+typedef struct {
     const ctl_bank* bank;
     uint32_t row;         /* being executed; the number of rows between two cycles */
     ctl_row current;      /* that row, with this cycle's carry in it */
@@ -27,6 +32,10 @@ typedef struct {
     uint16_t ticks; /* until the event */
     bool pulse;     /* a pulse is due then; otherwise only a stretch of a pause is over */
 } ctl_event;
+
+ctl_row ctl_step_row(const ctl_bank* bank, uint32_t index);
+/* What ctl_bank_check() left: the rest of the header, every row, their sums. */
+ctl_verdict ctl_step_check(const ctl_bank* bank, const ctl_config* config);
 
 /* Stand between two cycles of `bank` with no fraction owed. */
 void ctl_step_reset(ctl_step* step, const ctl_bank* bank);

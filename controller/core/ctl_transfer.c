@@ -50,10 +50,9 @@ static uint16_t begin(ctl_core* core, const uint16_t* request)
         return CTL_TRANSFER_RESULT_WRONG_SESSION;
     if (request[DATA + 2] != CTL_MAP_MAJOR)
         return CTL_TRANSFER_RESULT_WRONG_MAP_VERSION;
-    if (kind != CTL_PROGRAM_KIND_ROTARY_CUTTER)
+    if (kind > CTL_PROGRAM_KIND_PRESS || (CTL_PROGRAM_KINDS & 1u << kind) == 0)
         return CTL_TRANSFER_RESULT_KIND_NOT_SUPPORTED;
-    if (length <= CTL_BANK_HEADER_REGISTERS || length > CTL_BANK_HEADER_REGISTERS + CTL_ROW_REGISTERS * CTL_ROW_CAPACITY ||
-        (length - CTL_BANK_HEADER_REGISTERS) % CTL_ROW_REGISTERS != 0)
+    if (length <= CTL_BANK_HEADER_REGISTERS || length > CTL_BANK_REGISTERS)
         return CTL_TRANSFER_RESULT_BAD_LENGTH;
     /* The same transfer begun again goes on where it was interrupted. */
     if (transfer->state == CTL_STAGED_STATE_RECEIVING && transfer->session == request[SESSION] &&

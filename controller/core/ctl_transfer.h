@@ -3,8 +3,8 @@
 #ifndef CTL_TRANSFER_H
 #define CTL_TRANSFER_H
 
-#include <stdbool.h>
 #include "ctl_registers.h"
+#include <stdbool.h>
 
 #include <stdint.h>
 
@@ -18,13 +18,13 @@ extern "C" {
 struct ctl_core;
 
 typedef struct {
-    uint16_t state;           /* CTL_STAGED_STATE_... */
-    uint16_t session;         /* 0 when there is none */
-    uint16_t kind;            /* announced */
-    uint16_t length;          /* registers announced */
+    uint16_t state;                                     /* CTL_STAGED_STATE_... */
+    uint16_t session;                                   /* 0 when there is none */
+    uint16_t kind;                                      /* announced */
+    uint16_t length;                                    /* registers announced */
     uint32_t received_blocks[CTL_TRANSFER_BLOCK_WORDS]; /* bit n: block n is here */
-    uint32_t staged_crc;      /* 0 until sealed */
-    uint16_t operation;       /* echo of the last request */
+    uint32_t staged_crc;                                /* 0 until sealed */
+    uint16_t operation;                                 /* echo of the last request */
     uint16_t block;
     uint16_t result;
     uint16_t detail;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "machine.h"
 
+#include "ctl_step.h"
 #include "ctl_words.h"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ double pulsesAtAngle(const ctl_bank& bank, double angle)
     double ticks = wide(bank, CTL_OFFSET_BANK_CYCLE_TICKS) * angle / fullCircle;
     double pulses = 0.0;
     for (std::uint32_t i = 0; i < ctl_bank_row_count(&bank) && ticks > 0.0; ++i) {
-        const ctl_row row = ctl_bank_row(&bank, i);
+        const ctl_row row = ctl_step_row(&bank, i);
         const double part = std::min(1.0, ticks / row.ticks);
         pulses += part * row.pulses;
         ticks -= row.ticks;

@@ -26,10 +26,10 @@ bool takeIndex(void* context, std::int64_t* encoderAtMark)
 
 double phaseOf(const ctl_core& core)
 {
-    const ctl_step& step = core.motion.step;
-    if (!core.banks.has_active || ctl_step_between_cycles(&step))
+    if (!core.banks.has_active)
         return 0.0;
-    return static_cast<double>(step.cycle_ticks) / ctl_bank_cycle_ticks(step.bank);
+    const ctl_table& table = core.motion.table;
+    return static_cast<double>(ctl_table_position(&table)) / ctl_bank_cycle_ticks(table.bank);
 }
 
 double bagLengthMm(const ctl_core& core)

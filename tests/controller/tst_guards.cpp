@@ -117,7 +117,7 @@ void TestGuards::heartbeatLost()
     QVERIFY((rig.status(CTL_REG_STATUS_WARNING) & bit) != 0);
     QCOMPARE(rig.core().motion.state, stops ? CTL_STATE_READY : CTL_STATE_RUNNING);
     if (stops)
-        QVERIFY(ctl_step_between_cycles(&rig.core().motion.step));
+        QVERIFY(ctl_step_between_cycles(&rig.core().motion.table.step));
 }
 
 void TestGuards::followingErrorStopsThePulses()

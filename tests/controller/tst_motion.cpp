@@ -22,7 +22,7 @@ std::int64_t pulsesOf(const BankImage& bank, std::uint64_t cycles)
 
 bool atBoundary(Rig& rig)
 {
-    return ctl_step_between_cycles(&rig.core().motion.step);
+    return ctl_step_between_cycles(&rig.core().motion.table.step);
 }
 
 } // namespace
@@ -232,7 +232,7 @@ void TestMotion::changeWhileRunningDoesNotJump()
         QCOMPARE(rig.core().banks.generation, generation);
         QCOMPARE(rig.core().banks.active_crc, crc32(image));
         // It took over at a boundary: what is left of the step belongs to the new table's first row.
-        const ctl_step& step = rig.core().motion.step;
+        const ctl_step& step = rig.core().motion.table.step;
         QVERIFY(step.cycle_ticks <= 2000);
         QCOMPARE(rig.commanded(), pulsesOf(slow, rig.core().motion.cycle_count) + step.row_pulses);
         QCOMPARE(rig.status(CTL_REG_STATUS_STAGED_STATE), CTL_STAGED_STATE_EMPTY);

@@ -210,7 +210,7 @@ void TestStepEngine::cycleTimeIsExact()
     QVERIFY(rig.runUntilState(CTL_STATE_RUNNING));
     rig.run(1'000'000); // at full speed
     const auto ticks = [&rig] {
-        const ctl_step& step = rig.core().motion.step;
+        const ctl_step& step = rig.core().motion.table.step;
         return rig.core().motion.cycle_count * std::int64_t{1'600'001} +
                (ctl_step_between_cycles(&step) ? 0 : static_cast<std::int64_t>(step.cycle_ticks));
     };

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: Apache-2.0
+// Checks of a point cam, its cycle in time, and the master rate at which the axis can follow it.
+#include "profile/point_cam.h"
+
+#include "profile/point_cam_validate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace campanel::profile {
+namespace {
+
+constexpr double secondsPerMinute = 60;
+constexpr double angleToleranceDeg = 1e-9;
+// A value may pass a limit by this relative amount: the rounding of a value that meets it exactly.
+constexpr double limitTolerance = 1e-9;
+constexpr double overshootShare = 0.1; // of the knots' span
+
+double phaseWithinCycleDeg(const PointCamProgram& program)
+{
+    const double phase = std::fmod(program.phaseDeg, camCycleDeg);
+    return phase < 0 ? phase + camCycleDeg : phase;
+}
+
+// A part of a piece as a stretch of time, forwards or backwards.
+void addPart(MotionProfile& motion, const SplinePiece& piece, double fromDeg, double toDeg, double degPerS,
+             double scale)
+{
+    const double widthDeg = std::abs(toDeg - fromDeg);
+    if (widthDeg <= angleToleranceDeg)
+        return;
+    const SplinePoint start = piece.at(fromDeg);
+    motion.addCubic(widthDeg / std::abs(degPerS), scale * start.slope * degPerS,
+                    scale * start.curvature * degPerS * degPerS,
+                    scale * start.third * degPerS * degPerS * degPerS);
+}
+
+// One cycle of the curve from the phase on. degPerS, of the cam, is negative when it runs backwards.
+MotionProfile cycleMotion(const PointCamProgram& program, double degPerS)
+{
+    const Spline curve = camCurve(program);
+    const auto pieces = curve.pieces();
+    const double phase = phaseWithinCycleDeg(program);
+    MotionProfile motion;
+    motion.setStartPosition(program.slaveScale * curve.at(phase).value);
+    // Two turns over the pieces: the part beyond the phase in the first, the part before it in the second.
+    const auto add = [&](const SplinePiece& piece, double low, double high) {
+        const double from = std::max(piece.start, low);
+        const double to = std::min(piece.end(), high);
+        if (to > from)
+            addPart(motion, piece, degPerS > 0 ? from : to, degPerS > 0 ? to : from, degPerS,
+                    program.slaveScale);
+    };
+    if (degPerS > 0) {
+        for (const SplinePiece& piece : pieces)
+            add(piece, phase, camCycleDeg);
+        for (const SplinePiece& piece : pieces)
+            add(piece, 0, phase);
+    } else {
+        for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece)
+            add(*piece, 0, phase);
+        for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece)
+            add(*piece, phase, camCycleDeg);
+    }
+    return motion;
+}
+
+double camDegPerS(const PointCamProgram& program)
+{
+    return std::copysign(camCycleDeg / camCycleS(program), program.masterRateRevPerMin);
+}
+
+double timeOfAngleS(const PointCamProgram& program, double angleDeg)
+{
+    const double turned = (angleDeg - phaseWithinCycleDeg(program)) / camDegPerS(program);
+    return turned < 0 ? turned + camCycleS(program) : turned;
+}
+
+double angleOfTimeDeg(const PointCamProgram& program, double timeS)
+{
+    const double angle = std::fmod(phaseWithinCycleDeg(program) + camDegPerS(program) * timeS, camCycleDeg);
+    return angle < 0 ? angle + camCycleDeg : angle;
+}
+
+// Where the slope of a piece is zero, inside it. The second form avoids the cancellation of the first one.
+std::array<std::optional<double>, 2> turningPoints(const SplinePiece& piece)
+{
+    const double a = piece.at0.third / 2;
+    const double b = piece.at0.curvature;
+    const double c = piece.at0.slope;
+    const double discriminant = b * b - 4 * a * c;
+    if (discriminant < 0)
+        return {};
+    const double q = -(b + std::copysign(std::sqrt(discriminant), b)) / 2;
+    const auto inside = [&](double numerator, double denominator) -> std::optional<double> {
+        const double d = numerator / denominator;
+        return denominator != 0 && d > 0 && d < piece.width ? std::optional(piece.start + d) : std::nullopt;
+    };
+    return {inside(q, a), inside(c, q)};
+}
+
+std::optional<Refusal> findOvershoot(const PointCamProgram& program)
+{
+    double least = program.knots.front().slaveMm;
+    double most = least;
+    for (const Knot& knot : program.knots) {
+        least = std::min(least, knot.slaveMm);
+        most = std::max(most, knot.slaveMm);
+    }
+    std::optional<Refusal> worst;
+    double worstExcess = overshootShare * (most - least);
+    const Spline curve = camCurve(program);
+    for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
+        const SplinePiece& piece = curve.pieces()[i];
+        for (const std::optional<double> angle : turningPoints(piece)) {
+            const double reached = angle ? piece.at(*angle).value : least;
+            const double excess = std::max(reached - most, least - reached);
+            if (excess <= worstExcess)
+                continue;
+            worstExcess = excess;
+            const std::size_t nearest = *angle - piece.start < piece.width / 2 ? i : i + 1;
+            worst =
+                detail::knotRefusal(Limit::Overshoot, nearest, reached, reached > most ? most : least, "mm");
+            worst->angleDeg = angle;
+            worst->timeS = timeOfAngleS(program, *angle);
+        }
+    }
+    return worst;
+}
+
+// Speed after less speed before the place where the cycle closes.
+double wrapJumpMmPerS(const PointCamProgram& program)
+{
+    const Spline curve = camCurve(program);
+    return (curve.pieces().front().at0.slope - curve.at(camCycleDeg).slope) * program.slaveScale *
+           camDegPerS(program);
+}
+
+std::optional<Refusal> findWrapJump(const PointCamProgram& program, const Machine& machine)
+{
+    const double jump = std::abs(wrapJumpMmPerS(program));
+    const double allowed = machine.maxAccelerationMmPerS2 * masterUpdateS;
+    if (jump <= allowed * (1 + limitTolerance))
+        return std::nullopt;
+    Refusal refusal;
+    refusal.limit = Limit::WrapJump;
+    refusal.lawParameter = "speed";
+    refusal.actual = jump;
+    refusal.allowed = allowed;
+    refusal.unit = "mm/s";
+    refusal.angleDeg = 0;
+    refusal.timeS = timeOfAngleS(program, 0);
+    return refusal;
+}
+
+// Speeds grow with the rate, accelerations and the torque beyond friction with its square.
+std::optional<Suggestion> feasibleRate(const PointCamProgram& program, const Machine& machine,
+                                       const AxisPeaks& peaks)
+{
+    const double accelerating = peaks.torqueNm - machine.frictionNm;
+    const double torqueLeft = machine.maxTorqueNm - machine.frictionNm;
+    const auto share = [](double allowed, double actual) {
+        return actual > allowed ? std::max(allowed, 0.0) / actual : 1.0;
+    };
+    const double factor =
+        std::min({share(machine.maxMotorRpm, peaks.motorRpm),
+                  share(pulseFrequencyLimitHz(machine), peaks.pulseFrequencyHz),
+                  std::sqrt(share(machine.maxAccelerationMmPerS2, peaks.accelerationMmPerS2)),
+                  std::sqrt(share(torqueLeft, accelerating)),
+                  share(machine.maxAccelerationMmPerS2 * masterUpdateS, std::abs(wrapJumpMmPerS(program)))});
+    const double step = info(Field::MasterRate).resolution();
+    const double steps =
+        std::floor(std::abs(program.masterRateRevPerMin) * factor / step * (1 + limitTolerance));
+    if (steps < 1 || torqueLeft < 0)
+        return std::nullopt;
+    return Suggestion{
+        Field::MasterRate,
+        snapToGrid(Field::MasterRate, std::copysign(steps * step, program.masterRateRevPerMin))};
+}
+
+AxisMotion solveValid(const PointCamProgram& program, const Machine& machine)
+{
+    AxisMotion solved;
+    solved.motion = cycleMotion(program, camDegPerS(program));
+    solved.peaks = axisPeaks(solved.motion, machine);
+    solved.broken = checkAxis(solved.motion, solved.peaks, machine);
+    for (Refusal& refusal : solved.broken) {
+        if (refusal.timeS)
+            refusal.angleDeg = angleOfTimeDeg(program, *refusal.timeS);
+    }
+    if (auto jump = findWrapJump(program, machine))
+        solved.broken.push_back(*std::move(jump));
+    if (auto overshoot = findOvershoot(program)) {
+        solved.broken.push_back(*std::move(overshoot)); // no rate mends the curve
+    } else if (!solved.broken.empty()) {
+        if (const auto rate = feasibleRate(program, machine, solved.peaks)) {
+            for (Refusal& refusal : solved.broken)
+                refusal.nearest.push_back(*rate);
+        }
+    }
+    for (const Knot& knot : program.knots)
+        solved.marksS.push_back(timeOfAngleS(program, knot.masterDeg));
+    std::sort(solved.marksS.begin(), solved.marksS.end());
+    return solved;
+}
+
+} // namespace
+
+double value(const PointCamProgram& program, Field field)
+{
+    switch (field) {
+    case Field::MasterRate:
+        return program.masterRateRevPerMin;
+    case Field::MasterRamp:
+        return program.masterRampS;
+    case Field::MasterRatio:
+        return program.masterRatio;
+    case Field::MasterScale:
+        return program.masterScale;
+    case Field::SlaveScale:
+        return program.slaveScale;
+    case Field::Phase:
+        return program.phaseDeg;
+    case Field::CamPoints:
+        return program.camPoints;
+    default:
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+}
+
+void setValue(PointCamProgram& program, Field field, double value)
+{
+    switch (field) {
+    case Field::MasterRate:
+        program.masterRateRevPerMin = value;
+        break;
+    case Field::MasterRamp:
+        program.masterRampS = value;
+        break;
+    case Field::MasterRatio:
+        program.masterRatio = value;
+        break;
+    case Field::MasterScale:
+        program.masterScale = value;
+        break;
+    case Field::SlaveScale:
+        program.slaveScale = value;
+        break;
+    case Field::Phase:
+        program.phaseDeg = value;
+        break;
+    case Field::CamPoints:
+        program.camPoints = static_cast<int>(std::clamp(std::round(value), -1e9, 1e9));
+        break;
+    default:
+        break;
+    }
+}
+
+Spline camCurve(const PointCamProgram& program)
+{
+    std::array<double, mostKnots> masterDeg{};
+    std::array<double, mostKnots> slaveMm{};
+    const std::size_t count = std::min(program.knots.size(), mostKnots);
+    for (std::size_t i = 0; i < count; ++i) {
+        masterDeg[i] = program.knots[i].masterDeg;
+        slaveMm[i] = program.knots[i].slaveMm;
+    }
+    return {std::span(masterDeg).first(count), std::span(slaveMm).first(count), program.ends};
+}
+
+double netAdvanceMm(const PointCamProgram& program)
+{
+    return program.knots.back().slaveMm - program.knots.front().slaveMm;
+}
+
+double camCycleS(const PointCamProgram& program)
+{
+    return secondsPerMinute / std::abs(program.masterRateRevPerMin) * program.masterRatio *
+           program.masterScale;
+}
+
+MotionProfile forwardMotion(const PointCamProgram& program)
+{
+    return cycleMotion(program, std::abs(camDegPerS(program)));
+}
+
+tl::expected<AxisMotion, Refusal> solve(const PointCamProgram& program, const Machine& machine)
+{
+    if (auto refusal = detail::findInvalid(program, machine)) {
+        if (refusal->limit == Limit::FieldRange) {
+            PointCamProgram mended = program;
+            Machine mendedMachine = machine;
+            const double inside =
+                std::isfinite(refusal->actual) ? refusal->allowed : info(refusal->field).defaultValue;
+            setValue(mended, refusal->field, inside);
+            setValue(mendedMachine, refusal->field, inside);
+            if (!detail::findInvalid(mended, mendedMachine) &&
+                solveValid(mended, mendedMachine).broken.empty())
+                refusal->nearest.push_back({refusal->field, inside});
+        }
+        return tl::unexpected(*std::move(refusal));
+    }
+    return solveValid(program, machine);
+}
+
+} // namespace campanel::profile

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// Knots as CSV: what is read, what is refused and how exactly, and that writing and reading are inverse.
+#include "profile/knots_csv.h"
+
+#include <QTest>
+
+#include <random>
+
+using namespace campanel::profile;
+
+Q_DECLARE_METATYPE(campanel::profile::CsvExpectation)
+
+class TestKnotsCsv : public QObject {
+    Q_OBJECT
+
+private slots:
+    void reads_data();
+    void reads();
+    void refuses_data();
+    void refuses();
+    void writes();
+    void readsWhatItWrote();
+};
+
+void TestKnotsCsv::reads_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::newRow("plain") << QByteArray("master_deg,slave_mm\n0,0\n90.5,-20.25\n360,1000\n");
+    QTest::newRow("without the last line end")
+        << QByteArray("master_deg,slave_mm\n0,0\n90.5,-20.25\n360,1e3");
+    QTest::newRow("CRLF and byte order mark")
+        << QByteArray("\xEF\xBB\xBFmaster_deg,slave_mm\r\n0,0\r\n90.5,-20.25\r\n360,1000\r\n");
+    QTest::newRow("semicolon and comma")
+        << QByteArray("master_deg;slave_mm\n0;0\n90,5;-20,25\n360,0;1000,000\n");
+    QTest::newRow("semicolon and point") << QByteArray("master_deg;slave_mm\n0;0\n90.5;-20.25\n360.0;1000\n");
+    QTest::newRow("blanks, plus, empty lines")
+        << QByteArray("\n master_deg , slave_mm \n\n 0 , +0\n\t90.5,-20.25 \n   \n360, +1000\n\n");
+}
+
+void TestKnotsCsv::reads()
+{
+    QFETCH(QByteArray, text);
+    const auto knots = readKnotsCsv(text.toStdString());
+    QVERIFY2(knots.has_value(), knots ? "" : describe(knots.error()).c_str());
+    QCOMPARE(knots->size(), std::size_t{3});
+    QVERIFY(knots->at(0) == (Knot{0, 0}));
+    QVERIFY(knots->at(1) == (Knot{90.5, -20.25}));
+    QVERIFY(knots->at(2) == (Knot{360, 1000}));
+}
+
+void TestKnotsCsv::refuses_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<int>("line");
+    QTest::addColumn<CsvExpectation>("expected");
+    QTest::addColumn<QByteArray>("found");
+    const auto row = [](const char* name, const char* text, int line, CsvExpectation expected,
+                        const char* found) {
+        QTest::newRow(name) << QByteArray(text) << line << expected << QByteArray(found);
+    };
+    row("empty", "", 1, CsvExpectation::Header, "");
+    row("no header", "0,0\n90,20\n", 1, CsvExpectation::Header, "0,0");
+    row("columns swapped", "slave_mm,master_deg\n0,0\n", 1, CsvExpectation::Header, "slave_mm,master_deg");
+    row("header only", "master_deg,slave_mm\n", 1, CsvExpectation::Knots, "");
+    row("one value", "master_deg,slave_mm\n0,0\n90\n", 3, CsvExpectation::TwoValues, "90");
+    row("three values", "master_deg,slave_mm\n0,0,0\n", 2, CsvExpectation::TwoValues, "0,0,0");
+    row("other separator", "master_deg;slave_mm\n0,0\n", 2, CsvExpectation::TwoValues, "0,0");
+    row("word", "master_deg,slave_mm\n0,0\n\nninety,20\n", 4, CsvExpectation::Number, "ninety");
+    row("no number", "master_deg,slave_mm\n0,\n", 2, CsvExpectation::Number, "");
+    row("not finite", "master_deg,slave_mm\n0,nan\n", 2, CsvExpectation::Number, "nan");
+    row("infinite", "master_deg,slave_mm\ninf,0\n", 2, CsvExpectation::Number, "inf");
+    row("too large", "master_deg,slave_mm\n0,1e999\n", 2, CsvExpectation::Number, "1e999");
+    row("unit", "master_deg,slave_mm\n0,5 mm\n", 2, CsvExpectation::Number, "5 mm");
+    row("two signs", "master_deg,slave_mm\n+-1,5\n", 2, CsvExpectation::Number, "+-1");
+    row("thousands", "master_deg;slave_mm\n0;1.000,5\n", 2, CsvExpectation::Number, "1.000,5");
+    row("comma, then point", "master_deg;slave_mm\n0;0,5\n90;1.5\n", 3, CsvExpectation::DecimalComma, "1.5");
+    row("point, then comma", "master_deg;slave_mm\n0;0.5\n90,5;1\n", 3, CsvExpectation::DecimalPoint, "90,5");
+    row("long line", "a line of a document that is no list of knots at all\n", 1, CsvExpectation::Header,
+        "a line of a document that is no list of ");
+}
+
+void TestKnotsCsv::refuses()
+{
+    QFETCH(QByteArray, text);
+    QFETCH(int, line);
+    QFETCH(CsvExpectation, expected);
+    QFETCH(QByteArray, found);
+    const auto knots = readKnotsCsv(text.toStdString());
+    QVERIFY(!knots.has_value());
+    QCOMPARE(knots.error().line, line);
+    QCOMPARE(static_cast<int>(knots.error().expected), static_cast<int>(expected));
+    QCOMPARE(QByteArray::fromStdString(knots.error().found), found);
+    const QByteArray sentence = QByteArray::fromStdString(describe(knots.error()));
+    QVERIFY2(sentence.startsWith("Line " + QByteArray::number(line) + ": found "), sentence.constData());
+}
+
+void TestKnotsCsv::writes()
+{
+    const std::vector<Knot> knots{{0, 0}, {90.5, -20.25}, {0.1 + 0.2, 1e-7}, {360, 1234567}};
+    QCOMPARE(
+        QByteArray::fromStdString(writeKnotsCsv(knots)),
+        QByteArray("master_deg,slave_mm\n0,0\n90.5,-20.25\n0.30000000000000004,0.0000001\n360,1234567\n"));
+    const CsvError error{7, CsvExpectation::Number, "x"};
+    QCOMPARE(QByteArray::fromStdString(describe(error)),
+             QByteArray("Line 7: found \"x\", expected a number."));
+}
+
+void TestKnotsCsv::readsWhatItWrote()
+{
+    constexpr unsigned seed = 1618;
+    qInfo("seed %u", seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> value(-1e6, 1e6);
+    std::vector<Knot> knots;
+    for (int i = 0; i < 2000; ++i)
+        knots.push_back({value(random), value(random) / 1e9});
+    const auto again = readKnotsCsv(writeKnotsCsv(knots));
+    QVERIFY(again.has_value());
+    QVERIFY(*again == knots);
+}
+
+QTEST_APPLESS_MAIN(TestKnotsCsv)
+#include "test_knots_csv.moc"
