@@ -102,13 +102,11 @@ Samples sample(const MotionProfile& motion, std::size_t intervals, const Machine
     const double intervalS = motion.durationS() / static_cast<double>(intervals);
     Samples samples;
     samples.positions.resize(intervals + 1);
-    std::vector<double> places(intervals + 1);
     Walker walker(motion);
     const MotionPoint first = walker.at(0);
     double least = 0;
     double most = 0;
     for (std::size_t i = 0; i <= intervals; ++i) {
-        places[i] = static_cast<double>(i);
         const double position =
             units * (walker.at(intervalS * static_cast<double>(i)).positionMm - first.positionMm);
         samples.positions[i] = position;
@@ -120,9 +118,15 @@ Samples sample(const MotionProfile& motion, std::size_t intervals, const Machine
     const bool isPeriodic =
         use == CamUse::Repeats && continuesAtWrap(first, last, motion.durationS(), (most - least) / units);
     samples.slopes =
-        splineSlopes(places, samples.positions, isPeriodic ? SplineEnds::Periodic : SplineEnds::Clamped,
-                     {units * first.velocityMmPerS * intervalS, units * last.velocityMmPerS * intervalS});
+        unitSplineSlopes(samples.positions, isPeriodic ? SplineEnds::Periodic : SplineEnds::Clamped,
+                         {units * first.velocityMmPerS * intervalS, units * last.velocityMmPerS * intervalS});
     return samples;
+}
+
+// Half away from zero, as std::round, which is a call of the library. |value| fits.
+std::int32_t rounded(double value)
+{
+    return static_cast<std::int32_t>(value + std::copysign(0.5, value));
 }
 
 std::optional<Refusal> findTooFast(const CamTable& table, double durationS, const Machine& machine)
@@ -174,12 +178,10 @@ tl::expected<CamTable, Refusal> buildCamTable(const MotionProfile& motion, int i
     table.rows.resize(samples.positions.size());
     constexpr double most = std::numeric_limits<std::int32_t>::max();
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
-        const double position = std::round(samples.positions[i]);
-        const double slope = std::round(samples.slopes[i]);
-        const double larger = std::max(std::abs(position), std::abs(slope));
+        const double larger = std::max(std::abs(samples.positions[i]), std::abs(samples.slopes[i]));
         if (!(larger <= most))
             return tl::unexpected(tooLarge(Field::PulsesPerMotorRev, larger, most));
-        table.rows[i] = {static_cast<std::int32_t>(position), static_cast<std::int32_t>(slope)};
+        table.rows[i] = {rounded(samples.positions[i]), rounded(samples.slopes[i])};
     }
     if (auto refusal = findTooFast(table, motion.durationS(), machine))
         return tl::unexpected(*std::move(refusal));

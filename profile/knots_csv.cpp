@@ -107,8 +107,10 @@ private:
     [[nodiscard]] tl::unexpected<CsvError> fail(CsvExpectation expected, std::string_view found) const
     {
         constexpr std::size_t mostBytes = 40;
-        return tl::unexpected(
-            CsvError{std::max(m_line, 1), expected, std::string(found.substr(0, mostBytes))});
+        std::size_t end = std::min(found.size(), mostBytes);
+        while (end > 0 && end < found.size() && (static_cast<unsigned char>(found[end]) & 0xC0U) == 0x80U)
+            --end; // not inside a UTF-8 character
+        return tl::unexpected(CsvError{std::max(m_line, 1), expected, std::string(found.substr(0, end))});
     }
 
     std::string_view m_rest;

@@ -155,29 +155,24 @@ std::optional<Refusal> findWrapJump(const PointCamProgram& program, const Machin
     return refusal;
 }
 
-// Speeds grow with the rate, accelerations and the torque beyond friction with its square.
+// Speeds grow with the rate, accelerations with its square; what is allowed of both is known.
 std::optional<Suggestion> feasibleRate(const PointCamProgram& program, const Machine& machine,
                                        const AxisPeaks& peaks)
 {
-    const double accelerating = peaks.torqueNm - machine.frictionNm;
-    const double torqueLeft = machine.maxTorqueNm - machine.frictionNm;
+    const AxisAllowance allowance = axisAllowance(machine);
     const auto share = [](double allowed, double actual) {
         return actual > allowed ? std::max(allowed, 0.0) / actual : 1.0;
     };
     const double factor =
-        std::min({share(machine.maxMotorRpm, peaks.motorRpm),
-                  share(pulseFrequencyLimitHz(machine), peaks.pulseFrequencyHz),
-                  std::sqrt(share(machine.maxAccelerationMmPerS2, peaks.accelerationMmPerS2)),
-                  std::sqrt(share(torqueLeft, accelerating)),
+        std::min({share(allowance.speedMmPerS, peaks.speedMmPerS),
+                  std::sqrt(share(allowance.accelerationMmPerS2, peaks.accelerationMmPerS2)),
                   share(machine.maxAccelerationMmPerS2 * masterUpdateS, std::abs(wrapJumpMmPerS(program)))});
+    const double present = program.masterRateRevPerMin;
     const double step = info(Field::MasterRate).resolution();
-    const double steps =
-        std::floor(std::abs(program.masterRateRevPerMin) * factor / step * (1 + limitTolerance));
-    if (steps < 1 || torqueLeft < 0)
+    const double steps = std::floor(std::abs(present) * factor / step * (1 + limitTolerance));
+    if (steps < 1)
         return std::nullopt;
-    return Suggestion{
-        Field::MasterRate,
-        snapToGrid(Field::MasterRate, std::copysign(steps * step, program.masterRateRevPerMin))};
+    return Suggestion{Field::MasterRate, snapToGrid(Field::MasterRate, std::copysign(steps * step, present))};
 }
 
 AxisMotion solveValid(const PointCamProgram& program, const Machine& machine)

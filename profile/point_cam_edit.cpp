@@ -54,9 +54,10 @@ WrapCheck wrapCheck(const PointCamProgram& program)
     const SplinePoint first = curve.pieces().front().at0;
     const SplinePoint last = curve.at(camCycleDeg);
     WrapCheck wrap;
-    const double advanceMm = netAdvanceMm(program);
-    (isMeantToBeClosed(program) ? wrap.positionMm : wrap.advanceMm) = advanceMm;
-    wrap.positionMm = -wrap.positionMm;
+    if (isMeantToBeClosed(program))
+        wrap.positionMm = program.knots.front().slaveMm - program.knots.back().slaveMm;
+    else
+        wrap.advanceMm = netAdvanceMm(program);
     wrap.speedMmPerDeg = first.slope - last.slope;
     wrap.accelerationMmPerDeg2 = first.curvature - last.curvature;
     const double tolerance = 1e-9 * slaveSpanMm(program);
@@ -84,7 +85,8 @@ std::optional<std::size_t> insertKnot(PointCamProgram& program, double masterDeg
     if (!place)
         return std::nullopt;
     const Knot knot{*place, slaveOnGrid(camCurve(program).at(*place).value)};
-    return static_cast<std::size_t>(knots.insert(next, knot) - knots.begin());
+    const auto inserted = knots.insert(next, knot);
+    return static_cast<std::size_t>(inserted - knots.begin());
 }
 
 bool removeKnot(PointCamProgram& program, std::size_t index)

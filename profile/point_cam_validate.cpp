@@ -18,9 +18,6 @@ constexpr double angleToleranceDeg = 1e-9;
 constexpr std::array programFields{Field::MasterRate,  Field::MasterRamp, Field::MasterRatio,
                                    Field::MasterScale, Field::SlaveScale, Field::Phase,
                                    Field::CamPoints};
-constexpr std::array machineFields{Field::FeedPerMotorRev, Field::PulsesPerMotorRev, Field::MaxMotorRpm,
-                                   Field::MaxAcceleration, Field::MaxTorque,         Field::Inertia,
-                                   Field::Friction,        Field::MaxPulseFrequency, Field::TimerClock};
 
 double nearestWithin(double value, double least, double most)
 {
@@ -95,10 +92,8 @@ Refusal knotRefusal(Limit limit, std::size_t index, double actual, double allowe
 
 std::optional<Refusal> findInvalid(const PointCamProgram& program, const Machine& machine)
 {
-    for (const Field field : machineFields) {
-        if (!inRange(field, value(machine, field)))
-            return detail::outOfRange(field, value(machine, field));
-    }
+    if (auto refusal = findInvalidAxis(machine))
+        return refusal;
     for (const Field field : programFields) {
         if (!inRange(field, value(program, field)))
             return detail::outOfRange(field, value(program, field));

@@ -133,6 +133,12 @@ std::string reason(const Refusal& r)
         return concat({"The table would hold ", significantText(r.actual),
                        " where the controller takes at most ", significantText(r.allowed),
                        ". Use fewer pulses per revolution or a shorter motion."});
+    case Limit::Reversal:
+        return concat({"The motion turns round at ", fixedText(r.timeS.value_or(0), 3),
+                       " s; intervals go one way within a cycle. Execute it as cam points."});
+    case Limit::SpeedError:
+        return concat({"Intervals cannot keep a speed error of ", withUnit(significantText(r.actual), r.unit),
+                       "; they can keep ", withUnit(significantText(r.allowed), r.unit), "."});
     case Limit::KnotCount:
     case Limit::KnotOrder:
     case Limit::KnotSpacing:
@@ -149,13 +155,13 @@ std::string reason(const Refusal& r)
 
 std::string_view limitId(Limit limit)
 {
-    static constexpr std::array<std::string_view, 28> ids{
+    static constexpr std::array<std::string_view, 30> ids{
         "field_range",         "pinned_pair",     "law_unknown",        "law_parameter",   "ratio_order",
         "stroke_cannot_close", "motor_speed",     "knife_acceleration", "pulse_frequency", "machine_rate",
         "row_capacity",        "too_few_pulses",  "axis_acceleration",  "motor_torque",    "no_motion",
         "distance_too_short",  "distance_sign",   "knot_count",         "knot_order",      "knot_spacing",
         "knot_range",          "knot_ends",       "overshoot",          "wrap_jump",       "stage_order",
-        "force_order",         "master_too_fast", "table_range"};
+        "force_order",         "master_too_fast", "table_range",        "reversal",        "speed_error"};
     return ids[static_cast<std::size_t>(limit)];
 }
 

@@ -43,6 +43,8 @@ enum class Limit : std::uint8_t {
     ForceOrder,       // `field` must not exceed `allowed`
     MasterTooFast,    // the slave would need more pulses in one update than the output stage gives
     TableRange,       // a table value that its register cannot hold
+    Reversal,         // the motion turns round within a cycle, and intervals go one way
+    SpeedError,       // intervals cannot keep it with whole pulses; `allowed` can be kept
 };
 
 // Stable id of a limit, for logs and machine-readable output.

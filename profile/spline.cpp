@@ -19,7 +19,10 @@ struct Row {
     double right = 0;
 };
 
-class KnotRows {
+// An empty x stands for 0, 1, 2, ...
+enum class Spacing { Given, Unit };
+
+template <Spacing spacing> class KnotRows {
 public:
     KnotRows(std::span<const double> x, std::span<const double> y)
         : m_x(x)
@@ -27,8 +30,14 @@ public:
     {
     }
 
-    [[nodiscard]] std::size_t last() const { return m_x.size() - 1; }
-    [[nodiscard]] double inverseWidth(std::size_t i) const { return 1 / (m_x[i + 1] - m_x[i]); }
+    [[nodiscard]] std::size_t last() const { return m_y.size() - 1; }
+    [[nodiscard]] double inverseWidth(std::size_t i) const
+    {
+        if constexpr (spacing == Spacing::Unit)
+            return 1;
+        else
+            return 1 / (m_x[i + 1] - m_x[i]);
+    }
     [[nodiscard]] double chord(std::size_t i) const { return (m_y[i + 1] - m_y[i]) * inverseWidth(i); }
 
     // Between piece `left` and piece `right`.
@@ -55,17 +64,27 @@ private:
     std::span<const double> m_y;
 };
 
-std::vector<double> openSlopes(const KnotRows& knots, SplineEnds ends, const EndSlopes& clampedTo)
+// With unit spacing the inner equations are alike, and after some thirty of them so are their pivots, to the
+// last bit: no further division is needed.
+template <Spacing spacing> bool isSettled(const std::vector<double>& ratio, std::size_t i)
+{
+    return spacing == Spacing::Unit && i > 3 && ratio[i - 1] == ratio[i - 2];
+}
+
+template <Spacing spacing>
+std::vector<double> openSlopes(const KnotRows<spacing>& knots, SplineEnds ends, const EndSlopes& clampedTo)
 {
     const std::size_t last = knots.last();
     std::vector<double> slopes(last + 1);
     std::vector<double> ratio(last + 1); // m[i] = slopes[i] - ratio[i] m[i+1]
+    double pivot = 0;
     for (std::size_t i = 0; i <= last; ++i) {
         const Row row = i == 0 ? knots.first(ends, clampedTo)
                                : (i == last ? knots.final(ends, clampedTo) : knots.between(i - 1, i));
         const double ratioBefore = i == 0 ? 0 : ratio[i - 1];
         const double slopeBefore = i == 0 ? 0 : slopes[i - 1];
-        const double pivot = 1 / (row.diagonal - row.before * ratioBefore);
+        if (i == last || !isSettled<spacing>(ratio, i))
+            pivot = 1 / (row.diagonal - row.before * ratioBefore);
         ratio[i] = row.after * pivot;
         slopes[i] = (row.right - row.before * slopeBefore) * pivot;
     }
@@ -75,7 +94,7 @@ std::vector<double> openSlopes(const KnotRows& knots, SplineEnds ends, const End
 }
 
 // m[i] = slopes[i] + share[i] m[0] for the inner knots; the first knot's equation then gives m[0].
-std::vector<double> periodicSlopes(const KnotRows& knots)
+template <Spacing spacing> std::vector<double> periodicSlopes(const KnotRows<spacing>& knots)
 {
     const std::size_t last = knots.last();
     std::vector<double> slopes(last + 1);
@@ -83,9 +102,11 @@ std::vector<double> periodicSlopes(const KnotRows& knots)
     std::vector<double> ratio(last + 1);
     share[0] = 1;
     share[last] = 1;
+    double pivot = 0;
     for (std::size_t i = 1; i < last; ++i) {
         const Row row = knots.between(i - 1, i);
-        const double pivot = 1 / (row.diagonal - row.before * ratio[i - 1]);
+        if (!isSettled<spacing>(ratio, i))
+            pivot = 1 / (row.diagonal - row.before * ratio[i - 1]);
         ratio[i] = row.after * pivot;
         slopes[i] = (row.right - row.before * slopes[i - 1]) * pivot;
         share[i] = -row.before * share[i - 1] * pivot;
@@ -102,6 +123,12 @@ std::vector<double> periodicSlopes(const KnotRows& knots)
     return slopes;
 }
 
+template <Spacing spacing>
+std::vector<double> slopesOf(const KnotRows<spacing>& knots, SplineEnds ends, const EndSlopes& clampedTo)
+{
+    return ends == SplineEnds::Periodic ? periodicSlopes(knots) : openSlopes(knots, ends, clampedTo);
+}
+
 } // namespace
 
 SplinePoint SplinePiece::at(double x) const
@@ -114,8 +141,12 @@ SplinePoint SplinePiece::at(double x) const
 std::vector<double> splineSlopes(std::span<const double> x, std::span<const double> y, SplineEnds ends,
                                  EndSlopes clampedTo)
 {
-    const KnotRows knots(x, y);
-    return ends == SplineEnds::Periodic ? periodicSlopes(knots) : openSlopes(knots, ends, clampedTo);
+    return slopesOf(KnotRows<Spacing::Given>(x, y), ends, clampedTo);
+}
+
+std::vector<double> unitSplineSlopes(std::span<const double> y, SplineEnds ends, EndSlopes clampedTo)
+{
+    return slopesOf(KnotRows<Spacing::Unit>({}, y), ends, clampedTo);
 }
 
 Spline::Spline(std::span<const double> x, std::span<const double> y, SplineEnds ends, EndSlopes clampedTo)

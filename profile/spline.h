@@ -40,6 +40,10 @@ struct EndSlopes {
 [[nodiscard]] std::vector<double> splineSlopes(std::span<const double> x, std::span<const double> y,
                                                SplineEnds ends, EndSlopes clampedTo = {});
 
+// The same of knots at x = 0, 1, 2, ...; faster.
+[[nodiscard]] std::vector<double> unitSplineSlopes(std::span<const double> y, SplineEnds ends,
+                                                   EndSlopes clampedTo = {});
+
 class Spline {
 public:
     // Inputs as those of splineSlopes.

@@ -2,6 +2,7 @@
 #include "ctl_bank.h"
 
 #include "ctl_crc.h"
+#include "ctl_press.h"
 #include "ctl_step.h"
 #include "ctl_words.h"
 
@@ -26,6 +27,8 @@ typedef struct {
 static const layout_info layouts[] = {
     [CTL_TABLE_LAYOUT_STEP_TABLE] = {CTL_ROW_REGISTERS, 1, CTL_ROW_CAPACITY, KIND(ROTARY_CUTTER),
                                      ctl_step_check},
+    [CTL_TABLE_LAYOUT_PRESS_STAGES] = {CTL_PRESS_ROW_REGISTERS, CTL_PRESS_ROWS, CTL_PRESS_ROWS, KIND(PRESS),
+                                       ctl_press_check},
 };
 
 #define LAYOUTS (sizeof layouts / sizeof layouts[0])
@@ -53,7 +56,7 @@ static const kind_info kinds[] = {
                                      false},
     [CTL_PROGRAM_KIND_POINT_CAM] = {CTL_OFFSET_POINT_CAM_PULSES_PER_MOTOR_REV, CTL_OFFSET_POINT_CAM_FEED,
                                     true},
-    [CTL_PROGRAM_KIND_PRESS] = {CTL_OFFSET_PRESS_PULSES_PER_MOTOR_REV, CTL_OFFSET_PRESS_FEED, true},
+    [CTL_PROGRAM_KIND_PRESS] = {CTL_OFFSET_PRESS_PULSES_PER_MOTOR_REV, CTL_OFFSET_PRESS_FEED, false},
 };
 
 /* Only of a bank whose kind was checked. */

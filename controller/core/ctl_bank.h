@@ -24,7 +24,7 @@ typedef struct {
 } ctl_verdict;
 
 /* Bit n set: program kind n can be executed. */
-#define CTL_PROGRAM_KINDS (1u << CTL_PROGRAM_KIND_ROTARY_CUTTER)
+#define CTL_PROGRAM_KINDS (1u << CTL_PROGRAM_KIND_ROTARY_CUTTER | 1u << CTL_PROGRAM_KIND_PRESS)
 
 uint16_t ctl_bank_kind(const ctl_bank* bank);   /* CTL_PROGRAM_KIND_... */
 uint16_t ctl_bank_layout(const ctl_bank* bank); /* CTL_TABLE_LAYOUT_... */

@@ -85,6 +85,7 @@ void ctl_tick(ctl_core* core, uint64_t now_us)
         const uint64_t left = now_us - core->now_us;
         const uint32_t slice_us = left < CTL_SLICE_US ? (uint32_t)left : CTL_SLICE_US;
         core->now_us += slice_us;
+        core->catching_up = core->now_us < now_us;
         const uint64_t sum = (uint64_t)slice_us * core->config.timer_clock_hz + core->tick_rest;
         core->tick_rest = (uint32_t)(sum % US_PER_S);
         ctl_heartbeat_slice(core);

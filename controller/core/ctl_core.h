@@ -50,6 +50,7 @@ typedef struct ctl_core {
     ctl_port port;
     uint64_t started_us;
     uint64_t now_us;
+    bool catching_up;   /* the slice is not the last one of its call: what is measured is newer than now_us */
     uint32_t tick_rest; /* of the timer ticks since power-up, in 1 / 1 000 000 */
     ctl_rtu rtu;
     ctl_written written;

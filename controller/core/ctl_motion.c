@@ -26,6 +26,9 @@ void ctl_motion_init(ctl_core* core)
         motion->meter.time_us[i] = core->now_us;
     }
     ctl_table_init(&motion->table, &core->config);
+    ctl_press_reset(&motion->press);
+    if (ctl_motion_is_press(core))
+        ctl_motion_take_top(core);
     if (core->banks.has_active)
         ctl_table_reset(&motion->table, ctl_active_bank(core));
     ctl_motion_stand(core);
@@ -56,6 +59,8 @@ void ctl_motion_change_program(ctl_core* core)
         motion->homed = motion->homed && same;
         ctl_table_reset(&motion->table, ctl_active_bank(core));
     }
+    if (ctl_motion_is_press(core) && !same)
+        ctl_motion_take_top(core);
     if (motion->state == CTL_STATE_IDLE)
         motion->state = CTL_STATE_READY;
 }
@@ -78,6 +83,8 @@ void ctl_motion_run(ctl_core* core)
     motion->manual = false;
     motion->start_after_home = false;
     motion->state = CTL_STATE_RUNNING;
+    if (ctl_motion_is_press(core))
+        ctl_motion_begin_stroke(core);
 }
 
 void ctl_motion_begin_manual(ctl_core* core, uint32_t frequency_hz, int32_t direction)
@@ -110,10 +117,14 @@ void ctl_motion_fault(ctl_core* core, uint16_t fault_bit)
     ctl_motion* motion = &core->motion;
     motion->fault = (uint16_t)(motion->fault | 1u << fault_bit);
     motion->state = CTL_STATE_FAULT;
+    if (motion->press.stage != CTL_PRESS_STAGE_STANDING) {
+        ctl_press_abandon(&motion->press);
+        motion->cycle_count += 1;
+    }
     motion->ramp.speed = 0;
     motion->manual = false;
     motion->start_after_home = false;
-    motion->homed = false;
+    motion->homed = motion->homed && ctl_motion_is_press(core);
     motion->in_phase = false;
 }
 
@@ -141,7 +152,7 @@ uint16_t ctl_motion_start(ctl_core* core)
     const uint16_t refusal = refuse_to_move(core, CTL_REFUSAL_ALREADY_RUNNING);
     if (refusal != CTL_REFUSAL_NONE)
         return refusal;
-    if (core->motion.in_phase) {
+    if (core->motion.in_phase || !ctl_bank_needs_homing(ctl_active_bank(core))) {
         ctl_motion_run(core);
     } else {
         begin_homing(core);
@@ -153,9 +164,13 @@ uint16_t ctl_motion_start(ctl_core* core)
 uint16_t ctl_motion_home(ctl_core* core)
 {
     const uint16_t refusal = refuse_to_move(core, CTL_REFUSAL_NOT_STANDSTILL);
-    if (refusal == CTL_REFUSAL_NONE)
+    if (refusal != CTL_REFUSAL_NONE)
+        return refusal;
+    if (ctl_motion_is_press(core))
+        ctl_motion_take_top(core);
+    else
         begin_homing(core);
-    return refusal;
+    return CTL_REFUSAL_NONE;
 }
 
 uint16_t ctl_motion_stop_now(ctl_core* core)
@@ -166,6 +181,8 @@ uint16_t ctl_motion_stop_now(ctl_core* core)
     if (motion->state == CTL_STATE_JOGGING) {
         core->heartbeat.jog_blocked = true;
     } else {
+        if (ctl_motion_is_press(core))
+            ctl_press_stop(&motion->press);
         motion->stop = CTL_STOP_NOW;
         motion->state = CTL_STATE_STOPPING;
     }
@@ -179,6 +196,10 @@ uint16_t ctl_motion_stop_at_cycle_end(ctl_core* core)
         return CTL_REFUSAL_NONE;
     if (motion->state != CTL_STATE_RUNNING)
         return ctl_motion_stop_now(core);
+    if (ctl_motion_is_press(core)) {
+        motion->state = CTL_STATE_STOPPING;
+        return CTL_REFUSAL_NONE;
+    }
     const uint32_t cycle = ctl_bank_cycle_ticks(motion->table.bank);
     motion->stop_remaining = cycle - ctl_table_position(&motion->table);
     while (!ctl_ramp_can_land(&motion->ramp, motion->stop_remaining))
@@ -231,6 +252,8 @@ int64_t ctl_motion_commanded_hz(const ctl_core* core)
 {
     const ctl_motion* motion = &core->motion;
     const ctl_ramp* ramp = &motion->ramp;
+    if (ctl_motion_is_press(core) && ctl_motion_in_cycle(core))
+        return ctl_press_hz(&motion->press);
     if (ramp->speed == 0)
         return 0;
     if (motion->manual)

@@ -4,6 +4,7 @@
 #ifndef CTL_MOTION_H
 #define CTL_MOTION_H
 
+#include "ctl_press.h"
 #include "ctl_ramp.h"
 #include "ctl_table.h"
 
@@ -40,7 +41,8 @@ typedef struct {
     ctl_homing homing;
     ctl_ramp ramp;
     ctl_table table;         /* valid while there is an active bank */
-    uint32_t cycle_count;    /* cycles completed since power-up */
+    ctl_press press;         /* instead of it when that is a press's */
+    uint32_t cycle_count;    /* cycles completed since power-up; strokes of a press however they ended */
     uint64_t stop_remaining; /* master ticks to the boundary where the motion ends */
     uint32_t stop_limit;     /* ramp speed that a stopping master does not exceed */
     uint32_t manual_hz;
@@ -49,7 +51,7 @@ typedef struct {
     uint64_t homing_left;     /* pulses to search, then master ticks to return */
     int64_t commanded;        /* pulses sent since power-up */
     int64_t actual;           /* encoder since power-up */
-    int64_t origin;           /* position of the index mark in both, once homed */
+    int64_t origin; /* position of the index mark in both, once homed; of a press the upper position */
     int64_t actual_hz;
     ctl_speed_meter meter;
 } ctl_motion;
@@ -79,7 +81,18 @@ uint16_t ctl_motion_master_angle(const struct ctl_core* core); /* 0.01 degrees *
 uint16_t ctl_motion_master_speed(const struct ctl_core* core); /* 0.01 % of the table's speed */
 int64_t ctl_motion_commanded_hz(const struct ctl_core* core);
 
-/* Between the two files of this module. */
+/* Force of a press, N; 0 on a machine without. */
+int32_t ctl_motion_press_force(const struct ctl_core* core);
+
+/* Between the files of this module. */
+void ctl_motion_emit(struct ctl_core* core, int64_t pulses);
+bool ctl_motion_is_press(const struct ctl_core* core);
+/* A press: where it stands is its upper position. */
+void ctl_motion_take_top(struct ctl_core* core);
+/* A press: the largest force is reached, so that nothing may move it down. */
+bool ctl_motion_force_forbids(const struct ctl_core* core);
+void ctl_motion_begin_stroke(struct ctl_core* core);
+void ctl_motion_slice_stroke(struct ctl_core* core, uint32_t ticks);
 void ctl_motion_run(struct ctl_core* core);
 void ctl_motion_stand(struct ctl_core* core);
 void ctl_motion_begin_manual(struct ctl_core* core, uint32_t frequency_hz, int32_t direction);

@@ -7,7 +7,7 @@
 #define US_PER_S 1000000
 #define SPEED_SAMPLE_US 1000u
 
-static void emit(ctl_core* core, int64_t pulses)
+void ctl_motion_emit(ctl_core* core, int64_t pulses)
 {
     if (pulses == 0)
         return;
@@ -33,7 +33,7 @@ static void run_table(ctl_core* core, uint32_t ticks)
         if (ctl_table_between_cycles(table))
             cross_boundary(core);
         uint32_t used = ticks;
-        emit(core, ctl_table_advance(table, &used));
+        ctl_motion_emit(core, ctl_table_advance(table, &used));
         ticks -= used;
         if (ctl_table_between_cycles(table))
             core->motion.cycle_count += 1;
@@ -52,8 +52,13 @@ static int64_t manual_pulses(ctl_core* core, uint32_t ticks)
 static void slice_stopping(ctl_core* core, uint32_t ticks)
 {
     ctl_motion* motion = &core->motion;
+    if (ctl_motion_is_press(core) && !motion->manual) {
+        ctl_motion_slice_stroke(core, ticks);
+        return;
+    }
     if (motion->manual) {
-        emit(core, motion->manual_direction * manual_pulses(core, ctl_ramp_down(&motion->ramp, ticks)));
+        ctl_motion_emit(core,
+                        motion->manual_direction * manual_pulses(core, ctl_ramp_down(&motion->ramp, ticks)));
         if (motion->ramp.speed == 0)
             ctl_motion_stand(core);
         return;
@@ -73,9 +78,10 @@ static void slice_stopping(ctl_core* core, uint32_t ticks)
 static void slice_jogging(ctl_core* core, uint32_t ticks)
 {
     ctl_motion* motion = &core->motion;
-    const bool held = ctl_jog_request(core) == motion->manual_direction;
+    const bool held = ctl_jog_request(core) == motion->manual_direction &&
+                      (motion->manual_direction < 0 || !ctl_motion_force_forbids(core));
     const uint32_t travelled = held ? ctl_ramp_up(&motion->ramp, ticks) : ctl_ramp_down(&motion->ramp, ticks);
-    emit(core, motion->manual_direction * manual_pulses(core, travelled));
+    ctl_motion_emit(core, motion->manual_direction * manual_pulses(core, travelled));
     if (!held && motion->ramp.speed == 0)
         ctl_motion_stand(core);
 }
@@ -91,7 +97,7 @@ static void search_index(ctl_core* core, uint32_t ticks)
     int64_t pulses = manual_pulses(core, ctl_ramp_up(&motion->ramp, ticks));
     if ((uint64_t)pulses > motion->homing_left)
         pulses = (int64_t)motion->homing_left;
-    emit(core, pulses);
+    ctl_motion_emit(core, pulses);
     motion->homing_left -= (uint64_t)pulses;
     if (motion->homing_left == 0)
         ctl_motion_fault(core, CTL_FAULT_BIT_DRIVE_NOT_FOLLOWING);
@@ -128,10 +134,10 @@ static void return_to_mark(ctl_core* core, uint32_t ticks)
     const int64_t pulses = manual_pulses(core, travelled);
     motion->homing_left -= travelled;
     if (motion->homing_left != 0) {
-        emit(core, motion->manual_direction * pulses);
+        ctl_motion_emit(core, motion->manual_direction * pulses);
         return;
     }
-    emit(core, motion->origin - motion->commanded);
+    ctl_motion_emit(core, motion->origin - motion->commanded);
     end_homing(core);
 }
 
@@ -143,7 +149,7 @@ static void slice_homing(ctl_core* core, uint32_t ticks)
         search_index(core, ticks);
         break;
     case CTL_HOMING_BRAKE:
-        emit(core, manual_pulses(core, ctl_ramp_down(&motion->ramp, ticks)));
+        ctl_motion_emit(core, manual_pulses(core, ctl_ramp_down(&motion->ramp, ticks)));
         if (motion->ramp.speed == 0)
             begin_return(core);
         break;
@@ -156,7 +162,7 @@ static void slice_homing(ctl_core* core, uint32_t ticks)
 static void begin_jog_when_asked(ctl_core* core)
 {
     const int32_t direction = ctl_jog_request(core);
-    if (direction == 0)
+    if (direction == 0 || (direction > 0 && ctl_motion_force_forbids(core)))
         return;
     ctl_motion_begin_manual(core, ctl_parameter32(core, CTL_REG_PARAMETER_JOG_FREQUENCY), direction);
     core->motion.state = CTL_STATE_JOGGING;
@@ -190,7 +196,10 @@ void ctl_motion_slice(ctl_core* core, uint32_t ticks)
         begin_jog_when_asked(core);
         break;
     case CTL_STATE_RUNNING:
-        run_table(core, ctl_ramp_up(&motion->ramp, ticks));
+        if (ctl_motion_is_press(core))
+            ctl_motion_slice_stroke(core, ticks);
+        else
+            run_table(core, ctl_ramp_up(&motion->ramp, ticks));
         break;
     case CTL_STATE_STOPPING:
         slice_stopping(core, ticks);

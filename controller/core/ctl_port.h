@@ -18,6 +18,11 @@ typedef struct {
     int64_t (*encoder)(void* context);
     /* True once after the index mark was passed forward; gives the encoder position latched there. */
     bool (*index)(void* context, int64_t* encoder_at_mark);
+    /* Scale at the ram of a press, 1/256 pulse of the command, zero where the encoder's is; NULL: there is
+     * the encoder only. */
+    int64_t (*scale)(void* context);
+    /* Force of a press now, N; NULL on a machine without. */
+    int32_t (*force)(void* context);
 
     /* Flash that keeps its bytes over power loss; slot 0 or 1, erased bytes read 0xFF. False: it failed. */
     bool (*flash_read)(void* context, uint32_t slot, uint32_t offset, uint8_t* bytes, uint32_t size);

@@ -26,13 +26,20 @@ void ctl_press_reset(ctl_press* press)
     ctl_count_clear(&press->count);
 }
 
+/* The nearest number of whole pulses. */
+static int64_t whole_pulses(int64_t fine)
+{
+    const int64_t half = CTL_PRESS_FINE / 2;
+    return (fine < 0 ? fine - half : fine + half) / CTL_PRESS_FINE;
+}
+
 /* Begins a run to `end` when the ram is short of it; false when it is there or was sent often enough. */
 static bool go_on(ctl_press* press, uint32_t index, int64_t position)
 {
     const ctl_press_row row = row_of(press, index);
     const ctl_count_speed speed = {press->clock_hz, row.frequency_hz, row.time_ms};
     const int32_t direction = index == CTL_PRESS_RETURN ? -1 : 1;
-    const int64_t left = direction * (row.end - position);
+    const int64_t left = direction * whole_pulses((int64_t)row.end * CTL_PRESS_FINE - position);
     if (left <= 0 || press->runs > CTL_PRESS_ADDITIONS)
         return false;
     press->runs += 1;
@@ -65,7 +72,7 @@ void ctl_press_begin(ctl_press* press, const ctl_bank* bank, uint32_t clock_hz,
     press->last = last;
     press->bank = bank;
     press->clock_hz = clock_hz;
-    press->lifting = reading->position > row_of(press, CTL_PRESS_RETURN).end;
+    press->lifting = whole_pulses(reading->position) > row_of(press, CTL_PRESS_RETURN).end;
     enter(press, press->lifting ? CTL_PRESS_STAGE_RETURN : CTL_PRESS_STAGE_APPROACH);
 }
 
@@ -86,8 +93,12 @@ static void watch_force(ctl_press* press, int32_t force)
         return;
     const uint32_t pushed = (uint32_t)force;
     if (pushed >= row_of(press, CTL_PRESS_PRESS).force) {
-        if (press->stage != CTL_PRESS_STAGE_RETURN)
+        if (press->stage != CTL_PRESS_STAGE_RETURN) {
             break_off(press, CTL_STROKE_RESULT_FORCE_LIMIT, CTL_FAULT_BIT_FORCE_LIMIT);
+        } else if (!press->lifting) { /* on its way up already */
+            press->now.result = CTL_STROKE_RESULT_FORCE_LIMIT;
+            press->fault = CTL_FAULT_BIT_FORCE_LIMIT;
+        }
     } else if (press->stage == CTL_PRESS_STAGE_APPROACH) {
         if (pushed >= row_of(press, CTL_PRESS_APPROACH).force)
             break_off(press, CTL_STROKE_RESULT_TOUCHED_TOO_EARLY, CTL_FAULT_BIT_TOUCHED_TOO_EARLY);
@@ -104,7 +115,7 @@ static bool at_rest(ctl_press* press, const ctl_press_reading* reading)
     if (!reading->fresh)
         return false;
     const int64_t moved = reading->position - press->rest_position;
-    if (!press->resting || moved > 1 || moved < -1) {
+    if (!press->resting || moved > CTL_PRESS_FINE || moved < -CTL_PRESS_FINE) {
         press->resting = true;
         press->rest_position = reading->position;
         press->rest_since_us = reading->now_us;
@@ -132,7 +143,8 @@ static void hold(ctl_press* press, const ctl_press_reading* reading)
 {
     if (!press->measured) {
         press->measured = true;
-        press->now.error = reading->position - row_of(press, CTL_PRESS_PRESS).end;
+        press->now.error =
+            whole_pulses(reading->position - (int64_t)row_of(press, CTL_PRESS_PRESS).end * CTL_PRESS_FINE);
         press->now.force = reading->force;
         press->now.result = judge(press);
     }
@@ -219,8 +231,6 @@ void ctl_press_stop(ctl_press* press)
 
 void ctl_press_abandon(ctl_press* press)
 {
-    if (press->stage == CTL_PRESS_STAGE_STANDING)
-        return;
     press->stopped = true;
     ctl_count_halt(&press->count);
     end_stroke(press);

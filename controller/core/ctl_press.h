@@ -20,6 +20,7 @@ extern "C" {
 /* Rows of the table. */
 enum { CTL_PRESS_APPROACH, CTL_PRESS_PROBE, CTL_PRESS_PRESS, CTL_PRESS_HOLD, CTL_PRESS_RETURN };
 
+#define CTL_PRESS_FINE 256 /* of a position in a reading, per pulse */
 /* The ram stands when its position has kept within one pulse for this long after the last pulse. */
 #define CTL_PRESS_REST_US 20000u
 /* What a position still lacks then is added at most so many times. */
@@ -35,7 +36,7 @@ typedef struct {
 
 /* What the machine says of itself at now_us. */
 typedef struct {
-    int64_t position; /* pulses below the upper position */
+    int64_t position; /* 1/256 pulse below the upper position */
     int32_t force;    /* N */
     uint64_t now_us;
     bool fresh; /* read at now_us; false while the controller catches up with time that has passed */
@@ -43,9 +44,10 @@ typedef struct {
 
 typedef struct {
     uint16_t result; /* CTL_STROKE_RESULT_... */
-    int64_t error; /* pulses from where it should have stopped to where it did; 0 when it did not get there */
-    int32_t force; /* N at the stop, 0 likewise */
-    int32_t peak;  /* N, largest of the stroke */
+    int64_t error;   /* whole pulses from where it should have stopped to where it did; 0 when it did not get
+                        there */
+    int32_t force;   /* N at the stop, 0 likewise */
+    int32_t peak;    /* N, largest of the stroke */
 } ctl_stroke;
 
 typedef struct {
@@ -69,9 +71,8 @@ typedef struct {
 } ctl_press;
 
 ctl_press_row ctl_press_row_of(const ctl_bank* bank, uint32_t index);
-/* Everything that must hold for the five rows to be executed on this board; `length` registers were received.
- */
-ctl_verdict ctl_press_check(const ctl_bank* bank, const ctl_config* config, uint32_t length);
+/* What must hold for the five rows to be executed on this board, beyond what holds for every bank. */
+ctl_verdict ctl_press_check(const ctl_bank* bank, const ctl_config* config);
 
 /* Stand; nothing is known of a last stroke. */
 void ctl_press_reset(ctl_press* press);
@@ -83,7 +84,7 @@ void ctl_press_begin(ctl_press* press, const ctl_bank* bank, uint32_t clock_hz,
 int32_t ctl_press_slice(ctl_press* press, const ctl_press_reading* reading, uint32_t ticks);
 /* Ramp down; the stroke ends where the ram comes to stand. */
 void ctl_press_stop(ctl_press* press);
-/* The stroke ends here and now, without another pulse. */
+/* The stroke under way ends here and now, without another pulse. */
 void ctl_press_abandon(ctl_press* press);
 /* Pulse frequency now, negative upwards. */
 int64_t ctl_press_hz(const ctl_press* press);

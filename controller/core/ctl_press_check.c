@@ -4,29 +4,18 @@
 
 #include "ctl_words.h"
 
-#define MAX_PULSES_PER_MOTOR_REV 10000000u
 /* Keeps every distance of a stroke inside 31 bits. */
 #define FARTHEST_PULSES (INT32_MAX / 2)
 
 /* Offset of the first header register outside its range; CTL_BANK_HEADER_REGISTERS when there is none. */
-static uint32_t bad_header_offset(const ctl_bank* bank, uint32_t length)
+static uint32_t bad_header_offset(const ctl_bank* bank)
 {
     const uint16_t* header = bank->registers;
-    if (header[CTL_OFFSET_BANK_LAYOUT] != CTL_TABLE_LAYOUT_PRESS_STAGES)
-        return CTL_OFFSET_BANK_LAYOUT;
-    if (header[CTL_OFFSET_BANK_KIND] != CTL_PROGRAM_KIND_PRESS)
-        return CTL_OFFSET_BANK_KIND;
-    if (header[CTL_OFFSET_BANK_ROW_COUNT] != CTL_PRESS_ROWS ||
-        length != CTL_BANK_HEADER_REGISTERS + CTL_PRESS_ROWS * CTL_PRESS_ROW_REGISTERS)
-        return CTL_OFFSET_BANK_ROW_COUNT;
     if (header[CTL_OFFSET_PRESS_MIN_STOP_FORCE] > header[CTL_OFFSET_PRESS_MAX_STOP_FORCE])
         return CTL_OFFSET_PRESS_MIN_STOP_FORCE;
     if (ctl_get32(&header[CTL_OFFSET_PRESS_FEED]) == 0)
         return CTL_OFFSET_PRESS_FEED;
-    const uint32_t per_revolution = ctl_get32(&header[CTL_OFFSET_PRESS_PULSES_PER_MOTOR_REV]);
-    if (per_revolution == 0 || per_revolution > MAX_PULSES_PER_MOTOR_REV)
-        return CTL_OFFSET_PRESS_PULSES_PER_MOTOR_REV;
-    return CTL_BANK_HEADER_REGISTERS;
+    return ctl_bank_bad_cycle(bank);
 }
 
 static bool moves_well(ctl_press_row row, const ctl_config* config)
@@ -54,19 +43,13 @@ static uint32_t bad_row(const ctl_bank* bank, const ctl_config* config)
     return CTL_PRESS_ROWS;
 }
 
-ctl_verdict ctl_press_check(const ctl_bank* bank, const ctl_config* config, uint32_t length)
+ctl_verdict ctl_press_check(const ctl_bank* bank, const ctl_config* config)
 {
-    ctl_verdict verdict = {CTL_TRANSFER_RESULT_ACCEPTED, 0};
-    const uint32_t offset = bad_header_offset(bank, length);
-    if (offset != CTL_BANK_HEADER_REGISTERS) {
-        verdict.result = CTL_TRANSFER_RESULT_BAD_HEADER;
-        verdict.detail = (uint16_t)offset;
-        return verdict;
-    }
+    const uint32_t offset = bad_header_offset(bank);
+    if (offset != CTL_BANK_HEADER_REGISTERS)
+        return ctl_refuse(CTL_TRANSFER_RESULT_BAD_HEADER, offset);
     const uint32_t row = bad_row(bank, config);
-    if (row != CTL_PRESS_ROWS) {
-        verdict.result = CTL_TRANSFER_RESULT_BAD_ROW;
-        verdict.detail = (uint16_t)row;
-    }
-    return verdict;
+    if (row != CTL_PRESS_ROWS)
+        return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, row);
+    return ctl_refuse(CTL_TRANSFER_RESULT_ACCEPTED, 0);
 }

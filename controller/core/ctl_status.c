@@ -87,13 +87,36 @@ static void put_program(const ctl_core* core, uint16_t* registers)
     put_wide(registers, CTL_REG_STATUS_GENERATION, banks->generation);
     put_wide(registers, CTL_REG_STATUS_ACTIVE_CRC, banks->active_crc);
     put_wide(registers, CTL_REG_STATUS_SAVED_CRC, core->flash.saved_crc);
+}
+
+static void put_bags(const ctl_core* core, uint16_t* registers)
+{
+    const ctl_bank* bank = ctl_active_bank(core);
     put_wide(registers, CTL_REG_STATUS_BAG_LENGTH, core->bags.length_um);
     put_wide(registers, CTL_REG_STATUS_BAG_COUNT, core->bags.count);
     uint16_t deviation = 0;
-    if (banks->has_active && core->bags.length_um != 0)
+    if (core->banks.has_active && core->bags.length_um != 0)
         deviation = saturated16((int64_t)core->bags.length_um -
                                 ctl_get32(&bank->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH]));
     put(registers, CTL_REG_STATUS_BAG_DEVIATION, deviation);
+}
+
+static uint16_t saturated_force(int32_t force)
+{
+    if (force < 0)
+        return 0;
+    return force > UINT16_MAX ? UINT16_MAX : (uint16_t)force;
+}
+
+static void put_press(const ctl_core* core, uint16_t* registers)
+{
+    const ctl_press* press = &core->motion.press;
+    put(registers, CTL_REG_STATUS_PRESS_STAGE, press->stage);
+    put(registers, CTL_REG_STATUS_PRESS_FORCE, saturated_force(ctl_motion_press_force(core)));
+    put(registers, CTL_REG_STATUS_STOP_ERROR, saturated16(press->last.error));
+    put(registers, CTL_REG_STATUS_STOP_FORCE, saturated_force(press->last.force));
+    put(registers, CTL_REG_STATUS_STROKE_RESULT, press->last.result);
+    put(registers, CTL_REG_STATUS_PEAK_FORCE, saturated_force(press->last.peak));
 }
 
 static void put_motion(const ctl_core* core, uint16_t* registers)
@@ -108,6 +131,11 @@ static void put_motion(const ctl_core* core, uint16_t* registers)
     put_wide(registers, CTL_REG_STATUS_COMMANDED_POSITION, (uint64_t)(motion->commanded - motion->origin));
     put_wide(registers, CTL_REG_STATUS_AXIS_POSITION, (uint64_t)position);
     put(registers, CTL_REG_STATUS_FOLLOWING_ERROR, saturated16(motion->commanded - motion->actual));
+    if (ctl_motion_is_press(core)) {
+        put_press(core, registers);
+        return;
+    }
+    put_bags(core, registers);
     put(registers, CTL_REG_STATUS_KNIFE_ANGLE,
         core->banks.has_active ? ctl_bank_knife_angle(ctl_active_bank(core), position) : (uint16_t)0);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "machine.h"
 
+#include "ctl_press.h"
 #include "ctl_step.h"
 #include "ctl_words.h"
 
@@ -39,7 +40,8 @@ double pulsesAtAngle(const ctl_bank& bank, double angle)
 } // namespace
 
 Machine::Machine(const MachineOptions& options)
-    : m_random(options.seed)
+    : m_options(options)
+    , m_random(options.seed)
     , m_slipMm(0.0, std::max(options.filmSlipMm, 0.0))
     , m_angularBandwidth(2.0 * std::numbers::pi * options.servoBandwidthHz)
 {
@@ -47,6 +49,31 @@ Machine::Machine(const MachineOptions& options)
 }
 
 void Machine::setProgram(const ctl_bank& bank)
+{
+    if (ctl_bank_kind(&bank) == CTL_PROGRAM_KIND_PRESS) {
+        m_hasKnife = false;
+        setPress(bank);
+        return;
+    }
+    m_ram.reset();
+    m_hasKnife = ctl_bank_kind(&bank) == CTL_PROGRAM_KIND_ROTARY_CUTTER;
+    if (m_hasKnife)
+        setKnife(bank);
+}
+
+// Another press begins with its ram up.
+void Machine::setPress(const ctl_bank& bank)
+{
+    const double pulseMm =
+        wide(bank, CTL_OFFSET_PRESS_FEED) / umPerMm / wide(bank, CTL_OFFSET_PRESS_PULSES_PER_MOTOR_REV);
+    if (m_ram && pulseMm == m_pulseMm)
+        return;
+    m_ram.emplace(m_options.press, m_options.seed);
+    m_pulseMm = pulseMm;
+    m_top = m_position;
+}
+
+void Machine::setKnife(const ctl_bank& bank)
 {
     const double revolutions = (m_position - m_mark) / m_revolution;
     const double revolution = wide(bank, CTL_OFFSET_PROGRAM_PULSES_PER_MOTOR_REV) *
@@ -58,13 +85,12 @@ void Machine::setProgram(const ctl_bank& bank)
     }
     m_stroke = m_revolution / bank.registers[CTL_OFFSET_PROGRAM_KNIVES];
     m_cutOffset = pulsesAtAngle(bank, bank.registers[CTL_OFFSET_BANK_CUT_ANGLE]);
-    m_hasProgram = true;
 }
 
 void Machine::setDriveOn(bool on)
 {
     if (on && !m_driveOn)
-        m_commanded = encoder();
+        m_commanded = std::llround(m_position);
     m_driveOn = on;
 }
 
@@ -90,7 +116,7 @@ void Machine::passCut(double before, double filmMm)
 {
     const double first = m_mark + m_cutOffset;
     const double strokes = std::floor((m_position - first) / m_stroke);
-    if (!m_hasProgram || strokes <= std::floor((before - first) / m_stroke))
+    if (!m_hasKnife || strokes <= std::floor((before - first) / m_stroke))
         return;
     const double passed = (first + strokes * m_stroke - before) / (m_position - before);
     const double filmAtCutMm = m_filmMm + passed * filmMm + m_slipMm(m_random);
@@ -103,6 +129,8 @@ void Machine::advance(double stepS, double filmMm)
 {
     const double before = m_position;
     followCommand(stepS);
+    if (m_ram)
+        m_ram->follow((m_position - m_top) * m_pulseMm);
     passIndex(before);
     passCut(before, filmMm);
     m_filmMm += filmMm;
@@ -110,7 +138,15 @@ void Machine::advance(double stepS, double filmMm)
 
 std::int64_t Machine::encoder() const
 {
-    return std::llround(m_position);
+    return m_ram ? std::llround(m_top) + std::llround(m_ram->scaleMm() / m_pulseMm)
+                 : std::llround(m_position);
+}
+
+std::int64_t Machine::scale() const
+{
+    if (!m_ram)
+        return encoder() * CTL_PRESS_FINE;
+    return std::llround(m_top) * CTL_PRESS_FINE + std::llround(m_ram->scaleMm() / m_pulseMm * CTL_PRESS_FINE);
 }
 
 std::optional<std::int64_t> Machine::takeIndex()

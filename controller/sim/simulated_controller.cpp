@@ -32,8 +32,11 @@ double phaseOf(const ctl_core& core)
     return static_cast<double>(ctl_table_position(&table)) / ctl_bank_cycle_ticks(table.bank);
 }
 
+// Film that a cycle feeds: none where there is no knife.
 double bagLengthMm(const ctl_core& core)
 {
+    if (ctl_bank_kind(ctl_active_bank(&core)) != CTL_PROGRAM_KIND_ROTARY_CUTTER)
+        return 0.0;
     return mmPerUm * ctl_get32(&ctl_active_bank(&core)->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH]);
 }
 
@@ -50,6 +53,8 @@ SimulatedController::SimulatedController(const ctl_config& config, const Machine
     port.pulses = [](void* context, std::int32_t count) { machineOf(context).command(count); };
     port.encoder = [](void* context) { return machineOf(context).encoder(); };
     port.index = takeIndex;
+    port.scale = [](void* context) { return machineOf(context).scale(); };
+    port.force = [](void* context) { return machineOf(context).forceN(); };
     port.flash_read = [](void* context, std::uint32_t slot, std::uint32_t offset, std::uint8_t* bytes,
                          std::uint32_t size) {
         return static_cast<SimulatedController*>(context)->m_flash.read(slot, offset, {bytes, size});

@@ -77,6 +77,8 @@ void TestKnotsCsv::refuses_data()
     row("point, then comma", "master_deg;slave_mm\n0;0.5\n90,5;1\n", 3, CsvExpectation::DecimalPoint, "90,5");
     row("long line", "a line of a document that is no list of knots at all\n", 1, CsvExpectation::Header,
         "a line of a document that is no list of ");
+    row("cut before a whole character", "123456789012345678901234567890123456789\u00e4\n", 1,
+        CsvExpectation::Header, "123456789012345678901234567890123456789");
 }
 
 void TestKnotsCsv::refuses()

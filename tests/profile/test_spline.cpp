@@ -87,6 +87,7 @@ private slots:
     void isTwiceDifferentiable();
     void endsAreAsAsked();
     void fewestKnots();
+    void unitSpacing();
     void continuesOutside();
 };
 
@@ -186,6 +187,23 @@ void TestSpline::fewestKnots()
                       {3, 12});
     QVERIFY(near(cube.at(1).value, 1, 1e-13));
     QVERIFY(near(cube.at(-0.5).third, 6, 1e-13));
+}
+
+void TestSpline::unitSpacing()
+{
+    std::vector<double> x;
+    std::vector<double> y;
+    for (int i = 0; i < 50; ++i) {
+        x.push_back(i);
+        y.push_back(std::sin(i * i));
+    }
+    for (const SplineEnds ends : {SplineEnds::Natural, SplineEnds::Clamped, SplineEnds::Periodic}) {
+        const std::vector<double> given = splineSlopes(x, y, ends, {1, -2});
+        const std::vector<double> unit = unitSplineSlopes(y, ends, {1, -2});
+        QCOMPARE(unit.size(), y.size());
+        for (std::size_t i = 0; i < y.size(); ++i)
+            QVERIFY(std::abs(unit[i] - given[i]) < 1e-13);
+    }
 }
 
 void TestSpline::continuesOutside()

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "profile/intervals.h"
+
+#include "profile/interval_plan.h"
+#include "profile/speed_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace campanel::profile {
+
+namespace {
+
+using detail::PlanRules;
+using detail::SpeedCurve;
+
+constexpr double publishedIterationS = 1.0 / (1 << detail::accumulatorBits);
+constexpr int mostFractionBits = 8;
+constexpr int samplesPerStretch = 64; // of the motion or of a row, to find extremes
+
+Refusal refusal(Limit limit, double actual, double allowed, std::string_view unit)
+{
+    Refusal result;
+    result.limit = limit;
+    result.field = Field::MaxPulseFrequency;
+    result.actual = actual;
+    result.allowed = allowed;
+    result.unit = unit;
+    return result;
+}
+
+// The first time at which the motion goes against its whole.
+std::optional<Refusal> findReversal(const MotionProfile& motion, double direction)
+{
+    constexpr double roundingShare = 1e-9;
+    double fastest = 0;
+    std::optional<Refusal> result;
+    for (const Segment& segment : motion.segments()) {
+        for (int i = 0; i <= samplesPerStretch; ++i) {
+            const double time = segment.startS + segment.durationS * i / samplesPerStretch;
+            const double speed = segment.at(time).velocityMmPerS * direction;
+            fastest = std::max(fastest, speed);
+            if (speed < -roundingShare * fastest && !result) {
+                result = refusal(Limit::Reversal, speed * direction, 0, "mm/s");
+                result->timeS = time;
+            }
+        }
+    }
+    return result;
+}
+
+double fastestHz(const SpeedCurve& curve)
+{
+    return std::ranges::max(curve.samples(), {}, &detail::CurveSample::speedHz).speedHz;
+}
+
+double steepestHzPerS(const SpeedCurve& curve)
+{
+    double result = 0;
+    const auto& samples = curve.samples();
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+        const double time = samples[i].timeS - samples[i - 1].timeS;
+        if (time > 0)
+            result = std::max(result, std::abs(samples[i].speedHz - samples[i - 1].speedHz) / time);
+    }
+    return result;
+}
+
+// As many bits as leave room in the acceleration's register for rows twice as steep as the curve.
+int fractionBits(const SpeedCurve& curve)
+{
+    const double perBit =
+        2 * steepestHzPerS(curve) * std::pow(detail::realIterationS / publishedIterationS, 2);
+    int bits = mostFractionBits;
+    while (bits > 0 && std::ldexp(perBit, bits) > std::numeric_limits<std::uint32_t>::max())
+        --bits;
+    return bits;
+}
+
+// The speed error less what the search does not see: the stretch to whole pulses, the speed's steps, and what
+// lies between the samples compared.
+PlanRules planRules(const SpeedCurve& curve, const Machine& machine, IntervalMode mode, double speedErrorHz)
+{
+    constexpr double sampledShare = 0.99;
+    PlanRules rules;
+    rules.iterationS = mode == IntervalMode::Published ? publishedIterationS : detail::realIterationS;
+    rules.fractionBits = mode == IntervalMode::Published ? 0 : fractionBits(curve);
+    const double unitHz = 1 / std::ldexp(rules.iterationS, detail::accumulatorBits + rules.fractionBits);
+    rules.toleranceHz =
+        sampledShare * speedErrorHz - 2 * unitHz - std::abs(1 - 1 / curve.stretch()) * fastestHz(curve);
+    rules.maxSpeedHz = pulseFrequencyLimitHz(machine);
+    return rules;
+}
+
+// The better of two plans: one on time at every joint, one that may be late within bounds. Nothing when the
+// tolerance is too tight; on success rules.misfitShare is that of the plan.
+std::optional<std::vector<IntervalRow>> plan(const SpeedCurve& curve, PlanRules& rules)
+{
+    if (!(rules.toleranceHz > 0))
+        return std::nullopt;
+    rules.misfitShare = 0;
+    auto onTime = detail::planRows(curve, rules, intervalCapacity);
+    PlanRules late = rules;
+    late.misfitShare = detail::mostMisfitShare;
+    auto better = detail::planRows(curve, late, onTime ? onTime->size() - 1 : intervalCapacity);
+    if (!better)
+        return onTime;
+    rules = late;
+    return better;
+}
+
+// As few rows with a smaller error.
+std::vector<IntervalRow> refined(const SpeedCurve& curve, PlanRules rules, std::vector<IntervalRow> rows)
+{
+    constexpr int steps = 4;
+    double low = 0;
+    double high = rules.toleranceHz;
+    for (int i = 0; i < steps; ++i) {
+        // The first try is whether the rows could follow the curve exactly.
+        rules.toleranceHz = i == 0 ? high / 100 : (low + high) / 2;
+        if (auto better = detail::planRows(curve, rules, rows.size())) {
+            rows = std::move(*better);
+            high = rules.toleranceHz;
+        } else {
+            low = rules.toleranceHz;
+        }
+    }
+    return rows;
+}
+
+// A speed error that can be kept, at most four times the least.
+double keptSpeedErrorMmPerS(const SpeedCurve& curve, const Machine& machine, IntervalMode mode,
+                            double triedHz)
+{
+    constexpr double factor = 4;
+    const double pulsesPerMm = axisPulsesPerMm(machine);
+    const double mostHz = 2 * fastestHz(curve);
+    for (double error = std::max(triedHz, mostHz * 1e-6) * factor; error < mostHz; error *= factor) {
+        PlanRules rules = planRules(curve, machine, mode, error);
+        if (plan(curve, rules))
+            return error / pulsesPerMm;
+    }
+    return mostHz / pulsesPerMm;
+}
+
+void measure(IntervalTable& table, const MotionProfile& motion, double pulsesPerMm, double iterationS)
+{
+    const int bits = detail::accumulatorBits + table.fractionBits;
+    const double startMm = motion.at(0).positionMm;
+    const double unitsPerHz = std::ldexp(iterationS, bits);
+    std::uint64_t before = 0;
+    std::uint64_t rest = 0;
+    std::int64_t pulses = 0;
+    const auto compare = [&](const IntervalRow& row, std::uint64_t iteration) {
+        const double time = static_cast<double>(before + iteration) * iterationS;
+        if (time > motion.durationS())
+            return;
+        const MotionPoint point = motion.at(time);
+        const double speed =
+            static_cast<double>(detail::speedAfter(row, iteration)) / unitsPerHz / pulsesPerMm;
+        const double position =
+            static_cast<double>(pulses) +
+            std::ldexp(static_cast<double>(detail::positionAfter(row, rest, iteration)), -bits);
+        const double speedError = std::abs(speed - std::abs(point.velocityMmPerS));
+        const double positionError = std::abs(position - std::abs(point.positionMm - startMm) * pulsesPerMm);
+        if (speedError > table.errors.speedMmPerS) {
+            table.errors.speedMmPerS = speedError;
+            table.errors.speedTimeS = time;
+        }
+        if (positionError > table.errors.positionPulses) {
+            table.errors.positionPulses = positionError;
+            table.errors.positionTimeS = time;
+        }
+    };
+    for (const IntervalRow& row : table.rows) {
+        const detail::RowEnd end = detail::rowEnd(row, rest, table.fractionBits);
+        for (std::uint64_t i = 0; i <= samplesPerStretch; ++i)
+            compare(row, end.iterations * i / samplesPerStretch);
+        for (const Segment& segment : motion.segments()) {
+            const double here = segment.startS / iterationS - static_cast<double>(before);
+            if (here > 0 && here < static_cast<double>(end.iterations))
+                compare(row, static_cast<std::uint64_t>(here));
+        }
+        before += end.iterations;
+        rest = end.rest;
+        pulses += row.pulses;
+    }
+    table.timeS = static_cast<double>(before) * detail::realIterationS;
+}
+
+} // namespace
+
+tl::expected<IntervalTable, Refusal> compileIntervals(const MotionProfile& motion, const Machine& machine,
+                                                      double speedErrorMmPerS, IntervalMode mode)
+{
+    const double pulsesPerMm = axisPulsesPerMm(machine);
+    const double duration = motion.durationS();
+    const double travel = motion.at(duration).positionMm - motion.at(0).positionMm;
+    const double direction = travel < 0 ? -1 : 1;
+    if (std::abs(travel) * pulsesPerMm < 1)
+        return tl::unexpected(refusal(Limit::TooFewPulses, std::abs(travel) * pulsesPerMm, 1, "pulses"));
+    if (const auto reversal = findReversal(motion, direction))
+        return tl::unexpected(*reversal);
+
+    const SpeedCurve curve(motion, pulsesPerMm);
+    const double limitHz = pulseFrequencyLimitHz(machine);
+    if (fastestHz(curve) / curve.stretch() > limitHz * (1 + 1e-9))
+        return tl::unexpected(refusal(Limit::PulseFrequency, fastestHz(curve), limitHz, "Hz"));
+    constexpr double mostPulses = std::numeric_limits<std::int32_t>::max();
+    if (static_cast<double>(curve.wholePulses()) > mostPulses)
+        return tl::unexpected(
+            refusal(Limit::TableRange, static_cast<double>(curve.wholePulses()), mostPulses, "pulses"));
+    constexpr double mostTicks = std::numeric_limits<std::uint32_t>::max();
+    if (duration * 1.01 * machine.timerClockHz > mostTicks)
+        return tl::unexpected(
+            refusal(Limit::TableRange, duration * machine.timerClockHz, mostTicks, "ticks"));
+
+    const double errorHz = speedErrorMmPerS * pulsesPerMm;
+    PlanRules rules = planRules(curve, machine, mode, std::isfinite(errorHz) ? errorHz : 0);
+    auto rows = plan(curve, rules);
+    if (!rows) {
+        const double triedHz = std::isfinite(errorHz) ? std::max(0.0, errorHz) : 0;
+        return tl::unexpected(refusal(Limit::SpeedError, speedErrorMmPerS,
+                                      keptSpeedErrorMmPerS(curve, machine, mode, triedHz), "mm/s"));
+    }
+    IntervalTable table;
+    table.rows = refined(curve, rules, std::move(*rows));
+    table.fractionBits = rules.fractionBits;
+    table.advance = static_cast<std::int64_t>(direction) * curve.wholePulses();
+    table.profileTimeS = duration;
+    measure(table, motion, pulsesPerMm, rules.iterationS);
+    table.cycleTicks = static_cast<std::uint32_t>(std::ceil(table.timeS * machine.timerClockHz - 1e-6));
+    return table;
+}
+
+} // namespace campanel::profile

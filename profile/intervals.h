@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// A motion as the fewest intervals of constant acceleration that keep its speed within an error: the table of
+// the paper on intervals (rows Dist, V0, V1, Acc for two cascaded accumulators).
+#pragma once
+
+#include "profile/interval_row.h"
+#include "profile/machine.h"
+#include "profile/motion_profile.h"
+#include "profile/refusal.h"
+
+#include <cstdint>
+#include <tl/expected.hpp>
+#include <vector>
+
+namespace campanel::profile {
+
+inline constexpr int intervalCapacity = 1024; // rows that the controller holds
+
+enum class IntervalMode : std::uint8_t {
+    Published, // registers in pulses/s and pulses/s^2: the generator's clock makes it all 1.00663296 times
+               // slower
+    Corrected, // speeds times k = 2^23 / (50 MHz / 6) = 1.00663296, acceleration times k^2, with fraction
+               // bits
+};
+
+// Of the accumulators' own motion against the motion compiled; in Published mode against the motion at the
+// generator's pace, k times slower, as the paper accepts it.
+struct IntervalErrors {
+    double speedMmPerS = 0; // largest
+    double speedTimeS = 0;
+    double positionPulses = 0; // largest, between the pulses as well
+    double positionTimeS = 0;
+};
+
+struct IntervalTable {
+    std::vector<IntervalRow> rows; // each begins with the speed that the one before it ends with
+    int fractionBits = 0;
+    std::int64_t advance = 0;     // sum of the rows' pulses, negative: backwards
+    std::uint32_t cycleTicks = 0; // of the timer, in which the last pulse comes
+    double timeS = 0;             // from the start to the last pulse, by the generator's clock
+    double profileTimeS = 0;      // of the motion
+    IntervalErrors errors;
+};
+
+// Fewest rows, and of the tables with so few one with a small speed error; the last row ends with a speed
+// above zero, as the first begins. What counts as a row is in interval_plan.h. Distances sum to the motion's
+// pulses rounded to whole ones.
+// Refuses a speed error that is not positive or that no row of one pulse could keep (SpeedError; allowed is
+// one that can be kept), a motion that turns round (Reversal), less than one pulse (TooFewPulses), pulses
+// faster than the output stage (PulseFrequency), more rows than the controller holds (RowCapacity) and
+// numbers that do not fit their registers (TableRange).
+[[nodiscard]] tl::expected<IntervalTable, Refusal> compileIntervals(const MotionProfile& motion,
+                                                                    const Machine& machine,
+                                                                    double speedErrorMmPerS,
+                                                                    IntervalMode mode);
+
+} // namespace campanel::profile
