@@ -140,7 +140,14 @@ double torqueAllowance(const Machine& machine)
     const double perAcceleration = axisTorqueNm(machine, 1) - axisTorqueNm(machine, 0);
     if (perAcceleration > 0)
         return left / perAcceleration;
-    return left >= 0 ? inf : -inf;
+    return left >= 0 ? std::numeric_limits<double>::max() : std::numeric_limits<double>::lowest();
+}
+
+// Judged in the motion's own quantity, as the spans are: beside much friction a small torque would drown in
+// the tolerance.
+bool isBroken(const Comparison& c, const AxisPeaks& peaks)
+{
+    return exceeds(c.isAcceleration ? peaks.accelerationMmPerS2 : peaks.speedMmPerS, c.allowedInMotion);
 }
 
 std::array<Comparison, 4> compare(const AxisPeaks& peaks, const Machine& m)
@@ -170,16 +177,16 @@ template <typename Condition> double lastTrueS(double trueS, double falseS, Cond
 template <typename Quantity>
 void appendBroken(std::vector<TimeSpan>& spans, double fromS, double toS, double limit, Quantity quantity)
 {
-    const auto isBroken = [&](double timeS) { return exceeds(std::abs(quantity(timeS)), limit); };
-    const bool startBroken = isBroken(fromS);
-    const bool endBroken = isBroken(toS);
+    const auto isOver = [&](double timeS) { return exceeds(std::abs(quantity(timeS)), limit); };
+    const bool startBroken = isOver(fromS);
+    const bool endBroken = isOver(toS);
     if ((!startBroken && !endBroken) || !(toS > fromS))
         return;
     TimeSpan span{fromS, toS};
     if (!endBroken)
-        span.toS = lastTrueS(fromS, toS, isBroken);
+        span.toS = lastTrueS(fromS, toS, isOver);
     if (!startBroken)
-        span.fromS = lastTrueS(toS, fromS, isBroken);
+        span.fromS = lastTrueS(toS, fromS, isOver);
     if (!spans.empty() && span.fromS - spans.back().toS <= joinedS)
         spans.back().toS = span.toS;
     else
@@ -247,7 +254,7 @@ std::vector<Refusal> checkAxis(const MotionProfile& motion, const AxisPeaks& pea
 {
     std::vector<Refusal> broken;
     for (const Comparison& c : compare(peaks, machine)) {
-        if (!exceeds(c.actual, c.allowed))
+        if (!isBroken(c, peaks))
             continue;
         Refusal refusal;
         refusal.limit = c.limit;
@@ -266,7 +273,7 @@ bool isWithinLimits(const AxisPeaks& peaks, const Machine& machine)
 {
     const auto compared = compare(peaks, machine);
     return std::none_of(compared.begin(), compared.end(),
-                        [](const Comparison& c) { return exceeds(c.actual, c.allowed); });
+                        [&peaks](const Comparison& c) { return isBroken(c, peaks); });
 }
 
 } // namespace campanel::profile

@@ -24,14 +24,15 @@ public:
             m_present = info(field).defaultValue;
     }
 
-    // Tries the grid points around a candidate.
+    // Tries the grid points around a candidate; from its nearest one, or rounding could skip one of them.
     void tryAround(double candidate)
     {
         if (!std::isfinite(candidate))
             return;
         const double step = info(m_field).resolution();
+        const double nearest = snapToGrid(m_field, candidate);
         for (const int offset : {-1, 0, 1})
-            tryValue(snapToGrid(m_field, candidate + offset * step));
+            tryValue(snapToGrid(m_field, nearest + offset * step));
     }
 
     [[nodiscard]] bool isFeasibleAt(double x)

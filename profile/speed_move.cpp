@@ -97,10 +97,11 @@ tl::expected<double, Refusal> timeOverDistanceS(const SpeedMoveProgram& program)
     const double timeS = program.distanceMm / mean;
     if (timeS < 0)
         return tl::unexpected(distanceRefusal(Limit::DistanceSign, program.distanceMm, -program.distanceMm));
-    if (inRange(Field::MoveTime, timeS))
-        return timeS;
-    if (timeS > info(Field::MoveTime).min)
+    // Closer than inRange(), whose room is that of a value that a person enters.
+    if (timeS > info(Field::MoveTime).max * (1 + rounding))
         return tl::unexpected(detail::outOfRange(Field::MoveTime, timeS));
+    if (timeS >= info(Field::MoveTime).min * (1 - rounding))
+        return timeS;
     const double step = info(Field::Distance).resolution();
     const double least = std::ceil(std::abs(mean) * info(Field::MoveTime).min / step - rounding) * step;
     return tl::unexpected(
