@@ -46,6 +46,19 @@ template <typename Header, typename Visitor> void visitFields(Header& header, Vi
 
 } // namespace
 
+KnotSpan knotSpan(std::span<const std::uint16_t> header)
+{
+    const RegisterReader reader(header, 0);
+    if (reader.u16("bank.kind") != static_cast<std::uint16_t>(ProgramKind::PointCam))
+        return {};
+    const unsigned rows = reader.u16("bank.row_count");
+    const unsigned knots = reader.u16("cam.knot_count");
+    if (rows > camPointCapacity || knots > knotCapacity)
+        return {};
+    return {static_cast<std::uint16_t>(bankHeaderRegisters + camPointRegisters * rows),
+            static_cast<std::uint16_t>(knotRegisters * knots)};
+}
+
 BankHeader decodeBankHeader(std::span<const std::uint16_t> registers)
 {
     const RegisterReader reader(registers, 0);

@@ -52,6 +52,13 @@ struct BankHeader {
     std::string recipeName;
 };
 
+// Where a point cam's bank holds its knots, behind the rows; count 0 for other banks.
+struct KnotSpan {
+    std::uint16_t offset = 0; // from the bank's base
+    std::uint16_t count = 0;  // registers
+};
+[[nodiscard]] KnotSpan knotSpan(std::span<const std::uint16_t> header);
+
 // `registers`: at least the header (bankHeaderRegisters).
 [[nodiscard]] BankHeader decodeBankHeader(std::span<const std::uint16_t> registers);
 

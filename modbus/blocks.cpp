@@ -25,6 +25,32 @@ std::optional<std::uint32_t> unlessZero(std::uint32_t value)
     return value == 0 ? std::nullopt : std::optional(value);
 }
 
+// The registers that mean something else with each kind of program.
+void decodeKind(const RegisterReader& reader, StatusBlock& status)
+{
+    if (status.programKind == ProgramKind::Press) {
+        PressStatus press;
+        press.stage = known(reader.u16("status.press_stage"), PressStage::Return);
+        press.forceN = reader.u16("status.press_force");
+        press.stopErrorPulses = static_cast<std::int16_t>(reader.u16("status.stop_error"));
+        press.stopForceN = reader.u16("status.stop_force");
+        press.result =
+            known(reader.u16("status.stroke_result"), StrokeResult::Stopped).value_or(StrokeResult::None);
+        press.peakForceN = reader.u16("status.peak_force");
+        status.press = press;
+        return;
+    }
+    if (status.programKind != ProgramKind::RotaryCutter && status.programKind != ProgramKind::None)
+        return;
+    if (!status.has(WarningBit::NotHomed))
+        status.knifeAngleDeg = reader.physical("status.knife_angle");
+    if (reader.u32("status.bag_length") != 0) {
+        status.bagLengthMm = reader.physical("status.bag_length");
+        status.bagDeviationMm = reader.physical("status.bag_deviation");
+    }
+    status.bagCount = reader.u32("status.bag_count");
+}
+
 } // namespace
 
 std::string Identity::firmwareVersion() const
@@ -80,7 +106,7 @@ StatusBlock decodeStatus(std::span<const std::uint16_t> registers)
     status.faultBits = reader.u16("status.fault");
     status.warningBits = reader.u16("status.warning");
     status.programKind =
-        known(reader.u16("status.program_kind"), ProgramKind::RotaryCutter).value_or(ProgramKind::None);
+        known(reader.u16("status.program_kind"), ProgramKind::Press).value_or(ProgramKind::None);
     status.stagedState = known(reader.u16("status.staged_state"), StagedState::Armed);
     status.generation = reader.u32("status.generation");
     status.activeCrc = unlessZero(reader.u32("status.active_crc"));
@@ -94,13 +120,7 @@ StatusBlock decodeStatus(std::span<const std::uint16_t> registers)
     status.commandedPositionPulses = reader.i32("status.commanded_position");
     status.axisPositionPulses = reader.i32("status.axis_position");
     status.followingErrorPulses = static_cast<std::int16_t>(reader.u16("status.following_error"));
-    if (!status.has(WarningBit::NotHomed))
-        status.knifeAngleDeg = reader.physical("status.knife_angle");
-    if (reader.u32("status.bag_length") != 0) {
-        status.bagLengthMm = reader.physical("status.bag_length");
-        status.bagDeviationMm = reader.physical("status.bag_deviation");
-    }
-    status.bagCount = reader.u32("status.bag_count");
+    decodeKind(reader, status);
     status.uptimeS = reader.u32("status.uptime");
     status.commandCounter = reader.u16("status.command_counter");
     status.linkCrcErrors = reader.u16("status.link_crc_errors");

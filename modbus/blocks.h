@@ -39,6 +39,18 @@ struct Identity {
     [[nodiscard]] bool supports(ProgramKind kind) const;
 };
 
+// What a press says of its strokes; the last one is kept until the next has ended.
+struct PressStatus {
+    std::optional<PressStage> stage; // empty: one that this version does not know
+    std::uint16_t forceN = 0;        // now, saturating
+    std::int16_t stopErrorPulses = 0;
+    std::uint16_t stopForceN = 0;
+    StrokeResult result = StrokeResult::None;
+    std::uint16_t peakForceN = 0;
+
+    bool operator==(const PressStatus&) const = default;
+};
+
 struct StatusBlock {
     std::uint16_t tag = 0;
     std::uint16_t heartbeat = 0;
@@ -58,10 +70,12 @@ struct StatusBlock {
     std::int32_t commandedPositionPulses = 0;
     std::int32_t axisPositionPulses = 0;
     std::int16_t followingErrorPulses = 0;
+    // Of a rotary cutter.
     std::optional<double> knifeAngleDeg;  // empty: not homed
     std::optional<double> bagLengthMm;    // empty: no bag measured yet
     std::optional<double> bagDeviationMm; // empty: no bag measured yet
     std::uint32_t bagCount = 0;
+    std::optional<PressStatus> press; // of a press
     std::uint32_t uptimeS = 0;
     std::uint16_t commandCounter = 0;
     std::uint16_t linkCrcErrors = 0;

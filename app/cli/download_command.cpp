@@ -101,19 +101,21 @@ Outcome runDownload(const Invocation& call)
     if (const Outcome transferred = transfer(*session, download); !transferred)
         return transferred;
     const double transferS = static_cast<double>(timer.nsecsElapsed()) / 1e9;
-    const auto active = awaitActive(*session, download, image->cutter.cycle.cycleTimeS);
+    const auto active = awaitActive(*session, download, image->solved.cycleS());
     if (!active)
         return tl::unexpected(active.error());
     if (call.isSet(u"save"_s)) {
         if (const Outcome saved = session->command(modbus::Command::SaveToFlash, {0, 0, image->crc}); !saved)
             return saved;
     }
+    const auto rows =
+        std::visit([](const auto& table) { return static_cast<qint64>(table.rows.size()); }, image->table);
     const QJsonObject result{{u"name"_s, QString::fromStdString(image->recipe.name)},
                              {u"recipe_version"_s, image->recipe.version},
                              {u"generation"_s, static_cast<qint64>(active->generation)},
                              {u"crc32"_s, QString::number(image->crc, 16).toUpper().rightJustified(8, u'0')},
                              {u"registers"_s, static_cast<qint64>(image->registers.size())},
-                             {u"rows"_s, static_cast<qint64>(image->table.rows.size())},
+                             {u"rows"_s, rows},
                              {u"transfer_s"_s, transferS},
                              {u"saved"_s, call.isSet(u"save"_s)}};
     return call.deliver(formatted(result, call.format()));

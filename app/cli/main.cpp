@@ -9,8 +9,6 @@
 #include <array>
 #include <clocale>
 #include <cstdio>
-#include <langinfo.h>
-#include <string_view>
 
 using namespace Qt::StringLiterals;
 using namespace campanel::cli;
@@ -31,7 +29,7 @@ std::vector<CommandInfo> commandTable()
          {{u"points"_s, u"Points of the curves (2 to 100000, default 1000)."_s, u"COUNT"_s, u"1000"_s}},
          runProfile},
         {u"table"_s,
-         u"Build the step table of a recipe; print its figures and rows."_s,
+         u"Build the table of a recipe; print its figures and rows."_s,
          {},
          recipe,
          all,
@@ -48,6 +46,30 @@ std::vector<CommandInfo> commandTable()
          all,
          {{u"json"_s, u"Same as --format json."_s}, {u"csv"_s, u"Same as --format csv."_s}},
          runLaws},
+        {u"compare"_s,
+         u"Print the peaks of a move by every law that it can use."_s,
+         {},
+         recipe,
+         {u"text"_s, u"json"_s},
+         {},
+         runCompare},
+        {u"intervals"_s,
+         u"Compile a recipe to the fewest intervals of constant acceleration."_s,
+         u"With --cam-mov: the pulse times of one interval, as published, corrected and in theory."_s,
+         recipe,
+         all,
+         {{u"speed-error-mm-per-s"_s, u"Largest speed error allowed (default 5)."_s, u"NUMBER"_s, u"5"_s},
+          {u"published"_s, u"Rows for the generator as the paper has it, not corrected for its clock."_s},
+          {u"cam-mov"_s, u"Pulses, first speed, last speed, acceleration, such as 10,50,800,40000."_s,
+           u"D,V0,V1,A"_s}},
+         runIntervals},
+        {u"knots"_s,
+         u"Check where a point cam closes; print its knots as CSV."_s,
+         {},
+         recipe,
+         all,
+         {{u"repair"_s, u"Close the cam smoothly first."_s}},
+         runKnots},
         {u"download"_s,
          u"Transfer a recipe's table, compare CRC-32, apply, wait until it is active."_s,
          u"A running machine takes the new table over at its next cycle."_s,
@@ -98,11 +120,13 @@ int print(const QString& text)
     return static_cast<int>(ExitCode::Success);
 }
 
-// Newer versions of Qt complain on standard error about a locale without UTF-8, although they replace it themselves.
+// Newer versions of Qt complain on standard error about a locale without UTF-8, although they replace it
+// themselves.
 void preferUtf8()
 {
-    std::setlocale(LC_ALL, "");
-    if (std::string_view(nl_langinfo(CODESET)) != "UTF-8")
+    const char* name = std::setlocale(LC_CTYPE, "");
+    const QByteArray locale = QByteArray(name ? name : "C").toUpper();
+    if (!locale.contains("UTF-8") && !locale.contains("UTF8"))
         qputenv("LC_ALL", "C.UTF-8");
 }
 

@@ -4,8 +4,7 @@
 #include "app/cli/invocation.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/report.h"
-#include "profile/limits.h"
-#include "profile/sampling.h"
+#include "app/program/solved_program.h"
 
 #include <QJsonArray>
 
@@ -38,7 +37,7 @@ QJsonObject cycleObject(const profile::CycleNumbers& cycle)
             {u"td_s"_s, cycle.tdS}};
 }
 
-QJsonObject peakObject(const profile::Peaks& peaks)
+QJsonObject peakObject(const profile::AxisPeaks& peaks)
 {
     return {{u"speed_mm_per_s"_s, peaks.speedMmPerS},
             {u"speed_at_s"_s, peaks.speedTimeS},
@@ -46,7 +45,19 @@ QJsonObject peakObject(const profile::Peaks& peaks)
             {u"pulse_frequency_hz"_s, peaks.pulseFrequencyHz},
             {u"acceleration_mm_per_s2"_s, peaks.accelerationMmPerS2},
             {u"acceleration_at_s"_s, peaks.accelerationTimeS},
+            {u"torque_nm"_s, peaks.torqueNm},          // of a cutter not known: null
             {u"jerk_mm_per_s3"_s, peaks.jerkMmPerS3}}; // JSON has no infinity: null
+}
+
+QJsonObject motionObject(const program::SolvedProgram& solved)
+{
+    const auto begin = solved.motion.at(0);
+    const auto end = solved.motion.at(solved.cycleS());
+    return {{u"time_s"_s, solved.cycleS()},
+            {u"distance_mm"_s, end.positionMm - begin.positionMm},
+            {u"start_speed_mm_per_s"_s, begin.velocityMmPerS},
+            {u"end_speed_mm_per_s"_s, end.velocityMmPerS},
+            {u"pulses_per_mm"_s, solved.pulsesPerMm}};
 }
 
 QJsonObject curveObject(const profile::Curves& curves)
@@ -81,30 +92,34 @@ Outcome runProfile(const Invocation& call)
     const auto recipe = recipeOf(call);
     if (!recipe)
         return tl::unexpected(recipe.error());
-    const auto cutter = profile::solve(recipe->program, recipe->machine);
-    if (!cutter)
-        return fail(ExitCode::Refused, profile::describe(cutter.error()));
-    const program::ProgramRefusal broken{profile::checkLimits(*cutter), std::nullopt};
+    const auto solved = program::solveProgram(*recipe);
+    if (!solved)
+        return fail(ExitCode::Refused, profile::describe(solved.error()));
+    const program::ProgramRefusal broken{solved->broken, std::nullopt};
+    const auto curves = [&] { return program::sampleCurves(*solved, static_cast<std::size_t>(points)); };
 
     QByteArray text;
     if (call.format() == u"csv") {
-        text = curvesCsv(profile::sampleCurves(*cutter, static_cast<std::size_t>(points)));
+        text = curvesCsv(curves());
     } else {
         QJsonArray limits;
         for (const profile::Refusal& limit : broken.limits)
             limits.append(QString::fromStdString(profile::describe(limit)));
-        QJsonObject object{{u"name"_s, QString::fromStdString(recipe->name)},
-                           {u"cycle"_s, cycleObject(cutter->cycle)},
-                           {u"peaks"_s, peakObject(profile::peaks(*cutter))},
-                           {u"feasible"_s, broken.limits.empty()},
-                           {u"broken_limits"_s, limits}};
-        if (const auto fastest = profile::fastestRate(*cutter))
-            object[u"fastest"_s] =
-                QJsonObject{{u"rate_bags_per_min"_s, fastest->rateBagsPerMin},
-                            {u"limited_by"_s, fromView(profile::limitId(fastest->limitedBy))}};
+        QJsonObject object{
+            {u"name"_s, QString::fromStdString(recipe->name)},
+            {u"kind"_s, fromView(program::kindInfo(recipe->kind()).key)},
+            {u"cycle"_s, solved->cutter ? cycleObject(solved->cutter->cycle) : motionObject(*solved)},
+            {u"peaks"_s, peakObject(solved->peaks)},
+            {u"feasible"_s, broken.limits.empty()},
+            {u"broken_limits"_s, limits}};
+        if (solved->cutter) {
+            if (const auto fastest = profile::fastestRate(*solved->cutter))
+                object[u"fastest"_s] =
+                    QJsonObject{{u"rate_bags_per_min"_s, fastest->rateBagsPerMin},
+                                {u"limited_by"_s, fromView(profile::limitId(fastest->limitedBy))}};
+        }
         if (call.format() == u"json")
-            object[u"curves"_s] =
-                curveObject(profile::sampleCurves(*cutter, static_cast<std::size_t>(points)));
+            object[u"curves"_s] = curveObject(curves());
         text = formatted(object, call.format());
     }
     if (const Outcome delivered = call.deliver(text); !delivered)

@@ -3,6 +3,7 @@
 #include "app/cli/recipe_options.h"
 
 #include "app/cli/invocation.h"
+#include "app/store/knots_file.h"
 #include "app/store/recipe_file.h"
 #include "profile/laws.h"
 
@@ -22,28 +23,97 @@ struct FieldOption {
     Field field;
 };
 
-constexpr std::array fieldOptions{
-    FieldOption{"bag-length-mm", Field::BagLength},
+// Fields whose option is shorter than the key of the recipe file.
+constexpr std::array shortOptions{
     FieldOption{"rate", Field::Rate},
-    FieldOption{"base-speed-mm-per-s", Field::BaseSpeed},
-    FieldOption{"film-speed-mm-per-s", Field::FilmSpeed},
-    FieldOption{"sync-ratio", Field::SyncRatio},
     FieldOption{"slices", Field::SlicesPerRamp},
-    FieldOption{"knife-radius-mm", Field::KnifeRadius},
-    FieldOption{"knives", Field::Knives},
     FieldOption{"pulses-per-rev", Field::PulsesPerMotorRev},
-    FieldOption{"max-motor-rpm", Field::MaxMotorRpm},
-    FieldOption{"max-knife-acceleration-mm-per-s2", Field::MaxKnifeAcceleration},
-    FieldOption{"max-pulse-frequency-hz", Field::MaxPulseFrequency},
     FieldOption{"max-rate", Field::MaxRate},
 };
 
-QString lawKeys()
+// Fields with a form of their own: --k and --gear.
+bool hasOwnForm(Field field)
+{
+    return (field >= Field::K1 && field <= Field::K4) || field == Field::GearNumerator ||
+           field == Field::GearDenominator;
+}
+
+QString fromText(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+QString optionOf(Field field)
+{
+    const auto found = std::ranges::find(shortOptions, field, &FieldOption::field);
+    if (found != shortOptions.end())
+        return QString::fromLatin1(found->name);
+    return fromText(profile::info(field).id).replace(u'_', u'-');
+}
+
+// Every field of any kind that has an option, each once.
+QList<Field> optionFields()
+{
+    QList<Field> fields;
+    for (const program::KindInfo& kind : program::kinds()) {
+        for (const auto list : {kind.programFields, kind.machineFields}) {
+            for (const Field field : list) {
+                if (!hasOwnForm(field) && !fields.contains(field))
+                    fields << field;
+            }
+        }
+    }
+    return fields;
+}
+
+bool belongsTo(const program::KindInfo& kind, Field field)
+{
+    return std::ranges::find(kind.programFields, field) != kind.programFields.end() ||
+           std::ranges::find(kind.machineFields, field) != kind.machineFields.end();
+}
+
+QString kindKeys()
+{
+    QStringList keys;
+    for (const program::KindInfo& kind : program::kinds())
+        keys << fromText(kind.key);
+    return keys.join(u", "_s);
+}
+
+// The choices of any kind that have an option, each once; the law has its own.
+QList<program::ChoiceInfo> choiceOptions()
+{
+    QList<program::ChoiceInfo> found;
+    for (const program::KindInfo& kind : program::kinds()) {
+        for (const program::Choice choice : kind.choices) {
+            const program::ChoiceInfo info = program::choiceInfo(kind.kind, choice);
+            const auto same =
+                std::ranges::find(found, info.id, [](const program::ChoiceInfo& each) { return each.id; });
+            if (choice == program::Choice::Law)
+                continue;
+            if (same == found.end())
+                found << info;
+            else if (same->options.size() < info.options.size())
+                *same = info; // a speed move has one way more
+        }
+    }
+    return found;
+}
+
+QString optionKeys(const program::ChoiceInfo& info)
+{
+    QStringList keys;
+    for (const program::ChoiceOption& option : info.options)
+        keys << fromText(option.key);
+    return keys.join(u", "_s);
+}
+
+QString lawKeys(const program::KindInfo* kind)
 {
     QStringList keys;
     for (const profile::Law& law : profile::laws()) {
-        if (law.isSpeedLaw)
-            keys << QString::fromUtf8(law.key.data(), static_cast<qsizetype>(law.key.size()));
+        if (kind == nullptr || program::isLawOf(kind->kind, law))
+            keys << fromText(law.key);
     }
     return keys.join(u", "_s);
 }
@@ -69,39 +139,50 @@ tl::expected<QList<double>, Failure> numbers(const Invocation& call, const QStri
     return values;
 }
 
-Outcome applyFields(const Invocation& call, program::Recipe& recipe)
+Outcome pinGiven(const std::vector<Field>& given, program::Recipe& recipe)
 {
-    std::vector<Field> given;
-    for (const FieldOption& option : fieldOptions) {
-        const QString name = QString::fromLatin1(option.name);
-        if (!call.isSet(name))
-            continue;
-        const auto value = numbers(call, name, 1, u"a number"_s);
-        if (!value)
-            return tl::unexpected(value.error());
-        if (profile::info(option.field).decimals == 0 && std::floor(value->first()) != value->first())
-            return notANumber(name, call.value(name), u"a whole number"_s);
-        setValue(recipe, option.field, value->first());
-        if (std::ranges::find(program::pinnableFields, option.field) != program::pinnableFields.end())
-            given.push_back(option.field);
-    }
     if (given.size() > 2)
         return fail(ExitCode::Usage,
                     u"Give at most two of --bag-length-mm, --rate, --base-speed-mm-per-s and "
                     "--film-speed-mm-per-s; the others follow from them."_s);
-    auto& pinned = recipe.program.pinned;
+    auto& pinned = recipe.cutter().pinned;
     if (given.size() == 2)
         pinned = {given[0], given[1]};
-    else if (given.size() == 1 && !profile::isPinned(recipe.program, given[0]))
+    else if (given.size() == 1 && !profile::isPinned(recipe.cutter(), given[0]))
         // The bag length is what a recipe is for: it stays when something else is given.
         pinned[pinned[0] == Field::BagLength ? 1 : 0] = given[0];
     return {};
+}
+
+Outcome applyFields(const Invocation& call, program::Recipe& recipe)
+{
+    const program::KindInfo& kind = program::kindInfo(recipe.kind());
+    std::vector<Field> given;
+    for (const Field field : optionFields()) {
+        const QString name = optionOf(field);
+        if (!call.isSet(name))
+            continue;
+        if (!belongsTo(kind, field))
+            return fail(ExitCode::Usage,
+                        u"--%1 does not belong to a program of kind %2."_s.arg(name, fromText(kind.key)));
+        const auto value = numbers(call, name, 1, u"a number"_s);
+        if (!value)
+            return tl::unexpected(value.error());
+        if (profile::info(field).decimals == 0 && std::floor(value->first()) != value->first())
+            return notANumber(name, call.value(name), u"a whole number"_s);
+        setValue(recipe, field, value->first());
+        if (std::ranges::find(program::pinnableFields, field) != program::pinnableFields.end())
+            given.push_back(field);
+    }
+    return recipe.isCutter() ? pinGiven(given, recipe) : Outcome{};
 }
 
 Outcome applyGear(const Invocation& call, program::Recipe& recipe)
 {
     if (!call.isSet(u"gear"_s))
         return {};
+    if (!recipe.isCutter())
+        return fail(ExitCode::Usage, u"--gear belongs to a rotary cutter."_s);
     const QStringList parts = call.value(u"gear"_s).split(u'/');
     bool numeratorOk = false;
     bool denominatorOk = true;
@@ -118,34 +199,79 @@ Outcome applyRatios(const Invocation& call, program::Recipe& recipe)
 {
     if (!call.isSet(u"k"_s))
         return {};
+    if (!recipe.isCutter())
+        return fail(ExitCode::Usage, u"--k belongs to a rotary cutter."_s);
     const QString form = u"four numbers such as 4,2.5,1.6667,1.3333"_s;
     const auto values = numbers(call, u"k"_s, 4, form);
     if (!values)
         return tl::unexpected(values.error());
     if (values->size() != 4)
         return notANumber(u"k"_s, call.value(u"k"_s), form);
-    std::copy(values->begin(), values->end(), recipe.program.k.begin());
+    std::copy(values->begin(), values->end(), recipe.cutter().k.begin());
     return {};
 }
 
 Outcome applyLaw(const Invocation& call, program::Recipe& recipe)
 {
+    if (!call.isSet(u"law"_s) && !call.isSet(u"law-parameters"_s))
+        return {};
+    const program::KindInfo& kind = program::kindInfo(recipe.kind());
+    profile::LawParameters* parameters = program::lawParameters(recipe.program);
+    if (parameters == nullptr)
+        return fail(ExitCode::Usage, u"A program of kind %1 has no law."_s.arg(fromText(kind.key)));
     if (call.isSet(u"law"_s)) {
         const profile::Law* law = profile::findLaw(call.value(u"law"_s).toStdString());
-        if (law == nullptr || !law->isSpeedLaw)
-            return fail(ExitCode::Usage, u"There is no speed law \"%1\"; choose one of: %2."_s.arg(
-                                             call.value(u"law"_s), lawKeys()));
-        recipe.program.speedLaw = law->id;
-        recipe.program.speedLawParameters = profile::defaultParameters(*law);
+        if (law == nullptr || !program::isLawOf(kind.kind, *law))
+            return fail(ExitCode::Usage,
+                        u"There is no %1 law \"%2\"; choose one of: %3."_s.arg(
+                            kind.kind == profile::ProgramKind::PositionMove ? u"displacement"_s : u"speed"_s,
+                            call.value(u"law"_s), lawKeys(&kind)));
+        program::setChoice(recipe.program, program::Choice::Law, static_cast<std::uint16_t>(law->id));
+        *parameters = profile::defaultParameters(*law);
     }
     if (!call.isSet(u"law-parameters"_s))
         return {};
-    const profile::Law* law = profile::findLaw(recipe.program.speedLaw);
+    const profile::Law* law =
+        profile::findLaw(static_cast<profile::LawId>(program::choice(recipe.program, program::Choice::Law)));
     const auto count = static_cast<qsizetype>(law->parameters.size());
     const auto values = numbers(call, u"law-parameters"_s, count, u"%1 numbers for this law"_s.arg(count));
     if (!values)
         return tl::unexpected(values.error());
-    std::copy(values->begin(), values->end(), recipe.program.speedLawParameters.begin());
+    std::copy(values->begin(), values->end(), parameters->begin());
+    return {};
+}
+
+Outcome applyChoices(const Invocation& call, program::Recipe& recipe)
+{
+    const program::KindInfo& kind = program::kindInfo(recipe.kind());
+    for (const program::ChoiceInfo& each : choiceOptions()) {
+        const QString name = fromText(each.id).replace(u'_', u'-');
+        if (!call.isSet(name))
+            continue;
+        if (std::ranges::find(kind.choices, each.choice) == kind.choices.end())
+            return fail(ExitCode::Usage,
+                        u"--%1 does not belong to a program of kind %2."_s.arg(name, fromText(kind.key)));
+        const program::ChoiceInfo info = program::choiceInfo(kind.kind, each.choice);
+        const std::string key = call.value(name).toStdString();
+        const auto found = std::ranges::find(info.options, key, &program::ChoiceOption::key);
+        if (found == info.options.end())
+            return fail(ExitCode::Usage, u"--%1 takes one of: %2."_s.arg(name, optionKeys(info)));
+        program::setChoice(recipe.program, each.choice, found->code);
+    }
+    return {};
+}
+
+Outcome applyKnots(const Invocation& call, program::Recipe& recipe)
+{
+    if (!call.isSet(u"knots-csv"_s))
+        return {};
+    auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program);
+    if (cam == nullptr)
+        return fail(ExitCode::Usage, u"--knots-csv belongs to a point cam."_s);
+    auto knots = store::readKnots(call.value(u"knots-csv"_s));
+    if (!knots)
+        return fail(ExitCode::File, knots.error());
+    cam->knots = std::move(*knots);
     return {};
 }
 
@@ -155,24 +281,29 @@ QList<QCommandLineOption> recipeOptions()
 {
     constexpr int shownDigits = 9;
     QList<QCommandLineOption> options;
-    for (const FieldOption& option : fieldOptions) {
-        const profile::FieldInfo& info = profile::info(option.field);
-        const auto text = [](std::string_view view) {
-            return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
-        };
-        const QString unit = info.unit.empty() ? QString() : u", "_s + text(info.unit);
-        options << QCommandLineOption(QString::fromLatin1(option.name),
-                                      u"%1 (%2 to %3%4)."_s.arg(text(info.name))
+    for (const Field field : optionFields()) {
+        const profile::FieldInfo& info = profile::info(field);
+        const QString unit = info.unit.empty() ? QString() : u", "_s + fromText(info.unit);
+        options << QCommandLineOption(optionOf(field),
+                                      u"%1 (%2 to %3%4)."_s.arg(fromText(info.name))
                                           .arg(info.min, 0, 'g', shownDigits)
                                           .arg(info.max, 0, 'g', shownDigits)
                                           .arg(unit),
                                       u"NUMBER"_s);
     }
+    for (const program::ChoiceInfo& info : choiceOptions())
+        options << QCommandLineOption(fromText(info.id).replace(u'_', u'-'),
+                                      u"One of: %1."_s.arg(optionKeys(info)), u"CHOICE"_s);
+    options << QCommandLineOption(
+                   u"kind"_s, u"Kind of program to begin with when no recipe is named: %1."_s.arg(kindKeys()),
+                   u"KIND"_s)
+            << QCommandLineOption(u"knots-csv"_s, u"Knots of a point cam: lines of master_deg,slave_mm."_s,
+                                  u"FILE"_s);
     options << QCommandLineOption(u"gear"_s, u"Motor revolutions per knife revolution, such as 5/2."_s,
                                   u"A/B"_s)
             << QCommandLineOption(u"k"_s, u"Ratios k1 > k2 > k3 > k4 > 1."_s, u"K1,K2,K3,K4"_s)
-            << QCommandLineOption(u"law"_s, u"Speed law: "_s + lawKeys() + u'.', u"LAW"_s)
-            << QCommandLineOption(u"law-parameters"_s, u"Parameters of the speed law, separated by commas."_s,
+            << QCommandLineOption(u"law"_s, u"Law: "_s + lawKeys(nullptr) + u'.', u"LAW"_s)
+            << QCommandLineOption(u"law-parameters"_s, u"Parameters of the law, separated by commas."_s,
                                   u"NUMBERS"_s);
     return options;
 }
@@ -186,7 +317,17 @@ tl::expected<program::Recipe, Failure> recipeOf(const Invocation& call)
             return fail(read.error());
         recipe = std::move(*read);
     }
-    for (const auto apply : {applyFields, applyGear, applyRatios, applyLaw}) {
+    if (call.isSet(u"kind"_s)) {
+        const program::KindInfo* kind = program::findKind(call.value(u"kind"_s).toStdString());
+        if (kind == nullptr)
+            return fail(ExitCode::Usage, u"--kind takes one of: %1."_s.arg(kindKeys()));
+        if (call.arguments().isEmpty())
+            recipe = program::defaultRecipe(kind->kind);
+        else if (recipe.kind() != kind->kind)
+            return fail(ExitCode::Usage,
+                        u"The recipe is of kind %1."_s.arg(fromText(program::kindInfo(recipe.kind()).key)));
+    }
+    for (const auto apply : {applyFields, applyGear, applyRatios, applyLaw, applyChoices, applyKnots}) {
         if (const Outcome applied = apply(call, recipe); !applied)
             return tl::unexpected(applied.error());
     }

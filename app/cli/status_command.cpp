@@ -5,6 +5,7 @@
 #include "app/cli/link_session.h"
 #include "app/cli/report.h"
 #include "app/program/program_image.h"
+#include "modbus/bank_reader.h"
 
 #include <QJsonArray>
 
@@ -91,7 +92,8 @@ QJsonObject identityObject(const modbus::Identity& identity)
 QJsonObject programObject(const program::Recipe& recipe)
 {
     QJsonObject object{{u"name"_s, QString::fromStdString(recipe.name)}, {u"version"_s, recipe.version}};
-    for (const profile::Field field : program::programFields)
+    object[u"kind"_s] = fromView(program::kindInfo(recipe.kind()).key);
+    for (const profile::Field field : program::kindInfo(recipe.kind()).programFields)
         object[fromView(profile::info(field).id)] = program::value(recipe, field);
     return object;
 }
@@ -113,8 +115,15 @@ Outcome runStatus(const Invocation& call)
         const auto header = session->client().readProven(modbus::activeBankBase, modbus::bankHeaderRegisters);
         if (!header)
             return fail(header.error());
-        const auto recipe =
-            program::decodeProgram(*header, program::withController(profile::Machine{}, session->identity()));
+        const modbus::KnotSpan span = modbus::knotSpan(*header);
+        modbus::BankReader knots(static_cast<std::uint16_t>(modbus::activeBankBase + span.offset),
+                                 span.count);
+        while (!knots.complete()) {
+            if (const auto step = knots.advance(session->client()); !step)
+                return fail(step.error());
+        }
+        const auto recipe = program::decodeProgram(
+            *header, knots.registers(), program::withController(profile::Machine{}, session->identity()));
         if (recipe)
             object[u"program"_s] = programObject(*recipe);
     }

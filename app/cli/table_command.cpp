@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanelctl table: the step table, its sums and its own error figures.
+// campanelctl table: the table of any kind of program, its sums and its own error figures.
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
 #include "app/cli/recipe_options.h"
@@ -7,89 +7,140 @@
 
 #include <QJsonArray>
 
+#include <cmath>
+
 using namespace Qt::StringLiterals;
 
 namespace campanel::cli {
 namespace {
 
-struct RowColumns {
-    std::vector<double> row;
-    std::vector<double> timeS;
-    std::vector<double> frequencyHz;
-    std::vector<double> pulses;
-    std::vector<double> ticks;
+// A table as columns of equal length.
+struct TableColumn {
+    const char* name = "";
+    int decimals = 0; // in text
+    std::vector<double> values;
 };
+using TableColumns = std::vector<TableColumn>;
 
-RowColumns columnsOf(const program::ProgramImage& image)
+TableColumns columnsOf(const profile::StepTable& table, const program::ProgramImage& image)
 {
+    TableColumns columns{
+        {"row", 0, {}}, {"time_s", 7, {}}, {"frequency_hz", 3, {}}, {"pulses", 0, {}}, {"ticks", 0, {}}};
     const double clockHz = image.recipe.machine.timerClockHz;
-    RowColumns columns;
     double startTicks = 0;
-    for (std::size_t i = 0; i < image.table.rows.size(); ++i) {
-        const profile::StepRow& row = image.table.rows[i];
-        columns.row.push_back(static_cast<double>(i));
-        columns.timeS.push_back(startTicks / clockHz);
-        columns.frequencyHz.push_back(row.pulses * clockHz / row.ticks);
-        columns.pulses.push_back(row.pulses);
-        columns.ticks.push_back(row.ticks);
+    for (const profile::StepRow& row : table.rows) {
+        const std::array<double, 5> values{static_cast<double>(columns[0].values.size()),
+                                           startTicks / clockHz, row.pulses * clockHz / row.ticks,
+                                           static_cast<double>(row.pulses), static_cast<double>(row.ticks)};
+        for (std::size_t i = 0; i < values.size(); ++i)
+            columns[i].values.push_back(values[i]);
         startTicks += row.ticks;
     }
     return columns;
 }
 
-QByteArray rowsCsv(const RowColumns& columns)
+TableColumns columnsOf(const profile::CamTable& table, const program::ProgramImage& image)
 {
-    return csvTable({{"row", &columns.row},
-                     {"time_s", &columns.timeS},
-                     {"frequency_hz", &columns.frequencyHz},
-                     {"pulses", &columns.pulses},
-                     {"ticks", &columns.ticks}});
+    TableColumns columns{{"row", 0, {}},
+                         {"time_s", 7, {}},
+                         {"position_mm", 6, {}},
+                         {"position_pulses", 4, {}},
+                         {"slope_pulses", 4, {}}};
+    const double stepS = image.solved.cycleS() / static_cast<double>(table.rows.size() - 1);
+    for (const profile::CamRow& row : table.rows) {
+        const auto at = static_cast<double>(columns[0].values.size());
+        const double pulses = row.position256 / profile::camUnitsPerPulse;
+        const std::array<double, 5> values{at, at * stepS, pulses / image.solved.pulsesPerMm, pulses,
+                                           row.slope256 / profile::camUnitsPerPulse};
+        for (std::size_t i = 0; i < values.size(); ++i)
+            columns[i].values.push_back(values[i]);
+    }
+    return columns;
 }
 
-QJsonArray rowsJson(const RowColumns& columns)
+TableColumns columnsOf(const profile::IntervalTable& table, const program::ProgramImage&)
+{
+    TableColumns columns{{"row", 0, {}},
+                         {"pulses", 0, {}},
+                         {"first_hz", 4, {}},
+                         {"last_hz", 4, {}},
+                         {"acceleration_hz_per_s", 3, {}}};
+    const double scale = std::ldexp(1.0, -table.fractionBits);
+    for (const profile::IntervalRow& row : table.rows) {
+        const std::array<double, 5> values{static_cast<double>(columns[0].values.size()),
+                                           static_cast<double>(row.pulses), row.firstSpeed * scale,
+                                           row.lastSpeed * scale, row.acceleration * scale};
+        for (std::size_t i = 0; i < values.size(); ++i)
+            columns[i].values.push_back(values[i]);
+    }
+    return columns;
+}
+
+TableColumns columnsOf(const profile::PressTable& table, const program::ProgramImage&)
+{
+    TableColumns columns{
+        {"row", 0, {}}, {"speed_hz", 0, {}}, {"end_pulses", 0, {}}, {"force_n", 0, {}}, {"time_ms", 0, {}}};
+    for (const profile::PressRow& row : table.rows) {
+        const std::array<double, 5> values{static_cast<double>(columns[0].values.size()),
+                                           static_cast<double>(row.speedHz),
+                                           static_cast<double>(row.endPulses),
+                                           static_cast<double>(row.forceN), static_cast<double>(row.timeMs)};
+        for (std::size_t i = 0; i < values.size(); ++i)
+            columns[i].values.push_back(values[i]);
+    }
+    return columns;
+}
+
+QByteArray rowsCsv(const TableColumns& columns)
+{
+    std::vector<Column> views;
+    for (const TableColumn& column : columns)
+        views.push_back({column.name, &column.values});
+    return csvTable(views);
+}
+
+QJsonArray rowsJson(const TableColumns& columns)
 {
     QJsonArray rows;
-    for (std::size_t i = 0; i < columns.row.size(); ++i)
-        rows.append(QJsonObject{{u"row"_s, columns.row[i]},
-                                {u"time_s"_s, columns.timeS[i]},
-                                {u"frequency_hz"_s, columns.frequencyHz[i]},
-                                {u"pulses"_s, columns.pulses[i]},
-                                {u"ticks"_s, columns.ticks[i]}});
+    for (std::size_t i = 0; i < columns[0].values.size(); ++i) {
+        QJsonObject row;
+        for (const TableColumn& column : columns)
+            row[QString::fromLatin1(column.name)] = column.values[i];
+        rows.append(row);
+    }
     return rows;
 }
 
-QByteArray rowsText(const RowColumns& columns)
+QByteArray rowsText(const TableColumns& columns)
 {
-    QString text = u"\n%1 %2 %3 %4 %5\n"_s.arg(u"row"_s, 5)
-                       .arg(u"time s"_s, 11)
-                       .arg(u"frequency Hz"_s, 13)
-                       .arg(u"pulses"_s, 7)
-                       .arg(u"ticks"_s, 11);
-    for (std::size_t i = 0; i < columns.row.size(); ++i)
-        text += u"%1 %2 %3 %4 %5\n"_s.arg(columns.row[i], 5, 'f', 0)
-                    .arg(columns.timeS[i], 11, 'f', 7)
-                    .arg(columns.frequencyHz[i], 13, 'f', 3)
-                    .arg(columns.pulses[i], 7, 'f', 0)
-                    .arg(columns.ticks[i], 11, 'f', 0);
+    constexpr int width = 15;
+    QString text = u"\n"_s;
+    for (const TableColumn& column : columns)
+        text += QString::fromLatin1(column.name).rightJustified(width) + u' ';
+    text += u'\n';
+    for (std::size_t i = 0; i < columns[0].values.size(); ++i) {
+        for (const TableColumn& column : columns)
+            text += u"%1 "_s.arg(column.values[i], width, 'f', column.decimals);
+        text += u'\n';
+    }
     return text.toUtf8();
 }
 
-QJsonObject figures(const program::ProgramImage& image)
+QJsonObject pulsesObject(const profile::PulsesPerCycle& pulses)
 {
-    const profile::StepTable& table = image.table;
+    return {{u"whole"_s, static_cast<qint64>(pulses.whole)},
+            {u"remainder"_s, static_cast<qint64>(pulses.remainder)},
+            {u"divisor"_s, static_cast<qint64>(pulses.divisor)}};
+}
+
+void addFigures(QJsonObject& object, const profile::StepTable& table, const program::ProgramImage& image)
+{
     const profile::TableErrors& errors = table.errors;
-    return {{u"name"_s, QString::fromStdString(image.recipe.name)},
-            {u"crc32"_s, QString::number(image.crc, 16).toUpper().rightJustified(8, u'0')},
-            {u"rows_used"_s, static_cast<qint64>(table.rows.size())},
-            {u"row_capacity"_s, image.recipe.machine.rowCapacity},
-            {u"timer_clock_hz"_s, static_cast<qint64>(image.recipe.machine.timerClockHz)},
-            {u"cycle_ticks"_s, static_cast<qint64>(table.cycleTicks)},
-            {u"cycle_time_s"_s, static_cast<double>(table.cycleTicks) / image.recipe.machine.timerClockHz},
-            {u"pulses_per_cycle"_s, QJsonObject{{u"whole"_s, static_cast<qint64>(table.pulses.whole)},
-                                                {u"remainder"_s, static_cast<qint64>(table.pulses.remainder)},
-                                                {u"divisor"_s, static_cast<qint64>(table.pulses.divisor)},
-                                                {u"carry_row"_s, static_cast<qint64>(table.carryRow)}}},
-            {u"errors"_s, QJsonObject{{u"speed_mm_per_s"_s, errors.speedMmPerS},
+    QJsonObject pulses = pulsesObject(table.pulses);
+    pulses[u"carry_row"_s] = static_cast<qint64>(table.carryRow);
+    object[u"row_capacity"_s] = image.recipe.machine.rowCapacity;
+    object[u"pulses_per_cycle"_s] = pulses;
+    object[u"errors"_s] = QJsonObject{{u"speed_mm_per_s"_s, errors.speedMmPerS},
                                       {u"speed_percent"_s, errors.speedPercent},
                                       {u"speed_at_s"_s, errors.speedTimeS},
                                       {u"frequency_step_hz"_s, errors.frequencyStepHz},
@@ -97,7 +148,56 @@ QJsonObject figures(const program::ProgramImage& image)
                                       {u"position_at_boundaries_pulses"_s, errors.boundaryPulses},
                                       {u"position_pulses"_s, errors.insidePulses},
                                       {u"position_at_s"_s, errors.insideTimeS},
-                                      {u"position_rms_pulses"_s, errors.rmsPulses}}}};
+                                      {u"position_rms_pulses"_s, errors.rmsPulses}};
+}
+
+void addFigures(QJsonObject& object, const profile::CamTable& table, const program::ProgramImage& image)
+{
+    const bool repeats = image.recipe.kind() == profile::ProgramKind::PointCam;
+    const profile::CamErrors errors = profile::camErrors(
+        table,
+        repeats ? profile::forwardMotion(std::get<profile::PointCamProgram>(image.recipe.program))
+                : image.solved.motion,
+        image.solved.machine, repeats ? profile::CamUse::Repeats : profile::CamUse::Once);
+    object[u"pulses_per_cycle"_s] = pulsesObject(table.advance);
+    object[u"errors"_s] = QJsonObject{{u"position_pulses"_s, errors.positionPulses},
+                                      {u"position_mm"_s, errors.positionMm},
+                                      {u"position_at_s"_s, errors.positionTimeS},
+                                      {u"speed_mm_per_s"_s, errors.speedMmPerS},
+                                      {u"speed_at_s"_s, errors.speedTimeS}};
+}
+
+void addFigures(QJsonObject& object, const profile::IntervalTable& table, const program::ProgramImage&)
+{
+    object[u"fraction_bits"_s] = table.fractionBits;
+    object[u"pulses"_s] = static_cast<qint64>(table.advance);
+    object[u"time_s"_s] = table.timeS;
+    object[u"profile_time_s"_s] = table.profileTimeS;
+    object[u"errors"_s] = QJsonObject{{u"speed_mm_per_s"_s, table.errors.speedMmPerS},
+                                      {u"speed_at_s"_s, table.errors.speedTimeS},
+                                      {u"position_pulses"_s, table.errors.positionPulses},
+                                      {u"position_at_s"_s, table.errors.positionTimeS}};
+}
+
+void addFigures(QJsonObject& object, const profile::PressTable& table, const program::ProgramImage&)
+{
+    object[u"errors"_s] =
+        QJsonObject{{u"position_mm"_s, table.positionErrorMm}, {u"speed_mm_per_s"_s, table.speedErrorMmPerS}};
+}
+
+QJsonObject figures(const program::ProgramImage& image, std::size_t rows)
+{
+    const auto ticks =
+        std::visit([](const auto& table) { return static_cast<qint64>(table.cycleTicks); }, image.table);
+    QJsonObject object{{u"name"_s, QString::fromStdString(image.recipe.name)},
+                       {u"kind"_s, fromView(program::kindInfo(image.recipe.kind()).key)},
+                       {u"crc32"_s, QString::number(image.crc, 16).toUpper().rightJustified(8, u'0')},
+                       {u"rows_used"_s, static_cast<qint64>(rows)},
+                       {u"timer_clock_hz"_s, static_cast<qint64>(image.recipe.machine.timerClockHz)},
+                       {u"cycle_ticks"_s, ticks},
+                       {u"cycle_time_s"_s, static_cast<double>(ticks) / image.recipe.machine.timerClockHz}};
+    std::visit([&](const auto& table) { addFigures(object, table, image); }, image.table);
+    return object;
 }
 
 } // namespace
@@ -110,10 +210,11 @@ Outcome runTable(const Invocation& call)
     const auto image = program::buildProgram(*recipe);
     if (!image)
         return fail(ExitCode::Refused, program::describe(image.error()));
-    const RowColumns columns = columnsOf(*image);
+    const TableColumns columns =
+        std::visit([&](const auto& table) { return columnsOf(table, *image); }, image->table);
     if (call.format() == u"csv")
         return call.deliver(rowsCsv(columns));
-    QJsonObject object = figures(*image);
+    QJsonObject object = figures(*image, columns[0].values.size());
     if (call.format() == u"json") {
         object[u"rows"_s] = rowsJson(columns);
         return call.deliver(formatted(object, call.format()));

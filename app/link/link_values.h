@@ -63,11 +63,13 @@ struct StatusBatch {
     int failedExchanges = 0; // since the last batch
 };
 
-// The header of the bank that the controller is executing. Without a program: an empty header.
+// The header of the bank that the controller is executing, and the knots of a point cam. Without a program:
+// an empty header.
 struct ActiveProgram {
     std::uint32_t generation = 0;
     std::uint32_t crc = 0;
     std::vector<std::uint16_t> header;
+    std::vector<std::uint16_t> knots{}; // registers, modbus::knotRegisters each
 
     [[nodiscard]] bool isEmpty() const { return header.empty(); }
 };

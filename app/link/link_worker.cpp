@@ -204,6 +204,7 @@ void LinkWorker::tryToConnect()
     m_programRead.reset();
     m_headerOf.reset();
     m_header.clear();
+    m_knots.reset();
     m_isHeaderWanted = false;
     if (m_download)
         m_download->connectionFound();
@@ -298,19 +299,38 @@ void LinkWorker::noteProgram(const ProgramId& program)
     // program.
     if (!isEmpty && (m_header.empty() || m_headerOf != program)) {
         m_headerOf = program;
+        m_header.clear();
+        m_knots.reset();
         m_isHeaderWanted = true;
         return;
     }
+    if (!isEmpty && m_isHeaderWanted)
+        return;
     m_programRead = program;
-    emit programRead({program.first, program.second, isEmpty ? std::vector<std::uint16_t>{} : m_header});
+    ActiveProgram read{program.first, program.second, {}, {}};
+    if (!isEmpty) {
+        read.header = m_header;
+        read.knots = m_knots ? m_knots->registers() : std::vector<std::uint16_t>{};
+    }
+    emit programRead(read);
 }
 
+// One exchange a call. When it fails, the next status asks again.
 void LinkWorker::readHeader()
 {
-    m_isHeaderWanted = false;
-    // When it fails, the next status asks again.
-    m_header = m_client->readProven(modbus::activeBankBase, modbus::bankHeaderRegisters)
-                   .value_or(std::vector<std::uint16_t>{});
+    if (m_header.empty()) {
+        m_header = m_client->readProven(modbus::activeBankBase, modbus::bankHeaderRegisters)
+                       .value_or(std::vector<std::uint16_t>{});
+        const modbus::KnotSpan knots = m_header.empty() ? modbus::KnotSpan{} : modbus::knotSpan(m_header);
+        m_isHeaderWanted = knots.count > 0;
+        if (m_isHeaderWanted)
+            m_knots.emplace(static_cast<std::uint16_t>(modbus::activeBankBase + knots.offset), knots.count);
+        return;
+    }
+    const auto isComplete = m_knots->advance(*m_client);
+    m_isHeaderWanted = isComplete && !*isComplete;
+    if (!isComplete)
+        m_header.clear();
 }
 
 void LinkWorker::setClock()

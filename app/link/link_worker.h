@@ -81,6 +81,7 @@ private:
     bool m_isHeaderWanted = false;
     std::optional<ProgramId> m_headerOf; // the program that was active before m_header was read
     std::vector<std::uint16_t> m_header;
+    std::optional<modbus::BankReader> m_knots; // of a point cam
 };
 
 } // namespace campanel::link

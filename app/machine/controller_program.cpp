@@ -32,28 +32,35 @@ std::shared_ptr<const ControllerProgram> readProgram(const link::ActiveProgram& 
     program->generation = active.generation;
     program->crc = active.crc;
     program->registers = active.header;
+    program->knots = active.knots;
     program->header = modbus::decodeBankHeader(active.header);
     program->cycleSeconds = static_cast<double>(program->header.cycleTicks) / identity.timerClockHz;
-    program->rateBagsPerMin = 60 / program->cycleSeconds;
-    const auto recipe =
-        program::decodeProgram(active.header, program::withController(profile::Machine(), identity));
+    program->rateBagsPerMin = program->cycleSeconds > 0 ? 60 / program->cycleSeconds : 0;
+    const auto recipe = program::decodeProgram(active.header, active.knots,
+                                               program::withController(profile::Machine(), identity));
     if (!recipe) {
         qCWarning(motionLog) << "active program:"
                              << QString::fromStdString(program::describe(recipe.error()));
         return program;
     }
     program->recipe = *recipe;
-    program->pulsesPerMm = profile::pulsesPerMm(recipe->machine);
-    const auto cutter = profile::solve(recipe->program, recipe->machine);
-    if (!cutter) {
+    const auto solved = program::solveProgram(*recipe);
+    if (!solved) {
         qCWarning(motionLog) << "active program:"
-                             << QString::fromStdString(profile::describe(cutter.error()));
+                             << QString::fromStdString(profile::describe(solved.error()));
         return program;
     }
-    program->syncStartDeg = knifeDegAt(*cutter, program->header.syncStartDeg);
-    program->syncEndDeg = knifeDegAt(*cutter, program->header.syncEndDeg);
-    program->cutDeg = knifeDegAt(*cutter, program->header.cutAngleDeg);
-    program->curves = std::make_shared<const profile::Curves>(profile::sampleCurves(*cutter, curvePoints));
+    program->pulsesPerMm = solved->pulsesPerMm;
+    // The rows of a press are stages: how long a stroke takes is not in the bank.
+    if (program->header.cycleTicks == 0)
+        program->cycleSeconds = solved->cycleS();
+    if (solved->cutter) {
+        program->syncStartDeg = knifeDegAt(*solved->cutter, program->header.syncStartDeg);
+        program->syncEndDeg = knifeDegAt(*solved->cutter, program->header.syncEndDeg);
+        program->cutDeg = knifeDegAt(*solved->cutter, program->header.cutAngleDeg);
+    }
+    program->marksS = solved->marksS;
+    program->curves = std::make_shared<const profile::Curves>(program::sampleCurves(*solved, curvePoints));
     return program;
 }
 

@@ -18,15 +18,17 @@ struct ControllerProgram {
     std::uint32_t generation = 0;
     std::uint32_t crc = 0;
     std::vector<std::uint16_t> registers; // of the header
+    std::vector<std::uint16_t> knots;     // of a point cam
     modbus::BankHeader header;            // the same decoded
     program::Recipe recipe;
-    double cycleSeconds = 0; // of the table, to the timer tick
+    double cycleSeconds = 0; // of the table, to the timer tick; of a press: a nominal stroke
     double rateBagsPerMin = 0;
     double pulsesPerMm = 0;
     // Knife angles, NaN when the parameters do not make a cycle.
     double syncStartDeg = std::numeric_limits<double>::quiet_NaN();
     double syncEndDeg = std::numeric_limits<double>::quiet_NaN();
     double cutDeg = std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> marksS;
     std::shared_ptr<const profile::Curves> curves; // null when the parameters do not make a cycle
 };
 

@@ -35,12 +35,28 @@ QStringList ControllerSentences::alarms(const modbus::StatusBlock& status)
     QStringList texts;
     if (status.has(FaultBit::FollowingError))
         texts << tr(
-            "The knife does not keep up with its command. Look for a jam, then reset the fault and home.");
+            "The axis does not keep up with its command. Look for a jam, then reset the fault and home.");
     if (status.has(FaultBit::ActiveTableDamaged))
         texts << tr("The table in the controller is damaged. Reset the fault and download the recipe again.");
     if (status.has(FaultBit::DriveNotFollowing))
         texts << tr(
             "No index mark was found while homing. Check drive and index sensor, then reset the fault.");
+    if (status.has(FaultBit::ForceLimit))
+        texts << tr(
+            "The press reached its largest force, stopped and went back. Look for a jam or a wrong work "
+            "piece, then reset the fault.");
+    if (status.has(FaultBit::TouchedTooEarly))
+        texts << tr(
+            "The press met something on its way down. Check the work piece and the approach position, then "
+            "reset the fault.");
+    if (status.has(FaultBit::NeverTouched))
+        texts << tr(
+            "The press did not feel a work piece. Put one in or check where it must be touched, then reset "
+            "the fault.");
+    if (status.has(FaultBit::MasterTooFast))
+        texts << tr(
+            "The axis cannot follow this master: too many pulses. Lower the master speed, then reset the "
+            "fault.");
     if (status.has(WarningBit::HeartbeatLost))
         texts << tr("The controller had not heard the panel for a while. Check the cable.");
     if (status.has(WarningBit::FlashSlotInvalid))
@@ -88,6 +104,52 @@ QString ControllerSentences::refusal(Refusal reason)
     }
     return tr("The controller gives a reason that this panel does not know (%1).")
         .arg(static_cast<int>(reason));
+}
+
+QString ControllerSentences::pressStage(modbus::PressStage stage)
+{
+    using modbus::PressStage;
+    switch (stage) {
+    case PressStage::Standing:
+        return tr("Standing");
+    case PressStage::Approach:
+        return tr("Approach");
+    case PressStage::Probe:
+        return tr("Probe");
+    case PressStage::Press:
+        return tr("Press");
+    case PressStage::Hold:
+        return tr("Hold");
+    case PressStage::Return:
+        return tr("Return");
+    }
+    return {};
+}
+
+QString ControllerSentences::strokeResult(modbus::StrokeResult result)
+{
+    using modbus::StrokeResult;
+    switch (result) {
+    case StrokeResult::None:
+        return {};
+    case StrokeResult::Ok:
+        return tr("OK");
+    case StrokeResult::PositionOutside:
+        return tr("Stopped outside the tolerance");
+    case StrokeResult::ForceTooLow:
+        return tr("Force too low");
+    case StrokeResult::ForceTooHigh:
+        return tr("Force too high");
+    case StrokeResult::TouchedTooEarly:
+        return tr("Touched too early");
+    case StrokeResult::NeverTouched:
+        return tr("Never touched");
+    case StrokeResult::ForceLimit:
+        return tr("Largest force reached");
+    case StrokeResult::Stopped:
+        return tr("Stopped");
+    }
+    return {};
 }
 
 QString ControllerSentences::transferResult(const modbus::TransferAnswer& answer)

@@ -17,6 +17,8 @@ public:
     // One sentence or two for each: what it is and what to do. Faults first.
     [[nodiscard]] static QStringList alarms(const modbus::StatusBlock& status);
     [[nodiscard]] static QString refusal(modbus::Refusal reason);
+    [[nodiscard]] static QString pressStage(modbus::PressStage stage);
+    [[nodiscard]] static QString strokeResult(modbus::StrokeResult result);
     [[nodiscard]] static QString transferResult(const modbus::TransferAnswer& answer);
 };
 

@@ -20,7 +20,9 @@ public:
                                                    const program::ProgramImage& edited);
 
 private:
-    [[nodiscard]] static DifferenceRow row(const program::Difference& difference);
+    [[nodiscard]] static DifferenceRow row(const program::Difference& difference, profile::ProgramKind kind);
+    [[nodiscard]] static QString kindText(double code);
+    [[nodiscard]] static QString layoutText(double code);
     [[nodiscard]] static QString pinnedText(std::uint16_t bits);
 };
 

@@ -5,6 +5,9 @@
 #include "app/machine/differences_text.h"
 #include "app/machine/machine.h"
 
+#include <algorithm>
+#include <array>
+
 namespace campanel::machine {
 
 using link::DownloadStage;
@@ -48,11 +51,19 @@ bool DownloadDesk::changesMachineData() const
 {
     if (!m_offer || !m_machine.program())
         return false;
-    const modbus::BankHeader& active = m_machine.program()->header;
-    const modbus::BankHeader wanted = modbus::decodeBankHeader(m_offer->registers);
-    return active.knifeRadiusMm != wanted.knifeRadiusMm || active.knives != wanted.knives ||
-           active.pulsesPerMotorRev != wanted.pulsesPerMotorRev ||
-           active.gearNumerator != wanted.gearNumerator || active.gearDenominator != wanted.gearDenominator;
+    const program::Recipe& active = m_machine.program()->recipe;
+    const program::Recipe& wanted = m_offer->recipe;
+    using profile::Field;
+    const auto isChanged = [&](Field field) {
+        return program::value(active, field) != program::value(wanted, field);
+    };
+    if (active.kind() != wanted.kind() || isChanged(Field::PulsesPerMotorRev))
+        return true;
+    if (!wanted.isCutter())
+        return isChanged(Field::FeedPerMotorRev);
+    constexpr std::array shaft{Field::KnifeRadius, Field::Knives, Field::GearNumerator,
+                               Field::GearDenominator};
+    return std::ranges::any_of(shaft, isChanged);
 }
 
 QString DownloadDesk::blockedReason() const
@@ -61,11 +72,13 @@ QString DownloadDesk::blockedReason() const
         return tr("Not possible now: there is no connection to the controller.");
     if (!m_offer)
         return tr("Not possible: the machine cannot do this recipe.");
-    if (!m_machine.identity()->supports(modbus::ProgramKind::RotaryCutter))
+    if (!m_machine.identity()->supports(static_cast<modbus::ProgramKind>(m_offer->recipe.kind())))
         return tr("Not possible: this controller cannot execute this kind of program.");
     const Machine::State state = m_machine.state();
     if (state != Machine::State::Idle && state != Machine::State::Ready && changesMachineData())
-        return tr("Knife radius, knives, pulses and gear change only at standstill. Stop the machine first.");
+        return tr(
+            "The kind of program and the data of the machine change only at standstill. Stop the machine "
+            "first.");
     return {};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/machine/editor.h"
 
+#include "app/machine/controller_program.h"
 #include "app/machine/editor_views.h"
 #include "app/machine/engine_instances.h"
 #include "app/machine/machine.h"
@@ -23,6 +24,28 @@ namespace {
 
 using profile::Field;
 
+// Name of a field in QML and in tests: the cutter's have short ones, the others that of the recipe file.
+QString fieldId(Field field)
+{
+    switch (field) {
+    case Field::BagLength:
+        return u"bagLength"_s;
+    case Field::BaseSpeed:
+        return u"baseSpeed"_s;
+    case Field::FilmSpeed:
+        return u"filmSpeed"_s;
+    case Field::Rate:
+        return u"rate"_s;
+    case Field::KnifeRadius:
+        return u"knifeRadius"_s;
+    case Field::MaxKnifeAcceleration:
+        return u"maxAcceleration"_s;
+    default:
+        return QString::fromLatin1(profile::info(field).id.data(),
+                                   static_cast<qsizetype>(profile::info(field).id.size()));
+    }
+}
+
 // Edits that follow one another faster are kept together: writing a file takes longer than a frame.
 constexpr auto keepDelay = 300ms;
 
@@ -30,6 +53,8 @@ constexpr auto keepDelay = 300ms;
 
 Editor::Editor(Machine& machine, const QString& folder, QObject* parent)
     : QObject(parent)
+    , m_knots(this)
+    , m_choices(this)
     , m_laws(this)
     , m_table(this)
     , m_machine(machine)
@@ -48,11 +73,13 @@ Editor::Editor(Machine& machine, const QString& folder, QObject* parent)
         m_notice = m_notice.isEmpty() ? working.notice : m_notice;
     }
     connectFields();
+    connectKnots();
     m_keepTimer.setSingleShot(true);
     m_keepTimer.setInterval(keepDelay);
     connect(&m_keepTimer, &QTimer::timeout, this, &Editor::keepWorkingCopy);
     connect(&m_desk, &DownloadDesk::changed, this, &Editor::downloadChanged);
     connect(&m_desk, &DownloadDesk::changed, this, &Editor::activeChanged);
+    connect(&m_desk, &DownloadDesk::changed, this, &Editor::overlayChanged);
     connect(&m_desk, &DownloadDesk::applied, this, &Editor::takeApplied);
     connect(&machine, &Machine::connectionChanged, this, &Editor::watchController);
     connect(&machine, &Machine::programChanged, this, &Editor::show);
@@ -74,41 +101,42 @@ Editor* Editor::create(QQmlEngine* qmlEngine, QJSEngine*)
 
 void Editor::connectFields()
 {
-    m_fields = {{{&m_bagLength, Field::BagLength},
-                 {&m_rate, Field::Rate},
-                 {&m_baseSpeed, Field::BaseSpeed},
-                 {&m_filmSpeed, Field::FilmSpeed},
-                 {&m_k1, Field::K1},
-                 {&m_k2, Field::K2},
-                 {&m_k3, Field::K3},
-                 {&m_k4, Field::K4},
-                 {&m_syncRatio, Field::SyncRatio},
-                 {&m_rampSlices, Field::SlicesPerRamp},
-                 {&m_knifeRadius, Field::KnifeRadius},
-                 {&m_knives, Field::Knives},
-                 {&m_pulsesPerRev, Field::PulsesPerMotorRev},
-                 {&m_gearNumerator, Field::GearNumerator},
-                 {&m_gearDenominator, Field::GearDenominator},
-                 {&m_maxRpm, Field::MaxMotorRpm},
-                 {&m_maxAcceleration, Field::MaxKnifeAcceleration},
-                 {&m_maxFrequency, Field::MaxPulseFrequency},
-                 {&m_maxRate, Field::MaxRate}}};
-    for (const auto& [item, field] : m_fields) {
-        connect(item, &EditorField::setRequested, this, [this, field = field](double value) {
+    for (const profile::FieldInfo& info : profile::fields) {
+        const Field field = info.field;
+        auto* item = new EditorField(fieldId(field), this);
+        m_fields[static_cast<std::size_t>(field)] = item;
+        connect(item, &EditorField::setRequested, this, [this, field](double value) {
             edit([&](program::Recipe& recipe) {
                 enterField(recipe, field, profile::snapToGrid(field, value));
             });
         });
         connect(item, &EditorField::pinToggleRequested, this,
-                [this, field = field] { edit([&](program::Recipe& recipe) { togglePin(recipe, field); }); });
+                [this, field] { edit([&](program::Recipe& recipe) { togglePin(recipe, field); }); });
     }
     const auto connectParameter = [this](EditorField& item, std::size_t index) {
         connect(&item, &EditorField::setRequested, this, [this, index](double value) {
-            edit([&](program::Recipe& recipe) { recipe.program.speedLawParameters[index] = value; });
+            edit([&](program::Recipe& recipe) {
+                if (profile::LawParameters* parameters = program::lawParameters(recipe.program))
+                    (*parameters)[index] = value;
+            });
         });
     };
     connectParameter(m_lawParameter1, 0);
     connectParameter(m_lawParameter2, 1);
+}
+
+void Editor::connectKnots()
+{
+    connect(&m_knots, &KnotModel::edited, this, [this](const profile::PointCamProgram& program) {
+        edit([&](program::Recipe& recipe) { recipe.program = program; });
+    });
+    connect(&m_knots, &KnotModel::dragged, this, [this](const profile::PointCamProgram& program) {
+        if (!m_beforeDrag)
+            m_beforeDrag = m_recipe;
+        m_recipe.program = program;
+        recompute();
+    });
+    connect(&m_knots, &KnotModel::dragEnded, this, &Editor::commitDrag);
 }
 
 template <typename Change> void Editor::edit(Change change)
@@ -129,6 +157,44 @@ void Editor::setLaw(const QString& lawId)
         edit([law](program::Recipe& recipe) { chooseLaw(recipe, *law); });
 }
 
+void Editor::newProgram(int kind)
+{
+    if (kind < 1 || kind > static_cast<int>(program::kinds().size()))
+        return;
+    edit([kind](program::Recipe& recipe) {
+        recipe = program::defaultRecipe(static_cast<profile::ProgramKind>(kind));
+    });
+}
+
+void Editor::setChoice(int row, int option)
+{
+    edit([&](program::Recipe& recipe) { m_choices.apply(row, option, recipe); });
+}
+
+void Editor::compareLaw(const QString& lawId)
+{
+    const profile::Law* law = profile::findLaw(lawId.toStdString());
+    m_comparedLaw = law ? std::optional(law->id) : std::nullopt;
+    compareCurves();
+    show();
+}
+
+// The law that is compared stays while the recipe is edited.
+void Editor::compareCurves()
+{
+    m_comparedCurves.reset();
+    const profile::Law* law = m_comparedLaw ? profile::findLaw(*m_comparedLaw) : nullptr;
+    if (!law || !hasLaw() || !program::isLawOf(m_recipe.kind(), *law)) {
+        m_comparedLaw.reset();
+        return;
+    }
+    program::Recipe other = m_recipe;
+    chooseLaw(other, *law);
+    if (const auto solved = program::solveProgram(program::quantised(other)))
+        m_comparedCurves =
+            std::make_shared<const profile::Curves>(program::sampleCurves(*solved, curvePoints));
+}
+
 void Editor::setRecipeName(const QString& name)
 {
     const std::string wanted = name.trimmed().toStdString();
@@ -136,13 +202,6 @@ void Editor::setRecipeName(const QString& name)
         edit([&](program::Recipe& recipe) {
             recipe.name = modbus::fittingUtf8(wanted, program::longestNameBytes);
         });
-}
-
-const profile::Suggestion* Editor::suggestion() const
-{
-    return m_solution.refusals.empty() || m_solution.refusals.front().nearest.empty()
-               ? nullptr
-               : &m_solution.refusals.front().nearest.front();
 }
 
 void Editor::applySuggestion()
@@ -155,7 +214,7 @@ void Editor::applySuggestion()
 
 void Editor::dragRatio(int index, double timeSeconds)
 {
-    if (index < 0 || index >= static_cast<int>(m_recipe.program.k.size()))
+    if (!m_recipe.isCutter() || index < 0 || index >= static_cast<int>(m_recipe.cutter().k.size()))
         return;
     if (!m_beforeDrag)
         m_beforeDrag = m_recipe;
@@ -215,10 +274,11 @@ void Editor::recompute()
 {
     m_recipe.version = edited() ? std::min(m_stored.version + 1, program::largestVersion) : m_stored.version;
     m_solution = solveRecipe(m_recipe, m_controller);
-    if (m_solution.cutter) {
-        adopt(m_recipe, m_solution.cutter->cycle);
-        m_cycleSeconds = m_solution.cutter->cycle.cycleTimeS;
-    }
+    if (const auto* cutter = m_solution.cutter())
+        adopt(m_recipe, cutter->cycle);
+    if (m_solution.solved)
+        m_cycleSeconds = m_solution.solved->cycleS();
+    compareCurves();
     m_table.setImage(m_solution.image);
     m_desk.offer(m_solution.image);
     show();
@@ -227,15 +287,38 @@ void Editor::recompute()
 void Editor::show()
 {
     const EditorViews views(m_recipe, m_solution, m_machine.program().get());
-    for (const auto& [item, field] : m_fields)
-        item->show(views.field(field));
+    const program::KindInfo& kind = program::kindInfo(m_recipe.kind());
+    for (const auto fields : {kind.programFields, kind.machineFields}) {
+        for (const Field field : fields)
+            item(field)->show(views.field(field));
+    }
+    showFields();
+    m_choices.show(m_recipe);
+    const auto* cam = std::get_if<profile::PointCamProgram>(&m_recipe.program);
+    m_knots.show(cam ? std::optional(*cam) : std::nullopt, m_cycleSeconds);
     m_lawParameter1.show(views.lawParameter(0));
     m_lawParameter2.show(views.lawParameter(1));
-    m_laws.setRows(views.laws());
+    m_laws.setRows(views.laws(m_comparedLaw));
+    emit kindChanged();
+    emit overlayChanged();
     emit solutionChanged();
     emit tableChanged();
     emit historyChanged();
     emit recipeChanged();
+}
+
+// Told only when other fields are to be shown: the items of a list are made anew then.
+void Editor::showFields()
+{
+    QList<Field> shown;
+    for (const Field field : program::kindInfo(m_recipe.kind()).programFields) {
+        if (m_recipe.isCutter() || program::isRead(m_recipe.program, field))
+            shown << field;
+    }
+    if (shown == m_shownFields)
+        return;
+    m_shownFields = shown;
+    emit fieldsChanged();
 }
 
 void Editor::watchController()
@@ -249,86 +332,6 @@ void Editor::watchController()
         return;
     m_controller = identity;
     recompute();
-}
-
-QString Editor::lawName() const
-{
-    return RecipeWords::lawName(m_recipe.program.speedLaw);
-}
-
-QString Editor::verdict() const
-{
-    return EditorViews(m_recipe, m_solution, nullptr).verdict();
-}
-
-Editor::Severity Editor::severity() const
-{
-    if (!feasible())
-        return Severity::Bad;
-    return m_solution.isCloseToLimit() ? Severity::Warning : Severity::Good;
-}
-
-QString Editor::suggestionText() const
-{
-    return suggestion() ? RefusalSentences::suggestion(*suggestion()) : QString();
-}
-
-QVariant Editor::curves() const
-{
-    return m_solution.curves ? QVariant::fromValue(m_solution.curves) : QVariant();
-}
-
-QVariant Editor::activeCurves() const
-{
-    return m_machine.targetCurves();
-}
-
-QList<double> Editor::ratioTimes() const
-{
-    QList<double> times;
-    for (const double k : m_recipe.program.k)
-        times << m_cycleSeconds / k;
-    return times;
-}
-
-const profile::Machine& Editor::limits() const
-{
-    return m_solution.cutter ? m_solution.cutter->machine : m_recipe.machine;
-}
-
-double Editor::limitVelocity() const
-{
-    return limits().maxMotorRpm / profile::motorRpmPerMmPerS(limits());
-}
-
-double Editor::limitAcceleration() const
-{
-    return limits().maxKnifeAccelerationMmPerS2;
-}
-
-double Editor::limitFrequency() const
-{
-    return profile::pulseFrequencyLimitHz(limits());
-}
-
-QList<QPointF> Editor::violations() const
-{
-    QList<QPointF> spans;
-    for (const profile::Refusal& refusal : m_solution.refusals) {
-        for (const profile::TimeSpan& span : refusal.brokenDuring)
-            spans << QPointF(span.fromS, span.toS);
-    }
-    return spans;
-}
-
-QString Editor::peakText() const
-{
-    return EditorViews(m_recipe, m_solution, nullptr).peaks();
-}
-
-QStringList Editor::tableSummary() const
-{
-    return EditorViews(m_recipe, m_solution, nullptr).tableSummary();
 }
 
 void Editor::download()

@@ -2,9 +2,11 @@
 // `Editor` in QML: the recipe being edited, what it demands of the machine, and its way into the controller.
 #pragma once
 
+#include "app/machine/choice_model.h"
 #include "app/machine/download_desk.h"
 #include "app/machine/edit_history.h"
 #include "app/machine/editor_field.h"
+#include "app/machine/knot_model.h"
 #include "app/machine/law_model.h"
 #include "app/machine/solution.h"
 #include "app/machine/table_model.h"
@@ -42,15 +44,16 @@ class Editor : public QObject {
     Q_PROPERTY(campanel::machine::EditorField* rampSlices READ rampSlices CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::EditorField* lawParameter1 READ lawParameter1 CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::EditorField* lawParameter2 READ lawParameter2 CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* knifeRadius READ knifeRadius CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* knives READ knives CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* pulsesPerRev READ pulsesPerRev CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* gearNumerator READ gearNumerator CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* gearDenominator READ gearDenominator CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* maxRpm READ maxRpm CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* maxAcceleration READ maxAcceleration CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* maxFrequency READ maxFrequency CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* maxRate READ maxRate CONSTANT FINAL)
+
+    // The kind of program, its fields that are read as it is set, and the data of the machine that it needs.
+    Q_PROPERTY(Kind kind READ kind NOTIFY kindChanged FINAL)
+    Q_PROPERTY(QStringList kindNames READ kindNames NOTIFY kindChanged FINAL)
+    Q_PROPERTY(QVariantList fields READ fields NOTIFY fieldsChanged FINAL)
+    Q_PROPERTY(QVariantList machineFields READ machineFields NOTIFY fieldsChanged FINAL)
+    Q_PROPERTY(campanel::machine::ChoiceModel* choices READ choices CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::KnotModel* knots READ knots CONSTANT FINAL)
+    Q_PROPERTY(bool hasLaw READ hasLaw NOTIFY kindChanged FINAL)
+    Q_PROPERTY(QString lawTitle READ lawTitle NOTIFY kindChanged FINAL)
 
     Q_PROPERTY(campanel::machine::LawModel* laws READ laws CONSTANT FINAL)
     Q_PROPERTY(QString lawName READ lawName NOTIFY solutionChanged FINAL)
@@ -63,9 +66,12 @@ class Editor : public QObject {
     Q_PROPERTY(QString suggestionText READ suggestionText NOTIFY solutionChanged FINAL)
 
     Q_PROPERTY(QVariant curves READ curves NOTIFY solutionChanged FINAL)
-    Q_PROPERTY(QVariant activeCurves READ activeCurves NOTIFY activeChanged FINAL)
+    // Drawn in grey behind the curves: another law for the same move, else what the controller runs.
+    Q_PROPERTY(QVariant overlayCurves READ overlayCurves NOTIFY overlayChanged FINAL)
+    Q_PROPERTY(QString overlayName READ overlayName NOTIFY overlayChanged FINAL)
     Q_PROPERTY(double cycleSeconds READ cycleSeconds NOTIFY solutionChanged FINAL)
     Q_PROPERTY(QList<double> ratioTimes READ ratioTimes NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(QList<double> markTimes READ markTimes NOTIFY solutionChanged FINAL)
     Q_PROPERTY(double limitVelocity READ limitVelocity NOTIFY solutionChanged FINAL)
     Q_PROPERTY(double limitAcceleration READ limitAcceleration NOTIFY solutionChanged FINAL)
     Q_PROPERTY(double limitFrequency READ limitFrequency NOTIFY solutionChanged FINAL)
@@ -93,6 +99,8 @@ class Editor : public QObject {
     Q_PROPERTY(bool canSave READ canSave NOTIFY activeChanged FINAL)
 
 public:
+    enum class Kind { RotaryCutter = 1, PositionMove, SpeedMove, PointCam, Press };
+    Q_ENUM(Kind)
     enum class Severity { Good, Warning, Bad };
     Q_ENUM(Severity)
     enum class DownloadState { NothingToDo, Ready, Blocked, Transferring, Sealing, Armed, Applied, Failed };
@@ -105,40 +113,45 @@ public:
     // The instance that attachToEngine() gave to this engine.
     static Editor* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
-    [[nodiscard]] EditorField* bagLength() { return &m_bagLength; }
-    [[nodiscard]] EditorField* rate() { return &m_rate; }
-    [[nodiscard]] EditorField* baseSpeed() { return &m_baseSpeed; }
-    [[nodiscard]] EditorField* filmSpeed() { return &m_filmSpeed; }
-    [[nodiscard]] EditorField* k1() { return &m_k1; }
-    [[nodiscard]] EditorField* k2() { return &m_k2; }
-    [[nodiscard]] EditorField* k3() { return &m_k3; }
-    [[nodiscard]] EditorField* k4() { return &m_k4; }
-    [[nodiscard]] EditorField* syncRatio() { return &m_syncRatio; }
-    [[nodiscard]] EditorField* rampSlices() { return &m_rampSlices; }
+    [[nodiscard]] EditorField* bagLength() { return item(profile::Field::BagLength); }
+    [[nodiscard]] EditorField* rate() { return item(profile::Field::Rate); }
+    [[nodiscard]] EditorField* baseSpeed() { return item(profile::Field::BaseSpeed); }
+    [[nodiscard]] EditorField* filmSpeed() { return item(profile::Field::FilmSpeed); }
+    [[nodiscard]] EditorField* k1() { return item(profile::Field::K1); }
+    [[nodiscard]] EditorField* k2() { return item(profile::Field::K2); }
+    [[nodiscard]] EditorField* k3() { return item(profile::Field::K3); }
+    [[nodiscard]] EditorField* k4() { return item(profile::Field::K4); }
+    [[nodiscard]] EditorField* syncRatio() { return item(profile::Field::SyncRatio); }
+    [[nodiscard]] EditorField* rampSlices() { return item(profile::Field::SlicesPerRamp); }
     [[nodiscard]] EditorField* lawParameter1() { return &m_lawParameter1; }
     [[nodiscard]] EditorField* lawParameter2() { return &m_lawParameter2; }
-    [[nodiscard]] EditorField* knifeRadius() { return &m_knifeRadius; }
-    [[nodiscard]] EditorField* knives() { return &m_knives; }
-    [[nodiscard]] EditorField* pulsesPerRev() { return &m_pulsesPerRev; }
-    [[nodiscard]] EditorField* gearNumerator() { return &m_gearNumerator; }
-    [[nodiscard]] EditorField* gearDenominator() { return &m_gearDenominator; }
-    [[nodiscard]] EditorField* maxRpm() { return &m_maxRpm; }
-    [[nodiscard]] EditorField* maxAcceleration() { return &m_maxAcceleration; }
-    [[nodiscard]] EditorField* maxFrequency() { return &m_maxFrequency; }
-    [[nodiscard]] EditorField* maxRate() { return &m_maxRate; }
 
+    [[nodiscard]] EditorField* item(profile::Field field)
+    {
+        return m_fields[static_cast<std::size_t>(field)];
+    }
+    [[nodiscard]] Kind kind() const { return static_cast<Kind>(m_recipe.kind()); }
+    [[nodiscard]] QStringList kindNames() const;
+    [[nodiscard]] QVariantList fields() const; // of EditorField*
+    [[nodiscard]] QVariantList machineFields() const;
+    [[nodiscard]] ChoiceModel* choices() { return &m_choices; }
+    [[nodiscard]] KnotModel* knots() { return &m_knots; }
+    [[nodiscard]] bool hasLaw() const { return program::lawParameters(m_recipe.program) != nullptr; }
+    [[nodiscard]] QString lawTitle() const;
     [[nodiscard]] LawModel* laws() { return &m_laws; }
     [[nodiscard]] QString lawName() const;
-    [[nodiscard]] bool solvable() const { return m_solution.cutter.has_value(); }
+    [[nodiscard]] bool solvable() const { return m_solution.solved.has_value(); }
     [[nodiscard]] bool feasible() const { return m_solution.isFeasible(); }
     [[nodiscard]] QString verdict() const;
     [[nodiscard]] Severity severity() const;
     [[nodiscard]] bool hasSuggestion() const { return suggestion() != nullptr; }
     [[nodiscard]] QString suggestionText() const;
     [[nodiscard]] QVariant curves() const;
-    [[nodiscard]] QVariant activeCurves() const;
+    [[nodiscard]] QVariant overlayCurves() const;
+    [[nodiscard]] QString overlayName() const;
     [[nodiscard]] double cycleSeconds() const { return m_cycleSeconds; }
-    [[nodiscard]] QList<double> ratioTimes() const;
+    [[nodiscard]] QList<double> ratioTimes() const; // of a rotary cutter, else empty
+    [[nodiscard]] QList<double> markTimes() const;
     [[nodiscard]] double limitVelocity() const;
     [[nodiscard]] double limitAcceleration() const;
     [[nodiscard]] double limitFrequency() const;
@@ -163,7 +176,13 @@ public:
     [[nodiscard]] bool saved() const { return m_desk.isSaved(); }
     [[nodiscard]] bool canSave() const { return m_desk.canSave(); }
 
+    // A new recipe of this kind, with the defaults of its paper. Can be undone.
+    Q_INVOKABLE void newProgram(int kind);
+    // `row` of choices, `option` of its options.
+    Q_INVOKABLE void setChoice(int row, int option);
     Q_INVOKABLE void setLaw(const QString& lawId);
+    // Lays the curves of the same motion by another law behind; an empty id ends it.
+    Q_INVOKABLE void compareLaw(const QString& lawId);
     Q_INVOKABLE void applySuggestion();
     // Moves the end of stretch `index` (0..3: ta, tb, tc, td) while a finger drags it; commitDrag() ends it
     // as one undo step.
@@ -180,6 +199,9 @@ public:
     [[nodiscard]] const program::Recipe& recipe() const { return m_recipe; }
 
 signals:
+    void kindChanged();
+    void fieldsChanged();
+    void overlayChanged();
     void solutionChanged();
     void activeChanged();
     void tableChanged();
@@ -192,12 +214,10 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    struct FieldOf {
-        EditorField* item = nullptr;
-        profile::Field field = profile::Field::BagLength;
-    };
-
     void connectFields();
+    void connectKnots();
+    void compareCurves();
+    void showFields();
     template <typename Change> void edit(Change change);
     void replace(program::Recipe recipe); // undo, redo, revert
     void recompute();
@@ -209,28 +229,11 @@ private:
     [[nodiscard]] const profile::Suggestion* suggestion() const;
     [[nodiscard]] const profile::Machine& limits() const;
 
-    EditorField m_bagLength{QStringLiteral("bagLength"), this};
-    EditorField m_rate{QStringLiteral("rate"), this};
-    EditorField m_baseSpeed{QStringLiteral("baseSpeed"), this};
-    EditorField m_filmSpeed{QStringLiteral("filmSpeed"), this};
-    EditorField m_k1{QStringLiteral("k1"), this};
-    EditorField m_k2{QStringLiteral("k2"), this};
-    EditorField m_k3{QStringLiteral("k3"), this};
-    EditorField m_k4{QStringLiteral("k4"), this};
-    EditorField m_syncRatio{QStringLiteral("syncRatio"), this};
-    EditorField m_rampSlices{QStringLiteral("rampSlices"), this};
     EditorField m_lawParameter1{QStringLiteral("lawParameter1"), this};
     EditorField m_lawParameter2{QStringLiteral("lawParameter2"), this};
-    EditorField m_knifeRadius{QStringLiteral("knifeRadius"), this};
-    EditorField m_knives{QStringLiteral("knives"), this};
-    EditorField m_pulsesPerRev{QStringLiteral("pulsesPerRev"), this};
-    EditorField m_gearNumerator{QStringLiteral("gearNumerator"), this};
-    EditorField m_gearDenominator{QStringLiteral("gearDenominator"), this};
-    EditorField m_maxRpm{QStringLiteral("maxRpm"), this};
-    EditorField m_maxAcceleration{QStringLiteral("maxAcceleration"), this};
-    EditorField m_maxFrequency{QStringLiteral("maxFrequency"), this};
-    EditorField m_maxRate{QStringLiteral("maxRate"), this};
-    std::array<FieldOf, 19> m_fields;
+    std::array<EditorField*, profile::fields.size()> m_fields{}; // by field; children
+    KnotModel m_knots;
+    ChoiceModel m_choices;
     LawModel m_laws;
     TableModel m_table;
 
@@ -245,7 +248,10 @@ private:
     EditHistory<program::Recipe> m_history;
     std::optional<modbus::Identity> m_controller; // that the solution was made for
     Solution m_solution;
-    double m_cycleSeconds = 1; // the last that was known, so that the handles stay where they are
+    std::optional<profile::LawId> m_comparedLaw;
+    std::shared_ptr<const profile::Curves> m_comparedCurves;
+    QList<profile::Field> m_shownFields; // of which fieldsChanged() told
+    double m_cycleSeconds = 1;           // the last that was known, so that the handles stay where they are
     QString m_notice;
 };
 

@@ -7,7 +7,6 @@
 #include "app/machine/refusal_sentences.h"
 #include "profile/explain.h"
 #include "profile/laws.h"
-#include "profile/paper_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +20,11 @@ using profile::Field;
 bool isRatio(Field field)
 {
     return field >= Field::K1 && field <= Field::K4;
+}
+
+profile::LawId lawOf(const program::Recipe& recipe)
+{
+    return static_cast<profile::LawId>(program::choice(recipe.program, program::Choice::Law));
 }
 
 profile::Quantity quantityOf(Field field)
@@ -57,16 +61,16 @@ FieldView EditorViews::field(Field field) const
     view.defaultValue = info.defaultValue;
     view.decimals = info.decimals;
     view.pinnable = isPinnable(field);
-    view.pinned = view.pinnable && profile::isPinned(m_recipe.program, field);
+    view.pinned = view.pinnable && profile::isPinned(m_recipe.cutter(), field);
     view.derived = view.pinnable && !view.pinned;
-    if (!view.derived || m_solution.cutter)
+    if (!view.derived || m_solution.solved)
         view.value = program::value(m_recipe, field);
     view.text = valueText(field, view.value);
-    if (m_active && program::isProgramField(field))
+    if (m_active && m_active->recipe.kind() == m_recipe.kind() && program::isProgramField(m_recipe, field))
         view.activeText = valueText(field, program::value(m_active->recipe, field));
     if (isRatio(field))
         narrowRatio(field, view);
-    if (view.derived && m_solution.cutter)
+    if (view.derived && m_solution.cutter())
         view.explanation = explanation(field);
     return view;
 }
@@ -86,7 +90,7 @@ void EditorViews::narrowRatio(Field field, FieldView& view) const
 
 QString EditorViews::explanation(Field field) const
 {
-    const profile::Explanation explained = profile::explain(*m_solution.cutter, quantityOf(field));
+    const profile::Explanation explained = profile::explain(*m_solution.cutter(), quantityOf(field));
     return QStringLiteral("%1\n= %2\n= %3 %4")
         .arg(QString::fromStdString(explained.formula), QString::fromStdString(explained.numbers),
              Format().compact(explained.result, 1, 4), RecipeWords::unit(explained.unit));
@@ -95,7 +99,8 @@ QString EditorViews::explanation(Field field) const
 FieldView EditorViews::lawParameter(std::size_t index) const
 {
     FieldView view;
-    const profile::Law* law = profile::findLaw(m_recipe.program.speedLaw);
+    const auto* parameters = program::lawParameters(m_recipe.program);
+    const profile::Law* law = parameters ? profile::findLaw(lawOf(m_recipe)) : nullptr;
     view.visible = law && index < law->parameters.size();
     if (!view.visible)
         return view;
@@ -105,36 +110,66 @@ FieldView EditorViews::lawParameter(std::size_t index) const
     view.maximum = info.max;
     view.defaultValue = info.defaultValue;
     view.decimals = info.decimals;
-    view.value = m_recipe.program.speedLawParameters[index];
+    view.value = (*parameters)[index];
     view.text = Format().number(view.value, view.decimals);
-    if (m_active && m_active->recipe.program.speedLaw == m_recipe.program.speedLaw)
-        view.activeText = Format().number(m_active->recipe.program.speedLawParameters[index], view.decimals);
+    if (m_active && m_active->recipe.kind() == m_recipe.kind() && lawOf(m_active->recipe) == law->id)
+        view.activeText =
+            Format().number((*program::lawParameters(m_active->recipe.program))[index], view.decimals);
     return view;
 }
 
-QList<LawRow> EditorViews::laws() const
+// What the law would ask for; unknown where it makes no motion.
+LawDemand EditorViews::demandOf(const profile::Law& law) const
+{
+    program::Recipe tried = m_recipe;
+    chooseLaw(tried, law);
+    if (m_solution.solved)
+        tried.machine = m_solution.solved->machine;
+    LawDemand demand;
+    demand.peaks.motorRpm = demand.peaks.accelerationMmPerS2 = demand.peaks.pulseFrequencyHz =
+        demand.peaks.jerkMmPerS3 = demand.peaks.torqueNm = NAN;
+    if (!tried.isCutter()) {
+        if (const auto solved = program::solveProgram(tried)) {
+            demand.peaks = solved->peaks;
+            demand.isFeasible = solved->broken.empty();
+        }
+        return demand;
+    }
+    // Without its curves: a dozen cutters are solved after each change.
+    demand.isFeasible = profile::isFeasible(tried.cutter(), tried.machine);
+    if (const auto cycle = profile::solveNumbers(tried.cutter(), tried.machine)) {
+        const profile::Peaks peaks = profile::peaks(*cycle, tried.cutter(), tried.machine);
+        demand.peaks.motorRpm = peaks.motorRpm;
+        demand.peaks.accelerationMmPerS2 = peaks.accelerationMmPerS2;
+        demand.peaks.pulseFrequencyHz = peaks.pulseFrequencyHz;
+        demand.peaks.jerkMmPerS3 = peaks.jerkMmPerS3;
+    }
+    return demand;
+}
+
+QList<LawRow> EditorViews::laws(std::optional<profile::LawId> compared) const
 {
     const Format format;
     QList<LawRow> rows;
+    if (!program::lawParameters(m_recipe.program))
+        return rows;
     for (const profile::Law& law : profile::laws()) {
-        if (!law.isSpeedLaw)
+        if (!program::isLawOf(m_recipe.kind(), law))
             continue;
         LawRow row;
         row.lawId = QString::fromUtf8(law.key.data(), static_cast<qsizetype>(law.key.size()));
         row.name = RecipeWords::lawName(law.id);
         row.hint = RecipeWords::lawHint(law.id);
-        row.current = law.id == m_recipe.program.speedLaw;
-        program::Recipe tried = m_recipe;
-        chooseLaw(tried, law);
-        const profile::Machine& machine = m_solution.cutter ? m_solution.cutter->machine : tried.machine;
-        row.usable = profile::isFeasible(tried.program, machine);
-        profile::Peaks peaks;
-        peaks.motorRpm = peaks.accelerationMmPerS2 = peaks.pulseFrequencyHz = peaks.jerkMmPerS3 = NAN;
-        if (const auto cycle = profile::solveNumbers(tried.program, machine))
-            peaks = profile::peaks(*cycle, tried.program, machine);
+        row.current = law.id == lawOf(m_recipe);
+        row.compared = compared == law.id;
+        const auto [peaks, isFeasible] = demandOf(law);
+        row.usable = isFeasible;
         row.peakRpmText = tr("%1 r/min").arg(format.number(peaks.motorRpm, 0));
         row.peakAccelerationText = tr("%1 m/s²").arg(format.number(peaks.accelerationMmPerS2 / 1000, 2));
-        row.peakFrequencyText = tr("%1 kHz").arg(format.number(peaks.pulseFrequencyHz / 1000, 1));
+        // A knife has no inertia in the recipe; what counts for it is the pulse frequency.
+        row.peakFrequencyText = m_recipe.isCutter()
+                                    ? tr("%1 kHz").arg(format.number(peaks.pulseFrequencyHz / 1000, 1))
+                                    : tr("%1 Nm").arg(format.number(peaks.torqueNm, 3));
         row.peakJerkText = std::isinf(peaks.jerkMmPerS3)
                                ? tr("acceleration steps")
                                : tr("%1 m/s³").arg(format.number(peaks.jerkMmPerS3 / 1000, 1));
@@ -145,42 +180,17 @@ QList<LawRow> EditorViews::laws() const
 
 QString EditorViews::peaks() const
 {
-    if (!m_solution.cutter)
+    if (!m_solution.solved)
         return {};
     const Format format;
+    const profile::AxisPeaks& peaks = m_solution.solved->peaks;
+    if (!m_solution.cutter())
+        return tr("peak %1 r/min · %2 m/s² · %3 Nm · %4 kHz")
+            .arg(format.number(peaks.motorRpm, 0), format.number(peaks.accelerationMmPerS2 / 1000, 2),
+                 format.number(peaks.torqueNm, 3), format.number(peaks.pulseFrequencyHz / 1000, 1));
     return tr("peak %1 r/min · %2 m/s² · %3 kHz")
-        .arg(format.number(m_solution.peaks.motorRpm, 0),
-             format.number(m_solution.peaks.accelerationMmPerS2 / 1000, 2),
-             format.number(m_solution.peaks.pulseFrequencyHz / 1000, 1));
-}
-
-QStringList EditorViews::tableSummary() const
-{
-    if (!m_solution.image)
-        return {};
-    const program::ProgramImage& image = *m_solution.image;
-    const profile::StepTable& table = image.table;
-    const profile::TableErrors& errors = table.errors;
-    const Format format;
-    QStringList lines;
-    lines << tr("%1 rows, %2 pulses per cycle, %3 s")
-                 .arg(table.rows.size())
-                 .arg(format.compact(table.pulses.asDouble(), 0, 4))
-                 .arg(format.compact(
-                     static_cast<double>(table.cycleTicks) / image.cutter.machine.timerClockHz, 3, 6));
-    lines << tr("Largest speed error: %1 mm/s (%2 %) at %3 s")
-                 .arg(format.number(errors.speedMmPerS, 2), format.number(errors.speedPercent, 2),
-                      format.number(errors.speedTimeS, 3));
-    lines << tr("Largest frequency step: %1 Hz at %2 s")
-                 .arg(format.number(errors.frequencyStepHz, 0), format.number(errors.frequencyStepTimeS, 3));
-    lines << tr("Largest position error: %1 pulses between rows, %2 inside")
-                 .arg(format.number(errors.boundaryPulses, 2), format.number(errors.insidePulses, 2));
-    lines << tr("Drift: none, the fraction of a pulse is carried from cycle to cycle");
-    const profile::PaperTable paper = profile::paperTable(image.cutter, image.recipe.program.slicesPerRamp);
-    lines << tr("The paper's rule would be wrong by %1 pulses (%2 mm) in each bag")
-                 .arg(format.number(std::abs(paper.errorPulses), 0),
-                      format.number(std::abs(paper.errorMm), 2));
-    return lines;
+        .arg(format.number(peaks.motorRpm, 0), format.number(peaks.accelerationMmPerS2 / 1000, 2),
+             format.number(peaks.pulseFrequencyHz / 1000, 1));
 }
 
 QString EditorViews::verdict() const
@@ -192,6 +202,8 @@ QString EditorViews::verdict() const
             .arg(m_solution.unstorable->value)
             .arg(m_solution.unstorable->minimum)
             .arg(m_solution.unstorable->maximum);
+    if (!m_recipe.isCutter())
+        return m_solution.isCloseToLimit() ? tr("Just within the limits.") : tr("Within all limits.");
     return m_solution.isCloseToLimit() ? RefusalSentences::closeToLimits(m_solution.fastest)
                                        : RefusalSentences::withinLimits(m_solution.fastest);
 }

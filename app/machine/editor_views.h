@@ -13,6 +13,12 @@
 
 namespace campanel::machine {
 
+// What a law asks of the machine; peaks are NaN where it makes no motion.
+struct LawDemand {
+    profile::AxisPeaks peaks;
+    bool isFeasible = false;
+};
+
 class EditorViews {
     Q_DECLARE_TR_FUNCTIONS(EditorViews)
 
@@ -26,9 +32,9 @@ public:
 
     [[nodiscard]] FieldView field(profile::Field field) const;
     [[nodiscard]] FieldView lawParameter(std::size_t index) const; // not visible when the law has no such one
-    [[nodiscard]] QList<LawRow> laws() const;
+    // Empty for a kind without a law.
+    [[nodiscard]] QList<LawRow> laws(std::optional<profile::LawId> compared) const;
     [[nodiscard]] QString peaks() const; // "peak 71 r/min · 1.95 m/s² · 11.8 kHz"
-    [[nodiscard]] QStringList tableSummary() const;
     [[nodiscard]] QString verdict() const;
 
     // The value in the field's own decimals; ratios without superfluous zeros.
@@ -36,6 +42,7 @@ public:
 
 private:
     [[nodiscard]] QString explanation(profile::Field field) const;
+    [[nodiscard]] LawDemand demandOf(const profile::Law& law) const;
     void narrowRatio(profile::Field field, FieldView& view) const;
 
     const program::Recipe& m_recipe;

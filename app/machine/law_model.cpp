@@ -51,6 +51,8 @@ QVariant LawModel::data(const QModelIndex& index, int role) const
         return row.current;
     case UsableRole:
         return row.usable;
+    case ComparedRole:
+        return row.compared;
     default:
         return {};
     }
@@ -66,7 +68,8 @@ QHash<int, QByteArray> LawModel::roleNames() const
             {PeakFrequencyTextRole, "peakFrequencyText"},
             {PeakJerkTextRole, "peakJerkText"},
             {CurrentRole, "current"},
-            {UsableRole, "usable"}};
+            {UsableRole, "usable"},
+            {ComparedRole, "compared"}};
 }
 
 } // namespace campanel::machine

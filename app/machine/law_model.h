@@ -17,7 +17,8 @@ struct LawRow {
     QString peakFrequencyText;
     QString peakJerkText;
     bool current = false;
-    bool usable = false; // breaks no limit with this recipe
+    bool usable = false;   // breaks no limit with this recipe
+    bool compared = false; // its curves are laid behind
 
     bool operator==(const LawRow&) const = default;
 };
@@ -39,6 +40,7 @@ public:
         PeakJerkTextRole,
         CurrentRole,
         UsableRole,
+        ComparedRole,
     };
 
     using QAbstractListModel::QAbstractListModel;

@@ -94,6 +94,7 @@ void Machine::forgetStatus()
     m_statusAt.reset();
     m_program.reset();
     m_trace.clear();
+    m_strokes.clear();
     m_bags = {};
     updateAge();
     emit ageChanged();
@@ -113,6 +114,7 @@ void Machine::takeStatus(const link::StatusBatch& batch)
     for (const link::StatusSample& sample : batch.samples) {
         trace(sample.status);
         const modbus::StatusBlock& status = sample.status;
+        m_strokes.note(status, m_program ? m_program->pulsesPerMm : 0);
         bagsChanged |= m_bags.note(status.bagCount, status.bagLengthMm, status.bagDeviationMm);
         m_status = status;
         m_statusAt = sample.receivedAt;
@@ -150,6 +152,7 @@ void Machine::takeProgram(const link::ActiveProgram& program)
         return;
     m_program = readProgram(program, *m_report.identity);
     m_trace.clear();
+    m_strokes.clear();
     m_bags.restart();
     emit programChanged();
     emit liveChanged();

@@ -8,6 +8,7 @@
 #include "app/machine/bag_statistics.h"
 #include "app/machine/controller_program.h"
 #include "app/machine/status_rate.h"
+#include "app/machine/stroke_model.h"
 
 #include <QHash>
 #include <QList>
@@ -58,6 +59,13 @@ class Machine : public QObject {
     Q_PROPERTY(double cycleCount READ cycleCount NOTIFY liveChanged FINAL)
     Q_PROPERTY(QList<QPointF> actualTrace READ actualTrace NOTIFY liveChanged FINAL)
 
+    Q_PROPERTY(double positionMm READ positionMm NOTIFY liveChanged FINAL)
+    Q_PROPERTY(double masterSpeedPercent READ masterSpeedPercent NOTIFY liveChanged FINAL)
+    // Of a press.
+    Q_PROPERTY(double forceN READ forceN NOTIFY liveChanged FINAL)
+    Q_PROPERTY(QString stageText READ stageText NOTIFY liveChanged FINAL)
+    Q_PROPERTY(campanel::machine::StrokeModel* strokes READ strokes CONSTANT FINAL)
+
     Q_PROPERTY(double bagCount READ bagCount NOTIFY bagChanged FINAL)
     Q_PROPERTY(double bagLengthMm READ bagLengthMm NOTIFY bagChanged FINAL)
     Q_PROPERTY(double bagDeviationMm READ bagDeviationMm NOTIFY bagChanged FINAL)
@@ -67,6 +75,8 @@ class Machine : public QObject {
     Q_PROPERTY(double bagToleranceMm READ bagToleranceMm CONSTANT FINAL)
 
     Q_PROPERTY(double generation READ generation NOTIFY programChanged FINAL)
+    // As Editor.kind; 0 while there is no program.
+    Q_PROPERTY(int activeKind READ activeKind NOTIFY programChanged FINAL)
     Q_PROPERTY(bool hasActiveProgram READ hasActiveProgram NOTIFY programChanged FINAL)
     Q_PROPERTY(QString activeName READ activeName NOTIFY programChanged FINAL)
     Q_PROPERTY(double activeVersion READ activeVersion NOTIFY programChanged FINAL)
@@ -123,6 +133,11 @@ public:
     [[nodiscard]] double pulseFrequencyHz() const;
     [[nodiscard]] double cycleCount() const;
     [[nodiscard]] QList<QPointF> actualTrace() const { return m_trace.points(); }
+    [[nodiscard]] double positionMm() const;
+    [[nodiscard]] double masterSpeedPercent() const;
+    [[nodiscard]] double forceN() const;
+    [[nodiscard]] QString stageText() const;
+    [[nodiscard]] StrokeModel* strokes() { return &m_strokes; }
     [[nodiscard]] double bagCount() const;
     [[nodiscard]] double bagLengthMm() const { return m_bags.lengthMm(); }
     [[nodiscard]] double bagDeviationMm() const { return m_bags.deviationMm(); }
@@ -131,6 +146,7 @@ public:
     [[nodiscard]] QList<double> bagSeries() const { return m_bags.deviationsMm(); }
     [[nodiscard]] double bagToleranceMm() const { return toleranceMm; }
     [[nodiscard]] double generation() const;
+    [[nodiscard]] int activeKind() const;
     [[nodiscard]] bool hasActiveProgram() const { return m_program != nullptr; }
     [[nodiscard]] QString activeName() const;
     [[nodiscard]] double activeVersion() const;
@@ -199,6 +215,7 @@ private:
     std::shared_ptr<const ControllerProgram> m_program;
     ActualTrace m_trace;
     BagStatistics m_bags;
+    StrokeModel m_strokes{this};
     StatusRate m_rate;
     QTimer m_ageTimer;
     QTimer m_qualityTimer;

@@ -152,6 +152,35 @@ double Machine::cycleCount() const
     return m_status ? m_status->cycleCount : unknown;
 }
 
+double Machine::positionMm() const
+{
+    return m_status && m_program && m_program->pulsesPerMm > 0
+               ? m_status->axisPositionPulses / m_program->pulsesPerMm
+               : unknown;
+}
+
+double Machine::masterSpeedPercent() const
+{
+    return m_status ? m_status->masterSpeedPercent : unknown;
+}
+
+double Machine::forceN() const
+{
+    return m_status && m_status->press ? m_status->press->forceN : unknown;
+}
+
+QString Machine::stageText() const
+{
+    return m_status && m_status->press && m_status->press->stage
+               ? ControllerSentences::pressStage(*m_status->press->stage)
+               : QString();
+}
+
+int Machine::activeKind() const
+{
+    return m_program ? static_cast<int>(m_program->recipe.kind()) : 0;
+}
+
 double Machine::bagCount() const
 {
     return m_status ? m_status->bagCount : unknown;

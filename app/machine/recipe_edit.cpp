@@ -49,19 +49,21 @@ void enterField(Recipe& recipe, Field field, double value)
 {
     program::setValue(recipe, field, value);
     if (isPinnable(field))
-        pin(recipe.program, field);
+        pin(recipe.cutter(), field);
 }
 
 void togglePin(Recipe& recipe, Field field)
 {
-    auto& pinned = recipe.program.pinned;
-    if (!profile::isPinned(recipe.program, field)) {
-        pin(recipe.program, field);
+    if (!isPinnable(field))
+        return;
+    auto& pinned = recipe.cutter().pinned;
+    if (!profile::isPinned(recipe.cutter(), field)) {
+        pin(recipe.cutter(), field);
         return;
     }
     Field successor = counterpart(field);
-    if (profile::isPinned(recipe.program, successor)) {
-        const auto isFree = [&](Field candidate) { return !profile::isPinned(recipe.program, candidate); };
+    if (profile::isPinned(recipe.cutter(), successor)) {
+        const auto isFree = [&](Field candidate) { return !profile::isPinned(recipe.cutter(), candidate); };
         successor = *std::ranges::find_if(pinnableFields, isFree);
     }
     const Field kept = pinned[0] == field ? pinned[1] : pinned[0];
@@ -70,23 +72,25 @@ void togglePin(Recipe& recipe, Field field)
 
 void adopt(Recipe& recipe, const profile::CycleNumbers& cycle)
 {
-    recipe.program.bagLengthMm = cycle.bagLengthMm;
-    recipe.program.rateBagsPerMin = cycle.rateBagsPerMin;
-    recipe.program.baseSpeedMmPerS = cycle.baseSpeedMmPerS;
-    recipe.program.filmSpeedMmPerS = cycle.filmSpeedMmPerS;
+    recipe.cutter().bagLengthMm = cycle.bagLengthMm;
+    recipe.cutter().rateBagsPerMin = cycle.rateBagsPerMin;
+    recipe.cutter().baseSpeedMmPerS = cycle.baseSpeedMmPerS;
+    recipe.cutter().filmSpeedMmPerS = cycle.filmSpeedMmPerS;
 }
 
 void chooseLaw(Recipe& recipe, const profile::Law& law)
 {
-    if (recipe.program.speedLaw == law.id)
+    const auto code = static_cast<std::uint16_t>(law.id);
+    profile::LawParameters* parameters = program::lawParameters(recipe.program);
+    if (parameters == nullptr || program::choice(recipe.program, program::Choice::Law) == code)
         return;
-    recipe.program.speedLaw = law.id;
-    recipe.program.speedLawParameters = profile::defaultParameters(law);
+    program::setChoice(recipe.program, program::Choice::Law, code);
+    *parameters = profile::defaultParameters(law);
 }
 
 ShareRange ratioRange(const Recipe& recipe, int index)
 {
-    const auto& k = recipe.program.k;
+    const auto& k = recipe.cutter().k;
     const auto at = static_cast<std::size_t>(index);
     ShareRange range;
     range.from = at == 0 ? smallestGap : 1 / k[at - 1] + smallestGap;
@@ -99,33 +103,39 @@ void dragRatio(Recipe& recipe, int index, double share)
 {
     const ShareRange range = ratioRange(recipe, index);
     const double kept = std::clamp(std::isfinite(share) ? share : range.from, range.from, range.to);
-    recipe.program.k[static_cast<std::size_t>(index)] = profile::snapToGrid(Field::K1, 1 / kept);
+    recipe.cutter().k[static_cast<std::size_t>(index)] = profile::snapToGrid(Field::K1, 1 / kept);
 }
 
-bool sameRecipe(const Recipe& leftGiven, const Recipe& rightGiven)
+bool sameRecipe(const Recipe& left, const Recipe& right)
 {
-    // As the controller holds them: a derived number that was pinned has more digits than its register.
-    const Recipe left = program::quantised(leftGiven);
-    const Recipe right = program::quantised(rightGiven);
-    if (left.name != right.name || left.program.speedLaw != right.program.speedLaw)
+    if (left.name != right.name || left.kind() != right.kind())
         return false;
-    const auto* law = profile::findLaw(left.program.speedLaw);
-    const std::size_t parameters = law ? law->parameters.size() : 0;
-    if (!std::equal(left.program.speedLawParameters.begin(),
-                    left.program.speedLawParameters.begin() + parameters,
-                    right.program.speedLawParameters.begin()))
+    const program::KindInfo& kind = program::kindInfo(left.kind());
+    const auto sameChoice = [&](program::Choice choice) {
+        return program::choice(left.program, choice) == program::choice(right.program, choice);
+    };
+    if (!std::ranges::all_of(kind.choices, sameChoice))
         return false;
+    if (const auto* parameters = program::lawParameters(left.program)) {
+        const auto law = static_cast<profile::LawId>(program::choice(left.program, program::Choice::Law));
+        const auto* known = profile::findLaw(law);
+        const std::size_t count = known ? known->parameters.size() : 0;
+        if (!std::equal(parameters->begin(), parameters->begin() + count,
+                        program::lawParameters(right.program)->begin()))
+            return false;
+    }
     const auto isSame = [&](Field field) {
-        if (isPinnable(field) && !profile::isPinned(left.program, field))
-            return !profile::isPinned(right.program, field);
+        const bool isRead = program::isRead(left.program, field);
+        return isRead == program::isRead(right.program, field) &&
+               (!isRead || program::value(left, field) == program::value(right, field));
+    };
+    const auto sameMachine = [&](Field field) {
         return program::value(left, field) == program::value(right, field);
     };
-    const auto samePins = [&](Field field) {
-        return profile::isPinned(left.program, field) == profile::isPinned(right.program, field);
-    };
-    return std::ranges::all_of(pinnableFields, samePins) &&
-           std::ranges::all_of(program::programFields, isSame) &&
-           std::ranges::all_of(program::machineFields, isSame);
+    const auto* cam = std::get_if<profile::PointCamProgram>(&left.program);
+    return (!cam || cam->knots == std::get<profile::PointCamProgram>(right.program).knots) &&
+           std::ranges::all_of(kind.programFields, isSame) &&
+           std::ranges::all_of(kind.machineFields, sameMachine);
 }
 
 } // namespace campanel::machine

@@ -7,57 +7,6 @@ using profile::Field;
 using profile::LawId;
 using profile::Limit;
 
-QString RecipeWords::fieldName(Field field)
-{
-    switch (field) {
-    case Field::BagLength:
-        return tr("Bag length");
-    case Field::Rate:
-        return tr("Rate");
-    case Field::BaseSpeed:
-        return tr("Base speed v_a");
-    case Field::FilmSpeed:
-        return tr("Film speed v_b");
-    case Field::K1:
-        return tr("Ratio k1");
-    case Field::K2:
-        return tr("Ratio k2");
-    case Field::K3:
-        return tr("Ratio k3");
-    case Field::K4:
-        return tr("Ratio k4");
-    case Field::SyncRatio:
-        return tr("Sync ratio");
-    case Field::SlicesPerRamp:
-        return tr("Slices per ramp");
-    case Field::KnifeRadius:
-        return tr("Knife radius R");
-    case Field::Knives:
-        return tr("Knives N");
-    case Field::PulsesPerMotorRev:
-        return tr("Pulses per motor rev. K");
-    case Field::GearNumerator:
-        return tr("Gear Z, motor revs");
-    case Field::GearDenominator:
-        return tr("Gear Z, knife revs");
-    case Field::MaxMotorRpm:
-        return tr("Max. motor speed");
-    case Field::MaxKnifeAcceleration:
-        return tr("Max. acceleration");
-    case Field::MaxPulseFrequency:
-        return tr("Max. pulse frequency");
-    case Field::MaxRate:
-        return tr("Max. rate");
-    case Field::TimerClock:
-        return tr("Timer clock");
-    case Field::TimerBits:
-        return tr("Timer width");
-    case Field::RowCapacity:
-        return tr("Rows in the controller");
-    }
-    return {};
-}
-
 QString RecipeWords::unit(std::string_view unit)
 {
     if (unit == "mm/s^2")
@@ -144,13 +93,77 @@ QString RecipeWords::lawParameterName(std::string_view parameterId)
     return QString::fromUtf8(parameterId.data(), static_cast<qsizetype>(parameterId.size()));
 }
 
+QString RecipeWords::kindName(profile::ProgramKind kind)
+{
+    using profile::ProgramKind;
+    switch (kind) {
+    case ProgramKind::RotaryCutter:
+        return tr("Rotary cutter");
+    case ProgramKind::PositionMove:
+        return tr("Position move");
+    case ProgramKind::SpeedMove:
+        return tr("Speed move");
+    case ProgramKind::PointCam:
+        return tr("Point cam");
+    case ProgramKind::Press:
+        return tr("Press");
+    }
+    return {};
+}
+
+QString RecipeWords::choiceName(program::Choice choice)
+{
+    using program::Choice;
+    switch (choice) {
+    case Choice::Law:
+        return tr("Law");
+    case Choice::Duration:
+        return tr("Duration");
+    case Choice::Execution:
+        return tr("Executed as");
+    case Choice::SplineEnds:
+        return tr("Spline ends");
+    case Choice::MasterRampShape:
+        return tr("Shape of the ramp");
+    }
+    return {};
+}
+
+QString RecipeWords::optionName(std::string_view key)
+{
+    if (key == "given_time")
+        return tr("In a given time");
+    if (key == "fastest")
+        return tr("As fast as possible");
+    if (key == "over_distance")
+        return tr("Over a distance");
+    if (key == "cam_points")
+        return tr("Cam points");
+    if (key == "intervals")
+        return tr("Intervals");
+    if (key == "natural")
+        return tr("Natural");
+    if (key == "clamped")
+        return tr("Clamped");
+    if (key == "periodic")
+        return tr("Periodic");
+    if (key == "trapezoid")
+        return tr("Trapezoid");
+    if (key == "s_curve")
+        return tr("S curve");
+    return QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size()));
+}
+
 QString RecipeWords::limitName(Limit limit)
 {
     switch (limit) {
     case Limit::MotorSpeed:
         return tr("motor speed");
     case Limit::KnifeAcceleration:
+    case Limit::AxisAcceleration:
         return tr("acceleration");
+    case Limit::MotorTorque:
+        return tr("motor torque");
     case Limit::PulseFrequency:
         return tr("pulse frequency");
     case Limit::StrokeCannotClose:
@@ -164,6 +177,22 @@ QString RecipeWords::limitName(Limit limit)
     case Limit::LawParameter:
     case Limit::RatioOrder:
     case Limit::TooFewPulses:
+    case Limit::NoMotion:
+    case Limit::DistanceTooShort:
+    case Limit::DistanceSign:
+    case Limit::KnotCount:
+    case Limit::KnotOrder:
+    case Limit::KnotSpacing:
+    case Limit::KnotRange:
+    case Limit::KnotEnds:
+    case Limit::Overshoot:
+    case Limit::WrapJump:
+    case Limit::StageOrder:
+    case Limit::ForceOrder:
+    case Limit::MasterTooFast:
+    case Limit::TableRange:
+    case Limit::Reversal:
+    case Limit::SpeedError:
         break;
     }
     return tr("largest rate");

@@ -2,6 +2,7 @@
 // Translated names of fields, units, laws and limits.
 #pragma once
 
+#include "app/program/program_kinds.h"
 #include "profile/fields.h"
 #include "profile/law.h"
 #include "profile/refusal.h"
@@ -19,6 +20,10 @@ public:
     [[nodiscard]] static QString lawName(profile::LawId law);
     [[nodiscard]] static QString lawHint(profile::LawId law);
     [[nodiscard]] static QString lawParameterName(std::string_view parameterId);
+    [[nodiscard]] static QString kindName(profile::ProgramKind kind);
+    [[nodiscard]] static QString choiceName(program::Choice choice);
+    // Of an option of a choice other than the law, by its key.
+    [[nodiscard]] static QString optionName(std::string_view key);
     // "acceleration", for the end of a sentence
     [[nodiscard]] static QString limitName(profile::Limit limit);
 };

@@ -25,6 +25,9 @@ public:
 private:
     [[nodiscard]] static QString limitBroken(const profile::Refusal& refusal);
     [[nodiscard]] static QString limitBrokenAt(const profile::Refusal& refusal);
+    [[nodiscard]] static QString axisLimitBrokenAt(profile::Limit limit, const QString& actual,
+                                                   const QString& allowed, const QString& time);
+    [[nodiscard]] static QString knot(const profile::Refusal& refusal);
 };
 
 } // namespace campanel::machine

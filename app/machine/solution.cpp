@@ -12,10 +12,14 @@ bool Solution::isCloseToLimit() const
     constexpr double closeShare = 0.95;
     if (!isFeasible())
         return false;
-    const profile::Machine& machine = cutter->machine;
-    return std::max({peaks.motorRpm / machine.maxMotorRpm,
-                     peaks.accelerationMmPerS2 / machine.maxKnifeAccelerationMmPerS2,
-                     peaks.pulseFrequencyHz / profile::pulseFrequencyLimitHz(machine)}) > closeShare;
+    const profile::Machine& machine = solved->machine;
+    const profile::AxisPeaks& peaks = solved->peaks;
+    const double acceleration =
+        cutter() ? machine.maxKnifeAccelerationMmPerS2 : machine.maxAccelerationMmPerS2;
+    const double torqueShare = cutter() ? 0 : peaks.torqueNm / machine.maxTorqueNm;
+    return std::max({peaks.motorRpm / machine.maxMotorRpm, peaks.accelerationMmPerS2 / acceleration,
+                     peaks.pulseFrequencyHz / profile::pulseFrequencyLimitHz(machine), torqueShare}) >
+           closeShare;
 }
 
 Solution solveRecipe(const program::Recipe& recipe, const std::optional<modbus::Identity>& controller)
@@ -24,16 +28,16 @@ Solution solveRecipe(const program::Recipe& recipe, const std::optional<modbus::
     program::Recipe wanted = program::quantised(recipe);
     if (controller)
         wanted.machine = program::withController(wanted.machine, *controller);
-    auto cutter = profile::solve(wanted.program, wanted.machine);
-    if (!cutter) {
-        solution.refusals.push_back(std::move(cutter.error()));
+    auto solved = program::solveProgram(wanted);
+    if (!solved) {
+        solution.refusals.push_back(std::move(solved.error()));
         return solution;
     }
-    solution.cutter = std::move(*cutter);
+    solution.solved = std::move(*solved);
     solution.curves =
-        std::make_shared<const profile::Curves>(profile::sampleCurves(*solution.cutter, curvePoints));
-    solution.peaks = profile::peaks(*solution.cutter);
-    solution.fastest = profile::fastestRate(*solution.cutter);
+        std::make_shared<const profile::Curves>(program::sampleCurves(*solution.solved, curvePoints));
+    if (const auto* cutter = solution.cutter())
+        solution.fastest = profile::fastestRate(*cutter);
     auto image = program::buildProgram(wanted);
     if (image) {
         solution.image = std::make_shared<const program::ProgramImage>(std::move(*image));

@@ -6,6 +6,7 @@
 #include "app/link/link_values.h"
 #include "app/program/program_image.h"
 #include "app/program/recipe.h"
+#include "app/program/solved_program.h"
 #include "profile/limits.h"
 #include "profile/sampling.h"
 
@@ -16,14 +17,18 @@
 namespace campanel::machine {
 
 struct Solution {
-    std::optional<profile::RotaryCutter> cutter;        // empty: cannot be a cycle at all
-    std::shared_ptr<const profile::Curves> curves;      // of the cutter
+    std::optional<program::SolvedProgram> solved;       // empty: cannot be a motion at all
+    std::shared_ptr<const profile::Curves> curves;      // of the solved program
     std::vector<profile::Refusal> refusals;             // empty: the machine can do it
     std::optional<modbus::CodecError> unstorable;       // a value that the controller cannot hold
     std::shared_ptr<const program::ProgramImage> image; // what would be downloaded; null unless feasible
-    profile::Peaks peaks;
-    std::optional<profile::FastestRate> fastest;
+    std::optional<profile::FastestRate> fastest;        // of a rotary cutter
 
+    // Null unless it is a solved rotary cutter.
+    [[nodiscard]] const profile::RotaryCutter* cutter() const
+    {
+        return solved && solved->cutter ? &*solved->cutter : nullptr;
+    }
     [[nodiscard]] bool isFeasible() const { return image != nullptr; }
     // Feasible, but with little to spare.
     [[nodiscard]] bool isCloseToLimit() const;

@@ -26,8 +26,8 @@ constexpr std::uint32_t generation = 12;
 program::ProgramImage demoProgram()
 {
     program::Recipe recipe;
-    recipe.program.rateBagsPerMin = 60;
-    recipe.program.bagLengthMm = 250;
+    recipe.cutter().rateBagsPerMin = 60;
+    recipe.cutter().bagLengthMm = 250;
     return *program::buildProgram(recipe);
 }
 
@@ -141,7 +141,7 @@ void DemoLink::runBags()
             modbus::StatusBlock status = statusAt(static_cast<double>(i) / samplesPerCycle);
             status.cycleCount = status.bagCount = m_bags;
             status.bagDeviationMm = off;
-            status.bagLengthMm = m_program.cutter.cycle.bagLengthMm + off;
+            status.bagLengthMm = m_program.cutter().cycle.bagLengthMm + off;
             m_now += std::chrono::microseconds(1000000 / samplesPerCycle);
             batch.samples.append({m_now, status});
             if (batch.samples.size() == samplesPerBatch)
@@ -154,7 +154,7 @@ void DemoLink::runBags()
 
 modbus::StatusBlock DemoLink::statusAt(double cycleShare) const
 {
-    const auto& cutter = m_program.cutter;
+    const auto& cutter = m_program.cutter();
     const double pulsesPerMm = profile::pulsesPerMm(cutter.machine);
     const double timeS = cycleShare * cutter.cycle.cycleTimeS;
     const double lateS = std::fmod(timeS - lagS + cutter.cycle.cycleTimeS, cutter.cycle.cycleTimeS);

@@ -195,6 +195,23 @@ double CurvePlot::yOfVelocity(double velocityMmPerS)
     return panel ? panel->valueMap().transform(velocityMmPerS) : none;
 }
 
+double CurvePlot::yOfValue(int index, double value)
+{
+    ensureLayout();
+    const auto i = static_cast<std::size_t>(index);
+    return i < m_panels.size() ? m_panels[i].valueMap().transform(value) : none;
+}
+
+double CurvePlot::valuePerPixel(int index)
+{
+    ensureLayout();
+    const auto i = static_cast<std::size_t>(index);
+    if (i >= m_panels.size())
+        return none;
+    const QwtScaleMap& map = m_panels[i].valueMap();
+    return std::abs(map.invTransform(1) - map.invTransform(0));
+}
+
 double CurvePlot::panelTop(int index)
 {
     ensureLayout();

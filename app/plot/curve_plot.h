@@ -78,6 +78,9 @@ public:
     [[nodiscard]] Q_INVOKABLE double xOfTime(double timeS);
     [[nodiscard]] Q_INVOKABLE double timeOfX(double x);
     [[nodiscard]] Q_INVOKABLE double yOfVelocity(double velocityMmPerS);
+    // In the unit on screen of the panel with this index.
+    [[nodiscard]] Q_INVOKABLE double yOfValue(int index, double value);
+    [[nodiscard]] Q_INVOKABLE double valuePerPixel(int index);
     [[nodiscard]] Q_INVOKABLE double panelTop(int index);
     [[nodiscard]] Q_INVOKABLE double panelHeight(int index);
     // One value per panel, in the unit on screen (mm, mm/s, m/s2, m/s3, kHz); NaN outside of the curves.

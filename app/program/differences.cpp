@@ -9,20 +9,38 @@
 
 namespace campanel::program {
 
+namespace {
+
+constexpr std::uint16_t firstInput = 15; // of the header: what a person entered begins here
+
+std::string_view suffixOf(std::string_view name)
+{
+    return name.substr(name.find('.') + 1);
+}
+
+// An input or, as the execution is chosen, the layout; figures of the table follow from them.
+bool isCompared(const modbus::RegisterInfo& info, const KindInfo& kind, modbus::TableLayout layout)
+{
+    if (!info.appliesTo(static_cast<modbus::ProgramKind>(kind.kind), layout) ||
+        info.type == modbus::RegisterType::Block)
+        return false;
+    return info.address >= firstInput || info.name == "bank.layout" || info.name == "cam.master_ramp" ||
+           info.name == "cam.ramp_shape";
+}
+
+} // namespace
+
 std::vector<Difference> differences(std::span<const std::uint16_t> a, std::span<const std::uint16_t> b)
 {
     std::vector<Difference> found;
     const modbus::RegisterReader readA(a, 0);
     const modbus::RegisterReader readB(b, 0);
-    for (const modbus::RegisterInfo& info : modbus::bankFields()) {
-        if (!info.name.starts_with("program.") ||
-            !info.appliesTo(modbus::ProgramKind::RotaryCutter, modbus::TableLayout::StepTable))
-            continue;
+    const auto compare = [&](const modbus::RegisterInfo& info) {
         if (std::ranges::equal(a.subspan(info.address, info.count), b.subspan(info.address, info.count)))
-            continue;
+            return;
         Difference difference;
         difference.info = &info;
-        const auto known = std::ranges::find(registerFields, info.name, &RegisterField::registerName);
+        const auto known = std::ranges::find(registerFields, suffixOf(info.name), &RegisterField::suffix);
         if (known != registerFields.end())
             difference.field = known->field;
         if (info.type == modbus::RegisterType::Text) {
@@ -33,6 +51,20 @@ std::vector<Difference> differences(std::span<const std::uint16_t> a, std::span<
             difference.b = readB.physical(info);
         }
         found.push_back(std::move(difference));
+    };
+    const modbus::RegisterInfo& kindRegister = modbus::registerNamed("bank.kind");
+    const std::uint16_t kind = readA.u16("bank.kind");
+    // The inputs of one kind say nothing about those of another.
+    if (kind != readB.u16("bank.kind") || kind == 0 || kind > kinds().size()) {
+        compare(modbus::registerNamed("program.recipe_name"));
+        compare(kindRegister);
+        return found;
+    }
+    const KindInfo& info = kindInfo(static_cast<profile::ProgramKind>(kind));
+    const auto layout = static_cast<modbus::TableLayout>(readA.u16("bank.layout"));
+    for (const modbus::RegisterInfo& each : modbus::bankFields()) {
+        if (isCompared(each, info, layout))
+            compare(each);
     }
     return found;
 }

@@ -47,16 +47,16 @@ modbus::BankHeader headerOf(const Recipe& recipe, const profile::RotaryCutter& c
     header.pulsesPerMotorRev = static_cast<std::uint32_t>(recipe.machine.pulsesPerMotorRev);
     header.gearNumerator = static_cast<std::uint32_t>(recipe.machine.gearNumerator);
     header.gearDenominator = static_cast<std::uint32_t>(recipe.machine.gearDenominator);
-    header.pinned = pinnedBits(recipe.program);
+    header.pinned = pinnedBits(recipe.cutter());
     header.bagLengthMm = cycle.bagLengthMm;
     header.rateBagsPerMin = cycle.rateBagsPerMin;
     header.baseSpeedMmPerS = cycle.baseSpeedMmPerS;
     header.filmSpeedMmPerS = cycle.filmSpeedMmPerS;
-    header.syncRatio = recipe.program.syncRatio;
-    header.k = recipe.program.k;
-    header.law = static_cast<std::uint16_t>(recipe.program.speedLaw);
-    header.lawParameters = recipe.program.speedLawParameters;
-    header.rampSlices = static_cast<std::uint32_t>(recipe.program.slicesPerRamp);
+    header.syncRatio = recipe.cutter().syncRatio;
+    header.k = recipe.cutter().k;
+    header.law = static_cast<std::uint16_t>(recipe.cutter().speedLaw);
+    header.lawParameters = recipe.cutter().speedLawParameters;
+    header.rampSlices = static_cast<std::uint32_t>(recipe.cutter().slicesPerRamp);
     header.recipeVersion = static_cast<std::uint32_t>(recipe.version);
     header.recipeName = recipe.name;
     return header;
@@ -74,30 +74,76 @@ std::string describe(const ProgramRefusal& refusal)
     return text;
 }
 
-tl::expected<ProgramImage, ProgramRefusal> buildProgram(const Recipe& given)
+namespace {
+
+tl::unexpected<ProgramRefusal> refuse(std::vector<profile::Refusal> limits)
 {
-    ProgramImage image;
-    image.recipe = quantised(given);
-    auto cutter = profile::solve(image.recipe.program, image.recipe.machine);
-    if (!cutter)
-        return tl::unexpected(ProgramRefusal{{cutter.error()}, std::nullopt});
-    if (auto broken = profile::checkLimits(*cutter); !broken.empty())
-        return tl::unexpected(ProgramRefusal{std::move(broken), std::nullopt});
-    auto table = profile::buildStepTable(*cutter);
-    if (!table)
-        return tl::unexpected(ProgramRefusal{{table.error()}, std::nullopt});
-    std::vector<modbus::TableRow> rows;
-    rows.reserve(table->rows.size());
-    for (const profile::StepRow& row : table->rows)
-        rows.push_back({row.pulses, row.ticks});
-    auto registers = modbus::encodeBank(headerOf(image.recipe, *cutter, *table), rows);
+    return tl::unexpected(ProgramRefusal{std::move(limits), std::nullopt});
+}
+
+// Ends a build: the registers are known.
+tl::expected<ProgramImage, ProgramRefusal>
+finished(ProgramImage image, tl::expected<std::vector<std::uint16_t>, modbus::CodecError> registers)
+{
     if (!registers)
         return tl::unexpected(ProgramRefusal{{}, registers.error()});
     image.registers = std::move(*registers);
     image.crc = modbus::crc32OfRegisters(image.registers);
-    image.cutter = std::move(*cutter);
-    image.table = std::move(*table);
     return image;
+}
+
+tl::expected<ProgramImage, ProgramRefusal> buildCutter(ProgramImage image)
+{
+    auto table = profile::buildStepTable(image.cutter());
+    if (!table)
+        return refuse({table.error()});
+    std::vector<modbus::TableRow> rows;
+    rows.reserve(table->rows.size());
+    for (const profile::StepRow& row : table->rows)
+        rows.push_back({row.pulses, row.ticks});
+    auto registers = modbus::encodeBank(headerOf(image.recipe, image.cutter(), *table), rows);
+    image.table = std::move(*table);
+    return finished(std::move(image), std::move(registers));
+}
+
+// Speed error that the intervals of a move may have, as a share of its largest speed.
+constexpr double intervalSpeedShare = 0.01;
+
+tl::expected<AxisTable, profile::Refusal> axisTable(const Recipe& recipe, const SolvedProgram& solved)
+{
+    if (const auto* press = std::get_if<profile::PressProgram>(&recipe.program))
+        return profile::buildPressTable(*press, solved.machine);
+    if (const auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
+        return profile::buildCamTable(*cam, solved.machine);
+    if (choice(recipe.program, Choice::Execution) ==
+        static_cast<std::uint16_t>(profile::Execution::Intervals))
+        return profile::compileIntervals(solved.motion, solved.machine,
+                                         intervalSpeedShare * solved.peaks.speedMmPerS,
+                                         profile::IntervalMode::Corrected);
+    const auto intervals = static_cast<int>(value(recipe, profile::Field::CamPoints));
+    return profile::buildCamTable(solved.motion, intervals, solved.machine, profile::CamUse::Once);
+}
+
+} // namespace
+
+tl::expected<ProgramImage, ProgramRefusal> buildProgram(const Recipe& given)
+{
+    ProgramImage image;
+    image.recipe = quantised(given);
+    auto solved = solveProgram(image.recipe);
+    if (!solved)
+        return refuse({solved.error()});
+    if (!solved->broken.empty())
+        return refuse(std::move(solved->broken));
+    image.solved = std::move(*solved);
+    if (image.recipe.isCutter())
+        return buildCutter(std::move(image));
+    auto table = axisTable(image.recipe, image.solved);
+    if (!table)
+        return refuse({table.error()});
+    auto registers = encodeAxisBank(image.recipe, *table);
+    std::visit([&image](auto& rows) { image.table = std::move(rows); }, *table);
+    return finished(std::move(image), std::move(registers));
 }
 
 std::string describe(const DecodeError& error)
@@ -120,32 +166,28 @@ std::string describe(const DecodeError& error)
     return {};
 }
 
-tl::expected<Recipe, DecodeError> decodeProgram(std::span<const std::uint16_t> registers,
-                                                const profile::Machine& limits)
+namespace {
+
+tl::unexpected<DecodeError> unknown(DecodeErrorKind kind, int code)
 {
-    const auto refuse = [](DecodeErrorKind kind, int code) {
-        return tl::unexpected(DecodeError{kind, code});
-    };
-    const modbus::BankHeader header = modbus::decodeBankHeader(registers);
-    if (header.layout != static_cast<std::uint16_t>(modbus::TableLayout::StepTable))
-        return refuse(DecodeErrorKind::Layout, header.layout);
-    if (header.kind != modbus::ProgramKind::RotaryCutter)
-        return refuse(DecodeErrorKind::Kind, static_cast<int>(header.kind));
+    return tl::unexpected(DecodeError{kind, code});
+}
+
+tl::expected<Recipe, DecodeError> decodeCutter(const modbus::BankHeader& header,
+                                               const profile::Machine& limits)
+{
     const auto* law = profile::findLaw(static_cast<profile::LawId>(header.law));
     if (law == nullptr)
-        return refuse(DecodeErrorKind::Law, header.law);
-
+        return unknown(DecodeErrorKind::Law, header.law);
     Recipe recipe;
+    profile::RotaryCutterProgram& program = recipe.cutter();
     std::size_t pinned = 0;
     for (std::size_t i = 0; i < pinnableFields.size(); ++i) {
-        if ((header.pinned & (1u << i)) != 0 && pinned++ < recipe.program.pinned.size())
-            recipe.program.pinned[pinned - 1] = pinnableFields[i];
+        if ((header.pinned & (1u << i)) != 0 && pinned++ < program.pinned.size())
+            program.pinned[pinned - 1] = pinnableFields[i];
     }
-    if (pinned != recipe.program.pinned.size())
-        return refuse(DecodeErrorKind::Pinned, header.pinned);
-    recipe.name = header.recipeName;
-    recipe.version = static_cast<int>(header.recipeVersion);
-    profile::RotaryCutterProgram& program = recipe.program;
+    if (pinned != program.pinned.size())
+        return unknown(DecodeErrorKind::Pinned, header.pinned);
     program.bagLengthMm = header.bagLengthMm;
     program.rateBagsPerMin = header.rateBagsPerMin;
     program.baseSpeedMmPerS = header.baseSpeedMmPerS;
@@ -161,6 +203,54 @@ tl::expected<Recipe, DecodeError> decodeProgram(std::span<const std::uint16_t> r
     recipe.machine.pulsesPerMotorRev = static_cast<int>(header.pulsesPerMotorRev);
     recipe.machine.gearNumerator = static_cast<int>(header.gearNumerator);
     recipe.machine.gearDenominator = static_cast<int>(header.gearDenominator);
+    return recipe;
+}
+
+bool isKnownLayout(profile::ProgramKind kind, modbus::TableLayout layout)
+{
+    using modbus::TableLayout;
+    using profile::ProgramKind;
+    switch (kind) {
+    case ProgramKind::RotaryCutter:
+        return layout == TableLayout::StepTable;
+    case ProgramKind::PositionMove:
+    case ProgramKind::SpeedMove:
+        return layout == TableLayout::CamPoints || layout == TableLayout::Intervals;
+    case ProgramKind::PointCam:
+        return layout == TableLayout::CamPoints;
+    case ProgramKind::Press:
+        return layout == TableLayout::PressStages;
+    }
+    return false;
+}
+
+} // namespace
+
+tl::expected<Recipe, DecodeError> decodeProgram(std::span<const std::uint16_t> registers,
+                                                std::span<const std::uint16_t> knots,
+                                                const profile::Machine& limits)
+{
+    const modbus::BankHeader header = modbus::decodeBankHeader(registers);
+    const auto code = static_cast<std::uint16_t>(header.kind);
+    if (code == 0 || code > kinds().size())
+        return unknown(DecodeErrorKind::Kind, code);
+    const auto kind = static_cast<profile::ProgramKind>(code);
+    if (!isKnownLayout(kind, static_cast<modbus::TableLayout>(header.layout)))
+        return unknown(DecodeErrorKind::Layout, header.layout);
+    auto recipe = kind == profile::ProgramKind::RotaryCutter
+                      ? decodeCutter(header, limits)
+                      : tl::expected<Recipe, DecodeError>(defaultRecipe(kind));
+    if (!recipe)
+        return recipe;
+    recipe->name = header.recipeName;
+    recipe->version = static_cast<int>(header.recipeVersion);
+    if (recipe->isCutter())
+        return recipe;
+    recipe->machine = limits;
+    decodeAxisHeader(registers, knots, *recipe);
+    const auto law = static_cast<profile::LawId>(choice(recipe->program, Choice::Law));
+    if (lawParameters(recipe->program) != nullptr && profile::findLaw(law) == nullptr)
+        return unknown(DecodeErrorKind::Law, static_cast<int>(law));
     return recipe;
 }
 

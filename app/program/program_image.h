@@ -2,7 +2,9 @@
 // Recipe to the registers of a bank, and a bank's header back to the recipe that it was built from.
 #pragma once
 
+#include "app/program/axis_bank.h"
 #include "app/program/recipe.h"
+#include "app/program/solved_program.h"
 
 #include "modbus/bank_header.h"
 #include "profile/step_table.h"
@@ -31,8 +33,12 @@ struct ProgramImage {
     Recipe recipe;
     std::vector<std::uint16_t> registers; // header and rows, as downloaded
     std::uint32_t crc = 0;                // CRC-32 of the registers
-    profile::RotaryCutter cutter;
-    profile::StepTable table;
+    SolvedProgram solved;
+    std::variant<profile::StepTable, profile::CamTable, profile::IntervalTable, profile::PressTable> table;
+
+    // Of a rotary cutter; the recipe must be one.
+    [[nodiscard]] const profile::RotaryCutter& cutter() const { return solved.cutter.value(); }
+    [[nodiscard]] const profile::StepTable& stepTable() const { return std::get<profile::StepTable>(table); }
 };
 
 // Refuses a cycle that cannot be, broken limits of the machine, and a table that the controller cannot hold.
@@ -48,9 +54,11 @@ struct DecodeError {
 
 [[nodiscard]] std::string describe(const DecodeError& error);
 
-// The recipe kept beside the table: what the controller is running. `limits` supplies what the bank does not
-// hold (limits of the drive, timer, table size). The derived cycle values are those of the header.
+// The recipe kept beside the table: what the controller is running. `knots`: the registers that
+// modbus::knotSpan() names, for a point cam. `limits` supplies what the bank does not hold (limits of the
+// drive, timer, table size). The derived cycle values are those of the header.
 [[nodiscard]] tl::expected<Recipe, DecodeError> decodeProgram(std::span<const std::uint16_t> header,
+                                                              std::span<const std::uint16_t> knots,
                                                               const profile::Machine& limits);
 
 } // namespace campanel::program

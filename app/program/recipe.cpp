@@ -4,26 +4,88 @@
 
 #include "app/program/register_fields.h"
 #include "modbus/codec.h"
+#include "profile/laws.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
 
 namespace campanel::program {
+namespace {
 
-bool isProgramField(profile::Field field)
+// The law's parameters are kept under these names by every kind that has a law.
+constexpr std::array parameterSuffixes{"law_parameter1", "law_parameter2"};
+
+// Multiples of the knots' registers: 0.0001 degrees and 0.001 mm.
+constexpr double knotStepsPerDeg = 10000;
+constexpr double knotStepsPerMm = 1000;
+
+void quantiseKnots(profile::PointCamProgram& cam)
 {
-    return std::ranges::find(programFields, field) != programFields.end();
+    for (profile::Knot& knot : cam.knots) {
+        knot.masterDeg = std::round(knot.masterDeg * knotStepsPerDeg) / knotStepsPerDeg;
+        knot.slaveMm = std::round(knot.slaveMm * knotStepsPerMm) / knotStepsPerMm;
+    }
+}
+
+} // namespace
+
+const modbus::RegisterInfo* registerOf(const KindInfo& kind, std::string_view suffix)
+{
+    const auto* found = modbus::findRegister(std::string(kind.registerPrefix).append(suffix));
+    const bool isCam = kind.kind == profile::ProgramKind::PointCam;
+    return found == nullptr && isCam ? modbus::findRegister(std::string("cam.").append(suffix)) : found;
+}
+
+Recipe defaultRecipe(profile::ProgramKind kind)
+{
+    Recipe recipe;
+    profile::Machine& machine = recipe.machine;
+    switch (kind) {
+    case profile::ProgramKind::RotaryCutter:
+        return recipe;
+    case profile::ProgramKind::PositionMove:
+        recipe.name = "Position move";
+        recipe.program = profile::PositionMoveProgram{};
+        break;
+    case profile::ProgramKind::SpeedMove:
+        recipe.name = "Speed move";
+        recipe.program = profile::SpeedMoveProgram{};
+        break;
+    case profile::ProgramKind::PointCam:
+        recipe.name = "Point cam";
+        recipe.program = profile::PointCamProgram{};
+        break;
+    case profile::ProgramKind::Press:
+        recipe.name = "Press";
+        recipe.program = profile::PressProgram{};
+        machine.feedMmPerMotorRev = 10; // 0.01 mm a pulse
+        machine.maxAccelerationMmPerS2 = 2000;
+        break;
+    }
+    machine.pulsesPerMotorRev = 1000;
+    if (kind != profile::ProgramKind::Press)
+        machine.maxMotorRpm = 7200; // the motor of the servo paper
+    return recipe;
+}
+
+bool isProgramField(const Recipe& recipe, profile::Field field)
+{
+    const auto fields = kindInfo(recipe.kind()).programFields;
+    return std::ranges::find(fields, field) != fields.end();
 }
 
 double value(const Recipe& recipe, profile::Field field)
 {
-    return isProgramField(field) ? profile::value(recipe.program, field)
-                                 : profile::value(recipe.machine, field);
+    return isProgramField(recipe, field) ? value(recipe.program, field)
+                                         : profile::value(recipe.machine, field);
 }
 
 void setValue(Recipe& recipe, profile::Field field, double value)
 {
-    if (isProgramField(field))
-        profile::setValue(recipe.program, field, value);
+    if (isProgramField(recipe, field))
+        setValue(recipe.program, field, value);
     else
         profile::setValue(recipe.machine, field, value);
 }
@@ -31,24 +93,31 @@ void setValue(Recipe& recipe, profile::Field field, double value)
 Recipe quantised(const Recipe& recipe)
 {
     Recipe result = recipe;
+    const KindInfo& kind = kindInfo(recipe.kind());
     for (const RegisterField& entry : registerFields) {
-        const bool unread = std::ranges::find(pinnableFields, entry.field) != pinnableFields.end() &&
-                            !profile::isPinned(recipe.program, entry.field);
-        if (unread) {
+        const modbus::RegisterInfo* info = registerOf(kind, entry.suffix);
+        if (info == nullptr)
+            continue;
+        const bool isCycleValue = std::ranges::find(pinnableFields, entry.field) != pinnableFields.end();
+        if (isCycleValue && !isRead(recipe.program, entry.field)) {
             setValue(result, entry.field, 0.0);
             continue;
         }
-        const auto rounded =
-            modbus::quantise(modbus::registerNamed(entry.registerName), value(recipe, entry.field));
-        if (rounded)
-            setValue(result, entry.field, *rounded);
+        const double unit = entry.field == profile::Field::MasterRamp ? 1000 : 1; // the register counts ms
+        if (const auto rounded = modbus::quantise(*info, value(recipe, entry.field) * unit))
+            setValue(result, entry.field, *rounded / unit);
     }
-    const modbus::RegisterInfo& parameter = modbus::registerNamed("program.law_parameter1");
-    for (double& given : result.program.speedLawParameters)
-        given = modbus::quantise(parameter, given).value_or(given);
+    if (profile::LawParameters* parameters = lawParameters(result.program)) {
+        for (std::size_t i = 0; i < parameters->size(); ++i) {
+            const auto rounded = modbus::quantise(*registerOf(kind, parameterSuffixes[i]), (*parameters)[i]);
+            (*parameters)[i] = rounded.value_or((*parameters)[i]);
+        }
+    }
     result.name = modbus::fittingUtf8(recipe.name, longestNameBytes);
-    // Which of the two was pinned first is not kept.
-    std::ranges::sort(result.program.pinned);
+    if (result.isCutter())
+        std::ranges::sort(result.cutter().pinned); // which of the two was pinned first is not kept
+    if (auto* cam = std::get_if<profile::PointCamProgram>(&result.program))
+        quantiseKnots(*cam);
     return result;
 }
 

@@ -2,8 +2,10 @@
 // A recipe: the operator's unit of work. Name, version, the inputs of the program and the machine it is for.
 #pragma once
 
+#include "app/program/program_kinds.h"
+
 #include "profile/machine.h"
-#include "profile/rotary_cutter.h"
+#include "profile/programs.h"
 
 #include "modbus/blocks.h"
 
@@ -21,31 +23,31 @@ inline constexpr int largestVersion = 65535;
 struct Recipe {
     std::string name = "Biscuit 250";
     int version = 1;
-    profile::RotaryCutterProgram program;
+    profile::Program program;
     profile::Machine machine;
+
+    [[nodiscard]] profile::ProgramKind kind() const { return profile::kindOf(program); }
+    [[nodiscard]] bool isCutter() const { return kind() == profile::ProgramKind::RotaryCutter; }
+    // The inputs of a rotary cutter; the recipe must be one.
+    [[nodiscard]] profile::RotaryCutterProgram& cutter()
+    {
+        return std::get<profile::RotaryCutterProgram>(program);
+    }
+    [[nodiscard]] const profile::RotaryCutterProgram& cutter() const
+    {
+        return std::get<profile::RotaryCutterProgram>(program);
+    }
 };
 
-// The inputs that belong to a program, and the data of the machine that a person enters; in the order in
-// which they are shown and stored. What comes from the controller's identity is in neither.
-inline constexpr std::array programFields{profile::Field::BagLength, profile::Field::Rate,
-                                          profile::Field::BaseSpeed, profile::Field::FilmSpeed,
-                                          profile::Field::K1,        profile::Field::K2,
-                                          profile::Field::K3,        profile::Field::K4,
-                                          profile::Field::SyncRatio, profile::Field::SlicesPerRamp};
-inline constexpr std::array machineFields{profile::Field::KnifeRadius,
-                                          profile::Field::Knives,
-                                          profile::Field::PulsesPerMotorRev,
-                                          profile::Field::GearNumerator,
-                                          profile::Field::GearDenominator,
-                                          profile::Field::MaxMotorRpm,
-                                          profile::Field::MaxKnifeAcceleration,
-                                          profile::Field::MaxPulseFrequency,
-                                          profile::Field::MaxRate};
+// A recipe of this kind to begin with: the machine of the paper that the kind comes from.
+[[nodiscard]] Recipe defaultRecipe(profile::ProgramKind kind);
+
 // Of these four, two are pinned; in the order of the bits of program.pinned.
 inline constexpr std::array pinnableFields{profile::Field::BagLength, profile::Field::Rate,
                                            profile::Field::BaseSpeed, profile::Field::FilmSpeed};
 
-[[nodiscard]] bool isProgramField(profile::Field field);
+// Inputs and data of the machine of any kind; `field` must be among those of the recipe's kind.
+[[nodiscard]] bool isProgramField(const Recipe& recipe, profile::Field field);
 [[nodiscard]] double value(const Recipe& recipe, profile::Field field);
 void setValue(Recipe& recipe, profile::Field field, double value);
 

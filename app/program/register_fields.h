@@ -3,34 +3,79 @@
 // registers meet.
 #pragma once
 
-#include "profile/fields.h"
+#include "app/program/program_kinds.h"
+
+#include "modbus/register_map.h"
 
 #include <array>
 #include <string_view>
 
 namespace campanel::program {
 
+// `suffix` follows the register prefix of the kind: "program." + "bag_length".
 struct RegisterField {
-    std::string_view registerName;
+    std::string_view suffix;
     profile::Field field = profile::Field::BagLength;
 };
 
-inline constexpr std::array registerFields{
-    RegisterField{"program.bag_length", profile::Field::BagLength},
-    RegisterField{"program.rate", profile::Field::Rate},
-    RegisterField{"program.base_speed", profile::Field::BaseSpeed},
-    RegisterField{"program.film_speed", profile::Field::FilmSpeed},
-    RegisterField{"program.k1", profile::Field::K1},
-    RegisterField{"program.k2", profile::Field::K2},
-    RegisterField{"program.k3", profile::Field::K3},
-    RegisterField{"program.k4", profile::Field::K4},
-    RegisterField{"program.sync_ratio", profile::Field::SyncRatio},
-    RegisterField{"program.ramp_slices", profile::Field::SlicesPerRamp},
-    RegisterField{"program.knife_radius", profile::Field::KnifeRadius},
-    RegisterField{"program.knives", profile::Field::Knives},
-    RegisterField{"program.pulses_per_motor_rev", profile::Field::PulsesPerMotorRev},
-    RegisterField{"program.gear_numerator", profile::Field::GearNumerator},
-    RegisterField{"program.gear_denominator", profile::Field::GearDenominator},
+struct RegisterChoice {
+    std::string_view suffix;
+    Choice choice = Choice::Law;
 };
+
+inline constexpr std::array registerFields{
+    RegisterField{"bag_length", profile::Field::BagLength},
+    RegisterField{"rate", profile::Field::Rate},
+    RegisterField{"base_speed", profile::Field::BaseSpeed},
+    RegisterField{"film_speed", profile::Field::FilmSpeed},
+    RegisterField{"k1", profile::Field::K1},
+    RegisterField{"k2", profile::Field::K2},
+    RegisterField{"k3", profile::Field::K3},
+    RegisterField{"k4", profile::Field::K4},
+    RegisterField{"sync_ratio", profile::Field::SyncRatio},
+    RegisterField{"ramp_slices", profile::Field::SlicesPerRamp},
+    RegisterField{"knife_radius", profile::Field::KnifeRadius},
+    RegisterField{"knives", profile::Field::Knives},
+    RegisterField{"pulses_per_motor_rev", profile::Field::PulsesPerMotorRev},
+    RegisterField{"gear_numerator", profile::Field::GearNumerator},
+    RegisterField{"gear_denominator", profile::Field::GearDenominator},
+    RegisterField{"feed", profile::Field::FeedPerMotorRev},
+    RegisterField{"inertia", profile::Field::Inertia},
+    RegisterField{"friction", profile::Field::Friction},
+    RegisterField{"distance", profile::Field::Distance},
+    RegisterField{"time", profile::Field::MoveTime},
+    RegisterField{"start_speed", profile::Field::StartSpeed},
+    RegisterField{"end_speed", profile::Field::EndSpeed},
+    RegisterField{"cam_points", profile::Field::CamPoints},
+    RegisterField{"master_rate", profile::Field::MasterRate},
+    RegisterField{"master_ratio", profile::Field::MasterRatio},
+    RegisterField{"master_scale", profile::Field::MasterScale},
+    RegisterField{"slave_scale", profile::Field::SlaveScale},
+    RegisterField{"phase", profile::Field::Phase},
+    RegisterField{"master_ramp", profile::Field::MasterRamp},
+    RegisterField{"approach_position", profile::Field::ApproachPosition},
+    RegisterField{"approach_speed", profile::Field::ApproachSpeed},
+    RegisterField{"probe_speed", profile::Field::ProbeSpeed},
+    RegisterField{"probe_force", profile::Field::ProbeForce},
+    RegisterField{"probe_end", profile::Field::ProbeEnd},
+    RegisterField{"press_speed", profile::Field::PressSpeed},
+    RegisterField{"press_position", profile::Field::PressPosition},
+    RegisterField{"hold_time", profile::Field::HoldTime},
+    RegisterField{"return_speed", profile::Field::ReturnSpeed},
+    RegisterField{"max_force", profile::Field::MaxForce},
+    RegisterField{"position_tolerance", profile::Field::PositionTolerance},
+    RegisterField{"min_stop_force", profile::Field::MinStopForce},
+    RegisterField{"max_stop_force", profile::Field::MaxStopForce},
+};
+
+inline constexpr std::array registerChoices{
+    RegisterChoice{"law", Choice::Law},
+    RegisterChoice{"duration", Choice::Duration},
+    RegisterChoice{"ends", Choice::SplineEnds},
+    RegisterChoice{"ramp_shape", Choice::MasterRampShape},
+};
+
+// The register of this input in the header of this kind, or null when it is not kept there.
+[[nodiscard]] const modbus::RegisterInfo* registerOf(const KindInfo& kind, std::string_view suffix);
 
 } // namespace campanel::program

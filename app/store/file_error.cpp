@@ -74,6 +74,11 @@ QString FileErrorText::twoPinnedKeys()
               "film_speed_mm_per_s");
 }
 
+QString FileErrorText::pairsOfNumbers()
+{
+    return tr("pairs of master angle and slave position");
+}
+
 QString FileErrorText::range(double minimum, double maximum, const QString& unit)
 {
     constexpr int significant = 9;

@@ -43,6 +43,7 @@ public:
     [[nodiscard]] static QString aText();
     [[nodiscard]] static QString anObject();
     [[nodiscard]] static QString twoPinnedKeys();
+    [[nodiscard]] static QString pairsOfNumbers();
     [[nodiscard]] static QString range(double minimum, double maximum, const QString& unit);
 };
 

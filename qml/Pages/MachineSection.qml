@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The machine's own numbers: knife, encoder, gear, and the limits that every recipe is checked against.
+// The machine's own numbers, as the kind of program needs them, and the limits that every recipe is checked against.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -26,8 +26,7 @@ SettingsSection {
             columns: 2
             spacing: Theme.size.spacing
             Repeater {
-                model: [Editor.knifeRadius, Editor.knives, Editor.pulsesPerRev, Editor.maxFrequency,
-                    Editor.gearNumerator, Editor.gearDenominator, Editor.maxRpm, Editor.maxAcceleration, Editor.maxRate]
+                model: Editor.machineFields
                 FieldTile {
                     required property var modelData
                     objectName: "field_" + field.fieldId

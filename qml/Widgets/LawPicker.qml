@@ -11,15 +11,15 @@ Sheet {
 
     signal editRequested(var fields, int index, Item source)
 
-    title: qsTr("Speed law")
-    note: qsTr("What each law asks of this recipe")
+    title: Editor.lawTitle
+    note: qsTr("What each law asks of this recipe; hold one to draw its curves in grey behind")
 
     LawRow {
         id: head
         anchors { left: parent.left; right: parent.right; rightMargin: 2 * Theme.size.accent; top: parent.top }
         height: Theme.size.caption * 2
         header: true
-        cells: [qsTr("Peak speed"), qsTr("Acceleration"), qsTr("Jerk"), qsTr("Frequency")]
+        cells: [qsTr("Peak speed"), qsTr("Acceleration"), qsTr("Jerk"), Editor.kind === Editor.Kind.RotaryCutter ? qsTr("Frequency") : qsTr("Torque")]
     }
     ListView {
         id: list
@@ -39,13 +39,16 @@ Sheet {
             required property string peakJerkText
             required property bool current
             required property bool usable
+            required property bool compared
             width: list.width - 2 * Theme.size.accent
             text: name
             note: hint
             holds: current
             enabled: usable
             cells: [peakRpmText, peakAccelerationText, peakJerkText, peakFrequencyText]
+            marked: compared
             onClicked: Editor.setLaw(lawId)
+            onPressAndHold: Editor.compareLaw(compared ? "" : lawId)
         }
     }
     ScrollMark { view: list }

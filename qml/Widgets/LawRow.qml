@@ -12,6 +12,7 @@ T.AbstractButton {
     property string note
     property bool holds
     property bool header
+    property bool marked                   // drawn in grey behind
     required property list<string> cells
 
     readonly property real cellWidth: width * 0.135
@@ -22,7 +23,7 @@ T.AbstractButton {
         visible: !row.header
         radius: Theme.size.radius
         color: row.holds || row.down ? Theme.color.touchTint : Theme.color.inset
-        border { width: row.holds ? Theme.size.outline : Theme.size.hairline; color: row.holds ? Theme.color.touch : Theme.color.line }
+        border { width: row.holds || row.marked ? Theme.size.outline : Theme.size.hairline; color: row.holds ? Theme.color.touch : row.marked ? Theme.color.target : Theme.color.line }
     }
     Column {
         id: words

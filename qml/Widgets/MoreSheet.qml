@@ -16,13 +16,14 @@ Sheet {
     signal jerkToggled(bool on)
     signal compareToggled(bool on)
     signal tableRequested()
+    signal kindRequested()
     signal editRequested(var fields, int index, Item source)
 
     readonly property real half: Math.floor((body.width - body.spacing) / 2)
 
     title: qsTr("View and tools")
     panelWidth: width * 0.82
-    panelHeight: 5 * Theme.size.touch + 3 * Theme.size.spacing + Theme.size.padding
+    panelHeight: (Editor.kind === Editor.Kind.RotaryCutter ? 5 : 4) * Theme.size.touch + 3 * Theme.size.spacing + Theme.size.padding
 
     component Switch: ChoiceRow {
         width: sheet.half
@@ -57,23 +58,33 @@ Sheet {
             objectName: "tableButton"
             width: sheet.half
             label: qsTr("Rows, pulses, errors")
-            value: qsTr("Step table")
+            value: Editor.table.name.length > 0 ? Editor.table.name : qsTr("Table")
             onClicked: sheet.tableRequested()
         }
         FieldTile {
+            visible: Editor.kind === Editor.Kind.RotaryCutter
             field: Editor.syncRatio
             compact: false
             width: sheet.half
             onEditRequested: (field, source) => sheet.editRequested([field], 0, source)
         }
         FieldTile {
+            visible: Editor.kind === Editor.Kind.RotaryCutter
             field: Editor.rampSlices
             compact: false
             width: sheet.half
             onEditRequested: (field, source) => sheet.editRequested([field], 0, source)
         }
+        SettingRow {
+            objectName: "kindButton"
+            width: sheet.half
+            label: qsTr("Program")
+            value: Editor.kindNames[Editor.kind - 1]
+            onClicked: sheet.kindRequested()
+        }
         Button {
-            width: body.width
+            width: sheet.half
+            height: Theme.size.touch
             glyph: Theme.icon.revert
             text: qsTr("Back to the stored recipe")
             enabled: Editor.edited

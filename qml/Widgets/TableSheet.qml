@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The step table that the controller will execute, with its own error figures.
+// The table that the controller will execute, with its own error figures.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -9,9 +9,10 @@ import CamPanel.Machine
 Sheet {
     id: sheet
 
-    title: qsTr("Step table")
+    title: Editor.table.name
 
     readonly property var figures: Editor.tableSummary
+    readonly property var columns: Editor.table.columns
 
     Label {
         id: summary
@@ -25,7 +26,7 @@ Sheet {
         id: head
         anchors { left: parent.left; right: parent.right; top: summary.bottom; topMargin: Theme.size.spacing }
         header: true
-        cells: [qsTr("Row"), qsTr("Stretch"), qsTr("Time ms"), qsTr("Frequency Hz"), qsTr("Pulses"), qsTr("Timer ticks")]
+        cells: sheet.columns
     }
     ListView {
         id: list
@@ -34,15 +35,9 @@ Sheet {
         boundsBehavior: Flickable.StopAtBounds
         model: Editor.table
         delegate: TableRow {
-            required property int row
-            required property string segment
-            required property string timeText
-            required property string frequencyText
-            required property string pulsesText
-            required property string ticksText
+            required property int index
             width: list.width
-            shaded: row % 2 === 1
-            cells: [row, segment, timeText, frequencyText, pulsesText, ticksText]
+            shaded: index % 2 === 0
         }
     }
     ScrollMark { view: list }

@@ -35,7 +35,7 @@ template <typename T, typename E> T valueOrThrow(tl::expected<T, E> outcome)
 std::vector<std::uint16_t> bank()
 {
     program::Recipe recipe;
-    recipe.program.slicesPerRamp = 127;
+    recipe.cutter().slicesPerRamp = 127;
     auto built = program::buildProgram(recipe);
     if (!built)
         throw std::runtime_error("the program to be downloaded cannot be built");

@@ -44,7 +44,7 @@ double highestFrequencyHz(const program::Recipe& recipe)
     if (!image)
         qFatal("%s", program::describe(image.error()).c_str());
     double highest = 0;
-    for (const profile::StepRow& row : image->table.rows)
+    for (const profile::StepRow& row : image->stepTable().rows)
         highest = std::max(highest, profile::frequencyHz(row, image->recipe.machine));
     return highest;
 }

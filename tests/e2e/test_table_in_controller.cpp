@@ -30,10 +30,10 @@ struct Case {
 program::Recipe recipeOf(const Case& values)
 {
     program::Recipe recipe;
-    recipe.program.bagLengthMm = values.bagLengthMm;
-    recipe.program.rateBagsPerMin = values.rateBagsPerMin;
-    recipe.program.k = {4, 2.5, 1.6667, 1.3333};
-    recipe.program.slicesPerRamp = values.slices;
+    recipe.cutter().bagLengthMm = values.bagLengthMm;
+    recipe.cutter().rateBagsPerMin = values.rateBagsPerMin;
+    recipe.cutter().k = {4, 2.5, 1.6667, 1.3333};
+    recipe.cutter().slicesPerRamp = values.slices;
     recipe.machine.knifeRadiusMm = 60;
     recipe.machine.knives = values.knives;
     recipe.machine.pulsesPerMotorRev = values.pulsesPerRev;
@@ -101,7 +101,7 @@ void TestTableInController::aMillionCyclesWithoutDrift()
         ctl_step_begin_cycle(&step);
         std::int64_t ticksOfCycle = 0;
         while (!ctl_step_between_cycles(&step)) {
-            std::uint32_t advance = image->table.cycleTicks;
+            std::uint32_t advance = image->stepTable().cycleTicks;
             pulses += ctl_step_advance(&step, &advance);
             ticksOfCycle += advance;
         }

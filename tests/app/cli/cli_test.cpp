@@ -264,7 +264,7 @@ void CliTest::recipeFile()
 {
     program::Recipe recipe;
     recipe.name = "饼干";
-    recipe.program.bagLengthMm = 300;
+    recipe.cutter().bagLengthMm = 300;
     const QString path = m_directory.filePath(u"配方.json"_s);
     QVERIFY(store::writeRecipe(recipe, path).has_value());
     const Result result = call({u"profile"_s, path, u"--rate"_s, u"30"_s, u"--format"_s, u"json"_s});

@@ -34,7 +34,7 @@ link::ConnectionSettings portSettings(const QString& port, std::uint32_t baud = 
 program::ProgramImage imageOf(double bagLengthMm)
 {
     program::Recipe recipe;
-    recipe.program.bagLengthMm = bagLengthMm;
+    recipe.cutter().bagLengthMm = bagLengthMm;
     const auto image = program::buildProgram(recipe);
     if (!image)
         qFatal("%s", program::describe(image.error()).c_str());

@@ -57,7 +57,7 @@ private slots:
         QVERIFY(rig.editor.baseSpeed()->derived());
         QVERIFY(rig.editor.bagLength()->pinned());
         QCOMPARE(rig.editor.severity(), Editor::Severity::Good);
-        const auto fastest = profile::fastestRate(rig.image().cutter);
+        const auto fastest = profile::fastestRate(rig.image().cutter());
         QVERIFY(fastest);
         QVERIFY2(rig.editor.verdict().contains(QString::number(fastest->rateBagsPerMin, 'f', 1)),
                  qPrintable(rig.editor.verdict()));
@@ -317,8 +317,11 @@ private slots:
         qint64 pulses = 0;
         qint64 ticks = 0;
         for (int row = 0; row < table->count(); ++row) {
-            pulses += table->data(table->index(row), machine::TableModel::PulsesTextRole).toInt();
-            ticks += table->data(table->index(row), machine::TableModel::TicksTextRole).toInt();
+            const QStringList cells =
+                table->data(table->index(row), machine::TableModel::CellsRole).toStringList();
+            QCOMPARE(cells.size(), table->columns().size());
+            pulses += cells[4].toInt();
+            ticks += cells[5].toInt();
         }
         QCOMPARE(pulses, 10000);
         QCOMPARE(ticks, 8000000);
@@ -392,7 +395,7 @@ private slots:
     {
         PanelRig rig;
         rig.connectRunning();
-        rig.editor.knifeRadius()->set(61);
+        rig.editor.item(profile::Field::KnifeRadius)->set(61);
         QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Blocked);
         QVERIFY(rig.editor.downloadText().contains("standstill"));
         rig.link.status.state = modbus::State::Ready;

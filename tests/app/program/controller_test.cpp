@@ -154,13 +154,13 @@ void ControllerTest::downloadBecomesActive()
 void ControllerTest::changeWhileRunning()
 {
     program::Recipe recipe;
-    recipe.program.rateBagsPerMin = 120;
+    recipe.cutter().rateBagsPerMin = 120;
     QVERIFY2(download(program::buildProgram(recipe)->registers, ApplyMode::WhenStopped),
              qPrintable(m_refusal));
     const auto started = m_client->command(Command::Start);
     QVERIFY(started.has_value() && started->done());
     QVERIFY(waitFor(State::Running));
-    recipe.program.bagLengthMm = 260;
+    recipe.cutter().bagLengthMm = 260;
     const auto image = program::buildProgram(recipe);
     QVERIFY2(download(image->registers, ApplyMode::NextCycle), qPrintable(m_refusal));
     const auto now = status();
@@ -198,11 +198,11 @@ void ControllerTest::anotherPanelSeesWhatRuns()
     QVERIFY(other.identify().has_value());
     const auto header = other.readProven(activeBankBase, bankHeaderRegisters);
     QVERIFY(header.has_value());
-    const auto shown = program::decodeProgram(*header, profile::Machine{});
+    const auto shown = program::decodeProgram(*header, {}, profile::Machine{});
     QVERIFY(shown.has_value());
     QCOMPARE(shown->name, recipe.name);
     QCOMPARE(shown->version, 12);
-    QCOMPARE(shown->program.bagLengthMm, 250.0);
+    QCOMPARE(shown->cutter().bagLengthMm, 250.0);
 }
 
 void ControllerTest::machineDataChangesOnlyAtStandstill()

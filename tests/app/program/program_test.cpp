@@ -55,7 +55,7 @@ void ProgramTest::defaultRecipe()
     QVERIFY(std::abs(header.cutAngleDeg - 180.0) < 0.011);
     QCOMPARE(image->crc, modbus::crc32OfRegisters(image->registers));
     const auto rows = modbus::decodeRows(image->registers);
-    QCOMPARE(rows.size(), image->table.rows.size());
+    QCOMPARE(rows.size(), image->stepTable().rows.size());
     const auto pulses =
         std::accumulate(rows.begin(), rows.end(), 0u,
                         [](unsigned sum, const modbus::TableRow& row) { return sum + row.pulses; });
@@ -76,10 +76,10 @@ void ProgramTest::randomRecipesTripIdentically()
         Recipe recipe;
         recipe.name = "Recipe " + std::to_string(i);
         recipe.version = 1 + i;
-        recipe.program.bagLengthMm = between(100, 400);
-        recipe.program.rateBagsPerMin = between(10, 90);
-        recipe.program.k = {between(3.5, 5), between(2.2, 3), between(1.5, 1.9), between(1.1, 1.4)};
-        recipe.program.slicesPerRamp = 1 + static_cast<int>(random() % 100);
+        recipe.cutter().bagLengthMm = between(100, 400);
+        recipe.cutter().rateBagsPerMin = between(10, 90);
+        recipe.cutter().k = {between(3.5, 5), between(2.2, 3), between(1.5, 1.9), between(1.1, 1.4)};
+        recipe.cutter().slicesPerRamp = 1 + static_cast<int>(random() % 100);
         recipe.machine.knifeRadiusMm = between(55, 90);
         recipe.machine.pulsesPerMotorRev = 2000 + static_cast<int>(random() % 20000);
         const auto image = buildProgram(recipe);
@@ -87,7 +87,7 @@ void ProgramTest::randomRecipesTripIdentically()
             continue;
         ++built;
         const auto shown =
-            decodeProgram(std::span(image->registers).first(modbus::bankHeaderRegisters), recipe.machine);
+            decodeProgram(std::span(image->registers).first(modbus::bankHeaderRegisters), {}, recipe.machine);
         QVERIFY(shown.has_value());
         const auto again = buildProgram(*shown);
         QVERIFY2(again.has_value(), again ? "" : describe(again.error()).c_str());
@@ -99,21 +99,21 @@ void ProgramTest::randomRecipesTripIdentically()
 
 void ProgramTest::everyPairOfInputsIsKept()
 {
-    const auto reference = profile::solve(Recipe{}.program, Recipe{}.machine);
+    const auto reference = profile::solve(Recipe{}.cutter(), Recipe{}.machine);
     QVERIFY(reference.has_value());
     for (std::size_t first = 0; first < pinnableFields.size(); ++first) {
         for (std::size_t second = first + 1; second < pinnableFields.size(); ++second) {
             Recipe recipe;
             // In descending order: which one was pinned first must not matter.
-            recipe.program.pinned = {pinnableFields[second], pinnableFields[first]};
-            recipe.program.baseSpeedMmPerS = reference->cycle.baseSpeedMmPerS;
+            recipe.cutter().pinned = {pinnableFields[second], pinnableFields[first]};
+            recipe.cutter().baseSpeedMmPerS = reference->cycle.baseSpeedMmPerS;
             const auto image = buildProgram(recipe);
             QVERIFY2(image.has_value(), image ? "" : describe(image.error()).c_str());
-            const auto shown = decodeProgram(image->registers, recipe.machine);
+            const auto shown = decodeProgram(image->registers, {}, recipe.machine);
             QVERIFY(shown.has_value());
-            QVERIFY(profile::isPinned(shown->program, pinnableFields[first]));
-            QVERIFY(profile::isPinned(shown->program, pinnableFields[second]));
-            QVERIFY(std::abs(shown->program.bagLengthMm - 250.0) < 0.01);
+            QVERIFY(profile::isPinned(shown->cutter(), pinnableFields[first]));
+            QVERIFY(profile::isPinned(shown->cutter(), pinnableFields[second]));
+            QVERIFY(std::abs(shown->cutter().bagLengthMm - 250.0) < 0.01);
             QVERIFY(buildProgram(*shown)->registers == image->registers);
         }
     }
@@ -125,14 +125,14 @@ void ProgramTest::lawAndItsParametersAreKept()
         if (!law.isSpeedLaw)
             continue;
         Recipe recipe;
-        recipe.program.speedLaw = law.id;
-        recipe.program.speedLawParameters = profile::defaultParameters(law);
+        recipe.cutter().speedLaw = law.id;
+        recipe.cutter().speedLawParameters = profile::defaultParameters(law);
         const auto image = buildProgram(recipe);
         QVERIFY2(image.has_value(), image ? "" : describe(image.error()).c_str());
-        const auto shown = decodeProgram(image->registers, recipe.machine);
+        const auto shown = decodeProgram(image->registers, {}, recipe.machine);
         QVERIFY(shown.has_value());
-        QCOMPARE(shown->program.speedLaw, law.id);
-        QVERIFY(shown->program.speedLawParameters == image->recipe.program.speedLawParameters);
+        QCOMPARE(shown->cutter().speedLaw, law.id);
+        QVERIFY(shown->cutter().speedLawParameters == image->recipe.cutter().speedLawParameters);
         QVERIFY(buildProgram(*shown)->registers == image->registers);
     }
 }
@@ -143,7 +143,7 @@ void ProgramTest::longNameIsCutBetweenCharacters()
     recipe.name = "饼干二百五十饼干二百五十";
     const auto image = buildProgram(recipe);
     QVERIFY(image.has_value());
-    QCOMPARE(decodeProgram(image->registers, recipe.machine)->name, std::string("饼干二百五十饼干二百"));
+    QCOMPARE(decodeProgram(image->registers, {}, recipe.machine)->name, std::string("饼干二百五十饼干二百"));
 }
 
 void ProgramTest::refusals_data()
@@ -207,7 +207,7 @@ void ProgramTest::headersThatCannotBeShown()
     QFETCH(int, kind);
     auto registers = buildProgram(Recipe{})->registers;
     registers[static_cast<std::size_t>(offset)] = static_cast<std::uint16_t>(value);
-    const auto shown = decodeProgram(registers, profile::Machine{});
+    const auto shown = decodeProgram(registers, {}, profile::Machine{});
     QVERIFY(!shown.has_value());
     QCOMPARE(static_cast<int>(shown.error().kind), kind);
     QVERIFY(QString::fromStdString(describe(shown.error())).contains(QString::number(value)));
@@ -216,7 +216,7 @@ void ProgramTest::headersThatCannotBeShown()
 void ProgramTest::differencesAreByField()
 {
     Recipe other;
-    other.program.bagLengthMm = 260;
+    other.cutter().bagLengthMm = 260;
     other.name = "Biscuit 260";
     const auto found = differences(buildProgram(Recipe{})->registers, buildProgram(other)->registers);
     const auto named = [&found](std::string_view name) {
@@ -246,20 +246,31 @@ void ProgramTest::controllerLimitsTheMachine()
     const auto image = buildProgram(recipe);
     QVERIFY(!image.has_value());
     QCOMPARE(image.error().limits.front().limit, profile::Limit::RowCapacity);
-    recipe.program.slicesPerRamp = 10;
-    QCOMPARE(buildProgram(recipe)->table.cycleTicks, 4'000'000u);
+    recipe.cutter().slicesPerRamp = 10;
+    QCOMPARE(buildProgram(recipe)->stepTable().cycleTicks, 4'000'000u);
 }
 
 void ProgramTest::everyRegisterFieldExists()
 {
-    for (const RegisterField& entry : registerFields) {
-        const modbus::RegisterInfo* info = modbus::findRegister(entry.registerName);
-        QVERIFY2(info != nullptr, entry.registerName.data());
-        // What a person can enter on the field's grid, the register holds exactly.
-        QVERIFY2(info->scale <= profile::info(entry.field).resolution() * 1.000001,
-                 entry.registerName.data());
-        const double largestRaw = info->type == modbus::RegisterType::U16 ? UINT16_MAX : UINT32_MAX;
-        QVERIFY2(profile::info(entry.field).max <= largestRaw * info->scale, entry.registerName.data());
+    for (const KindInfo& kind : kinds()) {
+        for (const RegisterField& entry : registerFields) {
+            const modbus::RegisterInfo* info = registerOf(kind, entry.suffix);
+            if (info == nullptr)
+                continue;
+            const double unit = entry.field == Field::MasterRamp ? 1000 : 1; // counted in ms
+            const profile::FieldInfo& field = profile::info(entry.field);
+            // What a person can enter on the field's grid, the register holds exactly.
+            QVERIFY2(info->scale <= field.resolution() * unit * 1.000001, info->name.data());
+            QVERIFY2(modbus::toRaw(*info, field.max * unit).has_value(), info->name.data());
+            QVERIFY2(modbus::toRaw(*info, field.min * unit).has_value(), info->name.data());
+        }
+        // Every input is kept somewhere.
+        for (const Field field : kind.programFields) {
+            const bool isKept = std::ranges::any_of(registerFields, [&](const RegisterField& entry) {
+                return entry.field == field && registerOf(kind, entry.suffix) != nullptr;
+            });
+            QVERIFY2(isKept, profile::info(field).id.data());
+        }
     }
 }
 

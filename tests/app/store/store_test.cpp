@@ -64,9 +64,9 @@ void StoreTest::trip()
     program::Recipe recipe;
     recipe.name = "饼干 250";
     recipe.version = 41;
-    recipe.program.pinned = {profile::Field::FilmSpeed, profile::Field::BagLength};
-    recipe.program.filmSpeedMmPerS = 251.3;
-    recipe.program.k = {4.1, 2.51, 1.6667, 1.3333};
+    recipe.cutter().pinned = {profile::Field::FilmSpeed, profile::Field::BagLength};
+    recipe.cutter().filmSpeedMmPerS = 251.3;
+    recipe.cutter().k = {4.1, 2.51, 1.6667, 1.3333};
     recipe.machine.gearNumerator = 7;
     recipe.machine.gearDenominator = 3;
     recipe.machine.maxKnifeAccelerationMmPerS2 = 12345.5;
@@ -75,8 +75,8 @@ void StoreTest::trip()
     QVERIFY2(read.has_value(), read ? "" : qPrintable(FileErrorText::describe(read.error())));
     QCOMPARE(toJson(*read), toJson(recipe));
     QCOMPARE(read->name, recipe.name);
-    QVERIFY(read->program.pinned == recipe.program.pinned);
-    QCOMPARE(read->program.filmSpeedMmPerS, 251.3);
+    QVERIFY(read->cutter().pinned == recipe.cutter().pinned);
+    QCOMPARE(read->cutter().filmSpeedMmPerS, 251.3);
     QCOMPARE(read->machine.gearDenominator, 3);
     QCOMPARE(read->machine.maxKnifeAccelerationMmPerS2, 12345.5);
 }
@@ -94,7 +94,7 @@ void StoreTest::documentedExample()
     const auto read = fromJson(example, u"example"_s);
     QVERIFY2(read.has_value(), read ? "" : qPrintable(FileErrorText::describe(read.error())));
     QCOMPARE(read->version, 7);
-    QCOMPARE(read->program.k[2], 1.6667);
+    QCOMPARE(read->cutter().k[2], 1.6667);
 }
 
 void StoreTest::absentValuesHaveTheirDefaults()
@@ -104,9 +104,9 @@ void StoreTest::absentValuesHaveTheirDefaults()
         "film_speed_mm_per_s":130,"speed_law":"trapezoid","k4":null}})",
                                u"short"_s);
     QVERIFY2(read.has_value(), read ? "" : qPrintable(FileErrorText::describe(read.error())));
-    QCOMPARE(read->program.filmSpeedMmPerS, 130.0);
-    QCOMPARE(read->program.k[3], profile::info(profile::Field::K4).defaultValue);
-    QVERIFY(read->program.speedLawParameters ==
+    QCOMPARE(read->cutter().filmSpeedMmPerS, 130.0);
+    QCOMPARE(read->cutter().k[3], profile::info(profile::Field::K4).defaultValue);
+    QVERIFY(read->cutter().speedLawParameters ==
             profile::defaultParameters(*profile::findLaw(profile::LawId::Trapezoid)));
     QCOMPARE(read->machine.knifeRadiusMm, profile::info(profile::Field::KnifeRadius).defaultValue);
 }
@@ -117,13 +117,13 @@ void StoreTest::everyLawTrips()
         if (!law.isSpeedLaw)
             continue;
         program::Recipe recipe;
-        recipe.program.speedLaw = law.id;
+        recipe.cutter().speedLaw = law.id;
         for (std::size_t i = 0; i < law.parameters.size(); ++i)
-            recipe.program.speedLawParameters[i] = (law.parameters[i].min + law.parameters[i].max) / 2;
+            recipe.cutter().speedLawParameters[i] = (law.parameters[i].min + law.parameters[i].max) / 2;
         const auto read = fromJson(toJson(recipe), {});
         QVERIFY2(read.has_value(), read ? "" : qPrintable(FileErrorText::describe(read.error())));
-        QCOMPARE(read->program.speedLaw, law.id);
-        QVERIFY(read->program.speedLawParameters == recipe.program.speedLawParameters);
+        QCOMPARE(read->cutter().speedLaw, law.id);
+        QVERIFY(read->cutter().speedLawParameters == recipe.cutter().speedLawParameters);
     }
 }
 
@@ -156,7 +156,7 @@ void StoreTest::complaints_data()
         u"program.k1 must be a number"_s);
     row("out of range", u"program"_s, u"bag_length_mm"_s, 5, Kind::OutOfRange, u"10 to 2000 mm"_s);
     row("half a slice", u"program"_s, u"slices_per_ramp"_s, 20.5, Kind::WrongType, u"a whole number"_s);
-    row("unknown kind", u"program"_s, u"kind"_s, u"press"_s, Kind::NotAChoice, u"rotary_cutter"_s);
+    row("unknown kind", u"program"_s, u"kind"_s, u"gearbox"_s, Kind::NotAChoice, u"rotary_cutter"_s);
     row("unknown law", u"program"_s, u"speed_law"_s, u"spline"_s, Kind::NotAChoice, u"cubic"_s);
     row("one pin", u"program"_s, u"pinned"_s, QJsonArray{u"bag_length_mm"_s}, Kind::WrongType, u"two"_s);
     row("the same pin twice", u"program"_s, u"pinned"_s, QJsonArray{u"bag_length_mm"_s, u"bag_length_mm"_s},
@@ -283,7 +283,7 @@ void StoreTest::bothDamaged()
     put(backupPath(last.path()), "");
     const LastRecipe::Loaded loaded = last.load();
     QVERIFY2(loaded.notice.contains(u"default recipe"_s), qPrintable(loaded.notice));
-    QCOMPARE(loaded.recipe.program.bagLengthMm, 250.0);
+    QCOMPARE(loaded.recipe.cutter().bagLengthMm, 250.0);
 }
 
 QTEST_APPLESS_MAIN(StoreTest)

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// campanelctl compare: the same move by every law that it can use, peaks side by side.
+#include "app/cli/commands.h"
+#include "app/cli/invocation.h"
+#include "app/cli/recipe_options.h"
+#include "app/cli/report.h"
+#include "profile/compare_laws.h"
+#include "profile/laws.h"
+
+#include <QJsonArray>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::cli {
+namespace {
+
+template <typename P>
+std::vector<profile::LawComparison> compared(const P& program, const profile::Machine& machine)
+{
+    return profile::compareLaws(program, machine, profile::suitableLaws(program));
+}
+
+QJsonObject rowOf(const profile::LawComparison& each)
+{
+    QJsonObject row{{u"law"_s, fromView(profile::findLaw(each.choice.law)->key)}};
+    if (!each.result) {
+        row[u"refusal"_s] = QString::fromStdString(profile::describe(each.result.error()));
+        return row;
+    }
+    const profile::AxisPeaks& peaks = each.result->peaks;
+    row[u"time_s"_s] = each.result->motion.durationS();
+    row[u"speed_mm_per_s"_s] = peaks.speedMmPerS;
+    row[u"motor_rpm"_s] = peaks.motorRpm;
+    row[u"acceleration_mm_per_s2"_s] = peaks.accelerationMmPerS2;
+    row[u"jerk_mm_per_s3"_s] = peaks.jerkMmPerS3; // JSON has no infinity: null
+    row[u"torque_nm"_s] = peaks.torqueNm;
+    row[u"feasible"_s] = each.result->broken.empty();
+    return row;
+}
+
+QByteArray rowsText(const QJsonArray& rows)
+{
+    QString text = u"%1 %2 %3 %4 %5 %6 %7\n"_s.arg(u"law"_s, -20)
+                       .arg(u"time s"_s, 9)
+                       .arg(u"r/min"_s, 9)
+                       .arg(u"mm/s^2"_s, 11)
+                       .arg(u"mm/s^3"_s, 13)
+                       .arg(u"Nm"_s, 9)
+                       .arg(u"within limits"_s, 13);
+    for (const QJsonValue& each : rows) {
+        const QJsonObject row = each.toObject();
+        if (row.contains(u"refusal"_s)) {
+            text += u"%1 %2\n"_s.arg(row[u"law"_s].toString(), -20).arg(row[u"refusal"_s].toString());
+            continue;
+        }
+        const QJsonValue jerk = row[u"jerk_mm_per_s3"_s];
+        text += u"%1 %2 %3 %4 %5 %6 %7\n"_s.arg(row[u"law"_s].toString(), -20)
+                    .arg(row[u"time_s"_s].toDouble(), 9, 'f', 3)
+                    .arg(row[u"motor_rpm"_s].toDouble(), 9, 'f', 1)
+                    .arg(row[u"acceleration_mm_per_s2"_s].toDouble(), 11, 'f', 1)
+                    .arg(jerk.isNull() ? u"steps"_s : QString::number(jerk.toDouble(), 'f', 0), 13)
+                    .arg(row[u"torque_nm"_s].toDouble(), 9, 'f', 4)
+                    .arg(row[u"feasible"_s].toBool() ? u"yes"_s : u"no"_s, 13);
+    }
+    return text.toUtf8();
+}
+
+} // namespace
+
+Outcome runCompare(const Invocation& call)
+{
+    const auto recipe = recipeOf(call);
+    if (!recipe)
+        return tl::unexpected(recipe.error());
+    std::vector<profile::LawComparison> laws;
+    if (const auto* move = std::get_if<profile::PositionMoveProgram>(&recipe->program))
+        laws = compared(*move, recipe->machine);
+    else if (const auto* change = std::get_if<profile::SpeedMoveProgram>(&recipe->program))
+        laws = compared(*change, recipe->machine);
+    else
+        return fail(ExitCode::Usage,
+                    u"Laws are compared for moves: --kind position_move or --kind speed_move."_s);
+    QJsonArray rows;
+    for (const profile::LawComparison& each : laws)
+        rows.append(rowOf(each));
+    if (call.format() == u"json")
+        return call.deliver(formatted(QJsonObject{{u"laws"_s, rows}}, call.format()));
+    return call.deliver(rowsText(rows));
+}
+
+} // namespace campanel::cli

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writing and reading by the same tables of fields and choices, so that both directions cannot drift apart.
+#include "app/program/axis_bank.h"
+
+#include "app/program/register_fields.h"
+
+#include <array>
+#include <cmath>
+
+namespace campanel::program {
+namespace {
+
+using modbus::EndBehavior;
+using modbus::TableLayout;
+using profile::ProgramKind;
+
+constexpr std::array parameterSuffixes{"law_parameter1", "law_parameter2"};
+constexpr double knotStepsPerDeg = 10000;
+constexpr double knotStepsPerMm = 1000;
+constexpr double msPerS = 1000;
+
+// The header's registers count the ramp in ms; all else has the unit of its field.
+double registerUnits(profile::Field field)
+{
+    return field == profile::Field::MasterRamp ? msPerS : 1;
+}
+
+void append32(std::vector<std::uint16_t>& registers, std::uint32_t value)
+{
+    registers.push_back(static_cast<std::uint16_t>(value >> 16));
+    registers.push_back(static_cast<std::uint16_t>(value & 0xFFFFu));
+}
+
+void append32(std::vector<std::uint16_t>& registers, std::int32_t value)
+{
+    append32(registers, static_cast<std::uint32_t>(value));
+}
+
+std::uint32_t get32(std::span<const std::uint16_t> registers, std::size_t at)
+{
+    return static_cast<std::uint32_t>(registers[at]) << 16 | registers[at + 1];
+}
+
+// Writes header values; remembers the first that does not fit.
+class HeaderWriter {
+public:
+    explicit HeaderWriter(std::vector<std::uint16_t>& bank)
+        : m_writer(bank, 0)
+    {
+    }
+
+    void put(const modbus::RegisterInfo& info, double value)
+    {
+        if (const auto written = m_writer.physical(info, value); !written && !m_failure)
+            m_failure = written.error();
+    }
+    void put(std::string_view name, double value) { put(modbus::registerNamed(name), value); }
+    template <typename E> void put(std::string_view name, E value) requires std::is_enum_v<E>
+    {
+        put(name, static_cast<double>(value));
+    }
+    void text(std::string_view name, std::string_view value) { m_writer.text(name, value); }
+    [[nodiscard]] const std::optional<modbus::CodecError>& failure() const { return m_failure; }
+
+private:
+    modbus::RegisterWriter m_writer;
+    std::optional<modbus::CodecError> m_failure;
+};
+
+EndBehavior endOf(ProgramKind kind)
+{
+    switch (kind) {
+    case ProgramKind::PositionMove:
+        return EndBehavior::Stop;
+    case ProgramKind::SpeedMove:
+        return EndBehavior::HoldSpeed;
+    default:
+        return EndBehavior::Repeat;
+    }
+}
+
+void writeTable(HeaderWriter& header, const Recipe& recipe, const profile::CamTable& table)
+{
+    header.put("bank.layout", TableLayout::CamPoints);
+    header.put("bank.row_count", static_cast<double>(table.rows.size()));
+    header.put("bank.cycle_ticks", table.cycleTicks);
+    header.put("bank.advance", static_cast<double>(table.advance.whole));
+    header.put("bank.remainder", static_cast<double>(table.advance.remainder));
+    header.put("bank.divisor", static_cast<double>(table.advance.divisor));
+    header.put("bank.end_behavior", endOf(recipe.kind()));
+    if (const auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
+        header.put("cam.knot_count", static_cast<double>(cam->knots.size()));
+}
+
+void writeTable(HeaderWriter& header, const Recipe& recipe, const profile::IntervalTable& table)
+{
+    header.put("bank.layout", TableLayout::Intervals);
+    header.put("bank.row_count", static_cast<double>(table.rows.size()));
+    header.put("bank.cycle_ticks", table.cycleTicks);
+    header.put("bank.advance", static_cast<double>(table.advance));
+    header.put("interval.fraction_bits", table.fractionBits);
+    header.put("bank.divisor", 1);
+    header.put("bank.end_behavior", endOf(recipe.kind()));
+}
+
+void writeTable(HeaderWriter& header, const Recipe&, const profile::PressTable& table)
+{
+    header.put("bank.layout", TableLayout::PressStages);
+    header.put("bank.row_count", static_cast<double>(table.rows.size()));
+    header.put("bank.cycle_ticks", table.cycleTicks);
+    header.put("bank.divisor", 1);
+}
+
+void appendRows(std::vector<std::uint16_t>& bank, const profile::CamTable& table)
+{
+    for (const profile::CamRow& row : table.rows) {
+        append32(bank, row.position256);
+        append32(bank, row.slope256);
+    }
+}
+
+void appendRows(std::vector<std::uint16_t>& bank, const profile::IntervalTable& table)
+{
+    for (const profile::IntervalRow& row : table.rows) {
+        append32(bank, row.pulses);
+        append32(bank, row.firstSpeed);
+        append32(bank, row.lastSpeed);
+        append32(bank, row.acceleration);
+    }
+}
+
+void appendRows(std::vector<std::uint16_t>& bank, const profile::PressTable& table)
+{
+    for (const profile::PressRow& row : table.rows) {
+        append32(bank, row.speedHz);
+        append32(bank, row.endPulses);
+        append32(bank, row.forceN);
+        append32(bank, row.timeMs);
+    }
+}
+
+void writeInputs(HeaderWriter& header, const Recipe& recipe)
+{
+    const KindInfo& kind = kindInfo(recipe.kind());
+    header.put("bank.kind", recipe.kind());
+    for (const RegisterField& entry : registerFields) {
+        if (const auto* info = registerOf(kind, entry.suffix))
+            header.put(*info, value(recipe, entry.field) * registerUnits(entry.field));
+    }
+    for (const RegisterChoice& entry : registerChoices) {
+        if (const auto* info = registerOf(kind, entry.suffix))
+            header.put(*info, choice(recipe.program, entry.choice));
+    }
+    if (const auto* parameters = lawParameters(recipe.program)) {
+        for (std::size_t i = 0; i < parameters->size(); ++i)
+            header.put(*registerOf(kind, parameterSuffixes[i]), (*parameters)[i]);
+    }
+    header.put("program.recipe_version", recipe.version);
+    header.text("program.recipe_name", recipe.name);
+}
+
+} // namespace
+
+tl::expected<std::vector<std::uint16_t>, modbus::CodecError> encodeAxisBank(const Recipe& recipe,
+                                                                            const AxisTable& table)
+{
+    std::vector<std::uint16_t> bank(modbus::bankHeaderRegisters, 0);
+    HeaderWriter header(bank);
+    writeInputs(header, recipe);
+    std::visit([&](const auto& rows) { writeTable(header, recipe, rows); }, table);
+    if (header.failure())
+        return tl::unexpected(*header.failure());
+    std::visit([&](const auto& rows) { appendRows(bank, rows); }, table);
+    if (const auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program)) {
+        for (const profile::Knot& knot : cam->knots) {
+            append32(bank, static_cast<std::uint32_t>(std::lround(knot.masterDeg * knotStepsPerDeg)));
+            append32(bank, static_cast<std::int32_t>(std::lround(knot.slaveMm * knotStepsPerMm)));
+        }
+    }
+    return bank;
+}
+
+void decodeAxisHeader(std::span<const std::uint16_t> header, std::span<const std::uint16_t> knots,
+                      Recipe& recipe)
+{
+    const KindInfo& kind = kindInfo(recipe.kind());
+    const modbus::RegisterReader reader(header, 0);
+    for (const RegisterField& entry : registerFields) {
+        if (const auto* info = registerOf(kind, entry.suffix))
+            setValue(recipe, entry.field, reader.physical(*info) / registerUnits(entry.field));
+    }
+    for (const RegisterChoice& entry : registerChoices) {
+        if (const auto* info = registerOf(kind, entry.suffix))
+            setChoice(recipe.program, entry.choice, static_cast<std::uint16_t>(reader.raw(*info)));
+    }
+    const bool isIntervals = reader.u16("bank.layout") == static_cast<std::uint16_t>(TableLayout::Intervals);
+    setChoice(recipe.program, Choice::Execution,
+              static_cast<std::uint16_t>(isIntervals ? profile::Execution::Intervals
+                                                     : profile::Execution::CamPoints));
+    if (auto* parameters = lawParameters(recipe.program)) {
+        for (std::size_t i = 0; i < parameters->size(); ++i)
+            (*parameters)[i] = reader.physical(*registerOf(kind, parameterSuffixes[i]));
+    }
+    if (auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program)) {
+        cam->knots.clear();
+        for (std::size_t at = 0; at + modbus::knotRegisters <= knots.size(); at += modbus::knotRegisters)
+            cam->knots.push_back({get32(knots, at) / knotStepsPerDeg,
+                                  static_cast<std::int32_t>(get32(knots, at + 2)) / knotStepsPerMm});
+    }
+}
+
+} // namespace campanel::program

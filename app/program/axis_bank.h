@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Banks of the kinds other than the rotary cutter: their tables and inputs as registers, and the inputs back
+// from a header.
+#pragma once
+
+#include "app/program/recipe.h"
+
+#include "modbus/codec.h"
+#include "profile/cam_table.h"
+#include "profile/intervals.h"
+#include "profile/press.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <tl/expected.hpp>
+#include <variant>
+#include <vector>
+
+namespace campanel::program {
+
+using AxisTable = std::variant<profile::CamTable, profile::IntervalTable, profile::PressTable>;
+
+// Header and rows; for a point cam also the knots that it was made of. `recipe` is quantised and no cutter.
+// Error: an input that its register cannot hold.
+[[nodiscard]] tl::expected<std::vector<std::uint16_t>, modbus::CodecError>
+encodeAxisBank(const Recipe& recipe, const AxisTable& table);
+
+// The inputs that the header holds go into the recipe, which already is of the header's kind. `knots`:
+// registers of the knots, empty for other kinds.
+void decodeAxisHeader(std::span<const std::uint16_t> header, std::span<const std::uint16_t> knots,
+                      Recipe& recipe);
+
+} // namespace campanel::program

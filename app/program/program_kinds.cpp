@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+// One row per kind, and one list of members per structure of inputs.
+#include "app/program/program_kinds.h"
+
+#include "profile/laws.h"
+#include "profile/point_cam.h"
+#include "profile/position_move.h"
+#include "profile/press.h"
+#include "profile/speed_move.h"
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+
+namespace campanel::program {
+namespace {
+
+using profile::Field;
+using profile::PointCamProgram;
+using profile::PositionMoveProgram;
+using profile::PressProgram;
+using profile::Program;
+using profile::ProgramKind;
+using profile::RotaryCutterProgram;
+using profile::SpeedMoveProgram;
+
+constexpr std::array cutterFields{Field::BagLength, Field::Rate,         Field::BaseSpeed, Field::FilmSpeed,
+                                  Field::K1,        Field::K2,           Field::K3,        Field::K4,
+                                  Field::SyncRatio, Field::SlicesPerRamp};
+constexpr std::array cutterMachine{
+    Field::KnifeRadius,     Field::Knives,      Field::PulsesPerMotorRev,    Field::GearNumerator,
+    Field::GearDenominator, Field::MaxMotorRpm, Field::MaxKnifeAcceleration, Field::MaxPulseFrequency,
+    Field::MaxRate};
+constexpr std::array cutterChoices{Choice::Law};
+
+constexpr std::array axisMachine{Field::FeedPerMotorRev, Field::PulsesPerMotorRev, Field::MaxMotorRpm,
+                                 Field::MaxAcceleration, Field::MaxPulseFrequency, Field::MaxTorque,
+                                 Field::Inertia,         Field::Friction};
+constexpr std::array positionFields{Field::Distance, Field::MoveTime, Field::CamPoints};
+constexpr std::array speedFields{Field::StartSpeed, Field::EndSpeed, Field::MoveTime, Field::Distance,
+                                 Field::CamPoints};
+constexpr std::array moveChoices{Choice::Law, Choice::Duration, Choice::Execution};
+
+constexpr std::array camFields{Field::MasterRate, Field::MasterRamp, Field::MasterRatio, Field::MasterScale,
+                               Field::SlaveScale, Field::Phase,      Field::CamPoints};
+constexpr std::array camChoices{Choice::SplineEnds, Choice::MasterRampShape};
+
+constexpr std::array pressFields{
+    Field::ApproachPosition,  Field::ApproachSpeed, Field::ProbeSpeed,  Field::ProbeForce,  Field::ProbeEnd,
+    Field::PressSpeed,        Field::PressPosition, Field::HoldTime,    Field::ReturnSpeed, Field::MaxForce,
+    Field::PositionTolerance, Field::MinStopForce,  Field::MaxStopForce};
+constexpr std::array pressMachine{Field::FeedPerMotorRev, Field::PulsesPerMotorRev, Field::MaxMotorRpm,
+                                  Field::MaxAcceleration, Field::MaxPulseFrequency};
+
+constexpr std::array<KindInfo, 5> table{{
+    {ProgramKind::RotaryCutter, "rotary_cutter", "Rotary cutter", cutterFields, cutterMachine, cutterChoices,
+     "program."},
+    {ProgramKind::PositionMove, "position_move", "Position move", positionFields, axisMachine, moveChoices,
+     "position_move."},
+    {ProgramKind::SpeedMove, "speed_move", "Speed move", speedFields, axisMachine, moveChoices,
+     "speed_move."},
+    {ProgramKind::PointCam, "point_cam", "Point cam", camFields, axisMachine, camChoices, "point_cam."},
+    {ProgramKind::Press, "press", "Press", pressFields, pressMachine, {}, "press."},
+}};
+
+template <typename E> constexpr ChoiceOption option(std::string_view key, E value)
+{
+    return {key, static_cast<std::uint16_t>(value)};
+}
+
+using profile::Execution;
+using profile::MoveDuration;
+using profile::RampShape;
+using profile::SplineEnds;
+constexpr std::array positionDurations{option("given_time", MoveDuration::GivenTime),
+                                       option("fastest", MoveDuration::Fastest)};
+constexpr std::array speedDurations{option("given_time", MoveDuration::GivenTime),
+                                    option("fastest", MoveDuration::Fastest),
+                                    option("over_distance", MoveDuration::OverDistance)};
+constexpr std::array executions{option("cam_points", Execution::CamPoints),
+                                option("intervals", Execution::Intervals)};
+constexpr std::array ends{option("natural", SplineEnds::Natural), option("clamped", SplineEnds::Clamped),
+                          option("periodic", SplineEnds::Periodic)};
+constexpr std::array shapes{option("trapezoid", RampShape::Trapezoid), option("s_curve", RampShape::SCurve)};
+
+// Calls visit(choice, member) for every choice of the program.
+template <typename Visitor> void visitChoices(RotaryCutterProgram& program, Visitor visit)
+{
+    visit(Choice::Law, program.speedLaw);
+}
+
+template <typename Move, typename Visitor> void visitMove(Move& program, Visitor visit)
+{
+    visit(Choice::Law, program.law);
+    visit(Choice::Duration, program.duration);
+    visit(Choice::Execution, program.execution);
+}
+
+template <typename Visitor> void visitChoices(PositionMoveProgram& program, Visitor visit)
+{
+    visitMove(program, visit);
+}
+
+template <typename Visitor> void visitChoices(SpeedMoveProgram& program, Visitor visit)
+{
+    visitMove(program, visit);
+}
+
+template <typename Visitor> void visitChoices(PointCamProgram& program, Visitor visit)
+{
+    visit(Choice::SplineEnds, program.ends);
+    visit(Choice::MasterRampShape, program.masterRamp);
+}
+
+template <typename Visitor> void visitChoices(PressProgram&, Visitor) {}
+
+} // namespace
+
+std::span<const KindInfo> kinds()
+{
+    return table;
+}
+
+const KindInfo& kindInfo(ProgramKind kind)
+{
+    return table[static_cast<std::size_t>(kind) - 1];
+}
+
+const KindInfo* findKind(std::string_view key)
+{
+    const auto found = std::ranges::find(table, key, &KindInfo::key);
+    return found == table.end() ? nullptr : &*found;
+}
+
+ChoiceInfo choiceInfo(ProgramKind kind, Choice choice)
+{
+    switch (choice) {
+    case Choice::Law:
+        return {choice, kind == ProgramKind::RotaryCutter ? "speed_law" : "law", {}};
+    case Choice::Duration:
+        if (kind == ProgramKind::PositionMove)
+            return {choice, "duration", positionDurations};
+        return {choice, "duration", speedDurations};
+    case Choice::Execution:
+        return {choice, "execution", executions};
+    case Choice::SplineEnds:
+        return {choice, "ends", ends};
+    case Choice::MasterRampShape:
+        return {choice, "master_ramp_shape", shapes};
+    }
+    return {};
+}
+
+bool isLawOf(ProgramKind kind, const profile::Law& law)
+{
+    return kind == ProgramKind::PositionMove ? law.isDisplacementLaw : law.isSpeedLaw;
+}
+
+double value(const Program& program, Field field)
+{
+    return std::visit([field](const auto& inputs) { return profile::value(inputs, field); }, program);
+}
+
+void setValue(Program& program, Field field, double value)
+{
+    std::visit([field, value](auto& inputs) { profile::setValue(inputs, field, value); }, program);
+}
+
+std::uint16_t choice(const Program& program, Choice wanted)
+{
+    std::uint16_t code = 0;
+    Program copy = program; // the visitor is shared with setChoice()
+    std::visit(
+        [&](auto& inputs) {
+            visitChoices(inputs, [&](Choice each, auto& member) {
+                if (each == wanted)
+                    code = static_cast<std::uint16_t>(member);
+            });
+        },
+        copy);
+    return code;
+}
+
+void setChoice(Program& program, Choice wanted, std::uint16_t code)
+{
+    std::visit(
+        [&](auto& inputs) {
+            visitChoices(inputs, [&](Choice each, auto& member) {
+                if (each == wanted)
+                    member = static_cast<std::remove_reference_t<decltype(member)>>(code);
+            });
+        },
+        program);
+}
+
+profile::LawParameters* lawParameters(Program& program)
+{
+    if (auto* cutter = std::get_if<RotaryCutterProgram>(&program))
+        return &cutter->speedLawParameters;
+    if (auto* move = std::get_if<PositionMoveProgram>(&program))
+        return &move->lawParameters;
+    if (auto* move = std::get_if<SpeedMoveProgram>(&program))
+        return &move->lawParameters;
+    return nullptr;
+}
+
+const profile::LawParameters* lawParameters(const Program& program)
+{
+    return lawParameters(const_cast<Program&>(program)); // only looks
+}
+
+bool isRead(const Program& program, Field field)
+{
+    if (const auto* move = std::get_if<PositionMoveProgram>(&program))
+        return (field != Field::MoveTime || move->duration == MoveDuration::GivenTime) &&
+               (field != Field::CamPoints || move->execution == Execution::CamPoints);
+    if (const auto* move = std::get_if<SpeedMoveProgram>(&program))
+        return (field != Field::MoveTime || move->duration == MoveDuration::GivenTime) &&
+               (field != Field::Distance || move->duration == MoveDuration::OverDistance) &&
+               (field != Field::CamPoints || move->execution == Execution::CamPoints);
+    if (const auto* cutter = std::get_if<RotaryCutterProgram>(&program))
+        return field > Field::FilmSpeed || profile::isPinned(*cutter, field);
+    return true;
+}
+
+} // namespace campanel::program

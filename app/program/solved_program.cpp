@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// One function per kind of program.
+#include "app/program/solved_program.h"
+
+#include "profile/point_cam.h"
+#include "profile/position_move.h"
+#include "profile/press.h"
+#include "profile/speed_move.h"
+
+#include <limits>
+
+namespace campanel::program {
+namespace {
+
+using Solved = tl::expected<SolvedProgram, profile::Refusal>;
+
+Solved ofCutter(tl::expected<profile::RotaryCutter, profile::Refusal> cutter)
+{
+    if (!cutter)
+        return tl::unexpected(std::move(cutter.error()));
+    const profile::Peaks peaks = profile::peaks(*cutter);
+    SolvedProgram solved;
+    solved.machine = cutter->machine;
+    solved.motion = cutter->motion;
+    solved.peaks = {peaks.speedMmPerS,
+                    peaks.speedTimeS,
+                    peaks.motorRpm,
+                    peaks.pulseFrequencyHz,
+                    peaks.accelerationMmPerS2,
+                    peaks.accelerationTimeS,
+                    std::numeric_limits<double>::quiet_NaN(),
+                    peaks.jerkMmPerS3};
+    solved.broken = profile::checkLimits(*cutter);
+    solved.marksS = {cutter->cycle.taS, cutter->cycle.tbS, cutter->cycle.tcS, cutter->cycle.tdS};
+    solved.pulsesPerMm = profile::pulsesPerMm(cutter->machine);
+    solved.cutter = std::move(*cutter);
+    return solved;
+}
+
+Solved ofAxis(tl::expected<profile::AxisMotion, profile::Refusal> axis, const profile::Machine& machine)
+{
+    if (!axis)
+        return tl::unexpected(std::move(axis.error()));
+    SolvedProgram solved;
+    solved.machine = machine;
+    solved.motion = std::move(axis->motion);
+    solved.peaks = axis->peaks;
+    solved.broken = std::move(axis->broken);
+    solved.marksS = std::move(axis->marksS);
+    solved.pulsesPerMm = profile::axisPulsesPerMm(machine);
+    return solved;
+}
+
+struct Solver {
+    const profile::Machine& machine;
+
+    Solved operator()(const profile::RotaryCutterProgram& program) const
+    {
+        return ofCutter(profile::solve(program, machine));
+    }
+    template <typename P> Solved operator()(const P& program) const
+    {
+        return ofAxis(profile::solve(program, machine), machine);
+    }
+};
+
+} // namespace
+
+tl::expected<SolvedProgram, profile::Refusal> solveProgram(const Recipe& recipe)
+{
+    return std::visit(Solver{recipe.machine}, recipe.program);
+}
+
+profile::Curves sampleCurves(const SolvedProgram& solved, std::size_t points)
+{
+    return profile::sampleCurves(solved.motion, solved.pulsesPerMm, points);
+}
+
+} // namespace campanel::program

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The options of one of the recipe's choices.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Controls
+import CamPanel.Machine
+
+ListPicker {
+    id: sheet
+
+    required property int row
+    required property var options            // list of string
+
+    choices: options.map((text, index) => ({ key: index, text: text }))
+    onChosen: key => {
+        Editor.setChoice(sheet.row, key)
+        sheet.closed()
+    }
+}
