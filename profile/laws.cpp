@@ -35,7 +35,8 @@ constexpr std::array table{
         cubicAt,
         cubicPeaks,
         "As a speed law its acceleration is zero at both ends and peaks at only 1.5 times its mean.",
-        "As a displacement law its acceleration jumps at both ends, and as a speed law its jerk does."},
+        "As a displacement law its acceleration jumps to its peak (6) at both ends, and as a speed law its "
+        "jerk does."},
     Law{LawId::Quintic,
         "quintic",
         "Quintic 3-4-5",
@@ -70,7 +71,7 @@ constexpr std::array table{
         harmonicAt,
         harmonicPeaks,
         "Low peak speed (1.57) and low peak acceleration (4.93) by half a cosine wave.",
-        "As a displacement law its acceleration jumps at both ends, and as a speed law its jerk does."},
+        "As a displacement law it starts and ends with its full acceleration, a jolt each time."},
     Law{LawId::Cycloidal,
         "cycloidal",
         "Cycloidal",

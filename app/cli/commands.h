@@ -10,6 +10,7 @@ class Invocation;
 
 [[nodiscard]] Outcome runProfile(const Invocation& call);
 [[nodiscard]] Outcome runTable(const Invocation& call);
+[[nodiscard]] Outcome runLaws(const Invocation& call);
 [[nodiscard]] Outcome runDownload(const Invocation& call);
 [[nodiscard]] Outcome runStatus(const Invocation& call);
 [[nodiscard]] Outcome runStart(const Invocation& call);

@@ -37,6 +37,17 @@ std::vector<CommandInfo> commandTable()
          all,
          {},
          runTable},
+        {u"laws"_s,
+         u"Print the laws of motion with their peak values, strengths and weaknesses."_s,
+         u"Cv, Ca, Cj: largest speed, acceleration and jerk of a move over 1 in time 1. As a speed law they "
+         u"are one\n"
+         "derivative lower: Cv is the largest acceleration. G(1): travel of a speed law. cj is null or inf "
+         "where\n"
+         "the acceleration jumps inside; laws with parameters are shown with the default ones."_s,
+         CommandInfo::Nothing,
+         all,
+         {{u"json"_s, u"Same as --format json."_s}, {u"csv"_s, u"Same as --format csv."_s}},
+         runLaws},
         {u"download"_s,
          u"Transfer a recipe's table, compare CRC-32, apply, wait until it is active."_s,
          u"A running machine takes the new table over at its next cycle."_s,

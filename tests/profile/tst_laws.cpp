@@ -68,6 +68,11 @@ private slots:
     void peaksAgreeWithDenseSampling();
     void symmetryIsAsDeclared_data() { addLaws(); }
     void symmetryIsAsDeclared();
+    void integralsBetweenJoints_data() { addLaws(); }
+    void integralsBetweenJoints();
+    void continuousAtJoints_data() { addLaws(); }
+    void continuousAtJoints();
+    void strengthsAndWeaknessesAreTrue();
     void keysAndCodesAreUnique();
 };
 
@@ -117,6 +122,8 @@ void TestLaws::publishedPeaks_data()
                                      << QList<double>{1 / 0.75, 1 / 0.1875, inf};
     QTest::newRow("trapezoid r=1/2 is the parabola")
         << "trapezoid" << QList<double>{0.5, 0} << QList<double>{2, 4, inf};
+    QTest::newRow("half modified sine")
+        << "half_modified_sine" << none << QList<double>{1.570796, 9.869604, 62.012553};
     QTest::newRow("S r=0.3 q=0.2") << "s_curve" << QList<double>{0.3, 0.2}
                                    << QList<double>{1 / 0.7, 1 / (0.3 * 0.8 * 0.7),
                                                     1 / (0.3 * 0.8 * 0.7) / 0.06};
@@ -203,6 +210,9 @@ void TestLaws::peaksAgreeWithDenseSampling()
     if (std::isfinite(peaks.cj))
         QVERIFY(near(seen.cj, peaks.cj, 1e-6 * peaks.cj));
     QVERIFY(near(law.at(peaks.cvAt, p).g1, peaks.cv, 1e-12));
+    QVERIFY(near(std::abs(law.at(peaks.caAt, p).g2), peaks.ca, 1e-12 * peaks.ca));
+    for (int i = 1; i < 1000; ++i) // the first such place
+        QVERIFY(std::abs(law.at(peaks.caAt * i / 1000, p).g2) <= peaks.ca * (1 + 1e-12));
 }
 
 void TestLaws::symmetryIsAsDeclared()
@@ -218,6 +228,102 @@ void TestLaws::symmetryIsAsDeclared()
         QVERIFY(near(law.at(0, p).g1, 0, 1e-12));
         QVERIFY(near(law.at(1, p).g1, 0, 1e-12));
     }
+}
+
+void TestLaws::integralsBetweenJoints()
+{
+    QFETCH(int, row);
+    const Law& law = laws()[static_cast<std::size_t>(row)];
+    const LawParameters p = defaultParameters(law);
+    std::vector<double> ends = joints(law, p);
+    ends.insert(ends.end(), {0, 1});
+    std::sort(ends.begin(), ends.end());
+    LawPoint sum; // of g in `integral`, of g' in g, of g'' in g1
+    for (std::size_t piece = 0; piece + 1 < ends.size(); ++piece) {
+        constexpr int parts = 500;
+        const double width = (ends[piece + 1] - ends[piece]) / parts;
+        for (int i = 0; i < parts; ++i) { // Gauss, three points
+            const double middle = ends[piece] + (i + 0.5) * width;
+            const double offset = width / 2 * std::sqrt(0.6);
+            for (const auto& [x, weight] :
+                 {std::pair(middle - offset, 5.0), std::pair(middle, 8.0), std::pair(middle + offset, 5.0)}) {
+                const LawPoint point = law.at(x, p);
+                sum.integral += point.g * weight * width / 18;
+                sum.g += point.g1 * weight * width / 18;
+                sum.g1 += point.g2 * weight * width / 18;
+            }
+        }
+    }
+    QVERIFY(near(sum.integral, law.at(1, p).integral, 1e-12));
+    QVERIFY(near(sum.g, 1, 1e-12));
+    QVERIFY(near(sum.g1, law.at(1, p).g1 - law.at(0, p).g1, 1e-11));
+}
+
+void TestLaws::continuousAtJoints()
+{
+    QFETCH(int, row);
+    const Law& law = laws()[static_cast<std::size_t>(row)];
+    const LawParameters p = defaultParameters(law);
+    const bool hasAccelerationSteps = law.id == LawId::Parabolic || law.id == LawId::Trapezoid;
+    const bool hasJerkSteps =
+        hasAccelerationSteps || law.id == LawId::SCurve || law.id == LawId::HalfModifiedSine;
+    double accelerationStep = 0;
+    double jerkStep = 0;
+    for (const double x : joints(law, p)) {
+        const LawPoint below = law.at(std::nextafter(x, 0.0), p);
+        const LawPoint above = law.at(std::nextafter(x, 1.0), p);
+        QVERIFY(near(above.integral, below.integral, 1e-12));
+        QVERIFY(near(above.g, below.g, 1e-12));
+        QVERIFY(near(above.g1, below.g1, 1e-12));
+        accelerationStep = std::max(accelerationStep, std::abs(above.g2 - below.g2));
+        jerkStep = std::max(jerkStep, std::abs(above.g3 - below.g3));
+    }
+    QCOMPARE(accelerationStep > 1e-12, hasAccelerationSteps);
+    QCOMPARE(jerkStep > 1e-11, hasJerkSteps && law.id != LawId::Parabolic && law.id != LawId::Trapezoid);
+}
+
+// What the sentences claim, in numbers.
+void TestLaws::strengthsAndWeaknessesAreTrue()
+{
+    std::set<std::string_view> sentences;
+    const auto peaks = [](LawId id) { return findLaw(id)->peaks(defaultParameters(*findLaw(id))); };
+    const auto jumps = [](const Law& law) { return std::abs(law.at(0, {}).g2) > 1e-9; };
+    for (const Law& law : laws()) {
+        for (const std::string_view sentence : {law.strength, law.weakness}) {
+            QVERIFY(sentences.insert(sentence).second);
+            QVERIFY(sentence.size() > 20 && sentence.back() == '.');
+            QVERIFY(sentence.find(". ") == std::string_view::npos); // one sentence
+        }
+        if (!law.isDisplacementLaw)
+            continue;
+        QVERIFY(law.isSymmetric); // the peaks of a motion count on it
+        QVERIFY(law.peaks(defaultParameters(law)).ca >= peaks(LawId::Parabolic).ca);
+        if (!law.parameters.empty())
+            continue;
+        const LawPeaks own = law.peaks({});
+        QVERIFY(own.cv <= peaks(LawId::Polynomial4567).cv && own.ca <= peaks(LawId::Polynomial4567).ca);
+        QVERIFY(std::isinf(own.cj) || own.cj <= peaks(LawId::ModifiedSine).cj);
+        QVERIFY(jumps(law) || own.ca >= peaks(LawId::ModifiedTrapezoid).ca);
+    }
+    QVERIFY(peaks(LawId::HalfModifiedSine).cj <= peaks(LawId::ModifiedSine).cj);
+    for (const LawId id : {LawId::Cubic, LawId::Harmonic, LawId::Parabolic})
+        QVERIFY(jumps(*findLaw(id)));
+    for (const LawId id : {LawId::Quintic, LawId::Cycloidal, LawId::ModifiedSine, LawId::ModifiedTrapezoid}) {
+        QVERIFY(!jumps(*findLaw(id)));
+        QVERIFY(findLaw(id)->at(0, {}).g3 > 1); // a step of the jerk, from rest
+    }
+    QCOMPARE(findLaw(LawId::Polynomial4567)->at(0, {}).g3, 0.0);
+    QVERIFY(std::abs(findLaw(LawId::HalfModifiedSine)->at(1, {}).g2) > 1);
+    // At the same time and peak acceleration a trapezoid has the lowest peak speed.
+    for (const Law& law : laws()) {
+        if (!law.isDisplacementLaw)
+            continue;
+        const LawPeaks own = law.peaks(defaultParameters(law));
+        const double ramp = (1 - std::sqrt(1 - 4 / std::max(own.ca, 4.0))) / 2; // r (1 - r) Ca = 1
+        QVERIFY(findLaw(LawId::Trapezoid)->peaks({ramp, 0}).cv <= own.cv * (1 + 1e-12));
+    }
+    // 22.29 % of the move.
+    QVERIFY(near(1 / (0.2229 * (1 - 0.2229)), peaks(LawId::Quintic).ca, 2e-3));
 }
 
 void TestLaws::keysAndCodesAreUnique()

@@ -63,6 +63,7 @@ private slots:
     void damagedRecipeFile();
     void outputFile();
     void registerMap();
+    void lawTable();
     void otherLocale();
     void lifeWithAController();
     void otherDevices_data();
@@ -130,11 +131,13 @@ void CliTest::helpSuffices_data()
 {
     QTest::addColumn<QString>("command");
     QTest::addColumn<QStringList>("words");
-    QTest::newRow("overview") << QString() << QStringList{u"profile"_s, u"table"_s, u"download"_s,
-                                                          u"status"_s,  u"start"_s, u"stop"_s,
-                                                          u"home"_s,    u"save"_s,  u"registers"_s};
+    QTest::newRow("overview") << QString()
+                              << QStringList{u"profile"_s, u"table"_s,    u"laws"_s, u"download"_s,
+                                             u"status"_s,  u"start"_s,    u"stop"_s, u"home"_s,
+                                             u"save"_s,    u"registers"_s};
     QTest::newRow("profile") << u"profile"_s << QStringList{u"--points"_s, u"RECIPE.json"_s, u"--law"_s};
     QTest::newRow("table") << u"table"_s << QStringList{u"--slices"_s, u"10 to 2000, mm"_s, u"--format"_s};
+    QTest::newRow("laws") << u"laws"_s << QStringList{u"--json"_s, u"--csv"_s, u"G(1)"_s};
     QTest::newRow("download") << u"download"_s
                               << QStringList{u"--verify"_s, u"--port"_s, u"--when-stopped"_s};
     QTest::newRow("status") << u"status"_s << QStringList{u"--baud"_s, u"--unit"_s};
@@ -305,6 +308,43 @@ void CliTest::registerMap()
     QCOMPARE(call({u"registers"_s, u"--markdown"_s}).out,
              QByteArray::fromStdString(modbus::registersMarkdown()));
     QVERIFY(call({u"registers"_s}).out.contains("0x0102  status.state"));
+}
+
+void CliTest::lawTable()
+{
+    const Result csv = call({u"laws"_s, u"--csv"_s});
+    QVERIFY2(csv.code == Ok, csv.complaint.constData());
+    const QList<QByteArray> lines = csv.out.trimmed().split('\n');
+    QCOMPARE(lines.first(), QByteArray("key,name,uses,parameters,cv,ca,cj,g_integral,strength,weakness"));
+    QCOMPARE(lines.size(), 13);
+    const auto has = [&csv](const char* cells) { return csv.out.contains(cells); };
+    QVERIFY(
+        has("\ncubic,\"Cubic (paper)\",\"speed; displacement\",\"\",1.500000,6.000000,12.000000,0.500000,"));
+    QVERIFY(has(",1.875000,5.773503,60.000000,0.500000,")); // quintic
+    QVERIFY(has(",2.187500,7.513188,52.500000,0.500000,")); // 4-5-6-7
+    QVERIFY(has(",1.570796,4.934802,15.503138,0.500000,")); // harmonic
+    QVERIFY(has(",2.000000,6.283185,39.478418,0.500000,")); // cycloidal
+    QVERIFY(has(",1.759603,5.527957,69.466357,0.500000,")); // modified sine
+    QVERIFY(has(",2.000000,4.888124,61.425975,0.500000,")); // modified trapezoid
+    QVERIFY(has(",2.000000,4.000000,inf,0.500000,"));       // parabolic
+    QVERIFY(has("\"ramp_fraction = 0.25\",1.333333,5.333333,inf,"));
+    QVERIFY(has(
+        "\nhalf_modified_sine,\"Half modified sine\",\"speed\",\"\",1.570796,9.869604,62.012553,0.568310,"));
+
+    const Result json = call({u"laws"_s, u"--json"_s});
+    QCOMPARE(call({u"laws"_s, u"--format"_s, u"json"_s}).out, json.out);
+    const QJsonArray laws = json.json()[u"laws"_s].toArray();
+    QCOMPARE(laws.size(), 12);
+    QCOMPARE(laws[7].toObject()[u"key"_s].toString(), u"parabolic"_s);
+    QVERIFY(laws[7].toObject()[u"cj"_s].isNull());
+    QCOMPARE(laws[9].toObject()[u"parameters"_s].toArray().size(), 2);
+    for (const QJsonValue& law : laws) {
+        QVERIFY(!law[u"strength"_s].toString().isEmpty());
+        QVERIFY(!law[u"weakness"_s].toString().isEmpty());
+    }
+    const Result text = call({u"laws"_s});
+    QVERIFY(text.out.contains("1.759603    5.527957   69.466357    0.500000"));
+    QVERIFY(text.out.contains("22.29 %"));
 }
 
 void CliTest::otherLocale()

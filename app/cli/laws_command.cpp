@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// campanelctl laws: the table of laws with their peak values by formula, and what each is good for.
+#include "app/cli/commands.h"
+#include "app/cli/invocation.h"
+#include "app/cli/report.h"
+#include "profile/laws.h"
+
+#include <QJsonArray>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::cli {
+namespace {
+
+QStringList usesOf(const profile::Law& law)
+{
+    QStringList uses;
+    if (law.isSpeedLaw)
+        uses << u"speed"_s;
+    if (law.isDisplacementLaw)
+        uses << u"displacement"_s;
+    return uses;
+}
+
+// Six digits after the point, as the laws are tabulated.
+QString fixed(double value)
+{
+    constexpr int decimals = 6;
+    return std::isfinite(value) ? QString::number(value, 'f', decimals) : u"inf"_s;
+}
+
+// "ramp_fraction = 0.25", of what the row was computed with.
+QString parametersOf(const profile::Law& law)
+{
+    QStringList texts;
+    for (const profile::LawParameterInfo& parameter : law.parameters)
+        texts << fromView(parameter.id) + u" = "_s + QString::fromLatin1(number(parameter.defaultValue));
+    return texts.join(u"; "_s);
+}
+
+struct Row {
+    const profile::Law& law;
+    profile::LawPeaks peaks;
+    double travel; // G(1)
+
+    explicit Row(const profile::Law& of)
+        : law(of)
+        , peaks(of.peaks(defaultParameters(of)))
+        , travel(of.at(1, defaultParameters(of)).integral)
+    {
+    }
+};
+
+QJsonObject asJson(const Row& row)
+{
+    QJsonArray parameters;
+    for (const profile::LawParameterInfo& parameter : row.law.parameters)
+        parameters.append(QJsonObject{{u"id"_s, fromView(parameter.id)},
+                                      {u"minimum"_s, parameter.min},
+                                      {u"maximum"_s, parameter.max},
+                                      {u"default"_s, parameter.defaultValue}});
+    return {{u"key"_s, fromView(row.law.key)},
+            {u"name"_s, fromView(row.law.name)},
+            {u"uses"_s, QJsonArray::fromStringList(usesOf(row.law))},
+            {u"parameters"_s, parameters},
+            {u"cv"_s, row.peaks.cv},
+            {u"ca"_s, row.peaks.ca},
+            {u"cj"_s, row.peaks.cj}, // JSON has no infinity: null
+            {u"g_integral"_s, row.travel},
+            {u"strength"_s, fromView(row.law.strength)},
+            {u"weakness"_s, fromView(row.law.weakness)}};
+}
+
+QString asCsv(const Row& row)
+{
+    const auto quoted = [](QString text) { return u'"' + text.replace(u'"', u"\"\""_s) + u'"'; };
+    return QStringList{fromView(row.law.key),
+                       quoted(fromView(row.law.name)),
+                       quoted(usesOf(row.law).join(u"; "_s)),
+                       quoted(parametersOf(row.law)),
+                       fixed(row.peaks.cv),
+                       fixed(row.peaks.ca),
+                       fixed(row.peaks.cj),
+                       fixed(row.travel),
+                       quoted(fromView(row.law.strength)),
+                       quoted(fromView(row.law.weakness))}
+               .join(u',') +
+           u'\n';
+}
+
+QString textLine(const QString& key, const QString& name, const QString& uses, const QStringList& numbers)
+{
+    QString line = key.leftJustified(20) + name.leftJustified(20) + uses.leftJustified(20);
+    for (const QString& cell : numbers)
+        line += cell.rightJustified(12);
+    return line + u'\n';
+}
+
+QString asText(const Row& row)
+{
+    QString text =
+        textLine(fromView(row.law.key), fromView(row.law.name), usesOf(row.law).join(u", "_s),
+                 {fixed(row.peaks.cv), fixed(row.peaks.ca), fixed(row.peaks.cj), fixed(row.travel)});
+    if (!row.law.parameters.empty())
+        text += u"    with "_s + parametersOf(row.law) + u'\n';
+    return text + u"    + "_s + fromView(row.law.strength) + u"\n    - "_s + fromView(row.law.weakness) +
+           u'\n';
+}
+
+} // namespace
+
+Outcome runLaws(const Invocation& call)
+{
+    QString format = call.format();
+    for (const QString& name : {u"csv"_s, u"json"_s}) {
+        if (call.isSet(name))
+            format = name;
+    }
+    QJsonArray list;
+    QString text = format == u"csv"
+                       ? u"key,name,uses,parameters,cv,ca,cj,g_integral,strength,weakness\n"_s
+                       : textLine(u"key"_s, u"name"_s, u"uses"_s, {u"Cv"_s, u"Ca"_s, u"Cj"_s, u"G(1)"_s});
+    for (const profile::Law& law : profile::laws()) {
+        const Row row(law);
+        list.append(asJson(row));
+        text += format == u"csv" ? asCsv(row) : asText(row);
+    }
+    if (format == u"json")
+        return call.deliver(formatted({{u"laws"_s, list}}, format));
+    return call.deliver(text.toUtf8());
+}
+
+} // namespace campanel::cli
