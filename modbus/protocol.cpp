@@ -18,7 +18,9 @@ constexpr std::array states{
     entry(State::Running, "Running", "Executing the active table."),
     entry(State::Stopping, "Stopping", "Ramping down, to the end of the cycle or at once."),
     entry(State::Jogging, "Jogging", "Moving while a jog bit is held."),
-    entry(State::Homing, "Homing", "Looking for the knife's index mark."),
+    entry(State::Homing, "Homing",
+          "Looking for the index mark of the axis: of the knife shaft, or of the motor where there is no "
+          "knife."),
     entry(State::Fault, "Fault", "Stopped by a fault; see status.fault, then reset."),
 };
 
@@ -120,8 +122,8 @@ constexpr std::array commands{
           "Ramp down so that the motion ends at a cycle boundary."),
     entry(Command::StopNow, "StopNow", "Ramp down at once; the cam phase is kept."),
     entry(Command::Home, "Home",
-          "Turn slowly to the index mark and call it zero; a press: call the place where it stands its upper "
-          "position."),
+          "Turn slowly to the index mark of the axis and call it zero; a press: call the place where it "
+          "stands its upper position."),
     entry(Command::ResetFault, "ResetFault", "Leave Fault when its cause is gone."),
     entry(Command::ApplyStaged, "ApplyStaged",
           "argument0 = ApplyMode, argument1 = transfer session, argument2 = CRC-32 of the staged bytes."),
@@ -156,7 +158,8 @@ constexpr std::array refusals{
     entry(Refusal::WrongSession, "WrongSession", "The staged program belongs to another transfer session."),
     entry(Refusal::WrongChecksum, "WrongChecksum", "The CRC-32 named is not that of the bytes held."),
     entry(Refusal::MachineDataDiffers, "MachineDataDiffers",
-          "Knife radius, number of knives or pulses per revolution differ; they change only at standstill."),
+          "Kind, knife radius, number of knives, gear, feed or pulses per revolution differ; they change "
+          "only at standstill."),
     entry(Refusal::NotArmed, "NotArmed", "No change is armed."),
     entry(Refusal::FlashFailed, "FlashFailed",
           "The flash could not be written; the saved program is unchanged."),
@@ -187,7 +190,8 @@ constexpr std::array transferResults{
     entry(TransferResult::BlocksMissing, "BlocksMissing",
           "Sealing needs every block; see transfer_result.next_missing."),
     entry(TransferResult::BadHeader, "BadHeader", "A header field is outside its range."),
-    entry(TransferResult::BadRow, "BadRow", "Row transfer_result.detail is outside the timer's range."),
+    entry(TransferResult::BadRow, "BadRow",
+          "Row transfer_result.detail is outside what the controller can execute."),
     entry(TransferResult::BadSum, "BadSum", "The rows do not add up to the header's pulses or ticks."),
     entry(TransferResult::StateRefuses, "StateRefuses", "An armed change must be cancelled first."),
 };
@@ -197,7 +201,7 @@ constexpr std::array faultBits{
           "The axis lags more than parameter.following_error_limit."),
     entry(FaultBit::ActiveTableDamaged, "ActiveTableDamaged", "The active table no longer has its CRC-32."),
     entry(FaultBit::DriveNotFollowing, "DriveNotFollowing",
-          "No index mark found within two knife revolutions of homing."),
+          "No index mark of the axis found within two revolutions of homing."),
     entry(FaultBit::ForceLimit, "ForceLimit",
           "The press reached its largest force; it stopped and returned."),
     entry(FaultBit::TouchedTooEarly, "TouchedTooEarly", "The press felt the work piece during the approach."),
@@ -210,7 +214,7 @@ constexpr std::array faultBits{
 constexpr std::array warningBits{
     entry(WarningBit::HeartbeatLost, "HeartbeatLost",
           "The panel has not been heard for parameter.heartbeat_timeout."),
-    entry(WarningBit::NotHomed, "NotHomed", "Knife angle is not known since power-up; home first."),
+    entry(WarningBit::NotHomed, "NotHomed", "Where the axis stands is not known since power-up; home first."),
     entry(WarningBit::FlashSlotInvalid, "FlashSlotInvalid",
           "A flash slot had a wrong CRC-32 at power-up; the other was used."),
     entry(WarningBit::ClockNotSet, "ClockNotSet", "The clock has not been set since power-up."),

@@ -18,8 +18,10 @@ constexpr bool indexedByField()
 }
 static_assert(indexedByField(), "fields must stand in the order of enum Field");
 
-// Relative room for the rounding of derived values at the edge of a range.
+// Room for the rounding of derived values at the edges of a range: this share of its upper end, but never
+// anything that a person could enter.
 constexpr double rangeTolerance = 1e-9;
+constexpr double resolutionShare = 1e-3; // of the smallest step
 
 } // namespace
 
@@ -35,9 +37,8 @@ std::optional<Field> fieldById(std::string_view id)
 bool inRange(Field field, double value)
 {
     const FieldInfo& f = info(field);
-    const double room = rangeTolerance * f.max;
-    return std::isfinite(value) && value >= f.min - std::min(room, f.resolution() * 1e-3) &&
-           value <= f.max + room;
+    const double room = std::min(rangeTolerance * f.max, resolutionShare * f.resolution());
+    return std::isfinite(value) && value >= f.min - room && value <= f.max + room;
 }
 
 double snapToGrid(Field field, double value)

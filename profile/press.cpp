@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace campanel::profile {
@@ -155,7 +156,7 @@ Refusal stageOrder(Field field, double actual, double allowed)
 double value(const PressProgram& program, Field field)
 {
     const Input* input = findInput(field);
-    return input == nullptr ? 0 : program.*(input->member);
+    return input == nullptr ? std::numeric_limits<double>::quiet_NaN() : program.*(input->member);
 }
 
 void setValue(PressProgram& program, Field field, double value)

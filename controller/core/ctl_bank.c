@@ -3,6 +3,7 @@
 
 #include "ctl_cam.h"
 #include "ctl_crc.h"
+#include "ctl_interval.h"
 #include "ctl_press.h"
 #include "ctl_step.h"
 #include "ctl_words.h"
@@ -30,6 +31,8 @@ static const layout_info layouts[] = {
                                      ctl_step_check},
     [CTL_TABLE_LAYOUT_CAM_POINTS] = {CTL_CAM_POINT_REGISTERS, 2, CTL_CAM_POINT_CAPACITY,
                                      KIND(POSITION_MOVE) | KIND(SPEED_MOVE) | KIND(POINT_CAM), ctl_cam_check},
+    [CTL_TABLE_LAYOUT_INTERVALS] = {CTL_INTERVAL_REGISTERS, 1, CTL_INTERVAL_CAPACITY,
+                                    KIND(POSITION_MOVE) | KIND(SPEED_MOVE), ctl_interval_check},
     [CTL_TABLE_LAYOUT_PRESS_STAGES] = {CTL_PRESS_ROW_REGISTERS, CTL_PRESS_ROWS, CTL_PRESS_ROWS, KIND(PRESS),
                                        ctl_press_check},
 };
@@ -105,6 +108,13 @@ uint16_t ctl_bank_master_ramp_ms(const ctl_bank* bank)
 uint16_t ctl_bank_ramp_shape(const ctl_bank* bank)
 {
     return has_cam_points(bank) ? bank->registers[CTL_OFFSET_CAM_RAMP_SHAPE] : CTL_RAMP_SHAPE_TRAPEZOID;
+}
+
+int32_t ctl_bank_direction(const ctl_bank* bank)
+{
+    const bool turns_back = ctl_bank_kind(bank) == CTL_PROGRAM_KIND_POINT_CAM &&
+                            (bank->registers[CTL_OFFSET_POINT_CAM_MASTER_RATE] & 0x8000u) != 0;
+    return turns_back ? -1 : 1;
 }
 
 uint32_t ctl_bank_row_count(const ctl_bank* bank)

@@ -34,6 +34,8 @@ uint16_t ctl_bank_at_end(const ctl_bank* bank); /* CTL_END_BEHAVIOR_...; step ta
 /* Of the master from standstill to full speed; 0 when the layout has none or full speed comes at once. */
 uint16_t ctl_bank_master_ramp_ms(const ctl_bank* bank);
 uint16_t ctl_bank_ramp_shape(const ctl_bank* bank); /* CTL_RAMP_SHAPE_... */
+/* Of the master: -1 where the program wants it to run through the rows from their end to their beginning. */
+int32_t ctl_bank_direction(const ctl_bank* bank);
 uint32_t ctl_bank_row_count(const ctl_bank* bank);
 /* Registers in use: header, rows and what follows them; the header alone when the layout is not known. */
 uint32_t ctl_bank_length(const ctl_bank* bank);

@@ -66,6 +66,10 @@ static void check_active_bank(ctl_core* core)
         return;
     const ctl_bank* bank = ctl_active_bank(core);
     const uint32_t length = ctl_bank_length(bank);
+    if (length > CTL_BANK_REGISTERS) { /* the number of rows itself is damaged */
+        ctl_motion_fault(core, CTL_FAULT_BIT_ACTIVE_TABLE_DAMAGED);
+        return;
+    }
     if (banks->check_position == 0)
         banks->check_crc = CTL_CRC32_START;
     for (uint32_t i = 0; i < CHECKED_PER_SLICE && banks->check_position < length; ++i) {

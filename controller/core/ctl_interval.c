@@ -5,14 +5,9 @@
 
 #define MOST_ITERATIONS 0x80000000u /* in one go */
 
-static uint32_t wide(const ctl_bank* bank, uint32_t offset)
-{
-    return ctl_get32(&bank->registers[offset]);
-}
-
 static int32_t advance_of(const ctl_bank* bank)
 {
-    return (int32_t)wide(bank, CTL_OFFSET_BANK_ADVANCE);
+    return (int32_t)ctl_get32(&bank->registers[CTL_OFFSET_BANK_ADVANCE]);
 }
 
 static uint32_t fraction_bits(const ctl_bank* bank)
@@ -22,7 +17,7 @@ static uint32_t fraction_bits(const ctl_bank* bank)
 
 ctl_interval_row ctl_interval_bank_row(const ctl_bank* bank, uint32_t index)
 {
-    const uint16_t* registers = &bank->registers[CTL_OFFSET_BANK_ROWS + CTL_INTERVAL_REGISTERS * index];
+    const uint16_t* registers = ctl_bank_row_at(bank, index, CTL_INTERVAL_REGISTERS);
     const ctl_interval_row row = {ctl_get32(&registers[0]), ctl_get32(&registers[2]),
                                   ctl_get32(&registers[4]), ctl_get32(&registers[6])};
     return row;
@@ -31,7 +26,7 @@ ctl_interval_row ctl_interval_bank_row(const ctl_bank* bank, uint32_t index)
 /* Keeps the generator one row ahead; a speed that is held is one more row, without end. */
 static void feed(ctl_interval* interval)
 {
-    const uint32_t rows = ctl_bank_row_count(interval->bank);
+    const uint32_t rows = interval->rows;
     while (interval->next_row < rows && (ctl_dda_status(&interval->dda) & CTL_DDA_WRITABLE) != 0) {
         ctl_interval_row row = ctl_interval_bank_row(interval->bank, interval->next_row);
         interval->next_row += 1;
@@ -39,7 +34,7 @@ static void feed(ctl_interval* interval)
             row.distance += (uint32_t)interval->direction;
         (void)ctl_dda_write(&interval->dda, row);
     }
-    const bool holds = interval->bank->registers[CTL_OFFSET_BANK_END_BEHAVIOR] == CTL_END_BEHAVIOR_HOLD_SPEED;
+    const bool holds = ctl_bank_at_end(interval->bank) == CTL_END_BEHAVIOR_HOLD_SPEED;
     if (holds && interval->next_row == rows && (ctl_dda_status(&interval->dda) & CTL_DDA_WRITABLE) != 0) {
         ctl_interval_row row = ctl_interval_bank_row(interval->bank, rows - 1u);
         row.distance = UINT32_MAX;
@@ -52,6 +47,7 @@ static void feed(ctl_interval* interval)
 static void stand(ctl_interval* interval, const ctl_bank* bank)
 {
     interval->bank = bank;
+    interval->rows = ctl_bank_row_count(bank);
     interval->direction = advance_of(bank) < 0 ? -1 : 1;
     interval->in_cycle = false;
     interval->cycle_ticks = 0;
@@ -83,8 +79,8 @@ void ctl_interval_reset(ctl_interval* interval, const ctl_bank* bank, uint32_t t
 
 void ctl_interval_change_bank(ctl_interval* interval, const ctl_bank* bank)
 {
-    interval->owed = (uint32_t)((uint64_t)interval->owed * wide(bank, CTL_OFFSET_BANK_DIVISOR) /
-                                wide(interval->bank, CTL_OFFSET_BANK_DIVISOR));
+    interval->owed =
+        (uint32_t)((uint64_t)interval->owed * ctl_bank_divisor(bank) / ctl_bank_divisor(interval->bank));
     stand(interval, bank);
 }
 
@@ -95,8 +91,8 @@ bool ctl_interval_between_cycles(const ctl_interval* interval)
 
 void ctl_interval_begin_cycle(ctl_interval* interval)
 {
-    const uint32_t divisor = wide(interval->bank, CTL_OFFSET_BANK_DIVISOR);
-    const uint64_t due = (uint64_t)interval->owed + wide(interval->bank, CTL_OFFSET_BANK_REMAINDER);
+    const uint32_t divisor = ctl_bank_divisor(interval->bank);
+    const uint64_t due = (uint64_t)interval->owed + ctl_bank_remainder(interval->bank);
     interval->carries = due >= divisor;
     interval->owed = (uint32_t)(interval->carries ? due - divisor : due);
     stand(interval, interval->bank);
@@ -106,7 +102,7 @@ void ctl_interval_begin_cycle(ctl_interval* interval)
 
 bool ctl_interval_holding(const ctl_interval* interval)
 {
-    return interval->next_row > ctl_bank_row_count(interval->bank) && !interval->dda.has_loaded;
+    return interval->next_row > interval->rows && !interval->dda.has_loaded;
 }
 
 int32_t ctl_interval_advance(ctl_interval* interval, uint32_t* ticks)
@@ -152,12 +148,6 @@ int64_t ctl_interval_hz(const ctl_interval* interval)
     return interval->direction * (int64_t)((per_3s >> interval->dda.position_bits) / 3u);
 }
 
-static ctl_verdict refuse(uint16_t result, uint32_t detail)
-{
-    const ctl_verdict verdict = {result, (uint16_t)detail};
-    return verdict;
-}
-
 static bool speed_fits(uint32_t speed, uint32_t position_bits, const ctl_config* config)
 {
     /* One unit above is the rounding of the largest frequency. */
@@ -186,18 +176,14 @@ static bool row_fits(ctl_interval_row row, uint32_t fraction, const ctl_config* 
 /* Offset of the first header register outside its range; CTL_BANK_HEADER_REGISTERS when there is none. */
 static uint32_t bad_header_offset(const ctl_bank* bank)
 {
-    const uint32_t rows = ctl_bank_row_count(bank);
-    if (rows == 0 || rows > CTL_INTERVAL_CAPACITY)
-        return CTL_OFFSET_BANK_ROW_COUNT;
-    if (ctl_bank_cycle_ticks(bank) == 0)
-        return CTL_OFFSET_BANK_CYCLE_TICKS;
+    const uint32_t bad_cycle = ctl_bank_bad_cycle(bank);
+    if (bad_cycle != CTL_BANK_HEADER_REGISTERS)
+        return bad_cycle;
     if (advance_of(bank) == 0 || advance_of(bank) == INT32_MIN)
         return CTL_OFFSET_BANK_ADVANCE;
-    if (wide(bank, CTL_OFFSET_BANK_DIVISOR) == 0)
-        return CTL_OFFSET_BANK_DIVISOR;
-    if (wide(bank, CTL_OFFSET_BANK_REMAINDER) >= wide(bank, CTL_OFFSET_BANK_DIVISOR))
-        return CTL_OFFSET_BANK_REMAINDER;
-    if (bank->registers[CTL_OFFSET_BANK_END_BEHAVIOR] > CTL_END_BEHAVIOR_HOLD_SPEED)
+    /* The accumulators say how long a cycle takes, not the header: no stop could land on its boundary. */
+    const uint32_t at_end = bank->registers[CTL_OFFSET_BANK_END_BEHAVIOR];
+    if (at_end != CTL_END_BEHAVIOR_STOP && at_end != CTL_END_BEHAVIOR_HOLD_SPEED)
         return CTL_OFFSET_BANK_END_BEHAVIOR;
     if (fraction_bits(bank) > CTL_DDA_MAX_FRACTION_BITS)
         return CTL_OFFSET_INTERVAL_FRACTION_BITS;
@@ -208,10 +194,10 @@ ctl_verdict ctl_interval_check(const ctl_bank* bank, const ctl_config* config)
 {
     const uint32_t bad_offset = bad_header_offset(bank);
     if (bad_offset != CTL_BANK_HEADER_REGISTERS)
-        return refuse(CTL_TRANSFER_RESULT_BAD_HEADER, bad_offset);
+        return ctl_refuse(CTL_TRANSFER_RESULT_BAD_HEADER, bad_offset);
     const uint32_t rows = ctl_bank_row_count(bank);
     const bool backwards = advance_of(bank) < 0;
-    const bool owes = wide(bank, CTL_OFFSET_BANK_REMAINDER) != 0;
+    const bool owes = ctl_bank_remainder(bank) != 0;
     uint64_t pulses = 0;
     for (uint32_t i = 0; i < rows; ++i) {
         ctl_interval_row row = ctl_interval_bank_row(bank, i);
@@ -219,9 +205,9 @@ ctl_verdict ctl_interval_check(const ctl_bank* bank, const ctl_config* config)
         if (owes && backwards && i + 1u == rows && row.distance != 0)
             row.distance -= 1u;
         if (!row_fits(row, fraction_bits(bank), config))
-            return refuse(CTL_TRANSFER_RESULT_BAD_ROW, i);
+            return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, i);
     }
     if (pulses != (uint64_t)(backwards ? -(int64_t)advance_of(bank) : advance_of(bank)))
-        return refuse(CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_BANK_ADVANCE);
-    return refuse(CTL_TRANSFER_RESULT_ACCEPTED, 0);
+        return ctl_refuse(CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_BANK_ADVANCE);
+    return ctl_refuse(CTL_TRANSFER_RESULT_ACCEPTED, 0);
 }

@@ -14,6 +14,7 @@ extern "C" {
 
 typedef struct {
     const ctl_bank* bank;
+    uint32_t rows; /* when it was checked: a bank damaged later must not lead out of itself */
     ctl_dda dda;
     uint32_t next_row; /* to be written to the generator */
     bool in_cycle;
@@ -48,7 +49,7 @@ uint32_t ctl_interval_status(const ctl_interval* interval);
 /* Pulse frequency now, negative in reverse, 0 between two cycles. */
 int64_t ctl_interval_hz(const ctl_interval* interval);
 
-/* Everything that must hold for the rows to be executed on this board, beyond what all banks share. */
+/* What ctl_bank_check() left: the rest of the header, every row, their sum. No table may repeat. */
 ctl_verdict ctl_interval_check(const ctl_bank* bank, const ctl_config* config);
 
 #ifdef __cplusplus

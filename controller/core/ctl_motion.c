@@ -107,9 +107,11 @@ static void begin_master_ramp(ctl_core* core)
 
 int32_t ctl_motion_wanted_direction(const ctl_core* core)
 {
-    const bool may_reverse =
-        repeats(core) && ctl_bank_layout(ctl_active_bank(core)) == CTL_TABLE_LAYOUT_CAM_POINTS;
-    return may_reverse && ctl_parameter16(core, CTL_REG_PARAMETER_MASTER_DIRECTION) != 0 ? -1 : 1;
+    const ctl_bank* bank = ctl_active_bank(core);
+    if (!repeats(core) || ctl_bank_layout(bank) != CTL_TABLE_LAYOUT_CAM_POINTS)
+        return 1;
+    const int32_t direction = ctl_bank_direction(bank);
+    return ctl_parameter16(core, CTL_REG_PARAMETER_MASTER_DIRECTION) != 0 ? -direction : direction;
 }
 
 void ctl_motion_run(ctl_core* core)

@@ -244,14 +244,6 @@ static void measure(ctl_core* core)
         ctl_motion_fault(core, CTL_FAULT_BIT_FOLLOWING_ERROR);
 }
 
-static void slice_cycle(ctl_core* core, uint32_t ticks)
-{
-    if (ctl_motion_is_press(core))
-        ctl_motion_slice_stroke(core, ticks);
-    else
-        slice_table(core, ticks);
-}
-
 void ctl_motion_slice(ctl_core* core, uint32_t ticks)
 {
     ctl_motion* motion = &core->motion;
@@ -261,13 +253,13 @@ void ctl_motion_slice(ctl_core* core, uint32_t ticks)
         begin_jog_when_asked(core);
         break;
     case CTL_STATE_RUNNING:
-        slice_cycle(core, ticks);
-        break;
     case CTL_STATE_STOPPING:
         if (motion->manual)
             slice_manual_stop(core, ticks);
+        else if (ctl_motion_is_press(core))
+            ctl_motion_slice_stroke(core, ticks);
         else
-            slice_cycle(core, ticks);
+            slice_table(core, ticks);
         break;
     case CTL_STATE_JOGGING:
         slice_jogging(core, ticks);

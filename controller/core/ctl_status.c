@@ -92,12 +92,9 @@ static void put_program(const ctl_core* core, uint16_t* registers)
     put_wide(registers, CTL_REG_STATUS_SAVED_CRC, core->flash.saved_crc);
 }
 
-/* Only of the rotary cutter: other kinds have other values at the same addresses. */
 static void put_knife(const ctl_core* core, uint16_t* registers)
 {
     const ctl_bank* bank = ctl_active_bank(core);
-    if (!core->banks.has_active || ctl_bank_kind(bank) != CTL_PROGRAM_KIND_ROTARY_CUTTER)
-        return;
     put(registers, CTL_REG_STATUS_KNIFE_ANGLE,
         ctl_bank_knife_angle(bank, core->motion.actual - core->motion.origin));
     put_wide(registers, CTL_REG_STATUS_BAG_LENGTH, core->bags.length_um);
@@ -126,22 +123,34 @@ static void put_press(const ctl_core* core, uint16_t* registers)
     put(registers, CTL_REG_STATUS_PEAK_FORCE, saturated_force(press->last.peak));
 }
 
+/* Values of one kind only lie at the same addresses as those of another. */
+static void put_kind(const ctl_core* core, uint16_t* registers)
+{
+    if (!core->banks.has_active)
+        return;
+    switch (ctl_bank_kind(ctl_active_bank(core))) {
+    case CTL_PROGRAM_KIND_ROTARY_CUTTER:
+        put_knife(core, registers);
+        break;
+    case CTL_PROGRAM_KIND_PRESS:
+        put_press(core, registers);
+        break;
+    default:
+        break;
+    }
+}
+
 static void put_motion(const ctl_core* core, uint16_t* registers)
 {
     const ctl_motion* motion = &core->motion;
-    const int64_t position = motion->actual - motion->origin;
     put_wide(registers, CTL_REG_STATUS_CYCLE_COUNT, motion->cycle_count);
     put(registers, CTL_REG_STATUS_MASTER_ANGLE, ctl_motion_master_angle(core));
     put(registers, CTL_REG_STATUS_MASTER_SPEED, ctl_motion_master_speed(core));
     put_wide(registers, CTL_REG_STATUS_COMMANDED_FREQUENCY, (uint64_t)ctl_motion_commanded_hz(core));
     put_wide(registers, CTL_REG_STATUS_ACTUAL_FREQUENCY, (uint64_t)motion->actual_hz);
     put_wide(registers, CTL_REG_STATUS_COMMANDED_POSITION, (uint64_t)(motion->commanded - motion->origin));
-    put_wide(registers, CTL_REG_STATUS_AXIS_POSITION, (uint64_t)position);
+    put_wide(registers, CTL_REG_STATUS_AXIS_POSITION, (uint64_t)(motion->actual - motion->origin));
     put(registers, CTL_REG_STATUS_FOLLOWING_ERROR, saturated16(motion->commanded - motion->actual));
-    if (ctl_motion_is_press(core))
-        put_press(core, registers);
-    else
-        put_knife(core, registers);
 }
 
 void ctl_status(const ctl_core* core, uint16_t* registers)
@@ -157,5 +166,6 @@ void ctl_status(const ctl_core* core, uint16_t* registers)
     put(registers, CTL_REG_STATUS_SAMPLE_TIME, (uint16_t)(up_us / 1000u & 0xFFFFu));
     put_program(core, registers);
     put_motion(core, registers);
+    put_kind(core, registers);
     put_link(core, registers);
 }

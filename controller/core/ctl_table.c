@@ -21,6 +21,9 @@ void ctl_table_reset(ctl_table* table, const ctl_bank* bank)
     case CTL_TABLE_LAYOUT_CAM_POINTS:
         ctl_cam_reset(&table->cam, bank, table->config);
         break;
+    case CTL_TABLE_LAYOUT_INTERVALS:
+        ctl_interval_reset(&table->interval, bank, table->config->timer_clock_hz);
+        break;
     default:
         break;
     }
@@ -40,6 +43,9 @@ void ctl_table_change_bank(ctl_table* table, const ctl_bank* bank)
     case CTL_TABLE_LAYOUT_CAM_POINTS:
         ctl_cam_change_bank(&table->cam, bank);
         break;
+    case CTL_TABLE_LAYOUT_INTERVALS:
+        ctl_interval_change_bank(&table->interval, bank);
+        break;
     default:
         break;
     }
@@ -52,6 +58,8 @@ bool ctl_table_between_cycles(const ctl_table* table)
         return ctl_step_between_cycles(&table->step);
     case CTL_TABLE_LAYOUT_CAM_POINTS:
         return !table->cam.in_cycle;
+    case CTL_TABLE_LAYOUT_INTERVALS:
+        return ctl_interval_between_cycles(&table->interval);
     default:
         return true;
     }
@@ -66,6 +74,9 @@ void ctl_table_begin_cycle(ctl_table* table, int32_t direction)
     case CTL_TABLE_LAYOUT_CAM_POINTS:
         ctl_cam_begin_cycle(&table->cam, direction);
         break;
+    case CTL_TABLE_LAYOUT_INTERVALS:
+        ctl_interval_begin_cycle(&table->interval);
+        break;
     default:
         break;
     }
@@ -79,6 +90,8 @@ int64_t ctl_table_advance(ctl_table* table, int32_t direction, uint32_t* ticks)
     case CTL_TABLE_LAYOUT_CAM_POINTS:
         ctl_cam_advance(&table->cam, direction, ticks);
         return 0;
+    case CTL_TABLE_LAYOUT_INTERVALS:
+        return ctl_interval_advance(&table->interval, ticks);
     default:
         return 0;
     }
@@ -86,7 +99,22 @@ int64_t ctl_table_advance(ctl_table* table, int32_t direction, uint32_t* ticks)
 
 bool ctl_table_holding(const ctl_table* table)
 {
-    return table->layout == CTL_TABLE_LAYOUT_CAM_POINTS && table->cam.holding;
+    switch (table->layout) {
+    case CTL_TABLE_LAYOUT_CAM_POINTS:
+        return table->cam.holding;
+    case CTL_TABLE_LAYOUT_INTERVALS:
+        return ctl_interval_holding(&table->interval);
+    default:
+        return false;
+    }
+}
+
+/* The accumulators take some ticks more or fewer than the header says. */
+static uint32_t interval_position(const ctl_table* table)
+{
+    const uint32_t whole = ctl_bank_cycle_ticks(table->bank);
+    const uint32_t passed = table->interval.cycle_ticks;
+    return passed > whole || ctl_interval_holding(&table->interval) ? whole : passed;
 }
 
 uint32_t ctl_table_position(const ctl_table* table)
@@ -98,6 +126,8 @@ uint32_t ctl_table_position(const ctl_table* table)
         return table->step.cycle_ticks;
     case CTL_TABLE_LAYOUT_CAM_POINTS:
         return (uint32_t)table->cam.position;
+    case CTL_TABLE_LAYOUT_INTERVALS:
+        return interval_position(table);
     default:
         return 0;
     }
@@ -133,6 +163,12 @@ int64_t ctl_table_hz(const ctl_table* table, const ctl_ramp* ramp)
     }
     case CTL_TABLE_LAYOUT_CAM_POINTS:
         return ctl_cam_hz(&table->cam, table->config);
+    case CTL_TABLE_LAYOUT_INTERVALS: {
+        const int64_t full_speed_hz = ctl_interval_hz(&table->interval);
+        const uint32_t share =
+            ctl_ramp_share(ramp, (uint32_t)(full_speed_hz < 0 ? -full_speed_hz : full_speed_hz));
+        return full_speed_hz < 0 ? -(int64_t)share : share;
+    }
     default:
         return 0;
     }

@@ -7,6 +7,7 @@
 
 #include "ctl_bank.h"
 #include "ctl_cam.h"
+#include "ctl_interval.h"
 #include "ctl_ramp.h"
 #include "ctl_step.h"
 
@@ -21,6 +22,7 @@ typedef struct {
     union {
         ctl_step step;
         ctl_cam cam;
+        ctl_interval interval;
     };
 } ctl_table;
 
@@ -37,7 +39,7 @@ void ctl_table_begin_cycle(ctl_table* table, int32_t direction);
 int64_t ctl_table_advance(ctl_table* table, int32_t direction, uint32_t* ticks);
 /* The cycle is over and its last speed is held. */
 bool ctl_table_holding(const ctl_table* table);
-/* Ticks from the start of the cycle, 0 between two cycles. */
+/* Ticks from the start of the cycle, at most those of a cycle; 0 between two cycles. */
 uint32_t ctl_table_position(const ctl_table* table);
 
 /* Most timer ticks that may pass at once. */

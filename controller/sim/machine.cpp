@@ -58,18 +58,17 @@ Machine::Machine(const MachineOptions& options)
 
 void Machine::setProgram(const ctl_bank& bank)
 {
-    if (ctl_bank_kind(&bank) == CTL_PROGRAM_KIND_PRESS) {
-        m_hasKnife = false;
-        setPress(bank);
-        return;
-    }
-    m_ram.reset();
-    m_hasKnife = ctl_bank_kind(&bank) == CTL_PROGRAM_KIND_ROTARY_CUTTER;
+    const std::uint16_t kind = ctl_bank_kind(&bank);
+    m_hasKnife = kind == CTL_PROGRAM_KIND_ROTARY_CUTTER;
     turnBy(m_hasKnife ? knifeRevolution(bank) : ctl_bank_revolution_pulses(&bank, 1));
     if (m_hasKnife)
         setKnife(bank);
     else
         forgetLastCut();
+    if (kind == CTL_PROGRAM_KIND_PRESS)
+        setPress(bank);
+    else
+        m_ram.reset();
 }
 
 // From now on so many pulses lie between two index marks; the shaft keeps its angle.

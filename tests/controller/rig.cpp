@@ -2,6 +2,7 @@
 #include "rig.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <stdexcept>
 
 namespace campanel::test {
@@ -201,11 +202,10 @@ std::uint16_t Rig::apply(const Registers& image, std::uint16_t mode, std::uint16
     return command(CTL_COMMAND_APPLY_STAGED, mode, session, crc32(image));
 }
 
-void Rig::install(const BankImage& bank)
+void Rig::install(const Registers& image, std::uint16_t session)
 {
-    const Registers image = bank.registers();
-    if (download(image) != CTL_TRANSFER_RESULT_ACCEPTED ||
-        apply(image, CTL_APPLY_MODE_WHEN_STOPPED) != CTL_REFUSAL_NONE)
+    if (download(image, session) != CTL_TRANSFER_RESULT_ACCEPTED ||
+        apply(image, CTL_APPLY_MODE_WHEN_STOPPED, session) != CTL_REFUSAL_NONE)
         throw std::runtime_error("the program was refused");
 }
 
@@ -238,6 +238,21 @@ bool Rig::runUntilState(std::uint16_t state, std::uint64_t timeoutUs)
     while (core().motion.state != state && m_controller.nowUs() < endUs)
         m_controller.step();
     return core().motion.state == state;
+}
+
+std::int64_t Rig::largestJolt(std::uint64_t timeUs)
+{
+    std::int64_t position = core().motion.commanded;
+    std::optional<std::int64_t> speed;
+    std::int64_t largest = 0;
+    for (const std::uint64_t endUs = m_controller.nowUs() + timeUs; m_controller.nowUs() < endUs;) {
+        m_controller.step();
+        const std::int64_t moved = core().motion.commanded - position;
+        position = core().motion.commanded;
+        largest = std::max(largest, std::abs(moved - speed.value_or(moved)));
+        speed = moved;
+    }
+    return largest;
 }
 
 } // namespace campanel::test

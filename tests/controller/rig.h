@@ -49,6 +49,7 @@ public:
 
     std::uint16_t status(std::uint16_t address) { return read(address, 1).at(0); }
     std::uint32_t statusWide(std::uint16_t address);
+    std::int32_t signedWide(std::uint16_t address) { return static_cast<std::int32_t>(statusWide(address)); }
     // The refusal (CTL_REFUSAL_...).
     std::uint16_t command(std::uint16_t code, std::uint16_t argument0 = 0, std::uint16_t argument1 = 0,
                           std::uint32_t argument2 = 0);
@@ -60,7 +61,8 @@ public:
                            std::optional<std::uint16_t> kind = {});
     std::uint16_t apply(const Registers& image, std::uint16_t mode, std::uint16_t session = 1);
     // Downloads and activates at standstill.
-    void install(const BankImage& bank);
+    void install(const Registers& image, std::uint16_t session = 1);
+    void install(const BankImage& bank) { install(bank.registers()); }
     // Starts and homes until the table runs.
     void start();
     void heartbeat(std::uint16_t jog = 0);
@@ -69,6 +71,9 @@ public:
     void run(std::uint64_t timeUs);
     // False when the state is not reached in so much simulated time.
     bool runUntilState(std::uint16_t state, std::uint64_t timeoutUs = 60'000'000);
+    // Runs for so long; the largest change of the commanded speed from one slice to the next, in pulses a
+    // slice.
+    std::int64_t largestJolt(std::uint64_t timeUs);
 
     [[nodiscard]] ctl_core& core() { return m_controller.core(); }
     [[nodiscard]] controller::SimulatedController& controller() { return m_controller; }

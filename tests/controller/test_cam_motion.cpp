@@ -18,38 +18,6 @@ constexpr std::uint64_t second = 1'000'000;
 constexpr std::uint64_t settleUs =
     2 * CTL_CAM_UPDATE_US + CTL_SLICE_US; // from the master's rest to the axis'
 
-void install(Rig& rig, const CamImage& cam, std::uint16_t session = 1)
-{
-    const Registers image = cam.registers();
-    if (rig.download(image, session) != CTL_TRANSFER_RESULT_ACCEPTED ||
-        rig.apply(image, CTL_APPLY_MODE_WHEN_STOPPED, session) != CTL_REFUSAL_NONE)
-        throw std::runtime_error("the cam was refused");
-}
-
-// The largest change of speed from one slice to the next, in pulses a slice.
-std::int64_t largestJolt(Rig& rig, std::uint64_t timeUs)
-{
-    std::int64_t position = rig.core().motion.commanded;
-    std::int64_t speed = 0;
-    std::int64_t largest = 0;
-    bool first = true;
-    for (const std::uint64_t end = rig.controller().nowUs() + timeUs; rig.controller().nowUs() < end;) {
-        rig.controller().step();
-        const std::int64_t moved = rig.core().motion.commanded - position;
-        position = rig.core().motion.commanded;
-        if (!first)
-            largest = std::max(largest, std::abs(moved - speed));
-        first = false;
-        speed = moved;
-    }
-    return largest;
-}
-
-std::int32_t signedWide(Rig& rig, std::uint16_t address)
-{
-    return static_cast<std::int32_t>(rig.statusWide(address));
-}
-
 } // namespace
 
 class TestCamMotion : public QObject {
@@ -77,7 +45,7 @@ void TestCamMotion::pointCamHomesToTheMotorsMark()
     Rig rig;
     CamImage cam = sineCam(0.0, 2000.0, 200, 8'000'000);
     cam.pulsesPerMotorRev = 4000;
-    install(rig, cam);
+    rig.install(cam.registers());
     QCOMPARE(rig.status(CTL_REG_STATUS_PROGRAM_KIND), CTL_PROGRAM_KIND_POINT_CAM);
     QVERIFY((rig.status(CTL_REG_STATUS_WARNING) & 1u << CTL_WARNING_BIT_NOT_HOMED) != 0);
     QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
@@ -120,7 +88,7 @@ void TestCamMotion::stopsEndWhereTheyShould()
     cam.masterRampMs = static_cast<std::uint16_t>(masterRampMs);
     cam.rampShape = static_cast<std::uint16_t>(shape);
     Rig rig;
-    install(rig, cam);
+    rig.install(cam.registers());
     for (int i = 0; i < 12; ++i) {
         rig.start();
         rig.run(random() % (3 * second));
@@ -166,17 +134,17 @@ void TestCamMotion::masterTurnsRound()
     cam.masterRampMs = static_cast<std::uint16_t>(masterRampMs);
     cam.rampShape = static_cast<std::uint16_t>(shape);
     Rig rig;
-    install(rig, cam);
+    rig.install(cam.registers());
     rig.start();
     rig.run(3 * second);
     for (const std::uint16_t direction : {std::uint16_t{1}, std::uint16_t{0}, std::uint16_t{1}}) {
         rig.setParameter(CTL_REG_PARAMETER_MASTER_DIRECTION, direction);
         // 30 kHz are 7.5 pulses a slice; a slice of the ramp changes that by hardly anything.
-        const std::int64_t jolt = largestJolt(rig, 3 * second);
+        const std::int64_t jolt = rig.largestJolt(3 * second);
         QVERIFY2(jolt <= 2, qPrintable(QString::number(jolt)));
         QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
         QCOMPARE(rig.status(CTL_REG_STATUS_MASTER_SPEED), 10000);
-        const std::int32_t hz = signedWide(rig, CTL_REG_STATUS_COMMANDED_FREQUENCY);
+        const std::int32_t hz = rig.signedWide(CTL_REG_STATUS_COMMANDED_FREQUENCY);
         QVERIFY(direction == 1 ? hz < -9000 && hz > -31'000 : hz > 9000 && hz < 31'000);
         const unsigned before = rig.status(CTL_REG_STATUS_MASTER_ANGLE);
         const unsigned turned = (rig.status(CTL_REG_STATUS_MASTER_ANGLE) + 36000u - before) % 36000u;
@@ -191,7 +159,7 @@ void TestCamMotion::masterTurnsRound()
 void TestCamMotion::startsBackward()
 {
     Rig rig;
-    install(rig, sineCam(10'000.0, 800.0, 100, 4'000'000));
+    rig.install(sineCam(10'000.0, 800.0, 100, 4'000'000).registers());
     rig.setParameter(CTL_REG_PARAMETER_MASTER_DIRECTION, 1);
     rig.start();
     rig.run(5 * second);
@@ -205,7 +173,7 @@ void TestCamMotion::moveRunsOncePerStart()
     move.remainder = 2;
     move.divisor = 3;
     Rig rig;
-    install(rig, move);
+    rig.install(move.registers());
     QVERIFY((rig.status(CTL_REG_STATUS_WARNING) & 1u << CTL_WARNING_BIT_NOT_HOMED) == 0);
     rig.setParameter(CTL_REG_PARAMETER_MASTER_DIRECTION, 1); // is the point cam's alone
     for (int run = 1; run <= 6; ++run) {
@@ -229,7 +197,7 @@ void TestCamMotion::moveRunsOncePerStart()
 void TestCamMotion::moveStoppedMidwayIsOver()
 {
     Rig rig;
-    install(rig, quinticMove(30'000.0, 100, 16'000'000));
+    rig.install(quinticMove(30'000.0, 100, 16'000'000).registers());
     rig.command(CTL_COMMAND_START);
     rig.run(second);
     QCOMPARE(rig.command(CTL_COMMAND_STOP_NOW), CTL_REFUSAL_NONE);
@@ -245,7 +213,7 @@ void TestCamMotion::moveStoppedMidwayIsOver()
 void TestCamMotion::stopAtCycleEndLetsTheMoveFinish()
 {
     Rig rig;
-    install(rig, quinticMove(30'000.0, 100, 16'000'000));
+    rig.install(quinticMove(30'000.0, 100, 16'000'000).registers());
     rig.command(CTL_COMMAND_START);
     rig.run(second);
     QCOMPARE(rig.command(CTL_COMMAND_STOP_AT_CYCLE_END), CTL_REFUSAL_NONE);
@@ -260,20 +228,20 @@ void TestCamMotion::speedIsHeldUntilAStop()
     for (const std::uint16_t code :
          {std::uint16_t{CTL_COMMAND_STOP_NOW}, std::uint16_t{CTL_COMMAND_STOP_AT_CYCLE_END}}) {
         Rig rig;
-        install(rig, speedMove(20'000.0, 100, 8'000'000));
+        rig.install(speedMove(20'000.0, 100, 8'000'000).registers());
         rig.setParameter(CTL_REG_PARAMETER_RAMP_TIME, 400);
         QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
-        QVERIFY(largestJolt(rig, 2 * second) <= 2);
+        QVERIFY(rig.largestJolt(2 * second) <= 2);
         QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
         QCOMPARE(rig.core().motion.cycle_count, 1u);
-        QCOMPARE(signedWide(rig, CTL_REG_STATUS_COMMANDED_FREQUENCY), 20'000);
+        QCOMPARE(rig.signedWide(CTL_REG_STATUS_COMMANDED_FREQUENCY), 20'000);
         QCOMPARE(rig.status(CTL_REG_STATUS_MASTER_ANGLE), 36000);
         const std::int64_t before = rig.core().motion.commanded;
         rig.run(10 * second);
         QVERIFY(std::abs(rig.core().motion.commanded - before - 200'000) <= 1);
         QCOMPARE(rig.command(code), CTL_REFUSAL_NONE);
         const std::int64_t top = rig.core().motion.commanded;
-        QVERIFY(largestJolt(rig, 400'000 + settleUs) <= 2);
+        QVERIFY(rig.largestJolt(400'000 + settleUs) <= 2);
         QCOMPARE(rig.core().motion.state, CTL_STATE_READY);
         // Half of what full speed would have made in the ramp, and the two updates under way.
         const std::int64_t braked = rig.core().motion.commanded - top;
@@ -287,7 +255,7 @@ void TestCamMotion::changeWhileRunningDoesNotJump()
     CamImage one = sineCam(3000.0, 300.0, 100, 2'400'000);
     CamImage other = sineCam(3000.0, -300.0, 64, 2'400'000); // starts and ends 2500 Hz apart from the first
     Rig rig;
-    install(rig, one);
+    rig.install(one.registers());
     rig.start();
     rig.run(second);
     for (std::uint16_t change = 0; change < 10; ++change) {
@@ -296,7 +264,7 @@ void TestCamMotion::changeWhileRunningDoesNotJump()
         const std::uint32_t generation = rig.core().banks.generation;
         QCOMPARE(rig.download(image, session), CTL_TRANSFER_RESULT_ACCEPTED);
         QCOMPARE(rig.apply(image, CTL_APPLY_MODE_NEXT_CYCLE, session), CTL_REFUSAL_NONE);
-        QVERIFY(largestJolt(rig, second) <= 5);
+        QVERIFY(rig.largestJolt(second) <= 5);
         QCOMPARE(rig.core().banks.generation, generation + 1);
     }
     rig.command(CTL_COMMAND_STOP_AT_CYCLE_END);
@@ -320,7 +288,7 @@ void TestCamMotion::changeOfKind()
     QVERIFY(rig.runUntilState(CTL_STATE_READY));
     const std::uint32_t bags = rig.core().bags.count;
     QVERIFY(bags > 0);
-    install(rig, quinticMove(30'000.0, 100, 8'000'000), 2);
+    rig.install(quinticMove(30'000.0, 100, 8'000'000).registers(), 2);
     const std::int64_t before = rig.core().motion.commanded;
     QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
     QVERIFY(rig.runUntilState(CTL_STATE_READY));
@@ -343,7 +311,7 @@ void TestCamMotion::masterTooFast()
     cam.rows = {{0, 0}, {256 * 18'000, 0}, {256 * 36'000, 0}};
     cam.advance = 36'000;
     Rig rig;
-    install(rig, cam);
+    rig.install(cam.registers());
     rig.write(CTL_REG_PARAMETER_FOLLOWING_ERROR_LIMIT, {15, 0}); // the lag itself is not to trip
     for (int i = 0; i < 2; ++i) {
         QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
@@ -352,10 +320,10 @@ void TestCamMotion::masterTooFast()
         const std::int64_t stopped = rig.core().motion.commanded;
         rig.run(second);
         QCOMPARE(rig.core().motion.commanded, stopped);
-        QCOMPARE(signedWide(rig, CTL_REG_STATUS_COMMANDED_FREQUENCY), 0);
+        QCOMPARE(rig.signedWide(CTL_REG_STATUS_COMMANDED_FREQUENCY), 0);
         QCOMPARE(rig.command(CTL_COMMAND_RESET_FAULT), CTL_REFUSAL_NONE);
     }
-    install(rig, quinticMove(10'000.0, 100, 8'000'000), 2);
+    rig.install(quinticMove(10'000.0, 100, 8'000'000).registers(), 2);
     const std::int64_t before = rig.core().motion.commanded;
     rig.command(CTL_COMMAND_START);
     QVERIFY(rig.runUntilState(CTL_STATE_READY, 2 * second));
@@ -371,8 +339,8 @@ void TestCamMotion::callsMayComeAtAnyTime()
     const CamImage move = quinticMove(30'000.0, 100, 8'000'000);
     Rig even;
     Rig uneven;
-    install(even, move);
-    install(uneven, move);
+    even.install(move.registers());
+    uneven.install(move.registers());
     for (Rig* rig : {&even, &uneven}) // its machine does not run here
         rig->write(CTL_REG_PARAMETER_FOLLOWING_ERROR_LIMIT, {15, 0});
     even.command(CTL_COMMAND_START);

@@ -30,6 +30,7 @@ struct CamImage {
     std::uint16_t knots = 0;
     std::uint32_t pulsesPerMotorRev = 10000;
     std::uint32_t feedUm = 100'000;
+    std::int16_t masterRate = 600; // of a point cam, 0.1 r/min
 
     // Header, rows and knots as they go over the line.
     [[nodiscard]] std::vector<std::uint16_t> registers() const
@@ -65,6 +66,7 @@ struct CamImage {
             wide(CTL_OFFSET_SPEED_MOVE_FEED, feedUm);
             break;
         default:
+            result[CTL_OFFSET_POINT_CAM_MASTER_RATE] = static_cast<std::uint16_t>(masterRate);
             wide(CTL_OFFSET_POINT_CAM_PULSES_PER_MOTOR_REV, pulsesPerMotorRev);
             wide(CTL_OFFSET_POINT_CAM_FEED, feedUm);
             break;
