@@ -5,13 +5,12 @@
 #include "app/cli/invocation.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/report.h"
+#include "app/program/interval_speeds.h"
 #include "app/program/solved_program.h"
 #include "profile/interval_times.h"
 #include "profile/intervals.h"
 
 #include <QJsonArray>
-
-#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -91,16 +90,16 @@ Outcome runIntervals(const Invocation& call)
     const auto table = profile::compileIntervals(solved->motion, machine, error, mode);
     if (!table)
         return fail(ExitCode::Refused, profile::describe(table.error()));
-    const double scale = std::ldexp(1.0, -table->fractionBits);
     std::vector<double> pulses;
     std::vector<double> first;
     std::vector<double> last;
     std::vector<double> acceleration;
     for (const profile::IntervalRow& row : table->rows) {
+        const program::IntervalSpeeds speeds = program::speedsOf(row, table->fractionBits);
         pulses.push_back(row.pulses);
-        first.push_back(row.firstSpeed * scale);
-        last.push_back(row.lastSpeed * scale);
-        acceleration.push_back(row.acceleration * scale);
+        first.push_back(speeds.firstHz);
+        last.push_back(speeds.lastHz);
+        acceleration.push_back(speeds.accelerationHzPerS);
     }
     if (call.format() == u"csv")
         return call.deliver(csvTable({{"pulses", &pulses},

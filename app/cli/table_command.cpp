@@ -4,10 +4,9 @@
 #include "app/cli/invocation.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/report.h"
+#include "app/program/interval_speeds.h"
 
 #include <QJsonArray>
-
-#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -65,11 +64,11 @@ TableColumns columnsOf(const profile::IntervalTable& table, const program::Progr
                          {"first_hz", 4, {}},
                          {"last_hz", 4, {}},
                          {"acceleration_hz_per_s", 3, {}}};
-    const double scale = std::ldexp(1.0, -table.fractionBits);
     for (const profile::IntervalRow& row : table.rows) {
+        const program::IntervalSpeeds speeds = program::speedsOf(row, table.fractionBits);
         const std::array<double, 5> values{static_cast<double>(columns[0].values.size()),
-                                           static_cast<double>(row.pulses), row.firstSpeed * scale,
-                                           row.lastSpeed * scale, row.acceleration * scale};
+                                           static_cast<double>(row.pulses), speeds.firstHz,
+                                           speeds.lastHz, speeds.accelerationHzPerS};
         for (std::size_t i = 0; i < values.size(); ++i)
             columns[i].values.push_back(values[i]);
     }

@@ -3,7 +3,9 @@
 
 #include "app/machine/controller_sentences.h"
 #include "app/machine/format.h"
+#include "app/program/interval_speeds.h"
 #include "profile/paper_table.h"
+#include "profile/point_cam.h"
 
 #include <cmath>
 
@@ -11,21 +13,9 @@ namespace campanel::machine {
 
 namespace {
 
-template <typename Table> constexpr bool isPress = std::is_same_v<Table, profile::PressTable>;
-
 double duration(const profile::StepRow& row, const profile::Machine& machine)
 {
     return static_cast<double>(row.ticks) / machine.timerClockHz;
-}
-
-// Of a row of constant acceleration that goes from one speed to another and then on at the last one.
-double duration(const profile::IntervalRow& row)
-{
-    const double v0 = row.firstSpeed;
-    const double v1 = row.lastSpeed;
-    const double ramp = row.acceleration == 0 ? 0 : std::abs(v1 - v0) / row.acceleration;
-    const double left = row.pulses - ramp * (v0 + v1) / 2;
-    return ramp + (v1 > 0 ? std::max(left, 0.0) / v1 : 0);
 }
 
 } // namespace
@@ -75,7 +65,7 @@ std::vector<double> TableText::startsS() const
     } else if (const auto* intervals = std::get_if<profile::IntervalTable>(&m_image.table)) {
         for (const profile::IntervalRow& row : intervals->rows) {
             starts.push_back(time);
-            time += duration(row);
+            time += program::speedsOf(row, intervals->fractionBits).timeS;
         }
     } else {
         starts.assign(std::get<profile::PressTable>(m_image.table).rows.size(), 0);
@@ -108,16 +98,16 @@ QStringList TableText::cells(std::size_t row, double startS) const
     }
     if (const auto* intervals = std::get_if<profile::IntervalTable>(&m_image.table)) {
         const profile::IntervalRow& each = intervals->rows[row];
-        const double scale = std::ldexp(1.0, -intervals->fractionBits);
+        const program::IntervalSpeeds speeds = program::speedsOf(each, intervals->fractionBits);
         return {number,
                 each.lastSpeed > each.firstSpeed   ? tr("faster")
                 : each.lastSpeed < each.firstSpeed ? tr("slower")
                                                    : tr("constant"),
                 format.number(startS, 4),
                 format.number(each.pulses, 0),
-                format.number(each.firstSpeed * scale, 1),
-                format.number(each.lastSpeed * scale, 1),
-                format.number(each.acceleration * scale, 0)};
+                format.number(speeds.firstHz, 1),
+                format.number(speeds.lastHz, 1),
+                format.number(speeds.accelerationHzPerS, 0)};
     }
     const profile::PressRow& stage = std::get<profile::PressTable>(m_image.table).rows[row];
     return {number,
@@ -174,10 +164,11 @@ QStringList TableText::summaryOf(const profile::StepTable& table) const
 QStringList TableText::summaryOf(const profile::CamTable& table) const
 {
     const Format format;
-    const bool repeats = m_image.recipe.kind() == profile::ProgramKind::PointCam;
+    // The table of a cam is that of the forward motion, whichever way the master turns.
+    const auto* cam = std::get_if<profile::PointCamProgram>(&m_image.recipe.program);
     const profile::CamErrors errors =
-        profile::camErrors(table, m_image.solved.motion, m_image.solved.machine,
-                           repeats ? profile::CamUse::Repeats : profile::CamUse::Once);
+        profile::camErrors(table, cam ? profile::forwardMotion(*cam) : m_image.solved.motion,
+                           m_image.solved.machine, cam ? profile::CamUse::Repeats : profile::CamUse::Once);
     QStringList lines;
     lines << tr("%1 points, %2 pulses per cycle, %3 s")
                  .arg(table.rows.size())

@@ -160,7 +160,10 @@ std::string describe(const DecodeError& error)
         return "The controller's program does not say which two inputs it was made from (" + code +
                "). Download a recipe again.";
     case DecodeErrorKind::Law:
-        return "The controller's program uses speed law " + code +
+        return "The controller's program uses law " + code +
+               ", which this version does not know. Update the panel's software.";
+    case DecodeErrorKind::Choice:
+        return "The controller's program has a choice with number " + code +
                ", which this version does not know. Update the panel's software.";
     }
     return {};
@@ -224,6 +227,24 @@ bool isKnownLayout(profile::ProgramKind kind, modbus::TableLayout layout)
     return false;
 }
 
+// The first choice that is not one of its kind.
+std::optional<DecodeError> wrongChoice(const Recipe& recipe)
+{
+    for (const Choice each : kindInfo(recipe.kind()).choices) {
+        const std::uint16_t code = choice(recipe.program, each);
+        if (each == Choice::Law) {
+            const auto* law = profile::findLaw(static_cast<profile::LawId>(code));
+            if (law == nullptr || !isLawOf(recipe.kind(), *law))
+                return DecodeError{DecodeErrorKind::Law, code};
+            continue;
+        }
+        const auto options = choiceInfo(recipe.kind(), each).options;
+        if (std::ranges::find(options, code, &ChoiceOption::code) == options.end())
+            return DecodeError{DecodeErrorKind::Choice, code};
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 tl::expected<Recipe, DecodeError> decodeProgram(std::span<const std::uint16_t> registers,
@@ -248,9 +269,8 @@ tl::expected<Recipe, DecodeError> decodeProgram(std::span<const std::uint16_t> r
         return recipe;
     recipe->machine = limits;
     decodeAxisHeader(registers, knots, *recipe);
-    const auto law = static_cast<profile::LawId>(choice(recipe->program, Choice::Law));
-    if (lawParameters(recipe->program) != nullptr && profile::findLaw(law) == nullptr)
-        return unknown(DecodeErrorKind::Law, static_cast<int>(law));
+    if (const auto wrong = wrongChoice(*recipe))
+        return tl::unexpected(*wrong);
     return recipe;
 }
 

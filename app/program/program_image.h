@@ -44,7 +44,7 @@ struct ProgramImage {
 // Refuses a cycle that cannot be, broken limits of the machine, and a table that the controller cannot hold.
 [[nodiscard]] tl::expected<ProgramImage, ProgramRefusal> buildProgram(const Recipe& recipe);
 
-enum class DecodeErrorKind : std::uint8_t { Layout, Kind, Pinned, Law };
+enum class DecodeErrorKind : std::uint8_t { Layout, Kind, Pinned, Law, Choice };
 
 // A header that this version cannot show as a recipe; `code` is the value that it does not know.
 struct DecodeError {

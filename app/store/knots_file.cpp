@@ -4,6 +4,8 @@
 #include "app/store/files.h"
 #include "profile/knots_csv.h"
 
+#include <QDir>
+
 namespace campanel::store {
 namespace {
 
@@ -27,13 +29,26 @@ QString expectation(profile::CsvExpectation expected)
     return {};
 }
 
+QString notOpened(const FileError& error)
+{
+    const QString path = QDir::toNativeSeparators(error.path);
+    switch (error.kind) {
+    case FileError::Kind::NotFound:
+        return FileErrorText::tr("The file %1 does not exist. Check its name.").arg(path);
+    case FileError::Kind::NotWritable:
+        return FileErrorText::tr("The file %1 cannot be written: %2.").arg(path, error.found);
+    default:
+        return FileErrorText::tr("The file %1 cannot be read: %2.").arg(path, error.found);
+    }
+}
+
 } // namespace
 
 tl::expected<std::vector<profile::Knot>, QString> readKnots(const QString& path)
 {
     const auto bytes = readBytes(path);
     if (!bytes)
-        return tl::unexpected(FileErrorText::describe(bytes.error()));
+        return tl::unexpected(notOpened(bytes.error()));
     auto knots = profile::readKnotsCsv({bytes->constData(), static_cast<std::size_t>(bytes->size())});
     if (!knots) {
         const profile::CsvError& error = knots.error();
@@ -49,7 +64,7 @@ tl::expected<void, QString> writeKnots(std::span<const profile::Knot> knots, con
 {
     const auto written = replaceBytes(path, QByteArray::fromStdString(profile::writeKnotsCsv(knots)));
     if (!written)
-        return tl::unexpected(FileErrorText::describe(written.error()));
+        return tl::unexpected(notOpened(written.error()));
     return {};
 }
 

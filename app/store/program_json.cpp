@@ -141,8 +141,11 @@ void readKnots(ObjectReader& reader, profile::PointCamProgram& cam)
     const QString id = u"knots"_s;
     if (!reader.has(id))
         return;
+    const QJsonValue list = reader.take(id);
+    if (!list.isArray())
+        reader.fail(id, FileError::Kind::WrongType, {}, FileErrorText::pairsOfNumbers());
     cam.knots.clear();
-    for (const QJsonValue& each : reader.take(id).toArray()) {
+    for (const QJsonValue& each : list.toArray()) {
         const QJsonArray pair = each.toArray();
         if (pair.size() != 2 || !pair[0].isDouble() || !pair[1].isDouble())
             reader.fail(id, FileError::Kind::WrongType, {}, FileErrorText::pairsOfNumbers());

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the generator's clock makes of the numbers of an interval: real pulses/s, for people to read.
+#pragma once
+
+#include "profile/interval_times.h"
+
+#include <cmath>
+
+namespace campanel::program {
+
+struct IntervalSpeeds {
+    double firstHz = 0;
+    double lastHz = 0;
+    double accelerationHzPerS = 0; // without its sign
+    double timeS = 0;
+};
+
+// The registers count 2^-fractionBits pulses/s at 2^23 iterations a second; there are 50 MHz / 6.
+[[nodiscard]] inline IntervalSpeeds speedsOf(const profile::IntervalRow& row, int fractionBits)
+{
+    const double iterations = std::ldexp(profile::detail::realIterationS, profile::detail::accumulatorBits);
+    const double hz = std::ldexp(1.0, -fractionBits) / iterations;
+    IntervalSpeeds speeds{row.firstSpeed * hz, row.lastSpeed * hz, row.acceleration * hz / iterations, 0};
+    speeds.timeS = row.firstSpeed == row.lastSpeed
+                       ? row.pulses / speeds.lastHz
+                       : profile::intervalTheoryS(row.pulses, speeds.firstHz, speeds.lastHz,
+                                                  speeds.accelerationHzPerS);
+    return speeds;
+}
+
+} // namespace campanel::program
