@@ -12,6 +12,8 @@
 
 #include <QJsonArray>
 
+#include <cmath>
+
 using namespace Qt::StringLiterals;
 
 namespace campanel::cli {
@@ -36,10 +38,11 @@ Outcome runCamMov(const Invocation& call)
         values[static_cast<std::size_t>(i)] = parts[i].trimmed().toDouble(&isGood);
         isGood = isGood && values[static_cast<std::size_t>(i)] > 0;
     }
-    if (!isGood)
+    constexpr double mostPulses = 1e6; // a line for each would be too long
+    if (!isGood || values[0] != std::floor(values[0]) || values[0] > mostPulses)
         return fail(
             ExitCode::Usage,
-            u"--cam-mov takes four numbers above zero: pulses, first and last speed, acceleration."_s);
+            u"--cam-mov takes four numbers above zero: whole pulses (at most a million), first and last speed, acceleration."_s);
     const auto pulses = static_cast<std::uint32_t>(values[0]);
     QJsonObject object;
     for (const auto mode : {profile::IntervalMode::Published, profile::IntervalMode::Corrected}) {

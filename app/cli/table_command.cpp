@@ -67,8 +67,8 @@ TableColumns columnsOf(const profile::IntervalTable& table, const program::Progr
     for (const profile::IntervalRow& row : table.rows) {
         const program::IntervalSpeeds speeds = program::speedsOf(row, table.fractionBits);
         const std::array<double, 5> values{static_cast<double>(columns[0].values.size()),
-                                           static_cast<double>(row.pulses), speeds.firstHz,
-                                           speeds.lastHz, speeds.accelerationHzPerS};
+                                           static_cast<double>(row.pulses), speeds.firstHz, speeds.lastHz,
+                                           speeds.accelerationHzPerS};
         for (std::size_t i = 0; i < values.size(); ++i)
             columns[i].values.push_back(values[i]);
     }

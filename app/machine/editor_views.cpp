@@ -184,7 +184,8 @@ QString EditorViews::peaks() const
         return {};
     const Format format;
     const profile::AxisPeaks& peaks = m_solution.solved->peaks;
-    if (!m_solution.cutter())
+    // The recipe has no inertia of a knife or of a press.
+    if (!m_solution.cutter() && m_recipe.kind() != profile::ProgramKind::Press)
         return tr("peak %1 r/min · %2 m/s² · %3 Nm · %4 kHz")
             .arg(format.number(peaks.motorRpm, 0), format.number(peaks.accelerationMmPerS2 / 1000, 2),
                  format.number(peaks.torqueNm, 3), format.number(peaks.pulseFrequencyHz / 1000, 1));

@@ -11,6 +11,8 @@ QString RecipeWords::unit(std::string_view unit)
 {
     if (unit == "mm/s^2")
         return QStringLiteral("mm/s²");
+    if (unit == "deg")
+        return QStringLiteral("°");
     if (unit == "bags/min")
         return tr("bags/min");
     if (unit == "r/min")

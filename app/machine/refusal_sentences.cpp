@@ -89,6 +89,14 @@ QString RefusalSentences::limitBrokenAt(const profile::Refusal& refusal)
     case Limit::KnifeAcceleration:
         return tr("The knife would accelerate with %1 at %3 s (%4°); the limit is %2.")
             .arg(actual, allowed, time, angle);
+    case Limit::AxisAcceleration:
+        return tr("The acceleration would be %1 at %3 s (%4°); the limit is %2.")
+            .arg(actual, allowed, time, angle);
+    case Limit::MotorTorque:
+        return tr("The motor would need %1 at %3 s (%4°); it has %2.").arg(actual, allowed, time, angle);
+    case Limit::MasterTooFast:
+        return tr("Following the master would take %1 at %3 s (%4°); the limit is %2.")
+            .arg(actual, allowed, time, angle);
     default:
         return tr("The pulse frequency would be %1 at %3 s (%4°); the limit is %2.")
             .arg(actual, allowed, time, angle);

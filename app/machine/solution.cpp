@@ -14,12 +14,16 @@ bool Solution::isCloseToLimit() const
         return false;
     const profile::Machine& machine = solved->machine;
     const profile::AxisPeaks& peaks = solved->peaks;
-    const double acceleration =
-        cutter() ? machine.maxKnifeAccelerationMmPerS2 : machine.maxAccelerationMmPerS2;
-    const double torqueShare = cutter() ? 0 : peaks.torqueNm / machine.maxTorqueNm;
-    return std::max({peaks.motorRpm / machine.maxMotorRpm, peaks.accelerationMmPerS2 / acceleration,
-                     peaks.pulseFrequencyHz / profile::pulseFrequencyLimitHz(machine), torqueShare}) >
-           closeShare;
+    const double speedShare = std::max(peaks.motorRpm / machine.maxMotorRpm,
+                                       peaks.pulseFrequencyHz / profile::pulseFrequencyLimitHz(machine));
+    // A press always ramps with the largest acceleration.
+    if (image->recipe.kind() == profile::ProgramKind::Press)
+        return speedShare > closeShare;
+    if (cutter())
+        return std::max(speedShare, peaks.accelerationMmPerS2 / machine.maxKnifeAccelerationMmPerS2) >
+               closeShare;
+    return std::max({speedShare, peaks.accelerationMmPerS2 / machine.maxAccelerationMmPerS2,
+                     peaks.torqueNm / machine.maxTorqueNm}) > closeShare;
 }
 
 Solution solveRecipe(const program::Recipe& recipe, const std::optional<modbus::Identity>& controller)

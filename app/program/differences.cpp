@@ -61,9 +61,11 @@ std::vector<Difference> differences(std::span<const std::uint16_t> a, std::span<
         return found;
     }
     const KindInfo& info = kindInfo(static_cast<profile::ProgramKind>(kind));
-    const auto layout = static_cast<modbus::TableLayout>(readA.u16("bank.layout"));
+    // Layouts use the same registers for different things: compared is what both have.
+    const auto layoutA = static_cast<modbus::TableLayout>(readA.u16("bank.layout"));
+    const auto layoutB = static_cast<modbus::TableLayout>(readB.u16("bank.layout"));
     for (const modbus::RegisterInfo& each : modbus::bankFields()) {
-        if (isCompared(each, info, layout))
+        if (isCompared(each, info, layoutA) && isCompared(each, info, layoutB))
             compare(each);
     }
     return found;

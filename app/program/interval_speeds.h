@@ -21,10 +21,10 @@ struct IntervalSpeeds {
     const double iterations = std::ldexp(profile::detail::realIterationS, profile::detail::accumulatorBits);
     const double hz = std::ldexp(1.0, -fractionBits) / iterations;
     IntervalSpeeds speeds{row.firstSpeed * hz, row.lastSpeed * hz, row.acceleration * hz / iterations, 0};
-    speeds.timeS = row.firstSpeed == row.lastSpeed
-                       ? row.pulses / speeds.lastHz
-                       : profile::intervalTheoryS(row.pulses, speeds.firstHz, speeds.lastHz,
-                                                  speeds.accelerationHzPerS);
+    speeds.timeS =
+        row.firstSpeed == row.lastSpeed
+            ? row.pulses / speeds.lastHz
+            : profile::intervalTheoryS(row.pulses, speeds.firstHz, speeds.lastHz, speeds.accelerationHzPerS);
     return speeds;
 }
 

@@ -106,8 +106,23 @@ tl::expected<ProgramImage, ProgramRefusal> buildCutter(ProgramImage image)
     return finished(std::move(image), std::move(registers));
 }
 
-// Speed error that the intervals of a move may have, as a share of its largest speed.
+// Speed error that the intervals of a move may have, as a share of its largest speed. The last speed of a
+// speed move is held for long: it is kept closer where whole pulses allow it.
 constexpr double intervalSpeedShare = 0.01;
+constexpr double heldSpeedShare = 0.001;
+
+tl::expected<AxisTable, profile::Refusal> intervalsOf(const Recipe& recipe, const SolvedProgram& solved)
+{
+    const auto compile = [&solved](double share) {
+        return profile::compileIntervals(solved.motion, solved.machine, share * solved.peaks.speedMmPerS,
+                                         profile::IntervalMode::Corrected);
+    };
+    if (recipe.kind() == profile::ProgramKind::SpeedMove) {
+        if (auto close = compile(heldSpeedShare))
+            return std::move(*close);
+    }
+    return compile(intervalSpeedShare);
+}
 
 tl::expected<AxisTable, profile::Refusal> axisTable(const Recipe& recipe, const SolvedProgram& solved)
 {
@@ -117,9 +132,7 @@ tl::expected<AxisTable, profile::Refusal> axisTable(const Recipe& recipe, const 
         return profile::buildCamTable(*cam, solved.machine);
     if (choice(recipe.program, Choice::Execution) ==
         static_cast<std::uint16_t>(profile::Execution::Intervals))
-        return profile::compileIntervals(solved.motion, solved.machine,
-                                         intervalSpeedShare * solved.peaks.speedMmPerS,
-                                         profile::IntervalMode::Corrected);
+        return intervalsOf(recipe, solved);
     const auto intervals = static_cast<int>(value(recipe, profile::Field::CamPoints));
     return profile::buildCamTable(solved.motion, intervals, solved.machine, profile::CamUse::Once);
 }

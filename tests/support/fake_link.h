@@ -29,7 +29,9 @@ public:
         identity.deviceType = modbus::deviceType;
         identity.mapMajor = modbus::mapMajor;
         identity.uniqueId = 42;
-        identity.programKinds = 1u << static_cast<unsigned>(modbus::ProgramKind::RotaryCutter);
+        for (const program::KindInfo& kind : program::kinds())
+            identity.programKinds =
+                static_cast<std::uint16_t>(identity.programKinds | 1u << static_cast<unsigned>(kind.kind));
         identity.rowCapacity = modbus::rowCapacity;
         identity.bankRegisters = modbus::bankRegisters;
         identity.blockRegisters = modbus::blockRegisters;
@@ -68,18 +70,21 @@ public:
         emit statusReceived(batch);
     }
 
-    // As if this program had been downloaded: the status names it and its header is read.
+    // As if this program had been downloaded: the status names it, its header and knots are read.
     void activate(const program::ProgramImage& image, link::SteadyTime at)
     {
         ++status.generation;
         status.activeCrc = image.crc;
-        status.programKind = modbus::ProgramKind::RotaryCutter;
+        status.programKind = static_cast<modbus::ProgramKind>(image.recipe.kind());
         if (status.state == modbus::State::Idle)
             status.state = modbus::State::Ready;
         sendStatus(at);
+        const modbus::KnotSpan span = modbus::knotSpan(image.registers);
+        const auto knots = image.registers.begin() + span.offset;
         emit programRead({status.generation,
                           image.crc,
-                          {image.registers.begin(), image.registers.begin() + modbus::bankHeaderRegisters}});
+                          {image.registers.begin(), image.registers.begin() + modbus::bankHeaderRegisters},
+                          {knots, knots + span.count}});
     }
 
     modbus::StatusBlock status = idle();

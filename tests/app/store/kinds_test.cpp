@@ -97,8 +97,8 @@ void StoreKindsTest::randomRecipesTrip()
         if (const auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
             QVERIFY(std::get<profile::PointCamProgram>(read->program).knots == cam->knots);
         if (const auto* parameters = program::lawParameters(recipe.program)) {
-            const auto law = static_cast<profile::LawId>(
-                program::choice(recipe.program, program::Choice::Law));
+            const auto law =
+                static_cast<profile::LawId>(program::choice(recipe.program, program::Choice::Law));
             for (std::size_t at = 0; at < profile::findLaw(law)->parameters.size(); ++at)
                 QCOMPARE((*program::lawParameters(read->program))[at], (*parameters)[at]);
         }
@@ -137,8 +137,8 @@ void StoreKindsTest::whatIsAbsentHasTheDefaultsOfItsKind()
     for (const program::KindInfo& kind : program::kinds()) {
         if (kind.kind == ProgramKind::RotaryCutter)
             continue; // which two are given must be said
-        const QString law = QString::fromLatin1(kind.kind == ProgramKind::PositionMove ? "quintic"
-                                                                                       : "half_modified_sine");
+        const QString law =
+            QString::fromLatin1(kind.kind == ProgramKind::PositionMove ? "quintic" : "half_modified_sine");
         QJsonObject program{{u"kind"_s, QString::fromLatin1(kind.key.data())}};
         program::Recipe expected = program::defaultRecipe(kind.kind);
         if (program::lawParameters(expected.program))
@@ -188,9 +188,8 @@ void StoreKindsTest::complaints_data()
     QTest::addColumn<Kind>("error");
     QTest::addColumn<QString>("word");
     const auto row = [](const char* tag, ProgramKind kind, const QString& key, const QJsonValue& value,
-                        Kind error, const QString& word) {
-        QTest::newRow(tag) << kind << key << value << error << word;
-    };
+                        Kind error,
+                        const QString& word) { QTest::newRow(tag) << kind << key << value << error << word; };
     const auto position = ProgramKind::PositionMove;
     const auto speed = ProgramKind::SpeedMove;
     const auto cam = ProgramKind::PointCam;
@@ -206,7 +205,8 @@ void StoreKindsTest::complaints_data()
     row("execution is a number", speed, u"execution"_s, 1, Kind::WrongType, u"a text"_s);
     row("unknown ends", cam, u"ends"_s, u"open"_s, Kind::NotAChoice, u"natural, clamped, periodic"_s);
     row("unknown ramp", cam, u"master_ramp_shape"_s, u"linear"_s, Kind::NotAChoice, u"trapezoid, s_curve"_s);
-    row("a choice of another kind", cam, u"duration"_s, u"fastest"_s, Kind::UnknownKey, u"program.duration"_s);
+    row("a choice of another kind", cam, u"duration"_s, u"fastest"_s, Kind::UnknownKey,
+        u"program.duration"_s);
     row("a press has no law", ProgramKind::Press, u"law"_s, u"cubic"_s, Kind::UnknownKey, u"program.law"_s);
     row("the cutter's law", position, u"speed_law"_s, u"cubic"_s, Kind::UnknownKey, u"program.speed_law"_s);
     row("knots of a move", position, u"knots"_s, QJsonArray{}, Kind::UnknownKey, u"program.knots"_s);

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every kind of program from the recipe to the motion: the panel's own classes and campanelctl on one side,
+// campanel-controller on its pseudo-terminal on the other, its machine several times as fast as a real one.
+#include "app/link/threaded_link.h"
+#include "app/machine/editor.h"
+#include "app/machine/machine.h"
+#include "app/machine/settings.h"
+#include "tests/support/controller_process.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+using namespace campanel;
+using machine::Editor;
+using machine::Machine;
+using profile::Field;
+using profile::ProgramKind;
+using test::ControllerProcess;
+
+namespace {
+
+constexpr int timeoutMs = 15'000;
+
+struct Panel {
+    explicit Panel(const QString& port)
+        : machine(link, settings, nullptr)
+        , editor(machine, folder.path(), nullptr)
+    {
+        machine::ConnectionChoice choice;
+        choice.simulated = false;
+        choice.portName = port;
+        settings.overrideConnection(choice);
+        machine.open();
+    }
+
+    [[nodiscard]] const modbus::StatusBlock& status() const { return *machine.status(); }
+
+    QTemporaryDir folder;
+    link::ThreadedLink link{nullptr};
+    machine::Settings settings{folder.filePath("settings.ini"), nullptr};
+    Machine machine;
+    Editor editor;
+};
+
+// What campanelctl prints; the words of its complaint when it does not end well.
+QByteArray ctl(const QStringList& words, const QString& port)
+{
+    QProcess process;
+    process.start(QStringLiteral(CAMPANELCTL), words + QStringList{"--port", port});
+    if (!process.waitForFinished(timeoutMs) || process.exitCode() != 0)
+        return process.readAllStandardError();
+    return process.readAllStandardOutput();
+}
+
+QJsonObject statusOf(const QString& port)
+{
+    return QJsonDocument::fromJson(ctl({"status", "--format", "json"}, port)).object();
+}
+
+QStringList fast(double speed)
+{
+    return {"--no-pacing", "--speed", QString::number(speed)};
+}
+
+} // namespace
+
+class TestKindsAndController : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aMoveEndsAtItsPulses_data();
+    void aMoveEndsAtItsPulses();
+    void aSpeedIsHeldUntilTheStop_data();
+    void aSpeedIsHeldUntilTheStop();
+    void anotherPanelSeesTheKnots_data();
+    void anotherPanelSeesTheKnots();
+    void aStrokeStopsWhereItShould();
+    void aMissingWorkPieceIsAFault();
+
+private:
+    // With the panel's own buttons, until it runs there.
+    static void begin(Panel& panel)
+    {
+        QTRY_VERIFY2_WITH_TIMEOUT(panel.editor.canDownload(), qPrintable(panel.editor.downloadText()),
+                                  timeoutMs);
+        panel.editor.download();
+        QTRY_COMPARE_WITH_TIMEOUT(panel.editor.downloadState(), Editor::DownloadState::Applied, timeoutMs);
+        QTRY_VERIFY2_WITH_TIMEOUT(panel.machine.canStart(), qPrintable(panel.machine.startBlockedReason()),
+                                  timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.machine.hasActiveProgram(), timeoutMs);
+        panel.machine.start();
+    }
+};
+
+void TestKindsAndController::aMoveEndsAtItsPulses_data()
+{
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<int>("pulses");
+    QTest::newRow("quintic as points") << QStringList{"--distance-mm", "6000"} << 60'000;
+    QTest::newRow("backwards") << QStringList{"--distance-mm", "-1234.5", "--law", "modified_sine"}
+                               << -12'345;
+    QTest::newRow("as intervals") << QStringList{"--distance-mm", "600", "--execution", "intervals"} << 6000;
+}
+
+// Twice: from where it stands, as far again.
+void TestKindsAndController::aMoveEndsAtItsPulses()
+{
+    QFETCH(QStringList, words);
+    QFETCH(int, pulses);
+    const ControllerProcess controller(fast(10));
+    const QByteArray loaded =
+        ctl(QStringList{"download", "--kind", "position_move", "--verify", "--format", "json"} + words,
+            controller.port());
+    QVERIFY2(QJsonDocument::fromJson(loaded).object()["generation"].toInt() == 1, loaded.constData());
+    QJsonObject status = statusOf(controller.port());
+    const QJsonObject program = status["program"].toObject();
+    QCOMPARE(program["kind"].toString(), "position_move");
+    QCOMPARE(program["distance_mm"].toDouble(), words[1].toDouble());
+    for (int run = 1; run <= 2; ++run) {
+        QCOMPARE(ctl({"start"}, controller.port()), QByteArray("Started.\n"));
+        QTRY_VERIFY_WITH_TIMEOUT((status = statusOf(controller.port()))["state"].toString() == "Ready" &&
+                                     status["commanded_position_pulses"].toInt() == run * pulses,
+                                 timeoutMs);
+        // The axis follows with a lag.
+        QTRY_COMPARE_WITH_TIMEOUT(statusOf(controller.port())["axis_position_pulses"].toInt(), run * pulses,
+                                  timeoutMs);
+    }
+    QCOMPARE(status["cycle_count"].toInt(), 2);
+    QVERIFY(status["faults"].toArray().isEmpty());
+}
+
+void TestKindsAndController::aSpeedIsHeldUntilTheStop_data()
+{
+    QTest::addColumn<int>("execution");
+    QTest::addColumn<double>("speed");
+    QTest::newRow("as points") << 0 << 5000.0;
+    QTest::newRow("as points, backwards") << 0 << -5000.0;
+    QTest::newRow("as intervals") << 1 << 1000.0;
+}
+
+void TestKindsAndController::aSpeedIsHeldUntilTheStop()
+{
+    QFETCH(int, execution);
+    QFETCH(double, speed);
+    const ControllerProcess controller(fast(3));
+    Panel panel(controller.port());
+    panel.editor.newProgram(static_cast<int>(ProgramKind::SpeedMove));
+    panel.editor.item(Field::EndSpeed)->set(speed);
+    panel.editor.setChoice(1, execution);
+    QVERIFY2(panel.editor.feasible(), qPrintable(panel.editor.verdict()));
+    begin(panel);
+    if (QTest::currentTestFailed())
+        return;
+    // The commanded frequency is that of whole pulses in 2 ms.
+    const double expectedHz = 10 * speed;
+    const auto isHeld = [&] {
+        return panel.machine.state() == Machine::State::Running &&
+               std::abs(panel.status().commandedFrequencyHz - expectedHz) <= 0.06 * std::abs(expectedHz);
+    };
+    QTRY_VERIFY2_WITH_TIMEOUT(isHeld(), qPrintable(QString::number(panel.status().commandedFrequencyHz)),
+                              timeoutMs);
+    // By the pulses that came in two seconds of the machine, much closer than by the frequency.
+    const auto begin = panel.status();
+    QTRY_VERIFY_WITH_TIMEOUT(
+        static_cast<std::uint16_t>(panel.status().sampleTimeMs - begin.sampleTimeMs) >= 2000, timeoutMs);
+    const auto end = panel.status();
+    const double seconds = static_cast<std::uint16_t>(end.sampleTimeMs - begin.sampleTimeMs) / 1000.0;
+    const double meanHz = (end.commandedPositionPulses - begin.commandedPositionPulses) / seconds;
+    QVERIFY2(std::abs(meanHz - expectedHz) < 0.005 * std::abs(expectedHz),
+             qPrintable(QString::number(meanHz)));
+    QVERIFY(isHeld());
+    panel.machine.stop();
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Ready, timeoutMs);
+    QCOMPARE(panel.status().commandedFrequencyHz, 0);
+    QVERIFY2(panel.machine.alarmText().isEmpty(), qPrintable(panel.machine.alarmText()));
+}
+
+void TestKindsAndController::anotherPanelSeesTheKnots_data()
+{
+    QTest::addColumn<double>("rate");
+    QTest::newRow("forwards") << 120.0;
+    QTest::newRow("backwards") << -120.0;
+}
+
+void TestKindsAndController::anotherPanelSeesTheKnots()
+{
+    QFETCH(double, rate);
+    const ControllerProcess controller(fast(5));
+    std::vector<profile::Knot> knots;
+    {
+        Panel panel(controller.port());
+        panel.editor.newProgram(static_cast<int>(ProgramKind::PointCam));
+        panel.editor.item(Field::MasterRate)->set(rate);
+        panel.editor.setRecipeName("Petal");
+        panel.editor.knots()->select(1);
+        panel.editor.knots()->slave()->set(23.456);
+        panel.editor.knots()->insertAfterSelected();
+        knots = std::get<profile::PointCamProgram>(panel.editor.recipe().program).knots;
+        QCOMPARE(knots.size(), std::size_t{6});
+        begin(panel);
+        if (QTest::currentTestFailed())
+            return;
+        QTRY_VERIFY_WITH_TIMEOUT(panel.machine.cycleCount() >= 5, timeoutMs);
+        QCOMPARE(panel.machine.state(), Machine::State::Running);
+        // The slave stays within the span of its cam.
+        QVERIFY(panel.status().axisPositionPulses > -30 && panel.status().axisPositionPulses < 550);
+        panel.machine.stop();
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Ready, timeoutMs);
+        QCOMPARE(panel.status().commandedPositionPulses, 0); // a closed cam ends where it began
+        QVERIFY2(panel.machine.alarmText().isEmpty(), qPrintable(panel.machine.alarmText()));
+    }
+    Panel other(controller.port());
+    QTRY_VERIFY_WITH_TIMEOUT(other.machine.hasActiveProgram(), timeoutMs);
+    const program::Recipe& shown = other.machine.program()->recipe;
+    QCOMPARE(shown.kind(), ProgramKind::PointCam);
+    QCOMPARE(other.machine.activeName(), "Petal");
+    const auto& cam = std::get<profile::PointCamProgram>(shown.program);
+    QCOMPARE(cam.masterRateRevPerMin, rate);
+    QCOMPARE(cam.knots.size(), knots.size());
+    for (std::size_t i = 0; i < knots.size(); ++i) {
+        QVERIFY(std::abs(cam.knots[i].masterDeg - knots[i].masterDeg) <= 0.5e-4);
+        QVERIFY(std::abs(cam.knots[i].slaveMm - knots[i].slaveMm) <= 0.5e-3);
+    }
+    QVERIFY(other.machine.targetCurves().isValid());
+    QCOMPARE(other.machine.cycleSeconds(), 0.5);
+}
+
+void TestKindsAndController::aStrokeStopsWhereItShould()
+{
+    const ControllerProcess controller(fast(10));
+    Panel panel(controller.port());
+    panel.editor.newProgram(static_cast<int>(ProgramKind::Press));
+    begin(panel);
+    if (QTest::currentTestFailed())
+        return;
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.strokes()->count(), 1, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Ready, timeoutMs);
+    QVERIFY2(panel.machine.alarmText().isEmpty(), qPrintable(panel.machine.alarmText()));
+    const auto& press = panel.status().press;
+    QVERIFY(press.has_value());
+    QCOMPARE(press->result, modbus::StrokeResult::Ok);
+    QVERIFY2(std::abs(press->stopErrorPulses) <= 1, qPrintable(QString::number(press->stopErrorPulses)));
+    // 25 mm into the work piece at 200 N/mm.
+    QVERIFY2(press->stopForceN > 4500 && press->stopForceN < 5500,
+             qPrintable(QString::number(press->stopForceN)));
+    QCOMPARE(panel.status().commandedPositionPulses, 0); // back up
+    QCOMPARE(panel.machine.strokes()->goodCount(), 1);
+    const auto curve = panel.machine.strokes()->forceCurve();
+    QVERIFY(curve.size() > 20);
+    const auto deepest = std::ranges::max_element(curve, {}, &QPointF::x);
+    QVERIFY2(std::abs(deepest->x() - 100) < 0.2, qPrintable(QString::number(deepest->x())));
+    // One start is one stroke.
+    panel.machine.start();
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.strokes()->count(), 2, timeoutMs);
+}
+
+void TestKindsAndController::aMissingWorkPieceIsAFault()
+{
+    const ControllerProcess controller(fast(10) + QStringList{"--work-piece-missing", "1"});
+    Panel panel(controller.port());
+    panel.editor.newProgram(static_cast<int>(ProgramKind::Press));
+    begin(panel);
+    if (QTest::currentTestFailed())
+        return;
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Fault, timeoutMs);
+    QVERIFY2(panel.machine.alarmText().contains("The press did not feel a work piece."),
+             qPrintable(panel.machine.alarmText()));
+    QVERIFY(!panel.machine.canStart());
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.strokes()->count(), 1, timeoutMs);
+    QCOMPARE(panel.machine.strokes()->goodCount(), 0);
+    const auto* strokes = panel.machine.strokes();
+    QCOMPARE(strokes->data(strokes->index(0), machine::StrokeModel::ResultTextRole).toString(),
+             "Never touched");
+    panel.machine.resetFault();
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Ready, timeoutMs);
+}
+
+QTEST_GUILESS_MAIN(TestKindsAndController)
+#include "test_kinds_and_controller.moc"
