@@ -113,15 +113,20 @@ constexpr double heldSpeedShare = 0.001;
 
 tl::expected<AxisTable, profile::Refusal> intervalsOf(const Recipe& recipe, const SolvedProgram& solved)
 {
-    const auto compile = [&solved](double share) {
-        return profile::compileIntervals(solved.motion, solved.machine, share * solved.peaks.speedMmPerS,
+    const auto compile = [&solved](double errorMmPerS) {
+        return profile::compileIntervals(solved.motion, solved.machine, errorMmPerS,
                                          profile::IntervalMode::Corrected);
     };
+    const double loose = intervalSpeedShare * solved.peaks.speedMmPerS;
     if (recipe.kind() == profile::ProgramKind::SpeedMove) {
-        if (auto close = compile(heldSpeedShare))
+        auto close = compile(heldSpeedShare * solved.peaks.speedMmPerS);
+        const bool isCoarse = !close && close.error().limit == profile::Limit::SpeedError;
+        if (isCoarse && close.error().allowed < loose)
+            close = compile(close.error().allowed);
+        if (close)
             return std::move(*close);
     }
-    return compile(intervalSpeedShare);
+    return compile(loose);
 }
 
 tl::expected<AxisTable, profile::Refusal> axisTable(const Recipe& recipe, const SolvedProgram& solved)

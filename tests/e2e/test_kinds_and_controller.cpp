@@ -142,7 +142,7 @@ void TestKindsAndController::aSpeedIsHeldUntilTheStop_data()
     QTest::addColumn<double>("speed");
     QTest::newRow("as points") << 0 << 5000.0;
     QTest::newRow("as points, backwards") << 0 << -5000.0;
-    QTest::newRow("as intervals") << 1 << 1000.0;
+    QTest::newRow("as intervals") << 1 << 5000.0; // many pulses: held closely
 }
 
 void TestKindsAndController::aSpeedIsHeldUntilTheStop()
