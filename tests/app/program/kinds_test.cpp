@@ -322,7 +322,6 @@ void KindsTest::changedChoicesAreDifferences()
         .knots.insert(std::get<profile::PointCamProgram>(cam.program).knots.begin() + 1, {45, 6});
     found = differences(round->registers, buildProgram(cam)->registers);
     QVERIFY(find(found, "cam.ramp_shape"));
-    QVERIFY(shown(*buildProgram(cam))->program.index() == cam.program.index());
 }
 
 void KindsTest::headersThatCannotBeShown_data()
@@ -377,16 +376,12 @@ void KindsTest::damagedHeadersDoNoHarm()
     constexpr unsigned seed = 5;
     qInfo("seed %u", seed);
     std::mt19937 random(seed);
+    std::vector<ProgramImage> images;
+    for (const KindInfo& each : kinds())
+        images.push_back(*buildProgram(defaultRecipe(each.kind)));
     int refused = 0;
     for (int i = 0; i < 5000; ++i) {
-        const KindInfo& kind = kinds()[random() % kinds().size()];
-        static const auto images = [] {
-            std::vector<ProgramImage> all;
-            for (const KindInfo& each : kinds())
-                all.push_back(*buildProgram(defaultRecipe(each.kind)));
-            return all;
-        }();
-        ProgramImage image = images[static_cast<std::size_t>(kind.kind) - 1];
+        ProgramImage image = images[random() % images.size()];
         for (int change = 0; change < 8; ++change)
             image.registers[1 + random() % (modbus::bankHeaderRegisters - 1)] =
                 static_cast<std::uint16_t>(random());
