@@ -94,7 +94,7 @@ std::vector<CommandInfo> commandTable()
          {},
          {{u"now"_s, u"Ramp down at once."_s}},
          runStop},
-        {u"home"_s, u"Look for the knife's index mark."_s, {}, link, {}, {}, runHome},
+        {u"home"_s, u"Look for the index mark."_s, {}, link, {}, {}, runHome},
         {u"save"_s, u"Save the active program to the controller's flash."_s, {}, link, {}, {}, runSave},
         {u"registers"_s,
          u"Print the register map, or read registers."_s,
