@@ -203,57 +203,6 @@ AxisMotion solveValid(const PointCamProgram& program, const Machine& machine)
 
 } // namespace
 
-double value(const PointCamProgram& program, Field field)
-{
-    switch (field) {
-    case Field::MasterRate:
-        return program.masterRateRevPerMin;
-    case Field::MasterRamp:
-        return program.masterRampS;
-    case Field::MasterRatio:
-        return program.masterRatio;
-    case Field::MasterScale:
-        return program.masterScale;
-    case Field::SlaveScale:
-        return program.slaveScale;
-    case Field::Phase:
-        return program.phaseDeg;
-    case Field::CamPoints:
-        return program.camPoints;
-    default:
-        return std::numeric_limits<double>::quiet_NaN();
-    }
-}
-
-void setValue(PointCamProgram& program, Field field, double value)
-{
-    switch (field) {
-    case Field::MasterRate:
-        program.masterRateRevPerMin = value;
-        break;
-    case Field::MasterRamp:
-        program.masterRampS = value;
-        break;
-    case Field::MasterRatio:
-        program.masterRatio = value;
-        break;
-    case Field::MasterScale:
-        program.masterScale = value;
-        break;
-    case Field::SlaveScale:
-        program.slaveScale = value;
-        break;
-    case Field::Phase:
-        program.phaseDeg = value;
-        break;
-    case Field::CamPoints:
-        program.camPoints = static_cast<int>(std::clamp(std::round(value), -1e9, 1e9));
-        break;
-    default:
-        break;
-    }
-}
-
 Spline camCurve(const PointCamProgram& program)
 {
     std::array<double, mostKnots> masterDeg{};

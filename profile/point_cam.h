@@ -23,9 +23,6 @@ inline constexpr double mostSlaveMm = info(Field::Distance).max; // either side 
 // The master's position is updated, and the slave's pulses are spread evenly, every so many seconds.
 inline constexpr double masterUpdateS = 0.002;
 
-[[nodiscard]] double value(const PointCamProgram& program, Field field); // field must be one of the program's
-void setValue(PointCamProgram& program, Field field, double value);      // CamPoints is rounded
-
 // The first thing that is wrong with the knots: KnotCount, KnotRange, KnotOrder, KnotSpacing, KnotEnds.
 [[nodiscard]] std::optional<Refusal> checkKnots(std::span<const Knot> knots);
 

@@ -119,37 +119,6 @@ std::vector<Suggestion> nearestFeasible(const PositionMoveProgram& program, cons
 
 } // namespace
 
-double value(const PositionMoveProgram& program, Field field)
-{
-    switch (field) {
-    case Field::Distance:
-        return program.distanceMm;
-    case Field::MoveTime:
-        return program.timeS;
-    case Field::CamPoints:
-        return program.camPoints;
-    default:
-        return std::numeric_limits<double>::quiet_NaN();
-    }
-}
-
-void setValue(PositionMoveProgram& program, Field field, double value)
-{
-    switch (field) {
-    case Field::Distance:
-        program.distanceMm = value;
-        break;
-    case Field::MoveTime:
-        program.timeS = value;
-        break;
-    case Field::CamPoints:
-        program.camPoints = static_cast<int>(std::clamp(std::round(value), -1e9, 1e9));
-        break;
-    default:
-        break;
-    }
-}
-
 tl::expected<AxisMotion, Refusal> solve(const PositionMoveProgram& program, const Machine& machine)
 {
     tl::expected<double, Refusal> timeS = moveTimeS(program, machine);

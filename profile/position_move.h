@@ -12,10 +12,6 @@
 
 namespace campanel::profile {
 
-[[nodiscard]] double value(const PositionMoveProgram& program,
-                           Field field);                                // field must be one of the program's
-void setValue(PositionMoveProgram& program, Field field, double value); // integers are rounded
-
 // One stretch: s = S g(t / T). Refuses inputs out of range, a law that is none for displacements, a distance
 // of zero, and Fastest when no time in the range of MoveTime will do; a refusal names inputs that work. A
 // given time that asks too much of the machine is solved; `broken` then names the limits and the nearest

@@ -14,34 +14,10 @@
 namespace campanel::profile {
 namespace {
 
-struct Input {
-    Field field;
-    double PressProgram::*member;
-};
-
-constexpr std::array inputs{
-    Input{Field::ApproachPosition, &PressProgram::approachPositionMm},
-    Input{Field::ApproachSpeed, &PressProgram::approachSpeedMmPerS},
-    Input{Field::ProbeSpeed, &PressProgram::probeSpeedMmPerS},
-    Input{Field::ProbeForce, &PressProgram::probeForceN},
-    Input{Field::ProbeEnd, &PressProgram::probeEndMm},
-    Input{Field::PressSpeed, &PressProgram::pressSpeedMmPerS},
-    Input{Field::PressPosition, &PressProgram::pressPositionMm},
-    Input{Field::HoldTime, &PressProgram::holdTimeS},
-    Input{Field::ReturnSpeed, &PressProgram::returnSpeedMmPerS},
-    Input{Field::MaxForce, &PressProgram::maxForceN},
-    Input{Field::PositionTolerance, &PressProgram::positionToleranceMm},
-    Input{Field::MinStopForce, &PressProgram::minStopForceN},
-    Input{Field::MaxStopForce, &PressProgram::maxStopForceN},
-};
+constexpr Field firstInput = Field::ApproachPosition;
+constexpr Field lastInput = Field::MaxStopForce;
 constexpr std::array speedFields{Field::ApproachSpeed, Field::ProbeSpeed, Field::PressSpeed,
                                  Field::ReturnSpeed};
-
-const Input* findInput(Field field)
-{
-    const auto* found = std::ranges::find(inputs, field, &Input::field);
-    return found == inputs.end() ? nullptr : found;
-}
 
 std::optional<Refusal> findWrongStage(const PressProgram& program)
 {
@@ -81,9 +57,10 @@ std::optional<Refusal> findInvalid(const PressProgram& program, const Machine& m
 {
     if (auto refusal = detail::findInvalidAxis(machine))
         return refusal;
-    for (const Input& input : inputs) {
-        if (!inRange(input.field, program.*input.member))
-            return detail::outOfRange(input.field, program.*input.member);
+    for (Field field = firstInput; field <= lastInput;
+         field = static_cast<Field>(static_cast<int>(field) + 1)) {
+        if (!inRange(field, value(program, field)))
+            return detail::outOfRange(field, value(program, field));
     }
     if (auto refusal = findWrongStage(program))
         return refusal;
@@ -152,18 +129,6 @@ Refusal stageOrder(Field field, double actual, double allowed)
 }
 
 } // namespace detail
-
-double value(const PressProgram& program, Field field)
-{
-    const Input* input = findInput(field);
-    return input == nullptr ? std::numeric_limits<double>::quiet_NaN() : program.*(input->member);
-}
-
-void setValue(PressProgram& program, Field field, double value)
-{
-    if (const Input* input = findInput(field))
-        program.*(input->member) = value;
-}
 
 tl::expected<PressStroke, Refusal> solveStroke(const PressProgram& program, const Machine& machine)
 {

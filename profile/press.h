@@ -29,9 +29,6 @@ struct PressStroke {
     std::array<StageSpan, pressStages> stages;
 };
 
-[[nodiscard]] double value(const PressProgram& program, Field field); // field must be one of the program's
-void setValue(PressProgram& program, Field field, double value);
-
 // Refuses inputs out of range, stages of which one ends before it begins (approach < probe end < press
 // position: the work piece is touched between the first two and pressed beyond), and forces out of order
 // (probe force < largest force, least <= most force at the stop <= largest force). Each stage has constant

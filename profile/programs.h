@@ -109,6 +109,16 @@ struct PressProgram {
     double maxStopForceN = info(Field::MaxStopForce).defaultValue;
 };
 
+// Access by field, which must be one of the program's; NaN and no effect otherwise. Counts are rounded.
+[[nodiscard]] double value(const PositionMoveProgram& program, Field field);
+[[nodiscard]] double value(const SpeedMoveProgram& program, Field field);
+[[nodiscard]] double value(const PointCamProgram& program, Field field);
+[[nodiscard]] double value(const PressProgram& program, Field field);
+void setValue(PositionMoveProgram& program, Field field, double value);
+void setValue(SpeedMoveProgram& program, Field field, double value);
+void setValue(PointCamProgram& program, Field field, double value);
+void setValue(PressProgram& program, Field field, double value);
+
 using Program =
     std::variant<RotaryCutterProgram, PositionMoveProgram, SpeedMoveProgram, PointCamProgram, PressProgram>;
 

@@ -227,47 +227,6 @@ std::vector<Suggestion> nearestFeasible(const SpeedMoveProgram& program, const M
 
 } // namespace
 
-double value(const SpeedMoveProgram& program, Field field)
-{
-    switch (field) {
-    case Field::StartSpeed:
-        return program.startSpeedMmPerS;
-    case Field::EndSpeed:
-        return program.endSpeedMmPerS;
-    case Field::MoveTime:
-        return program.timeS;
-    case Field::Distance:
-        return program.distanceMm;
-    case Field::CamPoints:
-        return program.camPoints;
-    default:
-        return std::numeric_limits<double>::quiet_NaN();
-    }
-}
-
-void setValue(SpeedMoveProgram& program, Field field, double value)
-{
-    switch (field) {
-    case Field::StartSpeed:
-        program.startSpeedMmPerS = value;
-        break;
-    case Field::EndSpeed:
-        program.endSpeedMmPerS = value;
-        break;
-    case Field::MoveTime:
-        program.timeS = value;
-        break;
-    case Field::Distance:
-        program.distanceMm = value;
-        break;
-    case Field::CamPoints:
-        program.camPoints = static_cast<int>(std::clamp(std::round(value), -1e9, 1e9));
-        break;
-    default:
-        break;
-    }
-}
-
 double meanSpeedMmPerS(const SpeedMoveProgram& program)
 {
     const double travel = lawTravel(program);

@@ -10,10 +10,6 @@
 
 namespace campanel::profile {
 
-[[nodiscard]] double value(const SpeedMoveProgram& program,
-                           Field field);                             // field must be one of the program's
-void setValue(SpeedMoveProgram& program, Field field, double value); // integers are rounded
-
 // One ramp, v = v0 + (v1 - v0) g(t / T), from rest or slowly to fast. From fast to slowly (|v1| < |v0|) it is
 // the law mirrored in time, as the servo paper takes the second half of its curve to slow down. Refuses
 // inputs out of range, a law that is none for speeds, equal speeds, a distance that the speeds cannot travel,

@@ -14,6 +14,8 @@ class Invocation;
 [[nodiscard]] Outcome runCompare(const Invocation& call);
 [[nodiscard]] Outcome runIntervals(const Invocation& call);
 [[nodiscard]] Outcome runKnots(const Invocation& call);
+[[nodiscard]] Outcome runRecipe(const Invocation& call);
+[[nodiscard]] Outcome runSet(const Invocation& call);
 [[nodiscard]] Outcome runDownload(const Invocation& call);
 [[nodiscard]] Outcome runStatus(const Invocation& call);
 [[nodiscard]] Outcome runStart(const Invocation& call);

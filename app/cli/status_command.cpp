@@ -78,6 +78,18 @@ QJsonObject statusObject(const modbus::StatusBlock& status)
                                     {u"requests"_s, wide(status.linkRequests)}}}};
 }
 
+QJsonObject pressObject(const modbus::PressStatus& press)
+{
+    return {{u"stage"_s,
+             press.stage ? nameOf("PressStage", static_cast<std::uint16_t>(*press.stage)) : QJsonValue()},
+            {u"force_n"_s, press.forceN},
+            {u"last_stroke"_s,
+             QJsonObject{{u"result"_s, nameOf("StrokeResult", static_cast<std::uint16_t>(press.result))},
+                         {u"stop_error_pulses"_s, press.stopErrorPulses},
+                         {u"stop_force_n"_s, press.stopForceN},
+                         {u"peak_force_n"_s, press.peakForceN}}}};
+}
+
 QJsonObject identityObject(const modbus::Identity& identity)
 {
     return {{u"firmware"_s, QString::fromStdString(identity.firmwareVersion())},
@@ -109,6 +121,8 @@ Outcome runStatus(const Invocation& call)
     if (!status)
         return tl::unexpected(status.error());
     QJsonObject object = statusObject(*status);
+    if (status->press)
+        object[u"press"_s] = pressObject(*status->press);
     object[u"identity"_s] = identityObject(session->identity());
     object[u"program"_s] = QJsonValue::Null;
     if (status->activeCrc) {

@@ -48,6 +48,7 @@ QString fieldId(Field field)
 
 // Edits that follow one another faster are kept together: writing a file takes longer than a frame.
 constexpr auto keepDelay = 300ms;
+constexpr auto tableDelay = 80ms;
 
 } // namespace
 
@@ -62,6 +63,7 @@ Editor::Editor(Machine& machine, const QString& folder, QObject* parent)
     , m_storedFile(QDir(folder).filePath(u"recipe.json"_s))
     , m_workingFile(QDir(folder).filePath(u"working_copy.json"_s))
     , m_keepTimer(this)
+    , m_tableTimer(this)
 {
     const auto stored = m_storedFile.load();
     m_stored = stored.recipe;
@@ -76,6 +78,10 @@ Editor::Editor(Machine& machine, const QString& folder, QObject* parent)
     connectKnots();
     m_keepTimer.setSingleShot(true);
     m_keepTimer.setInterval(keepDelay);
+    m_tableTimer.setSingleShot(true);
+    m_tableTimer.setInterval(tableDelay);
+    connect(&m_tableTimer, &QTimer::timeout, this,
+            [this] { takeSolution(solveRecipe(m_recipe, m_controller)); });
     connect(&m_keepTimer, &QTimer::timeout, this, &Editor::keepWorkingCopy);
     connect(&m_desk, &DownloadDesk::changed, this, &Editor::downloadChanged);
     connect(&m_desk, &DownloadDesk::changed, this, &Editor::activeChanged);
@@ -273,7 +279,15 @@ void Editor::keepWorkingCopy()
 void Editor::recompute()
 {
     m_recipe.version = edited() ? std::min(m_stored.version + 1, program::largestVersion) : m_stored.version;
-    m_solution = solveRecipe(m_recipe, m_controller);
+    m_tableTimer.stop();
+    takeSolution(solveRecipe(m_recipe, m_controller, TableWork::WithoutSlow));
+}
+
+void Editor::takeSolution(Solution solution)
+{
+    m_solution = std::move(solution);
+    if (m_solution.isTablePending)
+        m_tableTimer.start();
     if (const auto* cutter = m_solution.cutter())
         adopt(m_recipe, cutter->cycle);
     if (m_solution.solved)

@@ -221,6 +221,7 @@ private:
     template <typename Change> void edit(Change change);
     void replace(program::Recipe recipe); // undo, redo, revert
     void recompute();
+    void takeSolution(Solution solution);
     void show();
     void watchController();
     void keepWorkingCopy();
@@ -242,6 +243,7 @@ private:
     store::LastRecipe m_storedFile;
     store::LastRecipe m_workingFile;
     QTimer m_keepTimer;
+    QTimer m_tableTimer; // a slow table is made when the finger rests
     program::Recipe m_stored;
     program::Recipe m_recipe;
     std::optional<program::Recipe> m_beforeDrag;

@@ -25,7 +25,7 @@ QString Editor::verdict() const
 
 Editor::Severity Editor::severity() const
 {
-    if (!feasible())
+    if (!feasible() && !m_solution.isTablePending)
         return Severity::Bad;
     return m_solution.isCloseToLimit() ? Severity::Warning : Severity::Good;
 }

@@ -203,6 +203,8 @@ QString EditorViews::verdict() const
             .arg(m_solution.unstorable->value)
             .arg(m_solution.unstorable->minimum)
             .arg(m_solution.unstorable->maximum);
+    if (m_solution.isTablePending)
+        return tr("Within all limits; the table is being made …");
     if (!m_recipe.isCutter())
         return m_solution.isCloseToLimit() ? tr("Just within the limits.") : tr("Within all limits.");
     return m_solution.isCloseToLimit() ? RefusalSentences::closeToLimits(m_solution.fastest)

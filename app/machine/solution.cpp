@@ -26,7 +26,8 @@ bool Solution::isCloseToLimit() const
                      peaks.torqueNm / machine.maxTorqueNm}) > closeShare;
 }
 
-Solution solveRecipe(const program::Recipe& recipe, const std::optional<modbus::Identity>& controller)
+Solution solveRecipe(const program::Recipe& recipe, const std::optional<modbus::Identity>& controller,
+                     TableWork work)
 {
     Solution solution;
     program::Recipe wanted = program::quantised(recipe);
@@ -42,6 +43,12 @@ Solution solveRecipe(const program::Recipe& recipe, const std::optional<modbus::
         std::make_shared<const profile::Curves>(program::sampleCurves(*solution.solved, curvePoints));
     if (const auto* cutter = solution.cutter())
         solution.fastest = profile::fastestRate(*cutter);
+    const bool isSlow = program::choice(wanted.program, program::Choice::Execution) ==
+                        static_cast<std::uint16_t>(profile::Execution::Intervals);
+    if (isSlow && work == TableWork::WithoutSlow && solution.solved->broken.empty()) {
+        solution.isTablePending = true;
+        return solution;
+    }
     auto image = program::buildProgram(wanted);
     if (image) {
         solution.image = std::make_shared<const program::ProgramImage>(std::move(*image));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Everything that follows from a recipe, computed at once after each change: well below one frame (27 us for
-// the table, 10 us for the curves).
+// the table of a cutter, 10 us for the curves). Only intervals take longer; they may be left for later.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -23,6 +23,7 @@ struct Solution {
     std::optional<modbus::CodecError> unstorable;       // a value that the controller cannot hold
     std::shared_ptr<const program::ProgramImage> image; // what would be downloaded; null unless feasible
     std::optional<profile::FastestRate> fastest;        // of a rotary cutter
+    bool isTablePending = false; // within the limits, the table has been left for later
 
     // Null unless it is a solved rotary cutter.
     [[nodiscard]] const profile::RotaryCutter* cutter() const
@@ -34,8 +35,11 @@ struct Solution {
     [[nodiscard]] bool isCloseToLimit() const;
 };
 
-// With the timer and table size of the controller, when it is known.
+enum class TableWork { All, WithoutSlow };
+
+// With the timer and table size of the controller, when it is known. WithoutSlow leaves intervals out.
 [[nodiscard]] Solution solveRecipe(const program::Recipe& recipe,
-                                   const std::optional<modbus::Identity>& controller);
+                                   const std::optional<modbus::Identity>& controller,
+                                   TableWork work = TableWork::All);
 
 } // namespace campanel::machine

@@ -3,10 +3,6 @@
 #include "app/program/program_kinds.h"
 
 #include "profile/laws.h"
-#include "profile/point_cam.h"
-#include "profile/position_move.h"
-#include "profile/press.h"
-#include "profile/speed_move.h"
 
 #include <algorithm>
 #include <array>

@@ -12,7 +12,7 @@ inline LawPoint halfModifiedSineAt(double x, const LawParameters&)
     constexpr double peak = 4 * pi / modifiedSineScale; // S'(1/2)
     const LawPoint s = modifiedSineFirstHalf(x / 2);
     const double s4 = (x <= 0.25 ? -16 : -16.0 / 9) * pi * pi * s.g2; // fourth derivative of S
-    return {s.g1 / peak, s.g2 / (2 * peak), s.g3 / (4 * peak), s4 / (8 * peak), 2 * s.g / peak};
+    return {1 / peak * s.g1, 0.5 / peak * s.g2, 0.25 / peak * s.g3, 0.125 / peak * s4, 2 / peak * s.g};
 }
 
 // |g'| is largest at x = 1/4 (S'' at 1/8), |g''| at x = 0.

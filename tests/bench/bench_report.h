@@ -26,6 +26,7 @@ using Figures = std::vector<Figure>;
 // The parts; each returns its figures, or throws std::runtime_error when something could not be measured at
 // all.
 [[nodiscard]] Figures measureMotion();
+[[nodiscard]] Figures measurePrograms();
 [[nodiscard]] Figures measurePlots();
 [[nodiscard]] Figures measureLink();
 [[nodiscard]] Figures measureStart();

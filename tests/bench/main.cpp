@@ -19,7 +19,7 @@ int main(int argc, char** argv)
     QCommandLineParser parser;
     parser.setApplicationDescription(u"Measures CamPanel against its limits; prints one table."_s);
     parser.addHelpOption();
-    parser.addPositionalArgument(u"part"_s, u"motion, plots, link, start; all when none is named"_s,
+    parser.addPositionalArgument(u"part"_s, u"motion, programs, plots, link, start; all when none is named"_s,
                                  u"[part...]"_s);
     parser.process(app);
 
@@ -28,6 +28,7 @@ int main(int argc, char** argv)
         QString name;
         Figures (*measure)();
     } parts[] = {{u"motion"_s, measureMotion},
+                 {u"programs"_s, measurePrograms},
                  {u"plots"_s, measurePlots},
                  {u"link"_s, measureLink},
                  {u"start"_s, measureStart}};

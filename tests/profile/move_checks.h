@@ -18,14 +18,6 @@ inline bool near(double a, double b, double relative)
     return std::abs(a - b) <= relative * std::max({std::abs(a), std::abs(b), 1.0});
 }
 
-// CAMPANEL_RANDOM_MOVES asks for more than the usual ten thousand.
-inline int randomMoveCount()
-{
-    const int asked = qEnvironmentVariableIntValue("CAMPANEL_RANDOM_MOVES");
-    constexpr int usual = 10000;
-    return asked > 0 ? asked : usual;
-}
-
 class RandomValues {
 public:
     explicit RandomValues(unsigned seed)

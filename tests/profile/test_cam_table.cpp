@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The cam-point table: exact advance, rows on the curve, stated errors, refusals, and seeded random cams from
-// knots to rows. `--cams N` after the Qt Test options runs N random cams instead of 10^4.
+// knots to rows.
 #include "random_cams.h"
+#include "random_cases.h"
 
 #include "profile/cam_table.h"
 #include "profile/laws.h"
@@ -20,7 +21,7 @@ using namespace campanel::profile::test;
 namespace {
 
 constexpr unsigned seed = 20240307;
-int camCount = 10000;
+const int camCount = campanel::test::randomCases();
 
 MotionProfile moveOf(LawId law, double distanceMm, double durationS)
 {
@@ -376,14 +377,5 @@ void TestCamTable::randomCams()
     QVERIFY(refused > camCount / 50 && broken > camCount / 50 && tables > camCount / 50);
 }
 
-int main(int argc, char* argv[])
-{
-    if (argc > 2 && std::string_view(argv[argc - 2]) == "--cams") {
-        camCount = std::atoi(argv[argc - 1]);
-        argc -= 2;
-    }
-    TestCamTable test;
-    return QTest::qExec(&test, argc, argv);
-}
-
+QTEST_APPLESS_MAIN(TestCamTable)
 #include "test_cam_table.moc"

@@ -4,6 +4,7 @@
 #include "profile/interval_plan.h"
 #include "profile/intervals.h"
 #include "profile/laws.h"
+#include "random_cases.h"
 #include "recipes.h"
 
 #include <QTest>
@@ -310,7 +311,7 @@ void TestIntervals::refusals()
 void TestIntervals::randomMoves()
 {
     constexpr unsigned seed = 31;
-    constexpr int cases = 10'000;
+    const int cases = campanel::test::randomCases();
     qInfo("seed %u", seed);
     std::mt19937 random(seed);
     const auto uniform = [&random](double low, double high) {

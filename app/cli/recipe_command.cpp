@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// campanelctl recipe: a recipe file made from another one, or from a kind's defaults, with the options put
+// in.
+#include "app/cli/commands.h"
+#include "app/cli/invocation.h"
+#include "app/cli/recipe_options.h"
+#include "app/store/recipe_json.h"
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::cli {
+
+Outcome runRecipe(const Invocation& call)
+{
+    auto recipe = recipeOf(call);
+    if (!recipe)
+        return tl::unexpected(recipe.error());
+    if (call.isSet(u"name"_s))
+        recipe->name = call.value(u"name"_s).toStdString();
+    if (recipe->name.empty() || recipe->name.size() > program::longestNameBytes)
+        return fail(ExitCode::Usage,
+                    u"--name takes 1 to %1 bytes of UTF-8."_s.arg(program::longestNameBytes));
+    return call.deliver(store::toJson(*recipe));
+}
+
+} // namespace campanel::cli
