@@ -868,7 +868,7 @@
         <translation>主轴加速时间</translation>
     </message>
     <message>
-        <source>Master revs per cycle</source>
+        <source>Master revs/cycle</source>
         <translation>每周期主轴转数</translation>
     </message>
     <message>

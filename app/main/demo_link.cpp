@@ -38,9 +38,23 @@ constexpr double frictionShare = 0.45; // of the force, before the part is seate
 program::ProgramImage demoProgram(profile::ProgramKind kind)
 {
     program::Recipe recipe = program::defaultRecipe(kind);
-    if (recipe.isCutter()) {
+    switch (kind) {
+    case profile::ProgramKind::RotaryCutter:
         recipe.cutter().rateBagsPerMin = 60;
         recipe.cutter().bagLengthMm = 250;
+        break;
+    case profile::ProgramKind::PositionMove:
+        recipe.name = "Transfer";
+        break;
+    case profile::ProgramKind::SpeedMove:
+        recipe.name = "Unwind";
+        break;
+    case profile::ProgramKind::PointCam:
+        recipe.name = "Pusher";
+        break;
+    case profile::ProgramKind::Press:
+        recipe.name = "Bearing 6204";
+        break;
     }
     return *program::buildProgram(recipe);
 }

@@ -13,8 +13,8 @@ Item {
     property real bottomInset
     readonly property bool isCam: Machine.activeKind === 4    // Editor.Kind.PointCam
     readonly property real upper: Math.round((height - gap) * (isCam ? 0.48 : 0.28))
-    readonly property real left: isCam ? dial.width + gap : 0
-    readonly property real cell: isCam ? (width - left - gap) / 2 : (width - 2 * gap) / 3
+    readonly property real start: isCam ? dial.width + gap : 0
+    readonly property real cell: isCam ? (width - start - gap) / 2 : (width - 2 * gap) / 3
     readonly property real row: isCam ? (upper - gap) / 2 : upper
 
     MasterDialCard {
@@ -25,7 +25,7 @@ Item {
     }
     NumberCard {
         objectName: "axisSpeed"
-        x: view.left
+        x: view.start
         width: view.cell
         height: view.row
         value: Machine.knifeSpeedMmPerS
@@ -34,7 +34,7 @@ Item {
     }
     NumberCard {
         objectName: "axisPosition"
-        x: view.left + view.cell + view.gap
+        x: view.start + view.cell + view.gap
         width: view.cell
         height: view.row
         value: Machine.positionMm
@@ -43,7 +43,7 @@ Item {
     }
     NumberCard {
         objectName: "axisCount"
-        x: view.isCam ? view.left : 2 * (view.cell + view.gap)
+        x: view.isCam ? view.start : 2 * (view.cell + view.gap)
         y: view.isCam ? view.row + view.gap : 0
         width: view.cell
         height: view.row
@@ -54,7 +54,7 @@ Item {
     NumberCard {
         objectName: "masterSpeed"
         visible: view.isCam
-        x: view.left + view.cell + view.gap
+        x: view.start + view.cell + view.gap
         y: view.row + view.gap
         width: view.cell
         height: view.row

@@ -16,7 +16,7 @@ T.AbstractButton {
     property bool marked                   // drawn in grey behind
     required property list<string> cells
 
-    readonly property real cellWidth: width * 0.135
+    readonly property real cellWidth: width * 0.15
     implicitHeight: Math.max(Theme.size.touch, words.height + Theme.size.padding)
     enabled: !header
 

@@ -175,6 +175,8 @@ private slots:
     {
         QFETCH(int, kind);
         QFETCH(QString, shown);
+        const int before = kind == 1 ? 2 : 1;
+        editor().newProgram(before);
         tap("nav1");
         tap("more");
         tap("kindButton");
@@ -184,7 +186,7 @@ private slots:
         QVERIFY2(m_stage->find(shown), qPrintable(shown));
         QVERIFY(editor().feasible());
         tap("undo");
-        QCOMPARE(static_cast<int>(editor().kind()), 1);
+        QCOMPARE(static_cast<int>(editor().kind()), before);
     }
 
     void aKnotFollowsTheFinger()
@@ -230,9 +232,9 @@ private slots:
         editor().newProgram(2);
         tap("nav1");
         tap("lawButton");
-        m_stage->hold(QStringLiteral("law_modified_sine"));
-        QCOMPARE(editor().overlayName(), QStringLiteral("Modified sine"));
-        m_stage->hold(QStringLiteral("law_modified_sine"));
+        m_stage->hold(QStringLiteral("law_cubic"));
+        QCOMPARE(editor().overlayName(), QStringLiteral("Cubic (paper)"));
+        m_stage->hold(QStringLiteral("law_cubic"));
         QCOMPARE(editor().overlayName(), QString());
     }
 
