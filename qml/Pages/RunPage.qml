@@ -10,14 +10,15 @@ Page {
 
     // By Machine.activeKind: no program, cutter, position move, speed move, point cam, press.
     readonly property list<string> views: ["RunEmpty.qml", "RunCutter.qml", "RunAxis.qml", "RunAxis.qml", "RunAxis.qml", "RunPress.qml"]
+    readonly property string view: page.views[Machine.activeKind]
 
     Loader {
-        id: view
+        id: loader
         anchors.fill: parent
-        source: page.views[Machine.activeKind]
+        source: page.view
     }
     Binding {
-        target: view.item
+        target: loader.item
         property: "bottomInset"
         value: page.bottomInset
     }
