@@ -247,10 +247,6 @@
         <translation>故障</translation>
     </message>
     <message>
-        <source>The knife does not keep up with its command. Look for a jam, then reset the fault and home.</source>
-        <translation>切刀跟不上指令。请检查是否卡住，然后复位故障并回零。</translation>
-    </message>
-    <message>
         <source>The table in the controller is damaged. Reset the fault and download the recipe again.</source>
         <translation>控制器中的数据表已损坏。请复位故障并重新下载配方。</translation>
     </message>
@@ -301,10 +297,6 @@
     <message>
         <source>The controller holds other bytes. Download again.</source>
         <translation>控制器中的数据不同。请重新下载。</translation>
-    </message>
-    <message>
-        <source>Knife radius, knives, pulses and gear change only at standstill. Stop the machine first.</source>
-        <translation>刀半径、刀数、脉冲数和传动比只能在静止时更改。请先停机。</translation>
     </message>
     <message>
         <source>No change is waiting.</source>
@@ -358,6 +350,86 @@
         <source>An earlier change is still waiting for the end of the cycle. Cancel it first.</source>
         <translation>之前的更改仍在等待周期结束。请先取消它。</translation>
     </message>
+    <message>
+        <source>The axis does not keep up with its command. Look for a jam, then reset the fault and home.</source>
+        <translation>轴跟不上指令。请检查是否卡阻，然后复位故障并回零。</translation>
+    </message>
+    <message>
+        <source>The press reached its largest force, stopped and went back. Look for a jam or a wrong work piece, then reset the fault.</source>
+        <translation>压装力达到上限，压机已停止并返回。请检查是否卡阻或工件有误，然后复位故障。</translation>
+    </message>
+    <message>
+        <source>The press met something on its way down. Check the work piece and the approach position, then reset the fault.</source>
+        <translation>压头在快进途中碰到物体。请检查工件和快进位置，然后复位故障。</translation>
+    </message>
+    <message>
+        <source>The press did not feel a work piece. Put one in or check where it must be touched, then reset the fault.</source>
+        <translation>压机没有探测到工件。请放入工件或检查探测位置，然后复位故障。</translation>
+    </message>
+    <message>
+        <source>The axis cannot follow this master: too many pulses. Lower the master speed, then reset the fault.</source>
+        <translation>从轴跟不上主轴：脉冲频率过高。请降低主轴速度，然后复位故障。</translation>
+    </message>
+    <message>
+        <source>Standing</source>
+        <translation>静止</translation>
+    </message>
+    <message>
+        <source>Approach</source>
+        <translation>快进</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>探测</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>压装</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>保压</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>合格</translation>
+    </message>
+    <message>
+        <source>Stopped outside the tolerance</source>
+        <translation>终点位置超差</translation>
+    </message>
+    <message>
+        <source>Force too low</source>
+        <translation>压装力过小</translation>
+    </message>
+    <message>
+        <source>Force too high</source>
+        <translation>压装力过大</translation>
+    </message>
+    <message>
+        <source>Touched too early</source>
+        <translation>过早接触工件</translation>
+    </message>
+    <message>
+        <source>Never touched</source>
+        <translation>未接触到工件</translation>
+    </message>
+    <message>
+        <source>Largest force reached</source>
+        <translation>达到最大力</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>中途停止</translation>
+    </message>
+    <message>
+        <source>The data of the machine change only at standstill. Stop the machine first.</source>
+        <translation>机器数据只能在静止时更改。请先停机。</translation>
+    </message>
 </context>
 <context>
     <name>DifferencesText</name>
@@ -380,6 +452,24 @@
     <message>
         <source>Law parameter 1</source>
         <translation>规律参数 1</translation>
+    </message>
+    <message>
+        <source>Kind of program</source>
+        <translation>程序类型</translation>
+    </message>
+    <message>
+        <source>Displacement law</source>
+        <translation>位移规律</translation>
+    </message>
+    <message>
+        <source>Knots</source>
+        <translation>型值点</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n knot(s)</source>
+        <translation>
+            <numerusform>%n 个型值点</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -409,32 +499,24 @@
         <translation>峰值 %1 r/min · %2 m/s² · %3 kHz</translation>
     </message>
     <message>
-        <source>%1 rows, %2 pulses per cycle, %3 s</source>
-        <translation>%1 行，每周期 %2 个脉冲，%3 s</translation>
-    </message>
-    <message>
-        <source>Largest speed error: %1 mm/s (%2 %) at %3 s</source>
-        <translation>最大速度误差：%1 mm/s（%2 %），在 %3 s</translation>
-    </message>
-    <message>
-        <source>Largest frequency step: %1 Hz at %2 s</source>
-        <translation>最大频率跳变：%1 Hz，在 %2 s</translation>
-    </message>
-    <message>
-        <source>Largest position error: %1 pulses between rows, %2 inside</source>
-        <translation>最大位置误差：行间 %1 个脉冲，行内 %2 个脉冲</translation>
-    </message>
-    <message>
-        <source>Drift: none, the fraction of a pulse is carried from cycle to cycle</source>
-        <translation>漂移：无，不足一个脉冲的余数逐周期累加</translation>
-    </message>
-    <message>
-        <source>The paper&apos;s rule would be wrong by %1 pulses (%2 mm) in each bag</source>
-        <translation>按论文的算法，每袋误差为 %1 个脉冲（%2 mm）</translation>
-    </message>
-    <message>
         <source>The controller cannot hold the value %1 (%2 to %3). Choose another one.</source>
         <translation>控制器不能存储数值 %1（范围 %2 到 %3）。请选择其他值。</translation>
+    </message>
+    <message>
+        <source>%1 Nm</source>
+        <translation>%1 Nm</translation>
+    </message>
+    <message>
+        <source>peak %1 r/min · %2 m/s² · %3 Nm · %4 kHz</source>
+        <translation>峰值 %1 r/min · %2 m/s² · %3 Nm · %4 kHz</translation>
+    </message>
+    <message>
+        <source>Just within the limits.</source>
+        <translation>刚好在限制之内。</translation>
+    </message>
+    <message>
+        <source>Within all limits.</source>
+        <translation>在所有限制之内。</translation>
     </message>
 </context>
 <context>
@@ -514,6 +596,34 @@
     <message>
         <source>%1 to %2 %3</source>
         <translation>%1 到 %2 %3</translation>
+    </message>
+    <message>
+        <source>pairs of master angle and slave position</source>
+        <translation>主轴角度与从轴位置的数对</translation>
+    </message>
+    <message>
+        <source>the header master_deg,slave_mm</source>
+        <translation>表头 master_deg,slave_mm</translation>
+    </message>
+    <message>
+        <source>two values, as in the header</source>
+        <translation>与表头一致的两个值</translation>
+    </message>
+    <message>
+        <source>a number with a decimal point</source>
+        <translation>用小数点的数字</translation>
+    </message>
+    <message>
+        <source>a number with a decimal comma</source>
+        <translation>用小数逗号的数字</translation>
+    </message>
+    <message>
+        <source>at least one line of values</source>
+        <translation>至少一行数据</translation>
+    </message>
+    <message>
+        <source>%1, line %2: expected %3, found &quot;%4&quot;.</source>
+        <translation>%1 第 %2 行：应为%3，实际为“%4”。</translation>
     </message>
 </context>
 <context>
@@ -678,60 +788,12 @@
         <translation>半修正正弦</translation>
     </message>
     <message>
-        <source>The paper&apos;s law: low acceleration; jerk steps at both ends.</source>
-        <translation>论文采用的规律：加速度低，两端跃度突变。</translation>
-    </message>
-    <message>
-        <source>No jerk step at the ends; a quarter more acceleration than the cubic.</source>
-        <translation>两端无跃度突变，加速度比三次大四分之一。</translation>
-    </message>
-    <message>
-        <source>The gentlest ends of all; highest acceleration in the middle.</source>
-        <translation>两端最平缓，中间加速度最大。</translation>
-    </message>
-    <message>
-        <source>Close to the cubic; jerk steps at both ends.</source>
-        <translation>与三次相近，两端跃度突变。</translation>
-    </message>
-    <message>
-        <source>No jerk step at the ends; a third more acceleration than the cubic.</source>
-        <translation>两端无跃度突变，加速度比三次大三分之一。</translation>
-    </message>
-    <message>
-        <source>Tolerates changing loads well; moderate acceleration.</source>
-        <translation>能适应变化的负载，加速度适中。</translation>
-    </message>
-    <message>
-        <source>Low jerk without steps at the ends; a third more acceleration than the cubic.</source>
-        <translation>跃度低，两端无突变，加速度比三次大三分之一。</translation>
-    </message>
-    <message>
-        <source>Lowest jerk, but stepped; acceleration has a sharp peak in the middle.</source>
-        <translation>跃度最低但有突变，加速度在中间有尖峰。</translation>
-    </message>
-    <message>
-        <source>Lowest acceleration, held for long; jerk steps at its four corners.</source>
-        <translation>加速度最低且持续较长，四个拐点跃度突变。</translation>
-    </message>
-    <message>
-        <source>Trapezoid with rounded corners; two shares to tune.</source>
-        <translation>圆角梯形，有两个比例可调。</translation>
-    </message>
-    <message>
-        <source>Fast at first, then gentle; acceleration steps at both ends.</source>
-        <translation>先快后缓，两端加速度突变。</translation>
-    </message>
-    <message>
-        <source>Quick first half; acceleration is zero at both ends.</source>
-        <translation>前半段快，两端加速度为零。</translation>
-    </message>
-    <message>
         <source>Ramp fraction r</source>
         <translation>斜坡比例 r</translation>
     </message>
     <message>
         <source>Jerk share q</source>
-        <translation>跃度比例 q</translation>
+        <translation>加加速度比例 q</translation>
     </message>
     <message>
         <source>Exponent k</source>
@@ -760,6 +822,294 @@
     <message>
         <source>largest rate</source>
         <translation>最高速率</translation>
+    </message>
+    <message>
+        <source>Feed per motor rev.</source>
+        <translation>电机每转进给</translation>
+    </message>
+    <message>
+        <source>Max. motor torque</source>
+        <translation>电机最大转矩</translation>
+    </message>
+    <message>
+        <source>Inertia at the motor</source>
+        <translation>折算到电机的惯量</translation>
+    </message>
+    <message>
+        <source>Friction at the motor</source>
+        <translation>折算到电机的摩擦转矩</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Start speed</source>
+        <translation>起始速度</translation>
+    </message>
+    <message>
+        <source>End speed</source>
+        <translation>终了速度</translation>
+    </message>
+    <message>
+        <source>Table intervals</source>
+        <translation>表的等分数</translation>
+    </message>
+    <message>
+        <source>Master speed</source>
+        <translation>主轴速度</translation>
+    </message>
+    <message>
+        <source>Master ramp</source>
+        <translation>主轴加速时间</translation>
+    </message>
+    <message>
+        <source>Master revs/cycle</source>
+        <translation>每周期主轴转数</translation>
+    </message>
+    <message>
+        <source>Master scale</source>
+        <translation>主轴缩放</translation>
+    </message>
+    <message>
+        <source>Slave scale</source>
+        <translation>从轴缩放</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>相位</translation>
+    </message>
+    <message>
+        <source>Approach to</source>
+        <translation>快进至</translation>
+    </message>
+    <message>
+        <source>Approach speed</source>
+        <translation>快进速度</translation>
+    </message>
+    <message>
+        <source>Probe speed</source>
+        <translation>探测速度</translation>
+    </message>
+    <message>
+        <source>Probe force</source>
+        <translation>探测力</translation>
+    </message>
+    <message>
+        <source>Touch before</source>
+        <translation>最迟接触位置</translation>
+    </message>
+    <message>
+        <source>Press speed</source>
+        <translation>压装速度</translation>
+    </message>
+    <message>
+        <source>Press to</source>
+        <translation>压装至</translation>
+    </message>
+    <message>
+        <source>Hold time</source>
+        <translation>保压时间</translation>
+    </message>
+    <message>
+        <source>Return speed</source>
+        <translation>返回速度</translation>
+    </message>
+    <message>
+        <source>Max. force</source>
+        <translation>最大力</translation>
+    </message>
+    <message>
+        <source>Stop tolerance</source>
+        <translation>终点允差</translation>
+    </message>
+    <message>
+        <source>Min. force at stop</source>
+        <translation>终点最小力</translation>
+    </message>
+    <message>
+        <source>Max. force at stop</source>
+        <translation>终点最大力</translation>
+    </message>
+    <message>
+        <source>As a speed law its acceleration is zero at both ends and peaks at only 1.5 times its mean.</source>
+        <translation>用作速度规律时，两端加速度为零，峰值仅为平均值的 1.5 倍。</translation>
+    </message>
+    <message>
+        <source>Speed and acceleration are zero at both ends, by one short polynomial.</source>
+        <translation>仅用一个简短的多项式，两端速度和加速度均为零。</translation>
+    </message>
+    <message>
+        <source>Speed, acceleration and jerk are all zero at both ends, so it excites little vibration.</source>
+        <translation>两端速度、加速度和加加速度均为零，激起的振动很小。</translation>
+    </message>
+    <message>
+        <source>Low peak speed (1.57) and low peak acceleration (4.93) by half a cosine wave.</source>
+        <translation>由半个余弦波构成，峰值速度低（1.57），峰值加速度低（4.93）。</translation>
+    </message>
+    <message>
+        <source>Its acceleration is one whole sine wave, smooth throughout and zero at both ends.</source>
+        <translation>加速度为一个完整的正弦波，全程光滑，两端为零。</translation>
+    </message>
+    <message>
+        <source>Low peak speed (1.76) with moderate peak acceleration (5.53) and no jump of acceleration: it suits large inertia.</source>
+        <translation>峰值速度低（1.76），峰值加速度适中（5.53），加速度无突变，适合大惯量负载。</translation>
+    </message>
+    <message>
+        <source>The lowest peak acceleration (4.89) of the laws without parameters whose acceleration does not jump.</source>
+        <translation>在加速度无突变的无参数规律中，峰值加速度最低（4.89）。</translation>
+    </message>
+    <message>
+        <source>The lowest peak acceleration (4) that a move from rest to rest can have.</source>
+        <translation>从静止到静止的运动所能达到的最低峰值加速度（4）。</translation>
+    </message>
+    <message>
+        <source>No law has a lower peak speed at the same peak acceleration; the ramp fraction trades one for the other.</source>
+        <translation>峰值加速度相同时，没有规律的峰值速度更低；用斜坡比例在二者之间取舍。</translation>
+    </message>
+    <message>
+        <source>Its acceleration does not jump, and both its peak and that of the jerk can be set.</source>
+        <translation>加速度无突变，其峰值和加加速度峰值均可设定。</translation>
+    </message>
+    <message>
+        <source>It accelerates hardest at low speed, where a motor has most torque to give, and least near the end speed.</source>
+        <translation>低速时电机转矩最充裕，加速度也最大；接近终了速度时加速度最小。</translation>
+    </message>
+    <message>
+        <source>Its acceleration is zero at both ends and peaks at only 1.57 times its mean.</source>
+        <translation>两端加速度为零，峰值仅为平均值的 1.57 倍。</translation>
+    </message>
+    <message>
+        <source>As a displacement law its acceleration jumps to its peak (6) at both ends, and as a speed law its jerk does.</source>
+        <translation>用作位移规律时，加速度在两端突变到峰值（6）；用作速度规律时，加加速度在两端突变到峰值。</translation>
+    </message>
+    <message>
+        <source>Its jerk steps at both ends, and a trapezoid whose ramps are longer than 22.29 % of the move needs less peak acceleration.</source>
+        <translation>加加速度在两端有阶跃；斜坡超过行程时间 22.29 % 的梯形规律所需的峰值加速度更低。</translation>
+    </message>
+    <message>
+        <source>It has the highest peak speed (2.19) and peak acceleration (7.51) of the displacement laws without parameters.</source>
+        <translation>在无参数的位移规律中，峰值速度（2.19）和峰值加速度（7.51）最高。</translation>
+    </message>
+    <message>
+        <source>As a displacement law it starts and ends with its full acceleration, a jolt each time.</source>
+        <translation>用作位移规律时，起止瞬间即为最大加速度，每次都有冲击。</translation>
+    </message>
+    <message>
+        <source>Its peak speed (2) and peak acceleration (6.28) are high, and its jerk steps at both ends.</source>
+        <translation>峰值速度（2）和峰值加速度（6.28）较高，加加速度在两端有阶跃。</translation>
+    </message>
+    <message>
+        <source>Its jerk steps at both ends and has the highest finite peak (69.5) of the laws without parameters.</source>
+        <translation>加加速度在两端有阶跃，且其有限峰值（69.5）在无参数规律中最高。</translation>
+    </message>
+    <message>
+        <source>Its peak speed (2) and peak jerk (61.4) are high, and its jerk steps at both ends.</source>
+        <translation>峰值速度（2）和峰值加加速度（61.4）较高，加加速度在两端有阶跃。</translation>
+    </message>
+    <message>
+        <source>As a displacement law its acceleration jumps at both ends and in the middle, and its peak speed (2) is high.</source>
+        <translation>用作位移规律时，加速度在两端和中点突变，峰值速度（2）较高。</translation>
+    </message>
+    <message>
+        <source>As a displacement law its acceleration jumps at both ends of both ramps, so its jerk has no bound.</source>
+        <translation>用作位移规律时，加速度在两段斜坡的两端突变，加加速度无界。</translation>
+    </message>
+    <message>
+        <source>Its jerk steps at every joint of its segments, and the smaller the jerk share the higher it is.</source>
+        <translation>加加速度在各段衔接处有阶跃，加加速度比例越小，其值越大。</translation>
+    </message>
+    <message>
+        <source>Its acceleration jumps at both ends, at the low speed the more the larger k is.</source>
+        <translation>加速度在两端突变，k 越大，低速端的突变越大。</translation>
+    </message>
+    <message>
+        <source>It is not symmetric: from rest it travels 0.568 of end speed times time; and its jerk steps at both ends.</source>
+        <translation>不对称：从静止起步的行程为终了速度与时间乘积的 0.568 倍；加加速度在两端有阶跃。</translation>
+    </message>
+    <message>
+        <source>Rotary cutter</source>
+        <translation>旋转切刀</translation>
+    </message>
+    <message>
+        <source>Position move</source>
+        <translation>位置运动</translation>
+    </message>
+    <message>
+        <source>Speed move</source>
+        <translation>速度运动</translation>
+    </message>
+    <message>
+        <source>Point cam</source>
+        <translation>型值点凸轮</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>压装</translation>
+    </message>
+    <message>
+        <source>Law</source>
+        <translation>运动规律</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Executed as</source>
+        <translation>执行方式</translation>
+    </message>
+    <message>
+        <source>Spline ends</source>
+        <translation>样条端点</translation>
+    </message>
+    <message>
+        <source>Shape of the ramp</source>
+        <translation>加速曲线形状</translation>
+    </message>
+    <message>
+        <source>In a given time</source>
+        <translation>给定时间</translation>
+    </message>
+    <message>
+        <source>As fast as possible</source>
+        <translation>尽可能快</translation>
+    </message>
+    <message>
+        <source>Over a distance</source>
+        <translation>给定距离</translation>
+    </message>
+    <message>
+        <source>Cam points</source>
+        <translation>凸轮点</translation>
+    </message>
+    <message>
+        <source>Intervals</source>
+        <translation>区间</translation>
+    </message>
+    <message>
+        <source>Natural</source>
+        <translation>自然</translation>
+    </message>
+    <message>
+        <source>Clamped</source>
+        <translation>固支</translation>
+    </message>
+    <message>
+        <source>Periodic</source>
+        <translation>周期</translation>
+    </message>
+    <message>
+        <source>S curve</source>
+        <translation>S 形曲线</translation>
+    </message>
+    <message>
+        <source>motor torque</source>
+        <translation>电机转矩</translation>
     </message>
 </context>
 <context>
@@ -844,6 +1194,265 @@
         <source>A cycle has only %1 pulses. Check pulses per revolution, gear and knives.</source>
         <translation>一个周期只有 %1 个脉冲。请检查每转脉冲、传动比和刀数。</translation>
     </message>
+    <message>
+        <source>The motor would turn at %1 at %3 s; the limit is %2.</source>
+        <translation>电机在 %3 s 处的转速将达到 %1，限制为 %2。</translation>
+    </message>
+    <message>
+        <source>The acceleration would be %1 at %3 s; the limit is %2.</source>
+        <translation>%3 s 处的加速度将达到 %1，限制为 %2。</translation>
+    </message>
+    <message>
+        <source>The motor would need %1 at %3 s; it has %2.</source>
+        <translation>%3 s 处电机需要 %1，而它只有 %2。</translation>
+    </message>
+    <message>
+        <source>Following the master would take %1 at %3 s; the limit is %2.</source>
+        <translation>跟随主轴在 %3 s 处需要 %1，限制为 %2。</translation>
+    </message>
+    <message>
+        <source>The pulse frequency would be %1 at %3 s; the limit is %2.</source>
+        <translation>%3 s 处的脉冲频率将达到 %1，限制为 %2。</translation>
+    </message>
+    <message>
+        <source>The cam has %1 knots; the nearest possible number is %2.</source>
+        <translation>凸轮有 %1 个型值点，最接近的允许数目为 %2。</translation>
+    </message>
+    <message>
+        <source>Knot %1 at %2 must come after the one before it at %3.</source>
+        <translation>型值点 %1（%2）必须位于前一点（%3）之后。</translation>
+    </message>
+    <message>
+        <source>Knot %1 is only %2 after the one before it; keep %3.</source>
+        <translation>型值点 %1 距前一点仅 %2，至少应为 %3。</translation>
+    </message>
+    <message>
+        <source>Knot %1 at %2 is out of range; the nearest place is %3.</source>
+        <translation>型值点 %1（%2）超出范围，最近的允许位置为 %3。</translation>
+    </message>
+    <message>
+        <source>Knot %1 is at %2, but the cam needs one at %3.</source>
+        <translation>型值点 %1 位于 %2，但凸轮在 %3 处需要一个型值点。</translation>
+    </message>
+    <message>
+        <source>Near knot %1 the curve reaches %2, beyond the range of the knots, which ends at %3. Move the knot or add one beside it.</source>
+        <translation>在型值点 %1 附近曲线达到 %2，超出型值点的范围（到 %3 为止）。请移动该点或在旁边增加一点。</translation>
+    </message>
+    <message>
+        <source>The position jumps by %1 where the cycle closes. Choose periodic ends.</source>
+        <translation>周期闭合处位置跳变 %1。请选择周期端点。</translation>
+    </message>
+    <message>
+        <source>The speed jumps by %1 where the cycle closes. Choose periodic ends.</source>
+        <translation>周期闭合处速度跳变 %1。请选择周期端点。</translation>
+    </message>
+    <message>
+        <source>The acceleration jumps by %1 where the cycle closes. Choose periodic ends.</source>
+        <translation>周期闭合处加速度跳变 %1。请选择周期端点。</translation>
+    </message>
+    <message>
+        <source>%1 is %2: nothing would move. Enter another value.</source>
+        <translation>%1为 %2：不会产生运动。请输入其他值。</translation>
+    </message>
+    <message>
+        <source>The speeds need at least %1, not %2.</source>
+        <translation>这些速度至少需要 %1，而不是 %2。</translation>
+    </message>
+    <message>
+        <source>A distance of %1 points the other way than the speeds. Change its sign.</source>
+        <translation>距离 %1 与速度方向相反。请改变其符号。</translation>
+    </message>
+    <message>
+        <source>%1 %2 must be beyond %3.</source>
+        <translation>%1 %2 必须超过 %3。</translation>
+    </message>
+    <message>
+        <source>%1 %2 must be at most %3.</source>
+        <translation>%1 %2 不得大于 %3。</translation>
+    </message>
+    <message>
+        <source>The table does not fit the controller. Use fewer pulses per revolution or a shorter motion.</source>
+        <translation>数据表超出控制器的范围。请减少每转脉冲数或缩短运动。</translation>
+    </message>
+    <message>
+        <source>The motion turns round, and intervals go one way. Choose cam points.</source>
+        <translation>运动会反向，而区间方式只能单向。请选择凸轮点方式。</translation>
+    </message>
+    <message>
+        <source>Whole pulses cannot keep the speed within %1 mm/s. Use more pulses per revolution.</source>
+        <translation>整数脉冲无法把速度误差保持在 %1 mm/s 以内。请增加每转脉冲数。</translation>
+    </message>
+</context>
+<context>
+    <name>TableText</name>
+    <message>
+        <source>Step table</source>
+        <translation>步进表</translation>
+    </message>
+    <message>
+        <source>Cam points</source>
+        <translation>凸轮点</translation>
+    </message>
+    <message>
+        <source>Intervals</source>
+        <translation>区间</translation>
+    </message>
+    <message>
+        <source>Press stages</source>
+        <translation>压装阶段</translation>
+    </message>
+    <message>
+        <source>Row</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>段</translation>
+    </message>
+    <message>
+        <source>Time s</source>
+        <translation>时间 s</translation>
+    </message>
+    <message>
+        <source>Frequency Hz</source>
+        <translation>频率 Hz</translation>
+    </message>
+    <message>
+        <source>Pulses</source>
+        <translation>脉冲</translation>
+    </message>
+    <message>
+        <source>Timer ticks</source>
+        <translation>定时器计数</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Master</source>
+        <translation>主轴</translation>
+    </message>
+    <message>
+        <source>Position mm</source>
+        <translation>位置 mm</translation>
+    </message>
+    <message>
+        <source>Slope pulses</source>
+        <translation>斜率（脉冲）</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>运动方式</translation>
+    </message>
+    <message>
+        <source>First Hz</source>
+        <translation>起始 Hz</translation>
+    </message>
+    <message>
+        <source>Last Hz</source>
+        <translation>终了 Hz</translation>
+    </message>
+    <message>
+        <source>Hz/s</source>
+        <translation>Hz/s</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>阶段</translation>
+    </message>
+    <message>
+        <source>Speed Hz</source>
+        <translation>速度 Hz</translation>
+    </message>
+    <message>
+        <source>End pulses</source>
+        <translation>终点（脉冲）</translation>
+    </message>
+    <message>
+        <source>Force N</source>
+        <translation>力 N</translation>
+    </message>
+    <message>
+        <source>Time ms</source>
+        <translation>时间 ms</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>faster</source>
+        <translation>加速</translation>
+    </message>
+    <message>
+        <source>slower</source>
+        <translation>减速</translation>
+    </message>
+    <message>
+        <source>constant</source>
+        <translation>匀速</translation>
+    </message>
+    <message>
+        <source>base</source>
+        <translation>基速</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>斜坡</translation>
+    </message>
+    <message>
+        <source>sync</source>
+        <translation>同步</translation>
+    </message>
+    <message>
+        <source>%1 rows, %2 pulses per cycle, %3 s</source>
+        <translation>%1 行，每周期 %2 个脉冲，%3 s</translation>
+    </message>
+    <message>
+        <source>Largest speed error: %1 mm/s (%2 %) at %3 s</source>
+        <translation>最大速度误差：%1 mm/s（%2 %），在 %3 s</translation>
+    </message>
+    <message>
+        <source>Largest frequency step: %1 Hz at %2 s</source>
+        <translation>最大频率阶跃：%1 Hz，在 %2 s</translation>
+    </message>
+    <message>
+        <source>Largest position error: %1 pulses between rows, %2 inside</source>
+        <translation>最大位置误差：行间 %1 个脉冲，行内 %2 个脉冲</translation>
+    </message>
+    <message>
+        <source>Drift: none, the fraction of a pulse is carried from cycle to cycle</source>
+        <translation>漂移：无，脉冲的小数部分逐周期累积</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s rule would be wrong by %1 pulses (%2 mm) in each bag</source>
+        <translation>按论文的取整方法，每袋将差 %1 个脉冲（%2 mm）</translation>
+    </message>
+    <message>
+        <source>%1 points, %2 pulses per cycle, %3 s</source>
+        <translation>%1 个点，每周期 %2 个脉冲，%3 s</translation>
+    </message>
+    <message>
+        <source>Largest position error between points: %1 pulses (%2 mm) at %3 s</source>
+        <translation>点间最大位置误差：%1 个脉冲（%2 mm），在 %3 s</translation>
+    </message>
+    <message>
+        <source>Largest speed error: %1 mm/s at %2 s</source>
+        <translation>最大速度误差：%1 mm/s，在 %2 s</translation>
+    </message>
+    <message>
+        <source>%1 intervals, %2 pulses, %3 s instead of %4 s</source>
+        <translation>%1 个区间，%2 个脉冲，%3 s（设定 %4 s）</translation>
+    </message>
+    <message>
+        <source>Largest speed error: %1 mm/s at %2 s, position: %3 pulses</source>
+        <translation>最大速度误差：%1 mm/s，在 %2 s；位置：%3 个脉冲</translation>
+    </message>
+    <message>
+        <source>%1 stages; the last stretch is counted in the pulse generator, %2 mm a pulse</source>
+        <translation>%1 个阶段；最后一段由脉冲发生器计数，每脉冲 %2 mm</translation>
+    </message>
 </context>
 <context>
     <name>campanel::machine::DownloadDesk</name>
@@ -858,10 +1467,6 @@
     <message>
         <source>Not possible: this controller cannot execute this kind of program.</source>
         <translation>无法下载：该控制器不能执行这类程序。</translation>
-    </message>
-    <message>
-        <source>Knife radius, knives, pulses and gear change only at standstill. Stop the machine first.</source>
-        <translation>刀半径、刀数、脉冲数和传动比只能在静止时更改。请先停机。</translation>
     </message>
     <message>
         <source>The controller runs exactly this.</source>
@@ -903,6 +1508,21 @@
         <source>Active in controller: generation %1 · %2 values differ</source>
         <translation>控制器当前：第 %1 代 · %2 个值不同</translation>
     </message>
+    <message>
+        <source>The kind of program and the data of the machine change only at standstill. Stop the machine first.</source>
+        <translation>程序类型和机器数据只能在静止时更改。请先停机。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::machine::Editor</name>
+    <message>
+        <source>Displacement law</source>
+        <translation>位移规律</translation>
+    </message>
+    <message>
+        <source>Speed law</source>
+        <translation>速度规律</translation>
+    </message>
 </context>
 <context>
     <name>campanel::machine::EditorField</name>
@@ -925,6 +1545,29 @@
     <message>
         <source>The largest allowed value is %1 %2.</source>
         <translation>最大允许值为 %1 %2。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::machine::KnotModel</name>
+    <message>
+        <source>Knot %1, master</source>
+        <translation>型值点 %1，主轴</translation>
+    </message>
+    <message>
+        <source>Knot %1, slave</source>
+        <translation>型值点 %1，从轴</translation>
+    </message>
+    <message>
+        <source>The cycle closes smoothly.</source>
+        <translation>周期平滑闭合。</translation>
+    </message>
+    <message>
+        <source>The cycle closes smoothly and advances by %1 mm.</source>
+        <translation>周期平滑闭合，每周期前进 %1 mm。</translation>
+    </message>
+    <message>
+        <source>Where the cycle closes: position jumps by %1 mm, speed by %2 mm/°, acceleration by %3 mm/°².</source>
+        <translation>周期闭合处：位置跳变 %1 mm，速度跳变 %2 mm/°，加速度跳变 %3 mm/°²。</translation>
     </message>
 </context>
 <context>
@@ -983,21 +1626,6 @@
     <message>
         <source>Not permitted: add the user to the group &quot;%1&quot;.</source>
         <translation>无权限：请将用户加入“%1”组。</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::machine::TableModel</name>
-    <message>
-        <source>base</source>
-        <translation>基速</translation>
-    </message>
-    <message>
-        <source>ramp</source>
-        <translation>斜坡</translation>
-    </message>
-    <message>
-        <source>sync</source>
-        <translation>同步</translation>
     </message>
 </context>
 </TS>

@@ -88,7 +88,7 @@ QString ControllerSentences::refusal(Refusal reason)
     case Refusal::WrongChecksum:
         return tr("The controller holds other bytes. Download again.");
     case Refusal::MachineDataDiffers:
-        return tr("Knife radius, knives, pulses and gear change only at standstill. Stop the machine first.");
+        return tr("The data of the machine change only at standstill. Stop the machine first.");
     case Refusal::NotArmed:
         return tr("No change is waiting.");
     case Refusal::FlashFailed:

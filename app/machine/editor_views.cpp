@@ -159,7 +159,8 @@ QList<LawRow> EditorViews::laws(std::optional<profile::LawId> compared) const
         LawRow row;
         row.lawId = QString::fromUtf8(law.key.data(), static_cast<qsizetype>(law.key.size()));
         row.name = RecipeWords::lawName(law.id);
-        row.hint = RecipeWords::lawHint(law.id);
+        row.strength = RecipeWords::lawStrength(law.id);
+        row.weakness = RecipeWords::lawWeakness(law.id);
         row.current = law.id == lawOf(m_recipe);
         row.compared = compared == law.id;
         const auto [peaks, isFeasible] = demandOf(law);

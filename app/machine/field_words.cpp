@@ -78,7 +78,7 @@ QString RecipeWords::fieldName(Field field)
     case Field::MasterRamp:
         return tr("Master ramp");
     case Field::MasterRatio:
-        return tr("Master revs per cycle");
+        return tr("Master revs/cycle");
     case Field::MasterScale:
         return tr("Master scale");
     case Field::SlaveScale:

@@ -37,8 +37,10 @@ QVariant LawModel::data(const QModelIndex& index, int role) const
         return row.lawId;
     case NameRole:
         return row.name;
-    case HintRole:
-        return row.hint;
+    case StrengthRole:
+        return row.strength;
+    case WeaknessRole:
+        return row.weakness;
     case PeakRpmTextRole:
         return row.peakRpmText;
     case PeakAccelerationTextRole:
@@ -62,7 +64,8 @@ QHash<int, QByteArray> LawModel::roleNames() const
 {
     return {{LawIdRole, "lawId"},
             {NameRole, "name"},
-            {HintRole, "hint"},
+            {StrengthRole, "strength"},
+            {WeaknessRole, "weakness"},
             {PeakRpmTextRole, "peakRpmText"},
             {PeakAccelerationTextRole, "peakAccelerationText"},
             {PeakFrequencyTextRole, "peakFrequencyText"},

@@ -11,7 +11,8 @@ namespace campanel::machine {
 struct LawRow {
     QString lawId;
     QString name;
-    QString hint; // one sentence: what it is good for, what it costs
+    QString strength; // one sentence each
+    QString weakness;
     QString peakRpmText;
     QString peakAccelerationText;
     QString peakFrequencyText;
@@ -33,7 +34,8 @@ public:
     enum Role {
         LawIdRole = Qt::UserRole + 1,
         NameRole,
-        HintRole,
+        StrengthRole,
+        WeaknessRole,
         PeakRpmTextRole,
         PeakAccelerationTextRole,
         PeakFrequencyTextRole,

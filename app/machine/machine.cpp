@@ -220,6 +220,7 @@ bool Machine::eventFilter(QObject* watched, QEvent* event)
         emit connectionChanged();
         emit stateChanged();
         emit commandsChanged();
+        m_strokes.retranslate();
     }
     return QObject::eventFilter(watched, event);
 }

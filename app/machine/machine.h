@@ -64,6 +64,13 @@ class Machine : public QObject {
     // Of a press.
     Q_PROPERTY(double forceN READ forceN NOTIFY liveChanged FINAL)
     Q_PROPERTY(QString stageText READ stageText NOTIFY liveChanged FINAL)
+    // The stage as an index into stageNames: 0 approach .. 4 return; -1 while it stands or is not known.
+    Q_PROPERTY(int stage READ stage NOTIFY liveChanged FINAL)
+    Q_PROPERTY(QStringList stageNames READ stageNames NOTIFY stateChanged FINAL)
+    Q_PROPERTY(double approachPositionMm READ approachPositionMm NOTIFY programChanged FINAL)
+    Q_PROPERTY(double pressPositionMm READ pressPositionMm NOTIFY programChanged FINAL)
+    Q_PROPERTY(double minStopForceN READ minStopForceN NOTIFY programChanged FINAL)
+    Q_PROPERTY(double maxStopForceN READ maxStopForceN NOTIFY programChanged FINAL)
     Q_PROPERTY(campanel::machine::StrokeModel* strokes READ strokes CONSTANT FINAL)
 
     Q_PROPERTY(double bagCount READ bagCount NOTIFY bagChanged FINAL)
@@ -137,6 +144,12 @@ public:
     [[nodiscard]] double masterSpeedPercent() const;
     [[nodiscard]] double forceN() const;
     [[nodiscard]] QString stageText() const;
+    [[nodiscard]] int stage() const;
+    [[nodiscard]] QStringList stageNames() const;
+    [[nodiscard]] double approachPositionMm() const;
+    [[nodiscard]] double pressPositionMm() const;
+    [[nodiscard]] double minStopForceN() const;
+    [[nodiscard]] double maxStopForceN() const;
     [[nodiscard]] StrokeModel* strokes() { return &m_strokes; }
     [[nodiscard]] double bagCount() const;
     [[nodiscard]] double bagLengthMm() const { return m_bags.lengthMm(); }
@@ -202,6 +215,8 @@ private:
     void takeProgram(const link::ActiveProgram& program);
     void takeOutcome(const link::CommandOutcome& outcome);
     void trace(const modbus::StatusBlock& status);
+    // The active program if it is a press, else null.
+    [[nodiscard]] const profile::PressProgram* pressProgram() const;
     void forgetStatus();
     void updateAge();
     void showMessage(const QString& text);

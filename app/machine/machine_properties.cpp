@@ -176,6 +176,52 @@ QString Machine::stageText() const
                : QString();
 }
 
+int Machine::stage() const
+{
+    return m_status && m_status->press && m_status->press->stage
+               ? static_cast<int>(*m_status->press->stage) - 1
+               : -1;
+}
+
+QStringList Machine::stageNames() const
+{
+    using modbus::PressStage;
+    QStringList names;
+    for (const PressStage stage :
+         {PressStage::Approach, PressStage::Probe, PressStage::Press, PressStage::Hold, PressStage::Return})
+        names << ControllerSentences::pressStage(stage);
+    return names;
+}
+
+const profile::PressProgram* Machine::pressProgram() const
+{
+    return m_program ? std::get_if<profile::PressProgram>(&m_program->recipe.program) : nullptr;
+}
+
+double Machine::approachPositionMm() const
+{
+    const auto* press = pressProgram();
+    return press ? press->approachPositionMm : unknown;
+}
+
+double Machine::pressPositionMm() const
+{
+    const auto* press = pressProgram();
+    return press ? press->pressPositionMm : unknown;
+}
+
+double Machine::minStopForceN() const
+{
+    const auto* press = pressProgram();
+    return press ? press->minStopForceN : unknown;
+}
+
+double Machine::maxStopForceN() const
+{
+    const auto* press = pressProgram();
+    return press ? press->maxStopForceN : unknown;
+}
+
 int Machine::activeKind() const
 {
     return m_program ? static_cast<int>(m_program->recipe.kind()) : 0;

@@ -53,33 +53,78 @@ QString RecipeWords::lawName(LawId law)
     return {};
 }
 
-QString RecipeWords::lawHint(LawId law)
+QString RecipeWords::lawStrength(LawId law)
 {
     switch (law) {
     case LawId::Cubic:
-        return tr("The paper's law: low acceleration; jerk steps at both ends.");
+        return tr(
+            "As a speed law its acceleration is zero at both ends and peaks at only 1.5 times its mean.");
     case LawId::Quintic:
-        return tr("No jerk step at the ends; a quarter more acceleration than the cubic.");
+        return tr("Speed and acceleration are zero at both ends, by one short polynomial.");
     case LawId::Polynomial4567:
-        return tr("The gentlest ends of all; highest acceleration in the middle.");
+        return tr("Speed, acceleration and jerk are all zero at both ends, so it excites little vibration.");
     case LawId::Harmonic:
-        return tr("Close to the cubic; jerk steps at both ends.");
+        return tr("Low peak speed (1.57) and low peak acceleration (4.93) by half a cosine wave.");
     case LawId::Cycloidal:
-        return tr("No jerk step at the ends; a third more acceleration than the cubic.");
+        return tr("Its acceleration is one whole sine wave, smooth throughout and zero at both ends.");
     case LawId::ModifiedSine:
-        return tr("Tolerates changing loads well; moderate acceleration.");
+        return tr("Low peak speed (1.76) with moderate peak acceleration (5.53) and no jump of acceleration: "
+                  "it suits large inertia.");
     case LawId::ModifiedTrapezoid:
-        return tr("Low jerk without steps at the ends; a third more acceleration than the cubic.");
+        return tr("The lowest peak acceleration (4.89) of the laws without parameters whose acceleration "
+                  "does not jump.");
     case LawId::Parabolic:
-        return tr("Lowest jerk, but stepped; acceleration has a sharp peak in the middle.");
+        return tr("The lowest peak acceleration (4) that a move from rest to rest can have.");
     case LawId::Trapezoid:
-        return tr("Lowest acceleration, held for long; jerk steps at its four corners.");
+        return tr("No law has a lower peak speed at the same peak acceleration; the ramp fraction trades one "
+                  "for the other.");
     case LawId::SCurve:
-        return tr("Trapezoid with rounded corners; two shares to tune.");
+        return tr("Its acceleration does not jump, and both its peak and that of the jerk can be set.");
     case LawId::Exponential:
-        return tr("Fast at first, then gentle; acceleration steps at both ends.");
+        return tr("It accelerates hardest at low speed, where a motor has most torque to give, and least "
+                  "near the end speed.");
     case LawId::HalfModifiedSine:
-        return tr("Quick first half; acceleration is zero at both ends.");
+        return tr("Its acceleration is zero at both ends and peaks at only 1.57 times its mean.");
+    }
+    return {};
+}
+
+QString RecipeWords::lawWeakness(LawId law)
+{
+    switch (law) {
+    case LawId::Cubic:
+        return tr("As a displacement law its acceleration jumps to its peak (6) at both ends, and as a speed "
+                  "law its jerk does.");
+    case LawId::Quintic:
+        return tr("Its jerk steps at both ends, and a trapezoid whose ramps are longer than 22.29 % of the "
+                  "move needs less peak acceleration.");
+    case LawId::Polynomial4567:
+        return tr("It has the highest peak speed (2.19) and peak acceleration (7.51) of the displacement "
+                  "laws without parameters.");
+    case LawId::Harmonic:
+        return tr("As a displacement law it starts and ends with its full acceleration, a jolt each time.");
+    case LawId::Cycloidal:
+        return tr(
+            "Its peak speed (2) and peak acceleration (6.28) are high, and its jerk steps at both ends.");
+    case LawId::ModifiedSine:
+        return tr("Its jerk steps at both ends and has the highest finite peak (69.5) of the laws without "
+                  "parameters.");
+    case LawId::ModifiedTrapezoid:
+        return tr("Its peak speed (2) and peak jerk (61.4) are high, and its jerk steps at both ends.");
+    case LawId::Parabolic:
+        return tr("As a displacement law its acceleration jumps at both ends and in the middle, and its peak "
+                  "speed (2) is high.");
+    case LawId::Trapezoid:
+        return tr("As a displacement law its acceleration jumps at both ends of both ramps, so its jerk has "
+                  "no bound.");
+    case LawId::SCurve:
+        return tr("Its jerk steps at every joint of its segments, and the smaller the jerk share the higher "
+                  "it is.");
+    case LawId::Exponential:
+        return tr("Its acceleration jumps at both ends, at the low speed the more the larger k is.");
+    case LawId::HalfModifiedSine:
+        return tr("It is not symmetric: from rest it travels 0.568 of end speed times time; and its jerk "
+                  "steps at both ends.");
     }
     return {};
 }

@@ -18,7 +18,9 @@ public:
     [[nodiscard]] static QString fieldName(profile::Field field);
     [[nodiscard]] static QString unit(std::string_view unit); // "mm/s^2" -> "mm/s²"
     [[nodiscard]] static QString lawName(profile::LawId law);
-    [[nodiscard]] static QString lawHint(profile::LawId law);
+    // The sentences of the table of laws.
+    [[nodiscard]] static QString lawStrength(profile::LawId law);
+    [[nodiscard]] static QString lawWeakness(profile::LawId law);
     [[nodiscard]] static QString lawParameterName(std::string_view parameterId);
     [[nodiscard]] static QString kindName(profile::ProgramKind kind);
     [[nodiscard]] static QString choiceName(program::Choice choice);

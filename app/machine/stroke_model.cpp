@@ -54,6 +54,12 @@ void StrokeModel::clear()
     emit curveChanged();
 }
 
+void StrokeModel::retranslate()
+{
+    if (!m_strokes.isEmpty())
+        emit dataChanged(index(0), index(count() - 1));
+}
+
 int StrokeModel::goodCount() const
 {
     return static_cast<int>(std::ranges::count(m_strokes, modbus::StrokeResult::Ok,

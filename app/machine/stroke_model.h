@@ -39,6 +39,8 @@ public:
     // One status of a press; pulsesPerMm of its program.
     void note(const modbus::StatusBlock& status, double pulsesPerMm);
     void clear();
+    // Tells that the texts are in another language now.
+    void retranslate();
 
     [[nodiscard]] int count() const { return static_cast<int>(m_strokes.size()); }
     [[nodiscard]] int goodCount() const;

@@ -2,6 +2,7 @@
 // A link without a line; see demo_link.h.
 #include "app/main/demo_link.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <numbers>
@@ -21,14 +22,54 @@ constexpr double shareShown = 0.62; // of the newest cycle
 constexpr double scatterMm = 0.09;
 constexpr double lagS = 0.0012; // of the knife behind its target
 constexpr unsigned seed = 7;
-constexpr std::uint32_t generation = 12;
+constexpr std::uint32_t firstGeneration = 12;
+constexpr double samplesPerS = 78;
 
-program::ProgramImage demoProgram()
+constexpr std::uint32_t cyclesBefore = 1283; // of a move or a cam
+constexpr std::uint32_t firstStroke = 4170;
+constexpr int strokesShown = 24;
+constexpr int badStroke = 21; // of these
+constexpr double stopForceN = 3900;
+constexpr double weakForceN = 640;
+constexpr double forceScatterN = 90;
+constexpr double stopScatterMm = 0.006;
+constexpr double frictionShare = 0.45; // of the force, before the part is seated
+
+program::ProgramImage demoProgram(profile::ProgramKind kind)
 {
-    program::Recipe recipe;
-    recipe.cutter().rateBagsPerMin = 60;
-    recipe.cutter().bagLengthMm = 250;
+    program::Recipe recipe = program::defaultRecipe(kind);
+    switch (kind) {
+    case profile::ProgramKind::RotaryCutter:
+        recipe.cutter().rateBagsPerMin = 60;
+        recipe.cutter().bagLengthMm = 250;
+        break;
+    case profile::ProgramKind::PositionMove:
+        recipe.name = "Transfer";
+        break;
+    case profile::ProgramKind::SpeedMove:
+        recipe.name = "Unwind";
+        break;
+    case profile::ProgramKind::PointCam:
+        recipe.name = "Pusher";
+        break;
+    case profile::ProgramKind::Press:
+        recipe.name = "Bearing 6204";
+        break;
+    }
     return *program::buildProgram(recipe);
+}
+
+std::uint32_t generationOf(profile::ProgramKind kind)
+{
+    return firstGeneration + static_cast<std::uint32_t>(kind);
+}
+
+// What pressing a part takes `share` of the way from where it is touched to the stop: friction, then seating.
+double pressForceN(double share, double touchForceN)
+{
+    const double friction =
+        touchForceN + (frictionShare * stopForceN - touchForceN) * std::min(1.0, 1.4 * share);
+    return friction + (1 - frictionShare) * stopForceN * std::pow(std::clamp(share, 0.0, 1.0), 12);
 }
 
 modbus::Identity demoIdentity()
@@ -37,7 +78,8 @@ modbus::Identity demoIdentity()
     identity.mapMajor = 1;
     identity.firmwareMajor = 1;
     identity.uniqueId = 1;
-    identity.programKinds = 2;
+    for (const program::KindInfo& kind : program::kinds())
+        identity.programKinds |= static_cast<std::uint16_t>(1U << static_cast<unsigned>(kind.kind));
     identity.rowCapacity = modbus::rowCapacity;
     identity.bankRegisters = modbus::bankRegisters;
     identity.timerClockHz = 8000000;
@@ -50,7 +92,7 @@ modbus::Identity demoIdentity()
 
 DemoLink::DemoLink(QObject* parent)
     : Link(parent)
-    , m_program(demoProgram())
+    , m_program(demoProgram(Kind::RotaryCutter))
 {
 }
 
@@ -83,12 +125,14 @@ void DemoLink::cancelDownload()
     emit downloadReported(canceled);
 }
 
-void DemoLink::show(Situation situation)
+void DemoLink::show(Situation situation, Kind kind)
 {
-    if (m_isShown && m_situation == situation)
+    if (m_isShown && m_situation == situation && m_kind == kind)
         return;
     m_isShown = true;
     m_situation = situation;
+    if (std::exchange(m_kind, kind) != kind)
+        m_program = demoProgram(kind);
     if (situation == Situation::Lost) {
         m_now += 4200ms;
         report(link::LinkState::Lost);
@@ -108,9 +152,11 @@ void DemoLink::show(Situation situation)
         emit statusReceived({{{m_now, idle}}, 0});
     } else {
         const auto& bank = m_program.registers;
-        emit programRead(
-            {generation, m_program.crc, {bank.begin(), bank.begin() + modbus::bankHeaderRegisters}});
-        runBags();
+        const std::vector<std::uint16_t> header(bank.begin(), bank.begin() + modbus::bankHeaderRegisters);
+        const modbus::KnotSpan span = modbus::knotSpan(header);
+        const auto knots = bank.begin() + span.offset;
+        emit programRead({generationOf(m_kind), m_program.crc, header, {knots, knots + span.count}});
+        runProgram();
     }
     report(link::LinkState::Connected); // the figures of the link are read again
 }
@@ -125,6 +171,24 @@ void DemoLink::report(link::LinkState state)
     if (state == link::LinkState::Searching)
         report.error = modbus::LinkError{modbus::LinkErrorKind::PortAbsent, "/dev/ttyUSB0", {}, {}, 0};
     emit reported(report);
+}
+
+void DemoLink::runProgram()
+{
+    if (m_situation == Situation::Fresh)
+        pass(0, m_kind == Kind::Press ? strokeAt(0) : statusAt(0));
+    else if (m_kind == Kind::RotaryCutter)
+        runBags();
+    else if (m_kind == Kind::Press)
+        runStrokes();
+    else
+        runCycles();
+}
+
+void DemoLink::pass(double timeS, const modbus::StatusBlock& status)
+{
+    m_now += std::chrono::microseconds(std::llround(1e6 * timeS));
+    emit statusReceived({{{m_now, status}}, 0});
 }
 
 void DemoLink::runBags()
@@ -152,14 +216,81 @@ void DemoLink::runBags()
     }
 }
 
+// One whole cycle, so that the trace has an end, and the one under way.
+void DemoLink::runCycles()
+{
+    const double cycleS = m_program.solved.cycleS();
+    const int samples = std::max(20, static_cast<int>(samplesPerS * cycleS));
+    for (int i = 0; i < static_cast<int>((1 + shareShown) * samples); ++i) {
+        modbus::StatusBlock status = statusAt(static_cast<double>(i % samples) / samples);
+        status.cycleCount = cyclesBefore + static_cast<std::uint32_t>(i / samples);
+        pass(cycleS / samples, status);
+    }
+}
+
+// The strokes before by their ends alone, then one as it goes; while it runs it is shown in its hold.
+void DemoLink::runStrokes()
+{
+    std::mt19937 random(seed);
+    std::normal_distribution<double> force(0, forceScatterN);
+    std::normal_distribution<double> stopMm(0, stopScatterMm);
+    const std::vector<double>& joints = m_program.solved.marksS;
+    const double cycleS = m_program.solved.cycleS();
+    modbus::PressStatus last;
+    for (int stroke = 0; stroke <= strokesShown; ++stroke) {
+        modbus::StatusBlock status = strokeAt(0);
+        status.cycleCount = firstStroke + static_cast<std::uint32_t>(stroke);
+        const bool isBad = stroke == badStroke;
+        last.result = isBad ? modbus::StrokeResult::ForceTooLow : modbus::StrokeResult::Ok;
+        last.stopForceN = static_cast<std::uint16_t>((isBad ? weakForceN : stopForceN) + force(random));
+        last.peakForceN = last.stopForceN;
+        last.stopErrorPulses = static_cast<std::int16_t>(stopMm(random) * m_program.solved.pulsesPerMm);
+        last.stage = status.press->stage;
+        status.press = last;
+        pass(cycleS, status);
+    }
+    const bool isRunning = m_situation == Situation::Running;
+    const double endS = isRunning ? (joints[2] + joints[3]) / 2 : cycleS;
+    for (double timeS = 1 / samplesPerS; timeS < endS; timeS += 1 / samplesPerS) {
+        modbus::StatusBlock status = strokeAt(timeS);
+        status.cycleCount = firstStroke + strokesShown;
+        pass(1 / samplesPerS, status);
+    }
+    if (!isRunning) {
+        modbus::StatusBlock status = strokeAt(0);
+        status.cycleCount = firstStroke + strokesShown;
+        pass(1 / samplesPerS, status);
+    }
+}
+
+modbus::StatusBlock DemoLink::strokeAt(double timeS) const
+{
+    const auto& press = std::get<profile::PressProgram>(m_program.recipe.program);
+    const std::vector<double>& joints = m_program.solved.marksS;
+    const auto motion = m_program.solved.motion.at(timeS);
+    modbus::StatusBlock status = statusAt(timeS / m_program.solved.cycleS());
+    status.masterAngleDeg.reset(); // a press has no master
+    status.press.emplace();
+    const auto stage = std::ranges::upper_bound(joints, timeS) - joints.begin();
+    status.press->stage =
+        timeS > 0 ? static_cast<modbus::PressStage>(stage + 1) : modbus::PressStage::Standing;
+    const double touchMm = m_program.solved.motion.at(joints[1]).positionMm;
+    const double share = (motion.positionMm - touchMm) / (press.pressPositionMm - touchMm);
+    if (timeS > joints[1] && share > 0)
+        status.press->forceN = static_cast<std::uint16_t>(pressForceN(share, press.probeForceN));
+    return status;
+}
+
 modbus::StatusBlock DemoLink::statusAt(double cycleShare) const
 {
-    const auto& cutter = m_program.cutter();
-    const double pulsesPerMm = profile::pulsesPerMm(cutter.machine);
-    const double timeS = cycleShare * cutter.cycle.cycleTimeS;
-    const double lateS = std::fmod(timeS - lagS + cutter.cycle.cycleTimeS, cutter.cycle.cycleTimeS);
-    const auto wanted = cutter.motion.at(timeS);
-    const auto actual = cutter.motion.at(lateS);
+    const program::SolvedProgram& solved = m_program.solved;
+    const double cycleS = solved.cycleS();
+    const double timeS = cycleShare * cycleS;
+    // A cutter and a cam come from the cycle before; a move and a stroke begin at rest.
+    const bool repeats = m_kind == Kind::RotaryCutter || m_kind == Kind::PointCam;
+    const double lateS = repeats ? std::fmod(timeS - lagS + cycleS, cycleS) : std::max(0.0, timeS - lagS);
+    const auto wanted = solved.motion.at(timeS);
+    const auto actual = solved.motion.at(lateS);
 
     modbus::StatusBlock status;
     status.state = m_situation == Situation::Running ? modbus::State::Running
@@ -167,18 +298,22 @@ modbus::StatusBlock DemoLink::statusAt(double cycleShare) const
                                                      : modbus::State::Ready;
     if (m_situation == Situation::Fault)
         status.faultBits = 1U << static_cast<unsigned>(modbus::FaultBit::FollowingError);
-    status.programKind = modbus::ProgramKind::RotaryCutter;
-    status.generation = generation;
+    status.programKind = static_cast<modbus::ProgramKind>(m_kind);
+    status.generation = generationOf(m_kind);
     status.activeCrc = m_program.crc;
     status.savedCrc = m_program.crc;
     status.masterAngleDeg = 360 * cycleShare;
     if (m_situation == Situation::Running) {
         status.masterSpeedPercent = 100;
-        status.commandedFrequencyHz = static_cast<std::int32_t>(wanted.velocityMmPerS * pulsesPerMm);
-        status.actualFrequencyHz = static_cast<std::int32_t>(actual.velocityMmPerS * pulsesPerMm);
-        status.followingErrorPulses = static_cast<std::int16_t>(wanted.velocityMmPerS * lagS * pulsesPerMm);
+        status.commandedFrequencyHz = static_cast<std::int32_t>(wanted.velocityMmPerS * solved.pulsesPerMm);
+        status.actualFrequencyHz = static_cast<std::int32_t>(actual.velocityMmPerS * solved.pulsesPerMm);
+        status.followingErrorPulses =
+            static_cast<std::int16_t>(wanted.velocityMmPerS * lagS * solved.pulsesPerMm);
     }
-    status.knifeAngleDeg = actual.positionMm / (2 * std::numbers::pi * cutter.machine.knifeRadiusMm) * 360;
+    status.axisPositionPulses = static_cast<std::int32_t>(actual.positionMm * solved.pulsesPerMm);
+    if (solved.cutter)
+        status.knifeAngleDeg =
+            actual.positionMm / (2 * std::numbers::pi * solved.machine.knifeRadiusMm) * 360;
     return status;
 }
 

@@ -12,7 +12,9 @@ class DemoLink : public link::Link {
     Q_OBJECT
 
 public:
-    enum class Situation { Running, Stopped, Fault, Lost, Absent, Empty };
+    // Fresh: with a program that has not run yet. Empty: without one.
+    enum class Situation { Running, Stopped, Fault, Lost, Absent, Empty, Fresh };
+    using Kind = profile::ProgramKind;
 
     explicit DemoLink(QObject* parent);
 
@@ -21,21 +23,27 @@ public:
     void download(const std::vector<std::uint16_t>& bank) override;
     void cancelDownload() override;
 
-    void show(Situation situation);
+    void show(Situation situation, Kind kind = Kind::RotaryCutter);
     // How often Stop arrived so far.
     [[nodiscard]] int stopRequests() const { return m_stopRequests; }
     [[nodiscard]] link::SteadyTime now() const { return m_now; }
 
 private:
     void report(link::LinkState state);
+    void runProgram();
     void runBags();
+    void runCycles();
+    void runStrokes();
+    void pass(double timeS, const modbus::StatusBlock& status); // one status, after so much time
     [[nodiscard]] modbus::StatusBlock statusAt(double cycleShare) const;
+    [[nodiscard]] modbus::StatusBlock strokeAt(double timeS) const;
 
     program::ProgramImage m_program;
     link::SteadyTime m_now{};
     std::uint32_t m_bags = 0;
     int m_stopRequests = 0;
     Situation m_situation = Situation::Running;
+    Kind m_kind = Kind::RotaryCutter;
     bool m_isShown = false;
 };
 

@@ -6,6 +6,7 @@ namespace campanel::panel {
 namespace {
 
 using Situation = DemoLink::Situation;
+using Kind = DemoLink::Kind;
 
 // A tap on each name in turn; the navigation is "nav0" (Run), "nav1" (Motion), "nav2" (Settings).
 Scene taps(const char* name, const QStringList& names)
@@ -22,6 +23,28 @@ Scene situation(const char* name, Situation situation, const QString& page)
                 stage.link().show(situation);
                 stage.lookAtClock();
                 stage.tap(page);
+            }};
+}
+
+Scene running(const char* name, Kind kind, Situation situation = Situation::Running)
+{
+    return {QString::fromLatin1(name), [kind, situation](Stage& stage) {
+                stage.link().show(situation, kind);
+                stage.lookAtClock();
+                stage.tap(QStringLiteral("nav0"));
+            }};
+}
+
+// Motion with a new program of this kind, which the controller runs too, and taps from there.
+Scene editing(const char* name, Kind kind, const QStringList& names = {})
+{
+    return {QString::fromLatin1(name), [kind, names](Stage& stage) {
+                stage.link().show(Situation::Running, kind);
+                stage.lookAtClock();
+                stage.panel().editor().newProgram(static_cast<int>(kind));
+                stage.tap(QStringLiteral("nav1"));
+                for (const QString& tapped : names)
+                    stage.tap(tapped);
             }};
 }
 
@@ -98,6 +121,36 @@ const QList<Scene>& allScenes()
         situation("run-fault", Situation::Fault, run),
         situation("run-lost", Situation::Lost, run),
         situation("motion-fault", Situation::Fault, motion),
+        running("run-position", Kind::PositionMove),
+        running("run-speed", Kind::SpeedMove),
+        running("run-cam", Kind::PointCam),
+        running("run-press", Kind::Press),
+        running("run-press-stopped", Kind::Press, Situation::Stopped),
+        running("run-press-fresh", Kind::Press, Situation::Fresh),
+        running("run-press-fault", Kind::Press, Situation::Fault),
+        running("run-position-fresh", Kind::PositionMove, Situation::Fresh),
+        editing("motion-position", Kind::PositionMove),
+        editing("motion-speed", Kind::SpeedMove),
+        editing("motion-cam", Kind::PointCam),
+        editing("motion-press", Kind::Press),
+        editing("knots", Kind::PointCam, {QStringLiteral("knotsButton")}),
+        editing("choice", Kind::SpeedMove, {QStringLiteral("choice0")}),
+        editing("kinds", Kind::PositionMove, {QStringLiteral("more"), QStringLiteral("kindButton")}),
+        editing("tools-cam", Kind::PointCam, {QStringLiteral("more")}),
+        editing("table-press", Kind::Press, {QStringLiteral("more"), QStringLiteral("tableButton")}),
+        {QStringLiteral("laws-move"),
+         [=](Stage& stage) {
+             stage.panel().editor().newProgram(static_cast<int>(Kind::PositionMove));
+             stage.panel().editor().compareLaw(QStringLiteral("modified_sine"));
+             stage.tap(motion);
+             stage.tap(QStringLiteral("lawButton"));
+         }},
+        {QStringLiteral("motion-compared"),
+         [=](Stage& stage) {
+             stage.panel().editor().newProgram(static_cast<int>(Kind::PositionMove));
+             stage.panel().editor().compareLaw(QStringLiteral("modified_sine"));
+             stage.tap(motion);
+         }},
         {QStringLiteral("motion-all-curves"),
          [=](Stage& stage) {
              for (const char* name : {"nav1", "more", "positionSwitch", "jerkSwitch", "sheetClose"})
@@ -124,6 +177,7 @@ void enterScene(Stage& stage, const Scene& scene)
     auto& editor = stage.panel().editor();
     stage.closeDialogs();
     editor.cancelDownload();
+    editor.compareLaw({});
     while (editor.canUndo())
         editor.undo();
     stage.panel().settings().setSimulated(true);

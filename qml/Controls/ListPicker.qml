@@ -31,6 +31,7 @@ Sheet {
         boundsBehavior: Flickable.StopAtBounds
         delegate: ChoiceRow {
             required property var modelData
+            objectName: "choice_" + modelData.key
             width: list.width
             text: modelData.text
             note: modelData.note ?? ""

@@ -28,20 +28,18 @@ Page {
             onLawRequested: page.sheetRequested(page.lawSheet)
             onMoreRequested: page.sheetRequested(page.moreSheet)
         }
-        Loader {
+        KindInputs {
+            visible: !page.isCutter
             anchors { fill: parent; margins: Theme.size.spacing }
-            active: !page.isCutter
-            sourceComponent: KindInputs {
-                onEditRequested: (fields, index, source) => page.editRequested(fields, index, source)
-                onExplainRequested: field => page.explainRequested(field)
-                onLawRequested: page.sheetRequested(page.lawSheet)
-                onKnotsRequested: page.sheetRequested(page.knotSheet)
-                onChoiceRequested: (row, name, options, option) => {
-                    page.chosen = { row: row, title: name, options: options, current: option }
-                    page.sheetRequested(page.choiceSheet)
-                }
-                onMoreRequested: page.sheetRequested(page.moreSheet)
+            onEditRequested: (fields, index, source) => page.editRequested(fields, index, source)
+            onExplainRequested: field => page.explainRequested(field)
+            onLawRequested: page.sheetRequested(page.lawSheet)
+            onKnotsRequested: page.sheetRequested(page.knotSheet)
+            onChoiceRequested: (row, name, options, option) => {
+                page.chosen = { row: row, title: name, options: options, current: option }
+                page.sheetRequested(page.choiceSheet)
             }
+            onMoreRequested: page.sheetRequested(page.moreSheet)
         }
     }
     CurveEditor {

@@ -1,43 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// Run: knife, rate, count, bag length, and the knife's speed over its target.
+// Run: what the program of the controller moves and makes. Each kind has its own view; only the one in use is loaded.
 pragma ComponentBehavior: Bound
 import QtQuick
-import CamPanel.Theme
 import CamPanel.Widgets
 import CamPanel.Machine
 
 Page {
     id: page
 
-    readonly property int gap: Theme.size.gap
-    readonly property real upper: Math.round((height - gap) * 0.48)
+    // By Machine.activeKind: no program, cutter, position move, speed move, point cam, press.
+    readonly property list<string> views: ["RunEmpty.qml", "RunCutter.qml", "RunAxis.qml", "RunAxis.qml", "RunAxis.qml", "RunPress.qml"]
+    readonly property string view: page.views[Machine.activeKind]
 
-    DialCard {
-        id: dial
-        width: page.upper
-        height: page.upper
+    Loader {
+        id: loader
+        anchors.fill: parent
+        source: page.view
     }
-    NumberCard {
-        id: rate
-        anchors { left: dial.right; leftMargin: page.gap }
-        width: Math.round((page.width - dial.width - 2 * page.gap) * 0.37)
-        height: (page.upper - page.gap) / 2
-        value: Machine.rateBagsPerMin
-        decimals: 1
-        caption: qsTr("bags/min")
-    }
-    NumberCard {
-        anchors { left: rate.left; right: rate.right; top: rate.bottom; topMargin: page.gap }
-        height: rate.height
-        value: Machine.bagCount
-        decimals: 0
-        caption: qsTr("bags")
-    }
-    BagCard {
-        anchors { left: rate.right; leftMargin: page.gap; right: parent.right }
-        height: page.upper
-    }
-    SpeedCard {
-        anchors { left: parent.left; right: parent.right; top: dial.bottom; topMargin: page.gap; bottom: parent.bottom; bottomMargin: page.bottomInset }
+    Binding {
+        target: loader.item
+        property: "bottomInset"
+        value: page.bottomInset
     }
 }

@@ -13,7 +13,7 @@ Page {
     readonly property var sections: [
         { text: qsTr("Display"), note: qsTr("language, light or dark"), source: "DisplaySection.qml" },
         { text: qsTr("Connection"), note: qsTr("simulated or serial port"), source: "ConnectionSection.qml" },
-        { text: qsTr("Machine"), note: qsTr("knife, gear, motor limits"), source: "MachineSection.qml" },
+        { text: qsTr("Machine"), note: qsTr("drive, gear, motor limits"), source: "MachineSection.qml" },
         { text: qsTr("About"), note: qsTr("version, safety"), source: "AboutSection.qml" }
     ]
 

@@ -43,6 +43,7 @@ Card {
     }
     BagChart {
         id: chart
+        objectName: "bagChart"
         visible: card.measured
         anchors { left: parent.left; right: parent.right; top: number.bottom; bottom: foot.top; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; bottomMargin: Theme.size.accent }
         values: Machine.bagSeries
@@ -62,7 +63,7 @@ Card {
         width: chart.width - 2 * Theme.size.padding
         horizontalAlignment: Text.AlignHCenter
         wrapMode: Text.WordWrap
-        text: Machine.hasActiveProgram ? qsTr("No bag measured yet. Press Start.") : qsTr("No bag measured yet.")
+        text: qsTr("No bag measured yet. Press Start.")
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }

@@ -13,14 +13,13 @@ Card {
     Rectangle {
         id: mark
         anchors { left: parent.left; leftMargin: Theme.size.padding; verticalCenter: angle.verticalCenter }
-        visible: Machine.hasActiveProgram
         width: Theme.size.icon / 2
         height: Theme.size.spacing
         color: Theme.color.sync
     }
     Label {
-        anchors { left: mark.visible ? mark.right : mark.left; leftMargin: mark.visible ? Theme.size.spacing : 0; right: angle.left; verticalCenter: angle.verticalCenter }
-        text: Machine.hasActiveProgram ? qsTr("Sync window") : qsTr("Knife")
+        anchors { left: mark.right; leftMargin: Theme.size.spacing; right: angle.left; verticalCenter: angle.verticalCenter }
+        text: qsTr("Sync window")
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 2
         color: Theme.color.secondaryInk

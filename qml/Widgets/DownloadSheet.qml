@@ -14,8 +14,8 @@ Sheet {
     readonly property bool failed: Editor.downloadState === Editor.DownloadState.Failed
 
     title: qsTr("Download to the controller")
-    note: Machine.state === Machine.State.Running ? qsTr("The machine keeps running; the new cam begins at the next cycle.")
-        : qsTr("The new cam is used from the next start.")
+    note: Machine.state === Machine.State.Running ? qsTr("The machine keeps running; the new program begins with the next cycle.")
+        : qsTr("The new program is used from the next start.")
     panelHeight: Math.max(2, list.count + 1) * head.implicitHeight + 3 * Theme.size.touch + 2 * Theme.size.padding
     panelWidth: width * 0.86
 

@@ -24,20 +24,19 @@ Item {
         id: list
         objectName: "inputList"
         anchors { left: parent.left; right: parent.right; top: parent.top; bottom: moreButton.top; bottomMargin: Theme.size.spacing }
-        contentHeight: grid.height
+        contentHeight: body.height
         clip: true
         boundsBehavior: Flickable.StopAtBounds
 
-        Grid {
-            id: grid
+        Column {
+            id: body
             width: parent.width - 2 * Theme.size.accent
-            columns: inputs.columns
             spacing: Theme.size.spacing
 
             SettingRow {
                 objectName: "lawButton"
                 visible: Editor.hasLaw
-                width: inputs.cell
+                width: body.width
                 label: Editor.lawTitle
                 value: Editor.lawName
                 onClicked: inputs.lawRequested()
@@ -45,13 +44,13 @@ Item {
             SettingRow {
                 objectName: "knotsButton"
                 visible: Editor.kind === Editor.Kind.PointCam
-                width: inputs.cell
+                width: body.width
                 label: qsTr("Knots")
                 value: Editor.knots.count
                 onClicked: inputs.knotsRequested()
             }
             Repeater {
-                model: Editor.choices
+                model: inputs.visible ? Editor.choices : null
                 SettingRow {
                     required property int index
                     required property string name
@@ -59,23 +58,30 @@ Item {
                     required property list<string> options
                     required property int option
                     objectName: "choice" + index
-                    width: inputs.cell
+                    width: body.width
                     label: name
                     value: valueText
                     onClicked: inputs.choiceRequested(index, name, options, option)
                 }
             }
-            Repeater {
-                model: Editor.fields
-                FieldTile {
-                    required property var modelData
-                    objectName: "field_" + field.fieldId
-                    field: modelData as EditorField
-                    compact: true
-                    width: inputs.cell
-                    height: Theme.size.touch
-                    onEditRequested: (field, source) => inputs.editRequested([field], 0, source)
-                    onExplainRequested: field => inputs.explainRequested(field)
+            Grid {
+                id: grid
+                width: body.width
+                columns: inputs.columns
+                spacing: Theme.size.spacing
+
+                Repeater {
+                    model: inputs.visible ? Editor.fields : []
+                    FieldTile {
+                        required property var modelData
+                        objectName: "field_" + field.fieldId
+                        field: modelData as EditorField
+                        compact: inputs.columns > 1
+                        width: inputs.cell
+                        height: Theme.size.touch
+                        onEditRequested: (field, source) => inputs.editRequested([field], 0, source)
+                        onExplainRequested: field => inputs.explainRequested(field)
+                    }
                 }
             }
         }

@@ -59,7 +59,7 @@ Sheet {
                 required property int index
                 objectName: "field_" + field.fieldId
                 field: modelData as EditorField
-                compact: true
+                compact: false
                 enabled: field.maximum > field.minimum
                 width: (tiles.width - tiles.spacing) / 2
                 height: tiles.height

@@ -32,7 +32,8 @@ Sheet {
         delegate: LawRow {
             required property string lawId
             required property string name
-            required property string hint
+            required property string strength
+            required property string weakness
             required property string peakRpmText
             required property string peakAccelerationText
             required property string peakFrequencyText
@@ -40,9 +41,10 @@ Sheet {
             required property bool current
             required property bool usable
             required property bool compared
+            objectName: "law_" + lawId
             width: list.width - 2 * Theme.size.accent
             text: name
-            note: hint
+            notes: [strength, weakness]
             holds: current
             enabled: usable
             cells: [peakRpmText, peakAccelerationText, peakJerkText, peakFrequencyText]

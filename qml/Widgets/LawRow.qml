@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One law: name and character at the left, its four peaks in columns. As the header it shows the column titles.
+// One law: its name, its four peaks in columns, and below what it is good for and what it costs. As the header it shows the
+// column titles.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T
@@ -9,13 +10,13 @@ import CamPanel.Controls
 T.AbstractButton {
     id: row
 
-    property string note
+    property list<string> notes            // strength, weakness
     property bool holds
     property bool header
     property bool marked                   // drawn in grey behind
     required property list<string> cells
 
-    readonly property real cellWidth: width * 0.135
+    readonly property real cellWidth: width * 0.15
     implicitHeight: Math.max(Theme.size.touch, words.height + Theme.size.padding)
     enabled: !header
 
@@ -27,40 +28,57 @@ T.AbstractButton {
     }
     Column {
         id: words
-        anchors { left: parent.left; leftMargin: Theme.size.padding; verticalCenter: parent.verticalCenter }
-        width: row.width - 4 * row.cellWidth - 2 * Theme.size.padding
-        Label {
+        anchors { left: parent.left; leftMargin: Theme.size.padding; right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+        spacing: Theme.size.outline
+
+        Row {
             width: parent.width
-            visible: !row.header
-            text: row.text
-            fontSizeMode: Text.HorizontalFit
-            minimumPixelSize: Theme.size.caption
-            color: row.enabled ? Theme.color.ink : Theme.color.disabledInk
-            font.weight: Font.DemiBold
-        }
-        Label {
-            width: parent.width
-            visible: row.note.length > 0
-            wrapMode: Text.WordWrap
-            text: row.note
-            color: Theme.color.secondaryInk
-            font.pixelSize: Theme.size.caption
-        }
-    }
-    Row {
-        anchors { right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
-        Repeater {
-            model: row.cells
             Label {
-                required property string modelData
-                width: row.cellWidth - Theme.size.spacing
-                rightPadding: Theme.size.accent
-                horizontalAlignment: Text.AlignRight
+                width: parent.width - 4 * row.cellWidth
+                text: row.text
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 3
-                text: modelData
-                color: row.header ? Theme.color.secondaryInk : row.enabled ? Theme.color.ink : Theme.color.disabledInk
-                font { pixelSize: Theme.size.caption; weight: row.header ? Font.Normal : Font.DemiBold }
+                minimumPixelSize: Theme.size.caption
+                color: row.enabled ? Theme.color.ink : Theme.color.disabledInk
+                font.weight: Font.DemiBold
+            }
+            Repeater {
+                model: row.cells
+                Label {
+                    required property string modelData
+                    anchors.verticalCenter: parent?.verticalCenter
+                    width: row.cellWidth
+                    leftPadding: Theme.size.spacing
+                    rightPadding: Theme.size.accent
+                    horizontalAlignment: Text.AlignRight
+                    fontSizeMode: Text.HorizontalFit
+                    minimumPixelSize: Theme.size.caption - 3
+                    text: modelData
+                    color: row.header ? Theme.color.secondaryInk : row.enabled ? Theme.color.ink : Theme.color.disabledInk
+                    font { pixelSize: Theme.size.caption; weight: row.header ? Font.Normal : Font.DemiBold }
+                }
+            }
+        }
+        Repeater {
+            model: row.notes
+            Row {
+                id: sentence
+                required property string modelData
+                required property int index
+                width: words.width
+                Label {
+                    id: sign
+                    width: Theme.size.caption
+                    text: sentence.index === 0 ? "+" : "\u2212"
+                    color: Theme.color.secondaryInk
+                    font { pixelSize: Theme.size.caption; bold: true }
+                }
+                Label {
+                    width: parent.width - sign.width
+                    wrapMode: Text.WordWrap
+                    text: sentence.modelData
+                    color: Theme.color.secondaryInk
+                    font.pixelSize: Theme.size.caption
+                }
             }
         }
     }

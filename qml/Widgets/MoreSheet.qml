@@ -50,7 +50,7 @@ Sheet {
         }
         Switch {
             text: qsTr("Compare with controller")
-            note: sheet.compare ? qsTr("running cam in grey") : qsTr("hidden")
+            note: sheet.compare ? qsTr("controller in grey") : qsTr("hidden")
             holds: sheet.compare
             onClicked: sheet.compareToggled(!sheet.compare)
         }

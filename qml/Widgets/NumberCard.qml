@@ -3,27 +3,12 @@
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
-import CamPanel.Controls
-import CamPanel.Machine
 
-Card {
+TextCard {
     id: card
 
     required property real value
     required property int decimals
-    required property string caption
 
-    Readout {
-        anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; verticalCenterOffset: -Theme.size.padding }
-        text: Theme.count(card.value, card.decimals)
-        stale: !Machine.fresh
-    }
-    Label {
-        anchors { left: parent.left; leftMargin: Theme.size.padding; right: parent.right; rightMargin: Theme.size.padding; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
-        text: card.caption
-        color: Theme.color.secondaryInk
-        font.pixelSize: Theme.size.body
-        fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 2
-    }
+    text: Theme.count(card.value, card.decimals)
 }

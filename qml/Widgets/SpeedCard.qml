@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Knife speed over one cycle: what the program asks for, and what the knife did in the newest cycle.
+// Speed over one cycle: what the program asks for, and what the axis did in the newest cycle.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -9,6 +9,7 @@ import CamPanel.Machine
 Card {
     id: card
 
+    required property string title
     readonly property color traceColor: Machine.fresh ? Theme.color.touch : Theme.color.disabledInk
 
     component Key: Row {
@@ -33,14 +34,13 @@ Card {
     Label {
         id: caption
         anchors { left: parent.left; top: parent.top; leftMargin: Theme.size.padding; topMargin: Theme.size.spacing }
-        text: qsTr("Knife speed mm/s")
+        text: card.title
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }
     Row {
         anchors { right: parent.right; rightMargin: Theme.size.padding; verticalCenter: caption.verticalCenter }
         spacing: Theme.size.padding
-        visible: Machine.hasActiveProgram
         Label {
             text: qsTr("following error %1 mm").arg(Theme.number(Machine.followingErrorMm, 2))
             color: Machine.fresh ? Theme.color.ink : Theme.color.disabledInk
@@ -51,7 +51,6 @@ Card {
     }
     StyledCurves {
         anchors { left: parent.left; right: parent.right; top: caption.bottom; bottom: parent.bottom; margins: Theme.size.spacing; topMargin: Theme.size.outline }
-        visible: Machine.hasActiveProgram
         curves: Machine.targetCurves
         quantities: ["velocity"]
         velocityColor: Theme.color.target
@@ -60,15 +59,5 @@ Card {
         traceColor: card.traceColor
         cursorTime: Machine.masterAngleDeg / 360 * Machine.cycleSeconds
         cursorDotsVisible: false
-    }
-    Label {
-        anchors.centerIn: parent
-        visible: !Machine.hasActiveProgram
-        width: parent.width - 4 * Theme.size.padding
-        horizontalAlignment: Text.AlignHCenter
-        wrapMode: Text.WordWrap
-        text: Machine.connection === Machine.Connection.Connected
-            ? qsTr("The controller has no program yet. Open Motion and press Download.") : Machine.connectionText
-        color: Theme.color.secondaryInk
     }
 }

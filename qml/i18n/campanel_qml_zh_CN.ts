@@ -39,10 +39,6 @@
         <translation>尚未测得袋长。请按“启动”。</translation>
     </message>
     <message>
-        <source>No bag measured yet.</source>
-        <translation>尚未测得袋长。</translation>
-    </message>
-    <message>
         <source>tolerance ±%1 mm</source>
         <translation>允差 ±%1 mm</translation>
     </message>
@@ -172,14 +168,17 @@
     </message>
 </context>
 <context>
+    <name>CutterInputs</name>
+    <message>
+        <source>Speed law</source>
+        <translation>速度规律</translation>
+    </message>
+</context>
+<context>
     <name>DialCard</name>
     <message>
         <source>Sync window</source>
         <translation>同步区</translation>
-    </message>
-    <message>
-        <source>Knife</source>
-        <translation>切刀</translation>
     </message>
 </context>
 <context>
@@ -214,14 +213,6 @@
     <message>
         <source>Download to the controller</source>
         <translation>下载到控制器</translation>
-    </message>
-    <message>
-        <source>The machine keeps running; the new cam begins at the next cycle.</source>
-        <translation>机器继续运行，新凸轮从下一循环开始。</translation>
-    </message>
-    <message>
-        <source>The new cam is used from the next start.</source>
-        <translation>新凸轮从下次启动起使用。</translation>
     </message>
     <message>
         <source>In the controller</source>
@@ -259,6 +250,14 @@
         <source>Download</source>
         <translation>下载</translation>
     </message>
+    <message>
+        <source>The machine keeps running; the new program begins with the next cycle.</source>
+        <translation>机器继续运行，新程序从下一周期开始。</translation>
+    </message>
+    <message>
+        <source>The new program is used from the next start.</source>
+        <translation>新程序从下次启动起使用。</translation>
+    </message>
 </context>
 <context>
     <name>ExplanationSheet</name>
@@ -272,15 +271,83 @@
     </message>
 </context>
 <context>
+    <name>ForceCard</name>
+    <message>
+        <source>Force N over position</source>
+        <translation>力（N）随位置的变化</translation>
+    </message>
+    <message>
+        <source>No stroke yet. Press Start.</source>
+        <translation>尚无行程。请按“启动”。</translation>
+    </message>
+    <message>
+        <source>at the stop: %1 mm, %2 to %3 N</source>
+        <translation>终点要求：%1 mm，%2 至 %3 N</translation>
+    </message>
+</context>
+<context>
+    <name>KindInputs</name>
+    <message>
+        <source>Knots</source>
+        <translation>型值点</translation>
+    </message>
+    <message>
+        <source>View and tools</source>
+        <translation>视图与工具</translation>
+    </message>
+</context>
+<context>
+    <name>KindSheet</name>
+    <message>
+        <source>A knife that follows the film while it seals</source>
+        <translation>切刀在封切时跟随薄膜</translation>
+    </message>
+    <message>
+        <source>A distance, from rest to rest</source>
+        <translation>从静止到静止走一段距离</translation>
+    </message>
+    <message>
+        <source>From one speed to another, which is then held</source>
+        <translation>从一个速度变到另一个速度并保持</translation>
+    </message>
+    <message>
+        <source>A curve through points, behind a master</source>
+        <translation>过型值点的曲线，从轴跟随主轴</translation>
+    </message>
+    <message>
+        <source>Approach, probe, press, hold, return</source>
+        <translation>快进、探测、压装、保压、返回</translation>
+    </message>
+    <message>
+        <source>New program</source>
+        <translation>新建程序</translation>
+    </message>
+    <message>
+        <source>Takes the place of the recipe on this page; Undo brings it back</source>
+        <translation>将取代本页的配方，可用“撤销”恢复</translation>
+    </message>
+</context>
+<context>
+    <name>KnotSheet</name>
+    <message>
+        <source>Knots</source>
+        <translation>型值点</translation>
+    </message>
+    <message>
+        <source>Add after</source>
+        <translation>在后面插入</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Close smoothly</source>
+        <translation>平滑闭合</translation>
+    </message>
+</context>
+<context>
     <name>LawPicker</name>
-    <message>
-        <source>Speed law</source>
-        <translation>加减速曲线</translation>
-    </message>
-    <message>
-        <source>What each law asks of this recipe</source>
-        <translation>各曲线对此配方的要求</translation>
-    </message>
     <message>
         <source>Peak speed</source>
         <translation>最高转速</translation>
@@ -297,12 +364,27 @@
         <source>Frequency</source>
         <translation>频率</translation>
     </message>
+    <message>
+        <source>What each law asks of this recipe; hold one to draw its curves in grey behind</source>
+        <translation>各规律对本配方的要求；长按某一项，以灰色曲线衬在后面比较</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>转矩</translation>
+    </message>
 </context>
 <context>
     <name>MachineSection</name>
     <message>
         <source>Machine</source>
         <translation>机器</translation>
+    </message>
+</context>
+<context>
+    <name>MasterDialCard</name>
+    <message>
+        <source>Master</source>
+        <translation>主轴</translation>
     </message>
 </context>
 <context>
@@ -332,27 +414,24 @@
         <translation>与控制器比较</translation>
     </message>
     <message>
-        <source>running cam in grey</source>
-        <translation>灰色为运行中的凸轮</translation>
-    </message>
-    <message>
         <source>Rows, pulses, errors</source>
         <translation>行、脉冲、误差</translation>
-    </message>
-    <message>
-        <source>Step table</source>
-        <translation>步进表</translation>
     </message>
     <message>
         <source>Back to the stored recipe</source>
         <translation>恢复已存配方</translation>
     </message>
-</context>
-<context>
-    <name>MotionPage</name>
     <message>
-        <source>Speed law</source>
-        <translation>加减速曲线</translation>
+        <source>Table</source>
+        <translation>数据表</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>controller in grey</source>
+        <translation>控制器的曲线为灰色</translation>
     </message>
 </context>
 <context>
@@ -363,7 +442,7 @@
     </message>
     <message>
         <source>Motion</source>
-        <translation>凸轮</translation>
+        <translation>运动</translation>
     </message>
     <message>
         <source>Settings</source>
@@ -471,14 +550,67 @@
     </message>
 </context>
 <context>
-    <name>RunPage</name>
+    <name>RunAxis</name>
+    <message>
+        <source>Speed mm/s</source>
+        <translation>速度 mm/s</translation>
+    </message>
+    <message>
+        <source>Position mm</source>
+        <translation>位置 mm</translation>
+    </message>
+    <message>
+        <source>cycles</source>
+        <translation>周期数</translation>
+    </message>
+    <message>
+        <source>moves</source>
+        <translation>运动次数</translation>
+    </message>
+    <message>
+        <source>Master speed %</source>
+        <translation>主轴速度 %</translation>
+    </message>
+    <message>
+        <source>Axis speed mm/s</source>
+        <translation>轴速度 mm/s</translation>
+    </message>
+</context>
+<context>
+    <name>RunCutter</name>
     <message>
         <source>bags/min</source>
         <translation>袋/分</translation>
     </message>
     <message>
         <source>bags</source>
-        <translation>袋</translation>
+        <translation>袋数</translation>
+    </message>
+    <message>
+        <source>Knife speed mm/s</source>
+        <translation>切刀速度 mm/s</translation>
+    </message>
+</context>
+<context>
+    <name>RunEmpty</name>
+    <message>
+        <source>The controller has no program yet. Open Motion and press Download.</source>
+        <translation>控制器中还没有程序。请打开“运动”并按“下载”。</translation>
+    </message>
+</context>
+<context>
+    <name>RunPress</name>
+    <message>
+        <source>Force N</source>
+        <translation>力 N</translation>
+    </message>
+    <message>
+        <source>Position mm</source>
+        <translation>位置 mm</translation>
+    </message>
+    <message>
+        <source>good of the last strokes</source>
+        <translation>合格数 / 最近行程数</translation>
     </message>
 </context>
 <context>
@@ -504,10 +636,6 @@
         <translation>机器</translation>
     </message>
     <message>
-        <source>knife, gear, motor limits</source>
-        <translation>切刀、减速比、电机限值</translation>
-    </message>
-    <message>
         <source>About</source>
         <translation>关于</translation>
     </message>
@@ -515,13 +643,13 @@
         <source>version, safety</source>
         <translation>版本、安全</translation>
     </message>
+    <message>
+        <source>drive, gear, motor limits</source>
+        <translation>驱动、减速比、电机限值</translation>
+    </message>
 </context>
 <context>
     <name>SpeedCard</name>
-    <message>
-        <source>Knife speed mm/s</source>
-        <translation>切刀速度 mm/s</translation>
-    </message>
     <message>
         <source>following error %1 mm</source>
         <translation>跟随误差 %1 mm</translation>
@@ -534,40 +662,24 @@
         <source>actual</source>
         <translation>实际</translation>
     </message>
-    <message>
-        <source>The controller has no program yet. Open Motion and press Download.</source>
-        <translation>控制器中还没有程序。请打开“凸轮”页，按“下载”。</translation>
-    </message>
 </context>
 <context>
-    <name>TableSheet</name>
+    <name>StrokeCard</name>
     <message>
-        <source>Step table</source>
-        <translation>步进表</translation>
+        <source>Stroke</source>
+        <translation>行程</translation>
     </message>
     <message>
-        <source>Row</source>
-        <translation>行</translation>
+        <source>Error mm</source>
+        <translation>误差 mm</translation>
     </message>
     <message>
-        <source>Stretch</source>
-        <translation>区段</translation>
+        <source>Force N</source>
+        <translation>力 N</translation>
     </message>
     <message>
-        <source>Time ms</source>
-        <translation>时间 ms</translation>
-    </message>
-    <message>
-        <source>Frequency Hz</source>
-        <translation>频率 Hz</translation>
-    </message>
-    <message>
-        <source>Pulses</source>
-        <translation>脉冲数</translation>
-    </message>
-    <message>
-        <source>Timer ticks</source>
-        <translation>定时计数</translation>
+        <source>Each stroke is listed here when it ends.</source>
+        <translation>每个行程结束后列在此处。</translation>
     </message>
 </context>
 <context>

@@ -9,10 +9,13 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <cmath>
 #include <memory>
 
 using campanel::panel::Look;
 using campanel::panel::Stage;
+using Kind = campanel::panel::DemoLink::Kind;
+namespace machine = campanel::machine;
 
 class TestPanel : public QObject {
     Q_OBJECT
@@ -25,6 +28,19 @@ class TestPanel : public QObject {
     {
         const QQuickItem* item = m_stage->find(QString::fromLatin1(name));
         return item ? item->property("text").toString() : QString();
+    }
+    void show(Kind kind)
+    {
+        m_stage->link().show(campanel::panel::DemoLink::Situation::Running, kind);
+        m_stage->settle();
+    }
+    QList<double> knots(machine::KnotModel::Role role)
+    {
+        const machine::KnotModel* model = editor().knots();
+        QList<double> values;
+        for (int row = 0; row < model->rowCount(); ++row)
+            values << QLocale().toDouble(model->data(model->index(row), role).toString());
+        return values;
     }
     QPoint centerOf(const QString& name)
     {
@@ -143,6 +159,126 @@ private slots:
         QVERIFY((centerOf(QStringLiteral("handle1")) - handle).manhattanLength() > 20);
         tap("undo");
         QCOMPARE(editor().k2()->value(), before);
+    }
+
+    void aNewProgramOfEachKind_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<QString>("shown");
+        QTest::newRow("cutter") << 1 << QStringLiteral("field_bagLength");
+        QTest::newRow("position move") << 2 << QStringLiteral("field_distance_mm");
+        QTest::newRow("speed move") << 3 << QStringLiteral("field_end_speed_mm_per_s");
+        QTest::newRow("point cam") << 4 << QStringLiteral("knotsButton");
+        QTest::newRow("press") << 5 << QStringLiteral("field_approach_position_mm");
+    }
+    void aNewProgramOfEachKind()
+    {
+        QFETCH(int, kind);
+        QFETCH(QString, shown);
+        const int before = kind == 1 ? 2 : 1;
+        editor().newProgram(before);
+        tap("nav1");
+        tap("more");
+        tap("kindButton");
+        tap(qPrintable(QStringLiteral("choice_%1").arg(kind)));
+        QCOMPARE(static_cast<int>(editor().kind()), kind);
+        QVERIFY2(!m_stage->find(QStringLiteral("sheetPanel")), "the choice closes its sheet");
+        QVERIFY2(m_stage->find(shown), qPrintable(shown));
+        QVERIFY(editor().feasible());
+        tap("undo");
+        QCOMPARE(static_cast<int>(editor().kind()), before);
+    }
+
+    void aKnotFollowsTheFinger()
+    {
+        editor().newProgram(4);
+        tap("nav1");
+        const QList<double> before = knots(machine::KnotModel::SlaveTextRole);
+        const QPoint handle = centerOf(QStringLiteral("handle1"));
+        QTest::mousePress(&m_stage->window(), Qt::LeftButton, {}, handle);
+        QTest::mouseMove(&m_stage->window(), handle - QPoint(0, 8));
+        QTest::mouseMove(&m_stage->window(), handle - QPoint(0, 16));
+        QTest::mouseRelease(&m_stage->window(), Qt::LeftButton, {}, handle - QPoint(0, 16));
+        const QList<double> after = knots(machine::KnotModel::SlaveTextRole);
+        QVERIFY2(after[1] > before[1] + 1, "a finger that goes up lifts the knot");
+        QCOMPARE(after[2], before[2]);
+        tap("undo");
+        QCOMPARE(knots(machine::KnotModel::SlaveTextRole), before);
+    }
+
+    void knotsAreAddedRemovedAndRepaired()
+    {
+        editor().newProgram(4);
+        tap("nav1");
+        tap("knotsButton");
+        QCOMPARE(editor().knots()->count(), 5);
+        tap("knot1");
+        tap("knotInsert");
+        QCOMPARE(editor().knots()->count(), 6);
+        QCOMPARE(knots(machine::KnotModel::MasterTextRole)[2], 135.0);
+        tap("knotRemove");
+        QCOMPARE(editor().knots()->count(), 5);
+        QVERIFY(!m_stage->find(QStringLiteral("knotRemove"))->isEnabled());
+        QVERIFY2(!m_stage->find(QStringLiteral("knotRepair"))->isEnabled(), "nothing is broken yet");
+        editor().setChoice(0, 0); // natural ends: speed jumps where the cycle closes
+        m_stage->settle();
+        QVERIFY(editor().knots()->wrapText().contains(QStringLiteral("jumps")));
+        tap("knotRepair");
+        QVERIFY(!m_stage->find(QStringLiteral("knotRepair"))->isEnabled());
+    }
+
+    void aHeldLawIsDrawnBehind()
+    {
+        editor().newProgram(2);
+        tap("nav1");
+        tap("lawButton");
+        m_stage->hold(QStringLiteral("law_cubic"));
+        QCOMPARE(editor().overlayName(), QStringLiteral("Cubic (paper)"));
+        m_stage->hold(QStringLiteral("law_cubic"));
+        QCOMPARE(editor().overlayName(), QString());
+    }
+
+    void runShowsThePress()
+    {
+        show(Kind::Press);
+        QCOMPARE(textOf("pressForce"), QStringLiteral("3,900"));
+        QCOMPARE(textOf("pressPosition"), QStringLiteral("100.00"));
+        QCOMPARE(textOf("goodStrokes"), QStringLiteral("23 / 24"));
+        QVERIFY(m_stage->find(QStringLiteral("stage3"))->property("current").toBool());
+        QVERIFY(!m_stage->find(QStringLiteral("stage2"))->property("current").toBool());
+        QVERIFY(m_stage->find(QStringLiteral("stroke0"))->property("good").toBool());
+        const QQuickItem* bad = m_stage->find(QStringLiteral("stroke3"));
+        QVERIFY(!bad->property("good").toBool());
+        QCOMPARE(bad->property("resultText").toString(), QStringLiteral("Force too low"));
+        const auto curve =
+            m_stage->find(QStringLiteral("forcePlot"))->property("curve").value<QList<QPointF>>();
+        QVERIFY(curve.size() > 100);
+        QVERIFY2(std::abs(curve.constLast().x() - 100) < 0.1, "it stands in its hold");
+        QVERIFY(!m_stage->find(QStringLiteral("axisSpeed")));
+    }
+
+    void runShowsWhatEachKindHas_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<QStringList>("shown");
+        QTest::addColumn<QStringList>("hidden");
+        const QStringList axis{"axisSpeed", "axisPosition", "axisCount"};
+        QTest::newRow("position move") << 2 << axis << QStringList{"masterSpeed", "pressForce", "bagChart"};
+        QTest::newRow("speed move") << 3 << axis << QStringList{"masterSpeed", "pressForce", "bagChart"};
+        QTest::newRow("point cam") << 4 << axis + QStringList{"masterSpeed"}
+                                   << QStringList{"pressForce", "bagChart"};
+        QTest::newRow("cutter") << 1 << QStringList{"bagChart"} << axis;
+    }
+    void runShowsWhatEachKindHas()
+    {
+        QFETCH(int, kind);
+        QFETCH(QStringList, shown);
+        QFETCH(QStringList, hidden);
+        show(static_cast<Kind>(kind));
+        for (const QString& name : shown)
+            QVERIFY2(m_stage->find(name), qPrintable(name));
+        for (const QString& name : hidden)
+            QVERIFY2(!m_stage->find(name), qPrintable(name));
     }
 
     void stopIsReachedOverDialogsAndKeypad_data()

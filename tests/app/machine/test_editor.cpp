@@ -296,7 +296,9 @@ private slots:
         QVERIFY(rig.editor.peakText().contains("71 r/min · 1.95 m/s² · 11.8 kHz"));
         for (int row = 0; row < laws->count(); ++row) {
             QVERIFY(!text(row, machine::LawModel::NameRole).isEmpty());
-            QVERIFY(!text(row, machine::LawModel::HintRole).isEmpty());
+            const profile::Law& law = profile::laws()[static_cast<std::size_t>(row)];
+            QCOMPARE(text(row, machine::LawModel::StrengthRole), QString::fromUtf8(law.strength));
+            QCOMPARE(text(row, machine::LawModel::WeaknessRole), QString::fromUtf8(law.weakness));
         }
         QVERIFY(!rig.editor.lawParameter1()->visible());
         rig.editor.setLaw("s_curve");

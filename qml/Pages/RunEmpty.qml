@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Run before there is a program: what to do about it.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+Item {
+    id: view
+
+    property real bottomInset
+    readonly property bool connected: Machine.connection === Machine.Connection.Connected
+
+    Card {
+        anchors { fill: parent; bottomMargin: view.bottomInset }
+        Column {
+            anchors.centerIn: parent
+            width: parent.width - 4 * Theme.size.padding
+            spacing: Theme.size.padding
+            IconLabel {
+                width: parent.width
+                code: view.connected ? Theme.icon.download : Theme.icon.linkDown
+                color: Theme.color.secondaryInk
+                font.pixelSize: Theme.size.largeIcon
+            }
+            Label {
+                width: parent.width
+                horizontalAlignment: Text.AlignHCenter
+                wrapMode: Text.WordWrap
+                text: view.connected ? qsTr("The controller has no program yet. Open Motion and press Download.") : Machine.connectionText
+                color: Theme.color.secondaryInk
+                font.pixelSize: Theme.size.title
+            }
+        }
+    }
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Force over way of the newest stroke, with the gate that it must end in.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+import CamPanel.Plot
+
+Card {
+    id: card
+
+    readonly property bool drawn: Machine.strokes.forceCurve.length > 1
+
+    Label {
+        id: caption
+        anchors { left: parent.left; right: parent.right; top: parent.top; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; topMargin: Theme.size.spacing }
+        text: qsTr("Force N over position")
+        fontSizeMode: Text.HorizontalFit
+        minimumPixelSize: Theme.size.caption - 2
+        color: Theme.color.secondaryInk
+        font.pixelSize: Theme.size.caption
+    }
+    ForcePlot {
+        id: plot
+        objectName: "forcePlot"
+        anchors { left: parent.left; right: parent.right; top: caption.bottom; bottom: key.top; margins: Theme.size.spacing; topMargin: Theme.size.outline; bottomMargin: 0 }
+        curve: Machine.strokes.forceCurve
+        fromPosition: Machine.approachPositionMm
+        gatePosition: Machine.pressPositionMm
+        gateLow: Machine.minStopForceN
+        gateHigh: Machine.maxStopForceN
+        gridColor: Theme.color.line
+        secondaryInkColor: Theme.color.secondaryInk
+        curveColor: Machine.fresh ? Theme.color.touch : Theme.color.disabledInk
+        gateColor: Theme.color.warning
+        lineWidth: Theme.size.curve
+        axisFont: Theme.captionFont
+        Binding {
+            target: plot
+            property: "locale"
+            value: Theme.locale
+        }
+    }
+    Label {
+        anchors { left: plot.left; right: plot.right; verticalCenter: plot.verticalCenter; margins: Theme.size.icon }
+        visible: !card.drawn
+        horizontalAlignment: Text.AlignHCenter
+        wrapMode: Text.WordWrap
+        text: qsTr("No stroke yet. Press Start.")
+        color: Theme.color.secondaryInk
+    }
+    Label {
+        id: key
+        anchors { left: parent.left; right: parent.right; bottom: parent.bottom; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; bottomMargin: Theme.size.spacing }
+        fontSizeMode: Text.HorizontalFit
+        minimumPixelSize: Theme.size.caption - 2
+        text: qsTr("at the stop: %1 mm, %2 to %3 N").arg(Theme.number(Machine.pressPositionMm, 2))
+            .arg(Theme.number(Machine.minStopForceN, 0)).arg(Theme.number(Machine.maxStopForceN, 0))
+        color: Theme.color.secondaryInk
+        font.pixelSize: Theme.size.caption
+    }
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// The five stages of a press stroke; the one under way is tinted, framed and bold.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+Row {
+    id: strip
+
+    spacing: Theme.size.spacing
+
+    Repeater {
+        model: Machine.stageNames
+        Card {
+            id: stage
+            required property string modelData
+            required property int index
+            readonly property bool current: Machine.stage === index
+            objectName: "stage" + index
+            width: (strip.width - 4 * strip.spacing) / 5
+            height: strip.height
+            color: current && Machine.fresh ? Theme.color.touchTint : Theme.color.surface
+            border { width: current ? Theme.size.outline : 0; color: Machine.fresh ? Theme.color.touch : Theme.color.target }
+            Label {
+                anchors { fill: parent; margins: Theme.size.accent }
+                horizontalAlignment: Text.AlignHCenter
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption - 2
+                text: (stage.index + 1) + "  " + stage.modelData
+                color: stage.current && Machine.fresh ? Theme.color.ink : Theme.color.secondaryInk
+                font.weight: stage.current ? Font.Bold : Font.Normal
+            }
+        }
+    }
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// One large live text with what it is below.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+Card {
+    id: card
+
+    required property string text
+    required property string caption
+
+    Readout {
+        anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; verticalCenterOffset: -Theme.size.padding }
+        text: card.text
+        stale: !Machine.fresh
+    }
+    Label {
+        anchors { left: parent.left; leftMargin: Theme.size.padding; right: parent.right; rightMargin: Theme.size.padding; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
+        text: card.caption
+        color: Theme.color.secondaryInk
+        font.pixelSize: Theme.size.body
+        fontSizeMode: Text.HorizontalFit
+        minimumPixelSize: Theme.size.caption - 2
+    }
+}
