@@ -518,6 +518,10 @@
         <source>Within all limits.</source>
         <translation>在所有限制之内。</translation>
     </message>
+    <message>
+        <source>Within all limits; the table is being made …</source>
+        <translation>在所有限制之内；正在生成表 …</translation>
+    </message>
 </context>
 <context>
     <name>FileErrorText</name>
@@ -624,6 +628,18 @@
     <message>
         <source>%1, line %2: expected %3, found &quot;%4&quot;.</source>
         <translation>%1 第 %2 行：应为%3，实际为“%4”。</translation>
+    </message>
+    <message>
+        <source>The file %1 does not exist. Check its name.</source>
+        <translation>文件 %1 不存在。请检查文件名。</translation>
+    </message>
+    <message>
+        <source>The file %1 cannot be written: %2.</source>
+        <translation>文件 %1 无法写入：%2。</translation>
+    </message>
+    <message>
+        <source>The file %1 cannot be read: %2.</source>
+        <translation>文件 %1 无法读取：%2。</translation>
     </message>
 </context>
 <context>
@@ -1281,6 +1297,18 @@
     <message>
         <source>Whole pulses cannot keep the speed within %1 mm/s. Use more pulses per revolution.</source>
         <translation>整数脉冲无法把速度误差保持在 %1 mm/s 以内。请增加每转脉冲数。</translation>
+    </message>
+    <message>
+        <source>The acceleration would be %1 at %3 s (%4°); the limit is %2.</source>
+        <translation>在 %3 s（%4°）处的加速度将达到 %1，限制为 %2。</translation>
+    </message>
+    <message>
+        <source>The motor would need %1 at %3 s (%4°); it has %2.</source>
+        <translation>在 %3 s（%4°）处电机将需要 %1，而它只有 %2。</translation>
+    </message>
+    <message>
+        <source>Following the master would take %1 at %3 s (%4°); the limit is %2.</source>
+        <translation>在 %3 s（%4°）处跟随主轴将需要 %1，限制为 %2。</translation>
     </message>
 </context>
 <context>

@@ -154,7 +154,7 @@ void TestKindsAndController::aSpeedIsHeldUntilTheStop()
     panel.editor.newProgram(static_cast<int>(ProgramKind::SpeedMove));
     panel.editor.item(Field::EndSpeed)->set(speed);
     panel.editor.setChoice(1, execution);
-    QVERIFY2(panel.editor.feasible(), qPrintable(panel.editor.verdict()));
+    QTRY_VERIFY2(panel.editor.feasible(), qPrintable(panel.editor.verdict()));
     begin(panel);
     if (QTest::currentTestFailed())
         return;
