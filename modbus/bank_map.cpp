@@ -142,6 +142,7 @@ constexpr std::array bankTable{
     press(ro16("press.max_stop_force", 30, "most force at the stop", {}, 1.0, "N")),
     press(ro32("press.feed", 31, "feed per motor revolution", 0.001, "mm")),
     press(ro32("press.pulses_per_motor_rev", 33, "pulses per motor revolution K", 1.0, "pulses")),
+    press(ro32("press.max_acceleration", 35, "acceleration that the ramps keep to", 1.0, "mm/s^2")),
     ro16("program.recipe_version", 47, "version of the recipe that this was built from"),
     RegisterInfo{"program.recipe_name",
                  48,

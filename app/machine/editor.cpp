@@ -280,7 +280,12 @@ void Editor::recompute()
 {
     m_recipe.version = edited() ? std::min(m_stored.version + 1, program::largestVersion) : m_stored.version;
     m_tableTimer.stop();
-    takeSolution(solveRecipe(m_recipe, m_controller, TableWork::WithoutSlow));
+    // After a download the recipe is the one that it was: its table stays on offer.
+    const bool isKnown = m_solution.image && sameRecipe(m_solvedFor, m_recipe) &&
+                         m_solvedFor.version == m_recipe.version;
+    m_solvedFor = m_recipe;
+    takeSolution(
+        solveRecipe(m_recipe, m_controller, isKnown ? TableWork::All : TableWork::WithoutSlow));
 }
 
 void Editor::takeSolution(Solution solution)

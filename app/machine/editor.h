@@ -250,6 +250,7 @@ private:
     EditHistory<program::Recipe> m_history;
     std::optional<modbus::Identity> m_controller; // that the solution was made for
     Solution m_solution;
+    program::Recipe m_solvedFor;
     std::optional<profile::LawId> m_comparedLaw;
     std::shared_ptr<const profile::Curves> m_comparedCurves;
     QList<profile::Field> m_shownFields; // of which fieldsChanged() told

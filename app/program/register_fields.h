@@ -42,6 +42,7 @@ inline constexpr std::array registerFields{
     RegisterField{"feed", profile::Field::FeedPerMotorRev},
     RegisterField{"inertia", profile::Field::Inertia},
     RegisterField{"friction", profile::Field::Friction},
+    RegisterField{"max_acceleration", profile::Field::MaxAcceleration},
     RegisterField{"distance", profile::Field::Distance},
     RegisterField{"time", profile::Field::MoveTime},
     RegisterField{"start_speed", profile::Field::StartSpeed},
