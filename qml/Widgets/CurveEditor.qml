@@ -45,7 +45,7 @@ Card {
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 3
-        text: isNaN(editor.cursor) ? Editor.peakText : editor.readout(editor.cursor, editor.revision)
+        text: isNaN(editor.cursor) ? (editor.overlayText || Editor.peakText) : editor.readout(editor.cursor, editor.revision)
         color: isNaN(editor.cursor) ? Theme.color.secondaryInk : Theme.color.ink
         font { pixelSize: Theme.size.caption; weight: isNaN(editor.cursor) ? Font.Normal : Font.DemiBold }
     }
@@ -69,6 +69,8 @@ Card {
         onLayoutChanged: ++editor.revision
         onCurvesChanged: ++editor.revision
     }
+    readonly property string overlayText: plot.overlayCurves && Editor.overlayName.length > 0
+        ? qsTr("grey: %1").arg(Editor.overlayName) : ""
     function titleOf(quantity: string): string {
         return ({ position: qsTr("Position mm"), velocity: qsTr("Velocity mm/s"), acceleration: qsTr("Acceleration m/s²"),
             jerk: qsTr("Jerk m/s³"), frequency: qsTr("Pulse frequency kHz") })[quantity]

@@ -36,6 +36,7 @@ Sheet {
 
         Switch {
             objectName: "positionSwitch"
+            visible: Editor.kind !== Editor.Kind.PointCam   // whose knots stand on it
             text: qsTr("Position curve")
             note: sheet.showPosition ? qsTr("shown") : qsTr("hidden")
             holds: sheet.showPosition

@@ -143,6 +143,10 @@
 <context>
     <name>CurveEditor</name>
     <message>
+        <source>grey: %1</source>
+        <translation>灰色：%1</translation>
+    </message>
+    <message>
         <source>limit</source>
         <translation>限值</translation>
     </message>
