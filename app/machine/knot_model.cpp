@@ -37,6 +37,8 @@ KnotModel::KnotModel(QObject* parent)
 
 void KnotModel::show(const std::optional<profile::PointCamProgram>& program, double cycleS)
 {
+    if (!program && !m_program)
+        return; // another kind, as before: nobody is told
     const int before = count();
     const int after = program ? static_cast<int>(program->knots.size()) : 0;
     if (before != after)

@@ -14,17 +14,6 @@ using modbus::EndBehavior;
 using modbus::TableLayout;
 using profile::ProgramKind;
 
-constexpr std::array parameterSuffixes{"law_parameter1", "law_parameter2"};
-constexpr double knotStepsPerDeg = 10000;
-constexpr double knotStepsPerMm = 1000;
-constexpr double msPerS = 1000;
-
-// The header's registers count the ramp in ms; all else has the unit of its field.
-double registerUnits(profile::Field field)
-{
-    return field == profile::Field::MasterRamp ? msPerS : 1;
-}
-
 void append32(std::vector<std::uint16_t>& registers, std::uint32_t value)
 {
     registers.push_back(static_cast<std::uint16_t>(value >> 16));
@@ -153,7 +142,7 @@ void writeInputs(HeaderWriter& header, const Recipe& recipe)
     }
     if (const auto* parameters = lawParameters(recipe.program)) {
         for (std::size_t i = 0; i < parameters->size(); ++i)
-            header.put(*registerOf(kind, parameterSuffixes[i]), (*parameters)[i]);
+            header.put(*registerOf(kind, lawParameterSuffixes[i]), (*parameters)[i]);
     }
     header.put("program.recipe_version", recipe.version);
     header.text("program.recipe_name", recipe.name);
@@ -199,7 +188,7 @@ void decodeAxisHeader(std::span<const std::uint16_t> header, std::span<const std
                                                      : profile::Execution::CamPoints));
     if (auto* parameters = lawParameters(recipe.program)) {
         for (std::size_t i = 0; i < parameters->size(); ++i)
-            (*parameters)[i] = reader.physical(*registerOf(kind, parameterSuffixes[i]));
+            (*parameters)[i] = reader.physical(*registerOf(kind, lawParameterSuffixes[i]));
     }
     if (auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program)) {
         cam->knots.clear();

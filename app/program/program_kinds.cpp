@@ -49,14 +49,11 @@ constexpr std::array pressMachine{Field::FeedPerMotorRev, Field::PulsesPerMotorR
                                   Field::MaxAcceleration, Field::MaxPulseFrequency};
 
 constexpr std::array<KindInfo, 5> table{{
-    {ProgramKind::RotaryCutter, "rotary_cutter", "Rotary cutter", cutterFields, cutterMachine, cutterChoices,
-     "program."},
-    {ProgramKind::PositionMove, "position_move", "Position move", positionFields, axisMachine, moveChoices,
-     "position_move."},
-    {ProgramKind::SpeedMove, "speed_move", "Speed move", speedFields, axisMachine, moveChoices,
-     "speed_move."},
-    {ProgramKind::PointCam, "point_cam", "Point cam", camFields, axisMachine, camChoices, "point_cam."},
-    {ProgramKind::Press, "press", "Press", pressFields, pressMachine, {}, "press."},
+    {ProgramKind::RotaryCutter, "rotary_cutter", cutterFields, cutterMachine, cutterChoices, "program."},
+    {ProgramKind::PositionMove, "position_move", positionFields, axisMachine, moveChoices, "position_move."},
+    {ProgramKind::SpeedMove, "speed_move", speedFields, axisMachine, moveChoices, "speed_move."},
+    {ProgramKind::PointCam, "point_cam", camFields, axisMachine, camChoices, "point_cam."},
+    {ProgramKind::Press, "press", pressFields, pressMachine, {}, "press."},
 }};
 
 template <typename E> constexpr ChoiceOption option(std::string_view key, E value)

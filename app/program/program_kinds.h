@@ -28,7 +28,6 @@ struct ChoiceInfo {
 struct KindInfo {
     profile::ProgramKind kind = profile::ProgramKind::RotaryCutter;
     std::string_view key; // in the recipe file
-    std::string_view name;
     std::span<const profile::Field> programFields;
     std::span<const profile::Field> machineFields; // that a person enters
     std::span<const Choice> choices;

@@ -14,13 +14,6 @@
 namespace campanel::program {
 namespace {
 
-// The law's parameters are kept under these names by every kind that has a law.
-constexpr std::array parameterSuffixes{"law_parameter1", "law_parameter2"};
-
-// Multiples of the knots' registers: 0.0001 degrees and 0.001 mm.
-constexpr double knotStepsPerDeg = 10000;
-constexpr double knotStepsPerMm = 1000;
-
 void quantiseKnots(profile::PointCamProgram& cam)
 {
     for (profile::Knot& knot : cam.knots) {
@@ -103,13 +96,14 @@ Recipe quantised(const Recipe& recipe)
             setValue(result, entry.field, 0.0);
             continue;
         }
-        const double unit = entry.field == profile::Field::MasterRamp ? 1000 : 1; // the register counts ms
+        const double unit = registerUnits(entry.field);
         if (const auto rounded = modbus::quantise(*info, value(recipe, entry.field) * unit))
             setValue(result, entry.field, *rounded / unit);
     }
     if (profile::LawParameters* parameters = lawParameters(result.program)) {
         for (std::size_t i = 0; i < parameters->size(); ++i) {
-            const auto rounded = modbus::quantise(*registerOf(kind, parameterSuffixes[i]), (*parameters)[i]);
+            const auto rounded =
+                modbus::quantise(*registerOf(kind, lawParameterSuffixes[i]), (*parameters)[i]);
             (*parameters)[i] = rounded.value_or((*parameters)[i]);
         }
     }

@@ -76,6 +76,20 @@ inline constexpr std::array registerChoices{
     RegisterChoice{"ramp_shape", Choice::MasterRampShape},
 };
 
+// Where every kind that has a law keeps its parameters.
+inline constexpr std::array<std::string_view, profile::maxLawParameters> lawParameterSuffixes{
+    "law_parameter1", "law_parameter2"};
+
+// What the field's unit is worth in the unit of its register, which counts the master's ramp in ms.
+[[nodiscard]] constexpr double registerUnits(profile::Field field)
+{
+    return field == profile::Field::MasterRamp ? 1000 : 1;
+}
+
+// Steps of a knot's registers: 0.0001 degrees and 0.001 mm, profile's grid of a knot.
+inline constexpr double knotStepsPerDeg = 10000;
+inline constexpr double knotStepsPerMm = 1000;
+
 // The register of this input in the header of this kind, or null when it is not kept there.
 [[nodiscard]] const modbus::RegisterInfo* registerOf(const KindInfo& kind, std::string_view suffix);
 

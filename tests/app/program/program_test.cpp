@@ -257,7 +257,7 @@ void ProgramTest::everyRegisterFieldExists()
             const modbus::RegisterInfo* info = registerOf(kind, entry.suffix);
             if (info == nullptr)
                 continue;
-            const double unit = entry.field == Field::MasterRamp ? 1000 : 1; // counted in ms
+            const double unit = registerUnits(entry.field);
             const profile::FieldInfo& field = profile::info(entry.field);
             // What a person can enter on the field's grid, the register holds exactly.
             QVERIFY2(info->scale <= field.resolution() * unit * 1.000001, info->name.data());
