@@ -16,24 +16,6 @@ std::string hex(int value)
     return text;
 }
 
-std::string exceptionText(int code)
-{
-    switch (code) {
-    case 1:
-        return "1, illegal function";
-    case 2:
-        return "2, illegal register address";
-    case 3:
-        return "3, illegal value";
-    case 4:
-        return "4, device failure";
-    case 6:
-        return "6, device busy";
-    default:
-        return std::to_string(code);
-    }
-}
-
 std::string describePort(const LinkError& error)
 {
     switch (error.kind) {
@@ -75,8 +57,8 @@ std::string describeRequest(const LinkError& error)
     case LinkErrorKind::ForeignAnswer:
         return "An answer to another question arrived and was dropped" + where + ". Ask again.";
     case LinkErrorKind::Exception:
-        return "The controller refused the request with Modbus exception " + exceptionText(error.code) +
-               where + ".";
+        return "The controller refused the request with Modbus exception " + std::to_string(error.code) +
+               ", " + std::string(exceptionName(error.code)) + where + ".";
     case LinkErrorKind::RangeNotReadable:
         return "The controller has no such registers: " + error.detail + where + ".";
     case LinkErrorKind::CommandLost:
@@ -93,6 +75,26 @@ std::string describeRequest(const LinkError& error)
 }
 
 } // namespace
+
+std::string_view exceptionName(int code)
+{
+    switch (code) {
+    case 1:
+        return "illegal function";
+    case 2:
+        return "illegal register address";
+    case 3:
+        return "illegal value";
+    case 4:
+        return "device failure";
+    case 5:
+        return "acknowledged, not yet done";
+    case 6:
+        return "device busy";
+    default:
+        return "unknown";
+    }
+}
 
 std::string describe(const LinkError& error)
 {

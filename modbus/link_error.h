@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace campanel::modbus {
 
@@ -40,6 +41,9 @@ struct LinkError {
 
 // One or two sentences: what is wrong, where, and what to do.
 [[nodiscard]] std::string describe(const LinkError& error);
+
+// "illegal register address"; "unknown" for codes without a name.
+[[nodiscard]] std::string_view exceptionName(int code);
 
 // True when the port must be closed and looked for again.
 [[nodiscard]] bool portIsLost(const LinkError& error);

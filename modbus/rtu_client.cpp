@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// libmodbus frames and checks; this adds what it leaves out: the silence between frames, one deadline for a
-// whole answer, draining after a doubt, and proof that an answer belongs to its question.
+// The questions of the contract, and for each the proof that an answer belongs to it.
 #include "modbus/rtu_client.h"
 
 #include "modbus/codec.h"
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <thread>
-
-#include <sys/prctl.h>
+#include <initializer_list>
 
 namespace campanel::modbus {
 namespace {
@@ -18,9 +14,9 @@ namespace {
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
-// Nothing for this long after a doubt: the line is quiet. Longer than the 16 ms that USB adapters collect.
-constexpr milliseconds quietTime{25};
-constexpr milliseconds longestDrain{600};
+constexpr std::uint8_t functionRead = 3;
+constexpr std::uint8_t functionWrite = 16;
+constexpr std::uint8_t functionWriteAndRead = 23;
 // Writing flash or checking all rows takes the controller longer than answering a question.
 constexpr milliseconds slowWorkAllowance{2000};
 constexpr int resolveAttempts = 3;
@@ -38,16 +34,30 @@ std::string commandName(Command code)
     return "command " + std::to_string(static_cast<unsigned>(code));
 }
 
-} // namespace
-
-void RtuClient::ContextDeleter::operator()(modbus_t* context) const
+void append(std::vector<std::uint8_t>& bytes, std::initializer_list<int> words)
 {
-    modbus_close(context);
-    modbus_free(context);
+    for (const int word : words) {
+        bytes.push_back(static_cast<std::uint8_t>(static_cast<unsigned>(word) >> 8));
+        bytes.push_back(static_cast<std::uint8_t>(word));
+    }
 }
 
-RtuClient::RtuClient(LinkSettings settings)
-    : m_settings(std::move(settings))
+// What follows the byte count of a reading answer; empty when the count is not that of what follows.
+std::vector<std::uint16_t> registersIn(std::span<const std::uint8_t> data)
+{
+    if (data.empty() || data[0] + 1u != data.size())
+        return {};
+    std::vector<std::uint16_t> registers(data[0] / 2u);
+    for (std::size_t i = 0; i < registers.size(); ++i)
+        registers[i] = static_cast<std::uint16_t>((data[1 + 2 * i] << 8) | data[2 + 2 * i]);
+    return registers;
+}
+
+} // namespace
+
+RtuClient::RtuClient(LinkSettings settings, std::shared_ptr<LinkRecord> record)
+    : m_record(std::move(record))
+    , m_line(std::move(settings), *m_record)
     , m_tag(static_cast<std::uint16_t>(Clock::now().time_since_epoch() / milliseconds{1}))
 {
 }
@@ -56,183 +66,108 @@ RtuClient::~RtuClient() = default;
 
 LinkError RtuClient::error(LinkErrorKind kind, std::string request, std::string detail, int code) const
 {
-    return {kind, m_settings.port, std::move(request), std::move(detail), code};
+    return {kind, settings().port, std::move(request), std::move(detail), code};
 }
 
 tl::expected<void, LinkError> RtuClient::open()
 {
-    close();
-    const LineSettings& line = m_settings.line;
-    const auto refuse = [this](std::string detail) {
-        return tl::unexpected(error(LinkErrorKind::PortSettings, {}, std::move(detail)));
-    };
-    if (std::ranges::find(supportedBauds, line.baud) == supportedBauds.end())
-        return refuse("baud rate " + std::to_string(line.baud) +
-                      " is not one of 9600, 19200, 38400, 57600, 115200.");
-    if (line.stopBits < 1 || line.stopBits > 2)
-        return refuse("there are 1 or 2 stop bits, not " + std::to_string(line.stopBits) + ".");
-    if (m_settings.unit < 1 || m_settings.unit > 247)
-        return refuse("unit numbers go from 1 to 247, not " + std::to_string(m_settings.unit) + ".");
-
-    auto claim = PortClaim::take(m_settings.port);
-    if (!claim)
-        return tl::unexpected(claim.error());
-    decltype(m_context) context(modbus_new_rtu(m_settings.port.c_str(), static_cast<int>(line.baud),
-                                               static_cast<char>(line.parity), 8, line.stopBits));
-    if (!context)
-        return refuse("not enough memory.");
-    modbus_set_error_recovery(context.get(), MODBUS_ERROR_RECOVERY_NONE);
-    modbus_set_slave(context.get(), m_settings.unit);
-    if (modbus_connect(context.get()) != 0)
-        return refuse(std::string(modbus_strerror(errno)) + ".");
-    // Zero: no time limit between bytes, the response timeout holds for the answer as a whole.
-    modbus_set_byte_timeout(context.get(), 0, 0);
-    // The kernel may round this thread's sleeps up by 50 us; the silence between frames is cut finer.
-    constexpr unsigned long timerSlackNs = 1000;
-    prctl(PR_SET_TIMERSLACK, timerSlackNs);
-    claim->excludeOthers();
-    m_claim = std::move(*claim);
-    m_context = std::move(context);
-    m_lineFreeAt = Clock::now();
-    drainLine();
-    return {};
+    m_commandCounter.reset();
+    return m_line.open();
 }
 
 void RtuClient::close()
 {
-    m_context.reset();
-    m_claim = PortClaim();
+    m_line.close();
     m_commandCounter.reset();
 }
 
-tl::expected<void, LinkError> RtuClient::prepare(const std::string& request, const FramePair& frames,
-                                                 milliseconds extraAllowance)
+tl::expected<RtuClient::Registers, LinkError>
+RtuClient::writeAndRead(const std::string& request, const WindowRead& window, const Proof& isMine)
 {
-    if (!m_context)
-        return tl::unexpected(error(LinkErrorKind::NotOpen, request));
-    std::this_thread::sleep_until(m_lineFreeAt);
-    // Bytes that nobody asked for: a late answer, or noise. They must not become this question's answer.
-    if (hasInput(modbus_get_socket(m_context.get())))
-        drainLine();
-    const auto total = std::chrono::duration_cast<std::chrono::microseconds>(
-        pairTime(m_settings.line, frames) + m_settings.answerAllowance + extraAllowance);
-    constexpr long long perSecond = 1'000'000;
-    modbus_set_response_timeout(m_context.get(), static_cast<std::uint32_t>(total.count() / perSecond),
-                                static_cast<std::uint32_t>(total.count() % perSecond));
-    return {};
+    const auto written = static_cast<int>(window.written.size());
+    Question question{request,
+                      {functionWriteAndRead},
+                      writeReadFrames(written, window.readCount),
+                      window.readAddress,
+                      window.readCount,
+                      window.extraAllowance,
+                      window.isRepeatable};
+    append(question.pdu, {window.readAddress, window.readCount, window.writeAddress, written});
+    question.pdu.push_back(static_cast<std::uint8_t>(2 * written));
+    for (const std::uint16_t value : window.written)
+        append(question.pdu, {value});
+    Registers answer;
+    return m_line
+        .ask(question,
+             [&](std::span<const std::uint8_t> data) {
+                 answer = registersIn(data);
+                 return answer.size() == window.readCount && isMine(answer);
+             })
+        .map([&](const RtuLine::Bytes&) { return std::move(answer); });
 }
 
-void RtuClient::drainLine()
+tl::expected<RtuClient::Registers, LinkError> RtuClient::readPlain(const std::string& request,
+                                                                   std::uint16_t address, std::uint16_t count)
 {
-    const int descriptor = modbus_get_socket(m_context.get());
-    const auto quiet = std::max(quietTime, std::chrono::ceil<milliseconds>(frameSilence(m_settings.line)));
-    // A port that is gone shows itself at the next request, with its own error.
-    static_cast<void>(drain(descriptor, quiet, longestDrain));
-    m_lineFreeAt = Clock::now();
+    Question question{request, {functionRead}, readFrames(count), address, count, milliseconds{0}, true};
+    append(question.pdu, {address, count});
+    Registers answer;
+    return m_line
+        .ask(question,
+             [&](std::span<const std::uint8_t> data) {
+                 answer = registersIn(data);
+                 return answer.size() == count;
+             })
+        .map([&](const RtuLine::Bytes&) { return std::move(answer); });
 }
 
-LinkError RtuClient::failed(const std::string& request, int errorNumber)
+tl::expected<Identity, LinkError> RtuClient::identityIn(const Registers& registers) const
 {
-    switch (errorNumber) {
-    case EIO:
-    case ECONNRESET:
-    case EBADF:
-    case ENXIO:
-    case ENODEV:
-    case EPIPE:
-        return error(LinkErrorKind::PortGone, request);
-    default:
-        break;
-    }
-    // An exception carries no tag either: it may be the late answer to another question, and this one's still
-    // to come.
-    drainLine();
-    if (errorNumber > MODBUS_ENOBASE && errorNumber < EMBBADCRC)
-        return error(LinkErrorKind::Exception, request, {}, errorNumber - MODBUS_ENOBASE);
-    switch (errorNumber) {
-    case ETIMEDOUT:
-        return error(LinkErrorKind::NoAnswer, request);
-    case EMBBADCRC:
-        return error(LinkErrorKind::BadChecksum, request);
-    case EMBBADSLAVE:
-    case EMBBADDATA: // whole and undamaged, but of another length or function
-        return error(LinkErrorKind::ForeignAnswer, request);
-    default:
-        return error(LinkErrorKind::BadFrame, request, modbus_strerror(errorNumber));
-    }
+    const Identity identity = decodeIdentity(registers);
+    if (identity.deviceType != deviceType)
+        return tl::unexpected(error(LinkErrorKind::NotCamPanel, "identity", {}, identity.deviceType));
+    if (identity.mapMajor != mapMajor)
+        return tl::unexpected(error(LinkErrorKind::WrongMapMajor, "identity", {}, identity.mapMajor));
+    return identity;
 }
 
-LinkError RtuClient::dropForeign(const std::string& request)
+tl::expected<Identity, LinkError> RtuClient::probe(int unit)
 {
-    drainLine();
-    return error(LinkErrorKind::ForeignAnswer, request);
-}
-
-tl::expected<std::vector<std::uint16_t>, LinkError> RtuClient::writeAndRead(const std::string& request,
-                                                                            const WindowRead& window)
-{
-    const auto frames = writeReadFrames(static_cast<int>(window.written.size()), window.readCount);
-    if (const auto ready = prepare(request, frames, window.extraAllowance); !ready)
-        return tl::unexpected(ready.error());
-    std::vector<std::uint16_t> answer(window.readCount);
-    const int read = modbus_write_and_read_registers(
-        m_context.get(), window.writeAddress, static_cast<int>(window.written.size()), window.written.data(),
-        window.readAddress, window.readCount, answer.data());
-    if (read != window.readCount)
-        return tl::unexpected(failed(request, errno));
-    m_lineFreeAt = Clock::now() + frameSilence(m_settings.line);
-    return answer;
-}
-
-tl::expected<std::vector<std::uint16_t>, LinkError>
-RtuClient::readPlain(const std::string& request, std::uint16_t address, std::uint16_t count)
-{
-    if (const auto ready = prepare(request, readFrames(count), milliseconds{0}); !ready)
-        return tl::unexpected(ready.error());
-    std::vector<std::uint16_t> answer(count);
-    if (modbus_read_registers(m_context.get(), address, count, answer.data()) != count)
-        return tl::unexpected(failed(request, errno));
-    m_lineFreeAt = Clock::now() + frameSilence(m_settings.line);
-    return answer;
-}
-
-tl::expected<Identity, LinkError> RtuClient::identify()
-{
-    const auto check = [this](const std::vector<std::uint16_t>& registers) -> std::optional<LinkError> {
-        const Identity identity = decodeIdentity(registers);
-        if (identity.deviceType != deviceType)
-            return error(LinkErrorKind::NotCamPanel, "identity", {}, identity.deviceType);
-        if (identity.mapMajor != mapMajor)
-            return error(LinkErrorKind::WrongMapMajor, "identity", {}, identity.mapMajor);
-        return std::nullopt;
-    };
+    m_line.setUnit(unit);
     const auto plain = readPlain("identity", identityAddress, identityRegisters);
     if (!plain)
         return tl::unexpected(plain.error().kind == LinkErrorKind::Exception
                                   ? error(LinkErrorKind::NotCamPanel, "identity")
                                   : plain.error());
-    if (const auto refused = check(*plain))
-        return tl::unexpected(*refused);
+    return identityIn(*plain);
+}
+
+tl::expected<Identity, LinkError> RtuClient::identify()
+{
+    // Reads before it writes.
+    if (const auto plain = probe(settings().unit); !plain)
+        return plain;
     const auto proven = readProven(identityAddress, identityRegisters);
     if (!proven)
         return tl::unexpected(proven.error());
-    if (const auto refused = check(*proven))
-        return tl::unexpected(*refused);
-    return decodeIdentity(*proven);
+    return identityIn(*proven);
 }
 
 tl::expected<StatusBlock, LinkError> RtuClient::exchangeStatus(std::uint16_t heartbeat, std::uint16_t jogBits)
 {
     const std::array<std::uint16_t, 3> written{++m_tag, heartbeat, jogBits};
     static const std::uint16_t exchangeAddress = registerNamed("exchange.tag").address;
+    StatusBlock status;
     const auto answer =
-        writeAndRead("status", {exchangeAddress, written, statusAddress, statusRegisters, milliseconds{0}});
+        writeAndRead("status", {exchangeAddress, written, statusAddress, statusRegisters, milliseconds{0}},
+                     [&](const Registers& registers) {
+                         status = decodeStatus(registers);
+                         return status.tag == m_tag && status.heartbeat == heartbeat;
+                     });
     if (!answer)
         return tl::unexpected(answer.error());
-    const StatusBlock status = decodeStatus(*answer);
-    if (status.tag != m_tag || status.heartbeat != heartbeat)
-        return tl::unexpected(dropForeign("status"));
     m_commandCounter = status.commandCounter;
+    m_record->figures.noteController(status);
     return status;
 }
 
@@ -249,12 +184,13 @@ tl::expected<std::vector<std::uint16_t>, LinkError> RtuClient::readProven(std::u
     static const std::uint16_t answerAddress = registerNamed("readback_result.tag").address;
     constexpr std::uint16_t echoed = 3;
     const std::array<std::uint16_t, echoed> written{++m_tag, address, count};
-    auto answer = writeAndRead(request, {questionAddress, written, answerAddress,
-                                         static_cast<std::uint16_t>(echoed + count), milliseconds{0}});
+    auto answer = writeAndRead(
+        request,
+        {questionAddress, written, answerAddress, static_cast<std::uint16_t>(echoed + count),
+         milliseconds{0}},
+        [&](const Registers& registers) { return registers[0] == m_tag && registers[1] == address; });
     if (!answer)
         return answer;
-    if ((*answer)[0] != m_tag || (*answer)[1] != address)
-        return tl::unexpected(dropForeign(request));
     if ((*answer)[2] != count)
         return tl::unexpected(error(LinkErrorKind::RangeNotReadable, request,
                                     std::to_string(count) + " from " + std::to_string(address)));
@@ -281,8 +217,14 @@ tl::expected<CommandResult, LinkError> RtuClient::command(Command code, CommandA
                                                static_cast<std::uint16_t>(arguments.argument2 >> 16),
                                                static_cast<std::uint16_t>(arguments.argument2 & 0xFFFFu)};
     const auto allowance = code == Command::SaveToFlash ? slowWorkAllowance : milliseconds{0};
-    const auto answer =
-        writeAndRead(request, {commandAddress, written, resultAddress, commandResultRegisters, allowance});
+    CommandResult result;
+    constexpr bool isRepeatable = false;
+    const auto answer = writeAndRead(
+        request, {commandAddress, written, resultAddress, commandResultRegisters, allowance, isRepeatable},
+        [&](const Registers& registers) {
+            result = decodeCommandResult(registers);
+            return result.counter == counter && result.code == code;
+        });
     m_commandCounter.reset();
     if (!answer) {
         if (answer.error().kind == LinkErrorKind::NotOpen)
@@ -293,11 +235,6 @@ tl::expected<CommandResult, LinkError> RtuClient::command(Command code, CommandA
             answer.error().kind == LinkErrorKind::Exception)
             return tl::unexpected(answer.error());
         return found;
-    }
-    const CommandResult result = decodeCommandResult(*answer);
-    if (result.counter != counter || result.code != code) {
-        drainLine();
-        return resolve(request, counter);
     }
     m_commandCounter = counter;
     return result;
@@ -338,16 +275,18 @@ tl::expected<TransferAnswer, LinkError> RtuClient::transfer(const TransferFrame&
                                        frame.block, static_cast<std::uint16_t>(frame.data.size())};
     written.insert(written.end(), frame.data.begin(), frame.data.end());
     const auto allowance = frame.operation == TransferOperation::Seal ? slowWorkAllowance : milliseconds{0};
-    const auto registers =
-        writeAndRead(request, {transferAddress, written, resultAddress, transferResultRegisters, allowance});
+    TransferAnswer answer;
+    const auto isMine = [&](const Registers& registers) {
+        answer = decodeTransferAnswer(registers);
+        const bool sessionIsMine =
+            answer.session == frame.session || answer.result == TransferResult::WrongSession ||
+            answer.result == TransferResult::NotReceiving || frame.operation == TransferOperation::Begin;
+        return answer.operation == frame.operation && answer.block == frame.block && sessionIsMine;
+    };
+    const auto registers = writeAndRead(
+        request, {transferAddress, written, resultAddress, transferResultRegisters, allowance}, isMine);
     if (!registers)
         return tl::unexpected(registers.error());
-    const TransferAnswer answer = decodeTransferAnswer(*registers);
-    const bool sessionIsMine =
-        answer.session == frame.session || answer.result == TransferResult::WrongSession ||
-        answer.result == TransferResult::NotReceiving || frame.operation == TransferOperation::Begin;
-    if (answer.operation != frame.operation || answer.block != frame.block || !sessionIsMine)
-        return tl::unexpected(dropForeign(request));
     return answer;
 }
 
@@ -367,15 +306,18 @@ tl::expected<void, LinkError> RtuClient::writeParameter(const RegisterInfo& info
     std::array<std::uint16_t, 2> registers{};
     RegisterWriter writer{std::span(registers).first(info.count), info.address};
     static_cast<void>(writer.physical(info, physical)); // fits: toRaw() said so
-    if (const auto ready = prepare(request, writeFrames(info.count), milliseconds{0}); !ready)
-        return ready;
-    const int sent = modbus_write_registers(m_context.get(), info.address, info.count, registers.data());
-    if (sent != info.count) {
-        const LinkError failure = failed(request, errno);
-        if (failure.kind == LinkErrorKind::Exception || failure.kind == LinkErrorKind::PortGone)
-            return tl::unexpected(failure);
-    } else {
-        m_lineFreeAt = Clock::now() + frameSilence(m_settings.line);
+    Question question{request, {functionWrite}, writeFrames(info.count), 0, 0, milliseconds{0}, true};
+    append(question.pdu, {info.address, info.count});
+    const RtuLine::Bytes echo(question.pdu.begin() + 1, question.pdu.end());
+    question.pdu.push_back(static_cast<std::uint8_t>(2 * info.count));
+    for (const std::uint16_t value : std::span(registers).first(info.count))
+        append(question.pdu, {value});
+    const auto sent = m_line.ask(
+        question, [&](std::span<const std::uint8_t> data) { return std::ranges::equal(data, echo); });
+    if (!sent) {
+        const LinkErrorKind kind = sent.error().kind;
+        if (kind == LinkErrorKind::Exception || portIsLost(sent.error()))
+            return tl::unexpected(sent.error());
     }
     // Whatever became of the answer, the registers themselves tell.
     const auto kept = readProven(info.address, info.count);

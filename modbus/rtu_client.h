@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel's end of the line: owns the one libmodbus context and asks one question at a time. Every answer
+// The panel's end of the line: owns the line and asks one question at a time. Every answer
 // that is believed carries the question's own tag or counter. Use from one thread; every call blocks for at
 // most the wire time of its frames plus the allowance, and after a doubtful answer for the time of draining.
 #pragma once
 
 #include "modbus/blocks.h"
 #include "modbus/link_error.h"
-#include "modbus/serial_port.h"
-#include "modbus/wire_time.h"
+#include "modbus/rtu_line.h"
 
-#include <modbus/modbus.h>
 #include <tl/expected.hpp>
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -21,13 +20,6 @@
 #include <vector>
 
 namespace campanel::modbus {
-
-struct LinkSettings {
-    std::string port; // device path
-    LineSettings line;
-    int unit = 1;                                   // 1..247
-    std::chrono::milliseconds answerAllowance{100}; // beyond the wire time: work, adapters, scheduling
-};
 
 struct CommandArguments {
     std::uint16_t argument0 = 0;
@@ -44,14 +36,23 @@ struct TransferFrame {
 
 class RtuClient {
 public:
-    explicit RtuClient(LinkSettings settings);
+    // Counts and records in `record`, which may be that of an earlier connection.
+    explicit RtuClient(LinkSettings settings,
+                       std::shared_ptr<LinkRecord> record = std::make_shared<LinkRecord>());
     ~RtuClient();
     RtuClient(const RtuClient&) = delete;
     RtuClient& operator=(const RtuClient&) = delete;
 
     [[nodiscard]] tl::expected<void, LinkError> open();
     void close();
-    [[nodiscard]] const LinkSettings& settings() const { return m_settings; }
+    [[nodiscard]] const LinkSettings& settings() const { return m_line.settings(); }
+    [[nodiscard]] const LinkRecord& record() const { return *m_record; }
+    // What the next answer is allowed beyond wire time: follows what is measured.
+    [[nodiscard]] std::chrono::milliseconds allowance() const { return m_line.allowance(); }
+
+    // Whose device answers at `unit`: one read (function 3) of the identity block and nothing else, for who
+    // is looking for a controller. Unproven, so only for showing; errors as of identify().
+    [[nodiscard]] tl::expected<Identity, LinkError> probe(int unit);
 
     // Reads before it writes anything, so that a foreign device is left alone; refuses another device type or
     // map major version.
@@ -83,35 +84,29 @@ public:
     [[nodiscard]] tl::expected<void, LinkError> writeParameter(const RegisterInfo& info, double physical);
 
 private:
-    struct ContextDeleter {
-        void operator()(modbus_t* context) const;
-    };
     struct WindowRead { // one FC23
         std::uint16_t writeAddress = 0;
         std::span<const std::uint16_t> written;
         std::uint16_t readAddress = 0;
         std::uint16_t readCount = 0;
         std::chrono::milliseconds extraAllowance{0};
+        bool isRepeatable = true;
     };
+    using Registers = std::vector<std::uint16_t>;
+    using Proof = std::function<bool(const Registers&)>;
 
     [[nodiscard]] LinkError error(LinkErrorKind kind, std::string request = {}, std::string detail = {},
                                   int code = 0) const;
-    [[nodiscard]] tl::expected<std::vector<std::uint16_t>, LinkError> writeAndRead(const std::string& request,
-                                                                                   const WindowRead& window);
-    [[nodiscard]] tl::expected<std::vector<std::uint16_t>, LinkError>
-    readPlain(const std::string& request, std::uint16_t address, std::uint16_t count);
-    [[nodiscard]] tl::expected<void, LinkError> prepare(const std::string& request, const FramePair& frames,
-                                                        std::chrono::milliseconds extraAllowance);
-    [[nodiscard]] LinkError failed(const std::string& request, int errorNumber);
-    [[nodiscard]] LinkError dropForeign(const std::string& request);
-    void drainLine();
+    [[nodiscard]] tl::expected<Registers, LinkError>
+    writeAndRead(const std::string& request, const WindowRead& window, const Proof& isMine);
+    [[nodiscard]] tl::expected<Registers, LinkError> readPlain(const std::string& request,
+                                                               std::uint16_t address, std::uint16_t count);
+    [[nodiscard]] tl::expected<Identity, LinkError> identityIn(const Registers& registers) const;
     [[nodiscard]] tl::expected<CommandResult, LinkError> resolve(const std::string& request,
                                                                  std::uint16_t counter);
 
-    LinkSettings m_settings;
-    PortClaim m_claim;
-    std::unique_ptr<modbus_t, ContextDeleter> m_context;
-    std::chrono::steady_clock::time_point m_lineFreeAt;
+    std::shared_ptr<LinkRecord> m_record;
+    RtuLine m_line;
     std::uint16_t m_tag = 0;
     std::optional<std::uint16_t> m_commandCounter; // of the controller's last command; empty until read
 };

@@ -118,10 +118,11 @@ bool hasInput(int descriptor)
     return poll(&watched, 1, 0) > 0;
 }
 
-DrainResult drain(int descriptor, std::chrono::milliseconds quiet, std::chrono::milliseconds longest)
+DrainResult drain(int descriptor, std::chrono::milliseconds quiet, std::chrono::milliseconds longest,
+                  const std::function<void(std::span<const std::uint8_t>)>& onDropped)
 {
     const auto deadline = std::chrono::steady_clock::now() + longest;
-    std::array<char, 512> dropped{};
+    std::array<std::uint8_t, 512> dropped{};
     while (std::chrono::steady_clock::now() < deadline) {
         struct pollfd watched {
             descriptor, POLLIN, 0
@@ -134,6 +135,8 @@ DrainResult drain(int descriptor, std::chrono::milliseconds quiet, std::chrono::
         const ssize_t count = read(descriptor, dropped.data(), dropped.size());
         if (count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR))
             return DrainResult::Gone;
+        if (count > 0)
+            onDropped(std::span(dropped).first(static_cast<std::size_t>(count)));
     }
     return DrainResult::StillBusy;
 }

@@ -8,6 +8,9 @@
 #include <tl/expected.hpp>
 
 #include <chrono>
+#include <cstdint>
+#include <functional>
+#include <span>
 #include <string>
 
 namespace campanel::modbus {
@@ -42,8 +45,10 @@ enum class DrainResult : std::uint8_t { Quiet, StillBusy, Gone };
 // True when bytes wait to be read, or the port has hung up.
 [[nodiscard]] bool hasInput(int descriptor);
 
-// Reads and drops until nothing has come for `quiet`; gives up after `longest`.
+// Reads and drops until nothing has come for `quiet`; gives up after `longest`. `onDropped` sees what was
+// dropped.
 [[nodiscard]] DrainResult drain(int descriptor, std::chrono::milliseconds quiet,
-                                std::chrono::milliseconds longest);
+                                std::chrono::milliseconds longest,
+                                const std::function<void(std::span<const std::uint8_t>)>& onDropped);
 
 } // namespace campanel::modbus

@@ -22,6 +22,9 @@ struct LineSettings {
 // The rates of the contract; libmodbus silently takes 9600 for a rate that it does not know.
 inline constexpr std::array<std::uint32_t, 5> supportedBauds{9600, 19200, 38400, 57600, 115200};
 
+// Unit numbers go from 1; 0 is broadcast.
+inline constexpr int lastUnit = 247;
+
 // A request and its answer, in bytes, address and CRC-16 included.
 struct FramePair {
     int requestBytes = 0;
