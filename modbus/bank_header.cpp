@@ -59,6 +59,33 @@ KnotSpan knotSpan(std::span<const std::uint16_t> header)
             static_cast<std::uint16_t>(knotRegisters * knots)};
 }
 
+std::optional<std::uint16_t> bankLength(std::span<const std::uint16_t> header)
+{
+    const RegisterReader reader(header, 0);
+    unsigned rowLength = 0;
+    switch (static_cast<TableLayout>(reader.u16("bank.layout"))) {
+    case TableLayout::StepTable:
+        rowLength = rowRegisters;
+        break;
+    case TableLayout::CamPoints:
+        rowLength = camPointRegisters;
+        break;
+    case TableLayout::Intervals:
+        rowLength = intervalRegisters;
+        break;
+    case TableLayout::PressStages:
+        rowLength = stageRegisters;
+        break;
+    case TableLayout::None:
+        break;
+    }
+    const unsigned length =
+        bankHeaderRegisters + rowLength * reader.u16("bank.row_count") + knotSpan(header).count;
+    if (rowLength == 0 || length > bankRegisters)
+        return std::nullopt;
+    return static_cast<std::uint16_t>(length);
+}
+
 BankHeader decodeBankHeader(std::span<const std::uint16_t> registers)
 {
     const RegisterReader reader(registers, 0);

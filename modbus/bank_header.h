@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -58,6 +59,10 @@ struct KnotSpan {
     std::uint16_t count = 0;  // registers
 };
 [[nodiscard]] KnotSpan knotSpan(std::span<const std::uint16_t> header);
+
+// Registers of the whole bank, as a header describes it: header, rows and knots. Empty when there can be no
+// such bank.
+[[nodiscard]] std::optional<std::uint16_t> bankLength(std::span<const std::uint16_t> header);
 
 // `registers`: at least the header (bankHeaderRegisters).
 [[nodiscard]] BankHeader decodeBankHeader(std::span<const std::uint16_t> registers);

@@ -124,7 +124,10 @@ RtuLine::RtuLine(LinkSettings settings, LinkRecord& record)
 {
 }
 
-RtuLine::~RtuLine() = default;
+RtuLine::~RtuLine()
+{
+    close();
+}
 
 LinkError RtuLine::error(LinkErrorKind kind, std::string request, std::string detail, int code) const
 {
@@ -164,6 +167,7 @@ tl::expected<void, LinkError> RtuLine::open()
     m_context = std::move(context);
     m_lineFreeAt = Clock::now();
     drainLine(Drain::Opening);
+    m_record.allowance = m_allowance.value();
     return {};
 }
 
@@ -172,6 +176,7 @@ void RtuLine::close()
     m_context.reset();
     m_claim = PortClaim();
     m_failedRequest.reset();
+    m_record.allowance = milliseconds{0};
 }
 
 tl::expected<void, LinkError> RtuLine::send(const Question& question)
@@ -275,8 +280,9 @@ tl::expected<RtuLine::Bytes, LinkError> RtuLine::ask(const Question& question, c
     m_record.figures.noteAnswer(completeAt - startedAt, wire, completeAt + silence - startedAt,
                                 LinkFigures::WallTime::clock::now());
     // What was allowed extra was work that a usual answer does not need.
-    if (question.extraAllowance == milliseconds{0})
+    if (m_settings.isAllowanceMeasured && question.extraAllowance == milliseconds{0})
         m_allowance.noteTurnaround(completeAt - startedAt - (wire - silence));
+    m_record.allowance = m_allowance.value();
     const auto frame = received.bytes();
     return Bytes(frame.begin() + 2, frame.end() - 2);
 }
@@ -289,8 +295,9 @@ LinkError RtuLine::fail(const Question& question, FrameVerdict verdict, const Re
     // to come. A port that is gone has nothing to drain.
     if (kind != LinkErrorKind::PortGone)
         drainLine();
-    if (kind == LinkErrorKind::NoAnswer)
+    if (m_settings.isAllowanceMeasured && kind == LinkErrorKind::NoAnswer)
         m_allowance.noteSilence();
+    m_record.allowance = m_allowance.value();
     m_record.figures.noteError(kind, Clock::now() - startedAt, LinkFigures::WallTime::clock::now());
     m_failedRequest = question.name;
     const bool isException = kind == LinkErrorKind::Exception;

@@ -30,14 +30,16 @@ struct LinkSettings {
     std::string port; // device path
     LineSettings line;
     int unit = 1; // 1..247
-    // Beyond the wire time, to begin with: work, adapters, scheduling. Follows what is measured.
+    // Beyond the wire time, to begin with: work, adapters, scheduling.
     std::chrono::milliseconds answerAllowance{100};
+    bool isAllowanceMeasured = true; // follows the turnaround, see AnswerAllowance
 };
 
 // What is counted and recorded; may outlive the line, so that it goes on over a reconnection.
 struct LinkRecord {
     LinkFigures figures;
     FrameLog frames;
+    std::chrono::milliseconds allowance{0}; // of the next answer, beyond wire time; 0: no port is open
 };
 
 struct Question {

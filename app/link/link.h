@@ -24,6 +24,30 @@ public:
     // once.
     virtual void download(const std::vector<std::uint16_t>& bank) = 0;
     virtual void cancelDownload() = 0;
+    // Takes back a Stop that waits for the line (LinkReport::pendingStop); it then ends as Withdrawn.
+    virtual void withdrawStop() = 0;
+
+    // Ends in exactly one registersRead(). Reads share the line evenly with the status polls and go after
+    // commands; at most 32 wait.
+    virtual void readRegisters(const campanel::link::ReadRequest& request) = 0;
+    // Reads the whole active bank back and compares it with `bank`, what was downloaded; with an empty one
+    // only its CRC-32 with the controller's own. Ends in exactly one comparisonReported() with another stage
+    // than Reading.
+    virtual void compareProgram(const std::vector<std::uint16_t>& bank) = 0;
+    virtual void cancelComparison() = 0;
+
+    // Why there is no connection, or a search for a controller on all ports. The connection is closed
+    // meanwhile and comes back after; a scan under way is replaced. Ends in exactly one scanReported() that
+    // is not running.
+    virtual void startScan(campanel::modbus::ScanPlan::Depth depth) = 0;
+    virtual void cancelScan() = 0;
+
+    // While watched: figuresReported() once a second, the first one at once.
+    virtual void watchFigures(bool isWatched) = 0;
+    virtual void resetFigures() = 0;
+    // While watched: framesRecorded() ten times a second when there are any; first with all that are still
+    // known.
+    virtual void watchFrames(bool isWatched) = 0;
 
 signals:
     void reported(const campanel::link::LinkReport& report);
@@ -31,6 +55,11 @@ signals:
     void programRead(const campanel::link::ActiveProgram& program);
     void commandEnded(const campanel::link::CommandOutcome& outcome);
     void downloadReported(const campanel::link::DownloadReport& report);
+    void registersRead(const campanel::link::ReadOutcome& outcome);
+    void comparisonReported(const campanel::link::ComparisonReport& report);
+    void scanReported(const campanel::link::ScanReport& report);
+    void figuresReported(const campanel::link::FiguresReport& report);
+    void framesRecorded(const QList<campanel::modbus::FrameRecord>& frames);
 };
 
 } // namespace campanel::link

@@ -5,7 +5,11 @@
 #include "modbus/bank_header.h"
 #include "modbus/blocks.h"
 #include "modbus/download.h"
+#include "modbus/frame_text.h"
+#include "modbus/line_scan.h"
 #include "modbus/link_error.h"
+#include "modbus/link_figures.h"
+#include "modbus/register_values.h"
 #include "modbus/rtu_client.h"
 #include "modbus/wire_time.h"
 
@@ -50,6 +54,9 @@ struct LinkReport {
     QString simulatorDetail;                // what it wrote before it ended, or where it was looked for
     std::optional<modbus::LinkError> error; // why it is not connected
     std::optional<modbus::Identity> identity;
+    // A Stop that was pressed while the line was gone: sent the moment it is back, unless withdrawn.
+    std::optional<modbus::Command> pendingStop;
+    bool isScanning = false; // a scan has the ports; the connection comes back after
 };
 
 struct StatusSample {
@@ -82,10 +89,11 @@ struct CommandRequest {
 
 enum class CommandEnd {
     Done,
-    Refused,       // by the controller: see reason
-    NotSent,       // there was no connection; nothing went out
-    NotReceived,   // the controller did not get it
-    OutcomeUnknown // it may have been carried out
+    Refused,        // by the controller: see reason
+    NotSent,        // there was no connection; nothing went out
+    NotReceived,    // the controller did not get it
+    OutcomeUnknown, // it may have been carried out
+    Withdrawn // a Stop that waited for the line and was taken back, or replaced by a later one; not sent
 };
 
 struct CommandOutcome {
@@ -107,6 +115,68 @@ struct DownloadReport {
     bool isConnectionMissing = false;
     bool isBusy = false;
     std::optional<modbus::DownloadError> error;
+};
+
+// Registers to read, as they are at one moment: 1..modbus::readbackRegisters of them.
+struct ReadRequest {
+    quint32 id = 0; // chosen by who asks; comes back with the outcome
+    quint16 address = 0;
+    quint16 count = 1;
+};
+
+enum class ReadEnd {
+    Done,
+    NotSent, // there is no connection, or too many wait already
+    Failed   // see error; the question was repeated a few times
+};
+
+struct ReadOutcome {
+    ReadRequest request;
+    ReadEnd end = ReadEnd::Done;
+    std::vector<std::uint16_t>
+        registers{}; // as many as asked for; empty unless Done. See modbus::namedValues()
+    SteadyTime receivedAt{};
+    std::optional<modbus::LinkError> error{};
+};
+
+enum class ComparisonStage { Reading, Equal, Different, ProgramChanged, NoProgram, Failed, Canceled };
+
+// The bank that the controller executes, read back and compared register by register with what was sent.
+struct ComparisonReport {
+    ComparisonStage stage = ComparisonStage::Reading;
+    double fraction = 0;        // 0..1
+    bool isInterrupted = false; // waits for the connection to come back and then goes on
+    std::uint32_t generation = 0;
+    std::uint32_t expectedCrc = 0;   // of what was given; without that, of the controller's status
+    std::uint32_t controllerCrc = 0; // in its status
+    std::uint32_t readCrc = 0;       // of what was read back, once all of it was
+    int differingRegisters = 0;
+    struct Difference {
+        quint16 offset = 0; // from the bank's base
+        std::uint16_t expected = 0;
+        std::uint16_t actual = 0;
+    };
+    std::optional<Difference> firstDifference;
+    // Failed for one of three reasons: no connection to begin with, another comparison under way, or `error`.
+    bool isConnectionMissing = false;
+    bool isBusy = false;
+    std::optional<modbus::LinkError> error;
+};
+
+struct ScanReport {
+    modbus::ScanPlan::Depth depth = modbus::ScanPlan::Depth::Diagnosis;
+    bool isRunning = false;
+    bool isCanceled = false;
+    modbus::ScanProgress progress;
+    QList<modbus::LineFinding> findings;     // so far
+    std::optional<ConnectionSettings> found; // ready for connectTo()
+};
+
+// What has passed on the line since the panel was started or the figures were reset.
+struct FiguresReport {
+    SteadyTime takenAt;
+    modbus::LinkFigures figures;
+    std::chrono::milliseconds answerAllowance{0}; // of the next answer, beyond wire time; 0: not connected
 };
 
 } // namespace campanel::link

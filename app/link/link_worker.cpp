@@ -63,25 +63,31 @@ CommandEnd endAfter(const modbus::LinkError& error)
 
 LinkWorker::LinkWorker()
     : m_stepTimer(this)
+    , m_record(std::make_shared<modbus::LinkRecord>())
+    , m_watch(m_record, this)
     , m_session(static_cast<std::uint16_t>(QRandomGenerator::global()->bounded(1, 0x10000)))
 {
     m_stepTimer.setSingleShot(true);
     m_stepTimer.setTimerType(Qt::PreciseTimer);
     connect(&m_stepTimer, &QTimer::timeout, this, &LinkWorker::step);
+    connect(&m_watch, &LinkWatch::figuresReported, this, &LinkWorker::figuresReported);
+    connect(&m_watch, &LinkWatch::framesRecorded, this, &LinkWorker::framesRecorded);
 }
 
 LinkWorker::~LinkWorker() = default;
 
 void LinkWorker::connectTo(const ConnectionSettings& settings)
 {
-    for (const CommandRequest& waiting : m_requests.takeAll())
-        refuse(waiting);
+    if (m_scan)
+        endScan(true);
+    m_wasConnected = false;
+    disconnect(std::nullopt);
+    endHeldStop(CommandEnd::NotSent);
     endDownload();
-    m_client.reset();
+    cancelComparison();
     m_simulator.reset();
     m_adapter.reset();
     m_settings = settings;
-    m_wasConnected = false;
     m_report = {};
     m_report.simulated = settings.simulated;
     if (settings.simulated) {
@@ -129,12 +135,15 @@ void LinkWorker::startSimulator()
 
 void LinkWorker::request(const CommandRequest& request)
 {
-    if (m_report.state != LinkState::Connected) {
+    if (m_report.state == LinkState::Connected) {
+        m_requests.push(request);
+        stepAfter(0ms);
+    } else if (m_wasConnected && priorityOf(request.command) == Priority::Stop) {
+        holdStop(request, std::nullopt);
+        report(m_report.state, m_report.error);
+    } else {
         refuse(request);
-        return;
     }
-    m_requests.push(request);
-    stepAfter(0ms);
 }
 
 void LinkWorker::download(const std::vector<std::uint16_t>& bank)
@@ -164,7 +173,9 @@ void LinkWorker::cancelDownload()
 
 void LinkWorker::step()
 {
-    if (m_report.state == LinkState::Connected)
+    if (m_scan)
+        advanceScan();
+    else if (m_report.state == LinkState::Connected)
         exchange();
     else
         tryToConnect();
@@ -177,8 +188,11 @@ void LinkWorker::tryToConnect()
     if (!m_settings.simulated)
         m_report.portName = findPort(m_settings.port, m_adapter);
     if (!m_client) {
-        auto client = std::make_unique<modbus::RtuClient>(
-            modbus::LinkSettings{m_report.portName.toStdString(), m_settings.line, m_settings.unit, 100ms});
+        modbus::LinkSettings settings;
+        settings.port = m_report.portName.toStdString();
+        settings.line = m_settings.line;
+        settings.unit = m_settings.unit;
+        auto client = std::make_unique<modbus::RtuClient>(std::move(settings), m_record);
         if (const auto opened = client->open(); !opened) {
             report(stateAfter(opened.error(), m_wasConnected), opened.error());
             stepAfter(m_report.state == LinkState::PortProblem ? retryDelayAfterProblem : retryDelay);
@@ -206,27 +220,43 @@ void LinkWorker::tryToConnect()
     m_header.clear();
     m_knots.reset();
     m_isHeaderWanted = false;
+    if (m_heldStop && identity->uniqueId != m_controllerId)
+        endHeldStop(CommandEnd::NotSent); // it was meant for another machine
+    m_controllerId = identity->uniqueId;
     if (m_download)
         m_download->connectionFound();
+    if (m_comparison)
+        m_comparison->connectionFound();
     report(LinkState::Connected);
     reportDownload();
+    reportComparison();
     stepAfter(0ms);
 }
 
 void LinkWorker::exchange()
 {
     const auto sinceLastPoll = steady_clock::now() - m_lastPollAt;
-    if (const auto request = m_requests.take())
+    const bool mayPollWait = sinceLastPoll < pollPeriodInTransfer;
+    const bool isReadNext = !m_reads.isEmpty() && !m_wasRead;
+    m_wasRead = false;
+    if (m_heldStop)
+        sendHeldStop();
+    else if (const auto request = m_requests.take())
         sendCommand(*request);
     else if (m_isHeaderWanted)
         readHeader();
-    else if (m_download && m_download->hasWork() && sinceLastPoll < pollPeriodInTransfer)
+    else if (isReadNext)
+        advanceRead();
+    else if (m_download && m_download->hasWork() && mayPollWait)
         advanceDownload();
+    else if (m_comparison && m_comparison->hasWork() && mayPollWait)
+        advanceComparison();
     else if (sinceLastPoll >= shortestPollPeriod)
         pollStatus();
     if (m_report.state != LinkState::Connected)
         return;
-    const bool hasWork = !m_requests.isEmpty() || (m_download && m_download->hasWork());
+    const bool hasWork = m_heldStop || !m_requests.isEmpty() || !m_reads.isEmpty() ||
+                         (m_download && m_download->hasWork()) || (m_comparison && m_comparison->hasWork());
     const auto pollDue = m_lastPollAt + shortestPollPeriod - steady_clock::now();
     stepAfter(hasWork ? 0ms : std::max(0ms, std::chrono::ceil<std::chrono::milliseconds>(pollDue)));
 }
@@ -234,6 +264,13 @@ void LinkWorker::exchange()
 void LinkWorker::sendCommand(const CommandRequest& request)
 {
     const auto result = m_client->command(request.command, request.arguments);
+    if (!result && result.error().kind == modbus::LinkErrorKind::OutcomeUnknown &&
+        priorityOf(request.command) == Priority::Stop) {
+        // Not given up: asked after, and sent again if the controller has not received it.
+        holdStop(request, static_cast<std::uint16_t>(result.error().code));
+        report(m_report.state, m_report.error);
+        return;
+    }
     CommandOutcome outcome{request.id, request.command, CommandEnd::Done, modbus::Refusal::None,
                            std::nullopt};
     if (!result) {
@@ -287,6 +324,10 @@ void LinkWorker::noteStatus(const modbus::StatusBlock& status)
     }
     if (isFirst && status.has(modbus::WarningBit::ClockNotSet))
         setClock();
+    if (m_comparison) {
+        m_comparison->noteStatus(status);
+        reportComparison();
+    }
     noteProgram({status.generation, status.activeCrc.value_or(0)});
 }
 
@@ -343,15 +384,33 @@ void LinkWorker::setClock()
 void LinkWorker::lose(const modbus::LinkError& error)
 {
     qCWarning(linkLog) << "connection lost:" << QString::fromStdString(modbus::describe(error));
+    disconnect(error);
+    stepAfter(retryDelay);
+}
+
+// What waits for the line ends, but for a Stop; long work waits.
+void LinkWorker::disconnect(std::optional<modbus::LinkError> error)
+{
     flushBatch();
     m_client.reset();
     if (m_download)
         m_download->connectionLost();
-    report(m_wasConnected ? LinkState::Lost : LinkState::Searching, error);
-    for (const CommandRequest& waiting : m_requests.takeAll())
-        refuse(waiting);
+    if (m_comparison)
+        m_comparison->connectionLost();
+    std::deque<CommandRequest> waiting = m_requests.takeAll();
+    for (const CommandRequest& request : waiting) {
+        if (m_wasConnected && priorityOf(request.command) == Priority::Stop)
+            holdStop(request, std::nullopt);
+    }
+    report(m_wasConnected ? LinkState::Lost : LinkState::Searching, std::move(error));
+    for (const CommandRequest& request : waiting) {
+        if (!m_wasConnected || priorityOf(request.command) != Priority::Stop)
+            refuse(request);
+    }
+    for (const ReadRequest& request : m_reads.takeAll())
+        emit registersRead({request, ReadEnd::NotSent, {}, {}, m_report.error});
     reportDownload();
-    stepAfter(retryDelay);
+    reportComparison();
 }
 
 void LinkWorker::refuse(const CommandRequest& request)
@@ -384,6 +443,8 @@ void LinkWorker::report(LinkState state, std::optional<modbus::LinkError> error)
 {
     m_report.state = state;
     m_report.error = std::move(error);
+    m_report.isScanning = m_scan != nullptr;
+    m_report.pendingStop = m_heldStop ? std::optional(m_heldStop->request.command) : std::nullopt;
     emit reported(m_report);
 }
 

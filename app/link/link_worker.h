@@ -3,9 +3,12 @@
 // one exchange per turn of its event loop, so that an urgent request waits for one exchange at most.
 #pragma once
 
+#include "app/link/comparison_job.h"
 #include "app/link/download_job.h"
 #include "app/link/link_values.h"
+#include "app/link/link_watch.h"
 #include "app/link/port_finder.h"
+#include "app/link/register_reads.h"
 #include "app/link/request_queue.h"
 
 #include <QObject>
@@ -30,6 +33,15 @@ public slots:
     void request(const campanel::link::CommandRequest& request);
     void download(const std::vector<std::uint16_t>& bank);
     void cancelDownload();
+    void withdrawStop();
+    void readRegisters(const campanel::link::ReadRequest& request);
+    void compareProgram(const std::vector<std::uint16_t>& bank);
+    void cancelComparison();
+    void startScan(campanel::modbus::ScanPlan::Depth depth);
+    void cancelScan();
+    void watchFigures(bool isWatched) { m_watch.watchFigures(isWatched); }
+    void resetFigures() { m_watch.resetFigures(); }
+    void watchFrames(bool isWatched) { m_watch.watchFrames(isWatched); }
 
 signals:
     void reported(const campanel::link::LinkReport& report);
@@ -37,22 +49,43 @@ signals:
     void programRead(const campanel::link::ActiveProgram& program);
     void commandEnded(const campanel::link::CommandOutcome& outcome);
     void downloadReported(const campanel::link::DownloadReport& report);
+    void registersRead(const campanel::link::ReadOutcome& outcome);
+    void comparisonReported(const campanel::link::ComparisonReport& report);
+    void scanReported(const campanel::link::ScanReport& report);
+    void figuresReported(const campanel::link::FiguresReport& report);
+    void framesRecorded(const QList<campanel::modbus::FrameRecord>& frames);
 
 private:
     using ProgramId = std::pair<std::uint32_t, std::uint32_t>; // generation and CRC-32
+    // A Stop that waits for the line, or for the answer to whether it was received.
+    struct HeldStop {
+        CommandRequest request;
+        std::optional<std::uint16_t> counter; // it went out with this one
+        int failures = 0;                     // of asking after it
+    };
 
     void startSimulator();
     void step();
     void tryToConnect();
     void exchange();
     void sendCommand(const CommandRequest& request);
+    void holdStop(const CommandRequest& request, std::optional<std::uint16_t> counter);
+    void endHeldStop(CommandEnd end);
+    void sendHeldStop();
+    void advanceRead();
     void advanceDownload();
+    void advanceComparison();
+    void advanceScan();
+    void endScan(bool isCanceled);
+    void reportScan(bool isRunning, bool isCanceled);
+    void reportComparison();
     void pollStatus();
     void noteStatus(const modbus::StatusBlock& status);
     void noteProgram(const ProgramId& program);
     void readHeader();
     void setClock();
     void lose(const modbus::LinkError& error);
+    void disconnect(std::optional<modbus::LinkError> error);
     void refuse(const CommandRequest& request);
     void endDownload();
     void reportDownload();
@@ -63,11 +96,20 @@ private:
     ConnectionSettings m_settings;
     LinkReport m_report;
     QTimer m_stepTimer;
+    std::shared_ptr<modbus::LinkRecord> m_record; // of all connections
+    LinkWatch m_watch;
     std::unique_ptr<SimulatedController> m_simulator;
     std::unique_ptr<modbus::RtuClient> m_client; // exists while the port is open
     std::optional<AdapterIdentity> m_adapter;    // of the port that was opened last
     RequestQueue m_requests;
+    std::optional<HeldStop> m_heldStop;
+    std::uint64_t m_controllerId = 0; // whom the held stop is for
+    RegisterReads m_reads;
+    bool m_wasRead = false; // the last exchange was one of m_reads
     std::unique_ptr<DownloadJob> m_download;
+    std::unique_ptr<ComparisonJob> m_comparison;
+    std::unique_ptr<modbus::LineScan> m_scan;
+    modbus::ScanPlan::Depth m_scanDepth = modbus::ScanPlan::Depth::Diagnosis;
     std::uint16_t m_session = 0;
     std::uint16_t m_heartbeat = 0;
     bool m_wasConnected = false; // since connectTo()

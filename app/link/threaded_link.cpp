@@ -15,11 +15,25 @@ ThreadedLink::ThreadedLink(QObject* parent)
     connect(this, &ThreadedLink::requestWanted, worker, &LinkWorker::request);
     connect(this, &ThreadedLink::downloadWanted, worker, &LinkWorker::download);
     connect(this, &ThreadedLink::cancelWanted, worker, &LinkWorker::cancelDownload);
+    connect(this, &ThreadedLink::withdrawalWanted, worker, &LinkWorker::withdrawStop);
+    connect(this, &ThreadedLink::readWanted, worker, &LinkWorker::readRegisters);
+    connect(this, &ThreadedLink::comparisonWanted, worker, &LinkWorker::compareProgram);
+    connect(this, &ThreadedLink::comparisonCancelWanted, worker, &LinkWorker::cancelComparison);
+    connect(this, &ThreadedLink::scanWanted, worker, &LinkWorker::startScan);
+    connect(this, &ThreadedLink::scanCancelWanted, worker, &LinkWorker::cancelScan);
+    connect(this, &ThreadedLink::figuresWatchWanted, worker, &LinkWorker::watchFigures);
+    connect(this, &ThreadedLink::figuresResetWanted, worker, &LinkWorker::resetFigures);
+    connect(this, &ThreadedLink::framesWatchWanted, worker, &LinkWorker::watchFrames);
     connect(worker, &LinkWorker::reported, this, &Link::reported);
     connect(worker, &LinkWorker::statusReceived, this, &Link::statusReceived);
     connect(worker, &LinkWorker::programRead, this, &Link::programRead);
     connect(worker, &LinkWorker::commandEnded, this, &Link::commandEnded);
     connect(worker, &LinkWorker::downloadReported, this, &Link::downloadReported);
+    connect(worker, &LinkWorker::registersRead, this, &Link::registersRead);
+    connect(worker, &LinkWorker::comparisonReported, this, &Link::comparisonReported);
+    connect(worker, &LinkWorker::scanReported, this, &Link::scanReported);
+    connect(worker, &LinkWorker::figuresReported, this, &Link::figuresReported);
+    connect(worker, &LinkWorker::framesRecorded, this, &Link::framesRecorded);
     connect(&m_thread, &QThread::finished, worker, &QObject::deleteLater);
     m_thread.start();
 }

@@ -20,12 +20,30 @@ public:
     void request(const CommandRequest& request) override { emit requestWanted(request); }
     void download(const std::vector<std::uint16_t>& bank) override { emit downloadWanted(bank); }
     void cancelDownload() override { emit cancelWanted(); }
+    void withdrawStop() override { emit withdrawalWanted(); }
+    void readRegisters(const ReadRequest& request) override { emit readWanted(request); }
+    void compareProgram(const std::vector<std::uint16_t>& bank) override { emit comparisonWanted(bank); }
+    void cancelComparison() override { emit comparisonCancelWanted(); }
+    void startScan(modbus::ScanPlan::Depth depth) override { emit scanWanted(depth); }
+    void cancelScan() override { emit scanCancelWanted(); }
+    void watchFigures(bool isWatched) override { emit figuresWatchWanted(isWatched); }
+    void resetFigures() override { emit figuresResetWanted(); }
+    void watchFrames(bool isWatched) override { emit framesWatchWanted(isWatched); }
 
 signals:
     void connectWanted(const campanel::link::ConnectionSettings& settings);
     void requestWanted(const campanel::link::CommandRequest& request);
     void downloadWanted(const std::vector<std::uint16_t>& bank);
     void cancelWanted();
+    void withdrawalWanted();
+    void readWanted(const campanel::link::ReadRequest& request);
+    void comparisonWanted(const std::vector<std::uint16_t>& bank);
+    void comparisonCancelWanted();
+    void scanWanted(campanel::modbus::ScanPlan::Depth depth);
+    void scanCancelWanted();
+    void figuresWatchWanted(bool isWatched);
+    void figuresResetWanted();
+    void framesWatchWanted(bool isWatched);
 
 private:
     QThread m_thread;

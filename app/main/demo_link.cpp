@@ -125,6 +125,32 @@ void DemoLink::cancelDownload()
     emit downloadReported(canceled);
 }
 
+void DemoLink::readRegisters(const link::ReadRequest& request)
+{
+    emit registersRead({request, link::ReadEnd::NotSent, {}, m_now, std::nullopt});
+}
+
+void DemoLink::compareProgram(const std::vector<std::uint16_t>& /*bank*/)
+{
+    link::ComparisonReport equal;
+    equal.stage = link::ComparisonStage::Equal;
+    equal.fraction = 1;
+    emit comparisonReported(equal);
+}
+
+void DemoLink::startScan(modbus::ScanPlan::Depth depth)
+{
+    link::ScanReport ended;
+    ended.depth = depth;
+    emit scanReported(ended);
+}
+
+void DemoLink::watchFigures(bool isWatched)
+{
+    if (isWatched)
+        emit figuresReported({m_now, {}, {}});
+}
+
 void DemoLink::show(Situation situation, Kind kind)
 {
     if (m_isShown && m_situation == situation && m_kind == kind)

@@ -22,6 +22,16 @@ public:
     void request(const link::CommandRequest& request) override;
     void download(const std::vector<std::uint16_t>& bank) override;
     void cancelDownload() override;
+    // Without a line there is nothing to read, to search or to record, and no Stop ever waits.
+    void withdrawStop() override {}
+    void readRegisters(const link::ReadRequest& request) override;
+    void compareProgram(const std::vector<std::uint16_t>& bank) override;
+    void cancelComparison() override {}
+    void startScan(modbus::ScanPlan::Depth depth) override;
+    void cancelScan() override {}
+    void watchFigures(bool isWatched) override;
+    void resetFigures() override {}
+    void watchFrames(bool /*isWatched*/) override {}
 
     void show(Situation situation, Kind kind = Kind::RotaryCutter);
     // How often Stop arrived so far.

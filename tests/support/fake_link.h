@@ -17,11 +17,29 @@ public:
     void request(const link::CommandRequest& request) override { requests << request; }
     void download(const std::vector<std::uint16_t>& bank) override { banks << bank; }
     void cancelDownload() override { ++cancels; }
+    void withdrawStop() override { ++withdrawals; }
+    void readRegisters(const link::ReadRequest& request) override { reads << request; }
+    void compareProgram(const std::vector<std::uint16_t>& bank) override { comparisons << bank; }
+    void cancelComparison() override { ++comparisonCancels; }
+    void startScan(modbus::ScanPlan::Depth depth) override { scans << depth; }
+    void cancelScan() override { ++scanCancels; }
+    void watchFigures(bool isWatched) override { areFiguresWatched = isWatched; }
+    void resetFigures() override { ++figuresResets; }
+    void watchFrames(bool isWatched) override { areFramesWatched = isWatched; }
 
     QList<link::ConnectionSettings> connections;
     QList<link::CommandRequest> requests;
     QList<std::vector<std::uint16_t>> banks;
     int cancels = 0;
+    int withdrawals = 0;
+    QList<link::ReadRequest> reads;
+    QList<std::vector<std::uint16_t>> comparisons;
+    int comparisonCancels = 0;
+    QList<modbus::ScanPlan::Depth> scans;
+    int scanCancels = 0;
+    bool areFiguresWatched = false;
+    int figuresResets = 0;
+    bool areFramesWatched = false;
 
     static modbus::Identity identity()
     {

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the link worker does beside status, commands and downloads: a Stop that waits for the line, reads,
+// comparisons and scans.
+#include "app/link/link_worker.h"
+
+#include <algorithm>
+
+using namespace std::chrono_literals;
+
+namespace campanel::link {
+
+namespace {
+
+// Of asking whether a Stop was received; after so many it is sent again, as stopping twice does no harm.
+constexpr int stopAttempts = 3;
+
+} // namespace
+
+void LinkWorker::holdStop(const CommandRequest& request, std::optional<std::uint16_t> counter)
+{
+    const auto withdrawn = [this](const CommandRequest& replaced) {
+        emit commandEnded(
+            {replaced.id, replaced.command, CommandEnd::Withdrawn, modbus::Refusal::None, std::nullopt});
+    };
+    // The more urgent one stays; of two alike the later.
+    if (m_heldStop && m_heldStop->request.command == modbus::Command::StopNow &&
+        request.command != modbus::Command::StopNow) {
+        withdrawn(request);
+        return;
+    }
+    if (m_heldStop)
+        withdrawn(m_heldStop->request);
+    m_heldStop = HeldStop{request, counter, 0};
+}
+
+void LinkWorker::endHeldStop(CommandEnd end)
+{
+    if (!m_heldStop)
+        return;
+    const CommandRequest request = m_heldStop->request;
+    m_heldStop.reset();
+    emit commandEnded({request.id, request.command, end, modbus::Refusal::None,
+                       end == CommandEnd::NotSent ? m_report.error : std::nullopt});
+}
+
+void LinkWorker::withdrawStop()
+{
+    if (!m_heldStop)
+        return;
+    // One that went out cannot be taken back; whether it arrived is not asked any more.
+    endHeldStop(m_heldStop->counter ? CommandEnd::OutcomeUnknown : CommandEnd::Withdrawn);
+    report(m_report.state, m_report.error);
+}
+
+// One exchange at most; called while connected.
+void LinkWorker::sendHeldStop()
+{
+    HeldStop& held = *m_heldStop;
+    std::optional<modbus::CommandResult> found;
+    if (held.counter) {
+        const auto result = m_client->findResult(*held.counter);
+        if (!result && modbus::portIsLost(result.error())) {
+            lose(result.error());
+            return;
+        }
+        if (!result && ++held.failures < stopAttempts)
+            return;
+        if (result && *result && (*result)->code == held.request.command)
+            found = *result;
+    }
+    const CommandRequest request = held.request;
+    m_heldStop.reset();
+    if (found)
+        emit commandEnded({request.id, request.command,
+                           found->done() ? CommandEnd::Done : CommandEnd::Refused, found->reason,
+                           std::nullopt});
+    else
+        m_requests.push(request);
+    report(m_report.state, m_report.error);
+}
+
+void LinkWorker::readRegisters(const ReadRequest& request)
+{
+    if (m_report.state != LinkState::Connected || !m_reads.push(request)) {
+        emit registersRead({request, ReadEnd::NotSent, {}, {}, m_report.error});
+        return;
+    }
+    stepAfter(0ms);
+}
+
+void LinkWorker::advanceRead()
+{
+    m_wasRead = true;
+    const auto outcome = m_reads.advance(*m_client);
+    if (!outcome)
+        return;
+    emit registersRead(*outcome);
+    if (outcome->error && modbus::portIsLost(*outcome->error))
+        lose(*outcome->error);
+}
+
+void LinkWorker::compareProgram(const std::vector<std::uint16_t>& bank)
+{
+    ComparisonReport refused;
+    refused.stage = ComparisonStage::Failed;
+    refused.isConnectionMissing = m_report.state != LinkState::Connected;
+    refused.isBusy = m_comparison != nullptr;
+    if (refused.isConnectionMissing || refused.isBusy) {
+        emit comparisonReported(refused);
+        return;
+    }
+    m_comparison = std::make_unique<ComparisonJob>(bank);
+    if (m_status)
+        m_comparison->noteStatus(*m_status);
+    reportComparison();
+    stepAfter(0ms);
+}
+
+void LinkWorker::cancelComparison()
+{
+    if (!m_comparison)
+        return;
+    m_comparison->cancel();
+    reportComparison();
+}
+
+void LinkWorker::advanceComparison()
+{
+    m_comparison->advance(*m_client);
+    const bool isPortLost = m_comparison->isPortLost();
+    reportComparison();
+    if (isPortLost)
+        lose({modbus::LinkErrorKind::PortGone, m_report.portName.toStdString(), {}, {}, 0});
+}
+
+void LinkWorker::reportComparison()
+{
+    if (!m_comparison)
+        return;
+    const ComparisonReport report = m_comparison->report();
+    if (m_comparison->ended())
+        m_comparison.reset();
+    emit comparisonReported(report);
+}
+
+void LinkWorker::startScan(modbus::ScanPlan::Depth depth)
+{
+    if (m_scan)
+        endScan(true);
+    modbus::ScanPlan plan;
+    plan.depth = depth;
+    plan.line = m_settings.line;
+    plan.unit = m_settings.unit;
+    // Who looks for a controller does not look for the simulated one.
+    if (!m_settings.simulated || depth == modbus::ScanPlan::Depth::Diagnosis)
+        plan.port = m_report.portName.toStdString();
+    for (const PortDescription& port : availablePorts())
+        plan.otherPorts.push_back(port.path.toStdString());
+    m_scanDepth = depth;
+    m_scan = std::make_unique<modbus::LineScan>(std::move(plan));
+    disconnect(m_report.error);
+    reportScan(true, false);
+    stepAfter(0ms);
+}
+
+void LinkWorker::cancelScan()
+{
+    if (m_scan)
+        endScan(true);
+}
+
+void LinkWorker::advanceScan()
+{
+    m_scan->advance();
+    if (m_scan->ended()) {
+        endScan(false);
+        return;
+    }
+    reportScan(true, false);
+    stepAfter(0ms);
+}
+
+void LinkWorker::endScan(bool isCanceled)
+{
+    reportScan(false, isCanceled);
+    m_scan.reset();
+    report(m_report.state, m_report.error);
+    stepAfter(0ms);
+}
+
+void LinkWorker::reportScan(bool isRunning, bool isCanceled)
+{
+    ScanReport report;
+    report.depth = m_scanDepth;
+    report.isRunning = isRunning;
+    report.isCanceled = isCanceled;
+    report.progress = m_scan->progress();
+    report.findings = QList<modbus::LineFinding>(m_scan->findings().begin(), m_scan->findings().end());
+    if (const modbus::LineFinding* controller = m_scan->controller()) {
+        ConnectionSettings found = m_settings;
+        found.simulated = m_settings.simulated && controller->port == m_report.portName.toStdString();
+        found.port = QString::fromStdString(controller->port);
+        found.line = controller->line;
+        found.unit = controller->unit;
+        report.found = found;
+    }
+    emit scanReported(report);
+}
+
+} // namespace campanel::link
