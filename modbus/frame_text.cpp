@@ -188,11 +188,12 @@ std::string frameSentence(const FrameRecord& record)
     return text;
 }
 
-std::string framesText(std::span<const FrameRecord> records)
+std::string framesText(std::span<const FrameRecord> records,
+                       std::optional<std::chrono::steady_clock::time_point> start)
 {
     std::string text;
     for (const FrameRecord& record : records) {
-        const std::chrono::duration<double> since = record.at - records.front().at;
+        const std::chrono::duration<double> since = record.at - start.value_or(records.front().at);
         char head[48];
         std::snprintf(head, sizeof head, "%12.6f %s ", since.count(), record.isSent() ? ">" : "<");
         text.append(head).append(frameSentence(record)).append("\n");

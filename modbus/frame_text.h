@@ -37,8 +37,9 @@ struct DecodedFrame {
 // One line without the time: "sent: unit 1, read and write, exchange.tag = 7, ...; read status.tag .. 40
 // registers".
 [[nodiscard]] std::string frameSentence(const FrameRecord& record);
-// Text export: for each frame a line of seconds since the first one, direction, sentence, and a line of its
-// bytes.
-[[nodiscard]] std::string framesText(std::span<const FrameRecord> records);
+// Text export: for each frame a line of seconds since `start` (without it the first frame), direction and
+// sentence, and a line of its bytes.
+[[nodiscard]] std::string framesText(std::span<const FrameRecord> records,
+                                     std::optional<std::chrono::steady_clock::time_point> start = {});
 
 } // namespace campanel::modbus

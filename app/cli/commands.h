@@ -22,6 +22,9 @@ class Invocation;
 [[nodiscard]] Outcome runStop(const Invocation& call);
 [[nodiscard]] Outcome runHome(const Invocation& call);
 [[nodiscard]] Outcome runSave(const Invocation& call);
+[[nodiscard]] Outcome runDoctor(const Invocation& call);
+[[nodiscard]] Outcome runLink(const Invocation& call);
+[[nodiscard]] Outcome runFrames(const Invocation& call);
 [[nodiscard]] Outcome runRegisters(const Invocation& call);
 
 } // namespace campanel::cli

@@ -14,10 +14,10 @@ namespace {
 // A damaged or lost answer is asked for again this often.
 constexpr int attempts = 4;
 
-tl::expected<modbus::LinkSettings, Failure> settingsOf(const Invocation& call)
+} // namespace
+
+tl::expected<modbus::LinkSettings, Failure> lineSettings(const Invocation& call)
 {
-    if (!call.isSet(u"port"_s))
-        return fail(ExitCode::Usage, u"Name the port with --port, such as --port /dev/ttyUSB0."_s);
     modbus::LinkSettings settings;
     settings.port = call.value(u"port"_s).toStdString();
     bool baudOk = false;
@@ -35,7 +35,12 @@ tl::expected<modbus::LinkSettings, Failure> settingsOf(const Invocation& call)
     return settings;
 }
 
-} // namespace
+tl::expected<modbus::LinkSettings, Failure> linkSettings(const Invocation& call)
+{
+    if (!call.isSet(u"port"_s))
+        return fail(ExitCode::Usage, u"Name the port with --port, such as --port /dev/ttyUSB0."_s);
+    return lineSettings(call);
+}
 
 QList<QCommandLineOption> linkOptions()
 {
@@ -49,7 +54,7 @@ QList<QCommandLineOption> linkOptions()
 
 tl::expected<LinkSession, Failure> LinkSession::open(const Invocation& call)
 {
-    const auto settings = settingsOf(call);
+    const auto settings = linkSettings(call);
     if (!settings)
         return tl::unexpected(settings.error());
     LinkSession session;
@@ -69,11 +74,16 @@ tl::expected<LinkSession, Failure> LinkSession::open(const Invocation& call)
     return session;
 }
 
+tl::expected<modbus::StatusBlock, modbus::LinkError> LinkSession::exchangeOnce()
+{
+    return m_client->exchangeStatus(++m_heartbeat, 0);
+}
+
 tl::expected<modbus::StatusBlock, Failure> LinkSession::status()
 {
-    auto status = m_client->exchangeStatus(++m_heartbeat, 0);
+    auto status = exchangeOnce();
     for (int i = 1; i < attempts && !status && !modbus::portIsLost(status.error()); ++i)
-        status = m_client->exchangeStatus(++m_heartbeat, 0);
+        status = exchangeOnce();
     if (!status)
         return fail(status.error());
     return *status;

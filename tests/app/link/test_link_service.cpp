@@ -210,6 +210,26 @@ private slots:
         QVERIFY2(sinceReturn.elapsed() < 2000, qPrintable(QString::number(sinceReturn.elapsed())));
     }
 
+    void downloadBeginsAnewAfterARestartOfThePanel()
+    {
+        ControllerProcess controller({QStringLiteral("--baud"), QStringLiteral("9600")});
+        link::ConnectionSettings settings = portSettings(controller.port());
+        settings.line.baud = 9600;
+        {
+            Panel panel(settings);
+            QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected(), timeoutMs);
+            panel.link.download(imageOf(250).registers);
+            QTRY_VERIFY_WITH_TIMEOUT(panel.download.fraction > 0.3, timeoutMs);
+        }
+        Panel panel(settings);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected(), timeoutMs);
+        QVERIFY(!panel.status->activeCrc); // what was half sent is not active
+        const auto image = imageOf(300);
+        panel.link.download(image.registers);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.download.stage, link::DownloadStage::Active, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.status->activeCrc, image.crc, timeoutMs);
+    }
+
     void readsRegistersBetweenThePolls()
     {
         ControllerProcess controller;
