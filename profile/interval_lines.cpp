@@ -64,7 +64,7 @@ std::optional<std::vector<PathPoint>> IntervalLines::within(std::size_t lines, d
                                                             double evenness, double shiftHz)
 {
     lay(errorHz, evenness, shiftHz);
-    return fewestLinks(m_channel, lines);
+    return fewestLinks(m_channel, lines, m_last);
 }
 
 std::size_t IntervalLines::fewest(std::size_t mostLines)
@@ -97,8 +97,9 @@ std::optional<IntervalLines::Tried> IntervalLines::tightest(std::size_t lines, d
     return Tried{std::move(*best), high, missing / m_curve.durationS()};
 }
 
-std::optional<std::vector<PathPoint>> IntervalLines::find(std::size_t lines, double evenness)
+std::optional<std::vector<PathPoint>> IntervalLines::find(std::size_t lines, double evenness, LastLink last)
 {
+    m_last = last;
     constexpr int attempts = 6;
     double shift = 0;
     for (int i = 0; i < attempts; ++i) {

@@ -27,7 +27,8 @@ public:
     // Ends of at most so many lines that make the curve's distance in its time, with the smallest error
     // found. evenness 1: the error evens out over each bend of the curve, for which the lines need a quarter
     // of the tolerance; 0: all of it counts. Nothing when there are none.
-    [[nodiscard]] std::optional<std::vector<PathPoint>> find(std::size_t lines, double evenness);
+    [[nodiscard]] std::optional<std::vector<PathPoint>> find(std::size_t lines, double evenness,
+                                                             LastLink last);
 
 private:
     struct Tried {
@@ -43,6 +44,7 @@ private:
     const SpeedCurve& m_curve;
     LineRules m_rules;
     std::vector<Gate> m_channel;
+    LastLink m_last = LastLink::LeastTurn;
 };
 
 } // namespace campanel::profile::detail

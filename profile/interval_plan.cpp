@@ -314,10 +314,12 @@ std::optional<IntervalPlan> planRows(const SpeedCurve& curve, const PlanRules& r
     constexpr std::array evennesses{1.0, 0.75, 0.5, 0.25, 0.0};
     for (std::size_t count = fewest; count <= most; ++count) {
         for (const double evenness : evennesses) {
-            const auto knots = lines.find(count, evenness);
-            auto rows = knots ? search.along(*knots) : std::nullopt;
-            if (rows)
-                return IntervalPlan{std::move(*rows), fewest};
+            for (const LastLink last : {LastLink::LeastTurn, LastLink::Middle}) {
+                const auto knots = lines.find(count, evenness, last);
+                auto rows = knots ? search.along(*knots) : std::nullopt;
+                if (rows)
+                    return IntervalPlan{std::move(*rows), fewest};
+            }
         }
     }
     return std::nullopt;

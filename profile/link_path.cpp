@@ -89,8 +89,9 @@ struct Side {
 
 class Links {
 public:
-    explicit Links(std::span<const Gate> channel)
+    Links(std::span<const Gate> channel, LastLink last)
         : m_channel(channel)
+        , m_last(last)
     {
     }
 
@@ -184,8 +185,12 @@ private:
             return {{start, (m_channel.front().lowerHz + m_channel.front().upperHz) / 2, 0}, 0};
         if (!rising || !falling)
             return rising ? *rising : *falling;
-        return {{start, (rising->at(start) + falling->at(start)) / 2, 0},
-                (rising->slope + falling->slope) / 2};
+        const double range = rising->slope - falling->slope;
+        double share = 0.5;
+        if (m_last == LastLink::LeastTurn && !m_lines.empty() && range > 0)
+            share = std::clamp((m_lines.back().slope - falling->slope) / range, 0.0, 1.0);
+        return {{start, falling->at(start) + share * (rising->at(start) - falling->at(start)), 0},
+                falling->slope + share * range};
     }
     std::vector<PathPoint> knots() const
     {
@@ -207,6 +212,7 @@ private:
     }
 
     std::span<const Gate> m_channel;
+    LastLink m_last;
     Side m_lower{1};
     Side m_upper{-1};
     std::vector<Line> m_lines;
@@ -215,7 +221,8 @@ private:
 
 } // namespace
 
-std::optional<std::vector<PathPoint>> fewestLinks(std::span<const Gate> channel, std::size_t mostLinks)
+std::optional<std::vector<PathPoint>> fewestLinks(std::span<const Gate> channel, std::size_t mostLinks,
+                                                  LastLink last)
 {
     const auto isShut = [](const Gate& gate) { return !(gate.lowerHz <= gate.upperHz); };
     const auto isWall = [](const Gate& a, const Gate& b) {
@@ -224,7 +231,7 @@ std::optional<std::vector<PathPoint>> fewestLinks(std::span<const Gate> channel,
     if (channel.empty() || mostLinks == 0 || std::ranges::any_of(channel, isShut) ||
         std::ranges::adjacent_find(channel, isWall) != channel.end())
         return std::nullopt;
-    return Links(channel).find(mostLinks);
+    return Links(channel, last).find(mostLinks);
 }
 
 } // namespace campanel::profile::detail

@@ -22,6 +22,12 @@ struct PathPoint {
     double speedHz = 0;
 };
 
+// The last link has a choice left.
+enum class LastLink {
+    LeastTurn, // goes on as straight as it may
+    Middle,    // of all that is open to it
+};
+
 // The ends of the links from the first gate to the last one, in order: one more than links. Nothing when a
 // gate is shut (lower above upper), when a step leaves no way through, or when it takes more than mostLinks.
 //
@@ -29,7 +35,7 @@ struct PathPoint {
 // (Imai and Iri, "An optimal algorithm for approximating a piecewise linear function", 1986; Suri, "A linear
 // time algorithm for minimum link paths inside a simple polygon", 1986.) The last link lies in the middle of
 // what is left to it. Time grows with the number of gates, not with its square.
-[[nodiscard]] std::optional<std::vector<PathPoint>> fewestLinks(std::span<const Gate> channel,
-                                                                std::size_t mostLinks);
+[[nodiscard]] std::optional<std::vector<PathPoint>>
+fewestLinks(std::span<const Gate> channel, std::size_t mostLinks, LastLink last = LastLink::LeastTurn);
 
 } // namespace campanel::profile::detail
