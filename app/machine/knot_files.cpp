@@ -75,7 +75,9 @@ void KnotFiles::takeFound(const Found& found, const QStringList& exportPaths)
             place.isReadOnly
                 ? tr("%1 can only be read. Unlock the stick or choose another place.").arg(place.path)
                 : tr("A new file %1 will be written.").arg(exportPaths[i]);
-        places << OfferRow{place.name, place.path, detail, !place.isReadOnly};
+        places << OfferRow{place.name,
+                           place.isReadOnly ? tr("%1 · can only be read").arg(place.path) : place.path,
+                           detail, !place.isReadOnly};
     }
     m_places.setRows(places);
     --m_jobs;

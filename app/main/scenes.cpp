@@ -122,6 +122,12 @@ const QList<Scene>& allScenes()
              stage.hold(QStringLiteral("field_baseSpeed"));
          }},
         taps("laws", {motion, QStringLiteral("lawButton")}),
+        {QStringLiteral("laws-limits"),
+         [=](Stage& stage) {
+             stage.panel().editor().rate()->set(390);
+             stage.tap(motion);
+             stage.tap(QStringLiteral("lawButton"));
+         }},
         taps("tools", {motion, QStringLiteral("more")}),
         taps("table", {motion, QStringLiteral("more"), QStringLiteral("tableButton")}),
         edited("motion-edited", 320, {motion}),
@@ -165,7 +171,13 @@ const QList<Scene>& allScenes()
         running("run-speed", Kind::SpeedMove),
         running("run-cam", Kind::PointCam),
         running("run-cam-stopped", Kind::PointCam, Situation::Stopped),
-        running("run-cam-lost", Kind::PointCam, Situation::Lost),
+        {QStringLiteral("run-cam-lost"),
+         [=](Stage& stage) {
+             stage.link().show(Situation::Running, Kind::PointCam);
+             stage.link().show(Situation::Lost, Kind::PointCam);
+             stage.lookAtClock();
+             stage.tap(run);
+         }},
         running("run-press", Kind::Press),
         running("run-press-stopped", Kind::Press, Situation::Stopped),
         running("run-press-fresh", Kind::Press, Situation::Fresh),

@@ -27,7 +27,7 @@ QString portableName(const QString& name)
         kept.chop(1);
     while (kept.endsWith(u'.') || kept.endsWith(u' '))
         kept.chop(1);
-    while (kept.startsWith(u'.'))
+    while (kept.startsWith(u'.') || kept.startsWith(u' '))
         kept.remove(0, 1); // would be hidden
     return kept.isEmpty() ? u"knots"_s : kept;
 }
