@@ -1635,6 +1635,10 @@
         <source>Written: %1</source>
         <translation>已写入：%1</translation>
     </message>
+    <message>
+        <source>%1 · can only be read</source>
+        <translation>%1 · 只读</translation>
+    </message>
 </context>
 <context>
     <name>campanel::machine::KnotModel</name>

@@ -48,7 +48,10 @@ QList<Place> exchangePlaces(const QString& ownFolder)
             !QFileInfo(volume.rootPath()).isReadable())
             continue;
         const bool isReadOnly = volume.isReadOnly() || !QFileInfo(volume.rootPath()).isWritable();
-        places << Place{volume.rootPath(), volume.displayName(), isReadOnly};
+        // A volume without a label is known by its folder.
+        const QString label = volume.name();
+        places << Place{volume.rootPath(), label.isEmpty() ? QFileInfo(volume.rootPath()).fileName() : label,
+                        isReadOnly};
     }
     QDir().mkpath(ownFolder);
     places << Place{QDir(ownFolder).absolutePath(), FileErrorText::tr("This panel"),

@@ -66,7 +66,7 @@ Sheet {
             objectName: "offer" + index
             width: list.width - 2 * Theme.size.accent
             text: title
-            noteColor: usable ? Theme.color.secondaryInk : Theme.color.fault
+            noteColor: usable || holds ? Theme.color.secondaryInk : Theme.color.fault
             holds: sheet.chosen === index
             onClicked: {
                 sheet.chosen = index

@@ -63,7 +63,7 @@ T.AbstractButton {
             visible: !row.usable
             width: parent.width
             wrapMode: Text.WordWrap
-            text: qsTr("Breaks a limit with this recipe: hold it to compare, it cannot be chosen.")
+            text: row.holds ? qsTr("Breaks a limit with this recipe.") : qsTr("Breaks a limit with this recipe: hold it to compare, it cannot be chosen.")
             color: Theme.color.fault
             font.pixelSize: Theme.size.caption
         }

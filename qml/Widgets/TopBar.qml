@@ -41,19 +41,17 @@ Rectangle {
             Label {
                 objectName: "recipeTitle"
                 width: Math.min(implicitWidth, recipe.room)
-                height: bar.runsAnother ? Math.round(font.pixelSize * 1.2) : implicitHeight
                 elide: Text.ElideRight
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: Theme.size.caption
                 text: qsTr("%1 · v%2").arg(Editor.recipeName).arg(Editor.recipeVersion)
-                font { pixelSize: Theme.size.title; bold: true }
+                font { pixelSize: bar.runsAnother ? Theme.size.body : Theme.size.title; bold: true }
             }
             Label {
                 objectName: "activeTitle"
                 visible: bar.runsAnother
                 width: Math.min(implicitWidth, recipe.room)
                 elide: Text.ElideRight
-                height: Math.round(font.pixelSize * 1.2)
                 text: qsTr("in the controller: %1 · v%2").arg(Machine.activeName).arg(Machine.activeVersion)
                 color: Machine.fresh ? Theme.color.warning : Theme.color.disabledInk
                 font { pixelSize: Theme.size.caption; weight: Font.DemiBold }

@@ -441,6 +441,10 @@
         <source>Breaks a limit with this recipe: hold it to compare, it cannot be chosen.</source>
         <translation>在此配方下超出限值：可长按比较，不能选用。</translation>
     </message>
+    <message>
+        <source>Breaks a limit with this recipe.</source>
+        <translation>在此配方下超出限值。</translation>
+    </message>
 </context>
 <context>
     <name>MachineSection</name>
