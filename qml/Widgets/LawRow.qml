@@ -39,7 +39,7 @@ T.AbstractButton {
                 text: row.text
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: Theme.size.caption
-                color: row.usable ? Theme.color.ink : Theme.color.disabledInk
+                color: row.usable ? Theme.color.ink : Theme.color.secondaryInk
                 font.weight: Font.DemiBold
             }
             Repeater {
@@ -54,7 +54,7 @@ T.AbstractButton {
                     fontSizeMode: Text.HorizontalFit
                     minimumPixelSize: Theme.size.caption - 3
                     text: modelData
-                    color: row.header ? Theme.color.secondaryInk : row.usable ? Theme.color.ink : Theme.color.disabledInk
+                    color: row.header ? Theme.color.secondaryInk : row.usable ? Theme.color.ink : Theme.color.secondaryInk
                     font { pixelSize: Theme.size.caption; weight: row.header ? Font.Normal : Font.DemiBold }
                 }
             }
@@ -64,7 +64,7 @@ T.AbstractButton {
             width: parent.width
             wrapMode: Text.WordWrap
             text: row.holds ? qsTr("Breaks a limit with this recipe.") : qsTr("Breaks a limit with this recipe: hold it to compare, it cannot be chosen.")
-            color: Theme.color.fault
+            color: row.holds || row.down ? Theme.color.ink : Theme.color.fault
             font.pixelSize: Theme.size.caption
         }
         Repeater {

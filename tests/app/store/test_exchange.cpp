@@ -189,6 +189,21 @@ private slots:
         QVERIFY2(offers[0].problem.contains(u"line 1: expected the header"_s), qPrintable(offers[0].problem));
     }
 
+    void aFullDiskLeavesTheFileThatWasThere()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(u"kept.csv"_s);
+        auto knots = profile::defaultKnots();
+        QVERIFY(writeKnots(knots, path));
+        knots[1].slaveMm = 7;
+        {
+            const FullDisk full;
+            QVERIFY(!writeKnots(knots, path));
+        }
+        const auto kept = readKnots(path);
+        QVERIFY(kept && *kept == profile::defaultKnots());
+    }
+
     void aDiskThatFailsIsASentence_data()
     {
         QTest::addColumn<bool>("isFull");
