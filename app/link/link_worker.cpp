@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/link/link_worker.h"
 
-#include "app/link/link_logging.h"
+#include "app/link/parameter_exchange.h"
 #include "app/link/simulated_controller.h"
 
 #include <QDateTime>
@@ -9,7 +9,6 @@
 
 #include <algorithm>
 
-using namespace Qt::StringLiterals;
 using namespace std::chrono_literals;
 
 namespace campanel::link {
@@ -25,27 +24,6 @@ constexpr auto shortestBatchPeriod = 10ms;
 constexpr auto pollPeriodInTransfer = 400ms;
 // Without a valid status for so long the connection counts as lost.
 constexpr auto silenceUntilLost = 1000ms;
-constexpr auto retryDelay = 250ms;
-constexpr auto retryDelayAfterProblem = 1000ms;
-
-LinkState stateAfter(const modbus::LinkError& error, bool wasConnected)
-{
-    switch (error.kind) {
-    case modbus::LinkErrorKind::PortBusy:
-    case modbus::LinkErrorKind::PortNotPermitted:
-    case modbus::LinkErrorKind::PortNotSerial:
-    case modbus::LinkErrorKind::PortSettings:
-        return LinkState::PortProblem;
-    case modbus::LinkErrorKind::NotCamPanel:
-    case modbus::LinkErrorKind::WrongMapMajor:
-        return LinkState::WrongDevice;
-    case modbus::LinkErrorKind::PortAbsent:
-    case modbus::LinkErrorKind::PortGone:
-        return wasConnected ? LinkState::Lost : LinkState::Searching;
-    default:
-        return wasConnected ? LinkState::Lost : LinkState::Connecting;
-    }
-}
 
 CommandEnd endAfter(const modbus::LinkError& error)
 {
@@ -76,74 +54,30 @@ LinkWorker::LinkWorker()
 
 LinkWorker::~LinkWorker() = default;
 
-void LinkWorker::connectTo(const ConnectionSettings& settings)
-{
-    if (m_scan)
-        endScan(true);
-    m_wasConnected = false;
-    disconnect(std::nullopt);
-    endHeldStop(CommandEnd::NotSent);
-    endDownload();
-    cancelComparison();
-    m_simulator.reset();
-    m_adapter.reset();
-    m_settings = settings;
-    m_report = {};
-    m_report.simulated = settings.simulated;
-    if (settings.simulated) {
-        startSimulator();
-        return;
-    }
-    m_report.portName = settings.port;
-    report(LinkState::Searching);
-    stepAfter(0ms);
-}
-
-void LinkWorker::startSimulator()
-{
-    const modbus::LineSettings& line = m_settings.line;
-    m_simulator = std::make_unique<SimulatedController>(
-        SimulatedController::Options{m_settings.simulatorProgram,
-                                     m_settings.simulatorStateDir,
-                                     {u"--baud"_s, QString::number(line.baud), u"--parity"_s,
-                                      QString(QChar::fromLatin1(static_cast<char>(line.parity))),
-                                      u"--stop-bits"_s, QString::number(line.stopBits), u"--unit"_s,
-                                      QString::number(m_settings.unit)}},
-        nullptr);
-    connect(m_simulator.get(), &SimulatedController::serving, this, [this](const QString& port) {
-        m_report.simulator = SimulatorState::Serving;
-        m_report.portName = port;
-        stepAfter(0ms);
-    });
-    connect(m_simulator.get(), &SimulatedController::notFound, this, [this](const QString& lookedFor) {
-        m_report.simulator = SimulatorState::NotFound;
-        m_report.simulatorDetail = lookedFor;
-        report(LinkState::PortProblem);
-    });
-    connect(m_simulator.get(), &SimulatedController::ended, this, [this](const QString& lastWords) {
-        m_report.simulator = SimulatorState::Ended;
-        m_report.simulatorDetail = lastWords;
-        if (m_report.state == LinkState::Connected)
-            lose({modbus::LinkErrorKind::PortGone, m_report.portName.toStdString(), {}, {}, 0});
-        else
-            report(m_wasConnected ? LinkState::Lost : LinkState::Searching, m_report.error);
-    });
-    m_report.simulator = SimulatorState::Starting;
-    report(LinkState::Searching);
-    m_simulator->start();
-}
-
 void LinkWorker::request(const CommandRequest& request)
 {
-    if (m_report.state == LinkState::Connected) {
-        m_requests.push(request);
-        stepAfter(0ms);
-    } else if (m_wasConnected && priorityOf(request.command) == Priority::Stop) {
-        holdStop(request, std::nullopt);
-        report(m_report.state, m_report.error);
-    } else {
-        refuse(request);
+    const bool isKept = m_wasConnected && m_report.state != LinkState::Connected;
+    if (!isKept || priorityOf(request.command) != Priority::Stop) {
+        enqueue(request);
+        return;
     }
+    holdStop(request, std::nullopt);
+    report(m_report.state, m_report.error);
+}
+
+void LinkWorker::requestParameter(const ParameterRequest& request)
+{
+    enqueue(request);
+}
+
+void LinkWorker::enqueue(Request request)
+{
+    if (m_report.state != LinkState::Connected) {
+        refuse(request);
+        return;
+    }
+    m_requests.push(std::move(request));
+    stepAfter(0ms);
 }
 
 void LinkWorker::download(const std::vector<std::uint16_t>& bank)
@@ -181,58 +115,6 @@ void LinkWorker::step()
         tryToConnect();
 }
 
-void LinkWorker::tryToConnect()
-{
-    if (m_settings.simulated && m_report.simulator != SimulatorState::Serving)
-        return; // its next signal goes on
-    if (!m_settings.simulated)
-        m_report.portName = findPort(m_settings.port, m_adapter);
-    if (!m_client) {
-        modbus::LinkSettings settings;
-        settings.port = m_report.portName.toStdString();
-        settings.line = m_settings.line;
-        settings.unit = m_settings.unit;
-        auto client = std::make_unique<modbus::RtuClient>(std::move(settings), m_record);
-        if (const auto opened = client->open(); !opened) {
-            report(stateAfter(opened.error(), m_wasConnected), opened.error());
-            stepAfter(m_report.state == LinkState::PortProblem ? retryDelayAfterProblem : retryDelay);
-            return;
-        }
-        m_client = std::move(client);
-        report(m_wasConnected ? LinkState::Lost : LinkState::Connecting, m_report.error);
-    }
-    const auto identity = m_client->identify();
-    if (!identity) {
-        m_client.reset();
-        report(stateAfter(identity.error(), m_wasConnected), identity.error());
-        stepAfter(m_report.state == LinkState::WrongDevice ? retryDelayAfterProblem : retryDelay);
-        return;
-    }
-    qCInfo(linkLog) << "connected to" << m_report.portName;
-    m_wasConnected = true;
-    m_adapter = m_settings.simulated ? std::nullopt : identityOf(m_report.portName);
-    m_report.identity = *identity;
-    m_lastGoodAt = steady_clock::now();
-    m_lastPollAt = {};
-    m_status.reset();
-    m_programRead.reset();
-    m_headerOf.reset();
-    m_header.clear();
-    m_knots.reset();
-    m_isHeaderWanted = false;
-    if (m_heldStop && identity->uniqueId != m_controllerId)
-        endHeldStop(CommandEnd::NotSent); // it was meant for another machine
-    m_controllerId = identity->uniqueId;
-    if (m_download)
-        m_download->connectionFound();
-    if (m_comparison)
-        m_comparison->connectionFound();
-    report(LinkState::Connected);
-    reportDownload();
-    reportComparison();
-    stepAfter(0ms);
-}
-
 void LinkWorker::exchange()
 {
     const auto sinceLastPoll = steady_clock::now() - m_lastPollAt;
@@ -242,7 +124,7 @@ void LinkWorker::exchange()
     if (m_heldStop)
         sendHeldStop();
     else if (const auto request = m_requests.take())
-        sendCommand(*request);
+        carryOut(*request);
     else if (m_isHeaderWanted)
         readHeader();
     else if (isReadNext)
@@ -259,6 +141,14 @@ void LinkWorker::exchange()
                          (m_download && m_download->hasWork()) || (m_comparison && m_comparison->hasWork());
     const auto pollDue = m_lastPollAt + shortestPollPeriod - steady_clock::now();
     stepAfter(hasWork ? 0ms : std::max(0ms, std::chrono::ceil<std::chrono::milliseconds>(pollDue)));
+}
+
+void LinkWorker::carryOut(const Request& request)
+{
+    if (const auto* command = std::get_if<CommandRequest>(&request))
+        sendCommand(*command);
+    else
+        sendParameter(std::get<ParameterRequest>(request));
 }
 
 void LinkWorker::sendCommand(const CommandRequest& request)
@@ -283,6 +173,21 @@ void LinkWorker::sendCommand(const CommandRequest& request)
     emit commandEnded(outcome);
     if (!result && modbus::portIsLost(result.error()))
         lose(result.error());
+}
+
+void LinkWorker::sendParameter(const ParameterRequest& request)
+{
+    ParameterOutcome outcome{request.id, request.name, ParameterEnd::Done, std::nullopt, std::nullopt};
+    const auto kept = exchangeParameter(*m_client, request);
+    if (kept) {
+        outcome.value = *kept;
+    } else {
+        outcome.end = parameterEndAfter(kept.error());
+        outcome.error = kept.error();
+    }
+    emit parameterEnded(outcome);
+    if (!kept && modbus::portIsLost(kept.error()))
+        lose(kept.error());
 }
 
 void LinkWorker::advanceDownload()
@@ -376,47 +281,20 @@ void LinkWorker::readHeader()
 
 void LinkWorker::setClock()
 {
-    m_requests.push({0,
-                     modbus::Command::SetClock,
-                     {0, 0, static_cast<std::uint32_t>(QDateTime::currentSecsSinceEpoch())}});
+    m_requests.push(CommandRequest{0,
+                                   modbus::Command::SetClock,
+                                   {0, 0, static_cast<std::uint32_t>(QDateTime::currentSecsSinceEpoch())}});
 }
 
-void LinkWorker::lose(const modbus::LinkError& error)
+void LinkWorker::refuse(const Request& request)
 {
-    qCWarning(linkLog) << "connection lost:" << QString::fromStdString(modbus::describe(error));
-    disconnect(error);
-    stepAfter(retryDelay);
-}
-
-// What waits for the line ends, but for a Stop; long work waits.
-void LinkWorker::disconnect(std::optional<modbus::LinkError> error)
-{
-    flushBatch();
-    m_client.reset();
-    if (m_download)
-        m_download->connectionLost();
-    if (m_comparison)
-        m_comparison->connectionLost();
-    std::deque<CommandRequest> waiting = m_requests.takeAll();
-    for (const CommandRequest& request : waiting) {
-        if (m_wasConnected && priorityOf(request.command) == Priority::Stop)
-            holdStop(request, std::nullopt);
+    if (const auto* command = std::get_if<CommandRequest>(&request)) {
+        emit commandEnded(
+            {command->id, command->command, CommandEnd::NotSent, modbus::Refusal::None, m_report.error});
+        return;
     }
-    report(m_wasConnected ? LinkState::Lost : LinkState::Searching, std::move(error));
-    for (const CommandRequest& request : waiting) {
-        if (!m_wasConnected || priorityOf(request.command) != Priority::Stop)
-            refuse(request);
-    }
-    for (const ReadRequest& request : m_reads.takeAll())
-        emit registersRead({request, ReadEnd::NotSent, {}, {}, m_report.error});
-    reportDownload();
-    reportComparison();
-}
-
-void LinkWorker::refuse(const CommandRequest& request)
-{
-    emit commandEnded(
-        {request.id, request.command, CommandEnd::NotSent, modbus::Refusal::None, m_report.error});
+    const auto& parameter = std::get<ParameterRequest>(request);
+    emit parameterEnded({parameter.id, parameter.name, ParameterEnd::NotSent, std::nullopt, m_report.error});
 }
 
 void LinkWorker::endDownload()

@@ -31,6 +31,7 @@ public:
 public slots:
     void connectTo(const campanel::link::ConnectionSettings& settings);
     void request(const campanel::link::CommandRequest& request);
+    void requestParameter(const campanel::link::ParameterRequest& request);
     void download(const std::vector<std::uint16_t>& bank);
     void cancelDownload();
     void withdrawStop();
@@ -48,6 +49,7 @@ signals:
     void statusReceived(const campanel::link::StatusBatch& batch);
     void programRead(const campanel::link::ActiveProgram& program);
     void commandEnded(const campanel::link::CommandOutcome& outcome);
+    void parameterEnded(const campanel::link::ParameterOutcome& outcome);
     void downloadReported(const campanel::link::DownloadReport& report);
     void registersRead(const campanel::link::ReadOutcome& outcome);
     void comparisonReported(const campanel::link::ComparisonReport& report);
@@ -68,11 +70,14 @@ private:
     void step();
     void tryToConnect();
     void exchange();
+    void enqueue(Request request);
+    void carryOut(const Request& request);
     void sendCommand(const CommandRequest& request);
     void holdStop(const CommandRequest& request, std::optional<std::uint16_t> counter);
     void endHeldStop(CommandEnd end);
     void sendHeldStop();
     void advanceRead();
+    void sendParameter(const ParameterRequest& request);
     void advanceDownload();
     void advanceComparison();
     void advanceScan();
@@ -86,7 +91,7 @@ private:
     void setClock();
     void lose(const modbus::LinkError& error);
     void disconnect(std::optional<modbus::LinkError> error);
-    void refuse(const CommandRequest& request);
+    void refuse(const Request& request);
     void endDownload();
     void reportDownload();
     void report(LinkState state, std::optional<modbus::LinkError> error = std::nullopt);

@@ -13,6 +13,7 @@ ThreadedLink::ThreadedLink(QObject* parent)
     worker->moveToThread(&m_thread);
     connect(this, &ThreadedLink::connectWanted, worker, &LinkWorker::connectTo);
     connect(this, &ThreadedLink::requestWanted, worker, &LinkWorker::request);
+    connect(this, &ThreadedLink::parameterWanted, worker, &LinkWorker::requestParameter);
     connect(this, &ThreadedLink::downloadWanted, worker, &LinkWorker::download);
     connect(this, &ThreadedLink::cancelWanted, worker, &LinkWorker::cancelDownload);
     connect(this, &ThreadedLink::withdrawalWanted, worker, &LinkWorker::withdrawStop);
@@ -28,6 +29,7 @@ ThreadedLink::ThreadedLink(QObject* parent)
     connect(worker, &LinkWorker::statusReceived, this, &Link::statusReceived);
     connect(worker, &LinkWorker::programRead, this, &Link::programRead);
     connect(worker, &LinkWorker::commandEnded, this, &Link::commandEnded);
+    connect(worker, &LinkWorker::parameterEnded, this, &Link::parameterEnded);
     connect(worker, &LinkWorker::downloadReported, this, &Link::downloadReported);
     connect(worker, &LinkWorker::registersRead, this, &Link::registersRead);
     connect(worker, &LinkWorker::comparisonReported, this, &Link::comparisonReported);

@@ -15,6 +15,14 @@ public:
 
     void connectTo(const link::ConnectionSettings& settings) override { connections << settings; }
     void request(const link::CommandRequest& request) override { requests << request; }
+    void readParameter(quint32 id, const std::string& name) override
+    {
+        parameters << link::ParameterRequest{id, name, std::nullopt};
+    }
+    void writeParameter(quint32 id, const std::string& name, double value) override
+    {
+        parameters << link::ParameterRequest{id, name, value};
+    }
     void download(const std::vector<std::uint16_t>& bank) override { banks << bank; }
     void cancelDownload() override { ++cancels; }
     void withdrawStop() override { ++withdrawals; }
@@ -29,6 +37,7 @@ public:
 
     QList<link::ConnectionSettings> connections;
     QList<link::CommandRequest> requests;
+    QList<link::ParameterRequest> parameters;
     QList<std::vector<std::uint16_t>> banks;
     int cancels = 0;
     int withdrawals = 0;

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the link worker comes to a connection, loses it and finds it again.
+#include "app/link/link_logging.h"
+#include "app/link/link_worker.h"
+#include "app/link/simulated_controller.h"
+
+#include <deque>
+
+using namespace Qt::StringLiterals;
+using namespace std::chrono_literals;
+
+namespace campanel::link {
+
+namespace {
+
+constexpr auto retryDelay = 250ms;
+constexpr auto retryDelayAfterProblem = 1000ms;
+
+LinkState stateAfter(const modbus::LinkError& error, bool wasConnected)
+{
+    switch (error.kind) {
+    case modbus::LinkErrorKind::PortBusy:
+    case modbus::LinkErrorKind::PortNotPermitted:
+    case modbus::LinkErrorKind::PortNotSerial:
+    case modbus::LinkErrorKind::PortSettings:
+        return LinkState::PortProblem;
+    case modbus::LinkErrorKind::NotCamPanel:
+    case modbus::LinkErrorKind::WrongMapMajor:
+        return LinkState::WrongDevice;
+    case modbus::LinkErrorKind::PortAbsent:
+    case modbus::LinkErrorKind::PortGone:
+        return wasConnected ? LinkState::Lost : LinkState::Searching;
+    default:
+        return wasConnected ? LinkState::Lost : LinkState::Connecting;
+    }
+}
+
+} // namespace
+
+void LinkWorker::connectTo(const ConnectionSettings& settings)
+{
+    if (m_scan)
+        endScan(true);
+    m_wasConnected = false;
+    disconnect(std::nullopt);
+    endHeldStop(CommandEnd::NotSent);
+    endDownload();
+    cancelComparison();
+    m_simulator.reset();
+    m_adapter.reset();
+    m_settings = settings;
+    m_report = {};
+    m_report.simulated = settings.simulated;
+    if (settings.simulated) {
+        startSimulator();
+        return;
+    }
+    m_report.portName = settings.port;
+    report(LinkState::Searching);
+    stepAfter(0ms);
+}
+
+void LinkWorker::startSimulator()
+{
+    const modbus::LineSettings& line = m_settings.line;
+    m_simulator = std::make_unique<SimulatedController>(
+        SimulatedController::Options{m_settings.simulatorProgram,
+                                     m_settings.simulatorStateDir,
+                                     {u"--baud"_s, QString::number(line.baud), u"--parity"_s,
+                                      QString(QChar::fromLatin1(static_cast<char>(line.parity))),
+                                      u"--stop-bits"_s, QString::number(line.stopBits), u"--unit"_s,
+                                      QString::number(m_settings.unit)}},
+        nullptr);
+    connect(m_simulator.get(), &SimulatedController::serving, this, [this](const QString& port) {
+        m_report.simulator = SimulatorState::Serving;
+        m_report.portName = port;
+        stepAfter(0ms);
+    });
+    connect(m_simulator.get(), &SimulatedController::notFound, this, [this](const QString& lookedFor) {
+        m_report.simulator = SimulatorState::NotFound;
+        m_report.simulatorDetail = lookedFor;
+        report(LinkState::PortProblem);
+    });
+    connect(m_simulator.get(), &SimulatedController::ended, this, [this](const QString& lastWords) {
+        m_report.simulator = SimulatorState::Ended;
+        m_report.simulatorDetail = lastWords;
+        if (m_report.state == LinkState::Connected)
+            lose({modbus::LinkErrorKind::PortGone, m_report.portName.toStdString(), {}, {}, 0});
+        else
+            report(m_wasConnected ? LinkState::Lost : LinkState::Searching, m_report.error);
+    });
+    m_report.simulator = SimulatorState::Starting;
+    report(LinkState::Searching);
+    m_simulator->start();
+}
+
+void LinkWorker::tryToConnect()
+{
+    if (m_settings.simulated && m_report.simulator != SimulatorState::Serving)
+        return; // its next signal goes on
+    if (!m_settings.simulated)
+        m_report.portName = findPort(m_settings.port, m_adapter);
+    if (!m_client) {
+        modbus::LinkSettings settings;
+        settings.port = m_report.portName.toStdString();
+        settings.line = m_settings.line;
+        settings.unit = m_settings.unit;
+        auto client = std::make_unique<modbus::RtuClient>(std::move(settings), m_record);
+        if (const auto opened = client->open(); !opened) {
+            report(stateAfter(opened.error(), m_wasConnected), opened.error());
+            stepAfter(m_report.state == LinkState::PortProblem ? retryDelayAfterProblem : retryDelay);
+            return;
+        }
+        m_client = std::move(client);
+        report(m_wasConnected ? LinkState::Lost : LinkState::Connecting, m_report.error);
+    }
+    const auto identity = m_client->identify();
+    if (!identity) {
+        m_client.reset();
+        report(stateAfter(identity.error(), m_wasConnected), identity.error());
+        stepAfter(m_report.state == LinkState::WrongDevice ? retryDelayAfterProblem : retryDelay);
+        return;
+    }
+    qCInfo(linkLog) << "connected to" << m_report.portName;
+    m_wasConnected = true;
+    m_adapter = m_settings.simulated ? std::nullopt : identityOf(m_report.portName);
+    m_report.identity = *identity;
+    m_lastGoodAt = std::chrono::steady_clock::now();
+    m_lastPollAt = {};
+    m_status.reset();
+    m_programRead.reset();
+    m_headerOf.reset();
+    m_header.clear();
+    m_knots.reset();
+    m_isHeaderWanted = false;
+    if (m_heldStop && identity->uniqueId != m_controllerId)
+        endHeldStop(CommandEnd::NotSent); // it was meant for another machine
+    m_controllerId = identity->uniqueId;
+    if (m_download)
+        m_download->connectionFound();
+    if (m_comparison)
+        m_comparison->connectionFound();
+    report(LinkState::Connected);
+    reportDownload();
+    reportComparison();
+    stepAfter(0ms);
+}
+
+void LinkWorker::lose(const modbus::LinkError& error)
+{
+    qCWarning(linkLog) << "connection lost:" << QString::fromStdString(modbus::describe(error));
+    disconnect(error);
+    stepAfter(retryDelay);
+}
+
+// What waits for the line ends, but for a Stop; long work waits.
+void LinkWorker::disconnect(std::optional<modbus::LinkError> error)
+{
+    flushBatch();
+    m_client.reset();
+    if (m_download)
+        m_download->connectionLost();
+    if (m_comparison)
+        m_comparison->connectionLost();
+    std::deque<Request> waiting = m_requests.takeAll();
+    std::erase_if(waiting, [this](const Request& request) {
+        const auto* command = std::get_if<CommandRequest>(&request);
+        const bool isKept = m_wasConnected && command && priorityOf(command->command) == Priority::Stop;
+        if (isKept)
+            holdStop(*command, std::nullopt);
+        return isKept;
+    });
+    report(m_wasConnected ? LinkState::Lost : LinkState::Searching, std::move(error));
+    for (const Request& request : waiting)
+        refuse(request);
+    for (const ReadRequest& request : m_reads.takeAll())
+        emit registersRead({request, ReadEnd::NotSent, {}, {}, m_report.error});
+    reportDownload();
+    reportComparison();
+}
+
+} // namespace campanel::link
