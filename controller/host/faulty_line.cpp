@@ -310,8 +310,10 @@ void FaultyLine::secondMaster(const Exchange& exchange, std::int64_t startNs)
     m_toControllerEndNs += lengthNs(foreignAnswerCharacters) + 3 * m_gapNs;
 }
 
+// The byte that is under way at that time is the last.
 void FaultyLine::unplug(const FaultRule& rule, std::int64_t atNs)
 {
+    atNs += m_characterNs / 2;
     m_events.insert({atNs, {LineEvent::Kind::Unplug, {}}});
     m_events.insert({atNs + rule.timeNs, {LineEvent::Kind::Plug, rule.port}});
 }
