@@ -24,6 +24,10 @@ private slots:
     void linkErrorsAreRepeated();
     void resumesAtTheMissingBlock();
     void beginsAgainAfterARestartOfTheController();
+    void beginsAgainWhenNobodySawTheRestart_data();
+    void beginsAgainWhenNobodySawTheRestart();
+    void resumedAfterApplyWasSent_data();
+    void resumedAfterApplyWasSent();
     void applyWithoutAnyAnswer_data();
     void applyWithoutAnyAnswer();
     void cancelledWhileTransferring();
@@ -172,6 +176,49 @@ void DownloadTest::beginsAgainAfterARestartOfTheController()
     QVERIFY(run(download, Download::Phase::Active));
 }
 
+void DownloadTest::beginsAgainWhenNobodySawTheRestart_data()
+{
+    QTest::addColumn<int>("phase");
+    QTest::addColumn<bool>("verify");
+    QTest::newRow("blocks") << static_cast<int>(Download::Phase::Blocks) << false;
+    QTest::newRow("seal") << static_cast<int>(Download::Phase::Seal) << false;
+    QTest::newRow("verify") << static_cast<int>(Download::Phase::Verify) << true;
+    QTest::newRow("apply") << static_cast<int>(Download::Phase::Apply) << false;
+}
+
+void DownloadTest::beginsAgainWhenNobodySawTheRestart()
+{
+    QFETCH(int, phase);
+    QFETCH(bool, verify);
+    Download download = make({ProgramKind::RotaryCutter, ApplyMode::WhenStopped, 28, verify});
+    QVERIFY(run(download, static_cast<Download::Phase>(phase)));
+    m_slave->restart();
+    QVERIFY(run(download, Download::Phase::Active));
+    QCOMPARE(m_client->exchangeStatus(0, 0)->generation, 7u); // 6 in its flash, and this one
+}
+
+void DownloadTest::resumedAfterApplyWasSent_data()
+{
+    QTest::addColumn<int>("mode");
+    QTest::newRow("became active") << static_cast<int>(ApplyMode::WhenStopped);
+    QTest::newRow("is armed") << static_cast<int>(ApplyMode::NextCycle);
+}
+
+void DownloadTest::resumedAfterApplyWasSent()
+{
+    QFETCH(int, mode);
+    Download download = make({ProgramKind::RotaryCutter, static_cast<ApplyMode>(mode), 29, false});
+    QVERIFY(run(download, Download::Phase::Apply));
+    m_slave->script({Fault::LostAnswer, Fault::LostRequest, Fault::LostRequest, Fault::LostRequest});
+    QVERIFY(!download.advance(*m_client).has_value());
+    download.resume(); // as after a broken line, before any status has told
+    while (download.phase() != Download::Phase::AwaitActive)
+        QVERIFY(download.advance(*m_client).has_value());
+    m_slave->reachCycleBoundary();
+    QCOMPARE(pollStatus(download), Download::Phase::Active);
+    QCOMPARE(m_client->exchangeStatus(0, 0)->generation, 8u); // once
+}
+
 void DownloadTest::applyWithoutAnyAnswer_data()
 {
     QTest::addColumn<int>("mode");
@@ -242,7 +289,8 @@ void DownloadTest::differingRegisterIsNamed()
     QVERIFY(run(download, Download::Phase::Verify));
     m_slave->setRegister(stagedBankBase + 200, static_cast<std::uint16_t>(m_image[200] ^ 1u));
     tl::expected<Download::Phase, DownloadError> phase = download.phase();
-    while (phase && *phase == Download::Phase::Verify)
+    // The controller has kept the session, so that it is sealed and read once more before it is said.
+    while (phase && *phase != Download::Phase::Apply)
         phase = download.advance(*m_client);
     QVERIFY(!phase.has_value());
     QCOMPARE(phase.error().kind, DownloadErrorKind::RowsDiffer);

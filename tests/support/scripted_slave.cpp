@@ -109,6 +109,18 @@ void ScriptedSlave::forgetTransfer()
     m_registers[address("transfer_result.session")] = 0;
 }
 
+void ScriptedSlave::restart()
+{
+    forgetTransfer();
+    const std::scoped_lock lock(m_mutex);
+    std::fill_n(m_registers.begin() + stagedBankBase, bankRegisters, std::uint16_t{0});
+    for (const char* name : {"status.staged_state", "status.command_counter", "result.counter", "result.code",
+                             "result.status", "result.reason"})
+        m_registers[address(name)] = 0;
+    put32(address("status.generation"), 6);
+    put32(address("status.active_crc"), 0x06060606);
+}
+
 void ScriptedSlave::reachCycleBoundary()
 {
     const std::scoped_lock lock(m_mutex);

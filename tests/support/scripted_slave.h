@@ -43,6 +43,8 @@ public:
     void unplug();
     // Forgets the transfer session, as after a restart of the controller.
     void forgetTransfer();
+    // What is in RAM is lost; an older program, the sixth, comes from the flash.
+    void restart();
     // Makes an armed change active, as at the cycle boundary.
     void reachCycleBoundary();
     void refuseRow(std::uint16_t row);
