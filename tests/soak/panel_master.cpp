@@ -128,8 +128,6 @@ void PanelMaster::noteEvents()
     if (now.restarts != m_seen.restarts) {
         m_truth.restarted();
         m_restartOpen = true;
-        if (m_download)
-            m_download->resume();
     }
     m_seen = now;
 }
@@ -390,6 +388,10 @@ void PanelMaster::endDownload(const modbus::DownloadError* error)
             m_tally.find(m_tally.wrong, "a download said that it is active, and is not");
     } else {
         ++m_tally.work["downloads ended: " + modbus::describe(*error)];
+        // Withdrawn by the soak's own command or, with what was armed, by a restart; nothing else may end
+        // one.
+        if (error->kind != modbus::DownloadErrorKind::Withdrawn)
+            m_tally.find(m_tally.hangs, "a download did not survive: " + modbus::describe(*error));
         m_truth.notApplied(); // they all say that the active program is unchanged
     }
     m_download.reset();

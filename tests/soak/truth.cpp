@@ -72,6 +72,7 @@ void Truth::restarted()
     m_pendingCrc.reset();
     m_perhaps.clear();
     m_commands = 0;
+    m_counterBase.reset();
     m_starts = 0;
     m_linkRequests.reset();
     m_clock = {};
@@ -148,10 +149,13 @@ std::string Truth::checkState(const modbus::StatusBlock& status, Clock::time_poi
     return {};
 }
 
-std::string Truth::checkCommands(const modbus::StatusBlock& status) const
+std::string Truth::checkCommands(const modbus::StatusBlock& status)
 {
-    if (status.commandCounter != m_commands)
-        return differs("command counter", status.commandCounter, m_commands);
+    if (!m_counterBase && m_commands > 0)
+        m_counterBase = static_cast<std::uint16_t>(status.commandCounter - m_commands);
+    const auto counter = static_cast<std::uint16_t>(m_counterBase.value_or(0) + m_commands);
+    if (status.commandCounter != counter)
+        return differs("command counter", status.commandCounter, counter);
     // One start is one cycle of so many pulses.
     const bool isUnderWay = !stands(status) && status.cycleCount + 1 == m_starts;
     if (status.cycleCount != m_starts && !isUnderWay)

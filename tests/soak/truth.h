@@ -58,7 +58,7 @@ public:
     [[nodiscard]] std::string checkStatus(const modbus::StatusBlock& status, Clock::time_point asked,
                                           Clock::time_point answered);
     // How many commands were carried out, by the counter, by the cycles and by where the axis stands.
-    [[nodiscard]] std::string checkCommands(const modbus::StatusBlock& status) const;
+    [[nodiscard]] std::string checkCommands(const modbus::StatusBlock& status);
     // Registers of identity, parameters and active bank; others are not judged.
     [[nodiscard]] std::string checkRegisters(std::uint16_t address, std::span<const std::uint16_t> registers);
     // A whole bank that was read in pieces: one of the known ones, and the active one.
@@ -84,6 +84,9 @@ private:
     std::map<std::uint16_t, std::uint16_t> m_perhaps;  // parameters whose write was not confirmed
     std::map<std::uint16_t, std::uint16_t> m_identity; // as first read
     std::uint16_t m_commands = 0;                      // carried out since power-up
+    // Counter of the controller before the first of them. After a restart it is 0, but the master may go on
+    // from where it was: then empty until a status tells.
+    std::optional<std::uint16_t> m_counterBase = 0;
     std::uint32_t m_starts = 0;
     Clock::time_point m_lastStart;
     std::optional<std::uint16_t> m_linkRequests;
