@@ -21,8 +21,10 @@ using Clock = std::chrono::steady_clock;
 // Nothing for this long after a doubt: the line is quiet. Longer than the 16 ms that USB adapters collect.
 constexpr milliseconds quietTime{25};
 constexpr milliseconds longestDrain{600};
-// Writing flash or checking all rows takes the controller longer than answering a question.
-constexpr milliseconds slowWorkAllowance{2000};
+// Writing flash or checking all rows takes the controller longer than answering a question. A lost answer
+// costs the panel that time too: sealing must leave room to find a restarted controller within two seconds.
+constexpr milliseconds flashAllowance{2000};
+constexpr milliseconds sealAllowance{1000};
 constexpr int resolveAttempts = 3;
 
 std::string commandName(Command code)
@@ -280,7 +282,7 @@ tl::expected<CommandResult, LinkError> RtuClient::command(Command code, CommandA
                                                arguments.argument1,
                                                static_cast<std::uint16_t>(arguments.argument2 >> 16),
                                                static_cast<std::uint16_t>(arguments.argument2 & 0xFFFFu)};
-    const auto allowance = code == Command::SaveToFlash ? slowWorkAllowance : milliseconds{0};
+    const auto allowance = code == Command::SaveToFlash ? flashAllowance : milliseconds{0};
     const auto answer =
         writeAndRead(request, {commandAddress, written, resultAddress, commandResultRegisters, allowance});
     m_commandCounter.reset();
@@ -337,7 +339,7 @@ tl::expected<TransferAnswer, LinkError> RtuClient::transfer(const TransferFrame&
     std::vector<std::uint16_t> written{frame.session, static_cast<std::uint16_t>(frame.operation),
                                        frame.block, static_cast<std::uint16_t>(frame.data.size())};
     written.insert(written.end(), frame.data.begin(), frame.data.end());
-    const auto allowance = frame.operation == TransferOperation::Seal ? slowWorkAllowance : milliseconds{0};
+    const auto allowance = frame.operation == TransferOperation::Seal ? sealAllowance : milliseconds{0};
     const auto registers =
         writeAndRead(request, {transferAddress, written, resultAddress, transferResultRegisters, allowance});
     if (!registers)
