@@ -40,6 +40,12 @@ std::string commandName(Command code)
     return "command " + std::to_string(static_cast<unsigned>(code));
 }
 
+// Never 0: that is what a controller has which has restarted, and it would take the command for an old one.
+std::uint16_t counterAfter(std::uint16_t counter)
+{
+    return counter == 0xFFFF ? std::uint16_t{1} : static_cast<std::uint16_t>(counter + 1u);
+}
+
 } // namespace
 
 void RtuClient::ContextDeleter::operator()(modbus_t* context) const
@@ -275,7 +281,7 @@ tl::expected<CommandResult, LinkError> RtuClient::command(Command code, CommandA
             return tl::unexpected(last.error());
         m_commandCounter = decodeCommandResult(*last).counter;
     }
-    const auto counter = static_cast<std::uint16_t>(*m_commandCounter + 1u);
+    const std::uint16_t counter = counterAfter(*m_commandCounter);
     const std::array<std::uint16_t, 6> written{counter,
                                                static_cast<std::uint16_t>(code),
                                                arguments.argument0,
@@ -311,8 +317,12 @@ tl::expected<CommandResult, LinkError> RtuClient::resolve(const std::string& req
         const auto found = findResult(counter);
         if (found && *found)
             return **found;
-        if (found)
+        // Not received for certain only when the controller still has the one before: a restarted one has
+        // none, and has perhaps carried it out before.
+        if (found && counterAfter(*m_commandCounter) == counter)
             return tl::unexpected(error(LinkErrorKind::CommandLost, request, {}, counter));
+        if (found)
+            break;
         if (portIsLost(found.error()))
             break;
     }

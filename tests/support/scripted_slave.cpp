@@ -105,14 +105,24 @@ void ScriptedSlave::unplug()
 void ScriptedSlave::forgetTransfer()
 {
     const std::scoped_lock lock(m_mutex);
+    loseTransfer();
+}
+
+void ScriptedSlave::loseTransfer()
+{
     m_received.clear();
     m_registers[address("transfer_result.session")] = 0;
 }
 
 void ScriptedSlave::restart()
 {
-    forgetTransfer();
     const std::scoped_lock lock(m_mutex);
+    powerUp();
+}
+
+void ScriptedSlave::powerUp()
+{
+    loseTransfer();
     std::fill_n(m_registers.begin() + stagedBankBase, bankRegisters, std::uint16_t{0});
     for (const char* name : {"status.staged_state", "status.command_counter", "result.counter", "result.code",
                              "result.status", "result.reason"})
@@ -172,7 +182,9 @@ void ScriptedSlave::answer(const Bytes& request)
     const Bytes late = std::exchange(m_late, {});
     if (!late.empty())
         send(late);
-    if (fault == Fault::LateAnswer)
+    if (fault == Fault::Restart)
+        powerUp();
+    else if (fault == Fault::LateAnswer)
         m_late = reply;
     else if (fault != Fault::LostAnswer)
         send(reply);

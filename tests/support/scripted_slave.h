@@ -21,6 +21,7 @@ enum class Fault {
     BadChecksum, // executed, CRC-16 of the answer inverted
     Truncated,   // executed, the answer stops in the middle
     Exception2,  // not executed, exception 2
+    Restart,     // executed, not answered, then restart()
 };
 
 class ScriptedSlave {
@@ -61,6 +62,8 @@ private:
     void runTransfer();
     void runReadback();
     void activateStaged();
+    void loseTransfer();
+    void powerUp();
     void put32(std::uint16_t address, std::uint32_t value);
 
     std::string m_port;
