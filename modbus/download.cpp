@@ -30,7 +30,7 @@ std::string transferReason(const TransferAnswer& answer)
 }
 
 // Another panel's download would take turns with this one for ever.
-constexpr int mostBeginnings = 5;
+constexpr int mostBeginnings = 20;
 
 bool isWithoutSession(TransferResult result)
 {
@@ -140,6 +140,7 @@ bool Download::beginAgain()
     m_phase = Phase::Begin;
     // A restarted controller may be back at an older program, and count from there.
     m_generationBefore.reset();
+    m_isMismatchKnown = false; // this is why
     return true;
 }
 
