@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Requests are struck as they come, answers when the controller gives them.
+// The script, what becomes of requests, and the queues of both ways.
 #include "faulty_line.h"
 
 #include <algorithm>
@@ -10,10 +10,6 @@ namespace {
 
 constexpr std::size_t openExchanges = 32;
 constexpr std::uint32_t busyCode = 6;
-// Idle: so much later than the end of an answer, in frame gaps.
-constexpr int idleGaps = 3;
-// What a second master is answered takes about so many characters.
-constexpr std::size_t foreignAnswerCharacters = 100;
 
 std::int64_t wireCharacterNs(LineSettings settings)
 {
@@ -24,16 +20,6 @@ std::int64_t wireCharacterNs(LineSettings settings)
 bool strikesRequest(const FaultRule& rule)
 {
     return rule.part != FaultPart::Answer;
-}
-
-bool strikesAnswer(const FaultRule& rule)
-{
-    return rule.part != FaultPart::Request;
-}
-
-std::int64_t scaled(std::int64_t timeNs, double factor)
-{
-    return static_cast<std::int64_t>(static_cast<double>(timeNs) * factor);
 }
 
 } // namespace
@@ -56,6 +42,11 @@ void FaultyLine::setScript(FaultScript script, std::int64_t nowNs)
     m_applied = 0;
     m_busyLeft = 0;
     m_appliedByRule.assign(m_script.rules.size(), 0);
+}
+
+std::int64_t FaultyLine::scaled(std::int64_t timeNs, double factor)
+{
+    return static_cast<std::int64_t>(static_cast<double>(timeNs) * factor);
 }
 
 // Bytes take no time on a line that is not paced.
@@ -132,12 +123,10 @@ void FaultyLine::putRequest(const FaultRule& rule, const Exchange& exchange, std
     case FaultKind::LostRequest:
         m_requestPasses = false;
         break;
-    case FaultKind::DuplicateRequest: {
+    case FaultKind::DuplicateRequest:
         toController(request, exchange.frame, nowNs);
-        const std::int64_t againNs = m_toControllerEndNs + 2 * m_gapNs;
-        toController(request, exchange.frame, againNs);
+        toController(request, exchange.frame, m_toControllerEndNs + 2 * m_gapNs);
         break;
-    }
     case FaultKind::Echo:
         toPanel(request, nowNs);
         toController(request, exchange.frame, nowNs);
@@ -148,13 +137,11 @@ void FaultyLine::putRequest(const FaultRule& rule, const Exchange& exchange, std
         toPanel(exceptionTo(request, busyCode), m_requestEndNs + m_gapNs);
         break;
     case FaultKind::Silence:
-        m_muteUntilNs = nowNs + rule.timeNs;
-        m_requestPasses = false;
-        break;
     case FaultKind::Restart:
         m_muteUntilNs = nowNs + rule.timeNs;
         m_requestPasses = false;
-        m_events.insert({m_muteUntilNs, {LineEvent::Kind::Restart, {}}});
+        if (rule.kind == FaultKind::Restart)
+            m_events.insert({m_muteUntilNs, {LineEvent::Kind::Restart, {}}});
         break;
     case FaultKind::WrongBaud:
         m_garbleUntilNs = nowNs + rule.timeNs;
@@ -176,146 +163,29 @@ void FaultyLine::putDamagedRequest(const FaultRule& rule, const Exchange& exchan
 {
     FrameBytes request = exchange.request;
     std::int64_t startNs = nowNs;
+    const auto cutOff = [&request](std::size_t count) {
+        FrameBytes rest(request.begin() + static_cast<std::ptrdiff_t>(count), request.end());
+        request.resize(count);
+        return rest;
+    };
     if (rule.kind == FaultKind::Unplug && rule.when == FaultMoment::Request) {
-        request.resize(request.size() / 2);
+        static_cast<void>(cutOff(request.size() / 2));
         unplug(rule, nowNs + lengthNs(request.size()));
-    } else if (strikesRequest(rule)) {
-        switch (rule.kind) {
-        case FaultKind::Late:
-            startNs += scaled(m_script.timeoutNs, rule.times);
-            break;
-        case FaultKind::Truncate:
-            request = truncated(request, m_random);
-            m_requestPasses = false;
-            break;
-        case FaultKind::Corrupt:
-            request = corrupted(request, rule.bits, m_random);
-            break;
-        case FaultKind::Trailing: {
-            const FrameBytes garbage = randomBytes(m_random, rule.bytes);
-            request.insert(request.end(), garbage.begin(), garbage.end());
-            break;
-        }
-        case FaultKind::Noise:
-            toController(randomBytes(m_random, rule.bytes), 0, nowNs);
-            break;
-        case FaultKind::Gap: {
-            const std::size_t cut = 1 + pickBelow(m_random, request.size() - 1);
-            toController({request.begin(), request.begin() + static_cast<std::ptrdiff_t>(cut)},
-                         exchange.frame, nowNs);
-            request.erase(request.begin(), request.begin() + static_cast<std::ptrdiff_t>(cut));
-            startNs = m_toControllerEndNs + scaled(m_characterNs, rule.characters);
-            break;
-        }
-        default:
-            break;
-        }
+    } else if (!strikesRequest(rule)) {
+        // The answer is struck.
+    } else if (rule.kind == FaultKind::Late) {
+        startNs += scaled(m_script.timeoutNs, rule.times);
+    } else if (rule.kind == FaultKind::Noise) {
+        toController(randomBytes(m_random, rule.bytes), 0, nowNs);
+    } else if (rule.kind == FaultKind::Gap) {
+        FrameBytes rest = cutOff(1 + pickBelow(m_random, request.size() - 1));
+        toController(std::exchange(request, std::move(rest)), exchange.frame, nowNs);
+        startNs = m_toControllerEndNs + scaled(m_characterNs, rule.characters);
+    } else {
+        m_requestPasses = rule.kind != FaultKind::Truncate;
+        request = damaged(rule, exchange, std::move(request));
     }
     toController(std::move(request), exchange.frame, startNs);
-}
-
-void FaultyLine::fromController(std::span<const std::uint8_t> bytes, std::uint64_t frame, std::int64_t nowNs)
-{
-    putOnLine(nowNs);
-    if (nowNs < m_muteUntilNs)
-        return;
-    FrameBytes answer(bytes.begin(), bytes.end());
-    const auto exchange = std::ranges::find(m_open, frame, &Exchange::frame);
-    if (nowNs < m_garbleUntilNs && m_garbledPart != FaultPart::Request)
-        toPanel(garbled(answer, m_random), nowNs);
-    else if (exchange == m_open.end() || !exchange->fault)
-        toPanel(std::move(answer), nowNs);
-    else
-        putAnswer(*exchange->fault, *exchange, std::move(answer), nowNs);
-    putOnLine(nowNs);
-}
-
-void FaultyLine::putAnswer(const FaultRule& rule, const Exchange& exchange, FrameBytes answer,
-                           std::int64_t nowNs)
-{
-    const std::int64_t endNs = nowNs + lengthNs(answer.size());
-    const bool struck = strikesAnswer(rule);
-    switch (rule.kind) {
-    case FaultKind::LostAnswer:
-        return;
-    case FaultKind::Late:
-        toPanel(std::move(answer), nowNs + (struck ? scaled(m_script.timeoutNs, rule.times) : 0));
-        return;
-    case FaultKind::DuplicateAnswer:
-        toPanel(answer, endNs + m_gapNs);
-        break;
-    case FaultKind::Truncate:
-        answer = struck ? truncated(answer, m_random) : answer;
-        break;
-    case FaultKind::Corrupt:
-        answer = struck ? corrupted(answer, rule.bits, m_random) : answer;
-        break;
-    case FaultKind::Trailing:
-        if (struck) {
-            const FrameBytes garbage = randomBytes(m_random, rule.bytes);
-            answer.insert(answer.end(), garbage.begin(), garbage.end());
-        }
-        break;
-    case FaultKind::Gap:
-        if (struck) {
-            const std::size_t cut = 1 + pickBelow(m_random, answer.size() - 1);
-            toPanel({answer.begin() + static_cast<std::ptrdiff_t>(cut), answer.end()},
-                    nowNs + lengthNs(cut) + scaled(m_characterNs, rule.characters));
-            answer.resize(cut);
-        }
-        break;
-    case FaultKind::Noise:
-        if (struck)
-            toPanel(randomBytes(m_random, rule.bytes), endNs + m_gapNs + rule.afterNs);
-        break;
-    case FaultKind::WrongUnit:
-        answer = withWrongUnit(answer, m_random);
-        break;
-    case FaultKind::WrongFunction:
-        answer = withWrongFunction(answer, m_random);
-        break;
-    case FaultKind::WrongCount:
-        answer = withWrongCount(answer, m_random);
-        break;
-    case FaultKind::Exception:
-        answer = exceptionTo(exchange.request, rule.code);
-        break;
-    case FaultKind::MapVersion:
-    case FaultKind::DeviceType:
-        answer = withIdentity(exchange.request, answer, rule);
-        break;
-    case FaultKind::SecondMaster:
-        if (rule.when == FaultMoment::After)
-            secondMaster(exchange, endNs + m_gapNs);
-        break;
-    case FaultKind::Unplug:
-        if (rule.when == FaultMoment::Answer)
-            answer.resize(answer.size() / 2);
-        unplug(rule,
-               nowNs + lengthNs(answer.size()) + (rule.when == FaultMoment::Idle ? idleGaps * m_gapNs : 0));
-        break;
-    default:
-        break;
-    }
-    toPanel(std::move(answer), nowNs);
-}
-
-// The panel hears its request and, as nobody tells them apart, the answer; the panel's own next request
-// waits.
-void FaultyLine::secondMaster(const Exchange& exchange, std::int64_t startNs)
-{
-    FrameBytes request = secondMasterRequest(exchange.request, m_random);
-    toPanel(request, startNs);
-    toController(std::move(request), 0, startNs);
-    m_toControllerEndNs += lengthNs(foreignAnswerCharacters) + 3 * m_gapNs;
-}
-
-// The byte that is under way at that time is the last.
-void FaultyLine::unplug(const FaultRule& rule, std::int64_t atNs)
-{
-    atNs += m_characterNs / 2;
-    m_events.insert({atNs, {LineEvent::Kind::Unplug, {}}});
-    m_events.insert({atNs + rule.timeNs, {LineEvent::Kind::Plug, rule.port}});
 }
 
 void FaultyLine::toController(FrameBytes bytes, std::uint64_t frame, std::int64_t startNs)

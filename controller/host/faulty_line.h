@@ -68,12 +68,14 @@ private:
     void beginExchange(std::span<const std::uint8_t> bytes, std::int64_t nowNs);
     void putRequest(const FaultRule& rule, const Exchange& exchange, std::int64_t nowNs);
     void putDamagedRequest(const FaultRule& rule, const Exchange& exchange, std::int64_t nowNs);
+    [[nodiscard]] FrameBytes damaged(const FaultRule& rule, const Exchange& exchange, FrameBytes frame);
     void putAnswer(const FaultRule& rule, const Exchange& exchange, FrameBytes answer, std::int64_t nowNs);
     void secondMaster(const Exchange& exchange, std::int64_t startNs);
     void unplug(const FaultRule& rule, std::int64_t atNs);
     void toController(FrameBytes bytes, std::uint64_t frame, std::int64_t startNs);
     void toPanel(FrameBytes bytes, std::int64_t startNs);
     void putOnLine(std::int64_t nowNs);
+    [[nodiscard]] static std::int64_t scaled(std::int64_t timeNs, double factor);
     [[nodiscard]] std::int64_t lengthNs(std::size_t characters) const;
 
     LineSettings m_settings;

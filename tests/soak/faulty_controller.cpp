@@ -59,7 +59,6 @@ FaultyController::FaultyController(const std::filesystem::path& folder, bool pac
     if (failed != 0)
         throw std::runtime_error("cannot start " CAMPANEL_CONTROLLER);
     m_reader = std::thread([this] { readLines(); });
-    setFaults("clear"); // answered once it serves
 }
 
 FaultyController::~FaultyController()

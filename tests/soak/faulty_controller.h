@@ -18,8 +18,8 @@ using Clock = std::chrono::steady_clock;
 
 class FaultyController {
 public:
-    // With an empty flash in `folder`, which it must have for itself. Throws std::runtime_error when it does
-    // not serve.
+    // With an empty flash in `folder`, which it must have for itself. Throws std::runtime_error when it
+    // cannot be started; it serves once it has taken rules.
     FaultyController(const std::filesystem::path& folder, bool paced, std::uint32_t baud);
     ~FaultyController();
     FaultyController(const FaultyController&) = delete;

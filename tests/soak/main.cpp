@@ -7,6 +7,7 @@
 #include "tests/soak/report.h"
 
 #include <charconv>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -201,6 +202,7 @@ int main(int argc, char** argv)
         std::perror("campanel-soak: no folder for the controllers");
         return 2;
     }
+    std::signal(SIGPIPE, SIG_IGN); // of a controller that has ended, which is said in words
     const auto begun = Clock::now();
     Results results;
     runAll(allWork(*options), *options, folder, results);

@@ -87,4 +87,33 @@ private:
     std::uint16_t m_session = 0;
 };
 
+// Counts the exchange and holds the call to its bound: so many exchanges, each with draining before a
+// question and after a doubtful answer, and something for the other programs on this computer.
+template <typename Ask> auto PanelMaster::timed(const char* what, int exchanges, Slow slow, Ask ask)
+{
+    using std::chrono::milliseconds;
+    constexpr milliseconds drainBound{2 * 650};
+    constexpr milliseconds schedulingBound{1000};
+    constexpr milliseconds slowWork{2000};
+    constexpr int longestFrames = 512; // bytes, both ways
+    const auto single =
+        std::chrono::ceil<milliseconds>(modbus::charactersTime(m_settings.line, longestFrames)) +
+        m_settings.answerAllowance + drainBound + (slow == Slow::Yes ? slowWork : milliseconds{0});
+    const auto bound = exchanges * single + schedulingBound;
+    const auto begun = Clock::now();
+    m_watch.begin(what);
+    auto result = ask();
+    m_watch.end();
+    const auto took = Clock::now() - begun;
+    m_tally.longestCallMs =
+        std::max(m_tally.longestCallMs, std::chrono::duration<double, std::milli>(took).count());
+    if (took > bound)
+        m_tally.find(m_tally.hangs, std::string(what) + " took " +
+                                        std::to_string(std::chrono::ceil<milliseconds>(took).count()) +
+                                        " ms");
+    m_tally.exchanges += m_isClean ? 0 : 1;
+    noteEvents();
+    return result;
+}
+
 } // namespace campanel::soak

@@ -95,7 +95,7 @@ void Truth::commandCarriedOut(bool isStart, Clock::time_point when)
 void Truth::writing(std::uint16_t address, std::span<const std::uint16_t> registers)
 {
     for (const std::uint16_t value : registers)
-        m_perhaps[address++] = value;
+        m_perhaps[address++].insert(value);
 }
 
 void Truth::written(std::uint16_t address, std::span<const std::uint16_t> registers)
@@ -213,7 +213,7 @@ std::string Truth::checkRegisters(std::uint16_t address, std::span<const std::ui
                 return differs("an identity register", value, known->second);
         } else if (at >= parametersBegin && at < parametersEnd) {
             const auto perhaps = m_perhaps.find(at);
-            if (perhaps != m_perhaps.end() && perhaps->second == value) {
+            if (perhaps != m_perhaps.end() && perhaps->second.contains(value)) {
                 m_now.parameters[at] = value;
             } else if (const auto [known, isNew] = m_now.parameters.try_emplace(at, value);
                        known->second != value) {

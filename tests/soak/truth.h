@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -81,9 +82,9 @@ private:
     State m_now;
     State m_flash;
     std::optional<std::uint32_t> m_pendingCrc;
-    std::map<std::uint16_t, std::uint16_t> m_perhaps;  // parameters whose write was not confirmed
-    std::map<std::uint16_t, std::uint16_t> m_identity; // as first read
-    std::uint16_t m_commands = 0;                      // carried out since power-up
+    std::map<std::uint16_t, std::set<std::uint16_t>> m_perhaps; // parameters whose write was not confirmed
+    std::map<std::uint16_t, std::uint16_t> m_identity;          // as first read
+    std::uint16_t m_commands = 0;                               // carried out since power-up
     // Counter of the controller before the first of them. After a restart it is 0, but the master may go on
     // from where it was: then empty until a status tells.
     std::optional<std::uint16_t> m_counterBase = 0;
