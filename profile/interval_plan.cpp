@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "profile/interval_plan.h"
 
+#include "profile/interval_lines.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <span>
+#include <numeric>
 
 namespace campanel::profile::detail {
 
 namespace {
 
-constexpr std::size_t beamWidth = 5;
+constexpr std::size_t beamWidth = 12;
+constexpr double fewPulses = 64;
 constexpr std::size_t checksPerRow = 24;
-constexpr double leastMisfitPulses = 0.5;
 constexpr double mostLateShare = 0.001;
+constexpr double leastSpeedShare = 1.0 / 64; // of the tolerance
 
 // The row that leads here, and where it ended.
 struct Node {
@@ -24,60 +27,67 @@ struct Node {
     std::uint64_t iterations = 0;
     std::uint64_t rest = 0;
     std::size_t parent = 0;
+    double aside = 0; // how far the rows up to here have left the lines
 };
 
-// Which last speed a row aims at.
-enum class Aim { EvenTime, OnCurve, AboveCurve, BelowCurve };
-
-// A row that keeps to the curve, before the accumulators are asked when it ends.
-struct Fit {
-    IntervalRow row;
-    double endS = 0;
+// An end of a line, with the pulses up to there and the slopes of the lines that meet there.
+struct Target {
+    double timeS = 0;
+    double speedHz = 0;
+    double pulses = 0;
+    double slopeIn = 0;
+    double slopeOut = 0;
 };
 
-class Planner {
+std::vector<Target> targets(const std::vector<PathPoint>& lines)
+{
+    const auto slope = [&](std::size_t i) {
+        return (lines[i + 1].speedHz - lines[i].speedHz) / (lines[i + 1].timeS - lines[i].timeS);
+    };
+    std::vector<Target> result;
+    double pulses = 0;
+    for (std::size_t k = 1; k < lines.size(); ++k) {
+        pulses += (lines[k].speedHz + lines[k - 1].speedHz) / 2 * (lines[k].timeS - lines[k - 1].timeS);
+        const double in = slope(k - 1);
+        result.push_back(
+            {lines[k].timeS, lines[k].speedHz, pulses, in, k + 1 < lines.size() ? slope(k) : in});
+    }
+    return result;
+}
+
+// Of the acceleration. Rounded up, the last speed is reached within the row, which its follower needs;
+// rounded down, the last pulse comes before it.
+enum class Rounding { Up, Down };
+
+// Rows with whole pulses beside given lines.
+class RowSearch {
 public:
-    Planner(const SpeedCurve& curve, const PlanRules& rules)
+    RowSearch(const SpeedCurve& curve, const PlanRules& rules, double leastHz)
         : m_curve(curve)
         , m_rules(rules)
-        , m_bits(accumulatorBits + rules.fractionBits)
-        , m_unitsPerHz(std::ldexp(rules.iterationS, m_bits))
+        , m_leastHz(leastHz)
+        , m_unitsPerHz(std::ldexp(rules.iterationS, accumulatorBits + rules.fractionBits))
     {
-        for (const std::size_t joint : curve.joints())
-            m_jointPulses.push_back(std::llround(curve.samples()[joint].pulses));
     }
 
-    std::optional<std::vector<IntervalRow>> plan(std::size_t mostRows);
+    // Is there a row of one pulse at the beginning? The first pulse of a longer one would be such a row.
+    bool canBegin() const;
+    std::optional<std::vector<IntervalRow>> along(const std::vector<PathPoint>& lines) const;
 
 private:
-    std::vector<Node> starts() const;
-    std::vector<Node> followers(const Node& from) const;
-    std::int64_t longest(const Node& from, Aim aim) const;
-    std::optional<Fit> fit(const Node& from, std::int64_t to, Aim aim, double leastHz = 0) const;
-    std::optional<Node> follow(const Node& from, std::int64_t to, Aim aim) const;
-    std::optional<Node> finish(const Node& from, const Fit& fit) const;
+    std::vector<Node> starts(double speedHz) const;
+    std::vector<Node> followers(const Node& from, const Target& target) const;
+    std::vector<Node> endings(const Node& from, const Target& target) const;
+    double meetingHz(const Node& from, std::int64_t pulses, const Target& target, double slope) const;
+    std::optional<Node> follow(const Node& from, std::int64_t pulses, double lastHz,
+                               Rounding rounding = Rounding::Up) const;
     bool staysNear(double fromS, double firstHz, double rampS, double lastHz, double endS) const;
-    bool isNear(const CurveSample& sample, double speedHz) const
+    double secondsAt(const Node& node) const
     {
-        return std::abs(sample.speedHz - speedHz) <= m_rules.toleranceHz;
+        return static_cast<double>(node.iterations) * m_rules.iterationS;
     }
-    double aimedHz(Aim aim, double evenHz, double curveHz) const
-    {
-        const double asideHz = 0.8 * m_rules.toleranceHz;
-        switch (aim) {
-        case Aim::EvenTime:
-            return std::clamp(evenHz, curveHz - m_rules.toleranceHz, curveHz + m_rules.toleranceHz);
-        case Aim::OnCurve:
-            return curveHz;
-        case Aim::AboveCurve:
-            return curveHz + asideHz;
-        case Aim::BelowCurve:
-            return curveHz - asideHz;
-        }
-        return curveHz;
-    }
-    // A table's speeds are never zero.
-    std::uint32_t speedUnits(double hz) const
+    double hertz(std::uint32_t speed) const { return speed / m_unitsPerHz; }
+    std::uint32_t units(double hz) const
     {
         const double most = std::floor(m_rules.maxSpeedHz * m_unitsPerHz);
         return static_cast<std::uint32_t>(
@@ -86,227 +96,233 @@ private:
 
     const SpeedCurve& m_curve;
     PlanRules m_rules;
-    int m_bits;
+    double m_leastHz;
     double m_unitsPerHz;
-    std::vector<std::int64_t> m_jointPulses;
 };
 
-std::vector<Node> Planner::starts() const
+bool RowSearch::staysNear(double fromS, double firstHz, double rampS, double lastHz, double endS) const
 {
-    std::vector<Node> result;
-    for (const double share : {0.0, 1.0 / 64, 1.0 / 16, 0.25, 0.5, 1.0, -0.5, -1.0}) {
-        Node start;
-        start.speed = speedUnits(m_curve.samples().front().speedHz + share * m_rules.toleranceHz);
-        if (std::ranges::find(result, start.speed, &Node::speed) == result.end())
-            result.push_back(start);
+    const auto isNear = [&](double timeS, double curveHz) {
+        const double speedHz =
+            timeS - fromS >= rampS ? lastHz : firstHz + (lastHz - firstHz) * (timeS - fromS) / rampS;
+        return std::abs(curveHz - speedHz) <= m_rules.toleranceHz;
+    };
+    for (const double timeS : {fromS, fromS + rampS, endS}) {
+        if (!isNear(timeS, m_curve.speedAt(timeS)))
+            return false;
     }
-    return result;
-}
-
-bool Planner::staysNear(double fromS, double firstHz, double rampS, double lastHz, double endS) const
-{
-    const auto speedHz = [&](double timeS) {
-        return timeS - fromS >= rampS ? lastHz : firstHz + (lastHz - firstHz) * (timeS - fromS) / rampS;
-    };
-    const auto isNearAt = [&](double timeS) {
-        return std::abs(m_curve.speedAt(timeS) - speedHz(timeS)) <= m_rules.toleranceHz;
-    };
-    if (!isNearAt(endS) || !isNearAt(fromS) || !isNearAt(fromS + rampS))
-        return false;
     const std::vector<CurveSample>& samples = m_curve.samples();
     const std::size_t first = m_curve.indexAt(fromS) + 1;
     const std::size_t end = m_curve.indexAt(endS) + 1;
-    if (first < end && !isNear(samples[end - 1], speedHz(samples[end - 1].timeS)))
-        return false;
     const std::size_t stride = first < end ? 1 + (end - first) / checksPerRow : 1;
     for (std::size_t i = first; i < end; i += stride) {
-        if (!isNear(samples[i], speedHz(samples[i].timeS)))
+        if (!isNear(samples[i].timeS, samples[i].speedHz))
             return false;
     }
     return std::ranges::all_of(m_curve.joints(), [&](std::size_t joint) {
         return joint <= first || joint >= end ||
-               (isNear(samples[joint], speedHz(samples[joint].timeS)) &&
-                isNear(samples[joint - 1], speedHz(samples[joint].timeS)));
+               (isNear(samples[joint].timeS, samples[joint].speedHz) &&
+                isNear(samples[joint].timeS, samples[joint - 1].speedHz));
     });
 }
 
-std::optional<Fit> Planner::fit(const Node& from, std::int64_t to, Aim aim, double leastHz) const
+// The row goes evenly from the speed that it finds to lastHz; the time that this takes with whole pulses is
+// its own.
+std::optional<Node> RowSearch::follow(const Node& from, std::int64_t pulses, double lastHz,
+                                      Rounding rounding) const
 {
-    const double fromS = static_cast<double>(from.iterations) * m_rules.iterationS;
-    const double timeS = m_curve.timeAt(to) - fromS;
-    if (timeS <= m_rules.iterationS)
+    if (pulses <= from.pulses || pulses > m_curve.wholePulses() || !(lastHz >= m_leastHz))
         return std::nullopt;
-    const auto pulses = static_cast<double>(to - from.pulses);
-    const double firstHz = from.speed / m_unitsPerHz;
-    const double meanHz = pulses / timeS;
-    const double evenHz = 2 * meanHz - firstHz;
-    const double curveHz = m_curve.speedAt(fromS + timeS);
-    const double aimHz = aimedHz(aim, evenHz, curveHz);
-    const std::uint32_t speed = speedUnits(std::max(aimHz, leastHz));
-    const double lastHz = speed / m_unitsPerHz;
-    const double changeHz = lastHz - firstHz;
-    // Either the last pulse ends evenly, in the time given, or the ramp takes its own time.
-    double rampS = 2 * pulses / (firstHz + lastHz);
-    double endS = fromS + rampS;
-    double misfitPulses = std::abs(evenHz - lastHz) * timeS / 2;
-    if ((lastHz - meanHz) * (evenHz - lastHz) > 0) {
-        const double shorterS = 2 * (lastHz * timeS - pulses) / changeHz;
-        if (shorterS > 0 && lastHz * (timeS - shorterS) < 1) {
-            rampS = shorterS;
-            endS = fromS + timeS;
-            misfitPulses = 0;
-        }
-    }
-    if (misfitPulses > std::max(leastMisfitPulses, m_rules.misfitShare * m_rules.toleranceHz * timeS))
+    const std::uint32_t speed = units(lastHz);
+    const double fromS = secondsAt(from);
+    const double firstHz = hertz(from.speed);
+    const auto distance = static_cast<double>(pulses - from.pulses);
+    const double rampS = 2 * distance / (firstHz + hertz(speed));
+    if (!staysNear(fromS, firstHz, rampS, hertz(speed), fromS + rampS))
         return std::nullopt;
-    if (!staysNear(fromS, firstHz, rampS, lastHz, endS))
-        return std::nullopt;
-
     const double change = std::abs(static_cast<double>(speed) - static_cast<double>(from.speed));
-    const double acceleration = std::ceil(std::ldexp(change * m_rules.iterationS / rampS, accumulatorBits));
-    if (acceleration > std::numeric_limits<std::uint32_t>::max())
+    const double exact = std::ldexp(change * m_rules.iterationS / rampS, accumulatorBits);
+    const double acceleration =
+        rounding == Rounding::Up ? std::ceil(exact) : std::max(1.0, std::floor(exact));
+    if (acceleration > std::numeric_limits<std::uint32_t>::max() ||
+        distance > std::numeric_limits<std::uint32_t>::max())
         return std::nullopt;
-    return Fit{{static_cast<std::uint32_t>(to - from.pulses), from.speed, speed,
-                static_cast<std::uint32_t>(acceleration)},
-               endS};
-}
 
-std::optional<Node> Planner::finish(const Node& from, const Fit& fit) const
-{
-    const RowEnd end = rowEnd(fit.row, from.rest, m_rules.fractionBits);
     Node node;
-    node.row = fit.row;
-    node.pulses = from.pulses + fit.row.pulses;
-    node.speed = fit.row.lastSpeed;
+    node.row = {static_cast<std::uint32_t>(pulses - from.pulses), from.speed, speed,
+                static_cast<std::uint32_t>(acceleration)};
+    const RowEnd end = rowEnd(node.row, from.rest, m_rules.fractionBits);
+    node.pulses = pulses;
+    node.speed = speed;
     node.iterations = from.iterations + end.iterations;
     node.rest = end.rest;
     // Rounding must not leave a part of a pulse to a slow end.
-    const double plannedS = fit.endS - static_cast<double>(from.iterations) * m_rules.iterationS;
-    const double lateS = static_cast<double>(end.iterations) * m_rules.iterationS - plannedS;
-    if (lateS > mostLateShare * plannedS + 2 * m_rules.iterationS)
+    const double lateS = static_cast<double>(end.iterations) * m_rules.iterationS - rampS;
+    if (lateS > mostLateShare * rampS + 2 * m_rules.iterationS)
         return std::nullopt;
     return node;
 }
 
-std::optional<Node> Planner::follow(const Node& from, std::int64_t to, Aim aim) const
+// From rest the first speed is free within the tolerance.
+std::vector<Node> RowSearch::starts(double speedHz) const
 {
-    // The last pulse comes at a speed as far above rest as the tolerance and the time allow.
-    if (to == m_curve.wholePulses()) {
-        for (const double share : {0.25, 1.0 / 16, 1.0 / 64, 1.0 / 256}) {
-            const auto ending = fit(from, to, aim, share * m_rules.toleranceHz);
-            const auto node = ending ? finish(from, *ending) : std::nullopt;
-            if (node)
-                return node;
-        }
+    constexpr int choices = 8;
+    std::vector<Node> result(1);
+    result.front().speed = units(speedHz);
+    if (m_curve.samples().front().speedHz > m_leastHz)
+        return result;
+    for (int i = 0; i <= choices; ++i) {
+        const double hz = std::max(m_leastHz, m_rules.toleranceHz * i / choices);
+        Node start;
+        start.speed = units(hz);
+        start.aside = std::pow((hz - speedHz) / m_rules.toleranceHz, 2);
+        result.push_back(start);
     }
-    const auto fitting = fit(from, to, aim);
-    return fitting ? finish(from, *fitting) : std::nullopt;
+    return result;
 }
 
-// Doubles the distance until it fails for good, then halves what is between.
-std::int64_t Planner::longest(const Node& from, Aim aim) const
+bool RowSearch::canBegin() const
 {
-    constexpr int mostFailures = 3;
-    const std::int64_t all = m_curve.wholePulses() - from.pulses;
-    if (follow(from, from.pulses + all, aim))
-        return all;
-    std::int64_t good = 0;
-    std::int64_t bad = all;
-    int failures = 0;
-    for (std::int64_t distance = 1; distance < all && failures < mostFailures; distance *= 2) {
-        if (fit(from, from.pulses + distance, aim)) {
-            good = distance;
-            bad = all;
-            failures = 0;
-        } else {
-            bad = std::min(bad, distance);
-            ++failures;
+    constexpr int choices = 16;
+    const double curveHz = m_curve.speedAt(m_curve.timeAt(1));
+    for (const Node& start : starts(m_curve.samples().front().speedHz)) {
+        for (int i = -choices; i <= choices; ++i) {
+            if (follow(start, 1, curveHz + m_rules.toleranceHz * i / choices))
+                return true;
         }
     }
-    while (bad - good > 1) {
-        const std::int64_t middle = good + (bad - good) / 2;
-        (fit(from, from.pulses + middle, aim) ? good : bad) = middle;
-    }
-    return good;
+    return false;
 }
 
-std::vector<Node> Planner::followers(const Node& from) const
+// Last speeds of a row over so many pulses that meet the line of a slope through the target.
+double RowSearch::meetingHz(const Node& from, std::int64_t pulses, const Target& target, double slope) const
 {
-    constexpr std::array shares{1.0, 0.9, 0.75, 0.5};
+    const double firstHz = hertz(from.speed);
+    const double sum = firstHz + target.speedHz + slope * (secondsAt(from) - target.timeS);
+    const double root = sum * sum + 8 * slope * static_cast<double>(pulses - from.pulses);
+    return (sum + std::sqrt(std::max(0.0, root))) / 2 - firstHz;
+}
+
+std::vector<Node> RowSearch::followers(const Node& from, const Target& target) const
+{
     std::vector<Node> result;
-    const auto add = [&](std::int64_t to, Aim aim) {
-        if (to <= from.pulses || to > m_curve.wholePulses())
+    const auto add = [&](std::int64_t pulses, double lastHz) {
+        auto node = follow(from, pulses, lastHz);
+        if (!node)
             return;
-        if (const auto node = follow(from, to, aim))
-            result.push_back(*node);
+        const double lateS = secondsAt(*node) - target.timeS;
+        const double aboveHz =
+            hertz(node->speed) - target.speedHz - lateS * (target.slopeIn + target.slopeOut) / 2;
+        const double aheadPulses =
+            static_cast<double>(pulses) - lateS * (target.speedHz + hertz(node->speed)) / 2 - target.pulses;
+        node->aside = from.aside + std::pow(aboveHz / m_rules.toleranceHz, 2) + aheadPulses * aheadPulses;
+        result.push_back(*node);
     };
-    constexpr std::array aims{Aim::EvenTime, Aim::OnCurve, Aim::AboveCurve, Aim::BelowCurve};
-    const std::size_t aimCount = m_rules.misfitShare > 0 ? aims.size() : 2; // half a pulse leaves no choice
-    for (const Aim aim : std::span(aims).first(aimCount)) {
-        const std::int64_t most = longest(from, aim);
-        for (const double share : shares)
-            add(from.pulses + std::llround(share * static_cast<double>(most)), aim);
-        // A joint of the motion is a natural end.
-        auto joint = std::ranges::upper_bound(m_jointPulses, from.pulses);
-        for (int i = 0; i < 2 && joint != m_jointPulses.end(); ++i, ++joint) {
-            for (const std::int64_t beside : {-1, 0, 1})
-                add(*joint + beside, aim);
+    const auto nearest = std::llround(target.pulses);
+    for (const std::int64_t pulses : {nearest, nearest - 1, nearest + 1}) {
+        for (const double slope : {(target.slopeIn + target.slopeOut) / 2, target.slopeIn, target.slopeOut})
+            add(pulses, meetingHz(from, pulses, target, slope));
+        if (target.pulses - static_cast<double>(from.pulses) > fewPulses)
+            continue;
+        // Rows of few pulses leave the lines by more than a step in time.
+        const double middleHz = meetingHz(from, pulses, target, (target.slopeIn + target.slopeOut) / 2);
+        for (const double share : {-0.8, -0.6, -0.4, -0.2, 0.2, 0.4, 0.6, 0.8})
+            add(pulses, middleHz + share * m_rules.toleranceHz);
+    }
+    return result;
+}
+
+// The last row ends on time, or at its speed on time to half a pulse.
+std::vector<Node> RowSearch::endings(const Node& from, const Target& target) const
+{
+    constexpr double leastPulses = 0.5;
+    const std::int64_t pulses = m_curve.wholePulses();
+    const auto distance = static_cast<double>(pulses - from.pulses);
+    const double timeS = target.timeS - secondsAt(from);
+    const double onTimeHz = 2 * distance / timeS - hertz(from.speed);
+    // The registers' units leave so many pulses to the slow end of the row.
+    const double acceleration = std::abs(hertz(from.speed) - target.speedHz) / timeS;
+    const double unitHzPerS = 1 / (std::ldexp(m_rules.iterationS, accumulatorBits) * m_unitsPerHz);
+    const double leftPulses = timeS / m_unitsPerHz / 2 + distance * unitHzPerS / acceleration;
+    const double unitS = acceleration > 0 ? std::sqrt(2 * leftPulses / acceleration) : 0;
+    const double mostLateS = std::max({timeS * mostLateShare, timeS * leastPulses / distance, unitS});
+    std::vector<double> speeds{target.speedHz};
+    if (m_curve.samples().back().speedHz <= m_leastHz) {
+        speeds.push_back(onTimeHz);
+        for (double speed = m_leastHz; speed <= m_rules.toleranceHz; speed *= 2)
+            speeds.push_back(speed);
+    }
+    std::vector<Node> result;
+    for (const double speed : speeds) {
+        for (const Rounding rounding : {Rounding::Up, Rounding::Down}) {
+            auto node = follow(from, pulses, speed, rounding);
+            if (!node)
+                continue;
+            const double lateS = secondsAt(*node) - target.timeS;
+            if (std::abs(lateS) > mostLateS)
+                continue;
+            node->aside = from.aside + std::pow(lateS / mostLateS, 2);
+            result.push_back(*node);
         }
     }
     return result;
 }
 
-std::optional<std::vector<IntervalRow>> Planner::plan(std::size_t mostRows)
+std::optional<std::vector<IntervalRow>> RowSearch::along(const std::vector<PathPoint>& lines) const
 {
-    struct Branch {
-        std::size_t node = 0;
-        std::vector<Node> next;
-        std::int64_t reach = 0;
-    };
-    std::vector<Node> nodes = starts(); // every one that went on, parents before their followers
+    std::vector<Node> nodes = starts(lines.front().speedHz); // parents before their followers
     const std::size_t startCount = nodes.size();
-    std::vector<std::size_t> level;
-    for (std::size_t i = 0; i < startCount; ++i)
-        level.push_back(i);
-    for (std::size_t rows = 0; rows < mostRows && !level.empty(); ++rows) {
-        std::vector<Branch> branches;
+    std::vector<std::size_t> level(startCount);
+    std::iota(level.begin(), level.end(), std::size_t{0});
+    for (const Target& target : targets(lines)) {
+        const bool isLast = target.timeS >= lines.back().timeS;
+        std::vector<Node> next;
         for (const std::size_t i : level) {
-            Branch branch{i, followers(nodes[i]), 0};
-            for (const Node& node : branch.next)
-                branch.reach = std::max(branch.reach, node.pulses);
-            if (!branch.next.empty())
-                branches.push_back(std::move(branch));
-        }
-        std::ranges::stable_sort(branches, std::ranges::greater{}, &Branch::reach);
-        branches.resize(std::min(branches.size(), beamWidth));
-        level.clear();
-        std::optional<std::size_t> finished;
-        for (const Branch& branch : branches) {
-            for (Node node : branch.next) {
-                node.parent = branch.node;
-                if (node.pulses == m_curve.wholePulses() && !finished)
-                    finished = nodes.size();
-                level.push_back(nodes.size());
-                nodes.push_back(node);
+            for (Node node : isLast ? endings(nodes[i], target) : followers(nodes[i], target)) {
+                node.parent = i;
+                next.push_back(node);
             }
         }
-        if (!finished)
-            continue;
-        std::vector<IntervalRow> result;
-        for (std::size_t i = *finished; i >= startCount; i = nodes[i].parent)
-            result.push_back(nodes[i].row);
-        std::ranges::reverse(result);
-        return result;
+        std::ranges::stable_sort(next, {}, &Node::aside);
+        next.resize(std::min(next.size(), beamWidth));
+        level.clear();
+        for (const Node& node : next) {
+            level.push_back(nodes.size());
+            nodes.push_back(node);
+        }
     }
-    return std::nullopt;
+    if (level.empty())
+        return std::nullopt;
+    std::vector<IntervalRow> result;
+    for (std::size_t i = level.front(); i >= startCount; i = nodes[i].parent)
+        result.push_back(nodes[i].row);
+    std::ranges::reverse(result);
+    return result;
 }
 
 } // namespace
 
-std::optional<std::vector<IntervalRow>> planRows(const SpeedCurve& curve, const PlanRules& rules,
-                                                 std::size_t mostRows)
+std::optional<IntervalPlan> planRows(const SpeedCurve& curve, const PlanRules& rules, std::size_t mostRows)
 {
-    return Planner(curve, rules).plan(mostRows);
+    const double leastHz = leastSpeedShare * rules.toleranceHz;
+    IntervalLines lines(curve, {rules.toleranceHz, leastHz, rules.maxSpeedHz});
+    const RowSearch search(curve, rules, leastHz);
+    const std::size_t fewest = search.canBegin() ? lines.fewest(mostRows) : 0;
+    if (fewest == 0)
+        return std::nullopt;
+    const std::size_t most = std::min(mostRows, fewest + fewest / 4 + 3);
+    constexpr std::array evennesses{1.0, 0.75, 0.5, 0.25, 0.0};
+    for (std::size_t count = fewest; count <= most; ++count) {
+        for (const double evenness : evennesses) {
+            for (const LastLink last : {LastLink::LeastTurn, LastLink::Middle}) {
+                const auto knots = lines.find(count, evenness, last);
+                auto rows = knots ? search.along(*knots) : std::nullopt;
+                if (rows)
+                    return IntervalPlan{std::move(*rows), fewest};
+            }
+        }
+    }
+    return std::nullopt;
 }
 
 } // namespace campanel::profile::detail

@@ -94,52 +94,16 @@ PlanRules planRules(const SpeedCurve& curve, const Machine& machine, IntervalMod
     return rules;
 }
 
-// The better of two plans: one on time at every joint, one that may be late within bounds. Nothing when the
-// tolerance is too tight; on success rules.misfitShare is that of the plan.
-std::optional<std::vector<IntervalRow>> plan(const SpeedCurve& curve, PlanRules& rules)
-{
-    if (!(rules.toleranceHz > 0))
-        return std::nullopt;
-    rules.misfitShare = 0;
-    auto onTime = detail::planRows(curve, rules, intervalCapacity);
-    PlanRules late = rules;
-    late.misfitShare = detail::mostMisfitShare;
-    auto better = detail::planRows(curve, late, onTime ? onTime->size() - 1 : intervalCapacity);
-    if (!better)
-        return onTime;
-    rules = late;
-    return better;
-}
-
-// As few rows with a smaller error.
-std::vector<IntervalRow> refined(const SpeedCurve& curve, PlanRules rules, std::vector<IntervalRow> rows)
-{
-    constexpr int steps = 4;
-    double low = 0;
-    double high = rules.toleranceHz;
-    for (int i = 0; i < steps; ++i) {
-        // The first try is whether the rows could follow the curve exactly.
-        rules.toleranceHz = i == 0 ? high / 100 : (low + high) / 2;
-        if (auto better = detail::planRows(curve, rules, rows.size())) {
-            rows = std::move(*better);
-            high = rules.toleranceHz;
-        } else {
-            low = rules.toleranceHz;
-        }
-    }
-    return rows;
-}
-
-// A speed error that can be kept, at most four times the least.
+// A speed error that can be kept, about the least.
 double keptSpeedErrorMmPerS(const SpeedCurve& curve, const Machine& machine, IntervalMode mode,
                             double triedHz)
 {
-    constexpr double factor = 4;
+    constexpr double factor = 1.3;
     const double pulsesPerMm = axisPulsesPerMm(machine);
     const double mostHz = 2 * fastestHz(curve);
     for (double error = std::max(triedHz, mostHz * 1e-6) * factor; error < mostHz; error *= factor) {
         PlanRules rules = planRules(curve, machine, mode, error);
-        if (plan(curve, rules))
+        if (rules.toleranceHz > 0 && detail::planRows(curve, rules, intervalCapacity))
             return error / pulsesPerMm;
     }
     return mostHz / pulsesPerMm;
@@ -224,11 +188,14 @@ tl::expected<IntervalTable, Refusal> compileIntervals(const MotionProfile& motio
     constexpr int attempts = 4;
     constexpr double tighter = 0.95;
     for (int attempt = 0; attempt < attempts; ++attempt) {
-        auto rows = plan(curve, rules);
-        if (!rows)
+        if (!(rules.toleranceHz > 0))
+            break;
+        auto plan = detail::planRows(curve, rules, intervalCapacity);
+        if (!plan)
             break;
         IntervalTable table;
-        table.rows = refined(curve, rules, std::move(*rows));
+        table.rows = std::move(plan->rows);
+        table.fewestLinks = static_cast<int>(plan->fewestLinks);
         table.fractionBits = rules.fractionBits;
         table.advance = static_cast<std::int64_t>(direction) * curve.wholePulses();
         table.profileTimeS = duration;

@@ -34,6 +34,7 @@ struct IntervalErrors {
 
 struct IntervalTable {
     std::vector<IntervalRow> rows; // each begins with the speed that the one before it ends with
+    int fewestLinks = 0; // no fewer straight lines keep the speed error, whatever their distance and time
     int fractionBits = 0;
     std::int64_t advance = 0;     // sum of the rows' pulses, negative: backwards
     std::uint32_t cycleTicks = 0; // of the timer, in which the last pulse comes

@@ -56,6 +56,15 @@ public:
         return knots;
     }
 
+    [[nodiscard]] int lineOfKnot(std::size_t index)
+    {
+        static_cast<void>(nextLine()); // the header
+        int line = m_line;
+        for (std::size_t i = 0; i <= index && nextLine(); ++i)
+            line = m_line;
+        return line;
+    }
+
 private:
     // The next line that is not empty.
     std::optional<std::string_view> nextLine()
@@ -159,6 +168,11 @@ std::string describe(const CsvError& error)
 tl::expected<std::vector<Knot>, CsvError> readKnotsCsv(std::string_view text)
 {
     return Reader(text).read();
+}
+
+int lineOfKnot(std::string_view text, std::size_t index)
+{
+    return Reader(text).lineOfKnot(index);
 }
 
 std::string writeKnotsCsv(std::span<const Knot> knots)

@@ -4,6 +4,7 @@
 
 #include "profile/programs.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -38,6 +39,10 @@ struct CsvError {
 // lines, spaces around values and a UTF-8 byte order mark are passed over. Whether the knots make a cam is
 // checkKnots' question.
 [[nodiscard]] tl::expected<std::vector<Knot>, CsvError> readKnotsCsv(std::string_view text);
+
+// The line, from 1, that holds knot `index` of a text that readKnotsCsv() has read; that of the last knot
+// when there are fewer.
+[[nodiscard]] int lineOfKnot(std::string_view text, std::size_t index);
 
 // The shortest numbers that read back exactly the same, comma and point, LF.
 [[nodiscard]] std::string writeKnotsCsv(std::span<const Knot> knots);

@@ -16,7 +16,20 @@ constexpr double restShare = 1e-9;
 CurveSample sampleOf(const Segment& segment, double timeS, double startMm, double pulsesPerMm)
 {
     const MotionPoint p = segment.at(timeS);
-    return {timeS, std::abs(p.positionMm - startMm) * pulsesPerMm, std::abs(p.velocityMmPerS) * pulsesPerMm};
+    const double jerk = p.velocityMmPerS < 0 ? -p.jerkMmPerS3 : p.jerkMmPerS3;
+    return {timeS, std::abs(p.positionMm - startMm) * pulsesPerMm, std::abs(p.velocityMmPerS) * pulsesPerMm,
+            jerk};
+}
+
+// Of the jerk, its sign where it is more than rounding.
+void makeBends(std::vector<CurveSample>& samples)
+{
+    constexpr double roundingShare = 1e-9;
+    double largest = 0;
+    for (const CurveSample& sample : samples)
+        largest = std::max(largest, std::abs(sample.bend));
+    for (CurveSample& sample : samples)
+        sample.bend = std::abs(sample.bend) <= roundingShare * largest ? 0 : (sample.bend > 0 ? 1 : -1);
 }
 
 // Pulses between two samples as the cubic with their speeds.
@@ -49,6 +62,7 @@ SpeedCurve::SpeedCurve(const MotionProfile& motion, double pulsesPerMm)
     }
     if (m_samples.empty())
         m_samples.push_back({});
+    makeBends(m_samples);
     const double pulses = m_samples.back().pulses;
     m_wholePulses = std::llround(pulses);
     const double fastest = std::ranges::max(m_samples, {}, &CurveSample::speedHz).speedHz;

@@ -15,6 +15,7 @@ struct CurveSample {
     double timeS = 0;
     double pulses = 0;  // from the beginning, rising
     double speedHz = 0; // not negative
+    double bend = 0; // 1 where the speed's curve is hollow from above, -1 where it is domed, 0 where straight
 };
 
 class SpeedCurve {

@@ -113,6 +113,7 @@ Outcome runIntervals(const Invocation& call)
     for (std::size_t i = 0; i < pulses.size(); ++i)
         rows.append(QJsonArray{pulses[i], first[i], last[i], acceleration[i]});
     QJsonObject object{{u"rows_used"_s, static_cast<qint64>(table->rows.size())},
+                       {u"fewest_lines"_s, table->fewestLinks},
                        {u"pulses"_s, static_cast<qint64>(table->advance)},
                        {u"time_s"_s, table->timeS},
                        {u"profile_time_s"_s, table->profileTimeS},

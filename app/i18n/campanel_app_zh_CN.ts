@@ -215,6 +215,19 @@
         <source>The change was withdrawn before it became active; the controller&apos;s program is unchanged.</source>
         <translation>更改在生效前被撤回，控制器的程序没有改变。</translation>
     </message>
+    <message>
+        <source>%1 was not changed: there is no connection to the controller.</source>
+        <translation>%1未更改：没有连接到控制器。</translation>
+    </message>
+    <message>
+        <source>%1 was not changed: %2</source>
+        <comment>%2: whole sentence</comment>
+        <translation>%1未更改：%2</translation>
+    </message>
+    <message>
+        <source>%1 was sent, but no proof came back. Look at the machine before trying again.</source>
+        <translation>%1已发送，但没有得到确认。请先查看机器，再重试。</translation>
+    </message>
 </context>
 <context>
     <name>ControllerSentences</name>
@@ -640,6 +653,15 @@
     <message>
         <source>The file %1 cannot be read: %2.</source>
         <translation>文件 %1 无法读取：%2。</translation>
+    </message>
+    <message>
+        <source>This panel</source>
+        <translation>本面板</translation>
+    </message>
+    <message>
+        <source>%1 Make room there, unlock the stick or choose another place.</source>
+        <comment>%1: whole sentence</comment>
+        <translation>%1 请在该处腾出空间、解除 U 盘的写保护，或选择其他位置。</translation>
     </message>
 </context>
 <context>
@@ -1576,6 +1598,49 @@
     </message>
 </context>
 <context>
+    <name>campanel::machine::KnotFiles</name>
+    <message>
+        <source>%1 can only be read. Unlock the stick or choose another place.</source>
+        <translation>%1 只能读取。请解除 U 盘的写保护，或选择其他位置。</translation>
+    </message>
+    <message>
+        <source>A new file %1 will be written.</source>
+        <translation>将写入新文件 %1。</translation>
+    </message>
+    <message>
+        <source>%1 knots · %2 · %3</source>
+        <comment>number, date, place</comment>
+        <translation>%1 个型值点 · %2 · %3</translation>
+    </message>
+    <message>
+        <source>cannot be used · %1 · %2</source>
+        <comment>date, place</comment>
+        <translation>无法使用 · %1 · %2</translation>
+    </message>
+    <message>
+        <source>Line %1: %2 Correct the file and look again.</source>
+        <comment>%2: whole sentence</comment>
+        <translation>第 %1 行：%2请改正文件后重新查找。</translation>
+    </message>
+    <message>
+        <source>%1 Correct the file and look again.</source>
+        <comment>%1: whole sentence</comment>
+        <translation>%1请改正文件后重新查找。</translation>
+    </message>
+    <message>
+        <source>%1 knots, slave %2 to %3 mm, take the place of those of the recipe. Undo brings these back.</source>
+        <translation>%1 个型值点，从轴 %2 至 %3 mm，将取代配方中的型值点。可用“撤销”恢复。</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已写入：%1</translation>
+    </message>
+    <message>
+        <source>%1 · can only be read</source>
+        <translation>%1 · 只读</translation>
+    </message>
+</context>
+<context>
     <name>campanel::machine::KnotModel</name>
     <message>
         <source>Knot %1, master</source>
@@ -1647,6 +1712,57 @@
     <message>
         <source>The state of the controller is not known.</source>
         <translation>控制器状态未知。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::machine::MasterDirection</name>
+    <message>
+        <source>There is no connection to the controller.</source>
+        <translation>没有连接到控制器。</translation>
+    </message>
+    <message>
+        <source>This controller cannot turn its master round. Update its firmware.</source>
+        <translation>此控制器不能使主轴换向。请更新其固件。</translation>
+    </message>
+    <message>
+        <source>Asking the controller …</source>
+        <translation>正在询问控制器…</translation>
+    </message>
+    <message>
+        <source>Turning to backward …</source>
+        <translation>正在换向为反转…</translation>
+    </message>
+    <message>
+        <source>Turning to forward …</source>
+        <translation>正在换向为正转…</translation>
+    </message>
+    <message>
+        <source>starts backward</source>
+        <translation>启动后反转</translation>
+    </message>
+    <message>
+        <source>starts forward</source>
+        <translation>启动后正转</translation>
+    </message>
+    <message>
+        <source>set to backward</source>
+        <translation>已设为反转</translation>
+    </message>
+    <message>
+        <source>set to forward</source>
+        <translation>已设为正转</translation>
+    </message>
+    <message>
+        <source>runs backward</source>
+        <translation>正在反转</translation>
+    </message>
+    <message>
+        <source>runs forward</source>
+        <translation>正在正转</translation>
+    </message>
+    <message>
+        <source>The direction of the master</source>
+        <translation>主轴方向</translation>
     </message>
 </context>
 <context>

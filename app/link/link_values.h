@@ -15,6 +15,7 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace campanel::link {
@@ -93,6 +94,28 @@ struct CommandOutcome {
     modbus::Command command = modbus::Command::None;
     CommandEnd end = CommandEnd::Done;
     modbus::Refusal reason = modbus::Refusal::None;
+    std::optional<modbus::LinkError> error;
+};
+
+// One register of the table by its name, to be read, or to be written and read back.
+struct ParameterRequest {
+    quint32 id = 0;              // chosen by who asks; comes back with the outcome
+    std::string name;            // any numeric register to read; one of the group "parameter" to write
+    std::optional<double> value; // physical, to be written; empty: only read
+};
+
+enum class ParameterEnd {
+    Done,
+    NotSent,       // there was no connection; nothing went out
+    Refused,       // no such parameter, or a value that it does not take: see error; nothing was changed
+    OutcomeUnknown // no proof came back: it may have been written
+};
+
+struct ParameterOutcome {
+    quint32 id = 0;
+    std::string name;
+    ParameterEnd end = ParameterEnd::Done;
+    std::optional<double> value; // physical, proven by reading; with Done only
     std::optional<modbus::LinkError> error;
 };
 

@@ -2,6 +2,7 @@
 #include "app/link/link_worker.h"
 
 #include "app/link/link_logging.h"
+#include "app/link/parameter_exchange.h"
 #include "app/link/simulated_controller.h"
 
 #include <QDateTime>
@@ -74,7 +75,7 @@ LinkWorker::~LinkWorker() = default;
 
 void LinkWorker::connectTo(const ConnectionSettings& settings)
 {
-    for (const CommandRequest& waiting : m_requests.takeAll())
+    for (const Request& waiting : m_requests.takeAll())
         refuse(waiting);
     endDownload();
     m_client.reset();
@@ -129,11 +130,21 @@ void LinkWorker::startSimulator()
 
 void LinkWorker::request(const CommandRequest& request)
 {
+    enqueue(request);
+}
+
+void LinkWorker::requestParameter(const ParameterRequest& request)
+{
+    enqueue(request);
+}
+
+void LinkWorker::enqueue(Request request)
+{
     if (m_report.state != LinkState::Connected) {
         refuse(request);
         return;
     }
-    m_requests.push(request);
+    m_requests.push(std::move(request));
     stepAfter(0ms);
 }
 
@@ -217,7 +228,7 @@ void LinkWorker::exchange()
 {
     const auto sinceLastPoll = steady_clock::now() - m_lastPollAt;
     if (const auto request = m_requests.take())
-        sendCommand(*request);
+        carryOut(*request);
     else if (m_isHeaderWanted)
         readHeader();
     else if (m_download && m_download->hasWork() && sinceLastPoll < pollPeriodInTransfer)
@@ -229,6 +240,14 @@ void LinkWorker::exchange()
     const bool hasWork = !m_requests.isEmpty() || (m_download && m_download->hasWork());
     const auto pollDue = m_lastPollAt + shortestPollPeriod - steady_clock::now();
     stepAfter(hasWork ? 0ms : std::max(0ms, std::chrono::ceil<std::chrono::milliseconds>(pollDue)));
+}
+
+void LinkWorker::carryOut(const Request& request)
+{
+    if (const auto* command = std::get_if<CommandRequest>(&request))
+        sendCommand(*command);
+    else
+        sendParameter(std::get<ParameterRequest>(request));
 }
 
 void LinkWorker::sendCommand(const CommandRequest& request)
@@ -246,6 +265,21 @@ void LinkWorker::sendCommand(const CommandRequest& request)
     emit commandEnded(outcome);
     if (!result && modbus::portIsLost(result.error()))
         lose(result.error());
+}
+
+void LinkWorker::sendParameter(const ParameterRequest& request)
+{
+    ParameterOutcome outcome{request.id, request.name, ParameterEnd::Done, std::nullopt, std::nullopt};
+    const auto kept = exchangeParameter(*m_client, request);
+    if (kept) {
+        outcome.value = *kept;
+    } else {
+        outcome.end = parameterEndAfter(kept.error());
+        outcome.error = kept.error();
+    }
+    emit parameterEnded(outcome);
+    if (!kept && modbus::portIsLost(kept.error()))
+        lose(kept.error());
 }
 
 void LinkWorker::advanceDownload()
@@ -335,9 +369,9 @@ void LinkWorker::readHeader()
 
 void LinkWorker::setClock()
 {
-    m_requests.push({0,
-                     modbus::Command::SetClock,
-                     {0, 0, static_cast<std::uint32_t>(QDateTime::currentSecsSinceEpoch())}});
+    m_requests.push(CommandRequest{0,
+                                   modbus::Command::SetClock,
+                                   {0, 0, static_cast<std::uint32_t>(QDateTime::currentSecsSinceEpoch())}});
 }
 
 void LinkWorker::lose(const modbus::LinkError& error)
@@ -348,16 +382,21 @@ void LinkWorker::lose(const modbus::LinkError& error)
     if (m_download)
         m_download->connectionLost();
     report(m_wasConnected ? LinkState::Lost : LinkState::Searching, error);
-    for (const CommandRequest& waiting : m_requests.takeAll())
+    for (const Request& waiting : m_requests.takeAll())
         refuse(waiting);
     reportDownload();
     stepAfter(retryDelay);
 }
 
-void LinkWorker::refuse(const CommandRequest& request)
+void LinkWorker::refuse(const Request& request)
 {
-    emit commandEnded(
-        {request.id, request.command, CommandEnd::NotSent, modbus::Refusal::None, m_report.error});
+    if (const auto* command = std::get_if<CommandRequest>(&request)) {
+        emit commandEnded(
+            {command->id, command->command, CommandEnd::NotSent, modbus::Refusal::None, m_report.error});
+        return;
+    }
+    const auto& parameter = std::get<ParameterRequest>(request);
+    emit parameterEnded({parameter.id, parameter.name, ParameterEnd::NotSent, std::nullopt, m_report.error});
 }
 
 void LinkWorker::endDownload()

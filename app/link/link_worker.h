@@ -28,6 +28,7 @@ public:
 public slots:
     void connectTo(const campanel::link::ConnectionSettings& settings);
     void request(const campanel::link::CommandRequest& request);
+    void requestParameter(const campanel::link::ParameterRequest& request);
     void download(const std::vector<std::uint16_t>& bank);
     void cancelDownload();
 
@@ -36,6 +37,7 @@ signals:
     void statusReceived(const campanel::link::StatusBatch& batch);
     void programRead(const campanel::link::ActiveProgram& program);
     void commandEnded(const campanel::link::CommandOutcome& outcome);
+    void parameterEnded(const campanel::link::ParameterOutcome& outcome);
     void downloadReported(const campanel::link::DownloadReport& report);
 
 private:
@@ -45,7 +47,10 @@ private:
     void step();
     void tryToConnect();
     void exchange();
+    void enqueue(Request request);
+    void carryOut(const Request& request);
     void sendCommand(const CommandRequest& request);
+    void sendParameter(const ParameterRequest& request);
     void advanceDownload();
     void pollStatus();
     void noteStatus(const modbus::StatusBlock& status);
@@ -53,7 +58,7 @@ private:
     void readHeader();
     void setClock();
     void lose(const modbus::LinkError& error);
-    void refuse(const CommandRequest& request);
+    void refuse(const Request& request);
     void endDownload();
     void reportDownload();
     void report(LinkState state, std::optional<modbus::LinkError> error = std::nullopt);

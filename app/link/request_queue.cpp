@@ -27,24 +27,31 @@ Priority priorityOf(modbus::Command command)
     return Priority::Write;
 }
 
-void RequestQueue::push(const CommandRequest& request)
+Priority priorityOf(const Request& request)
 {
-    const auto isLessUrgent = [&](const CommandRequest& waiting) {
-        return priorityOf(waiting.command) > priorityOf(request.command);
-    };
-    m_requests.insert(std::ranges::find_if(m_requests, isLessUrgent), request);
+    const auto* command = std::get_if<CommandRequest>(&request);
+    return command ? priorityOf(command->command) : Priority::Write;
 }
 
-std::optional<CommandRequest> RequestQueue::take()
+void RequestQueue::push(Request request)
+{
+    const auto isLessUrgent = [&](const Request& waiting) {
+        return priorityOf(waiting) > priorityOf(request);
+    };
+    const auto place = std::ranges::find_if(m_requests, isLessUrgent);
+    m_requests.insert(place, std::move(request));
+}
+
+std::optional<Request> RequestQueue::take()
 {
     if (m_requests.empty())
         return std::nullopt;
-    const CommandRequest request = m_requests.front();
+    Request request = std::move(m_requests.front());
     m_requests.pop_front();
     return request;
 }
 
-std::deque<CommandRequest> RequestQueue::takeAll()
+std::deque<Request> RequestQueue::takeAll()
 {
     return std::exchange(m_requests, {});
 }

@@ -7,24 +7,28 @@
 
 #include <deque>
 #include <optional>
+#include <variant>
 
 namespace campanel::link {
 
 enum class Priority { Stop, Motion, Write };
 
+using Request = std::variant<CommandRequest, ParameterRequest>;
+
 [[nodiscard]] Priority priorityOf(modbus::Command command);
+[[nodiscard]] Priority priorityOf(const Request& request);
 
 class RequestQueue {
 public:
-    void push(const CommandRequest& request);
+    void push(Request request);
     // The oldest of the highest priority.
-    [[nodiscard]] std::optional<CommandRequest> take();
+    [[nodiscard]] std::optional<Request> take();
     [[nodiscard]] bool isEmpty() const { return m_requests.empty(); }
     // All that wait, leaving the queue empty.
-    [[nodiscard]] std::deque<CommandRequest> takeAll();
+    [[nodiscard]] std::deque<Request> takeAll();
 
 private:
-    std::deque<CommandRequest> m_requests; // ordered
+    std::deque<Request> m_requests; // ordered
 };
 
 } // namespace campanel::link

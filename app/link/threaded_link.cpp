@@ -13,12 +13,14 @@ ThreadedLink::ThreadedLink(QObject* parent)
     worker->moveToThread(&m_thread);
     connect(this, &ThreadedLink::connectWanted, worker, &LinkWorker::connectTo);
     connect(this, &ThreadedLink::requestWanted, worker, &LinkWorker::request);
+    connect(this, &ThreadedLink::parameterWanted, worker, &LinkWorker::requestParameter);
     connect(this, &ThreadedLink::downloadWanted, worker, &LinkWorker::download);
     connect(this, &ThreadedLink::cancelWanted, worker, &LinkWorker::cancelDownload);
     connect(worker, &LinkWorker::reported, this, &Link::reported);
     connect(worker, &LinkWorker::statusReceived, this, &Link::statusReceived);
     connect(worker, &LinkWorker::programRead, this, &Link::programRead);
     connect(worker, &LinkWorker::commandEnded, this, &Link::commandEnded);
+    connect(worker, &LinkWorker::parameterEnded, this, &Link::parameterEnded);
     connect(worker, &LinkWorker::downloadReported, this, &Link::downloadReported);
     connect(&m_thread, &QThread::finished, worker, &QObject::deleteLater);
     m_thread.start();

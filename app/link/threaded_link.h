@@ -18,12 +18,21 @@ public:
 
     void connectTo(const ConnectionSettings& settings) override { emit connectWanted(settings); }
     void request(const CommandRequest& request) override { emit requestWanted(request); }
+    void readParameter(quint32 id, const std::string& name) override
+    {
+        emit parameterWanted({id, name, std::nullopt});
+    }
+    void writeParameter(quint32 id, const std::string& name, double value) override
+    {
+        emit parameterWanted({id, name, value});
+    }
     void download(const std::vector<std::uint16_t>& bank) override { emit downloadWanted(bank); }
     void cancelDownload() override { emit cancelWanted(); }
 
 signals:
     void connectWanted(const campanel::link::ConnectionSettings& settings);
     void requestWanted(const campanel::link::CommandRequest& request);
+    void parameterWanted(const campanel::link::ParameterRequest& request);
     void downloadWanted(const std::vector<std::uint16_t>& bank);
     void cancelWanted();
 

@@ -154,6 +154,22 @@ QString ConnectionSentences::command(const link::CommandOutcome& outcome)
     return {};
 }
 
+QString ConnectionSentences::parameter(const QString& what, const link::ParameterOutcome& outcome)
+{
+    switch (outcome.end) {
+    case link::ParameterEnd::Done:
+        return {};
+    case link::ParameterEnd::NotSent:
+        return tr("%1 was not changed: there is no connection to the controller.").arg(what);
+    case link::ParameterEnd::Refused:
+        return tr("%1 was not changed: %2", "%2: whole sentence")
+            .arg(what, outcome.error ? error(*outcome.error) : QString());
+    case link::ParameterEnd::OutcomeUnknown:
+        return tr("%1 was sent, but no proof came back. Look at the machine before trying again.").arg(what);
+    }
+    return {};
+}
+
 QString ConnectionSentences::download(const link::DownloadReport& report)
 {
     if (report.isConnectionMissing)

@@ -16,6 +16,8 @@ public:
     [[nodiscard]] static QString error(const modbus::LinkError& error);
     // Empty when the command was carried out.
     [[nodiscard]] static QString command(const link::CommandOutcome& outcome);
+    // Empty when it was written; `what` begins the sentence.
+    [[nodiscard]] static QString parameter(const QString& what, const link::ParameterOutcome& outcome);
     [[nodiscard]] static QString download(const link::DownloadReport& report);
 
 private:

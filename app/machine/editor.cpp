@@ -55,6 +55,7 @@ constexpr auto tableDelay = 80ms;
 Editor::Editor(Machine& machine, const QString& folder, QObject* parent)
     : QObject(parent)
     , m_knots(this)
+    , m_knotFiles(QDir(folder).filePath(u"knots"_s), this)
     , m_choices(this)
     , m_laws(this)
     , m_table(this)
@@ -143,6 +144,12 @@ void Editor::connectKnots()
         recompute();
     });
     connect(&m_knots, &KnotModel::dragEnded, this, &Editor::commitDrag);
+    connect(&m_knotFiles, &KnotFiles::taken, this, [this](const std::vector<profile::Knot>& knots) {
+        edit([&](program::Recipe& recipe) {
+            if (auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
+                cam->knots = knots;
+        });
+    });
 }
 
 template <typename Change> void Editor::edit(Change change)
@@ -281,11 +288,10 @@ void Editor::recompute()
     m_recipe.version = edited() ? std::min(m_stored.version + 1, program::largestVersion) : m_stored.version;
     m_tableTimer.stop();
     // After a download the recipe is the one that it was: its table stays on offer.
-    const bool isKnown = m_solution.image && sameRecipe(m_solvedFor, m_recipe) &&
-                         m_solvedFor.version == m_recipe.version;
+    const bool isKnown =
+        m_solution.image && sameRecipe(m_solvedFor, m_recipe) && m_solvedFor.version == m_recipe.version;
     m_solvedFor = m_recipe;
-    takeSolution(
-        solveRecipe(m_recipe, m_controller, isKnown ? TableWork::All : TableWork::WithoutSlow));
+    takeSolution(solveRecipe(m_recipe, m_controller, isKnown ? TableWork::All : TableWork::WithoutSlow));
 }
 
 void Editor::takeSolution(Solution solution)
@@ -315,6 +321,7 @@ void Editor::show()
     m_choices.show(m_recipe);
     const auto* cam = std::get_if<profile::PointCamProgram>(&m_recipe.program);
     m_knots.show(cam ? std::optional(*cam) : std::nullopt, m_cycleSeconds);
+    m_knotFiles.show(cam ? cam->knots : std::vector<profile::Knot>{}, recipeName());
     m_lawParameter1.show(views.lawParameter(0));
     m_lawParameter2.show(views.lawParameter(1));
     m_laws.setRows(views.laws(m_comparedLaw));

@@ -6,6 +6,7 @@
 #include "app/machine/download_desk.h"
 #include "app/machine/edit_history.h"
 #include "app/machine/editor_field.h"
+#include "app/machine/knot_files.h"
 #include "app/machine/knot_model.h"
 #include "app/machine/law_model.h"
 #include "app/machine/solution.h"
@@ -52,6 +53,7 @@ class Editor : public QObject {
     Q_PROPERTY(QVariantList machineFields READ machineFields NOTIFY fieldsChanged FINAL)
     Q_PROPERTY(campanel::machine::ChoiceModel* choices READ choices CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::KnotModel* knots READ knots CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::KnotFiles* knotFiles READ knotFiles CONSTANT FINAL)
     Q_PROPERTY(bool hasLaw READ hasLaw NOTIFY kindChanged FINAL)
     Q_PROPERTY(QString lawTitle READ lawTitle NOTIFY kindChanged FINAL)
 
@@ -136,6 +138,7 @@ public:
     [[nodiscard]] QVariantList machineFields() const;
     [[nodiscard]] ChoiceModel* choices() { return &m_choices; }
     [[nodiscard]] KnotModel* knots() { return &m_knots; }
+    [[nodiscard]] KnotFiles* knotFiles() { return &m_knotFiles; }
     [[nodiscard]] bool hasLaw() const { return program::lawParameters(m_recipe.program) != nullptr; }
     [[nodiscard]] QString lawTitle() const;
     [[nodiscard]] LawModel* laws() { return &m_laws; }
@@ -234,6 +237,7 @@ private:
     EditorField m_lawParameter2{QStringLiteral("lawParameter2"), this};
     std::array<EditorField*, profile::fields.size()> m_fields{}; // by field; children
     KnotModel m_knots;
+    KnotFiles m_knotFiles;
     ChoiceModel m_choices;
     LawModel m_laws;
     TableModel m_table;

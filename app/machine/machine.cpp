@@ -34,6 +34,12 @@ Machine::Machine(link::Link& link, Settings& settings, QObject* parent)
     connect(&link, &link::Link::statusReceived, this, &Machine::takeStatus);
     connect(&link, &link::Link::programRead, this, &Machine::takeProgram);
     connect(&link, &link::Link::commandEnded, this, &Machine::takeOutcome);
+    connect(&link, &link::Link::parameterEnded, this, &Machine::parameterEnded);
+    connect(this, &Machine::parameterEnded, &m_direction, &MasterDirection::takeOutcome);
+    connect(this, &Machine::connectionChanged, &m_direction, &MasterDirection::noteConnection);
+    connect(this, &Machine::programChanged, &m_direction, &MasterDirection::noteProgram);
+    connect(this, &Machine::freshChanged, &m_direction, &MasterDirection::changed);
+    connect(&m_direction, &MasterDirection::failed, this, &Machine::showMessage);
     connect(&m_ageTimer, &QTimer::timeout, this, &Machine::updateAge);
     m_ageTimer.start(agePeriod);
     connect(&m_qualityTimer, &QTimer::timeout, this, &Machine::qualityChanged);
@@ -120,6 +126,7 @@ void Machine::takeStatus(const link::StatusBatch& batch)
         m_statusAt = sample.receivedAt;
     }
     updateAge();
+    m_direction.noteStatus(*m_status);
     emit liveChanged();
     if (bagsChanged)
         emit bagChanged();
@@ -190,6 +197,19 @@ void Machine::send(modbus::Command command, const modbus::CommandArguments& argu
     m_link.request({++m_lastRequestId, command, arguments});
 }
 
+quint32 Machine::readParameter(const char* name)
+{
+    m_link.readParameter(++m_lastParameterId, name);
+    return m_lastParameterId;
+}
+
+quint32 Machine::writeParameter(const char* name, double value)
+{
+    showMessage({});
+    m_link.writeParameter(++m_lastParameterId, name, value);
+    return m_lastParameterId;
+}
+
 void Machine::takeOutcome(const link::CommandOutcome& outcome)
 {
     // Stop at standstill asks for what is already so.
@@ -221,6 +241,7 @@ bool Machine::eventFilter(QObject* watched, QEvent* event)
         emit stateChanged();
         emit commandsChanged();
         m_strokes.retranslate();
+        m_direction.retranslate();
     }
     return QObject::eventFilter(watched, event);
 }

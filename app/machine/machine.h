@@ -7,6 +7,7 @@
 #include "app/machine/actual_trace.h"
 #include "app/machine/bag_statistics.h"
 #include "app/machine/controller_program.h"
+#include "app/machine/master_direction.h"
 #include "app/machine/status_rate.h"
 #include "app/machine/stroke_model.h"
 
@@ -61,6 +62,8 @@ class Machine : public QObject {
 
     Q_PROPERTY(double positionMm READ positionMm NOTIFY liveChanged FINAL)
     Q_PROPERTY(double masterSpeedPercent READ masterSpeedPercent NOTIFY liveChanged FINAL)
+    // Of a point cam.
+    Q_PROPERTY(campanel::machine::MasterDirection* direction READ direction CONSTANT FINAL)
     // Of a press.
     Q_PROPERTY(double forceN READ forceN NOTIFY liveChanged FINAL)
     Q_PROPERTY(QString stageText READ stageText NOTIFY liveChanged FINAL)
@@ -142,6 +145,7 @@ public:
     [[nodiscard]] QList<QPointF> actualTrace() const { return m_trace.points(); }
     [[nodiscard]] double positionMm() const;
     [[nodiscard]] double masterSpeedPercent() const;
+    [[nodiscard]] MasterDirection* direction() { return &m_direction; }
     [[nodiscard]] double forceN() const;
     [[nodiscard]] QString stageText() const;
     [[nodiscard]] int stage() const;
@@ -189,6 +193,10 @@ public:
     [[nodiscard]] const std::optional<modbus::StatusBlock>& status() const { return m_status; }
     [[nodiscard]] const std::shared_ptr<const ControllerProgram>& program() const { return m_program; }
     void send(modbus::Command command, const modbus::CommandArguments& arguments = {});
+    // A register of the controller by its name, see link::Link. Ends in one parameterEnded() with the id that
+    // is returned.
+    [[nodiscard]] quint32 readParameter(const char* name);
+    [[nodiscard]] quint32 writeParameter(const char* name, double value);
 
 signals:
     void connectionChanged();
@@ -202,6 +210,7 @@ signals:
     void savedChanged();
     void commandsChanged();
     void commandMessageChanged();
+    void parameterEnded(const campanel::link::ParameterOutcome& outcome);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -231,11 +240,13 @@ private:
     ActualTrace m_trace;
     BagStatistics m_bags;
     StrokeModel m_strokes{this};
+    MasterDirection m_direction{*this};
     StatusRate m_rate;
     QTimer m_ageTimer;
     QTimer m_qualityTimer;
     bool m_fresh = false;
     quint32 m_lastRequestId = 0;
+    quint32 m_lastParameterId = 0;
     QString m_commandMessage;
 };
 

@@ -111,6 +111,21 @@ void DemoLink::request(const link::CommandRequest& request)
     emit commandEnded(outcome);
 }
 
+void DemoLink::readParameter(quint32 id, const std::string& name)
+{
+    const link::ParameterOutcome outcome{id, name, link::ParameterEnd::Done, m_parameters[name],
+                                         std::nullopt};
+    // Later, as from a line: who asks knows the id by then.
+    QMetaObject::invokeMethod(
+        this, [this, outcome] { emit parameterEnded(outcome); }, Qt::QueuedConnection);
+}
+
+void DemoLink::writeParameter(quint32 id, const std::string& name, double value)
+{
+    m_parameters[name] = value;
+    readParameter(id, name);
+}
+
 void DemoLink::download(const std::vector<std::uint16_t>&)
 {
     link::DownloadReport progress;

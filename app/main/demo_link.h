@@ -6,6 +6,9 @@
 #include "app/link/link.h"
 #include "app/program/program_image.h"
 
+#include <map>
+#include <string>
+
 namespace campanel::panel {
 
 class DemoLink : public link::Link {
@@ -20,6 +23,8 @@ public:
 
     void connectTo(const link::ConnectionSettings& settings) override;
     void request(const link::CommandRequest& request) override;
+    void readParameter(quint32 id, const std::string& name) override;
+    void writeParameter(quint32 id, const std::string& name, double value) override;
     void download(const std::vector<std::uint16_t>& bank) override;
     void cancelDownload() override;
 
@@ -41,6 +46,7 @@ private:
     program::ProgramImage m_program;
     link::SteadyTime m_now{};
     std::uint32_t m_bags = 0;
+    std::map<std::string, double> m_parameters; // 0 until written
     int m_stopRequests = 0;
     Situation m_situation = Situation::Running;
     Kind m_kind = Kind::RotaryCutter;

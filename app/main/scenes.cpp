@@ -57,6 +57,46 @@ Scene edited(const char* name, double bagLengthMm, const QStringList& names)
             }};
 }
 
+// Two files on a stick that nobody has to plug in, with their dates, and the panel's own folder.
+machine::KnotFiles::Found stick(const QString&)
+{
+    machine::KnotFiles::Found found;
+    const QString path = QStringLiteral("/media/panel/KINGSTON");
+    found.places = {{path, QStringLiteral("KINGSTON"), false},
+                    {QStringLiteral("/media/panel/OLD"), QStringLiteral("OLD"), true}};
+    store::KnotsOffer good;
+    good.path = path + QStringLiteral("/pusher-slow.csv");
+    good.placeName = QStringLiteral("KINGSTON");
+    good.changed = QDateTime(QDate(2026, 1, 15), QTime(13, 52));
+    const auto cam = program::defaultRecipe(Kind::PointCam);
+    good.knots = std::get<profile::PointCamProgram>(cam.program).knots;
+    store::KnotsOffer bad = good;
+    bad.path = path + QStringLiteral("/pusher-new.csv");
+    bad.changed = QDateTime(QDate(2026, 1, 14), QTime(9, 5));
+    bad.knots[2].masterDeg = bad.knots[1].masterDeg - 5;
+    bad.refusal = profile::checkKnots(bad.knots);
+    bad.refusedLine = 4;
+    found.offers = {good, bad};
+    return found;
+}
+
+// The sheet of knot files, once what there is has been found, and taps from there.
+Scene knotFiles(const char* name, const QStringList& names)
+{
+    return {QString::fromLatin1(name), [names](Stage& stage) {
+                stage.link().show(Situation::Running, Kind::PointCam);
+                machine::Editor& editor = stage.panel().editor();
+                editor.newProgram(static_cast<int>(Kind::PointCam));
+                editor.knotFiles()->setLooker(&stick);
+                for (const char* tapped : {"nav1", "knotsButton", "knotFilesButton"})
+                    stage.tap(QString::fromLatin1(tapped));
+                for (const QString& tapped : names) {
+                    stage.waitFor(*editor.knotFiles());
+                    stage.tap(tapped);
+                }
+            }};
+}
+
 } // namespace
 
 const QList<Scene>& allScenes()
@@ -82,6 +122,12 @@ const QList<Scene>& allScenes()
              stage.hold(QStringLiteral("field_baseSpeed"));
          }},
         taps("laws", {motion, QStringLiteral("lawButton")}),
+        {QStringLiteral("laws-limits"),
+         [=](Stage& stage) {
+             stage.panel().editor().rate()->set(390);
+             stage.tap(motion);
+             stage.tap(QStringLiteral("lawButton"));
+         }},
         taps("tools", {motion, QStringLiteral("more")}),
         taps("table", {motion, QStringLiteral("more"), QStringLiteral("tableButton")}),
         edited("motion-edited", 320, {motion}),
@@ -124,6 +170,14 @@ const QList<Scene>& allScenes()
         running("run-position", Kind::PositionMove),
         running("run-speed", Kind::SpeedMove),
         running("run-cam", Kind::PointCam),
+        running("run-cam-stopped", Kind::PointCam, Situation::Stopped),
+        {QStringLiteral("run-cam-lost"),
+         [=](Stage& stage) {
+             stage.link().show(Situation::Running, Kind::PointCam);
+             stage.link().show(Situation::Lost, Kind::PointCam);
+             stage.lookAtClock();
+             stage.tap(run);
+         }},
         running("run-press", Kind::Press),
         running("run-press-stopped", Kind::Press, Situation::Stopped),
         running("run-press-fresh", Kind::Press, Situation::Fresh),
@@ -134,6 +188,9 @@ const QList<Scene>& allScenes()
         editing("motion-cam", Kind::PointCam),
         editing("motion-press", Kind::Press),
         editing("knots", Kind::PointCam, {QStringLiteral("knotsButton")}),
+        knotFiles("knots-import", {QStringLiteral("offer0")}),
+        knotFiles("knots-import-refused", {QStringLiteral("offer1")}),
+        knotFiles("knots-export", {QStringLiteral("knotsExport"), QStringLiteral("offer0")}),
         editing("choice", Kind::SpeedMove, {QStringLiteral("choice0")}),
         editing("kinds", Kind::PositionMove, {QStringLiteral("more"), QStringLiteral("kindButton")}),
         editing("tools-cam", Kind::PointCam, {QStringLiteral("more")}),

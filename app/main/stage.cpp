@@ -2,6 +2,8 @@
 // A panel on the demonstration link; see stage.h.
 #include "app/main/stage.h"
 
+#include <QEventLoop>
+
 namespace campanel::panel {
 
 QString Look::name() const
@@ -31,6 +33,18 @@ Stage::Stage(const Look& look)
 void Stage::lookAtClock()
 {
     m_panel.machine().setClock([this] { return m_link.now(); });
+}
+
+void Stage::waitFor(machine::KnotFiles& files)
+{
+    QEventLoop untilFound;
+    QObject::connect(&files, &machine::KnotFiles::changed, &untilFound, [&] {
+        if (!files.busy())
+            untilFound.quit();
+    });
+    if (files.busy())
+        untilFound.exec();
+    settle();
 }
 
 } // namespace campanel::panel

@@ -28,6 +28,8 @@ public:
 
     // The machine looks at the age of its data now; by itself it does so every tenth of a real second.
     void lookAtClock();
+    // Until it has found what there is.
+    void waitFor(machine::KnotFiles& files);
 
 private:
     QTemporaryDir m_folder;

@@ -114,6 +114,16 @@ bool PlotPanel::isBroken(double fromS, double toS) const
     });
 }
 
+QwtScaleDiv PlotPanel::labelDivision(const PlotStyle& style) const
+{
+    QwtScaleDiv division = m_scale.division();
+    const QList<double> ticks = division.ticks(QwtScaleDiv::MajorTick);
+    const double room = m_canvas.height() / std::max<double>(1, static_cast<double>(ticks.size() - 1));
+    if (ticks.size() > 2 && room < QFontMetricsF(style.axisFont).ascent())
+        division.setTicks(QwtScaleDiv::MajorTick, {ticks.first(), ticks.last()});
+    return division;
+}
+
 void PlotPanel::paintGrid(QPainter& painter, const PlotStyle& style) const
 {
     QwtPlotGrid grid;
@@ -127,7 +137,7 @@ void PlotPanel::paintGrid(QPainter& painter, const PlotStyle& style) const
     }
 
     LabelDraw labels(QwtScaleDraw::LeftScale, style.locale, decimalsOfStep(m_scale.step()));
-    labels.setScaleDiv(m_scale.division());
+    labels.setScaleDiv(labelDivision(style));
     labels.move(m_canvas.topLeft());
     labels.setLength(m_canvas.height());
     QPalette palette;

@@ -56,6 +56,8 @@ public:
 
 private:
     void fitScale();
+    // The ticks that get a number: in a low panel those at the ends alone, which do not run together.
+    [[nodiscard]] QwtScaleDiv labelDivision(const PlotStyle& style) const;
     void paintLimit(QPainter& painter, const PlotStyle& style, double value, const QString& label) const;
 
     Quantity m_quantity;

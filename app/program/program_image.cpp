@@ -106,27 +106,23 @@ tl::expected<ProgramImage, ProgramRefusal> buildCutter(ProgramImage image)
     return finished(std::move(image), std::move(registers));
 }
 
-// Speed error that the intervals of a move may have, as a share of its largest speed. The last speed of a
-// speed move is held for long: it is kept closer where whole pulses allow it.
+// Speed error that the intervals of a move may have, as a share of its largest speed: the first, or where rows of
+// whole pulses cannot keep that, as little as they can, up to the second.
 constexpr double intervalSpeedShare = 0.01;
-constexpr double heldSpeedShare = 0.001;
+constexpr double mostIntervalSpeedShare = 0.2;
 
-tl::expected<AxisTable, profile::Refusal> intervalsOf(const Recipe& recipe, const SolvedProgram& solved)
+tl::expected<AxisTable, profile::Refusal> intervalsOf(const SolvedProgram& solved)
 {
     const auto compile = [&solved](double errorMmPerS) {
         return profile::compileIntervals(solved.motion, solved.machine, errorMmPerS,
                                          profile::IntervalMode::Corrected);
     };
-    const double loose = intervalSpeedShare * solved.peaks.speedMmPerS;
-    if (recipe.kind() == profile::ProgramKind::SpeedMove) {
-        auto close = compile(heldSpeedShare * solved.peaks.speedMmPerS);
-        const bool isCoarse = !close && close.error().limit == profile::Limit::SpeedError;
-        if (isCoarse && close.error().allowed < loose)
-            close = compile(close.error().allowed);
-        if (close)
-            return std::move(*close);
-    }
-    return compile(loose);
+    const double peak = solved.peaks.speedMmPerS;
+    auto table = compile(intervalSpeedShare * peak);
+    const bool isCoarse = !table && table.error().limit == profile::Limit::SpeedError;
+    if (isCoarse && table.error().allowed <= mostIntervalSpeedShare * peak)
+        table = compile(table.error().allowed);
+    return table;
 }
 
 tl::expected<AxisTable, profile::Refusal> axisTable(const Recipe& recipe, const SolvedProgram& solved)
@@ -137,7 +133,7 @@ tl::expected<AxisTable, profile::Refusal> axisTable(const Recipe& recipe, const 
         return profile::buildCamTable(*cam, solved.machine);
     if (choice(recipe.program, Choice::Execution) ==
         static_cast<std::uint16_t>(profile::Execution::Intervals))
-        return intervalsOf(recipe, solved);
+        return intervalsOf(solved);
     const auto intervals = static_cast<int>(value(recipe, profile::Field::CamPoints));
     return profile::buildCamTable(solved.motion, intervals, solved.machine, profile::CamUse::Once);
 }

@@ -22,7 +22,9 @@ tl::expected<QByteArray, FileError> readBytes(const QString& path)
 tl::expected<void, FileError> replaceBytes(const QString& path, const QByteArray& bytes)
 {
     QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
+    // Flushed here: commit() does not notice that the last bytes found no room.
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.flush() ||
+        !file.commit())
         return tl::unexpected(FileError{FileError::Kind::NotWritable, path, {}, file.errorString(), {}, 0});
     return {};
 }

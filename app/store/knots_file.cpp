@@ -3,11 +3,17 @@
 
 #include "app/store/files.h"
 #include "profile/knots_csv.h"
+#include "profile/point_cam.h"
 
 #include <QDir>
 
+#include <algorithm>
+
 namespace campanel::store {
 namespace {
+
+// Of one place: more is no list that a finger can search.
+constexpr qsizetype mostFiles = 100;
 
 QString expectation(profile::CsvExpectation expected)
 {
@@ -42,22 +48,41 @@ QString notOpened(const FileError& error)
     }
 }
 
+KnotsOffer readOffer(const QString& path)
+{
+    KnotsOffer offer;
+    offer.path = path;
+    const auto bytes = readBytes(path);
+    if (!bytes) {
+        offer.problem = notOpened(bytes.error());
+        return offer;
+    }
+    const std::string_view text{bytes->constData(), static_cast<std::size_t>(bytes->size())};
+    auto knots = profile::readKnotsCsv(text);
+    if (!knots) {
+        const profile::CsvError& error = knots.error();
+        offer.problem = FileErrorText::tr("%1, line %2: expected %3, found \"%4\".")
+                            .arg(path)
+                            .arg(error.line)
+                            .arg(expectation(error.expected), QString::fromStdString(error.found));
+        return offer;
+    }
+    offer.knots = std::move(*knots);
+    offer.refusal = profile::checkKnots(offer.knots);
+    if (offer.refusal)
+        offer.refusedLine =
+            profile::lineOfKnot(text, static_cast<std::size_t>(std::max(offer.refusal->index, 0)));
+    return offer;
+}
+
 } // namespace
 
 tl::expected<std::vector<profile::Knot>, QString> readKnots(const QString& path)
 {
-    const auto bytes = readBytes(path);
-    if (!bytes)
-        return tl::unexpected(notOpened(bytes.error()));
-    auto knots = profile::readKnotsCsv({bytes->constData(), static_cast<std::size_t>(bytes->size())});
-    if (!knots) {
-        const profile::CsvError& error = knots.error();
-        return tl::unexpected(FileErrorText::tr("%1, line %2: expected %3, found \"%4\".")
-                                  .arg(path)
-                                  .arg(error.line)
-                                  .arg(expectation(error.expected), QString::fromStdString(error.found)));
-    }
-    return std::move(*knots);
+    KnotsOffer read = readOffer(path);
+    if (!read.problem.isEmpty())
+        return tl::unexpected(read.problem);
+    return std::move(read.knots);
 }
 
 tl::expected<void, QString> writeKnots(std::span<const profile::Knot> knots, const QString& path)
@@ -66,6 +91,38 @@ tl::expected<void, QString> writeKnots(std::span<const profile::Knot> knots, con
     if (!written)
         return tl::unexpected(notOpened(written.error()));
     return {};
+}
+
+QList<KnotsOffer> offeredKnots(const QList<Place>& places)
+{
+    QList<KnotsOffer> offers;
+    for (const Place& place : places) {
+        for (const QFileInfo& file : filesIn(place, QStringLiteral("csv"), mostFiles)) {
+            KnotsOffer offer = readOffer(file.filePath());
+            offer.placeName = place.name;
+            offer.changed = file.lastModified();
+            offers << offer;
+        }
+    }
+    std::ranges::stable_sort(offers, std::ranges::greater(), &KnotsOffer::changed);
+    return offers;
+}
+
+QString exportPath(const QString& recipeName, const Place& place)
+{
+    return freePath(place, recipeName, QStringLiteral("csv"));
+}
+
+tl::expected<QString, QString> exportKnots(std::span<const profile::Knot> knots, const QString& recipeName,
+                                           const Place& place)
+{
+    const QString path = exportPath(recipeName, place);
+    if (const auto written = writeKnots(knots, path); !written)
+        return tl::unexpected(
+            FileErrorText::tr("%1 Make room there, unlock the stick or choose another place.",
+                              "%1: whole sentence")
+                .arg(written.error()));
+    return path;
 }
 
 } // namespace campanel::store

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A row of choices of which exactly one holds; each choice is {key, text, glyph}.
+// A row of choices of which one holds, or none yet; each choice is {key, text, glyph, name}, the name for who looks for it.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T
@@ -25,13 +25,15 @@ Rectangle {
                 id: choice
                 required property var modelData
                 readonly property bool holds: modelData.key === segmented.current
+                readonly property color ink: !enabled ? Theme.color.disabledInk : holds ? Theme.color.touch : Theme.color.secondaryInk
+                objectName: modelData.name ?? ""
                 width: segmented.width / segmented.choices.length
                 height: segmented.height
                 onClicked: segmented.chosen(modelData.key)
                 background: Rectangle {
                     radius: Theme.size.radius
                     color: choice.holds || choice.down ? Theme.color.touchTint : "transparent"
-                    border { width: choice.holds ? Theme.size.outline : 0; color: Theme.color.touch }
+                    border { width: choice.holds ? Theme.size.outline : 0; color: choice.enabled ? Theme.color.touch : Theme.color.disabledInk }
                 }
                 Item {
                     anchors.fill: parent
@@ -42,12 +44,12 @@ Rectangle {
                             anchors.verticalCenter: parent.verticalCenter
                             visible: code.length > 0
                             code: choice.modelData.glyph ?? ""
-                            color: choice.holds ? Theme.color.touch : Theme.color.secondaryInk
+                            color: choice.ink
                         }
                         Label {
                             anchors.verticalCenter: parent.verticalCenter
                             text: choice.modelData.text
-                            color: choice.holds ? Theme.color.touch : Theme.color.secondaryInk
+                            color: choice.ink
                             font.weight: choice.holds ? Font.Bold : Font.DemiBold
                         }
                     }

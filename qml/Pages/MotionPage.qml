@@ -68,7 +68,13 @@ Page {
         }
     }
     readonly property Component knotSheet: Component {
-        KnotSheet { onEditRequested: (fields, index, source) => page.editRequested(fields, index, source) }
+        KnotSheet {
+            onEditRequested: (fields, index, source) => page.editRequested(fields, index, source)
+            onFilesRequested: page.sheetRequested(page.knotFilesSheet)
+        }
+    }
+    readonly property Component knotFilesSheet: Component {
+        KnotFilesSheet { onKnotsTaken: page.sheetRequested(page.knotSheet) }
     }
     readonly property Component kindSheet: Component {
         KindSheet {}

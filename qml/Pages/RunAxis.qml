@@ -12,7 +12,7 @@ Item {
     readonly property int gap: Theme.size.gap
     property real bottomInset
     readonly property bool isCam: Machine.activeKind === 4    // Editor.Kind.PointCam
-    readonly property real upper: Math.round((height - gap) * (isCam ? 0.48 : 0.28))
+    readonly property real upper: Math.round((height - gap) * (isCam ? 0.4 : 0.28))
     readonly property real start: isCam ? dial.width + gap : 0
     readonly property real cell: isCam ? (width - start - gap) / 2 : (width - 2 * gap) / 3
     readonly property real row: isCam ? (upper - gap) / 2 : upper
@@ -62,8 +62,14 @@ Item {
         decimals: 0
         caption: qsTr("Master speed %")
     }
+    DirectionCard {
+        id: direction
+        visible: view.isCam
+        y: view.upper + view.gap
+        width: parent.width
+    }
     SpeedCard {
-        anchors { left: parent.left; right: parent.right; top: parent.top; topMargin: view.upper + view.gap; bottom: parent.bottom; bottomMargin: view.bottomInset }
+        anchors { left: parent.left; right: parent.right; top: parent.top; topMargin: view.upper + view.gap + (view.isCam ? direction.height + view.gap : 0); bottom: parent.bottom; bottomMargin: view.bottomInset }
         title: qsTr("Axis speed mm/s")
     }
 }

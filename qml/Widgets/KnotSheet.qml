@@ -11,10 +11,11 @@ Sheet {
     id: sheet
 
     signal editRequested(var fields, int index, Item source)
+    signal filesRequested()
 
     title: qsTr("Knots")
     note: Editor.knots.wrapText
-    panelWidth: width * 0.7
+    panelWidth: width * 0.86
 
     ListView {
         id: list
@@ -72,17 +73,17 @@ Sheet {
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
         height: Theme.size.touch
         spacing: Theme.size.spacing
-        readonly property real third: (width - 2 * spacing) / 3
+        readonly property real part: (width - 3 * spacing) / 4
         Button {
             objectName: "knotInsert"
-            width: tools.third
+            width: tools.part
             height: tools.height
             text: qsTr("Add after")
             onClicked: Editor.knots.insertAfterSelected()
         }
         Button {
             objectName: "knotRemove"
-            width: tools.third
+            width: tools.part
             height: tools.height
             text: qsTr("Remove")
             enabled: Editor.knots.canRemove
@@ -90,11 +91,18 @@ Sheet {
         }
         Button {
             objectName: "knotRepair"
-            width: tools.third
+            width: tools.part
             height: tools.height
             text: qsTr("Close smoothly")
             enabled: Editor.knots.canRepair
             onClicked: Editor.knots.repairWrap()
+        }
+        Button {
+            objectName: "knotFilesButton"
+            width: tools.part
+            height: tools.height
+            text: qsTr("CSV files")
+            onClicked: sheet.filesRequested()
         }
     }
 }

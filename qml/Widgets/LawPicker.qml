@@ -39,17 +39,19 @@ Sheet {
             required property string peakFrequencyText
             required property string peakJerkText
             required property bool current
-            required property bool usable
             required property bool compared
+            required usable
             objectName: "law_" + lawId
             width: list.width - 2 * Theme.size.accent
             text: name
             notes: [strength, weakness]
             holds: current
-            enabled: usable
             cells: [peakRpmText, peakAccelerationText, peakJerkText, peakFrequencyText]
             marked: compared
-            onClicked: Editor.setLaw(lawId)
+            onClicked: {
+                if (usable)
+                    Editor.setLaw(lawId)
+            }
             onPressAndHold: Editor.compareLaw(compared ? "" : lawId)
         }
     }

@@ -14,6 +14,7 @@ T.AbstractButton {
     property bool holds
     property bool header
     property bool marked                   // drawn in grey behind
+    property bool usable: true             // breaks no limit
     required property list<string> cells
 
     readonly property real cellWidth: width * 0.15
@@ -38,7 +39,7 @@ T.AbstractButton {
                 text: row.text
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: Theme.size.caption
-                color: row.enabled ? Theme.color.ink : Theme.color.disabledInk
+                color: row.usable ? Theme.color.ink : Theme.color.secondaryInk
                 font.weight: Font.DemiBold
             }
             Repeater {
@@ -53,10 +54,18 @@ T.AbstractButton {
                     fontSizeMode: Text.HorizontalFit
                     minimumPixelSize: Theme.size.caption - 3
                     text: modelData
-                    color: row.header ? Theme.color.secondaryInk : row.enabled ? Theme.color.ink : Theme.color.disabledInk
+                    color: row.header ? Theme.color.secondaryInk : row.usable ? Theme.color.ink : Theme.color.secondaryInk
                     font { pixelSize: Theme.size.caption; weight: row.header ? Font.Normal : Font.DemiBold }
                 }
             }
+        }
+        Label {
+            visible: !row.usable
+            width: parent.width
+            wrapMode: Text.WordWrap
+            text: row.holds ? qsTr("Breaks a limit with this recipe.") : qsTr("Breaks a limit with this recipe: hold it to compare, it cannot be chosen.")
+            color: row.holds || row.down ? Theme.color.ink : Theme.color.fault
+            font.pixelSize: Theme.size.caption
         }
         Repeater {
             model: row.notes

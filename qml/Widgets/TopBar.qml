@@ -19,6 +19,10 @@ Rectangle {
         Theme.color.warning, Theme.color.touch, Theme.color.touch, Theme.color.fault]
     readonly property color stateColor: Machine.fresh ? stateColors[Machine.state] : Theme.color.disabledInk
 
+    // The recipe on this panel is not the one that the controller has.
+    readonly property bool runsAnother: Machine.hasActiveProgram && (Machine.activeName !== Editor.recipeName
+        || Machine.activeVersion !== Editor.recipeVersion || Machine.activeKind !== Editor.kind)
+
     implicitHeight: Theme.size.topBar
     color: Theme.color.surface
 
@@ -30,16 +34,28 @@ Rectangle {
     Row {
         id: recipe
         anchors { left: parent.left; leftMargin: Theme.size.gap + Theme.size.accent; verticalCenter: parent.verticalCenter }
+        readonly property real room: bar.width * 0.36 - (editedMark.visible ? editedMark.width + Theme.size.padding : 0)
         spacing: Theme.size.padding
-        Label {
-            objectName: "recipeTitle"
+        Column {
             anchors.verticalCenter: parent.verticalCenter
-            width: Math.min(implicitWidth, bar.width * 0.36 - (editedMark.visible ? editedMark.width + Theme.size.padding : 0))
-            elide: Text.ElideRight
-            fontSizeMode: Text.HorizontalFit
-            minimumPixelSize: Theme.size.caption
-            text: qsTr("%1 · v%2").arg(Editor.recipeName).arg(Editor.recipeVersion)
-            font { pixelSize: Theme.size.title; bold: true }
+            Label {
+                objectName: "recipeTitle"
+                width: Math.min(implicitWidth, recipe.room)
+                elide: Text.ElideRight
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption
+                text: qsTr("%1 · v%2").arg(Editor.recipeName).arg(Editor.recipeVersion)
+                font { pixelSize: bar.runsAnother ? Theme.size.body : Theme.size.title; bold: true }
+            }
+            Label {
+                objectName: "activeTitle"
+                visible: bar.runsAnother
+                width: Math.min(implicitWidth, recipe.room)
+                elide: Text.ElideRight
+                text: qsTr("in the controller: %1 · v%2").arg(Machine.activeName).arg(Machine.activeVersion)
+                color: Machine.fresh ? Theme.color.warning : Theme.color.disabledInk
+                font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
+            }
         }
         Rectangle {
             id: editedMark

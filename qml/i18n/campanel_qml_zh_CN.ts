@@ -186,6 +186,21 @@
     </message>
 </context>
 <context>
+    <name>DirectionCard</name>
+    <message>
+        <source>Master direction</source>
+        <translation>主轴方向</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>正转</translation>
+    </message>
+    <message>
+        <source>Backward</source>
+        <translation>反转</translation>
+    </message>
+</context>
+<context>
     <name>DisplaySection</name>
     <message>
         <source>Light</source>
@@ -332,6 +347,45 @@
     </message>
 </context>
 <context>
+    <name>KnotFilesSheet</name>
+    <message>
+        <source>Looking …</source>
+        <translation>正在查找…</translation>
+    </message>
+    <message>
+        <source>There is no CSV file on a USB stick or in %1. Plug in a stick and look again.</source>
+        <translation>U 盘和 %1 中都没有 CSV 文件。请插入 U 盘后重新查找。</translation>
+    </message>
+    <message>
+        <source>Choose the place of the new file.</source>
+        <translation>请选择新文件的位置。</translation>
+    </message>
+    <message>
+        <source>Choose a file to see what is in it.</source>
+        <translation>请选择文件以查看其内容。</translation>
+    </message>
+    <message>
+        <source>Knots as CSV</source>
+        <translation>型值点 CSV 文件</translation>
+    </message>
+    <message>
+        <source>Import CSV</source>
+        <translation>导入 CSV</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>导出 CSV</translation>
+    </message>
+    <message>
+        <source>Write file</source>
+        <translation>写入文件</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>采用</translation>
+    </message>
+</context>
+<context>
     <name>KnotSheet</name>
     <message>
         <source>Knots</source>
@@ -348,6 +402,10 @@
     <message>
         <source>Close smoothly</source>
         <translation>平滑闭合</translation>
+    </message>
+    <message>
+        <source>CSV files</source>
+        <translation>CSV 文件</translation>
     </message>
 </context>
 <context>
@@ -375,6 +433,17 @@
     <message>
         <source>Torque</source>
         <translation>转矩</translation>
+    </message>
+</context>
+<context>
+    <name>LawRow</name>
+    <message>
+        <source>Breaks a limit with this recipe: hold it to compare, it cannot be chosen.</source>
+        <translation>在此配方下超出限值：可长按比较，不能选用。</translation>
+    </message>
+    <message>
+        <source>Breaks a limit with this recipe.</source>
+        <translation>在此配方下超出限值。</translation>
     </message>
 </context>
 <context>
@@ -707,6 +776,10 @@
     <message>
         <source>%1/s</source>
         <translation>%1/秒</translation>
+    </message>
+    <message>
+        <source>in the controller: %1 · v%2</source>
+        <translation>控制器中：%1 · 第%2版</translation>
     </message>
 </context>
 <context>

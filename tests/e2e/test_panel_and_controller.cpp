@@ -83,6 +83,7 @@ class TestPanelAndController : public QObject {
 private slots:
     void initTestCase() { panel::applyFonts(); }
     void theMainJob();
+    void theMasterIsTurnedRound();
     void aBusyPortIsTakenWhenItIsFree();
     void badPorts_data();
     void badPorts();
@@ -208,6 +209,60 @@ void TestPanelAndController::lookFromOutsideAndAgain(const QString& port)
     panel.tap("nav1");
     QVERIFY2(panel.texts().contains("generation 2"), qPrintable(panel.texts()));
     QCOMPARE(panel.complaints(), QStringList());
+}
+
+// While it runs, by a touch; what a panel that comes later shows is what the controller holds.
+void TestPanelAndController::theMasterIsTurnedRound()
+{
+    using Way = machine::MasterDirection::Way;
+    const ControllerProcess controller;
+    {
+        PanelWindow panel(controller.port());
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        panel.editor().newProgram(static_cast<int>(profile::ProgramKind::PointCam));
+        panel.tap("nav1");
+        download(panel);
+        if (QTest::currentTestFailed())
+            return;
+        const machine::MasterDirection& direction = *panel.machine().direction();
+        QTRY_COMPARE_WITH_TIMEOUT(direction.way(), Way::Forward, timeoutMs);
+        panel.tap("nav0");
+        QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
+        QVERIFY2(panel.texts().contains("starts forward"), qPrintable(panel.texts()));
+        panel.tap("startKey");
+        QTRY_VERIFY_WITH_TIMEOUT(panel.texts().contains("runs forward"), timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().masterSpeedPercent(), 100.0, timeoutMs);
+        bool hasTurned = false;
+        QObject::connect(&direction, &machine::MasterDirection::changed, &panel.machine(),
+                         [&] { hasTurned |= direction.turning(); });
+        const std::size_t before = panel.statuses().size();
+        panel.tap("directionBackward");
+        QTRY_VERIFY_WITH_TIMEOUT(panel.texts().contains("Turning to backward"), timeoutMs);
+        QCOMPARE(direction.way(), Way::Backward);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.texts().contains("runs backward"), timeoutMs);
+        QVERIFY(hasTurned);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().masterSpeedPercent(), 100.0, timeoutMs);
+        // Down by its ramp and up again, never stopped as a program.
+        const auto& statuses = panel.statuses();
+        double slowest = 100;
+        for (std::size_t i = before; i < statuses.size(); ++i) {
+            slowest = std::min(slowest, statuses[i].masterSpeedPercent);
+            QCOMPARE(statuses[i].state, std::optional(State::Running));
+        }
+        QVERIFY2(slowest < 10, qPrintable(QString::number(slowest)));
+        QVERIFY2(panel.machine().alarmText().isEmpty(), qPrintable(panel.machine().alarmText()));
+        QCOMPARE(panel.complaints(), QStringList());
+    }
+    PanelWindow later(controller.port());
+    QTRY_COMPARE_WITH_TIMEOUT(later.machine().direction()->way(), Way::Backward, timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(later.texts().contains("runs backward"), timeoutMs);
+    later.tap("stopKey");
+    QTRY_COMPARE_WITH_TIMEOUT(later.machine().state(), Machine::State::Ready, timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(later.texts().contains("starts backward"), timeoutMs);
+    QCOMPARE(later.statuses().back().commandedPositionPulses, 0); // a closed cam ends where it began
+    later.tap("directionForward");
+    QTRY_VERIFY_WITH_TIMEOUT(later.texts().contains("starts forward"), timeoutMs);
+    QCOMPARE(later.complaints(), QStringList());
 }
 
 void TestPanelAndController::aBusyPortIsTakenWhenItIsFree()

@@ -18,9 +18,19 @@ private slots:
     void reads();
     void refuses_data();
     void refuses();
+    void namesTheLineOfAKnot();
     void writes();
     void readsWhatItWrote();
 };
+
+void TestKnotsCsv::namesTheLineOfAKnot()
+{
+    const std::string text = "\n master_deg , slave_mm \n\n 0 , +0\n\t90.5,-20.25 \n   \n360, +1000\n\n";
+    QCOMPARE(lineOfKnot(text, 0), 4);
+    QCOMPARE(lineOfKnot(text, 1), 5);
+    QCOMPARE(lineOfKnot(text, 2), 7);
+    QCOMPARE(lineOfKnot(text, 99), 7);
+}
 
 void TestKnotsCsv::reads_data()
 {

@@ -6,7 +6,9 @@
 #include "app/main/scene_checks.h"
 #include "app/main/stage.h"
 
+#include <QFile>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
@@ -225,6 +227,90 @@ private slots:
         QVERIFY(editor().knots()->wrapText().contains(QStringLiteral("jumps")));
         tap("knotRepair");
         QVERIFY(!m_stage->find(QStringLiteral("knotRepair"))->isEnabled());
+    }
+
+    void knotsComeFromAFileAndGoIntoOne()
+    {
+        const QTemporaryDir stick;
+        QFile file(stick.filePath(QStringLiteral("cam.csv")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("master_deg,slave_mm\n0,0\n60,3\n120,9\n200,8\n300,1\n360,0\n");
+        file.close();
+        editor().newProgram(4);
+        machine::KnotFiles& files = *editor().knotFiles();
+        files.setLooker([path = stick.path()](const QString&) {
+            const QList<campanel::store::Place> places{{path, QStringLiteral("STICK"), false}};
+            return machine::KnotFiles::Found{places, campanel::store::offeredKnots(places)};
+        });
+        tap("nav1");
+        tap("knotsButton");
+        tap("knotFilesButton");
+        m_stage->waitFor(files);
+        QVERIFY(!m_stage->find(QStringLiteral("knotFilesGo"))->isEnabled());
+        tap("offer0");
+        QVERIFY2(textOf("offerDetail").startsWith(QStringLiteral("6 knots")),
+                 qPrintable(textOf("offerDetail")));
+        QCOMPARE(editor().knots()->count(), 5);
+        tap("knotFilesGo");
+        QCOMPARE(editor().knots()->count(), 6);
+        QVERIFY2(m_stage->find(QStringLiteral("knotList")), "back among the knots");
+        tap("knotFilesButton");
+        m_stage->waitFor(files);
+        tap("knotsExport");
+        m_stage->waitFor(files);
+        tap("offer0");
+        tap("knotFilesGo");
+        m_stage->waitFor(files);
+        const QString written = stick.filePath(editor().recipeName() + QStringLiteral(".csv"));
+        QCOMPARE(textOf("offerDetail"), QStringLiteral("Written: ") + written);
+        QVERIFY(QFile::exists(written));
+        tap("sheetClose");
+        tap("undo");
+        QCOMPARE(editor().knots()->count(), 5);
+    }
+
+    void aLawThatBreaksALimitCanBeHeldButNotChosen()
+    {
+        editor().rate()->set(390);
+        tap("nav1");
+        tap("lawButton");
+        const machine::LawModel& laws = *editor().laws();
+        QString lawId;
+        for (int row = 0; row < laws.count() && lawId.isEmpty(); ++row) {
+            const auto role = [&](machine::LawModel::Role wanted) {
+                return laws.data(laws.index(row), wanted);
+            };
+            if (!role(machine::LawModel::UsableRole).toBool() &&
+                !role(machine::LawModel::CurrentRole).toBool())
+                lawId = role(machine::LawModel::LawIdRole).toString();
+        }
+        QVERIFY2(!lawId.isEmpty(), "no law breaks a limit");
+        const QString before = editor().lawName();
+        tap(qPrintable(QStringLiteral("law_") + lawId));
+        QCOMPARE(editor().lawName(), before);
+        m_stage->hold(QStringLiteral("law_") + lawId);
+        QVERIFY(!editor().overlayName().isEmpty());
+        QCOMPARE(editor().lawName(), before);
+    }
+
+    void theRecipeOfTheControllerIsNamedWhenItIsAnother()
+    {
+        QVERIFY(!m_stage->find(QStringLiteral("activeTitle")));
+        show(Kind::Press);
+        QCOMPARE(textOf("activeTitle"), QStringLiteral("in the controller: Bearing 6204 · v1"));
+    }
+
+    void theMasterIsTurnedByATouch()
+    {
+        show(Kind::PointCam);
+        tap("nav0");
+        QCOMPARE(textOf("directionText"), QStringLiteral("runs forward"));
+        tap("directionBackward");
+        QCOMPARE(textOf("directionText"), QStringLiteral("Turning to backward …"));
+        m_stage->link().show(campanel::panel::DemoLink::Situation::Lost, Kind::PointCam);
+        m_stage->settle();
+        QVERIFY(!m_stage->find(QStringLiteral("directionChoice"))->isEnabled());
+        QCOMPARE(textOf("directionText"), QStringLiteral("There is no connection to the controller."));
     }
 
     void aHeldLawIsDrawnBehind()

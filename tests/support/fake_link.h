@@ -15,11 +15,20 @@ public:
 
     void connectTo(const link::ConnectionSettings& settings) override { connections << settings; }
     void request(const link::CommandRequest& request) override { requests << request; }
+    void readParameter(quint32 id, const std::string& name) override
+    {
+        parameters << link::ParameterRequest{id, name, std::nullopt};
+    }
+    void writeParameter(quint32 id, const std::string& name, double value) override
+    {
+        parameters << link::ParameterRequest{id, name, value};
+    }
     void download(const std::vector<std::uint16_t>& bank) override { banks << bank; }
     void cancelDownload() override { ++cancels; }
 
     QList<link::ConnectionSettings> connections;
     QList<link::CommandRequest> requests;
+    QList<link::ParameterRequest> parameters;
     QList<std::vector<std::uint16_t>> banks;
     int cancels = 0;
 

@@ -58,6 +58,8 @@ public:
             if (outcome.id != 0) // what the link does by itself
                 outcomes << outcome;
         });
+        connect(&link, &link::Link::parameterEnded, this,
+                [this](const link::ParameterOutcome& outcome) { parameters << outcome; });
         connect(&link, &link::Link::downloadReported, this,
                 [this](const link::DownloadReport& report) { downloads << report; });
     }
@@ -80,6 +82,7 @@ public:
     QList<link::StatusSample> samples;
     QList<link::ActiveProgram> programs;
     QList<link::CommandOutcome> outcomes;
+    QList<link::ParameterOutcome> parameters;
     QList<link::DownloadReport> downloads;
 };
 
@@ -213,8 +216,8 @@ private slots:
             const auto& last = listener.samples[i - 1].status;
             const auto& next = listener.samples[i].status;
             QVERIFY(next.commandedPositionPulses >= last.commandedPositionPulses);
-            // A cycle is counted when its last pulse is out, the programs change with the first of the next one: a
-            // status that falls in between stands at angle 0.
+            // A cycle is counted when its last pulse is out, the programs change with the first of the next
+            // one: a status that falls in between stands at angle 0.
             if (next.generation != last.generation)
                 QVERIFY(next.cycleCount > last.cycleCount || last.masterAngleDeg == 0.0);
         }
@@ -262,6 +265,93 @@ private slots:
         QCOMPARE(listener.outcomes.first().end, link::CommandEnd::NotSent);
         controller.start();
         QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
+    }
+
+    void readsAndWritesAParameterByItsName()
+    {
+        ControllerProcess controller;
+        {
+            link::ThreadedLink link(nullptr);
+            Listener listener(link);
+            link.connectTo(portSettings(controller.port()));
+            QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
+            link.readParameter(1, "parameter.ramp_time");
+            link.writeParameter(2, "parameter.ramp_time", 651.3);
+            link.writeParameter(3, "parameter.jog_frequency", 19'999);
+            link.readParameter(4, "identity.timer_clock");
+            QTRY_COMPARE_WITH_TIMEOUT(listener.parameters.size(), 4, timeoutMs);
+            for (const link::ParameterOutcome& outcome : listener.parameters)
+                QCOMPARE(outcome.end, link::ParameterEnd::Done);
+            QCOMPARE(listener.parameters[0].value, 800.0);
+            QCOMPARE(listener.parameters[1].value, 651.0); // as the register holds it
+            QCOMPARE(listener.parameters[2].value, 19'999.0);
+            QCOMPARE(listener.parameters[3].id, 4u);
+            QCOMPARE(listener.parameters[3].name, "identity.timer_clock");
+            QCOMPARE(listener.parameters[3].value, double(listener.last.identity->timerClockHz));
+        }
+        link::ThreadedLink later(nullptr);
+        Listener listener(later);
+        later.connectTo(portSettings(controller.port()));
+        QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
+        later.readParameter(1, "parameter.ramp_time");
+        QTRY_COMPARE_WITH_TIMEOUT(listener.parameters.size(), 1, timeoutMs);
+        QCOMPARE(listener.parameters[0].value, 651.0);
+    }
+
+    void refusesWhatIsNoParameterOrOutOfItsLimits_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<double>("value");
+        QTest::newRow("above the limit") << "parameter.master_direction" << 2.0;
+        QTest::newRow("below the limit") << "parameter.ramp_time" << 49.0;
+        QTest::newRow("not a number") << "parameter.ramp_time" << qQNaN();
+        QTest::newRow("unknown") << "parameter.color" << 1.0;
+        QTest::newRow("read only") << "status.state" << 1.0;
+        QTest::newRow("part of a protocol") << "exchange.heartbeat" << 1.0;
+        QTest::newRow("of a bank") << "bank.advance" << 1.0;
+    }
+
+    void refusesWhatIsNoParameterOrOutOfItsLimits()
+    {
+        QFETCH(QString, name);
+        QFETCH(double, value);
+        ControllerProcess controller;
+        link::ThreadedLink link(nullptr);
+        Listener listener(link);
+        link.connectTo(portSettings(controller.port()));
+        QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
+        link.writeParameter(5, name.toStdString(), value);
+        QTRY_COMPARE_WITH_TIMEOUT(listener.parameters.size(), 1, timeoutMs);
+        QCOMPARE(listener.parameters[0].id, 5u);
+        QCOMPARE(listener.parameters[0].end, link::ParameterEnd::Refused);
+        QVERIFY(!listener.parameters[0].value);
+        QVERIFY(listener.parameters[0].error);
+        listener.samples.clear();
+        QTRY_VERIFY_WITH_TIMEOUT(!listener.samples.isEmpty(), timeoutMs); // the line goes on
+        QCOMPARE(listener.parameters.size(), 1);
+    }
+
+    void aParameterEndsWithoutAConnectionToo()
+    {
+        ControllerProcess controller;
+        link::ThreadedLink link(nullptr);
+        Listener listener(link);
+        link.writeParameter(1, "parameter.master_direction", 1);
+        QTRY_COMPARE_WITH_TIMEOUT(listener.parameters.size(), 1, timeoutMs);
+        QCOMPARE(listener.parameters[0].end, link::ParameterEnd::NotSent);
+        link.connectTo(portSettings(controller.port()));
+        QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
+        controller.kill();
+        QTRY_COMPARE_WITH_TIMEOUT(listener.last.state, LinkState::Lost, timeoutMs);
+        link.readParameter(2, "parameter.master_direction");
+        QTRY_COMPARE_WITH_TIMEOUT(listener.parameters.size(), 2, timeoutMs);
+        QCOMPARE(listener.parameters[1].id, 2u);
+        QCOMPARE(listener.parameters[1].end, link::ParameterEnd::NotSent);
+        controller.start();
+        QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
+        link.readParameter(3, "parameter.master_direction");
+        QTRY_COMPARE_WITH_TIMEOUT(listener.parameters.size(), 3, timeoutMs);
+        QCOMPARE(listener.parameters[2].value, 0.0); // nothing is kept to be written later
     }
 
     void stopPressedDuringADownloadIsTheNextExchange()

@@ -7,6 +7,15 @@
 using namespace campanel;
 using modbus::Command;
 
+namespace {
+
+quint32 idOf(const link::Request& request)
+{
+    return std::visit([](const auto& each) { return each.id; }, request);
+}
+
+} // namespace
+
 class TestRequestQueue : public QObject {
     Q_OBJECT
 
@@ -18,22 +27,37 @@ private slots:
                                    Command::StopNow,     Command::Home,  Command::StopAtCycleEnd};
         quint32 id = 0;
         for (const Command command : asked)
-            queue.push({++id, command, {}});
+            queue.push(link::CommandRequest{++id, command, {}});
         QList<quint32> served;
         while (const auto request = queue.take())
-            served << request->id;
+            served << idOf(*request);
         QCOMPARE(served, (QList<quint32>{4, 6, 2, 5, 1, 3}));
         QVERIFY(queue.isEmpty());
+    }
+
+    void aParameterWaitsWithTheWrites()
+    {
+        link::RequestQueue queue;
+        queue.push(link::CommandRequest{1, Command::SaveToFlash, {}});
+        queue.push(link::ParameterRequest{2, "parameter.ramp_time", 500.0});
+        queue.push(link::CommandRequest{3, Command::SetClock, {}});
+        queue.push(link::ParameterRequest{4, "parameter.ramp_time", std::nullopt});
+        queue.push(link::CommandRequest{5, Command::Start, {}});
+        queue.push(link::CommandRequest{6, Command::StopNow, {}});
+        QList<quint32> served;
+        while (const auto request = queue.take())
+            served << idOf(*request);
+        QCOMPARE(served, (QList<quint32>{6, 5, 1, 2, 3, 4}));
     }
 
     void takeAllLeavesNothing()
     {
         link::RequestQueue queue;
-        queue.push({1, Command::Start, {}});
-        queue.push({2, Command::StopNow, {}});
+        queue.push(link::CommandRequest{1, Command::Start, {}});
+        queue.push(link::CommandRequest{2, Command::StopNow, {}});
         const auto all = queue.takeAll();
         QCOMPARE(all.size(), std::size_t{2});
-        QCOMPARE(all.front().id, 2u);
+        QCOMPARE(idOf(all.front()), 2u);
         QVERIFY(!queue.take());
     }
 };

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+// Knots from and to the places where files are exchanged: what is offered, what is refused, names that are
+// never taken twice, disks that fail.
+#include "app/store/knots_file.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <csignal>
+#include <sys/resource.h>
+
+using namespace campanel;
+using namespace campanel::store;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+void put(const QString& path, const QByteArray& bytes, const QDateTime& changed = {})
+{
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.flush())
+        qFatal("%s", qPrintable(file.errorString()));
+    if (changed.isValid())
+        file.setFileTime(changed, QFileDevice::FileModificationTime);
+}
+
+QByteArray csv(const QList<QByteArray>& lines)
+{
+    return "master_deg,slave_mm\n" + lines.join('\n') + '\n';
+}
+
+// No file can grow while it lives: as on a disk that is full.
+class FullDisk {
+public:
+    FullDisk()
+    {
+        getrlimit(RLIMIT_FSIZE, &m_before);
+        m_handler = std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit none{0, m_before.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &none);
+    }
+    ~FullDisk()
+    {
+        setrlimit(RLIMIT_FSIZE, &m_before);
+        std::signal(SIGXFSZ, m_handler);
+    }
+
+private:
+    rlimit m_before{};
+    void (*m_handler)(int) = nullptr;
+};
+
+} // namespace
+
+class TestExchange : public QObject {
+    Q_OBJECT
+
+private slots:
+    void onlyMountsOfMediaAreRemovable_data()
+    {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<bool>("isRemovable");
+        QTest::newRow("a user's stick") << "/media/panel/KINGSTON" << true;
+        QTest::newRow("a stick") << "/media/usb0" << true;
+        QTest::newRow("a session's stick") << "/run/media/panel/KINGSTON" << true;
+        QTest::newRow("by hand") << "/mnt/stick" << true;
+        QTest::newRow("the system") << "/" << false;
+        QTest::newRow("the user's data") << "/home" << false;
+        QTest::newRow("a runtime folder") << "/run/user/1000" << false;
+        QTest::newRow("named alike") << "/mediathek/usb" << false;
+        QTest::newRow("a way out") << "/media/../etc" << false;
+    }
+    void onlyMountsOfMediaAreRemovable()
+    {
+        QFETCH(QString, path);
+        QFETCH(bool, isRemovable);
+        QCOMPARE(isRemovableMount(path), isRemovable);
+    }
+
+    void thePanelsOwnFolderIsAlwaysAPlace()
+    {
+        const QTemporaryDir folder;
+        const QString own = folder.filePath(u"data/knots"_s);
+        const QList<Place> places = exchangePlaces(own);
+        QVERIFY(!places.isEmpty());
+        QCOMPARE(places.last().path, own);
+        QVERIFY(!places.last().isReadOnly);
+        QVERIFY(QFileInfo(own).isDir());
+        for (const Place& place : places.first(places.size() - 1))
+            QVERIFY2(isRemovableMount(place.path), qPrintable(place.path));
+    }
+
+    void namesAreFreeAndPortable_data()
+    {
+        QTest::addColumn<QString>("recipe");
+        QTest::addColumn<QStringList>("present");
+        QTest::addColumn<QString>("file");
+        QTest::newRow("plain") << "Pusher" << QStringList() << "Pusher.csv";
+        QTest::newRow("taken") << "Pusher" << QStringList{"Pusher.csv"} << "Pusher-2.csv";
+        QTest::newRow("twice taken") << "Pusher" << QStringList{"Pusher.csv", "Pusher-2.csv"}
+                                     << "Pusher-3.csv";
+        QTest::newRow("a path") << "../etc/passwd" << QStringList() << "_etc_passwd.csv";
+        QTest::newRow("not for a stick") << "a<b>:\"c\"|d?*\\ " << QStringList() << "a_b___c__d___.csv";
+        QTest::newRow("hidden, empty at its end") << " .. x. " << QStringList() << "x.csv";
+        QTest::newRow("nothing left") << "..." << QStringList() << "knots.csv";
+        QTest::newRow("Chinese") << u"推料凸轮"_s << QStringList() << u"推料凸轮.csv"_s;
+    }
+    void namesAreFreeAndPortable()
+    {
+        QFETCH(QString, recipe);
+        QFETCH(QStringList, present);
+        QFETCH(QString, file);
+        const QTemporaryDir folder;
+        for (const QString& name : present)
+            put(folder.filePath(name), "x");
+        const Place place{folder.path(), u"STICK"_s, false};
+        QCOMPARE(QFileInfo(exportPath(recipe, place)).fileName(), file);
+        QCOMPARE(QFileInfo(exportPath(recipe, place)).absolutePath(), folder.path());
+    }
+
+    void whatIsExportedIsOfferedAndNeverReplaced()
+    {
+        const QTemporaryDir folder;
+        const Place place{folder.path(), u"STICK"_s, false};
+        auto knots = profile::defaultKnots();
+        const auto first = exportKnots(knots, u"Pusher"_s, place);
+        QVERIFY2(first, first ? "" : qPrintable(first.error()));
+        knots[1].slaveMm = 1.25;
+        const auto second = exportKnots(knots, u"Pusher"_s, place);
+        QVERIFY2(second, second ? "" : qPrintable(second.error()));
+        QVERIFY(*first != *second);
+        const QList<KnotsOffer> offers = offeredKnots({place});
+        QCOMPARE(offers.size(), 2);
+        for (const KnotsOffer& offer : offers) {
+            QVERIFY2(offer.isUsable(), qPrintable(offer.problem));
+            QCOMPARE(offer.placeName, u"STICK"_s);
+            QVERIFY(offer.changed.isValid());
+            QCOMPARE(offer.knots == knots, offer.path == *second);
+        }
+    }
+
+    void theNewestFileComesFirst()
+    {
+        const QTemporaryDir stick;
+        const QTemporaryDir own;
+        const QDateTime day(QDate(2026, 1, 15), QTime(12, 0));
+        put(stick.filePath(u"old.csv"_s), "x", day);
+        put(own.filePath(u"new.CSV"_s), "x", day.addSecs(120));
+        put(stick.filePath(u"newer.csv"_s), "x", day.addSecs(180));
+        put(stick.filePath(u"other.txt"_s), "x");
+        QVERIFY(QDir(stick.path()).mkdir(u"folder.csv"_s));
+        const auto offers = offeredKnots({{stick.path(), u"STICK"_s, false}, {own.path(), u"own"_s, false}});
+        QStringList names;
+        for (const KnotsOffer& offer : offers)
+            names << QFileInfo(offer.path).fileName();
+        QCOMPARE(names, (QStringList{"newer.csv", "new.CSV", "old.csv"}));
+    }
+
+    void aRefusalNamesItsLine_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<int>("line");
+        QTest::newRow("not ascending") << csv({"0,0", "90,1", "", "80,2", "270,1", "360,0"}) << 5;
+        QTest::newRow("too close") << csv({"0,0", "90,1", "90.01,2", "270,1", "360,0"}) << 4;
+        QTest::newRow("beyond the cycle") << csv({"0,0", "90,1", "180,2", "270,1", "400,0"}) << 6;
+        QTest::newRow("no end") << csv({"0,0", "90,1", "180,2", "270,1", "350,0"}) << 6;
+        QTest::newRow("too few") << csv({"0,0", "360,0"}) << 2;
+    }
+    void aRefusalNamesItsLine()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(int, line);
+        const QTemporaryDir folder;
+        put(folder.filePath(u"wrong.csv"_s), text);
+        const auto offers = offeredKnots({{folder.path(), u"STICK"_s, false}});
+        QCOMPARE(offers.size(), 1);
+        QVERIFY(!offers[0].isUsable());
+        QVERIFY(offers[0].problem.isEmpty() && offers[0].refusal);
+        QCOMPARE(offers[0].refusedLine, line);
+    }
+
+    void aFileThatIsNoCsvSaysWhy()
+    {
+        const QTemporaryDir folder;
+        put(folder.filePath(u"photo.csv"_s), QByteArray("\xFF\xD8\xFF\0\x10", 5));
+        const auto offers = offeredKnots({{folder.path(), u"STICK"_s, false}});
+        QCOMPARE(offers.size(), 1);
+        QVERIFY2(offers[0].problem.contains(u"line 1: expected the header"_s), qPrintable(offers[0].problem));
+    }
+
+    void aFullDiskLeavesTheFileThatWasThere()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(u"kept.csv"_s);
+        auto knots = profile::defaultKnots();
+        QVERIFY(writeKnots(knots, path));
+        knots[1].slaveMm = 7;
+        {
+            const FullDisk full;
+            QVERIFY(!writeKnots(knots, path));
+        }
+        const auto kept = readKnots(path);
+        QVERIFY(kept && *kept == profile::defaultKnots());
+    }
+
+    void aDiskThatFailsIsASentence_data()
+    {
+        QTest::addColumn<bool>("isFull");
+        QTest::newRow("full") << true;
+        QTest::newRow("pulled out") << false;
+    }
+    void aDiskThatFailsIsASentence()
+    {
+        QFETCH(bool, isFull);
+        const QTemporaryDir folder;
+        const Place place{isFull ? folder.path() : folder.filePath(u"gone"_s), u"STICK"_s, false};
+        const auto written = [&]() -> tl::expected<QString, QString> {
+            if (!isFull)
+                return exportKnots(profile::defaultKnots(), u"Pusher"_s, place);
+            const FullDisk full;
+            return exportKnots(profile::defaultKnots(), u"Pusher"_s, place);
+        }();
+        QVERIFY(!written);
+        QVERIFY2(written.error().contains(place.path) && written.error().contains(u"cannot be written"_s) &&
+                     written.error().contains(u"choose another place"_s),
+                 qPrintable(written.error()));
+        QVERIFY(QDir(folder.path()).isEmpty()); // no half file
+        QCOMPARE(offeredKnots({place}).size(), 0);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestExchange)
+#include "test_exchange.moc"
