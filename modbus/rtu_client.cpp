@@ -382,10 +382,13 @@ tl::expected<void, LinkError> RtuClient::writeParameter(const RegisterInfo& info
     if (const auto ready = prepare(request, writeFrames(info.count), milliseconds{0}); !ready)
         return ready;
     const int sent = modbus_write_registers(m_context.get(), info.address, info.count, registers.data());
+    std::optional<LinkError> refusal;
     if (sent != info.count) {
         const LinkError failure = failed(request, errno);
-        if (failure.kind == LinkErrorKind::Exception || failure.kind == LinkErrorKind::PortGone)
+        if (failure.kind == LinkErrorKind::PortGone)
             return tl::unexpected(failure);
+        if (failure.kind == LinkErrorKind::Exception) // perhaps the late one to another question
+            refusal = failure;
     } else {
         m_lineFreeAt = Clock::now() + frameSilence(m_settings.line);
     }
@@ -393,11 +396,13 @@ tl::expected<void, LinkError> RtuClient::writeParameter(const RegisterInfo& info
     const auto kept = readProven(info.address, info.count);
     if (!kept)
         return tl::unexpected(kept.error());
-    if (!std::equal(kept->begin(), kept->end(), registers.begin()))
-        return tl::unexpected(
-            error(LinkErrorKind::ReadBackDiffers, request,
-                  request + " reads " + std::to_string(RegisterReader(*kept, info.address).physical(info))));
-    return {};
+    if (std::equal(kept->begin(), kept->end(), registers.begin()))
+        return {};
+    if (refusal)
+        return tl::unexpected(*refusal);
+    return tl::unexpected(
+        error(LinkErrorKind::ReadBackDiffers, request,
+              request + " reads " + std::to_string(RegisterReader(*kept, info.address).physical(info))));
 }
 
 } // namespace campanel::modbus

@@ -328,6 +328,11 @@ void RtuClientTest::parameterIsProven()
     const auto lost = m_client->writeParameter(info, 90000);
     QVERIFY(!lost.has_value());
     QCOMPARE(lost.error().kind, LinkErrorKind::ReadBackDiffers);
+    // An exception may be another question's: what the register holds decides.
+    m_slave->script({Fault::Exception2Done});
+    QVERIFY(m_client->writeParameter(info, 91000).has_value());
+    m_slave->script({Fault::Exception2});
+    QCOMPARE(m_client->writeParameter(info, 92000).error().kind, LinkErrorKind::Exception);
 }
 
 void RtuClientTest::parameterOutsideItsLimitsIsNotSent()

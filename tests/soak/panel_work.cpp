@@ -30,6 +30,9 @@ void PanelMaster::writeParameter()
                                [&] { return m_client->writeParameter(info, modbus::toPhysical(info, raw)); });
     if (!written) {
         noteError(written.error());
+        // The exception to the writing itself, not one to reading it back.
+        if (written.error().kind == LinkErrorKind::Exception && written.error().request == info.name)
+            m_truth.refused(info.address, registers);
         return;
     }
     ++m_tally.believed;

@@ -106,6 +106,12 @@ void Truth::written(std::uint16_t address, std::span<const std::uint16_t> regist
     }
 }
 
+void Truth::refused(std::uint16_t address, std::span<const std::uint16_t> registers)
+{
+    for (const std::uint16_t value : registers)
+        m_perhaps[address++].erase(value);
+}
+
 void Truth::applying(std::uint32_t crc)
 {
     m_pendingCrc = crc;

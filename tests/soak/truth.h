@@ -45,6 +45,7 @@ public:
     void commandCarriedOut(bool isStart, Clock::time_point when);
     void writing(std::uint16_t address, std::span<const std::uint16_t> registers); // from now on it may be so
     void written(std::uint16_t address, std::span<const std::uint16_t> registers); // from now on it is so
+    void refused(std::uint16_t address, std::span<const std::uint16_t> registers); // the master was told so
     void applying(std::uint32_t crc);           // from now on it may become active
     void notApplied() { m_pendingCrc.reset(); } // the master was told that the active program is unchanged
     void resetClock() { m_clock = {}; }

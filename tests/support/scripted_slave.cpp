@@ -171,9 +171,11 @@ void ScriptedSlave::answer(const Bytes& request)
     }
     if (fault == Fault::LostRequest)
         return;
-    Bytes reply = fault == Fault::Exception2
-                      ? Bytes{request[0], static_cast<std::uint8_t>(request[1] | 0x80u), 2}
-                      : execute(request);
+    Bytes reply{request[0], static_cast<std::uint8_t>(request[1] | 0x80u), 2};
+    if (fault != Fault::Exception2) {
+        const Bytes right = execute(request);
+        reply = fault == Fault::Exception2Done ? reply : right;
+    }
     const auto crc = static_cast<std::uint16_t>(crc16(reply) ^ (fault == Fault::BadChecksum ? 0xFFFFu : 0u));
     reply.push_back(static_cast<std::uint8_t>(crc & 0xFFu));
     reply.push_back(static_cast<std::uint8_t>(crc >> 8));

@@ -15,13 +15,14 @@ namespace campanel::test {
 
 enum class Fault {
     None,
-    LostRequest, // not executed, not answered
-    LostAnswer,  // executed, not answered
-    LateAnswer,  // executed; the answer comes right before that of the next request
-    BadChecksum, // executed, CRC-16 of the answer inverted
-    Truncated,   // executed, the answer stops in the middle
-    Exception2,  // not executed, exception 2
-    Restart,     // executed, not answered, then restart()
+    LostRequest,    // not executed, not answered
+    LostAnswer,     // executed, not answered
+    LateAnswer,     // executed; the answer comes right before that of the next request
+    BadChecksum,    // executed, CRC-16 of the answer inverted
+    Truncated,      // executed, the answer stops in the middle
+    Exception2,     // not executed, exception 2
+    Exception2Done, // executed, exception 2
+    Restart,        // executed, not answered, then restart()
 };
 
 class ScriptedSlave {
