@@ -29,6 +29,14 @@ std::string transferReason(const TransferAnswer& answer)
     return std::string(enumText("TransferResult", static_cast<std::uint16_t>(answer.result)));
 }
 
+// Another panel's download would take turns with this one for ever.
+constexpr int mostBeginnings = 20;
+
+bool isWithoutSession(TransferResult result)
+{
+    return result == TransferResult::NotReceiving || result == TransferResult::WrongSession;
+}
+
 const char* const untouched = " The active program is unchanged.";
 
 } // namespace
@@ -123,6 +131,19 @@ Download::Step Download::refused(const TransferAnswer& answer)
     return fail(std::move(error));
 }
 
+// The controller has restarted, which need not have broken the connection, or somebody else has begun. False
+// when that has happened too often.
+bool Download::beginAgain()
+{
+    if (++m_beginnings > mostBeginnings)
+        return false;
+    m_phase = Phase::Begin;
+    // A restarted controller may be back at an older program, and count from there.
+    m_generationBefore.reset();
+    m_isMismatchKnown = false; // this is why
+    return true;
+}
+
 Download::Step Download::linkFailed(const LinkError& error)
 {
     DownloadError failure;
@@ -192,10 +213,13 @@ Download::Step Download::askMissing(RtuClient& client)
     const auto answer = client.readTransferResult();
     if (!answer)
         return linkFailed(answer.error());
-    if (answer->session != m_options.session) {
-        m_phase = Phase::Begin;
+    if (m_applySent) {
+        // Still held: to be applied again, which harms nothing. Gone: applied or lost, status tells.
+        m_phase = answer->session == m_options.session ? Phase::Apply : Phase::AwaitActive;
         return m_phase;
     }
+    if (answer->session != m_options.session)
+        return beginAgain() ? Step(m_phase) : refused(*answer);
     m_nextBlock = answer->nextMissing;
     m_phase = m_nextBlock >= blockCount() ? Phase::Seal : Phase::Blocks;
     return m_phase;
@@ -209,6 +233,8 @@ Download::Step Download::sendBlock(RtuClient& client)
                                          std::span(m_image).subspan(first, length)});
     if (!answer)
         return linkFailed(answer.error());
+    if (isWithoutSession(answer->result) && beginAgain())
+        return m_phase;
     if (!answer->accepted())
         return refused(*answer);
     // The controller names the lowest block that it misses: usually the next one.
@@ -227,6 +253,8 @@ Download::Step Download::seal(RtuClient& client)
         m_phase = Phase::Resuming;
         return m_phase;
     }
+    if (isWithoutSession(answer->result) && beginAgain())
+        return m_phase;
     if (!answer->accepted())
         return refused(*answer);
     if (answer->stagedCrc != m_crc)
@@ -246,6 +274,11 @@ Download::Step Download::verify(RtuClient& client)
     if (!*complete)
         return m_phase;
     const auto [sent, held] = std::ranges::mismatch(m_image, m_reader->registers());
+    if (sent != m_image.end() && !std::exchange(m_isMismatchKnown, true)) {
+        // A restarted controller holds nothing: what it says of the session decides.
+        resume();
+        return m_phase;
+    }
     if (sent != m_image.end())
         return fail({DownloadErrorKind::RowsDiffer,
                      {},
@@ -276,6 +309,10 @@ Download::Step Download::apply(RtuClient& client)
     // Nothing staged any more after an earlier try without an answer: that one may have done it, status
     // tells.
     const bool perhapsDone = again && result->reason == Refusal::NothingSealed;
+    if (!again && result->reason == Refusal::NothingSealed && beginAgain()) {
+        m_applySent = false;
+        return m_phase;
+    }
     if (!result->done() && !perhapsDone)
         return fail({DownloadErrorKind::CommandRefused, {}, {}, result->reason, 0, 0, 0});
     m_phase = Phase::AwaitActive;

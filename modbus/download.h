@@ -2,7 +2,7 @@
 // Download of one bank as a state machine of small steps: begin, blocks, seal (CRC-32 compared), optionally a
 // comparison of every register read back, apply, wait until the status block shows it active. Each step is
 // one exchange, so that status and stop go in between; after a broken connection it goes on at the missing
-// block.
+// block, after a restart of the controller it begins again.
 #pragma once
 
 #include "modbus/bank_reader.h"
@@ -96,6 +96,7 @@ private:
     [[nodiscard]] Step apply(RtuClient& client);
     [[nodiscard]] Step fail(DownloadError error);
     [[nodiscard]] Step refused(const TransferAnswer& answer);
+    [[nodiscard]] bool beginAgain();
     [[nodiscard]] static Step linkFailed(const LinkError& error);
     [[nodiscard]] std::uint16_t blockCount() const;
 
@@ -110,6 +111,8 @@ private:
     std::optional<BankReader> m_reader;
     std::optional<std::uint32_t> m_generationBefore;
     bool m_applySent = false;
+    int m_beginnings = 0; // again, after the controller had lost the session
+    bool m_isMismatchKnown = false;
 };
 
 } // namespace campanel::modbus

@@ -17,8 +17,10 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint8_t functionRead = 3;
 constexpr std::uint8_t functionWrite = 16;
 constexpr std::uint8_t functionWriteAndRead = 23;
-// Writing flash or checking all rows takes the controller longer than answering a question.
-constexpr milliseconds slowWorkAllowance{2000};
+// Writing flash or checking all rows takes the controller longer than answering a question. A lost answer
+// costs the panel that time too: sealing must leave room to find a restarted controller within two seconds.
+constexpr milliseconds flashAllowance{2000};
+constexpr milliseconds sealAllowance{1000};
 constexpr int resolveAttempts = 3;
 
 std::string commandName(Command code)
@@ -32,6 +34,12 @@ std::string commandName(Command code)
         }
     }
     return "command " + std::to_string(static_cast<unsigned>(code));
+}
+
+// Never 0: that is what a controller has which has restarted, and it would take the command for an old one.
+std::uint16_t counterAfter(std::uint16_t counter)
+{
+    return counter == 0xFFFF ? std::uint16_t{1} : static_cast<std::uint16_t>(counter + 1u);
 }
 
 void append(std::vector<std::uint8_t>& bytes, std::initializer_list<int> words)
@@ -209,14 +217,14 @@ tl::expected<CommandResult, LinkError> RtuClient::command(Command code, CommandA
             return tl::unexpected(last.error());
         m_commandCounter = decodeCommandResult(*last).counter;
     }
-    const auto counter = static_cast<std::uint16_t>(*m_commandCounter + 1u);
+    const std::uint16_t counter = counterAfter(*m_commandCounter);
     const std::array<std::uint16_t, 6> written{counter,
                                                static_cast<std::uint16_t>(code),
                                                arguments.argument0,
                                                arguments.argument1,
                                                static_cast<std::uint16_t>(arguments.argument2 >> 16),
                                                static_cast<std::uint16_t>(arguments.argument2 & 0xFFFFu)};
-    const auto allowance = code == Command::SaveToFlash ? slowWorkAllowance : milliseconds{0};
+    const auto allowance = code == Command::SaveToFlash ? flashAllowance : milliseconds{0};
     CommandResult result;
     constexpr bool isRepeatable = false;
     const auto answer = writeAndRead(
@@ -246,8 +254,12 @@ tl::expected<CommandResult, LinkError> RtuClient::resolve(const std::string& req
         const auto found = findResult(counter);
         if (found && *found)
             return **found;
-        if (found)
+        // Not received for certain only when the controller still has the one before: a restarted one has
+        // none, and has perhaps carried it out before.
+        if (found && counterAfter(*m_commandCounter) == counter)
             return tl::unexpected(error(LinkErrorKind::CommandLost, request, {}, counter));
+        if (found)
+            break;
         if (portIsLost(found.error()))
             break;
     }
@@ -274,7 +286,7 @@ tl::expected<TransferAnswer, LinkError> RtuClient::transfer(const TransferFrame&
     std::vector<std::uint16_t> written{frame.session, static_cast<std::uint16_t>(frame.operation),
                                        frame.block, static_cast<std::uint16_t>(frame.data.size())};
     written.insert(written.end(), frame.data.begin(), frame.data.end());
-    const auto allowance = frame.operation == TransferOperation::Seal ? slowWorkAllowance : milliseconds{0};
+    const auto allowance = frame.operation == TransferOperation::Seal ? sealAllowance : milliseconds{0};
     TransferAnswer answer;
     const auto isMine = [&](const Registers& registers) {
         answer = decodeTransferAnswer(registers);
@@ -314,20 +326,24 @@ tl::expected<void, LinkError> RtuClient::writeParameter(const RegisterInfo& info
         append(question.pdu, {value});
     const auto sent = m_line.ask(
         question, [&](std::span<const std::uint8_t> data) { return std::ranges::equal(data, echo); });
+    std::optional<LinkError> refusal;
     if (!sent) {
-        const LinkErrorKind kind = sent.error().kind;
-        if (kind == LinkErrorKind::Exception || portIsLost(sent.error()))
+        if (portIsLost(sent.error()))
             return tl::unexpected(sent.error());
+        if (sent.error().kind == LinkErrorKind::Exception) // perhaps the late one to another question
+            refusal = sent.error();
     }
     // Whatever became of the answer, the registers themselves tell.
     const auto kept = readProven(info.address, info.count);
     if (!kept)
         return tl::unexpected(kept.error());
-    if (!std::equal(kept->begin(), kept->end(), registers.begin()))
-        return tl::unexpected(
-            error(LinkErrorKind::ReadBackDiffers, request,
-                  request + " reads " + std::to_string(RegisterReader(*kept, info.address).physical(info))));
-    return {};
+    if (std::equal(kept->begin(), kept->end(), registers.begin()))
+        return {};
+    if (refusal)
+        return tl::unexpected(*refusal);
+    return tl::unexpected(
+        error(LinkErrorKind::ReadBackDiffers, request,
+              request + " reads " + std::to_string(RegisterReader(*kept, info.address).physical(info))));
 }
 
 } // namespace campanel::modbus

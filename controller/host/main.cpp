@@ -2,13 +2,11 @@
 // campanel-controller: the simulated machine and its controller on a pseudo-terminal.
 #include "file_flash.h"
 #include "options.h"
-#include "pseudo_terminal.h"
+#include "served_port.h"
 #include "service.h"
 
-#include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <cstring>
 #include <sys/prctl.h>
 #include <unistd.h>
 
@@ -45,30 +43,6 @@ sigset_t takeSignals()
     return before;
 }
 
-// A symbolic link at the place that the user named; replaces an old link, never a file.
-class PortLink {
-public:
-    [[nodiscard]] bool make(const std::filesystem::path& target, const std::filesystem::path& link)
-    {
-        std::error_code error;
-        if (std::filesystem::is_symlink(link, error))
-            std::filesystem::remove(link, error);
-        std::filesystem::create_symlink(target, link, error);
-        if (!error)
-            m_link = link;
-        return !error;
-    }
-    ~PortLink()
-    {
-        std::error_code error;
-        if (!m_link.empty())
-            std::filesystem::remove(m_link, error);
-    }
-
-private:
-    std::filesystem::path m_link;
-};
-
 } // namespace
 
 int main(int argc, char** argv)
@@ -89,16 +63,12 @@ int main(int argc, char** argv)
     auto flash = FileFlash::open(options->stateDirectory);
     if (!flash)
         return fail(flash.error());
-    auto terminal = PseudoTerminal::open();
-    if (!terminal)
-        return fail(terminal.error());
-    PortLink link;
-    if (!options->link.empty() && !link.make(terminal->path(), options->link))
-        return fail("cannot make the link " + options->link.string() + ": " + std::strerror(errno) +
-                    "; name a place that is free and writable");
+    ServedPort port(options->link);
+    if (const auto plugged = port.plug(); !plugged)
+        return fail(plugged.error());
 
-    Service service(*options, *terminal, *flash);
-    std::printf("%s\n", terminal->path().c_str());
+    Service service(*options, port, *flash);
+    std::printf("%s\n", port.path().c_str());
     std::fflush(stdout);
     service.run(stopRequested, waitMask);
     return 0;

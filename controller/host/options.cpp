@@ -5,7 +5,10 @@
 
 #include <charconv>
 #include <cstring>
+#include <fstream>
 #include <getopt.h>
+#include <iterator>
+#include <optional>
 #include <string_view>
 
 namespace campanel::controller {
@@ -35,6 +38,11 @@ printed is that port's path. Ends on SIGTERM or SIGINT.
   --press-lead-error R the ram goes 1 + R times as far as the motor says, -0.1..0.1 (0.00012)
   --press-screw-error MM   error to both sides within each turn of the screw, 0..1 (0.001)
   --press-drift MM     standard deviation of heat's move of the ram from stroke to stroke, 0..1 (0.005)
+  --faults FILE        rules for what goes wrong on the line, one a line; see controller/README.md
+  --fault-seed N       seed of the faults, unless the rules name one (1)
+  --control            take a line of rules, separated by ';', from standard input at any time; it replaces all
+                       rules, 'clear' removes them. Answered on standard output by 'ok N', N faults by the rules
+                       before, or 'error' and a sentence; 'unplugged', 'port PATH', 'restarted' tell what happened
   --exit-with-parent   end when the process that started this one ends
   --help, --version
 )";
@@ -72,6 +80,9 @@ enum Code {
     PressLeadError,
     PressScrewError,
     PressDrift,
+    Faults,
+    FaultSeed,
+    Control,
     ExitWithParent,
     Help,
     Version
@@ -95,6 +106,9 @@ const option table[] = {{"link", required_argument, nullptr, Link},
                         {"press-lead-error", required_argument, nullptr, PressLeadError},
                         {"press-screw-error", required_argument, nullptr, PressScrewError},
                         {"press-drift", required_argument, nullptr, PressDrift},
+                        {"faults", required_argument, nullptr, Faults},
+                        {"fault-seed", required_argument, nullptr, FaultSeed},
+                        {"control", no_argument, nullptr, Control},
                         {"exit-with-parent", no_argument, nullptr, ExitWithParent},
                         {"help", no_argument, nullptr, Help},
                         {"version", no_argument, nullptr, Version},
@@ -120,6 +134,20 @@ bool takePressOption(int code, std::string_view argument, PressOptions& press)
     default:
         return parseNumber(argument, 0.0, 1.0, press.driftMm);
     }
+}
+
+// Empty: done.
+std::optional<std::string> readFaults(const std::filesystem::path& path, FaultScript& faults)
+{
+    std::ifstream file(path);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    if (!file)
+        return "cannot read " + path.string();
+    auto script = parseFaultScript(text, faults);
+    if (!script)
+        return path.string() + ", " + script.error();
+    faults = std::move(*script);
+    return std::nullopt;
 }
 
 // False when the option's argument is outside its range.
@@ -150,6 +178,11 @@ bool takeOption(int code, std::string_view argument, Options& options)
         return parseNumber<std::uint64_t>(argument, 0, UINT64_MAX, options.machine.seed);
     case FilmSlip:
         return parseNumber(argument, 0.0, 10.0, options.machine.filmSlipMm);
+    case FaultSeed:
+        return parseNumber<std::uint64_t>(argument, 0, UINT64_MAX, options.faults.seed);
+    case Control:
+        options.control = true;
+        return true;
     case ExitWithParent:
         options.exitWithParent = true;
         return true;
@@ -164,6 +197,7 @@ tl::expected<Options, Ending> parseOptions(int argc, char** argv)
 {
     Options options;
     options.stateDirectory = defaultStateDirectory();
+    std::string faultFile; // read last: the seed may be named after it
     opterr = 0;
     for (;;) {
         int index = 0;
@@ -178,11 +212,17 @@ tl::expected<Options, Ending> parseOptions(int argc, char** argv)
         if (code == Version)
             return tl::unexpected(Ending{0, "campanel-controller " CAMPANEL_VERSION "\n"});
         const char* argument = optarg != nullptr ? optarg : "";
-        if (!takeOption(code, argument, options))
+        if (code == Faults)
+            faultFile = argument;
+        else if (!takeOption(code, argument, options))
             return wrong("--" + std::string(table[index].name) + " cannot be '" + argument + "'");
     }
     if (optind < argc)
         return wrong("unexpected argument " + std::string(argv[optind]));
+    if (!faultFile.empty()) {
+        if (const auto sentence = readFaults(faultFile, options.faults))
+            return wrong("--faults " + *sentence);
+    }
     return options;
 }
 

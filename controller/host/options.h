@@ -2,6 +2,7 @@
 // The command line of campanel-controller.
 #pragma once
 
+#include "fault_rules.h"
 #include "line.h"
 #include "machine.h"
 
@@ -19,6 +20,8 @@ struct Options {
     std::filesystem::path link; // empty: none
     double speed = 1.0;         // simulated seconds per second
     MachineOptions machine;
+    FaultScript faults;
+    bool control = false; // rules come on standard input too
     bool exitWithParent = false;
 };
 

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <ctime>
 #include <functional>
 #include <poll.h>
 #include <string>
+#include <unistd.h>
 
 namespace campanel::controller {
 namespace {
@@ -46,50 +48,107 @@ ctl_config configOf(const Options& options)
 
 } // namespace
 
-Service::Service(const Options& options, PseudoTerminal& terminal, FlashDevice& flash)
-    : m_terminal(terminal)
-    , m_line(options.line)
+Service::Service(const Options& options, ServedPort& port, FlashDevice& flash)
+    : m_options(options)
+    , m_port(port)
+    , m_flash(flash)
+    , m_line(options.line, options.faults, monotonicNs())
+    , m_control(options.control ? STDIN_FILENO : -1)
     , m_gapNs(frameGapNs(options.line))
-    , m_speed(options.speed)
-    , m_startNs(monotonicNs())
-    , m_controller(configOf(options), options.machine, flash)
 {
+    powerUp(monotonicNs());
+}
+
+void Service::powerUp(std::int64_t nowNs)
+{
+    m_startNs = nowNs;
+    m_frameEndNs.reset();
+    m_controller = std::make_unique<SimulatedController>(configOf(m_options), m_options.machine, m_flash);
 }
 
 std::uint64_t Service::simulatedUs(std::int64_t timeNs) const
 {
     return static_cast<std::uint64_t>(
-        std::max(0.0, static_cast<double>(timeNs - m_startNs) * m_speed / nsPerUs));
+        std::max(0.0, static_cast<double>(timeNs - m_startNs) * m_options.speed / nsPerUs));
 }
 
 void Service::catchUp(std::int64_t nowNs)
 {
     const std::uint64_t targetUs = simulatedUs(nowNs);
-    const std::uint64_t reachableUs = m_controller.nowUs() + mostSteps * SimulatedController::stepUs;
-    m_controller.runTo(std::min(targetUs, reachableUs));
+    const std::uint64_t reachableUs = m_controller->nowUs() + mostSteps * SimulatedController::stepUs;
+    m_controller->runTo(std::min(targetUs, reachableUs));
     if (targetUs > reachableUs)
-        m_startNs +=
-            static_cast<std::int64_t>(static_cast<double>(targetUs - reachableUs) * nsPerUs / m_speed);
+        m_startNs += static_cast<std::int64_t>(static_cast<double>(targetUs - reachableUs) * nsPerUs /
+                                               m_options.speed);
+}
+
+void Service::takeAnswer(std::int64_t nowNs)
+{
+    std::array<std::uint8_t, CTL_FRAME_BYTES> answer{};
+    const std::size_t size = ctl_take_answer(&m_controller->core(), answer.data());
+    if (size > 0)
+        m_line.fromController({answer.data(), size}, m_frame, nowNs);
 }
 
 void Service::moveBytes(std::int64_t nowNs)
 {
+    while (const auto event = m_line.takeEvent(nowNs))
+        act(*event, nowNs);
     while (const auto arrival = m_line.takeArrival(nowNs)) {
         catchUp(arrival->endNs);
-        ctl_receive(&m_controller.core(), arrival->bytes.data(), arrival->bytes.size(),
+        ctl_receive(&m_controller->core(), arrival->bytes.data(), arrival->bytes.size(),
                     simulatedUs(arrival->endNs));
+        takeAnswer(arrival->endNs); // to the frame before: the next one would overtake it
+        m_frame = arrival->frame;
         m_frameEndNs = arrival->endNs + m_gapNs;
     }
     catchUp(nowNs);
     if (m_frameEndNs && *m_frameEndNs <= nowNs)
         m_frameEndNs.reset();
-    std::array<std::uint8_t, CTL_FRAME_BYTES> answer{};
-    const std::size_t size = ctl_take_answer(&m_controller.core(), answer.data());
-    if (size > 0)
-        m_line.fromController({answer.data(), size}, nowNs);
+    takeAnswer(nowNs);
     const auto forPanel = m_line.takeForPanel(nowNs);
     if (!forPanel.empty())
-        m_terminal.write(forPanel);
+        m_port.write(forPanel);
+}
+
+void Service::act(const LineEvent& event, std::int64_t nowNs)
+{
+    switch (event.kind) {
+    case LineEvent::Kind::Unplug:
+        m_port.unplug();
+        say("unplugged");
+        return;
+    case LineEvent::Kind::Plug:
+        if (const auto plugged = m_port.plug(event.port); !plugged)
+            std::fprintf(stderr, "campanel-controller: %s\n", plugged.error().c_str());
+        say("port " + m_port.path());
+        return;
+    case LineEvent::Kind::Restart:
+        powerUp(nowNs);
+        say("restarted");
+        return;
+    }
+}
+
+// For whoever gives the rules on standard input.
+void Service::say(std::string_view line) const
+{
+    if (!m_options.control)
+        return;
+    std::printf("%.*s\n", static_cast<int>(line.size()), line.data());
+    std::fflush(stdout);
+}
+
+void Service::takeControlLine(std::string_view text)
+{
+    const auto script = parseFaultScript(text, m_line.script());
+    if (!script) {
+        say("error " + script.error());
+        return;
+    }
+    const std::uint64_t applied = m_line.applied();
+    m_line.setScript(*script, monotonicNs());
+    say("ok " + std::to_string(applied));
 }
 
 void Service::wait(std::int64_t nowNs, const sigset_t& waitMask)
@@ -99,18 +158,21 @@ void Service::wait(std::int64_t nowNs, const sigset_t& waitMask)
     untilNs = std::min(untilNs, m_line.nextEventNs().value_or(untilNs));
     const std::int64_t sleepNs = std::max<std::int64_t>(0, untilNs - monotonicNs());
     const timespec timeout{0, static_cast<long>(sleepNs)};
-    std::array<pollfd, 2> descriptors{
-        {{m_terminal.descriptor(), POLLIN, 0}, {m_terminal.closeWatch(), POLLIN, 0}}};
+    std::array<pollfd, 3> descriptors{{{m_port.descriptor(), POLLIN, 0},
+                                       {m_port.closeWatch(), POLLIN, 0},
+                                       {m_control.descriptor(), POLLIN, 0}}};
     if (ppoll(descriptors.data(), descriptors.size(), &timeout, &waitMask) <= 0)
         return;
     if ((descriptors[1].revents & POLLIN) != 0)
-        m_terminal.afterClose();
+        m_port.afterClose();
     if ((descriptors[0].revents & POLLIN) != 0) {
         std::array<std::uint8_t, 512> bytes{};
-        const std::size_t size = m_terminal.read(bytes);
+        const std::size_t size = m_port.read(bytes);
         if (size > 0)
             m_line.fromPanel({bytes.data(), size}, monotonicNs());
     }
+    if (descriptors[2].revents != 0)
+        m_control.read([this](std::string_view line) { takeControlLine(line); });
 }
 
 void Service::run(const volatile std::sig_atomic_t& stop, const sigset_t& waitMask)

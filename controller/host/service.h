@@ -1,23 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 // Serves a simulated controller on a pseudo-terminal in real time (times a factor): sleeps until the next
-// byte, frame end or piece of an answer, then catches up with the simulation.
+// byte, frame end or piece of an answer, then catches up with the simulation. Takes the line's faults with
+// it.
 #pragma once
 
-#include "line.h"
+#include "control_input.h"
+#include "faulty_line.h"
 #include "options.h"
-#include "pseudo_terminal.h"
+#include "served_port.h"
 #include "simulated_controller.h"
 
 #include <csignal>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <string_view>
 
 namespace campanel::controller {
 
 class Service {
 public:
-    // Terminal and flash must outlive the service.
-    Service(const Options& options, PseudoTerminal& terminal, FlashDevice& flash);
+    // Port and flash must outlive the service.
+    Service(const Options& options, ServedPort& port, FlashDevice& flash);
 
     // Until *stop is set by a signal that is delivered only while this waits with `waitMask`.
     void run(const volatile std::sig_atomic_t& stop, const sigset_t& waitMask);
@@ -26,14 +30,22 @@ private:
     [[nodiscard]] std::uint64_t simulatedUs(std::int64_t timeNs) const;
     void catchUp(std::int64_t nowNs);
     void moveBytes(std::int64_t nowNs);
+    void takeAnswer(std::int64_t nowNs);
     void wait(std::int64_t nowNs, const sigset_t& waitMask);
+    void act(const LineEvent& event, std::int64_t nowNs);
+    void powerUp(std::int64_t nowNs);
+    void takeControlLine(std::string_view text);
+    void say(std::string_view line) const;
 
-    PseudoTerminal& m_terminal;
-    Line m_line;
+    Options m_options;
+    ServedPort& m_port;
+    FlashDevice& m_flash;
+    FaultyLine m_line;
+    ControlInput m_control;
     std::int64_t m_gapNs = 0;
-    double m_speed = 1.0;
     std::int64_t m_startNs = 0; // real time of power-up, moved when the simulation cannot keep up
-    SimulatedController m_controller;
+    std::unique_ptr<SimulatedController> m_controller;
+    std::uint64_t m_frame = 0;                // of the bytes that came last
     std::optional<std::int64_t> m_frameEndNs; // of the request under way
 };
 

@@ -307,11 +307,28 @@ void TestExecutable::helpAndVersion()
 {
     const auto help = runToEnd({u"--help"_s});
     QCOMPARE(help.first, 0);
-    for (const char* option :
-         {"--link", "--unit", "--baud", "--parity", "--stop-bits", "--no-pacing", "--state", "--speed",
-          "--seed", "--film-slip", "--work-piece", "--work-piece-scatter", "--work-piece-missing",
-          "--work-piece-stiffness", "--press-backlash", "--press-lead-error", "--press-screw-error",
-          "--press-drift", "--exit-with-parent"})
+    for (const char* option : {"--link",
+                               "--unit",
+                               "--baud",
+                               "--parity",
+                               "--stop-bits",
+                               "--no-pacing",
+                               "--state",
+                               "--speed",
+                               "--seed",
+                               "--film-slip",
+                               "--work-piece",
+                               "--work-piece-scatter",
+                               "--work-piece-missing",
+                               "--work-piece-stiffness",
+                               "--press-backlash",
+                               "--press-lead-error",
+                               "--press-screw-error",
+                               "--press-drift",
+                               "--faults",
+                               "--fault-seed",
+                               "--control",
+                               "--exit-with-parent"})
         QVERIFY2(help.second.contains(option), option);
     const auto version = runToEnd({u"--version"_s});
     QCOMPARE(version.first, 0);

@@ -24,6 +24,10 @@ private slots:
     void linkErrorsAreRepeated();
     void resumesAtTheMissingBlock();
     void beginsAgainAfterARestartOfTheController();
+    void beginsAgainWhenNobodySawTheRestart_data();
+    void beginsAgainWhenNobodySawTheRestart();
+    void resumedAfterApplyWasSent_data();
+    void resumedAfterApplyWasSent();
     void applyWithoutAnyAnswer_data();
     void applyWithoutAnyAnswer();
     void cancelledWhileTransferring();
@@ -172,6 +176,49 @@ void DownloadTest::beginsAgainAfterARestartOfTheController()
     QVERIFY(run(download, Download::Phase::Active));
 }
 
+void DownloadTest::beginsAgainWhenNobodySawTheRestart_data()
+{
+    QTest::addColumn<int>("phase");
+    QTest::addColumn<bool>("verify");
+    QTest::newRow("blocks") << static_cast<int>(Download::Phase::Blocks) << false;
+    QTest::newRow("seal") << static_cast<int>(Download::Phase::Seal) << false;
+    QTest::newRow("verify") << static_cast<int>(Download::Phase::Verify) << true;
+    QTest::newRow("apply") << static_cast<int>(Download::Phase::Apply) << false;
+}
+
+void DownloadTest::beginsAgainWhenNobodySawTheRestart()
+{
+    QFETCH(int, phase);
+    QFETCH(bool, verify);
+    Download download = make({ProgramKind::RotaryCutter, ApplyMode::WhenStopped, 28, verify});
+    QVERIFY(run(download, static_cast<Download::Phase>(phase)));
+    m_slave->restart();
+    QVERIFY(run(download, Download::Phase::Active));
+    QCOMPARE(m_client->exchangeStatus(0, 0)->generation, 7u); // 6 in its flash, and this one
+}
+
+void DownloadTest::resumedAfterApplyWasSent_data()
+{
+    QTest::addColumn<int>("mode");
+    QTest::newRow("became active") << static_cast<int>(ApplyMode::WhenStopped);
+    QTest::newRow("is armed") << static_cast<int>(ApplyMode::NextCycle);
+}
+
+void DownloadTest::resumedAfterApplyWasSent()
+{
+    QFETCH(int, mode);
+    Download download = make({ProgramKind::RotaryCutter, static_cast<ApplyMode>(mode), 29, false});
+    QVERIFY(run(download, Download::Phase::Apply));
+    m_slave->script({Fault::LostAnswer, Fault::LostRequest, Fault::LostRequest, Fault::LostRequest});
+    QVERIFY(!download.advance(*m_client).has_value());
+    download.resume(); // as after a broken line, before any status has told
+    while (download.phase() != Download::Phase::AwaitActive)
+        QVERIFY(download.advance(*m_client).has_value());
+    m_slave->reachCycleBoundary();
+    QCOMPARE(pollStatus(download), Download::Phase::Active);
+    QCOMPARE(m_client->exchangeStatus(0, 0)->generation, 8u); // once
+}
+
 void DownloadTest::applyWithoutAnyAnswer_data()
 {
     QTest::addColumn<int>("mode");
@@ -239,11 +286,21 @@ void DownloadTest::refusedRowLeavesTheActiveProgram()
 void DownloadTest::differingRegisterIsNamed()
 {
     Download download = make({ProgramKind::RotaryCutter, ApplyMode::WhenStopped, 26, true});
-    QVERIFY(run(download, Download::Phase::Verify));
-    m_slave->setRegister(stagedBankBase + 200, static_cast<std::uint16_t>(m_image[200] ^ 1u));
+    const auto damage = [this](unsigned bits) {
+        m_slave->setRegister(stagedBankBase + 200, static_cast<std::uint16_t>(m_image[200] ^ bits));
+    };
     tl::expected<Download::Phase, DownloadError> phase = download.phase();
-    while (phase && *phase == Download::Phase::Verify)
-        phase = download.advance(*m_client);
+    const auto verify = [&] {
+        QVERIFY(run(download, Download::Phase::Verify));
+        damage(1);
+        do
+            phase = download.advance(*m_client);
+        while (phase && *phase == Download::Phase::Verify);
+    };
+    verify();
+    QCOMPARE(phase, Download::Phase::Resuming); // the controller may have restarted
+    damage(0);
+    verify(); // it has not
     QVERIFY(!phase.has_value());
     QCOMPARE(phase.error().kind, DownloadErrorKind::RowsDiffer);
     QCOMPARE(phase.error().offset, 200u);

@@ -55,6 +55,8 @@ private slots:
     void doubtfulCommand_data();
     void doubtfulCommand();
     void commandWithoutAnyAnswerIsUnknown();
+    void commandBeforeARestartIsUnknown();
+    void counterOfARestartedControllerIsNotUsed();
     void refusedCommandIsAResult();
     void parameterIsProven();
     void parameterOutsideItsLimitsIsNotSent();
@@ -283,6 +285,29 @@ void RtuClientTest::commandWithoutAnyAnswerIsUnknown()
     QCOMPARE(m_slave->commandsExecuted(), 1);
 }
 
+void RtuClientTest::commandBeforeARestartIsUnknown()
+{
+    QVERIFY(m_client->command(Command::Start).has_value());
+    m_slave->script({Fault::Restart}); // carried out, then nothing is known of it any more
+    const auto result = m_client->command(Command::SaveToFlash);
+    QVERIFY(!result.has_value());
+    QCOMPARE(result.error().kind, LinkErrorKind::OutcomeUnknown);
+    QCOMPARE(m_slave->commandsExecuted(), 2);
+    QVERIFY(m_client->command(Command::StopNow).has_value());
+    QCOMPARE(m_slave->commandsExecuted(), 3);
+}
+
+void RtuClientTest::counterOfARestartedControllerIsNotUsed()
+{
+    m_slave->setRegister(registerNamed("status.command_counter").address, 0xFFFF);
+    QVERIFY(m_client->exchangeStatus(1, 0).has_value());
+    m_slave->restart(); // its counter is 0, and the command after 0xFFFF is none that it has had
+    const auto result = m_client->command(Command::Start);
+    QVERIFY(result.has_value());
+    QVERIFY(result->done());
+    QCOMPARE(m_slave->commandsExecuted(), 1);
+}
+
 void RtuClientTest::refusedCommandIsAResult()
 {
     const auto result = m_client->command(Command::Home);
@@ -303,6 +328,11 @@ void RtuClientTest::parameterIsProven()
     const auto lost = m_client->writeParameter(info, 90000);
     QVERIFY(!lost.has_value());
     QCOMPARE(lost.error().kind, LinkErrorKind::ReadBackDiffers);
+    // An exception may be another question's: what the register holds decides.
+    m_slave->script({Fault::Exception2Done});
+    QVERIFY(m_client->writeParameter(info, 91000).has_value());
+    m_slave->script({Fault::Exception2});
+    QCOMPARE(m_client->writeParameter(info, 92000).error().kind, LinkErrorKind::Exception);
 }
 
 void RtuClientTest::parameterOutsideItsLimitsIsNotSent()

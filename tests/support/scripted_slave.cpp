@@ -105,8 +105,30 @@ void ScriptedSlave::unplug()
 void ScriptedSlave::forgetTransfer()
 {
     const std::scoped_lock lock(m_mutex);
+    loseTransfer();
+}
+
+void ScriptedSlave::loseTransfer()
+{
     m_received.clear();
     m_registers[address("transfer_result.session")] = 0;
+}
+
+void ScriptedSlave::restart()
+{
+    const std::scoped_lock lock(m_mutex);
+    powerUp();
+}
+
+void ScriptedSlave::powerUp()
+{
+    loseTransfer();
+    std::fill_n(m_registers.begin() + stagedBankBase, bankRegisters, std::uint16_t{0});
+    for (const char* name : {"status.staged_state", "status.command_counter", "result.counter", "result.code",
+                             "result.status", "result.reason"})
+        m_registers[address(name)] = 0;
+    put32(address("status.generation"), 6);
+    put32(address("status.active_crc"), 0x06060606);
 }
 
 void ScriptedSlave::reachCycleBoundary()
@@ -149,9 +171,11 @@ void ScriptedSlave::answer(const Bytes& request)
     }
     if (fault == Fault::LostRequest)
         return;
-    Bytes reply = fault == Fault::Exception2
-                      ? Bytes{request[0], static_cast<std::uint8_t>(request[1] | 0x80u), 2}
-                      : execute(request);
+    Bytes reply{request[0], static_cast<std::uint8_t>(request[1] | 0x80u), 2};
+    if (fault != Fault::Exception2) {
+        const Bytes right = execute(request);
+        reply = fault == Fault::Exception2Done ? reply : right;
+    }
     const auto crc = static_cast<std::uint16_t>(crc16(reply) ^ (fault == Fault::BadChecksum ? 0xFFFFu : 0u));
     reply.push_back(static_cast<std::uint8_t>(crc & 0xFFu));
     reply.push_back(static_cast<std::uint8_t>(crc >> 8));
@@ -160,7 +184,9 @@ void ScriptedSlave::answer(const Bytes& request)
     const Bytes late = std::exchange(m_late, {});
     if (!late.empty())
         send(late);
-    if (fault == Fault::LateAnswer)
+    if (fault == Fault::Restart)
+        powerUp();
+    else if (fault == Fault::LateAnswer)
         m_late = reply;
     else if (fault != Fault::LostAnswer)
         send(reply);

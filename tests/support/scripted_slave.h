@@ -15,12 +15,14 @@ namespace campanel::test {
 
 enum class Fault {
     None,
-    LostRequest, // not executed, not answered
-    LostAnswer,  // executed, not answered
-    LateAnswer,  // executed; the answer comes right before that of the next request
-    BadChecksum, // executed, CRC-16 of the answer inverted
-    Truncated,   // executed, the answer stops in the middle
-    Exception2,  // not executed, exception 2
+    LostRequest,    // not executed, not answered
+    LostAnswer,     // executed, not answered
+    LateAnswer,     // executed; the answer comes right before that of the next request
+    BadChecksum,    // executed, CRC-16 of the answer inverted
+    Truncated,      // executed, the answer stops in the middle
+    Exception2,     // not executed, exception 2
+    Exception2Done, // executed, exception 2
+    Restart,        // executed, not answered, then restart()
 };
 
 class ScriptedSlave {
@@ -43,6 +45,8 @@ public:
     void unplug();
     // Forgets the transfer session, as after a restart of the controller.
     void forgetTransfer();
+    // What is in RAM is lost; an older program, the sixth, comes from the flash.
+    void restart();
     // Makes an armed change active, as at the cycle boundary.
     void reachCycleBoundary();
     void refuseRow(std::uint16_t row);
@@ -59,6 +63,8 @@ private:
     void runTransfer();
     void runReadback();
     void activateStaged();
+    void loseTransfer();
+    void powerUp();
     void put32(std::uint16_t address, std::uint32_t value);
 
     std::string m_port;

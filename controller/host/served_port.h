@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// The port that panels open: a pseudo-terminal that can be unplugged and plugged in again, and the symbolic
+// link that leads to it.
+#pragma once
+
+#include "pseudo_terminal.h"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <tl/expected.hpp>
+
+namespace campanel::controller {
+
+class ServedPort {
+public:
+    // `link`: where the symbolic link is to be, empty for none.
+    explicit ServedPort(std::filesystem::path link);
+    ServedPort(const ServedPort&) = delete;
+    ServedPort& operator=(const ServedPort&) = delete;
+    ~ServedPort();
+
+    // A new pseudo-terminal; the link leads to it from `link`, from where it was when that is empty. The
+    // error says what failed and what to do. Nothing happens when it is plugged in.
+    [[nodiscard]] tl::expected<void, std::string> plug(const std::filesystem::path& link = {});
+    // Whoever has it open sees it hang up.
+    void unplug();
+
+    [[nodiscard]] bool isPlugged() const { return m_terminal.has_value(); }
+    // The pseudo-terminal's, empty while unplugged.
+    [[nodiscard]] std::string path() const;
+    // Readable when there are bytes from the panel, and when someone closed the far end; -1 while unplugged.
+    [[nodiscard]] int descriptor() const;
+    [[nodiscard]] int closeWatch() const;
+
+    [[nodiscard]] std::size_t read(std::span<std::uint8_t> bytes);
+    void write(std::span<const std::uint8_t> bytes);
+    void afterClose();
+
+private:
+    [[nodiscard]] bool makeLink();
+    void removeLink();
+
+    std::filesystem::path m_link;
+    bool m_isLinkMade = false;
+    std::optional<PseudoTerminal> m_terminal;
+};
+
+} // namespace campanel::controller
