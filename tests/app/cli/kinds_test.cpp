@@ -237,7 +237,7 @@ void CliKindsTest::intervalsOfAMove()
     const Result csv = call(u"intervals --kind speed_move --format csv --speed-error-mm-per-s 100"_s);
     QCOMPARE(linesOf(csv).first(), QByteArray("pulses,first_hz,last_hz,acceleration_hz_per_s"));
     // 9000 mm/s at 10 pulses a mm, by the clock that there is.
-    QVERIFY2(isNear(linesOf(csv).last().split(',')[2].toDouble(), 90'000, 1000), csv.out.constData());
+    QVERIFY2(isNear(linesOf(csv).last().split(',')[2].toDouble(), 90'000, 0.01), csv.out.constData());
     const Result table = call(u"table --kind position_move --execution intervals --format csv"_s);
     double sum = 0;
     for (const QByteArray& line : linesOf(table).mid(1))
