@@ -4,6 +4,7 @@
 #include <QEventLoop>
 #include <QModbusRtuSerialClient>
 #include <QSerialPort>
+#include <QVariant>
 
 #include <stdexcept>
 
@@ -18,9 +19,12 @@ public:
     {
         m_client.setConnectionParameter(QModbusDevice::SerialPortNameParameter, QString::fromStdString(port));
         m_client.setConnectionParameter(QModbusDevice::SerialBaudRateParameter, baud);
-        m_client.setConnectionParameter(QModbusDevice::SerialParityParameter, QSerialPort::NoParity);
-        m_client.setConnectionParameter(QModbusDevice::SerialDataBitsParameter, QSerialPort::Data8);
-        m_client.setConnectionParameter(QModbusDevice::SerialStopBitsParameter, QSerialPort::OneStop);
+        m_client.setConnectionParameter(QModbusDevice::SerialParityParameter,
+                                        static_cast<int>(QSerialPort::NoParity));
+        m_client.setConnectionParameter(QModbusDevice::SerialDataBitsParameter,
+                                        static_cast<int>(QSerialPort::Data8));
+        m_client.setConnectionParameter(QModbusDevice::SerialStopBitsParameter,
+                                        static_cast<int>(QSerialPort::OneStop));
         if (!m_client.connectDevice())
             throw std::runtime_error("QModbusRtuSerialClient: " + m_client.errorString().toStdString());
     }
