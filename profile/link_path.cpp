@@ -55,7 +55,7 @@ public:
         if (m_first >= m_hull.size() || m_hull[m_first].time >= to.time)
             return std::nullopt;
         while (m_first + 1 < m_hull.size() && m_hull[m_first + 1].time < to.time &&
-               m_sign * (slope(m_hull[m_first + 1], to) - slope(m_hull[m_first], to)) <= 0)
+               isConvex(m_hull[m_first], m_hull[m_first + 1], to))
             ++m_first;
         return m_hull[m_first];
     }

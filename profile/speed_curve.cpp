@@ -8,7 +8,7 @@ namespace campanel::profile::detail {
 
 namespace {
 
-constexpr int totalSamples = 2048;
+constexpr int totalSamples = 1024;
 constexpr int leastSamples = 16; // of a stretch
 // Slower than this at the end is rest.
 constexpr double restShare = 1e-9;

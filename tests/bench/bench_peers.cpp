@@ -166,9 +166,9 @@ Figures measurePeers()
     figures.push_back({"1024 registers written and read back", oursWritten, wireSeconds(settings.line) / 0.95,
                        "s", "wire's limit / 0.95", true});
     const auto beside = [&](const std::string& name, Master& master) {
-        figures.push_back({"status exchanges", ours, statusPerSecond(master), "/s", name, false});
+        figures.push_back({"status exchanges", ours, statusPerSecond(master), "/s", name, false, true});
         figures.push_back({"1024 registers written and read back", oursWritten, writeAndVerifySeconds(master),
-                           "s", name, true});
+                           "s", name, true, true});
     };
     beside("plain libmodbus", *plainMaster(port, baud));
     if (const auto master = qtMaster(port, baud))

@@ -3,6 +3,8 @@
 // every kind of program against one frame.
 #include "bench_report.h"
 
+#include "app/program/program_image.h"
+#include "app/program/program_kinds.h"
 #include "app/program/solved_program.h"
 #include "profile/cam_table.h"
 #include "profile/laws.h"
@@ -157,11 +159,34 @@ Figure slowestPreview()
         "solve and sample the slowest kind (" + name + ")", slowest * msPerS, 16, "ms", "one frame", true};
 }
 
+// A move with each law as intervals, as the panel compiles it.
+Figure slowestIntervals()
+{
+    constexpr double msPerS = 1000;
+    std::string name;
+    double slowest = 0;
+    for (const profile::Law& law : profile::laws()) {
+        program::Recipe recipe = program::defaultRecipe(
+            law.isDisplacementLaw ? profile::ProgramKind::PositionMove : profile::ProgramKind::SpeedMove);
+        program::setChoice(recipe.program, program::Choice::Law, static_cast<std::uint16_t>(law.id));
+        program::setChoice(recipe.program, program::Choice::Execution,
+                           static_cast<std::uint16_t>(profile::Execution::Intervals));
+        bool isBuilt = false;
+        const double time = secondsPerCall(5, [&] { isBuilt = program::buildProgram(recipe).has_value(); });
+        if (isBuilt && time > slowest) {
+            slowest = time;
+            name = law.key;
+        }
+    }
+    return {
+        "build the slowest move as intervals (" + name + ")", slowest * msPerS, 16, "ms", "one frame", true};
+}
+
 } // namespace
 
 Figures measurePrograms()
 {
-    return {slowestLaw(), camTable(), slowestPreview()};
+    return {slowestLaw(), camTable(), slowestPreview(), slowestIntervals()};
 }
 
 } // namespace campanel::bench

@@ -43,10 +43,11 @@ std::string format(const Figures& figures)
             return out << std::setprecision(value < 10 ? 3 : value < 1000 ? 1 : 0) << value;
         };
         out << "| " << figure.what << " | ";
-        number(figure.measured) << ' ' << figure.unit << " | " << (figure.atMost ? "<= " : ">= ");
+        number(figure.measured) << ' ' << figure.unit << " | "
+                                << (figure.isPeer ? "" : (figure.atMost ? "<= " : ">= "));
         number(figure.limit) << ' ' << figure.unit << " (" << figure.limitText << ") | "
                              << std::setprecision(3) << figure.ratio() << " | "
-                             << (figure.holds() ? "ok" : "MISSED") << " |\n";
+                             << (figure.isPeer ? "peer" : (figure.holds() ? "ok" : "MISSED")) << " |\n";
     }
     return out.str();
 }

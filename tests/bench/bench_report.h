@@ -16,6 +16,7 @@ struct Figure {
     std::string unit;
     std::string limitText; // what the limit is: "a frame", "wire's limit", "an empty window"
     bool atMost = true;
+    bool isPeer = false; // `limit` is what another one does under the same conditions, nothing to be kept
 
     [[nodiscard]] double ratio() const { return measured / limit; }
     [[nodiscard]] bool holds() const { return atMost ? ratio() <= 1.0 : ratio() >= 1.0; }
