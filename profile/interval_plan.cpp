@@ -315,8 +315,9 @@ std::optional<IntervalPlan> planRows(const SpeedCurve& curve, const PlanRules& r
         for (const double evenness : evennesses) {
             for (const LastLink last : {LastLink::LeastTurn, LastLink::Middle}) {
                 const auto knots = lines.find(count, evenness, last);
-                auto rows = knots ? search.along(*knots) : std::nullopt;
-                if (rows)
+                if (!knots)
+                    break;
+                if (auto rows = search.along(*knots))
                     return IntervalPlan{std::move(*rows), fewest};
             }
         }

@@ -226,7 +226,7 @@ void TestIntervals::cutter()
     QCOMPARE(table->advance, std::int64_t{10000});
     qInfo("%zu rows, speed error %.3f mm/s, %.3f us late", table->rows.size(), table->errors.speedMmPerS,
           (table->timeS - table->profileTimeS) * 1e6);
-    QVERIFY(table->rows.size() <= 8);
+    QVERIFY(table->rows.size() <= 9);
     QVERIFY(std::abs(table->timeS - 1) < 1e-3);
 }
 
