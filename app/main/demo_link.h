@@ -42,6 +42,8 @@ public:
     // How often Stop arrived so far.
     [[nodiscard]] int stopRequests() const { return m_stopRequests; }
     [[nodiscard]] link::SteadyTime now() const { return m_now; }
+    // So much of that time goes by.
+    void advance(std::chrono::microseconds time) { m_now += time; }
 
 private:
     void report(link::LinkState state);

@@ -2,11 +2,15 @@
 // Quantiles and the printed table.
 #include "bench_report.h"
 
+#include <QFile>
+#include <QRegularExpression>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
+#include <stdexcept>
 #include <thread>
 
 namespace campanel::bench {
@@ -30,6 +34,15 @@ double quantile(std::vector<double> samples, double fraction)
     std::ranges::sort(samples);
     const double position = fraction * static_cast<double>(samples.size() - 1);
     return samples[static_cast<std::size_t>(std::ceil(position))];
+}
+
+double residentMb(std::int64_t processId)
+{
+    QFile status(QStringLiteral("/proc/%1/status").arg(processId));
+    if (!status.open(QIODevice::ReadOnly))
+        throw std::runtime_error("a started program ended before it was measured");
+    static const QRegularExpression pattern(QStringLiteral("VmRSS:\\s+(\\d+) kB"));
+    return pattern.match(QString::fromLatin1(status.readAll())).captured(1).toDouble() / 1024;
 }
 
 std::string format(const Figures& figures)

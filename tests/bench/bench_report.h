@@ -2,6 +2,7 @@
 // One line per figure: what was measured, against which limit or peer, and their ratio.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -32,6 +33,10 @@ using Figures = std::vector<Figure>;
 [[nodiscard]] Figures measureLink();
 [[nodiscard]] Figures measurePeers();
 [[nodiscard]] Figures measureStart();
+[[nodiscard]] Figures measureMemory(); // takes some minutes
+
+// Memory of a process; throws std::runtime_error when there is no such process.
+[[nodiscard]] double residentMb(std::int64_t processId);
 
 // The value below which `fraction` of the samples lie.
 [[nodiscard]] double quantile(std::vector<double> samples, double fraction);

@@ -3,9 +3,7 @@
 #include "bench_report.h"
 
 #include <QElapsedTimer>
-#include <QFile>
 #include <QProcess>
-#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QThread>
 
@@ -23,15 +21,6 @@ struct Start {
     double firstFrameMs = 0;
     double residentMb = 0;
 };
-
-double residentMb(qint64 processId)
-{
-    QFile status(u"/proc/%1/status"_s.arg(processId));
-    if (!status.open(QIODevice::ReadOnly))
-        throw std::runtime_error("a started program ended before it was measured");
-    static const QRegularExpression pattern(u"VmRSS:\\s+(\\d+) kB"_s);
-    return pattern.match(QString::fromLatin1(status.readAll())).captured(1).toDouble() / 1024;
-}
 
 Start startOnce(const QString& program, const QStringList& arguments, const QString& home)
 {

@@ -20,7 +20,8 @@ int main(int argc, char** argv)
     parser.setApplicationDescription(u"Measures CamPanel against its limits; prints one table."_s);
     parser.addHelpOption();
     parser.addPositionalArgument(
-        u"part"_s, u"motion, programs, plots, link, peers, start; all when none is named"_s, u"[part...]"_s);
+        u"part"_s, u"motion, programs, plots, link, peers, start, memory; all when none is named"_s,
+        u"[part...]"_s);
     parser.process(app);
 
     const QStringList wanted = parser.positionalArguments();
@@ -28,7 +29,8 @@ int main(int argc, char** argv)
         QString name;
         Figures (*measure)();
     } parts[] = {{u"motion"_s, measureMotion}, {u"programs"_s, measurePrograms}, {u"plots"_s, measurePlots},
-                 {u"link"_s, measureLink},     {u"peers"_s, measurePeers},       {u"start"_s, measureStart}};
+                 {u"link"_s, measureLink},     {u"peers"_s, measurePeers},       {u"start"_s, measureStart},
+                 {u"memory"_s, measureMemory}};
 
     Figures figures;
     try {

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Eight hours of running in accelerated time: the real Run page with a status for every exchange of a line at
+// 115200 baud, drawn once a second of that time, and a record of every frame. What is resident may not grow.
+#include "bench_report.h"
+
+#include "app/main/stage.h"
+#include "modbus/rtu_line.h"
+
+#include <QCoreApplication>
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+namespace campanel::bench {
+namespace {
+
+using namespace std::chrono_literals;
+using link::StatusBatch;
+
+constexpr int statusPerS = 78;
+constexpr int secondsPerHour = 3600;
+constexpr int hours = 8;
+
+// What passes on the line in one exchange, one in a hundred lost.
+void record(modbus::LinkRecord& line, int exchange, modbus::LinkFigures::WallTime at)
+{
+    constexpr std::array<std::uint8_t, 19> question{1, 23};
+    constexpr std::array<std::uint8_t, 85> answer{1, 23, 80};
+    constexpr int lostEvery = 100;
+    line.figures.noteRequest(question.size(), false);
+    line.frames.add(modbus::FrameVerdict::Sent, question, 0x0100, 40);
+    if (exchange % lostEvery == 0) {
+        line.figures.noteError(modbus::LinkErrorKind::NoAnswer, 60ms, at);
+        return;
+    }
+    line.figures.noteReceived(answer.size());
+    line.figures.noteAnswer(10ms + std::chrono::microseconds(exchange % 997), 11ms, 12ms, at);
+    line.frames.add(modbus::FrameVerdict::Answer, answer, 0x0100, 40);
+}
+
+} // namespace
+
+Figures measureMemory()
+{
+    qputenv("QT_QPA_UPDATE_IDLE_TIME", "0");
+    panel::Stage stage({QStringLiteral("en"), QStringLiteral("light"), QSize(1024, 600)});
+    if (!stage.isReady())
+        throw std::runtime_error("the panel's window cannot be loaded");
+    link::StatusSample sample;
+    const auto known = QObject::connect(&stage.link(), &link::Link::statusReceived, &stage.window(),
+                                        [&](const StatusBatch& batch) {
+                                            if (!batch.samples.isEmpty())
+                                                sample = batch.samples.last();
+                                        });
+    stage.link().show(panel::DemoLink::Situation::Fresh);
+    stage.link().show(panel::DemoLink::Situation::Running);
+    QObject::disconnect(known);
+    stage.settle();
+
+    constexpr double bagMm = 250;
+    std::mt19937 random(1);
+    std::normal_distribution<double> deviation(0, 0.03);
+    modbus::LinkRecord line;
+    modbus::LinkFigures::WallTime at{};
+    double afterFirstHourMb = 0;
+    for (int second = 0; second < hours * secondsPerHour; ++second) {
+        StatusBatch batch;
+        modbus::StatusBlock& status = sample.status;
+        ++status.cycleCount;
+        ++status.bagCount;
+        status.bagDeviationMm = deviation(random);
+        status.bagLengthMm = bagMm + *status.bagDeviationMm;
+        for (int i = 0; i < statusPerS; ++i) {
+            status.masterAngleDeg = 360.0 * i / statusPerS;
+            status.actualFrequencyHz = static_cast<std::int32_t>(10'000 * std::abs(std::sin(i)));
+            sample.receivedAt = stage.link().now() + i * 12'820us;
+            batch.samples.append(sample);
+            record(line, second * statusPerS + i, at);
+        }
+        at += 1s;
+        stage.link().advance(1s);
+        emit stage.link().statusReceived(batch);
+        stage.settle();
+        if (second == secondsPerHour)
+            afterFirstHourMb = residentMb(QCoreApplication::applicationPid());
+    }
+    const double grownMb = residentMb(QCoreApplication::applicationPid()) - afterFirstHourMb;
+    return {{"resident memory grown from hour 1 to hour " + std::to_string(hours), grownMb, 2, "MB", "flat",
+             true}};
+}
+
+} // namespace campanel::bench
