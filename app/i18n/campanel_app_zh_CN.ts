@@ -2123,7 +2123,7 @@
     <name>campanel::machine::LinkDoctor</name>
     <message>
         <source>The machine is moving. Diagnosis and search close the connection, and the controller would miss this panel. Stop the machine first.</source>
-        <translation>机器正在运动。诊断和搜索会关闭连接，控制器会失去本面板。请先停机。</translation>
+        <translation>机器正在运动。诊断和搜索会关闭连接，控制器会收不到面板的心跳。请先停机。</translation>
     </message>
     <message>
         <source>A Stop waits for the connection to come back. It goes first.</source>

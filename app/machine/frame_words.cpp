@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/machine/frame_words.h"
 
+#include "app/machine/controller_sentences.h"
+#include "app/machine/format.h"
 #include "app/machine/register_words.h"
 
 #include <algorithm>
@@ -26,6 +28,14 @@ QString valueOf(const DecodedFrame& frame, std::string_view name)
 {
     const modbus::NamedValue* value = find(frame, name);
     return value ? RegisterWords::value(*value) : QString();
+}
+
+QString state(const DecodedFrame& frame)
+{
+    const modbus::NamedValue* value = find(frame, "status.state");
+    const bool isKnown = value && value->raw <= static_cast<int>(modbus::State::Fault);
+    return isKnown ? ControllerSentences::state(static_cast<modbus::State>(value->raw))
+                   : valueOf(frame, "status.state");
 }
 
 QString assignment(const modbus::NamedValue& value)
@@ -107,20 +117,22 @@ QString FrameWords::question(const DecodedFrame& frame)
         return tr("Transfer %1, block %2", "operation, number")
             .arg(valueOf(frame, "transfer.operation"), valueOf(frame, "transfer.block"));
     if (const modbus::NamedValue* from = find(frame, "readback.address"))
-        return tr("Read %1, %2 registers")
+        return tr("Read %1, count %2")
             .arg(registerAt(static_cast<quint16>(from->raw)), valueOf(frame, "readback.count"));
     if (frame.written && !frame.values.empty())
         return tr("Write %1").arg(assignment(frame.values.front()));
     if (frame.read)
-        return tr("Read %1, %2 registers").arg(registerAt(frame.read->address)).arg(frame.read->count);
+        return tr("Read %1, count %2").arg(registerAt(frame.read->address)).arg(frame.read->count);
     return tr("Sent: function %1").arg(frame.function.value_or(0));
 }
 
 QString FrameWords::answer(const DecodedFrame& frame)
 {
     if (starts(frame.read, "status.tag")) {
-        const QString angle = valueOf(frame, "status.master_angle");
-        return tr("Status: %1, %2", "state, angle").arg(valueOf(frame, "status.state"), angle);
+        const modbus::NamedValue* angle = find(frame, "status.master_angle");
+        const QString degrees =
+            angle && angle->physical ? Format().number(*angle->physical, 2) + u'°' : Format::unknownText();
+        return tr("Status: %1, %2", "state, angle").arg(state(frame), degrees);
     }
     if (starts(frame.read, "result.counter"))
         return tr("Command %1: %2", "name, what became of it")

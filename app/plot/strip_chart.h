@@ -63,9 +63,9 @@ private:
     QList<double> m_errors;
     QList<double> m_timesMs;
     QDateTime m_end;
-    QString m_answersTitle;
-    QString m_errorsTitle;
-    QString m_timesTitle;
+    QString m_answersTitle{QStringLiteral("%1")};
+    QString m_errorsTitle{QStringLiteral("%1")};
+    QString m_timesTitle{QStringLiteral("%1")};
     QString m_localeName;
     QFont m_textFont;
     QColor m_textColor{Qt::darkGray};

@@ -166,6 +166,7 @@ private slots:
         report.isScanning = true;
         emit rig.link.reported(report);
         QCOMPARE(rig.link.scanCancels, 0);
+        QVERIFY(rig.machine.connectionText().startsWith("The link doctor has the ports."));
         report.pendingStop = modbus::Command::StopNow;
         emit rig.link.reported(report);
         QCOMPARE(rig.link.scanCancels, 1);
@@ -454,10 +455,14 @@ private slots:
              frame(6, FrameVerdict::Answer, {1, 16, 0, 0x82, 0, 1}),
              frame(7, FrameVerdict::Sent, {1, 3, 0x10, 0, 0, 2}),
              frame(8, FrameVerdict::Exception, {1, 0x83, 2})});
-        const QStringList all{"Status wanted, heartbeat 42",        "No answer in time",
-                              "Command Start, counter 9",           "Command Start: Done",
-                              "Write parameter.ramp_time = 900 ms", "Answer: done",
-                              "Read 0x1000, 2 registers",           "Exception 2: illegal register address"};
+        const QStringList all{"Status wanted, heartbeat 42",
+                              "No answer in time",
+                              "Command Start, counter 9",
+                              "Command Start: Done",
+                              "Write parameter.ramp_time = 900 ms",
+                              "Answer: done",
+                              "Read 0x1000, count 2",
+                              "Exception 2: illegal register address"};
         QCOMPARE(words(frames), all);
         frames.setFilter(FrameList::Filter::Errors);
         QCOMPARE(words(frames), (QStringList{all[0], all[1], all[6], all[7]}));

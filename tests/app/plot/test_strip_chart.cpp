@@ -12,7 +12,7 @@ using namespace campanel;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 const QColor red(255, 0, 0);
 
 QRect inkOf(const QImage& image, const QColor& color)
@@ -35,7 +35,7 @@ class TestStripChart : public QObject {
 private slots:
     void columnsShowTheWorst()
     {
-        const QList<double> worst = plot::worstOfColumns({1, 5, nan, 2, 3, nan}, 6, 3);
+        const QList<double> worst = plot::worstOfColumns({1, 5, unknown, 2, 3, unknown}, 6, 3);
         QCOMPARE(worst, (QList<double>{5, 2, 3}));
         // A short record lies at the right.
         const QList<double> brief = plot::worstOfColumns({7}, 6, 3);
