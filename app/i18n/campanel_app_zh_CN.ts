@@ -228,6 +228,10 @@
         <source>%1 was sent, but no proof came back. Look at the machine before trying again.</source>
         <translation>%1已发送，但没有得到确认。请先查看机器，再重试。</translation>
     </message>
+    <message>
+        <source>The link doctor has the ports. The connection comes back when it has ended.</source>
+        <translation>线路诊断正在使用端口，结束后连接会恢复。</translation>
+    </message>
 </context>
 <context>
     <name>ControllerSentences</name>
@@ -882,10 +886,6 @@
         <translation>传输 %1，块 %2</translation>
     </message>
     <message>
-        <source>Read %1, %2 registers</source>
-        <translation>读 %1，%2 个寄存器</translation>
-    </message>
-    <message>
         <source>Write %1</source>
         <translation>写 %1</translation>
     </message>
@@ -929,6 +929,10 @@
     <message>
         <source>Unit %1, function %2</source>
         <translation>站号 %1，功能 %2</translation>
+    </message>
+    <message>
+        <source>Read %1, count %2</source>
+        <translation>读 %1，数量 %2</translation>
     </message>
 </context>
 <context>
