@@ -143,10 +143,12 @@ tl::expected<Identity, LinkError> RtuClient::probe(int unit)
 {
     m_line.setUnit(unit);
     const auto plain = readPlain("identity", identityAddress, identityRegisters);
-    if (!plain)
-        return tl::unexpected(plain.error().kind == LinkErrorKind::Exception
-                                  ? error(LinkErrorKind::NotCamPanel, "identity")
-                                  : plain.error());
+    if (!plain) {
+        // No such function or registers; a device that is busy or has failed may be any.
+        const bool isForeign = plain.error().kind == LinkErrorKind::Exception &&
+                               plain.error().code <= MODBUS_EXCEPTION_ILLEGAL_DATA_VALUE;
+        return tl::unexpected(isForeign ? error(LinkErrorKind::NotCamPanel, "identity") : plain.error());
+    }
     return identityIn(*plain);
 }
 

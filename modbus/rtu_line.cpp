@@ -202,11 +202,12 @@ tl::expected<void, LinkError> RtuLine::send(const Question& question)
     return tl::unexpected(error(kind, question.name, gone ? std::string() : modbus_strerror(errorNumber)));
 }
 
-RtuLine::Received RtuLine::receive(const Question& question, Clock::time_point deadline)
+RtuLine::Received RtuLine::receive(Clock::time_point deadline)
 {
     Received received;
     const int descriptor = modbus_get_socket(m_context.get());
-    std::size_t wanted = static_cast<std::size_t>(question.frames.answerBytes);
+    // No answer is shorter; how long this one is its first bytes tell. What follows it is none of it.
+    std::size_t wanted = exceptionBytes;
     while (received.count < wanted) {
         const Readiness readiness = waitForInput(descriptor, deadline);
         if (readiness == Readiness::Nothing)
@@ -265,8 +266,7 @@ tl::expected<RtuLine::Bytes, LinkError> RtuLine::ask(const Question& question, c
     if (const auto sent = send(question); !sent)
         return tl::unexpected(sent.error());
     const auto wire = pairTime(m_settings.line, question.frames);
-    const Received received =
-        receive(question, startedAt + wire + m_allowance.value() + question.extraAllowance);
+    const Received received = receive(startedAt + wire + m_allowance.value() + question.extraAllowance);
     const auto completeAt = Clock::now();
     const FrameVerdict verdict = judge(question, received, isMine);
     m_record.frames.add(verdict, received.bytes(), question.readAddress, question.readCount);

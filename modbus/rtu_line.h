@@ -88,7 +88,7 @@ private:
     [[nodiscard]] LinkError error(LinkErrorKind kind, std::string request = {}, std::string detail = {},
                                   int code = 0) const;
     [[nodiscard]] tl::expected<void, LinkError> send(const Question& question);
-    [[nodiscard]] Received receive(const Question& question, Clock::time_point deadline);
+    [[nodiscard]] Received receive(Clock::time_point deadline);
     [[nodiscard]] FrameVerdict judge(const Question& question, const Received& received,
                                      const Proof& isMine) const;
     [[nodiscard]] LinkError fail(const Question& question, FrameVerdict verdict, const Received& received,

@@ -27,7 +27,8 @@ struct Node {
     std::uint64_t iterations = 0;
     std::uint64_t rest = 0;
     std::size_t parent = 0;
-    double aside = 0; // how far the rows up to here have left the lines
+    double lateShare = 0; // of the last row's time, by the rounding of its registers
+    double aside = 0;     // how far the rows up to here have left the lines
 };
 
 // An end of a line, with the pulses up to there and the slopes of the lines that meet there.
@@ -156,10 +157,7 @@ std::optional<Node> RowSearch::follow(const Node& from, std::int64_t pulses, dou
     node.speed = speed;
     node.iterations = from.iterations + end.iterations;
     node.rest = end.rest;
-    // Rounding must not leave a part of a pulse to a slow end.
-    const double lateS = static_cast<double>(end.iterations) * m_rules.iterationS - rampS;
-    if (lateS > mostLateShare * rampS + 2 * m_rules.iterationS)
-        return std::nullopt;
+    node.lateShare = static_cast<double>(end.iterations) * m_rules.iterationS / rampS - 1;
     return node;
 }
 
@@ -208,7 +206,8 @@ std::vector<Node> RowSearch::followers(const Node& from, const Target& target) c
     std::vector<Node> result;
     const auto add = [&](std::int64_t pulses, double lastHz) {
         auto node = follow(from, pulses, lastHz);
-        if (!node)
+        // Rounding must not leave a part of a pulse to a slow end.
+        if (!node || node->lateShare > mostLateShare)
             return;
         const double lateS = secondsAt(*node) - target.timeS;
         const double aboveHz =
@@ -249,7 +248,7 @@ std::vector<Node> RowSearch::endings(const Node& from, const Target& target) con
     std::vector<double> speeds{target.speedHz};
     if (m_curve.samples().back().speedHz <= m_leastHz) {
         speeds.push_back(onTimeHz);
-        for (double speed = m_leastHz; speed <= m_rules.toleranceHz; speed *= 2)
+        for (double speed = m_leastHz; speed <= m_rules.toleranceHz; speed *= 1.5)
             speeds.push_back(speed);
     }
     std::vector<Node> result;
@@ -261,7 +260,7 @@ std::vector<Node> RowSearch::endings(const Node& from, const Target& target) con
             const double lateS = secondsAt(*node) - target.timeS;
             if (std::abs(lateS) > mostLateS)
                 continue;
-            node->aside = from.aside + std::pow(lateS / mostLateS, 2);
+            node->aside = from.aside + std::pow(lateS / (timeS * mostLateShare), 2);
             result.push_back(*node);
         }
     }

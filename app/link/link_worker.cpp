@@ -8,6 +8,7 @@
 #include <QRandomGenerator>
 
 #include <algorithm>
+#include <utility>
 
 using namespace std::chrono_literals;
 
@@ -121,7 +122,7 @@ void LinkWorker::exchange()
     const bool mayPollWait = sinceLastPoll < pollPeriodInTransfer;
     const bool isReadNext = !m_reads.isEmpty() && !m_wasRead;
     m_wasRead = false;
-    if (m_heldStop)
+    if (m_heldStop && !std::exchange(m_heldStop->isPollNext, false))
         sendHeldStop();
     else if (const auto request = m_requests.take())
         carryOut(*request);

@@ -63,7 +63,7 @@ private:
     struct HeldStop {
         CommandRequest request;
         std::optional<std::uint16_t> counter; // it went out with this one
-        int failures = 0;                     // of asking after it
+        bool isPollNext = false;              // it was just asked after, in vain
     };
 
     void startSimulator();

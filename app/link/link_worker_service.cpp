@@ -9,13 +9,6 @@ using namespace std::chrono_literals;
 
 namespace campanel::link {
 
-namespace {
-
-// Of asking whether a Stop was received; after so many it is sent again, as stopping twice does no harm.
-constexpr int stopAttempts = 3;
-
-} // namespace
-
 void LinkWorker::holdStop(const CommandRequest& request, std::optional<std::uint16_t> counter)
 {
     const auto withdrawn = [this](const CommandRequest& replaced) {
@@ -30,7 +23,7 @@ void LinkWorker::holdStop(const CommandRequest& request, std::optional<std::uint
     }
     if (m_heldStop)
         withdrawn(m_heldStop->request);
-    m_heldStop = HeldStop{request, counter, 0};
+    m_heldStop = HeldStop{request, counter, false};
 }
 
 void LinkWorker::endHeldStop(CommandEnd end)
@@ -52,7 +45,8 @@ void LinkWorker::withdrawStop()
     report(m_report.state, m_report.error);
 }
 
-// One exchange at most; called while connected.
+// One exchange at most; called while connected. Never sent again on a mere suspicion: as long as nobody knows
+// whether it was received, it is asked, with a poll in between that notices when the line is lost.
 void LinkWorker::sendHeldStop()
 {
     HeldStop& held = *m_heldStop;
@@ -63,9 +57,11 @@ void LinkWorker::sendHeldStop()
             lose(result.error());
             return;
         }
-        if (!result && ++held.failures < stopAttempts)
+        if (!result) {
+            held.isPollNext = true;
             return;
-        if (result && *result && (*result)->code == held.request.command)
+        }
+        if (*result && (*result)->code == held.request.command)
             found = *result;
     }
     const CommandRequest request = held.request;

@@ -42,6 +42,12 @@ void FaultyLine::setScript(FaultScript script, std::int64_t nowNs)
     m_applied = 0;
     m_busyLeft = 0;
     m_appliedByRule.assign(m_script.rules.size(), 0);
+    m_muteUntilNs = INT64_MIN;
+    m_garbleUntilNs = INT64_MIN;
+    for (const auto& [timeNs, event] : std::exchange(m_events, {})) {
+        if (event.kind != LineEvent::Kind::Unplug)
+            m_events.insert({nowNs, event});
+    }
 }
 
 std::int64_t FaultyLine::scaled(std::int64_t timeNs, double factor)

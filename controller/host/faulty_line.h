@@ -36,7 +36,8 @@ public:
 
     FaultyLine(const LineSettings& settings, FaultScript script, std::int64_t nowNs);
 
-    // Counters, windows of time and random numbers begin again; what is under way goes on.
+    // Counters, windows of time and random numbers begin again; silence, garbling and restarts are over, and
+    // an unplugged port comes back.
     void setScript(FaultScript script, std::int64_t nowNs);
     [[nodiscard]] const FaultScript& script() const { return m_script; }
     // Faults since the script was set.

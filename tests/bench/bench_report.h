@@ -29,6 +29,7 @@ using Figures = std::vector<Figure>;
 [[nodiscard]] Figures measurePrograms();
 [[nodiscard]] Figures measurePlots();
 [[nodiscard]] Figures measureLink();
+[[nodiscard]] Figures measurePeers();
 [[nodiscard]] Figures measureStart();
 
 // The value below which `fraction` of the samples lie.

@@ -19,7 +19,7 @@ int main(int argc, char** argv)
     QCommandLineParser parser;
     parser.setApplicationDescription(u"Measures CamPanel against its limits; prints one table."_s);
     parser.addHelpOption();
-    parser.addPositionalArgument(u"part"_s, u"motion, programs, plots, link, start; all when none is named"_s,
+    parser.addPositionalArgument(u"part"_s, u"motion, programs, plots, link, peers, start; all when none is named"_s,
                                  u"[part...]"_s);
     parser.process(app);
 
@@ -31,6 +31,7 @@ int main(int argc, char** argv)
                  {u"programs"_s, measurePrograms},
                  {u"plots"_s, measurePlots},
                  {u"link"_s, measureLink},
+                 {u"peers"_s, measurePeers},
                  {u"start"_s, measureStart}};
 
     Figures figures;

@@ -51,6 +51,8 @@ private slots:
     void unplugged_data();
     void unplugged();
     void restartLosesWhatIsUnderWay();
+    void newRulesEndWhatIsUnderWay_data();
+    void newRulesEndWhatIsUnderWay();
     void identityIsThatOfTheRule();
     void ruleDecidesWhen_data();
     void ruleDecidesWhen();
@@ -281,6 +283,32 @@ void TestFaultyLine::restartLosesWhatIsUnderWay()
     QCOMPARE(bench.m_events.size(), std::size_t{1});
     QVERIFY(bench.m_events[0].second.kind == LineEvent::Kind::Restart);
     QCOMPARE(bench.m_events[0].first, 200 * ms);
+    QVERIFY(bench.exchange() == reply);
+}
+
+void TestFaultyLine::newRulesEndWhatIsUnderWay_data()
+{
+    QTest::addColumn<QByteArray>("script");
+    QTest::addColumn<int>("event"); // what is still to come, -1: nothing
+    QTest::newRow("silence") << QByteArray("silence time=1e8") << -1;
+    QTest::newRow("wrong baud") << QByteArray("wrong-baud time=1e8 limit=1") << -1;
+    QTest::newRow("unplugged") << QByteArray("unplug when=idle time=1e8")
+                               << static_cast<int>(LineEvent::Kind::Plug);
+    QTest::newRow("restart") << QByteArray("restart time=1e8") << static_cast<int>(LineEvent::Kind::Restart);
+}
+
+void TestFaultyLine::newRulesEndWhatIsUnderWay()
+{
+    QFETCH(QByteArray, script);
+    QFETCH(int, event);
+    Bench bench(script.constData());
+    bench.exchange(200 * ms);
+    bench.m_events.clear();
+    bench.m_line.setScript({}, bench.m_nowNs);
+    bench.runTo(bench.m_nowNs + 1 * ms);
+    QCOMPARE(bench.m_events.size(), std::size_t{event < 0 ? 0u : 1u});
+    if (event >= 0)
+        QCOMPARE(static_cast<int>(bench.m_events[0].second.kind), event);
     QVERIFY(bench.exchange() == reply);
 }
 

@@ -131,6 +131,13 @@ void TestLiveFaults::portComesBackUnderAnotherName()
     QVERIFY(!QFileInfo::exists(controller.path(u"port"_s)));
     QCOMPARE(QFile::symLinkTarget(other), back.mid(5));
     QVERIFY(ask(other, waitMs) == frame(deviceTypeAnswer));
+    // Unplugged for an hour, and called back.
+    QCOMPARE(controller.tell("unplug when=idle time=3600000 limit=1"), u"ok 1"_s);
+    QVERIFY(ask(other, waitMs) == frame(deviceTypeAnswer));
+    QCOMPARE(controller.line(), u"unplugged"_s);
+    QCOMPARE(controller.tell("clear"), u"ok 1"_s);
+    QVERIFY(controller.line().startsWith(u"port /dev/pts/"_s));
+    QVERIFY(ask(other, waitMs) == frame(deviceTypeAnswer));
 }
 
 void TestLiveFaults::restartLosesWhatIsInRam()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The doctor: why there is no connection, and where a controller is; nothing is ever written.
 #include "modbus/codec.h"
+#include "modbus/crc16.h"
 #include "modbus/line_scan.h"
 #include "scripted_slave.h"
 
@@ -156,6 +157,16 @@ private slots:
         QCOMPARE(silence.bytesSeen, std::uint64_t{0});
         QVERIFY(silent.bytes() > 0);
         QVERIFY(sentence(silence).contains("power"));
+    }
+
+    void noiseAfterAnAnswerDoesNotHideIt()
+    {
+        std::vector<std::uint8_t> refusal{1, 0x83, 2};
+        const std::uint16_t crc = crc16(refusal);
+        for (const unsigned byte : {crc & 0xFFu, unsigned{crc} >> 8, 0x55u, 0xAAu})
+            refusal.push_back(static_cast<std::uint8_t>(byte));
+        NoisyPort device(refusal);
+        QCOMPARE(diagnose(device.port()).condition, LineCondition::OtherDevice);
     }
 
     void portsThatCannotBeUsed()

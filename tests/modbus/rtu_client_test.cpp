@@ -105,6 +105,8 @@ void RtuClientTest::foreignDeviceIsLeftAlone()
     QVERIFY(QString::fromStdString(describe(identity.error())).contains("0x1234"));
     m_slave->script({Fault::Exception2});
     QCOMPARE(m_client->identify().error().kind, LinkErrorKind::NotCamPanel);
+    m_slave->script({Fault::Busy}); // says nothing about which device it is
+    QCOMPARE(m_client->identify().error().kind, LinkErrorKind::Exception);
     QCOMPARE(m_slave->writes(), 0);
 }
 

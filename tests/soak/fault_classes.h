@@ -23,6 +23,8 @@ inline constexpr std::array faultClasses{
     FaultClass{"late by 0.5 to 1.2", "late times=0.5 probability=0.04; late times=0.7 probability=0.04;"
                                      "late times=0.8 probability=0.04; late times=1.2 probability=0.04"},
     FaultClass{"request late by 1.5", "late times=1.5 part=request probability=0.06"},
+    FaultClass{"request late by 4 and 10",
+               "late times=4 part=request probability=0.02; late times=10 part=request probability=0.02"},
     FaultClass{"lost request", "lost-request probability=0.08"},
     FaultClass{"lost answer", "lost-answer probability=0.08"},
     FaultClass{"request twice", "duplicate-request probability=0.1"},

@@ -172,7 +172,9 @@ void ScriptedSlave::answer(const Bytes& request)
     if (fault == Fault::LostRequest)
         return;
     Bytes reply{request[0], static_cast<std::uint8_t>(request[1] | 0x80u), 2};
-    if (fault != Fault::Exception2) {
+    if (fault == Fault::Busy) {
+        reply[2] = 6;
+    } else if (fault != Fault::Exception2) {
         const Bytes right = execute(request);
         reply = fault == Fault::Exception2Done ? reply : right;
     }

@@ -21,6 +21,7 @@ enum class Fault {
     BadChecksum,    // executed, CRC-16 of the answer inverted
     Truncated,      // executed, the answer stops in the middle
     Exception2,     // not executed, exception 2
+    Busy,           // not executed, exception 6
     Exception2Done, // executed, exception 2
     Restart,        // executed, not answered, then restart()
 };

@@ -1,196 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the link does for the service pages, and a Stop that waits for the line, against the real controller
-// program over a pseudo-terminal.
-#include "app/link/threaded_link.h"
-#include "app/program/program_image.h"
+// What the link does for the service pages, against the real controller program over a pseudo-terminal.
+#include "link_panel.h"
 #include "tests/support/controller_process.h"
 
 #include <QElapsedTimer>
 #include <QTest>
 
 #include <algorithm>
-#include <optional>
 
 using namespace campanel;
-using link::CommandEnd;
 using link::ComparisonStage;
 using link::LinkState;
 using link::ReadEnd;
 using modbus::Command;
 using modbus::LineCondition;
 using test::ControllerProcess;
+using test::imageOf;
+using test::Panel;
+using test::portSettings;
+using test::timeoutMs;
 using Depth = modbus::ScanPlan::Depth;
-
-namespace {
-
-constexpr int timeoutMs = 15000;
-
-link::ConnectionSettings portSettings(const QString& port, int unit = 1)
-{
-    link::ConnectionSettings settings;
-    settings.simulated = false;
-    settings.port = port;
-    settings.unit = unit;
-    return settings;
-}
-
-program::ProgramImage imageOf(double bagLengthMm)
-{
-    program::Recipe recipe;
-    recipe.cutter().bagLengthMm = bagLengthMm;
-    const auto image = program::buildProgram(recipe);
-    if (!image)
-        qFatal("%s", program::describe(image.error()).c_str());
-    return *image;
-}
-
-// A link and everything that it says.
-class Panel : public QObject {
-public:
-    explicit Panel(const link::ConnectionSettings& settings)
-    {
-        connect(&link, &link::Link::reported, this, [this](const link::LinkReport& said) { report = said; });
-        connect(&link, &link::Link::statusReceived, this, [this](const link::StatusBatch& batch) {
-            if (!batch.samples.isEmpty())
-                status = batch.samples.last().status;
-            statuses += batch.samples.size();
-        });
-        connect(&link, &link::Link::commandEnded, this, [this](const link::CommandOutcome& outcome) {
-            if (outcome.id != 0) // what the link does by itself
-                outcomes << outcome;
-        });
-        connect(&link, &link::Link::downloadReported, this,
-                [this](const link::DownloadReport& said) { download = said; });
-        connect(&link, &link::Link::registersRead, this,
-                [this](const link::ReadOutcome& outcome) { reads << outcome; });
-        connect(&link, &link::Link::comparisonReported, this,
-                [this](const link::ComparisonReport& said) { comparisons << said; });
-        connect(&link, &link::Link::scanReported, this,
-                [this](const link::ScanReport& said) { scans << said; });
-        connect(&link, &link::Link::figuresReported, this,
-                [this](const link::FiguresReport& said) { figures << said; });
-        connect(&link, &link::Link::framesRecorded, this,
-                [this](const QList<modbus::FrameRecord>& recorded) { frames += recorded; });
-        link.connectTo(settings);
-    }
-
-    [[nodiscard]] bool isConnected() const { return report.state == LinkState::Connected && status; }
-    [[nodiscard]] bool isIn(modbus::State state) const { return status && status->state == state; }
-    [[nodiscard]] bool scanEnded() const { return !scans.isEmpty() && !scans.last().isRunning; }
-    [[nodiscard]] bool comparisonEnded() const
-    {
-        return !comparisons.isEmpty() && comparisons.last().stage != ComparisonStage::Reading;
-    }
-
-    void run(const program::ProgramImage& image)
-    {
-        link.download(image.registers);
-        QTRY_COMPARE_WITH_TIMEOUT(download.stage, link::DownloadStage::Active, timeoutMs);
-        link.request({1, Command::Start, {}});
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(modbus::State::Running), timeoutMs);
-        outcomes.clear();
-    }
-
-    link::ThreadedLink link{nullptr};
-    link::LinkReport report;
-    std::optional<modbus::StatusBlock> status;
-    qsizetype statuses = 0;
-    QList<link::CommandOutcome> outcomes;
-    link::DownloadReport download;
-    QList<link::ReadOutcome> reads;
-    QList<link::ComparisonReport> comparisons;
-    QList<link::ScanReport> scans;
-    QList<link::FiguresReport> figures;
-    QList<modbus::FrameRecord> frames;
-};
-
-} // namespace
 
 class TestLinkService : public QObject {
     Q_OBJECT
 
 private slots:
-    void stopWaitsForTheLineAndIsSentOnce()
-    {
-        ControllerProcess controller;
-        Panel panel(portSettings(controller.port()));
-        QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected(), timeoutMs);
-        controller.kill();
-        QTRY_COMPARE_WITH_TIMEOUT(panel.report.state, LinkState::Lost, timeoutMs);
-        panel.link.request({1, Command::StopAtCycleEnd, {}});
-        panel.link.request({2, Command::StopNow, {}});
-        panel.link.request({3, Command::StopAtCycleEnd, {}});
-        panel.link.request({4, Command::Start, {}});
-        QTRY_COMPARE_WITH_TIMEOUT(panel.outcomes.size(), 3, timeoutMs);
-        QCOMPARE(panel.report.pendingStop, Command::StopNow);
-        QCOMPARE(panel.outcomes[0].id, 1u); // replaced by the more urgent one
-        QCOMPARE(panel.outcomes[0].end, CommandEnd::Withdrawn);
-        QCOMPARE(panel.outcomes[1].id, 3u); // less urgent than the one that waits
-        QCOMPARE(panel.outcomes[1].end, CommandEnd::Withdrawn);
-        QCOMPARE(panel.outcomes[2].id, 4u); // anything else is not kept
-        QCOMPARE(panel.outcomes[2].end, CommandEnd::NotSent);
-        controller.start();
-        QElapsedTimer sinceReturn;
-        sinceReturn.start();
-        QTRY_COMPARE_WITH_TIMEOUT(panel.outcomes.size(), 4, timeoutMs);
-        QVERIFY2(sinceReturn.elapsed() < 2000, qPrintable(QString::number(sinceReturn.elapsed())));
-        QCOMPARE(panel.outcomes[3].id, 2u);
-        QCOMPARE(panel.outcomes[3].end, CommandEnd::Refused); // it reached a controller that stands
-        QCOMPARE(panel.outcomes[3].reason, modbus::Refusal::NotRunning);
-        QTRY_VERIFY_WITH_TIMEOUT(!panel.report.pendingStop, timeoutMs);
-    }
-
-    void withdrawnStopIsNotSent()
-    {
-        ControllerProcess controller;
-        Panel panel(portSettings(controller.port()));
-        QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected(), timeoutMs);
-        controller.kill();
-        QTRY_COMPARE_WITH_TIMEOUT(panel.report.state, LinkState::Lost, timeoutMs);
-        panel.link.request({1, Command::StopNow, {}});
-        QTRY_COMPARE_WITH_TIMEOUT(panel.report.pendingStop, Command::StopNow, timeoutMs);
-        panel.link.withdrawStop();
-        QTRY_COMPARE_WITH_TIMEOUT(panel.outcomes.size(), 1, timeoutMs);
-        QCOMPARE(panel.outcomes[0].end, CommandEnd::Withdrawn);
-        QTRY_VERIFY_WITH_TIMEOUT(!panel.report.pendingStop, timeoutMs);
-        controller.start();
-        panel.status.reset();
-        QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected() && panel.statuses > 20, timeoutMs);
-        QCOMPARE(panel.outcomes.size(), 1);
-        QVERIFY(panel.status->commandCounter <= 1); // at most the clock was set
-    }
-
-    void stopForAnotherConnectionIsNotKept()
-    {
-        ControllerProcess controller;
-        Panel panel(portSettings(controller.port()));
-        QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected(), timeoutMs);
-        controller.kill();
-        QTRY_COMPARE_WITH_TIMEOUT(panel.report.state, LinkState::Lost, timeoutMs);
-        panel.link.request({1, Command::StopNow, {}});
-        panel.link.connectTo(portSettings(QStringLiteral("/dev/ttyThatIsNotThere")));
-        QTRY_COMPARE_WITH_TIMEOUT(panel.outcomes.size(), 1, timeoutMs);
-        QCOMPARE(panel.outcomes[0].end, CommandEnd::NotSent);
-        // Nobody was connected here, so there is nothing to stop.
-        panel.link.request({2, Command::StopNow, {}});
-        QTRY_COMPARE_WITH_TIMEOUT(panel.outcomes.size(), 2, timeoutMs);
-        QCOMPARE(panel.outcomes[1].end, CommandEnd::NotSent);
-    }
-
-    void stopIsSentAfterAScan()
-    {
-        ControllerProcess controller;
-        Panel panel(portSettings(controller.port()));
-        QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected(), timeoutMs);
-        panel.run(imageOf(250));
-        panel.link.startScan(Depth::Diagnosis);
-        panel.link.request({7, Command::StopNow, {}});
-        QTRY_COMPARE_WITH_TIMEOUT(panel.outcomes.size(), 1, timeoutMs);
-        QCOMPARE(panel.outcomes[0].id, 7u);
-        QCOMPARE(panel.outcomes[0].end, CommandEnd::Done);
-        QTRY_VERIFY_WITH_TIMEOUT(panel.isIn(modbus::State::Ready), timeoutMs);
-    }
-
     void noticesAtOnceThatThePortHungUp()
     {
         ControllerProcess controller;

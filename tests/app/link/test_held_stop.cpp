@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// A Stop that is pressed while the line is gone, or whose answer is lost with it.
+#include "app/link/link_worker.h"
+#include "link_panel.h"
+#include "tests/support/controller_process.h"
+#include "tests/support/scripted_slave.h"
+
+#include <QElapsedTimer>
+#include <QTest>
+
+using namespace campanel;
+using link::CommandEnd;
+using link::LinkState;
+using modbus::Command;
+using test::ControllerProcess;
+using test::Fault;
+using test::imageOf;
+using test::Panel;
+using test::portSettings;
+using test::timeoutMs;
+using Depth = modbus::ScanPlan::Depth;
+
+class TestHeldStop : public QObject {
+    Q_OBJECT
+
+private slots:
+    void stopWaitsForTheLineAndIsSentOnce()
+    {
+        ControllerProcess controller;
+        Panel panel(portSettings(controller.port()));
+        QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected(), timeoutMs);
+        controller.kill();
+        QTRY_COMPARE_WITH_TIMEOUT(panel.report.state, LinkState::Lost, timeoutMs);
+        panel.link.request({1, Command::StopAtCycleEnd, {}});
+        panel.link.request({2, Command::StopNow, {}});
+        panel.link.request({3, Command::StopAtCycleEnd, {}});
+        panel.link.request({4, Command::Start, {}});
+        QTRY_COMPARE_WITH_TIMEOUT(panel.outcomes.size(), 3, timeoutMs);
+        QCOMPARE(panel.report.pendingStop, Command::StopNow);
+        QCOMPARE(panel.outcomes[0].id, 1u); // replaced by the more urgent one
+        QCOMPARE(panel.outcomes[0].end, CommandEnd::Withdrawn);
+        QCOMPARE(panel.outcomes[1].id, 3u); // less urgent than the one that waits
+        QCOMPARE(panel.outcomes[1].end, CommandEnd::Withdrawn);
+        QCOMPARE(panel.outcomes[2].id, 4u); // anything else is not kept
+        QCOMPARE(panel.outcomes[2].end, CommandEnd::NotSent);
+        controller.start();
+        QElapsedTimer sinceReturn;
+        sinceReturn.start();
+        QTRY_COMPARE_WITH_TIMEOUT(panel.outcomes.size(), 4, timeoutMs);
+        QVERIFY2(sinceReturn.elapsed() < 2000, qPrintable(QString::number(sinceReturn.elapsed())));
+        QCOMPARE(panel.outcomes[3].id, 2u);
+        QCOMPARE(panel.outcomes[3].end, CommandEnd::Refused); // it reached a controller that stands
+        QCOMPARE(panel.outcomes[3].reason, modbus::Refusal::NotRunning);
+        QTRY_VERIFY_WITH_TIMEOUT(!panel.report.pendingStop, timeoutMs);
+    }
+
+    void withdrawnStopIsNotSent()
+    {
+        ControllerProcess controller;
+        Panel panel(portSettings(controller.port()));
+        QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected(), timeoutMs);
+        controller.kill();
+        QTRY_COMPARE_WITH_TIMEOUT(panel.report.state, LinkState::Lost, timeoutMs);
+        panel.link.request({1, Command::StopNow, {}});
+        QTRY_COMPARE_WITH_TIMEOUT(panel.report.pendingStop, Command::StopNow, timeoutMs);
+        panel.link.withdrawStop();
+        QTRY_COMPARE_WITH_TIMEOUT(panel.outcomes.size(), 1, timeoutMs);
+        QCOMPARE(panel.outcomes[0].end, CommandEnd::Withdrawn);
+        QTRY_VERIFY_WITH_TIMEOUT(!panel.report.pendingStop, timeoutMs);
+        controller.start();
+        panel.status.reset();
+        QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected() && panel.statuses > 20, timeoutMs);
+        QCOMPARE(panel.outcomes.size(), 1);
+        QVERIFY(panel.status->commandCounter <= 1); // at most the clock was set
+    }
+
+    void stopForAnotherConnectionIsNotKept()
+    {
+        ControllerProcess controller;
+        Panel panel(portSettings(controller.port()));
+        QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected(), timeoutMs);
+        controller.kill();
+        QTRY_COMPARE_WITH_TIMEOUT(panel.report.state, LinkState::Lost, timeoutMs);
+        panel.link.request({1, Command::StopNow, {}});
+        panel.link.connectTo(portSettings(QStringLiteral("/dev/ttyThatIsNotThere")));
+        QTRY_COMPARE_WITH_TIMEOUT(panel.outcomes.size(), 1, timeoutMs);
+        QCOMPARE(panel.outcomes[0].end, CommandEnd::NotSent);
+        // Nobody was connected here, so there is nothing to stop.
+        panel.link.request({2, Command::StopNow, {}});
+        QTRY_COMPARE_WITH_TIMEOUT(panel.outcomes.size(), 2, timeoutMs);
+        QCOMPARE(panel.outcomes[1].end, CommandEnd::NotSent);
+    }
+
+    void stopIsSentAfterAScan()
+    {
+        ControllerProcess controller;
+        Panel panel(portSettings(controller.port()));
+        QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected(), timeoutMs);
+        panel.run(imageOf(250));
+        panel.link.startScan(Depth::Diagnosis);
+        panel.link.request({7, Command::StopNow, {}});
+        QTRY_COMPARE_WITH_TIMEOUT(panel.outcomes.size(), 1, timeoutMs);
+        QCOMPARE(panel.outcomes[0].id, 7u);
+        QCOMPARE(panel.outcomes[0].end, CommandEnd::Done);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.isIn(modbus::State::Ready), timeoutMs);
+    }
+
+    void doubtfulStopIsLookedUpAndCarriedOutOnce_data()
+    {
+        QTest::addColumn<int>("first");
+        QTest::newRow("received, answer lost") << static_cast<int>(Fault::LostAnswer);
+        QTest::newRow("not received") << static_cast<int>(Fault::LostRequest);
+    }
+
+    void doubtfulStopIsLookedUpAndCarriedOutOnce()
+    {
+        QFETCH(int, first);
+        test::ScriptedSlave slave;
+        link::LinkReport report;
+        int statuses = 0;
+        bool wasPending = false;
+        QList<link::CommandOutcome> outcomes;
+        link::LinkWorker worker; // in this thread, so that the scripted faults meet the Stop
+        connect(&worker, &link::LinkWorker::reported, this, [&](const link::LinkReport& said) {
+            report = said;
+            wasPending = wasPending || said.pendingStop == Command::StopNow;
+        });
+        connect(&worker, &link::LinkWorker::statusReceived, this,
+                [&](const link::StatusBatch& batch) { statuses += static_cast<int>(batch.samples.size()); });
+        connect(&worker, &link::LinkWorker::commandEnded, this,
+                [&](const link::CommandOutcome& outcome) { outcomes << outcome; });
+        worker.connectTo(portSettings(QString::fromStdString(slave.port())));
+        QTRY_VERIFY_WITH_TIMEOUT(report.state == LinkState::Connected && statuses > 2, timeoutMs);
+        // The Stop itself and the client's three questions after it.
+        slave.script({static_cast<Fault>(first), Fault::LostRequest, Fault::LostRequest, Fault::LostRequest});
+        worker.request({9, Command::StopNow, {}});
+        QTRY_COMPARE_WITH_TIMEOUT(outcomes.size(), 1, timeoutMs);
+        QCOMPARE(outcomes[0].id, 9u);
+        QCOMPARE(outcomes[0].end, CommandEnd::Done);
+        QVERIFY(wasPending);
+        QCOMPARE(slave.commandsExecuted(), 1);
+        QVERIFY(!report.pendingStop);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestHeldStop)
+#include "test_held_stop.moc"
