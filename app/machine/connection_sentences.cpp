@@ -14,6 +14,8 @@ QString ConnectionSentences::connection(const link::LinkReport& report)
     if (report.state == LinkState::Connected)
         return report.simulated ? tr("Connected to the simulated controller.")
                                 : tr("Connected to the controller on %1.").arg(report.portName);
+    if (report.isScanning)
+        return tr("The link doctor has the ports. The connection comes back when it has ended.");
     if (report.simulated && report.simulator != link::SimulatorState::Serving)
         return simulator(report);
     if (report.state == LinkState::Lost)

@@ -2,6 +2,8 @@
 // A link without a line; see demo_link.h.
 #include "app/main/demo_link.h"
 
+#include "app/main/demo_line.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -142,7 +144,8 @@ void DemoLink::cancelDownload()
 
 void DemoLink::readRegisters(const link::ReadRequest& request)
 {
-    emit registersRead({request, link::ReadEnd::NotSent, {}, m_now, std::nullopt});
+    emit registersRead(
+        {request, link::ReadEnd::Done, demoRegisters(request, m_program), m_now, std::nullopt});
 }
 
 void DemoLink::compareProgram(const std::vector<std::uint16_t>& /*bank*/)
@@ -155,15 +158,42 @@ void DemoLink::compareProgram(const std::vector<std::uint16_t>& /*bank*/)
 
 void DemoLink::startScan(modbus::ScanPlan::Depth depth)
 {
-    link::ScanReport ended;
-    ended.depth = depth;
-    emit scanReported(ended);
+    m_isScanning = true;
+    reportScan(demoSearch(depth));
+}
+
+void DemoLink::cancelScan()
+{
+    if (!std::exchange(m_isScanning, false))
+        return;
+    link::ScanReport canceled;
+    canceled.isCanceled = true;
+    reportScan(canceled);
+}
+
+void DemoLink::endScan(bool isFound)
+{
+    m_isScanning = false;
+    reportScan(demoSearchEnd(isFound, demoIdentity()));
+}
+
+void DemoLink::reportScan(const link::ScanReport& scan)
+{
+    report(m_isScanning || m_situation == Situation::Absent ? link::LinkState::Searching
+                                                            : link::LinkState::Connected);
+    emit scanReported(scan);
+}
+
+void DemoLink::watchFrames(bool isWatched)
+{
+    if (isWatched)
+        emit framesRecorded(demoFrames(m_now));
 }
 
 void DemoLink::watchFigures(bool isWatched)
 {
     if (isWatched)
-        emit figuresReported({m_now, {}, {}});
+        emit figuresReported(demoFigures(m_now));
 }
 
 void DemoLink::show(Situation situation, Kind kind)
@@ -209,6 +239,7 @@ void DemoLink::report(link::LinkState state)
     report.portName = QStringLiteral("/dev/ttyUSB0");
     report.simulated = false;
     report.identity = demoIdentity();
+    report.isScanning = m_isScanning;
     if (state == link::LinkState::Searching)
         report.error = modbus::LinkError{modbus::LinkErrorKind::PortAbsent, "/dev/ttyUSB0", {}, {}, 0};
     emit reported(report);

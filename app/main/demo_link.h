@@ -27,18 +27,19 @@ public:
     void writeParameter(quint32 id, const std::string& name, double value) override;
     void download(const std::vector<std::uint16_t>& bank) override;
     void cancelDownload() override;
-    // Without a line there is nothing to read, to search or to record, and no Stop ever waits.
-    void withdrawStop() override {}
+    void withdrawStop() override {} // none ever waits
     void readRegisters(const link::ReadRequest& request) override;
     void compareProgram(const std::vector<std::uint16_t>& bank) override;
     void cancelComparison() override {}
     void startScan(modbus::ScanPlan::Depth depth) override;
-    void cancelScan() override {}
+    void cancelScan() override;
     void watchFigures(bool isWatched) override;
     void resetFigures() override {}
-    void watchFrames(bool /*isWatched*/) override {}
+    void watchFrames(bool isWatched) override;
 
     void show(Situation situation, Kind kind = Kind::RotaryCutter);
+    // The search that was begun comes to its end; by itself it never does.
+    void endScan(bool isFound);
     // How often Stop arrived so far.
     [[nodiscard]] int stopRequests() const { return m_stopRequests; }
     [[nodiscard]] link::SteadyTime now() const { return m_now; }
@@ -47,6 +48,7 @@ public:
 
 private:
     void report(link::LinkState state);
+    void reportScan(const link::ScanReport& scan);
     void runProgram();
     void runBags();
     void runCycles();
@@ -63,6 +65,7 @@ private:
     Situation m_situation = Situation::Running;
     Kind m_kind = Kind::RotaryCutter;
     bool m_isShown = false;
+    bool m_isScanning = false;
 };
 
 } // namespace campanel::panel
