@@ -153,6 +153,11 @@ void DemoLink::compareProgram(const std::vector<std::uint16_t>& /*bank*/)
     emit comparisonReported(equal);
 }
 
+void DemoLink::simulateFaults(const QStringList& /*rules*/)
+{
+    emit faultsSimulated({});
+}
+
 void DemoLink::startScan(modbus::ScanPlan::Depth depth)
 {
     link::ScanReport ended;

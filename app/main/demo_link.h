@@ -32,6 +32,7 @@ public:
     void readRegisters(const link::ReadRequest& request) override;
     void compareProgram(const std::vector<std::uint16_t>& bank) override;
     void cancelComparison() override {}
+    void simulateFaults(const QStringList& rules) override;
     void startScan(modbus::ScanPlan::Depth depth) override;
     void cancelScan() override {}
     void watchFigures(bool isWatched) override;
