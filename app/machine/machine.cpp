@@ -258,9 +258,10 @@ void Machine::takeOutcome(const link::CommandOutcome& outcome)
     // What the link does by itself has no id; only the last press is of interest.
     if (outcome.id != m_lastRequestId)
         return;
-    if (std::exchange(m_hasStopWaited, false))
+    if (std::exchange(m_hasStopWaited, false)) {
+        m_beforeLoss.reset(); // what has become of the Stop is what has changed
         showMessage(stopOutcomeText(outcome));
-    else if (!isNeedlessStop)
+    } else if (!isNeedlessStop)
         showMessage(ConnectionSentences::command(outcome));
 }
 

@@ -201,6 +201,7 @@ public:
 
     // For the Editor.
     [[nodiscard]] link::Link& link() { return m_link; }
+    [[nodiscard]] link::SteadyTime now() const { return m_clock(); }
     [[nodiscard]] bool isConnected() const { return m_report.state == link::LinkState::Connected; }
     [[nodiscard]] const std::optional<modbus::Identity>& identity() const { return m_report.identity; }
     [[nodiscard]] const std::optional<modbus::StatusBlock>& status() const { return m_status; }

@@ -132,11 +132,22 @@ void MasterDirection::askWhenUnknown()
         m_readId = m_machine.readParameter(parameterName);
 }
 
+// The register inspector writes the same parameter.
+void MasterDirection::noteOthersWrite(const link::ParameterOutcome& outcome)
+{
+    if (outcome.name != parameterName || !outcome.value || !m_reversed)
+        return;
+    m_reversed = *outcome.value != 0;
+    emit changed();
+}
+
 void MasterDirection::takeOutcome(const link::ParameterOutcome& outcome)
 {
     const bool isWrite = outcome.id == m_writeId;
-    if (outcome.id == 0 || (outcome.id != m_readId && !isWrite))
+    if (outcome.id == 0 || (outcome.id != m_readId && !isWrite)) {
+        noteOthersWrite(outcome);
         return;
+    }
     (isWrite ? m_writeId : m_readId) = 0;
     m_reversed = outcome.value ? std::optional(*outcome.value != 0) : std::nullopt; // the next status asks
     m_isMissing = !isWrite && outcome.end == link::ParameterEnd::Refused;

@@ -63,6 +63,7 @@ private:
     // Of the program: 1 or -1; empty while the controller runs no point cam.
     [[nodiscard]] std::optional<int> programSign() const;
     void askWhenUnknown();
+    void noteOthersWrite(const link::ParameterOutcome& outcome);
     void observe(const Sample& now);
 
     Machine& m_machine;

@@ -45,6 +45,20 @@ ConnectionChoice storedConnection(const QSettings& storage)
     return choice;
 }
 
+ConnectionChoice choiceOf(const link::ConnectionSettings& settings, const ConnectionChoice& before)
+{
+    ConnectionChoice choice = before; // a simulated one needs no port: the last one stays chosen
+    choice.simulated = settings.simulated;
+    if (settings.simulated)
+        return choice;
+    choice.portName = settings.port;
+    choice.baud = static_cast<int>(settings.line.baud);
+    choice.parity = QString(QChar::fromLatin1(static_cast<char>(settings.line.parity)));
+    choice.stopBits = settings.line.stopBits;
+    choice.unit = settings.unit;
+    return choice;
+}
+
 void store(QSettings& storage, const ConnectionChoice& choice)
 {
     storage.setValue("connection/simulated"_L1, choice.simulated);
@@ -211,6 +225,17 @@ link::ConnectionSettings Settings::linkSettings() const
             ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + u"/controller"_s
             : m_simulatorStateDir;
     return settings;
+}
+
+void Settings::takeConnection(const link::ConnectionSettings& settings)
+{
+    m_draft = choiceOf(settings, m_applied);
+    applyConnection();
+}
+
+bool Settings::isInUse(const link::ConnectionSettings& settings) const
+{
+    return choiceOf(settings, m_applied) == m_applied;
 }
 
 void Settings::overrideSimulator(const QString& program, const QString& stateDir)

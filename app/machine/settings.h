@@ -86,6 +86,9 @@ public:
     // The connection in use, and the same for the link.
     [[nodiscard]] const ConnectionChoice& connection() const { return m_applied; }
     [[nodiscard]] link::ConnectionSettings linkSettings() const;
+    // Uses this connection from now on and stores it; a draft is given up.
+    void takeConnection(const link::ConnectionSettings& settings);
+    [[nodiscard]] bool isInUse(const link::ConnectionSettings& settings) const;
     // Runs this program as the simulated controller instead of the one that is found, with its flash there.
     void overrideSimulator(const QString& program, const QString& stateDir);
     // For this run only, as the command line wants it; nothing is stored.

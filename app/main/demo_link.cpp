@@ -2,6 +2,8 @@
 // A link without a line; see demo_link.h.
 #include "app/main/demo_link.h"
 
+#include "app/main/demo_line.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -142,7 +144,8 @@ void DemoLink::cancelDownload()
 
 void DemoLink::readRegisters(const link::ReadRequest& request)
 {
-    emit registersRead({request, link::ReadEnd::NotSent, {}, m_now, std::nullopt});
+    emit registersRead(
+        {request, link::ReadEnd::Done, demoRegisters(request, m_program), m_now, std::nullopt});
 }
 
 void DemoLink::compareProgram(const std::vector<std::uint16_t>& /*bank*/)
@@ -150,6 +153,8 @@ void DemoLink::compareProgram(const std::vector<std::uint16_t>& /*bank*/)
     link::ComparisonReport equal;
     equal.stage = link::ComparisonStage::Equal;
     equal.fraction = 1;
+    equal.generation = generationOf(m_kind);
+    equal.expectedCrc = equal.controllerCrc = equal.readCrc = m_program.crc;
     emit comparisonReported(equal);
 }
 
@@ -160,15 +165,42 @@ void DemoLink::simulateFaults(const QStringList& /*rules*/)
 
 void DemoLink::startScan(modbus::ScanPlan::Depth depth)
 {
-    link::ScanReport ended;
-    ended.depth = depth;
-    emit scanReported(ended);
+    m_isScanning = true;
+    reportScan(demoSearch(depth));
+}
+
+void DemoLink::cancelScan()
+{
+    if (!std::exchange(m_isScanning, false))
+        return;
+    link::ScanReport canceled;
+    canceled.isCanceled = true;
+    reportScan(canceled);
+}
+
+void DemoLink::endScan(bool isFound)
+{
+    m_isScanning = false;
+    reportScan(demoSearchEnd(isFound, demoIdentity()));
+}
+
+void DemoLink::reportScan(const link::ScanReport& scan)
+{
+    report(m_isScanning || m_situation == Situation::Absent ? link::LinkState::Searching
+                                                            : link::LinkState::Connected);
+    emit scanReported(scan);
+}
+
+void DemoLink::watchFrames(bool isWatched)
+{
+    if (isWatched)
+        emit framesRecorded(demoFrames(m_now));
 }
 
 void DemoLink::watchFigures(bool isWatched)
 {
     if (isWatched)
-        emit figuresReported({m_now, {}, {}});
+        emit figuresReported(demoFigures(m_now));
 }
 
 void DemoLink::show(Situation situation, Kind kind)
@@ -207,13 +239,29 @@ void DemoLink::show(Situation situation, Kind kind)
     report(link::LinkState::Connected); // the figures of the link are read again
 }
 
-void DemoLink::report(link::LinkState state)
+void DemoLink::setSimulated(bool isSimulated)
+{
+    if (std::exchange(m_isSimulated, isSimulated) != isSimulated)
+        report(m_situation == Situation::Lost     ? link::LinkState::Lost
+               : m_situation == Situation::Absent ? link::LinkState::Searching
+                                                  : link::LinkState::Connected);
+}
+
+void DemoLink::showWaitingStop()
+{
+    report(link::LinkState::Lost, modbus::Command::StopAtCycleEnd);
+}
+
+void DemoLink::report(link::LinkState state, std::optional<modbus::Command> pendingStop)
 {
     link::LinkReport report;
     report.state = state;
     report.portName = QStringLiteral("/dev/ttyUSB0");
-    report.simulated = false;
+    report.simulated = m_isSimulated;
+    report.simulator = m_isSimulated ? link::SimulatorState::Serving : link::SimulatorState::NotUsed;
+    report.pendingStop = pendingStop;
     report.identity = demoIdentity();
+    report.isScanning = m_isScanning;
     if (state == link::LinkState::Searching)
         report.error = modbus::LinkError{modbus::LinkErrorKind::PortAbsent, "/dev/ttyUSB0", {}, {}, 0};
     emit reported(report);

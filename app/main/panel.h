@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel put together: settings, machine, editor, the QML engine and its window, in the language of the
-// settings.
+// The panel put together: settings, machine, editor, service, the QML engine and its window, in the language
+// of the settings.
 #pragma once
 
 #include "app/link/link.h"
 #include "app/machine/editor.h"
 #include "app/machine/machine.h"
+#include "app/machine/service.h"
 #include "app/machine/settings.h"
 
 #include <QObject>
@@ -36,6 +37,7 @@ public:
     [[nodiscard]] machine::Settings& settings() { return m_settings; }
     [[nodiscard]] machine::Machine& machine() { return m_machine; }
     [[nodiscard]] machine::Editor& editor() { return m_editor; }
+    [[nodiscard]] machine::Service& service() { return m_service; }
     [[nodiscard]] QQmlEngine& engine() { return m_engine; }
 
     // Loads the window, hidden, at its size from the first binding on: a later resize lays all texts out
@@ -49,6 +51,7 @@ private:
     machine::Settings m_settings;
     machine::Machine m_machine;
     machine::Editor m_editor;
+    machine::Service m_service;
     std::array<QTranslator, 3> m_translators; // the panel's QML, its C++, Qt itself
     QQmlEngine m_engine;
     QQmlComponent m_component{&m_engine};

@@ -8,7 +8,8 @@ namespace {
 using Situation = DemoLink::Situation;
 using Kind = DemoLink::Kind;
 
-// A tap on each name in turn; the navigation is "nav0" (Run), "nav1" (Motion), "nav2" (Settings).
+// A tap on each name in turn; the navigation is "nav0" (Run), "nav1" (Motion), "nav2" (Settings), "nav3"
+// (Service).
 Scene taps(const char* name, const QStringList& names)
 {
     return {QString::fromLatin1(name), [names](Stage& stage) {
@@ -97,6 +98,46 @@ Scene knotFiles(const char* name, const QStringList& names)
             }};
 }
 
+// A section of Service, while the controller stands still, and taps from there.
+Scene service(const char* name, const QStringList& names, Situation situation = Situation::Stopped)
+{
+    return {QString::fromLatin1(name), [names, situation](Stage& stage) {
+                stage.link().show(situation);
+                stage.lookAtClock();
+                stage.tap(QStringLiteral("nav3"));
+                for (const QString& tapped : names)
+                    stage.tap(tapped);
+            }};
+}
+
+Scene searched(const char* name, bool isFound)
+{
+    return {QString::fromLatin1(name), [isFound](Stage& stage) {
+                stage.link().show(Situation::Absent);
+                for (const char* tapped : {"nav3", "service0", "doctorSearch"})
+                    stage.tap(QString::fromLatin1(tapped));
+                stage.link().endScan(isFound);
+            }};
+}
+
+// Where reports go, once the places have been found.
+Scene reportPlaces(const char* name)
+{
+    return {QString::fromLatin1(name), [](Stage& stage) {
+                machine::ReportFiles& files = *stage.panel().service().files();
+                files.setLooker([](const QString& folder) {
+                    return QList<store::Place>{
+                        {QStringLiteral("/media/panel/KINGSTON"), QStringLiteral("KINGSTON"), false},
+                        {QStringLiteral("/media/panel/OLD"), QStringLiteral("OLD"), true},
+                        {folder.section(u'/', -1), QStringLiteral("reports"), false}};
+                });
+                for (const char* tapped : {"nav3", "service1", "figuresExport"})
+                    stage.tap(QString::fromLatin1(tapped));
+                stage.waitFor(files);
+                stage.tap(QStringLiteral("place0"));
+            }};
+}
+
 } // namespace
 
 const QList<Scene>& allScenes()
@@ -178,6 +219,36 @@ const QList<Scene>& allScenes()
              stage.lookAtClock();
              stage.tap(run);
          }},
+        {QStringLiteral("run-press-lost"),
+         [=](Stage& stage) {
+             stage.link().show(Situation::Running, Kind::Press);
+             stage.link().show(Situation::Lost, Kind::Press);
+             stage.lookAtClock();
+             stage.tap(run);
+         }},
+        {QStringLiteral("run-stop-waits"),
+         [=](Stage& stage) {
+             stage.link().show(Situation::Lost);
+             stage.link().showWaitingStop();
+             stage.lookAtClock();
+             stage.tap(run);
+         }},
+        situation("motion-lost", Situation::Lost, motion),
+        taps("proof",
+             {motion, QStringLiteral("more"), QStringLiteral("proofButton"), QStringLiteral("proofCompare")}),
+        {QStringLiteral("proof-lost"),
+         [=](Stage& stage) {
+             stage.link().show(Situation::Lost);
+             stage.lookAtClock();
+             for (const char* name : {"nav1", "more", "proofButton"})
+                 stage.tap(QString::fromLatin1(name));
+         }},
+        {QStringLiteral("faults"),
+         [=](Stage& stage) {
+             stage.link().setSimulated(true);
+             for (const char* name : {"nav3", "service4", "fault0often", "fault1sometimes"})
+                 stage.tap(QString::fromLatin1(name));
+         }},
         running("run-press", Kind::Press),
         running("run-press-stopped", Kind::Press, Situation::Stopped),
         running("run-press-fresh", Kind::Press, Situation::Fresh),
@@ -208,6 +279,26 @@ const QList<Scene>& allScenes()
              stage.panel().editor().compareLaw(QStringLiteral("modified_sine"));
              stage.tap(motion);
          }},
+        service("doctor", {QStringLiteral("service0")}),
+        service("doctor-blocked", {QStringLiteral("service0")}, Situation::Running),
+        service("doctor-searching", {QStringLiteral("service0"), QStringLiteral("doctorSearch")}),
+        searched("doctor-found", true),
+        searched("doctor-not-found", false),
+        service("figures", {QStringLiteral("service1")}),
+        reportPlaces("figures-export"),
+        service("registers", {QStringLiteral("service2")}, Situation::Running),
+        service("registers-group", {QStringLiteral("service2"), QStringLiteral("registerGroup")}),
+        service("registers-name", {QStringLiteral("service2"), QStringLiteral("registerName"),
+                                   QStringLiteral("key_p"), QStringLiteral("key_a")}),
+        service("registers-parameter", {QStringLiteral("service2"), QStringLiteral("registerGroup"),
+                                        QStringLiteral("choice_parameter"), QStringLiteral("register2")}),
+        service("registers-write", {QStringLiteral("service2"), QStringLiteral("registerGroup"),
+                                    QStringLiteral("choice_parameter"), QStringLiteral("register2"),
+                                    QStringLiteral("registerWrite")}),
+        service("frames", {QStringLiteral("service3"), QStringLiteral("framesAll")}, Situation::Running),
+        service("frames-errors", {QStringLiteral("service3"), QStringLiteral("framesErrors")}),
+        service("frames-one",
+                {QStringLiteral("service3"), QStringLiteral("framesAll"), QStringLiteral("frameList")}),
         {QStringLiteral("motion-all-curves"),
          [=](Stage& stage) {
              for (const char* name : {"nav1", "more", "positionSwitch", "jerkSwitch", "sheetClose"})
@@ -238,6 +329,10 @@ void enterScene(Stage& stage, const Scene& scene)
     while (editor.canUndo())
         editor.undo();
     stage.panel().settings().setSimulated(true);
+    stage.panel().service().doctor()->cancel();
+    stage.panel().service().inspector()->setGroup({});
+    stage.panel().service().inspector()->setNameFilter({});
+    stage.link().setSimulated(false);
     stage.link().show(Situation::Running);
     stage.lookAtClock();
     scene.enter(stage);

@@ -34,18 +34,29 @@ Stage::Stage(const Look& look)
 void Stage::lookAtClock()
 {
     m_panel.machine().setClock([this] { return m_link.now(); });
+    m_panel.service().frames()->setTimeOfDay(m_link.now(), QDateTime(QDate(2026, 1, 15), QTime(14, 7)));
 }
 
-void Stage::waitFor(machine::KnotFiles& files)
+template <typename Files> void Stage::waitUntilIdle(Files& files)
 {
     QEventLoop untilFound;
-    QObject::connect(&files, &machine::KnotFiles::changed, &untilFound, [&] {
+    QObject::connect(&files, &Files::changed, &untilFound, [&] {
         if (!files.busy())
             untilFound.quit();
     });
     if (files.busy())
         untilFound.exec();
     settle();
+}
+
+void Stage::waitFor(machine::KnotFiles& files)
+{
+    waitUntilIdle(files);
+}
+
+void Stage::waitFor(machine::ReportFiles& files)
+{
+    waitUntilIdle(files);
 }
 
 } // namespace campanel::panel

@@ -30,8 +30,11 @@ public:
     void lookAtClock();
     // Until it has found what there is.
     void waitFor(machine::KnotFiles& files);
+    void waitFor(machine::ReportFiles& files);
 
 private:
+    template <typename Files> void waitUntilIdle(Files& files);
+
     QTemporaryDir m_folder;
     DemoLink m_link{nullptr};
     Panel m_panel;

@@ -12,7 +12,7 @@ Rectangle {
 
     property int page
     property bool showsPages               // off until the frame itself is on the screen: Start and Stop come first
-    readonly property list<string> sources: ["RunPage.qml", "MotionPage.qml", "SettingsPage.qml"]
+    readonly property list<string> sources: ["RunPage.qml", "MotionPage.qml", "SettingsPage.qml", "ServicePage.qml"]
     // What is not on the screen at the start is named by its file: naming its type would load it at once.
     readonly property url explanation: "../Widgets/ExplanationSheet.qml"
     property alias clockRuns: topBar.clockRuns

@@ -7,17 +7,15 @@ import CamPanel.Controls
 import CamPanel.Widgets
 import CamPanel.Machine
 
-SettingsSection {
+ServiceSection {
     id: section
 
     readonly property LineFaults faults: Machine.lineFaults
 
-    title: qsTr("Line faults (simulation)")
-
     ListView {
         id: list
         objectName: "faultList"
-        anchors { left: parent.left; right: parent.right; top: parent.top; topMargin: section.bodyTop; bottom: foot.top; bottomMargin: Theme.size.spacing }
+        anchors { left: parent.left; right: parent.right; top: parent.top; bottom: foot.top; bottomMargin: Theme.size.spacing }
         clip: true
         spacing: Theme.size.spacing
         boundsBehavior: Flickable.StopAtBounds

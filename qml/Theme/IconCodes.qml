@@ -42,5 +42,11 @@ QtObject {
     readonly property string revert: "\uf2da"
     readonly property string unknown: "\uf2d7"
     readonly property string moving: "\uf467"
+    readonly property string service: "\uf4d9"
+    readonly property string pause: "\uf3e4"
+    readonly property string remove: "\uf1c0"
+    readonly property string edit: "\uf3eb"
+    readonly property string sent: "\uf054"
+    readonly property string received: "\uf04d"
     readonly property string suggestion: "\uf4fe"
 }

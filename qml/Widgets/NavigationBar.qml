@@ -13,10 +13,12 @@ Rectangle {
     signal chosen(int page)
     signal attentionRequested()
 
+    // `page` as the frame numbers them; from top to bottom as they stand here.
     readonly property var pages: [
-        { text: qsTr("Run"), glyph: Theme.icon.run },
-        { text: qsTr("Motion"), glyph: Theme.icon.motion },
-        { text: qsTr("Settings"), glyph: Theme.icon.settings }
+        { page: 0, text: qsTr("Run"), glyph: Theme.icon.run },
+        { page: 1, text: qsTr("Motion"), glyph: Theme.icon.motion },
+        { page: 3, text: qsTr("Service"), glyph: Theme.icon.service },
+        { page: 2, text: qsTr("Settings"), glyph: Theme.icon.settings }
     ]
 
     implicitWidth: Theme.size.navigation
@@ -33,15 +35,14 @@ Rectangle {
         Repeater {
             model: bar.pages
             NavButton {
-                required property int index
                 required property var modelData
-                objectName: "nav" + index
+                objectName: "nav" + modelData.page
                 width: bar.width - Theme.size.hairline
                 height: Theme.size.navigation
                 text: modelData.text
                 glyph: modelData.glyph
-                checked: bar.current === index
-                onClicked: bar.chosen(index)
+                checked: bar.current === modelData.page
+                onClicked: bar.chosen(modelData.page)
             }
         }
     }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Settings, Machine and Editor on a fake link, a fake clock and a folder of their own.
+// Settings, Machine, Editor and Service on a fake link, a fake clock and a folder of their own.
 #pragma once
 
 #include "app/machine/editor.h"
 #include "app/machine/machine.h"
+#include "app/machine/service.h"
 #include "app/machine/settings.h"
 #include "fake_link.h"
 
@@ -18,6 +19,7 @@ struct PanelRig {
     link::SteadyTime now{std::chrono::hours(1)};
     machine::Machine machine{link, settings, nullptr};
     machine::Editor editor{machine, folder.path(), nullptr};
+    machine::Service service{machine, settings, folder.path(), nullptr};
 
     PanelRig()
     {

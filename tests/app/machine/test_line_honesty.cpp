@@ -235,7 +235,9 @@ void TestLineHonesty::proofIsRebuiltFromTheController()
     QFETCH(int, kind);
     PanelRig rig;
     rig.connectIdle();
-    const auto image = program::buildProgram(program::defaultRecipe(static_cast<profile::ProgramKind>(kind)));
+    auto recipe = program::defaultRecipe(static_cast<profile::ProgramKind>(kind));
+    recipe.machine = program::withController(recipe.machine, test::FakeLink::identity());
+    const auto image = program::buildProgram(recipe);
     QVERIFY(image);
     rig.link.activate(*image, rig.now);
     rig.editor.proof()->compare();
@@ -253,11 +255,11 @@ void TestLineHonesty::proofNamesTheFirstDifference()
     report.stage = ComparisonStage::Different;
     report.generation = rig.link.status.generation;
     report.differingRegisters = 3;
-    const modbus::RegisterSpan span = modbus::findSpan("bank.bag_length").value();
+    const modbus::RegisterSpan span = modbus::findSpan("program.bag_length").value();
     report.firstDifference = {static_cast<quint16>(span.address - modbus::activeBankBase), 0x10, 0x1F};
     emit rig.link.comparisonReported(report);
     QCOMPARE(proof.result(), ProgramProof::Result::Different);
-    for (const char* words : {"Different: 3 of ", "first bank.bag_length: 0x001F instead of 0x0010"})
+    for (const char* words : {"Different: 3 of ", "first program.bag_length: 0x001F instead of 0x0010"})
         QVERIFY2(proof.text().contains(QLatin1String(words)), qPrintable(proof.text()));
     proof.compare();
     report.differingRegisters = 1;

@@ -238,7 +238,7 @@ private slots:
         rig.link.becomeLost();
         QCOMPARE(rig.machine.connection(), Machine::Connection::Lost);
         QCOMPARE(rig.machine.state(), Machine::State::Unknown);
-        QVERIFY(rig.machine.connectionText().contains("keeps trying"));
+        QVERIFY(rig.machine.connectionText().contains("reconnects by itself"));
         QVERIFY(rig.machine.hasActiveProgram());
         QCOMPARE(rig.machine.linkQuality(), 0);
     }
@@ -311,7 +311,7 @@ private slots:
         PanelRig rig;
         rig.connectRunning();
         QQmlEngine engine;
-        machine::attachToEngine(engine, rig.machine, rig.editor, rig.settings);
+        machine::attachToEngine(engine, rig.machine, rig.editor, rig.service, rig.settings);
         QQmlComponent component(&engine);
         component.setData("import QtQuick\nimport CamPanel.Machine\nQtObject {\n"
                           "  property double length: Editor.bagLength.value\n"

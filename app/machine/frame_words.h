@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frames of the line in translated words: one line for the list, all values for who looks closer.
+#pragma once
+
+#include "app/link/link_values.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace campanel::machine {
+
+class FrameWords {
+    Q_DECLARE_TR_FUNCTIONS(FrameWords)
+
+public:
+    // "Status: Running, 12.34 deg".
+    [[nodiscard]] static QString line(const modbus::FrameRecord& record);
+    // What became of it, unit and function, then each value: "status.state = Running".
+    [[nodiscard]] static QStringList details(const modbus::FrameRecord& record);
+    // "01 03 00 00", empty without bytes.
+    [[nodiscard]] static QString bytes(const modbus::FrameRecord& record);
+
+private:
+    [[nodiscard]] static QString verdict(modbus::FrameVerdict verdict);
+    [[nodiscard]] static QString question(const modbus::DecodedFrame& frame);
+    [[nodiscard]] static QString answer(const modbus::DecodedFrame& frame);
+    [[nodiscard]] static QString exception(int code);
+};
+
+} // namespace campanel::machine

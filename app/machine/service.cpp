@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/machine/service.h"
+
+#include "app/machine/engine_instances.h"
+#include "app/machine/machine.h"
+#include "app/machine/settings.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QEvent>
+
+namespace campanel::machine {
+
+Service::Service(Machine& machine, Settings& settings, const QString& folder, QObject* parent)
+    : QObject(parent)
+    , m_files(QDir(folder).filePath(QStringLiteral("reports")), this)
+    , m_doctor(machine, settings, this)
+    , m_figures(machine.link(), m_files, this)
+    , m_inspector(machine, this)
+    , m_frames(machine.link(), m_files, this)
+{
+    QCoreApplication::instance()->installEventFilter(this);
+}
+
+Service* Service::create(QQmlEngine* qmlEngine, QJSEngine*)
+{
+    return attachedInstance<Service>(qmlEngine);
+}
+
+bool Service::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance()) {
+        m_doctor.retranslate();
+        m_figures.retranslate();
+        m_inspector.retranslate();
+        m_frames.retranslate();
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace campanel::machine

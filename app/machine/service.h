@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// `Service` in QML: what a technician needs to know about the line, and the controller's registers.
+#pragma once
+
+#include "app/machine/frame_list.h"
+#include "app/machine/line_figures.h"
+#include "app/machine/link_doctor.h"
+#include "app/machine/register_inspector.h"
+#include "app/machine/report_files.h"
+
+#include <QObject>
+#include <QtQml/qqmlregistration.h>
+
+class QJSEngine;
+class QQmlEngine;
+
+namespace campanel::machine {
+
+class Service : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_SINGLETON
+
+    Q_PROPERTY(campanel::machine::LinkDoctor* doctor READ doctor CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::LineFigures* figures READ figures CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::RegisterInspector* inspector READ inspector CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::FrameList* frames READ frames CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::ReportFiles* files READ files CONSTANT FINAL)
+
+public:
+    // Machine and settings must outlive it. Reports are kept in a folder below `folder`.
+    Service(Machine& machine, Settings& settings, const QString& folder, QObject* parent);
+
+    // The instance that attachToEngine() gave to this engine.
+    static Service* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
+
+    [[nodiscard]] LinkDoctor* doctor() { return &m_doctor; }
+    [[nodiscard]] LineFigures* figures() { return &m_figures; }
+    [[nodiscard]] RegisterInspector* inspector() { return &m_inspector; }
+    [[nodiscard]] FrameList* frames() { return &m_frames; }
+    [[nodiscard]] ReportFiles* files() { return &m_files; }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    ReportFiles m_files;
+    LinkDoctor m_doctor;
+    LineFigures m_figures;
+    RegisterInspector m_inspector;
+    FrameList m_frames;
+};
+
+} // namespace campanel::machine

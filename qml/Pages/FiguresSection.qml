@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// What has passed on the line, in figures and as the picture of a day.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+import CamPanel.Plot
+import CamPanel.Widgets
+
+ServiceSection {
+    id: section
+
+    readonly property LineFigures figures: Service.figures
+
+    onShownChanged: shown => section.figures.watched = shown
+
+    Row {
+        id: columns
+        anchors { left: parent.left; right: parent.right; top: parent.top }
+        spacing: Theme.size.padding * 2
+        readonly property real columnWidth: (width - 2 * spacing) / 3
+        FigureColumn {
+            width: columns.columnWidth
+            title: qsTr("Exchanges")
+            figures: section.figures.exchanges
+        }
+        FigureColumn {
+            width: columns.columnWidth
+            title: qsTr("Errors")
+            figures: section.figures.errors
+        }
+        FigureColumn {
+            width: columns.columnWidth
+            title: qsTr("Time of answers")
+            figures: section.figures.times
+        }
+    }
+    Row {
+        id: counted
+        anchors { left: parent.left; right: parent.right; top: columns.bottom }
+        spacing: Theme.size.padding * 2
+        Label {
+            text: qsTr("Controller:")
+            color: Theme.color.secondaryInk
+            font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
+        }
+        Repeater {
+            model: section.figures.controller
+            Row {
+                id: pair
+                required property string label
+                required property string value
+                required property bool notable
+                spacing: Theme.size.spacing
+                Label {
+                    text: pair.label
+                    font.pixelSize: Theme.size.caption
+                }
+                Label {
+                    text: pair.value
+                    color: pair.notable ? Theme.color.warning : Theme.color.ink
+                    font { pixelSize: Theme.size.caption; weight: Font.Bold }
+                }
+            }
+        }
+    }
+    StripChart {
+        objectName: "stripChart"
+        anchors { left: parent.left; right: parent.right; top: counted.bottom; bottom: foot.top; topMargin: Theme.size.spacing; bottomMargin: Theme.size.spacing }
+        answers: section.figures.stripAnswers
+        errors: section.figures.stripErrors
+        timesMs: section.figures.stripP99Ms
+        end: section.figures.stripEnd
+        answersTitle: qsTr("Answers, at most %1 a minute")
+        timesTitle: qsTr("99 % answered within, at most %1 ms")
+        errorsTitle: qsTr("Errors, at most %1 a minute")
+        localeName: Theme.language
+        textFont: Theme.captionFont
+        textColor: Theme.color.secondaryInk
+        gridColor: Theme.color.line
+        answersColor: Theme.color.touch
+        timesColor: Theme.color.position
+        errorsColor: Theme.color.fault
+    }
+    Row {
+        id: foot
+        anchors { right: parent.right; bottom: parent.bottom }
+        spacing: Theme.size.spacing
+        Button {
+            objectName: "figuresReset"
+            glyph: Theme.icon.refresh
+            text: qsTr("Count from zero")
+            onClicked: section.figures.reset()
+        }
+        Button {
+            objectName: "figuresExport"
+            glyph: Theme.icon.save
+            text: qsTr("Export CSV")
+            onClicked: {
+                section.figures.exportCsv()
+                section.page.sheetRequested(exportSheet)
+            }
+        }
+    }
+    Component {
+        id: exportSheet
+        ReportFilesSheet { title: qsTr("Figures as CSV") }
+    }
+}
