@@ -494,6 +494,139 @@
     </message>
 </context>
 <context>
+    <name>DoctorSentences</name>
+    <message>
+        <source>%1 baud, 8%2%3, unit %4</source>
+        <comment>parity letter, stop bits</comment>
+        <translation>%1 波特，8%2%3，站号 %4</translation>
+    </message>
+    <message>
+        <source>Controller found</source>
+        <translation>找到控制器</translation>
+    </message>
+    <message>
+        <source>Controller at another unit number</source>
+        <translation>控制器在另一个站号</translation>
+    </message>
+    <message>
+        <source>Controller of another version</source>
+        <translation>其他版本的控制器</translation>
+    </message>
+    <message>
+        <source>Another device</source>
+        <translation>其他设备</translation>
+    </message>
+    <message>
+        <source>Only garbage</source>
+        <translation>只有乱码</translation>
+    </message>
+    <message>
+        <source>No answer</source>
+        <translation>无应答</translation>
+    </message>
+    <message>
+        <source>No such port</source>
+        <translation>没有此端口</translation>
+    </message>
+    <message>
+        <source>Not permitted</source>
+        <translation>没有权限</translation>
+    </message>
+    <message>
+        <source>In use by another program</source>
+        <translation>被其他程序占用</translation>
+    </message>
+    <message>
+        <source>No serial port</source>
+        <translation>不是串口</translation>
+    </message>
+    <message>
+        <source>Settings not possible</source>
+        <translation>无法这样设置</translation>
+    </message>
+    <message>
+        <source>Unplugged</source>
+        <translation>已拔出</translation>
+    </message>
+    <message>
+        <source>A CamPanel controller with firmware %1 answers.</source>
+        <translation>CamPanel 控制器应答，固件版本 %1。</translation>
+    </message>
+    <message>
+        <source>A CamPanel controller answers at unit %1, which is not the one that is set. Use this connection, or set the unit number at the controller.</source>
+        <translation>CamPanel 控制器在站号 %1 应答，与设置的站号不同。请使用此连接，或在控制器上修改站号。</translation>
+    </message>
+    <message>
+        <source>A CamPanel controller answers with register map version %1; this panel needs version %2. Update the older of the two.</source>
+        <translation>CamPanel 控制器应答，其寄存器表版本为 %1；本面板需要版本 %2。请更新两者中较旧的一方。</translation>
+    </message>
+    <message>
+        <source>A device answers that is no CamPanel controller. Choose another port or unit number.</source>
+        <translation>应答的设备不是 CamPanel 控制器。请选择其他端口或站号。</translation>
+    </message>
+    <message>
+        <source>%1 bytes came, but no answer could be read. Baud rate, parity or stop bits differ from the controller&apos;s, or the cable picks up noise. Search for the controller; check shield and ground.</source>
+        <translation>收到 %1 个字节，但无法读出应答。波特率、校验或停止位与控制器不同，或者电缆受到干扰。请搜索控制器；检查屏蔽和接地。</translation>
+    </message>
+    <message>
+        <source>Not a single byte comes. Check that the controller has power and that the cable is plugged in at both ends; on RS-232 the transmit and receive wires must be crossed, on RS-485 A and B may be swapped.</source>
+        <translation>一个字节也没有收到。请检查控制器是否通电、电缆两端是否插好；RS-232 的收发线必须交叉，RS-485 的 A、B 可能接反。</translation>
+    </message>
+    <message>
+        <source>%1 The USB adapter collects bytes for %2 ms before it hands them on, which slows the line down: set its latency timer to 1 ms.</source>
+        <comment>%1: whole sentence</comment>
+        <translation>%1 USB 适配器把字节攒 %2 毫秒才交出，使线路变慢：请把它的延迟定时器设为 1 毫秒。</translation>
+    </message>
+    <message>
+        <source>This port is not there. Plug the adapter in, or choose another port in the settings.</source>
+        <translation>此端口不存在。请插入适配器，或在设置中选择其他端口。</translation>
+    </message>
+    <message>
+        <source>This user may not use the port. Ask the administrator for the right to use it.</source>
+        <translation>此用户无权使用该端口。请向管理员申请权限。</translation>
+    </message>
+    <message>
+        <source>This user may not use the port. Add the user to the group &quot;%1&quot; and log in again.</source>
+        <translation>此用户无权使用该端口。请把用户加入用户组“%1”并重新登录。</translation>
+    </message>
+    <message>
+        <source>This is no serial port. Choose another port in the settings.</source>
+        <translation>这不是串口。请在设置中选择其他端口。</translation>
+    </message>
+    <message>
+        <source>The port cannot be set up like this: %1. Choose other settings.</source>
+        <translation>端口无法这样设置：%1。请选择其他设置。</translation>
+    </message>
+    <message>
+        <source>The adapter disappeared while it was asked. Check its plug and cable.</source>
+        <translation>询问时适配器消失了。请检查插头和电缆。</translation>
+    </message>
+    <message>
+        <source>process %1</source>
+        <translation>进程 %1</translation>
+    </message>
+    <message>
+        <source>%1 (process %2)</source>
+        <translation>%1（进程 %2）</translation>
+    </message>
+    <message>
+        <source>Another program has this port open. Close that program, or choose another port.</source>
+        <translation>另一个程序占用了此端口。请关闭该程序，或选择其他端口。</translation>
+    </message>
+    <message>
+        <source>The port is held by %1. Close that program, or choose another port.</source>
+        <translation>端口被 %1 占用。请关闭该程序，或选择其他端口。</translation>
+    </message>
+    <message>
+        <source>%1 of %2, at most %3 min more</source>
+        <translation>第 %1 个，共 %2 个，最多还需 %3 分钟</translation>
+    </message>
+    <message>
+        <source>%1 of %2, at most %3 s more</source>
+        <translation>第 %1 个，共 %2 个，最多还需 %3 秒</translation>
+    </message>
+</context>
+<context>
     <name>EditorViews</name>
     <message>
         <source>%1 r/min</source>
@@ -670,6 +803,140 @@
         <source>%1 Make room there, unlock the stick or choose another place.</source>
         <comment>%1: whole sentence</comment>
         <translation>%1 请在该处腾出空间、解除 U 盘的写保护，或选择其他位置。</translation>
+    </message>
+</context>
+<context>
+    <name>FrameWords</name>
+    <message>
+        <source>Sent</source>
+        <translation>已发送</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>应答</translation>
+    </message>
+    <message>
+        <source>Refused by the controller</source>
+        <translation>被控制器拒绝</translation>
+    </message>
+    <message>
+        <source>Dropped: the answer to another question</source>
+        <translation>已丢弃：另一个问题的应答</translation>
+    </message>
+    <message>
+        <source>Dropped: wrong checksum</source>
+        <translation>已丢弃：校验和错误</translation>
+    </message>
+    <message>
+        <source>Dropped: not a frame</source>
+        <translation>已丢弃：不是帧</translation>
+    </message>
+    <message>
+        <source>Dropped: the rest did not come in time</source>
+        <translation>已丢弃：其余部分未按时到达</translation>
+    </message>
+    <message>
+        <source>No answer in time</source>
+        <translation>未按时应答</translation>
+    </message>
+    <message>
+        <source>Dropped: nobody had asked</source>
+        <translation>已丢弃：没有人询问</translation>
+    </message>
+    <message>
+        <source>The port has gone</source>
+        <translation>端口已消失</translation>
+    </message>
+    <message>
+        <source>illegal function</source>
+        <translation>非法功能</translation>
+    </message>
+    <message>
+        <source>illegal register address</source>
+        <translation>非法寄存器地址</translation>
+    </message>
+    <message>
+        <source>illegal value</source>
+        <translation>非法值</translation>
+    </message>
+    <message>
+        <source>device failure</source>
+        <translation>设备故障</translation>
+    </message>
+    <message>
+        <source>acknowledged, not yet done</source>
+        <translation>已确认，尚未完成</translation>
+    </message>
+    <message>
+        <source>device busy</source>
+        <translation>设备忙</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Status wanted, heartbeat %1</source>
+        <translation>询问状态，心跳 %1</translation>
+    </message>
+    <message>
+        <source>Command %1, counter %2</source>
+        <comment>name, number</comment>
+        <translation>命令 %1，计数 %2</translation>
+    </message>
+    <message>
+        <source>Transfer %1, block %2</source>
+        <comment>operation, number</comment>
+        <translation>传输 %1，块 %2</translation>
+    </message>
+    <message>
+        <source>Read %1, %2 registers</source>
+        <translation>读 %1，%2 个寄存器</translation>
+    </message>
+    <message>
+        <source>Write %1</source>
+        <translation>写 %1</translation>
+    </message>
+    <message>
+        <source>Sent: function %1</source>
+        <translation>已发送：功能 %1</translation>
+    </message>
+    <message>
+        <source>Status: %1, %2</source>
+        <comment>state, angle</comment>
+        <translation>状态：%1，%2</translation>
+    </message>
+    <message>
+        <source>Command %1: %2</source>
+        <comment>name, what became of it</comment>
+        <translation>命令 %1：%2</translation>
+    </message>
+    <message>
+        <source>Transfer %1: %2</source>
+        <comment>operation, what became of it</comment>
+        <translation>传输 %1：%2</translation>
+    </message>
+    <message>
+        <source>Answer: done</source>
+        <translation>应答：完成</translation>
+    </message>
+    <message>
+        <source>Answer: %1</source>
+        <translation>应答：%1</translation>
+    </message>
+    <message>
+        <source>Exception %1: %2</source>
+        <comment>number, name</comment>
+        <translation>异常 %1：%2</translation>
+    </message>
+    <message>
+        <source>%1, %2 bytes</source>
+        <comment>what, number</comment>
+        <translation>%1，%2 个字节</translation>
+    </message>
+    <message>
+        <source>Unit %1, function %2</source>
+        <translation>站号 %1，功能 %2</translation>
     </message>
 </context>
 <context>
@@ -1342,6 +1609,89 @@
     </message>
 </context>
 <context>
+    <name>RegisterWords</name>
+    <message>
+        <source>Identity</source>
+        <translation>标识</translation>
+    </message>
+    <message>
+        <source>Clock</source>
+        <translation>时钟</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Exchange</source>
+        <translation>交换</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Command result</source>
+        <translation>命令结果</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>传输</translation>
+    </message>
+    <message>
+        <source>Transfer result</source>
+        <translation>传输结果</translation>
+    </message>
+    <message>
+        <source>Read-back</source>
+        <translation>回读</translation>
+    </message>
+    <message>
+        <source>Read-back result</source>
+        <translation>回读结果</translation>
+    </message>
+    <message>
+        <source>Active program</source>
+        <translation>运行中的程序</translation>
+    </message>
+    <message>
+        <source>Staged program</source>
+        <translation>待用的程序</translation>
+    </message>
+    <message>
+        <source>Read only: the panel writes this register itself with every status.</source>
+        <translation>只读：面板每次询问状态时自己写入此寄存器。</translation>
+    </message>
+    <message>
+        <source>Read only: commands go out by their keys, each once and with a counter of its own.</source>
+        <translation>只读：命令由各自的按键发出，每个只发一次，并带有自己的计数。</translation>
+    </message>
+    <message>
+        <source>Read only: written by downloads.</source>
+        <translation>只读：由下载写入。</translation>
+    </message>
+    <message>
+        <source>Read only: the panel writes this register itself to read others.</source>
+        <translation>只读：面板自己写入此寄存器来读取其他寄存器。</translation>
+    </message>
+    <message>
+        <source>Read only: changed by the download of a whole program.</source>
+        <translation>只读：由整个程序的下载来改变。</translation>
+    </message>
+    <message>
+        <source>Read only: set by the panel after connecting.</source>
+        <translation>只读：连接后由面板设置。</translation>
+    </message>
+    <message>
+        <source>Read only: the controller alone writes this register.</source>
+        <translation>只读：只有控制器写入此寄存器。</translation>
+    </message>
+</context>
+<context>
     <name>TableText</name>
     <message>
         <source>Step table</source>
@@ -1610,6 +1960,21 @@
     </message>
 </context>
 <context>
+    <name>campanel::machine::FrameList</name>
+    <message>
+        <source>Sent at %1</source>
+        <translation>发送于 %1</translation>
+    </message>
+    <message>
+        <source>Received at %1</source>
+        <translation>接收于 %1</translation>
+    </message>
+    <message>
+        <source>link frames</source>
+        <translation>线路帧</translation>
+    </message>
+</context>
+<context>
     <name>campanel::machine::KnotFiles</name>
     <message>
         <source>%1 can only be read. Unlock the stick or choose another place.</source>
@@ -1789,6 +2154,163 @@
     <message>
         <source>The simulated controller is not running. Try again when it is connected.</source>
         <translation>模拟控制器未运行。请在连接后重试。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::machine::LineFigures</name>
+    <message>
+        <source>Requests</source>
+        <translation>请求</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>应答</translation>
+    </message>
+    <message>
+        <source>Asked again</source>
+        <translation>重复询问</translation>
+    </message>
+    <message>
+        <source>Bytes dropped</source>
+        <translation>丢弃的字节</translation>
+    </message>
+    <message>
+        <source>Share of the wire&apos;s limit</source>
+        <translation>占线路极限的比例</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>No answer</source>
+        <translation>无应答</translation>
+    </message>
+    <message>
+        <source>Wrong checksum</source>
+        <translation>校验和错误</translation>
+    </message>
+    <message>
+        <source>Damaged frame</source>
+        <translation>帧损坏</translation>
+    </message>
+    <message>
+        <source>Refused by the controller</source>
+        <translation>被控制器拒绝</translation>
+    </message>
+    <message>
+        <source>Port gone</source>
+        <translation>端口消失</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 毫秒</translation>
+    </message>
+    <message>
+        <source>Half of all within</source>
+        <translation>半数不超过</translation>
+    </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % 不超过</translation>
+    </message>
+    <message>
+        <source>99 % within</source>
+        <translation>99 % 不超过</translation>
+    </message>
+    <message>
+        <source>Longest</source>
+        <translation>最长</translation>
+    </message>
+    <message>
+        <source>Requests answered</source>
+        <translation>已应答的请求</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>已拒绝</translation>
+    </message>
+    <message>
+        <source>link figures</source>
+        <translation>线路数据</translation>
+    </message>
+    <message>
+        <source>link 24 hours</source>
+        <translation>线路24小时</translation>
+    </message>
+    <message>
+        <source>Foreign answer</source>
+        <translation>不相干的应答</translation>
+    </message>
+    <message>
+        <source>Allowed beyond wire time</source>
+        <translation>线路时间之外允许</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::machine::LinkDoctor</name>
+    <message>
+        <source>The machine is moving. Diagnosis and search close the connection, and the controller would miss this panel. Stop the machine first.</source>
+        <translation>机器正在运动。诊断和搜索会关闭连接，控制器会失去本面板。请先停机。</translation>
+    </message>
+    <message>
+        <source>A Stop waits for the connection to come back. It goes first.</source>
+        <translation>有一个停止命令在等待连接恢复，它优先。</translation>
+    </message>
+    <message>
+        <source>A download is under way. Wait for its end, or cancel it.</source>
+        <translation>正在下载。请等它结束，或取消它。</translation>
+    </message>
+    <message>
+        <source>Trying %1: %2</source>
+        <comment>port, settings</comment>
+        <translation>正在尝试 %1：%2</translation>
+    </message>
+    <message>
+        <source>simulated controller</source>
+        <translation>模拟控制器</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>port, settings</comment>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>Diagnose asks the port in use a few questions. Search tries every port, baud rate, parity and unit number, which may take long. Both only read, and close the connection meanwhile.</source>
+        <translation>诊断向正在使用的端口提几个问题。搜索会尝试所有端口、波特率、校验和站号，可能需要很久。两者都只读取，期间连接关闭。</translation>
+    </message>
+    <message>
+        <source>Searching. The connection comes back after it.</source>
+        <translation>正在搜索。之后连接会恢复。</translation>
+    </message>
+    <message>
+        <source>Asking the port in use. The connection comes back after it.</source>
+        <translation>正在询问使用中的端口。之后连接会恢复。</translation>
+    </message>
+    <message>
+        <source>A controller answers: %1.</source>
+        <translation>有控制器应答：%1。</translation>
+    </message>
+    <message>
+        <source>The connection in use works: %1.</source>
+        <translation>使用中的连接正常：%1。</translation>
+    </message>
+    <message>
+        <source>Canceled. The connection comes back by itself.</source>
+        <translation>已取消。连接会自行恢复。</translation>
+    </message>
+    <message>
+        <source>This computer has no serial port. Plug in the adapter and search again.</source>
+        <translation>此计算机没有串口。请插入适配器后再搜索。</translation>
+    </message>
+    <message>
+        <source>No controller was found. This is what was seen:</source>
+        <translation>没有找到控制器。看到的情况如下：</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>port, what was found</comment>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>
@@ -2039,6 +2561,63 @@
     <message>
         <source>another one, CRC-32 %1: it is back after a loss of power</source>
         <translation>另一个程序，CRC-32 %1：断电后恢复为它</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::machine::RegisterInspector</name>
+    <message>
+        <source>All groups</source>
+        <translation>所有组</translation>
+    </message>
+    <message>
+        <source>Tap a register to read more about it, or to write it.</source>
+        <translation>点按一个寄存器查看更多信息，或写入它。</translation>
+    </message>
+    <message>
+        <source>Can be written: %1 to %2, by default %3.</source>
+        <translation>可写：%1 到 %2，默认 %3。</translation>
+    </message>
+    <message>
+        <source>There is no connection to the controller.</source>
+        <translation>没有连接到控制器。</translation>
+    </message>
+    <message>
+        <source>From %1 to %2.</source>
+        <translation>从 %1 到 %2。</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>正在写入 %1…</translation>
+    </message>
+    <message>
+        <source>Written, and read back from the controller: %1.</source>
+        <translation>已写入，并从控制器读回：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::machine::RegisterModel</name>
+    <message>
+        <source>cannot be read</source>
+        <translation>无法读取</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::machine::ReportFiles</name>
+    <message>
+        <source>%1 can only be read. Unlock the stick or choose another place.</source>
+        <translation>%1 只能读取。请解除 U 盘的写保护，或选择其他位置。</translation>
+    </message>
+    <message>
+        <source>New files will be written to %1.</source>
+        <translation>新文件将写入 %1。</translation>
+    </message>
+    <message>
+        <source>%1 · can only be read</source>
+        <translation>%1 · 只读</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已写入：%1</translation>
     </message>
 </context>
 <context>

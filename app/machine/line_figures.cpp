@@ -76,7 +76,7 @@ void LineFigures::showErrors()
     m_errors.setRows({row(tr("No answer"), LinkErrorKind::NoAnswer),
                       row(tr("Wrong checksum"), LinkErrorKind::BadChecksum),
                       row(tr("Damaged frame"), LinkErrorKind::BadFrame),
-                      row(tr("Another's answer"), LinkErrorKind::ForeignAnswer),
+                      row(tr("Foreign answer"), LinkErrorKind::ForeignAnswer),
                       row(tr("Refused by the controller"), LinkErrorKind::Exception),
                       row(tr("Port gone"), LinkErrorKind::PortGone)});
 }
@@ -97,7 +97,7 @@ void LineFigures::showTimes()
          {tr("95 % within"), ms(latency.percentile(0.95)), false},
          {tr("99 % within"), ms(latency.percentile(0.99)), false},
          {tr("Longest"), ms(latency.maximum()), false},
-         {tr("Waited beyond the wire"),
+         {tr("Allowed beyond wire time"),
           allowance.count() > 0 ? tr("%1 ms").arg(allowance.count()) : Format::unknownText(), false}});
 }
 
@@ -123,8 +123,8 @@ void LineFigures::showStrip()
     m_stripErrors.clear();
     m_stripP99Ms.clear();
     for (const modbus::MinuteFigures& minute : strip) {
-        const bool isKnown = minute.minute >= 0;
         const auto errors = std::accumulate(minute.errors.begin(), minute.errors.end(), 0.0);
+        const bool isKnown = minute.answers > 0 || errors > 0; // else there was no connection, or no panel
         m_stripAnswers << (isKnown ? minute.answers : unknown);
         m_stripErrors << (isKnown ? errors : unknown);
         m_stripP99Ms << (minute.answers > 0 ? minute.latencyP99Us / 1000.0 : unknown);

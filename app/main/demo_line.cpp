@@ -33,16 +33,16 @@ struct Frame {
 constexpr std::array frames{
     Frame{Verdict::Sent, 0ms, 0x0000, 0, "01170100002802000003060007006B000026CF"},
     Frame{Verdict::Answer, 11ms, 0x0100, 40,
-          "0117500007006B000300000000000100000000000D1234567812345678000030C0303927100000264800"
-          "0026340000100400001000000430390003D0F80028000030C0000015180002000000000000006B005494"
-          "B7"},
+          "0117500007006B000200000000000100000000000D1234567812345678000030C0303927100000264800"
+          "0026340000100400001000000430390003D0F80028000030C0000015180002000000000000006B005469"
+          "8B"},
     Frame{Verdict::Sent, 12ms, 0x0000, 0, "011702300004022000060C0009000100000000000000000BD5"},
     Frame{Verdict::Answer, 17ms, 0x0230, 4, "01170800090001000100002097"},
     Frame{Verdict::Sent, 18ms, 0x0000, 0, "01170100002802000003060008006C0000C30F"},
     Frame{Verdict::Silence, 130ms, 0x0000, 0, ""},
     Frame{Verdict::Sent, 131ms, 0x0000, 0, "01170100002802000003060009006D0000AF0F"},
     Frame{Verdict::BadChecksum, 142ms, 0x0100, 40,
-          "0117500009006D000300000000000100000000000D1234567812345678000030C032C827100000264800"
+          "0117500009006D000200000000000100000000000D1234567812345678000030C032C827100000264800"
           "0026340000100400001000000432C80003D0F80028000030C0000015180002000000000000006D006C00"
           "00"},
     Frame{Verdict::Sent, 170ms, 0x0000, 0, "011000820001020384B8E1"},
@@ -53,9 +53,9 @@ constexpr std::array frames{
     Frame{Verdict::Exception, 193ms, 0x1000, 2, "018302C0F1"},
     Frame{Verdict::Sent, 196ms, 0x0000, 0, "0117010000280200000306000A006E00001B0F"},
     Frame{Verdict::Answer, 207ms, 0x0100, 40,
-          "011750000A006E000300000000000100000000000D1234567812345678000030C0358427100000264800"
-          "0026340000100400001000000435840003D0F80028000030C0000015180002000000000000006E007818"
-          "61"},
+          "011750000A006E000200000000000100000000000D1234567812345678000030C0358427100000264800"
+          "0026340000100400001000000435840003D0F80028000030C0000015180002000000000000006E0078E5"
+          "5D"},
 };
 constexpr std::size_t statusFrame = 1; // the answer whose registers are shown
 
@@ -185,6 +185,8 @@ std::vector<std::uint16_t> demoRegisters(const link::ReadRequest& request,
             map[info.address + info.count - 1U] = static_cast<std::uint16_t>(info.defaultValue / info.scale);
     }
     map[modbus::findSpan("identity.device_type")->address] = modbus::deviceType;
+    map[modbus::findSpan("identity.map_major")->address] = modbus::mapMajor;
+    map[modbus::findSpan("identity.firmware_major")->address] = 1;
     const modbus::FrameRecord status = recordOf(frames[statusFrame], 1, {});
     for (std::size_t i = 0; i < status.readCount; ++i)
         map[status.readAddress + i] =

@@ -149,9 +149,12 @@ void StripChart::paintLane(QPainter& painter, const Lane& lane, const QRectF& re
             paintLine(painter, run, {lane.color, lineWidth}, xMap, yMap);
     }
     painter.restore();
+    const QString title = lane.title.arg(number);
+    const QRectF place(rect.left(), rect.top(), metrics.horizontalAdvance(title) + labelGap, textHeight);
+    painter.fillRect(place, m_backgroundColor); // the clock's lines would run through it
     painter.setPen(m_textColor);
-    painter.drawText(QRectF(rect.left() + labelGap, rect.top(), rect.width(), metrics.height()),
-                     Qt::AlignLeft | Qt::AlignTop, lane.title.arg(number));
+    painter.drawText(QRectF(place.topLeft(), QSizeF(place.width(), metrics.height())),
+                     Qt::AlignLeft | Qt::AlignTop, title);
 }
 
 void StripChart::paintClock(QPainter& painter, const QRectF& rect) const

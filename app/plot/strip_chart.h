@@ -28,6 +28,7 @@ class StripChart : public QQuickPaintedItem {
     Q_PROPERTY(QString localeName MEMBER m_localeName NOTIFY styleChanged FINAL)
     Q_PROPERTY(QFont textFont MEMBER m_textFont NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor textColor MEMBER m_textColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor backgroundColor MEMBER m_backgroundColor NOTIFY styleChanged FINAL) // behind texts
     Q_PROPERTY(QColor gridColor MEMBER m_gridColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor answersColor MEMBER m_answersColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor errorsColor MEMBER m_errorsColor NOTIFY styleChanged FINAL)
@@ -68,6 +69,7 @@ private:
     QString m_localeName;
     QFont m_textFont;
     QColor m_textColor{Qt::darkGray};
+    QColor m_backgroundColor{Qt::white};
     QColor m_gridColor{Qt::lightGray};
     QColor m_answersColor{Qt::blue};
     QColor m_errorsColor{Qt::red};

@@ -52,7 +52,7 @@ ServiceSection {
     ListView {
         id: list
         objectName: "doctorFindings"
-        anchors { left: parent.left; right: parent.right; top: run.bottom; bottom: foot.top; topMargin: Theme.size.spacing; bottomMargin: Theme.size.spacing }
+        anchors { left: parent.left; right: parent.right; top: run.bottom; bottom: reason.visible ? reason.top : foot.top; topMargin: Theme.size.spacing; bottomMargin: Theme.size.spacing }
         clip: true
         spacing: Theme.size.spacing
         boundsBehavior: Flickable.StopAtBounds

@@ -67,7 +67,7 @@ ServiceSection {
     }
     StripChart {
         objectName: "stripChart"
-        anchors { left: parent.left; right: parent.right; top: counted.bottom; bottom: foot.top; topMargin: Theme.size.spacing; bottomMargin: Theme.size.spacing }
+        anchors { left: parent.left; right: foot.left; rightMargin: Theme.size.padding; top: counted.bottom; bottom: parent.bottom; topMargin: Theme.size.spacing }
         answers: section.figures.stripAnswers
         errors: section.figures.stripErrors
         timesMs: section.figures.stripP99Ms
@@ -78,23 +78,29 @@ ServiceSection {
         localeName: Theme.language
         textFont: Theme.captionFont
         textColor: Theme.color.secondaryInk
+        backgroundColor: Theme.color.surface
         gridColor: Theme.color.line
         answersColor: Theme.color.touch
         timesColor: Theme.color.position
         errorsColor: Theme.color.fault
     }
-    Row {
+    Column {
         id: foot
+        readonly property real keyWidth: Math.max(resetButton.implicitWidth, exportButton.implicitWidth)
         anchors { right: parent.right; bottom: parent.bottom }
         spacing: Theme.size.spacing
         Button {
+            id: resetButton
             objectName: "figuresReset"
+            width: foot.keyWidth
             glyph: Theme.icon.refresh
             text: qsTr("Count from zero")
             onClicked: section.figures.reset()
         }
         Button {
+            id: exportButton
             objectName: "figuresExport"
+            width: foot.keyWidth
             glyph: Theme.icon.save
             text: qsTr("Export CSV")
             onClicked: {

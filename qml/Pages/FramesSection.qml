@@ -57,7 +57,9 @@ ServiceSection {
         clip: true
         boundsBehavior: Flickable.StopAtBounds
         model: section.frames
+        onMovementStarted: follows = false
         onMovementEnded: follows = atYEnd
+        onContentHeightChanged: if (follows) positionViewAtEnd()
         onCountChanged: if (follows) positionViewAtEnd()
         onHeightChanged: if (follows) positionViewAtEnd()
         delegate: FrameRow {
@@ -67,8 +69,10 @@ ServiceSection {
         }
         TapHandler {
             onTapped: point => {
-                section.frames.showDetail(list.indexAt(point.position.x, point.position.y + list.contentY))
-                section.page.sheetRequested(detailSheet)
+                const row = list.indexAt(point.position.x, point.position.y)
+                section.frames.showDetail(row)
+                if (row >= 0)
+                    section.page.sheetRequested(detailSheet)
             }
         }
     }

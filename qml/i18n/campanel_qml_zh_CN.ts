@@ -240,6 +240,33 @@
     </message>
 </context>
 <context>
+    <name>DoctorSection</name>
+    <message>
+        <source>Diagnose</source>
+        <translation>诊断</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>for the controller</source>
+        <translation>控制器</translation>
+    </message>
+    <message>
+        <source>Use this</source>
+        <translation>使用此</translation>
+    </message>
+    <message>
+        <source>connection</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
     <name>DownloadSheet</name>
     <message>
         <source>Download to the controller</source>
@@ -310,6 +337,49 @@
     </message>
 </context>
 <context>
+    <name>FiguresSection</name>
+    <message>
+        <source>Exchanges</source>
+        <translation>交换</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>Time of answers</source>
+        <translation>应答时间</translation>
+    </message>
+    <message>
+        <source>Controller:</source>
+        <translation>控制器：</translation>
+    </message>
+    <message>
+        <source>Answers, at most %1 a minute</source>
+        <translation>应答，每分钟最多 %1</translation>
+    </message>
+    <message>
+        <source>99 % answered within, at most %1 ms</source>
+        <translation>99 % 应答时间，最长 %1 毫秒</translation>
+    </message>
+    <message>
+        <source>Errors, at most %1 a minute</source>
+        <translation>错误，每分钟最多 %1</translation>
+    </message>
+    <message>
+        <source>Count from zero</source>
+        <translation>从零计数</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>导出 CSV</translation>
+    </message>
+    <message>
+        <source>Figures as CSV</source>
+        <translation>数据导出为 CSV</translation>
+    </message>
+</context>
+<context>
     <name>ForceCard</name>
     <message>
         <source>Force N over position</source>
@@ -322,6 +392,44 @@
     <message>
         <source>at the stop: %1 mm, %2 to %3 N</source>
         <translation>终点要求：%1 mm，%2 至 %3 N</translation>
+    </message>
+</context>
+<context>
+    <name>FrameSheet</name>
+    <message>
+        <source>Earlier</source>
+        <translation>较早</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>较晚</translation>
+    </message>
+</context>
+<context>
+    <name>FramesSection</name>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Writes</source>
+        <translation>写入</translation>
+    </message>
+    <message>
+        <source>Nothing of this kind has passed.</source>
+        <translation>没有这类帧经过。</translation>
+    </message>
+    <message>
+        <source>Frames as text</source>
+        <translation>帧导出为文本</translation>
     </message>
 </context>
 <context>
@@ -555,6 +663,13 @@
     </message>
 </context>
 <context>
+    <name>NameKeypad</name>
+    <message>
+        <source>anything</source>
+        <translation>任意</translation>
+    </message>
+</context>
+<context>
     <name>NavigationBar</name>
     <message>
         <source>Run</source>
@@ -571,6 +686,10 @@
     <message>
         <source>Alarm</source>
         <translation>报警</translation>
+    </message>
+    <message>
+        <source>Service</source>
+        <translation>维护</translation>
     </message>
 </context>
 <context>
@@ -721,6 +840,52 @@
     </message>
 </context>
 <context>
+    <name>RegistersSection</name>
+    <message>
+        <source>Group</source>
+        <translation>组</translation>
+    </message>
+    <message>
+        <source>Name contains</source>
+        <translation>名称包含</translation>
+    </message>
+    <message>
+        <source>anything</source>
+        <translation>任意</translation>
+    </message>
+    <message>
+        <source>No register has this in its name.</source>
+        <translation>没有名称包含此内容的寄存器。</translation>
+    </message>
+    <message>
+        <source>Write …</source>
+        <translation>写入…</translation>
+    </message>
+    <message>
+        <source>Group of registers</source>
+        <translation>寄存器组</translation>
+    </message>
+    <message>
+        <source>%1 registers</source>
+        <translation>%1 个寄存器</translation>
+    </message>
+</context>
+<context>
+    <name>ReportFilesSheet</name>
+    <message>
+        <source>Looking …</source>
+        <translation>正在查找…</translation>
+    </message>
+    <message>
+        <source>Choose the place of the new files.</source>
+        <translation>请选择新文件的位置。</translation>
+    </message>
+    <message>
+        <source>Write file</source>
+        <translation>写入文件</translation>
+    </message>
+</context>
+<context>
     <name>RunAxis</name>
     <message>
         <source>Speed mm/s</source>
@@ -786,6 +951,22 @@
 </context>
 <context>
     <name>ServicePage</name>
+    <message>
+        <source>Link doctor</source>
+        <translation>线路诊断</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation>寄存器</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>帧</translation>
+    </message>
     <message>
         <source>Faults</source>
         <translation>故障模拟</translation>

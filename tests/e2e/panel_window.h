@@ -37,6 +37,8 @@ public:
 
     [[nodiscard]] machine::Machine& machine() { return m_panel.machine(); }
     [[nodiscard]] machine::Editor& editor() { return m_panel.editor(); }
+    [[nodiscard]] machine::Service& service() { return m_panel.service(); }
+    [[nodiscard]] machine::Settings& settings() { return m_panel.settings(); }
     [[nodiscard]] panel::Finger& finger() { return m_finger; }
     [[nodiscard]] const std::vector<modbus::StatusBlock>& statuses() const { return m_statuses; }
 

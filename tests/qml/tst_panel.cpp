@@ -384,6 +384,7 @@ private slots:
         QTest::addColumn<QStringList>("way");
         QTest::newRow("run") << QStringList{"nav0"};
         QTest::newRow("settings") << QStringList{"nav2"};
+        QTest::newRow("search") << QStringList{"nav3", "doctorSearch"};
         QTest::newRow("keypad") << QStringList{"nav1", "field_rate"};
         QTest::newRow("dialog") << QStringList{"nav1", "lawButton"};
         QTest::newRow("dialog from a dialog") << QStringList{"nav1", "more", "tableButton"};
@@ -396,6 +397,52 @@ private slots:
         const int before = m_stage->link().stopRequests();
         tap("stopKey");
         QCOMPARE(m_stage->link().stopRequests(), before + 1);
+    }
+
+    void aFoundConnectionIsTakenOverInOneTap()
+    {
+        m_stage->link().show(campanel::panel::DemoLink::Situation::Stopped);
+        tap("nav3");
+        tap("doctorSearch");
+        QVERIFY2(textOf("doctorState").contains(QStringLiteral("/dev/ttyUSB1")),
+                 qPrintable(textOf("doctorState")));
+        QVERIFY(!m_stage->find(QStringLiteral("doctorSearch")));
+        tap("doctorCancel");
+        QVERIFY(!m_stage->find(QStringLiteral("doctorTake")));
+        tap("doctorSearch");
+        m_stage->link().endScan(true);
+        m_stage->settle();
+        tap("doctorTake");
+        const machine::ConnectionChoice& choice = m_stage->panel().settings().connection();
+        QVERIFY(!choice.simulated);
+        QCOMPARE(choice.portName, QStringLiteral("/dev/ttyUSB1"));
+        QCOMPARE(choice.baud, 19200);
+        QCOMPARE(choice.parity, QStringLiteral("E"));
+        QCOMPARE(choice.unit, 7);
+        QVERIFY(!m_stage->find(QStringLiteral("doctorTake")));
+    }
+
+    void doctorDoesNotDisturbARunningMachine()
+    {
+        tap("nav3");
+        QVERIFY(!m_stage->find(QStringLiteral("doctorSearch"))->isEnabled());
+        QVERIFY(!textOf("doctorBlocked").isEmpty());
+    }
+
+    void framesAreWatchedOnlyInSight()
+    {
+        const auto& frames = *m_stage->panel().service().frames();
+        tap("nav3");
+        QVERIFY(!frames.watched());
+        tap("service3");
+        QVERIFY(frames.watched());
+        tap("nav0");
+        QVERIFY(!frames.watched());
+        tap("nav3");
+        QVERIFY(frames.watched());
+        tap("service1");
+        QVERIFY(!frames.watched());
+        QVERIFY(m_stage->panel().service().figures()->watched());
     }
 
     void languageChangesAtOnce()

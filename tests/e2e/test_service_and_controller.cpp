@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Service page touched as a technician does, campanel-controller at the other end of the line: a register
+// written and read back, figures and frames of it, a diagnosis, and a wrong unit number found and mended.
+#include "app/main/fonts.h"
+#include "app/main/qml_modules.h"
+#include "panel_window.h"
+#include "tests/support/controller_process.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace campanel;
+using machine::Machine;
+using test::ControllerProcess;
+using test::PanelWindow;
+
+namespace {
+
+constexpr int timeoutMs = 20'000;
+
+QString rampTime(PanelWindow& panel)
+{
+    const machine::RegisterModel& registers = *panel.service().inspector()->registers();
+    return registers.data(registers.index(2), machine::RegisterModel::ValueRole).toString();
+}
+
+} // namespace
+
+class TestServiceAndController : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { panel::applyFonts(); }
+
+    void aParameterIsWrittenAndSeenOnTheWire()
+    {
+        ControllerProcess controller;
+        PanelWindow panel(controller.port());
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        for (const char* name : {"nav3", "service2", "registerGroup", "choice_parameter", "register2"})
+            panel.tap(name);
+        QTRY_COMPARE_WITH_TIMEOUT(rampTime(panel), "800 ms", timeoutMs);
+        panel.tap("registerWrite");
+        panel.tapDigits(QStringLiteral("900"));
+        panel.tap("keypadAccept");
+        QTRY_COMPARE_WITH_TIMEOUT(panel.service().inspector()->selectedText(),
+                                  "Written, and read back from the controller: 900 ms.", timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(rampTime(panel), "900 ms", timeoutMs);
+
+        panel.tap("service1");
+        const machine::LineFigures& figures = *panel.service().figures();
+        QTRY_VERIFY_WITH_TIMEOUT(!figures.stripAnswers().isEmpty(), timeoutMs);
+        QVERIFY(figures.stripAnswers().last() > 0);
+        QVERIFY(panel.service().figures()->times()->rows()[2].value.endsWith(" ms"));
+
+        panel.tap("service3");
+        panel.tap("framesWrites");
+        machine::FrameList& frames = *panel.service().frames();
+        QTRY_VERIFY_WITH_TIMEOUT(frames.count() >= 2, timeoutMs);
+        QCOMPARE(frames.data(frames.index(0), machine::FrameList::WordsRole).toString(),
+                 "Write parameter.ramp_time = 900 ms");
+        QCOMPARE(frames.data(frames.index(1), machine::FrameList::WordsRole).toString(), "Answer: done");
+        QCOMPARE(panel.complaints(), QStringList());
+    }
+
+    void aWrongUnitNumberIsFoundAndMended()
+    {
+        ControllerProcess controller;
+        PanelWindow panel(controller.port());
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        for (const char* name : {"nav3", "service0", "doctorDiagnose"})
+            panel.tap(name);
+        const machine::LinkDoctor& doctor = *panel.service().doctor();
+        QTRY_VERIFY_WITH_TIMEOUT(doctor.resultText().startsWith("The connection in use works"), timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().connection(), Machine::Connection::Connected, timeoutMs);
+
+        machine::ConnectionChoice wrong = panel.settings().connection();
+        wrong.unit = 9;
+        panel.settings().overrideConnection(wrong);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.machine().connection() != Machine::Connection::Connected, timeoutMs);
+        panel.tap("doctorDiagnose");
+        QTRY_VERIFY_WITH_TIMEOUT(doctor.canTake(), timeoutMs);
+        panel.tap("doctorTake");
+        QCOMPARE(panel.settings().connection().unit, 1);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().connection(), Machine::Connection::Connected, timeoutMs);
+        QCOMPARE(panel.complaints(), QStringList());
+    }
+};
+
+int main(int argc, char* argv[])
+{
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    QGuiApplication application(argc, argv);
+    TestServiceAndController test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "test_service_and_controller.moc"
