@@ -23,6 +23,33 @@ QString hex(std::uint32_t value, int digits)
     return u"0x"_s + QString::number(value, 16).toUpper().rightJustified(digits, u'0');
 }
 
+// What runs was within the limits of whoever downloaded it; they are not in the bank and do not shape the
+// table.
+program::Recipe withoutLimits(program::Recipe recipe)
+{
+    using profile::Field;
+    const auto most = [](Field field) { return profile::info(field).max; };
+    recipe.machine.maxMotorRpm = most(Field::MaxMotorRpm);
+    recipe.machine.maxKnifeAccelerationMmPerS2 = most(Field::MaxKnifeAcceleration);
+    recipe.machine.maxPulseFrequencyHz = most(Field::MaxPulseFrequency);
+    recipe.machine.maxRateBagsPerMin = most(Field::MaxRate);
+    recipe.machine.maxAccelerationMmPerS2 = most(Field::MaxAcceleration);
+    recipe.machine.maxTorqueNm = most(Field::MaxTorque);
+    return recipe;
+}
+
+// The table with this CRC-32 that follows from the recipe; empty when none does. The limits refuse some and
+// shape others.
+std::vector<std::uint16_t> rebuilt(const program::Recipe& recipe, std::uint32_t crc)
+{
+    for (const program::Recipe& each : {recipe, withoutLimits(recipe)}) {
+        auto image = program::buildProgram(each);
+        if (image && image->crc == crc)
+            return std::move(image->registers);
+    }
+    return {};
+}
+
 } // namespace
 
 ProgramProof::ProgramProof(Machine& machine, QObject* parent)
@@ -67,11 +94,8 @@ void ProgramProof::compare()
         m_basis = Basis::Downloaded;
         m_expected = m_downloaded;
     } else if (const auto& program = m_machine.program()) {
-        auto rebuilt = program::buildProgram(program->recipe);
-        if (rebuilt && rebuilt->crc == crc) {
-            m_basis = Basis::Rebuilt;
-            m_expected = std::move(rebuilt->registers);
-        }
+        m_expected = rebuilt(program->recipe, crc);
+        m_basis = m_expected.empty() ? Basis::OwnChecksum : Basis::Rebuilt;
     }
     m_report = {};
     m_isRunning = true;

@@ -33,7 +33,7 @@ Page {
         anchors { left: parent.left; right: parent.right; top: tabs.bottom; topMargin: Theme.size.spacing; bottom: parent.bottom; bottomMargin: page.bottomInset }
         Loader {
             anchors { fill: parent; margins: Theme.size.padding }
-            source: page.sections[page.shown].source
+            source: page.always.concat(page.simulatedOnly)[page.shown].source
             onLoaded: (item as ServiceSection).page = page
         }
     }
