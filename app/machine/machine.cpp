@@ -106,6 +106,8 @@ void Machine::noteLoss()
 {
     m_lostAt = m_wallClock();
     m_beforeLoss = m_status;
+    if (!m_returnMessage.isEmpty() && m_commandMessage == m_returnMessage)
+        showMessage({}); // it is not true any more
 }
 
 // What has changed while nobody was looking.
@@ -114,14 +116,17 @@ void Machine::noteReturn(const modbus::StatusBlock& status)
     const std::optional<modbus::StatusBlock> before = std::exchange(m_beforeLoss, std::nullopt);
     if (!before || m_hasStopWaited)
         return;
+    m_returnMessage.clear();
     if (status.uptimeS < before->uptimeS)
-        showMessage(tr("The line is back. The controller has restarted meanwhile."));
+        m_returnMessage = tr("The line is back. The controller has restarted meanwhile.");
     else if (status.generation != before->generation)
-        showMessage(tr("The line is back. The controller has got another program meanwhile."));
+        m_returnMessage = tr("The line is back. The controller has got another program meanwhile.");
     else if (before->state && status.state && before->state != status.state)
-        showMessage(
+        m_returnMessage =
             tr("The line is back. Before: %1. Now: %2.", "states of the machine")
-                .arg(ControllerSentences::state(*before->state), ControllerSentences::state(*status.state)));
+                .arg(ControllerSentences::state(*before->state), ControllerSentences::state(*status.state));
+    if (!m_returnMessage.isEmpty())
+        showMessage(m_returnMessage);
 }
 
 void Machine::forgetStatus()

@@ -268,6 +268,7 @@ private:
     bool m_fresh = false;
     QDateTime m_lostAt;                              // since when there is no connection, once there was one
     std::optional<modbus::StatusBlock> m_beforeLoss; // until the first status after it
+    QString m_returnMessage;                         // what had changed when the line was back
     bool m_hasStopWaited = false;                    // the last Stop, for the line
     quint32 m_lastRequestId = 0;
     quint32 m_lastParameterId = 0;

@@ -68,8 +68,10 @@ void ProgramProof::noteDownloaded(std::vector<std::uint16_t> registers, std::uin
 void ProgramProof::update()
 {
     const auto& status = m_machine.status();
-    // A result is of one program.
-    if (m_hasResult && (!status || status->generation != m_report.generation))
+    // A result is of one program, and true as long as the line is watched.
+    const bool isFinding = result() == Result::Equal || result() == Result::Different;
+    if (m_hasResult &&
+        (!status || status->generation != m_report.generation || (isFinding && !m_machine.isConnected())))
         m_hasResult = false;
     emit changed();
 }

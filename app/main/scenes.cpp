@@ -334,6 +334,7 @@ void enterScene(Stage& stage, const Scene& scene)
     stage.panel().service().inspector()->setNameFilter({});
     stage.link().setSimulated(false);
     stage.link().show(Situation::Running);
+    stage.panel().machine().dismissMessage();
     stage.lookAtClock();
     scene.enter(stage);
     stage.settle();

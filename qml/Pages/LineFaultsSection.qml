@@ -26,7 +26,7 @@ ServiceSection {
             required property string name
             required property string note
             required property int level
-            width: list.width
+            width: list.width - Theme.size.spacing
             height: Theme.size.touch
             Column {
                 anchors { left: parent.left; right: choice.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }

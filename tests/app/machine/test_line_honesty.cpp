@@ -153,6 +153,8 @@ void TestLineHonesty::changesMeanwhileAreTold()
     rig.link.sendStatus(rig.now);
     QCOMPARE(rig.machine.commandMessage(), "The line is back. Before: Running. Now: Ready.");
     QCOMPARE(rig.machine.state(), Machine::State::Ready);
+    rig.link.becomeLost(); // it is not back any more
+    QVERIFY2(rig.machine.commandMessage().isEmpty(), qPrintable(rig.machine.commandMessage()));
 }
 
 void TestLineHonesty::valuesOfAnotherProgramAreNotScaled()
@@ -316,6 +318,12 @@ void TestLineHonesty::proofIsOfOneProgram()
     emit rig.link.comparisonReported(report);
     QCOMPARE(proof.result(), ProgramProof::Result::Equal);
     rig.link.activate(rig.image(), rig.now);
+    QCOMPARE(proof.result(), ProgramProof::Result::None);
+    proof.compare();
+    report.generation = rig.link.status.generation;
+    emit rig.link.comparisonReported(report);
+    QCOMPARE(proof.result(), ProgramProof::Result::Equal);
+    rig.link.becomeLost();
     QCOMPARE(proof.result(), ProgramProof::Result::None);
 }
 
