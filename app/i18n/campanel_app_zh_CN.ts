@@ -2494,7 +2494,7 @@
     <message>
         <source>Equal: all %1 registers of generation %2 are %3. CRC-32 %4.</source>
         <comment>%3: for example &quot;what this panel downloaded&quot;</comment>
-        <translation>一致：第 %2 代的全部 %1 个寄存器都是%3。CRC-32 %4。</translation>
+        <translation>一致：第 %2 代的全部 %1 个寄存器与%3相符。CRC-32 %4。</translation>
     </message>
     <message>
         <source>The controller&apos;s program changed during the comparison. Compare again.</source>
@@ -2515,11 +2515,11 @@
     </message>
     <message>
         <source>Different: 1 of %1 registers is not %2, %3. Download the recipe again.</source>
-        <translation>不一致：%1 个寄存器中有 1 个不是%2，%3。请重新下载配方。</translation>
+        <translation>不一致：%1 个寄存器中有 1 个与%2不符，%3。请重新下载配方。</translation>
     </message>
     <message>
         <source>Different: %1 of %2 registers are not %3, %4. Download the recipe again.</source>
-        <translation>不一致：%2 个寄存器中有 %1 个不是%3，%4。请重新下载配方。</translation>
+        <translation>不一致：%2 个寄存器中有 %1 个与%3不符，%4。请重新下载配方。</translation>
     </message>
     <message>
         <source>Not compared: there is no connection to the controller.</source>
