@@ -12,14 +12,6 @@
         <translation>已通过 %1 连接到控制器。</translation>
     </message>
     <message>
-        <source>Connection lost: %1 is gone. Plug the adapter in again; the panel reconnects by itself.</source>
-        <translation>连接中断：%1 已不存在。请重新插入适配器，面板会自动重新连接。</translation>
-    </message>
-    <message>
-        <source>Connection lost. Check the cable and the controller&apos;s power; the panel keeps trying on %1.</source>
-        <translation>连接中断。请检查电缆和控制器电源，面板会继续在 %1 上重试。</translation>
-    </message>
-    <message>
         <source>Asking the controller on %1 who it is …</source>
         <translation>正在询问 %1 上控制器的身份…</translation>
     </message>
@@ -231,6 +223,18 @@
     <message>
         <source>The link doctor has the ports. The connection comes back when it has ended.</source>
         <translation>线路诊断正在使用端口，结束后连接会恢复。</translation>
+    </message>
+    <message>
+        <source>No connection since %1. The panel asks the simulated controller on %2 four times a second and reconnects by itself.</source>
+        <translation>自 %1 起没有连接。面板每秒四次询问 %2 上的模拟控制器，并会自动重新连接。</translation>
+    </message>
+    <message>
+        <source>No connection since %1: the port %2 is gone. Plug the adapter in again; the panel looks for it four times a second, under any name, and reconnects by itself.</source>
+        <translation>自 %1 起没有连接：端口 %2 已消失。请重新插上适配器；面板每秒四次查找它（无论端口叫什么名字），并会自动重新连接。</translation>
+    </message>
+    <message>
+        <source>No connection since %1: nobody answers on %2. Check the cable and the controller&apos;s power; the panel keeps asking and reconnects by itself.</source>
+        <translation>自 %1 起没有连接：%2 上无人应答。请检查电缆和控制器电源；面板会不断询问并自动重新连接。</translation>
     </message>
 </context>
 <context>
@@ -1916,6 +1920,10 @@
         <source>The kind of program and the data of the machine change only at standstill. Stop the machine first.</source>
         <translation>程序类型和机器数据只能在静止时更改。请先停机。</translation>
     </message>
+    <message>
+        <source>No connection. Last known in the controller: generation %1</source>
+        <translation>没有连接。控制器中最后已知的是：第 %1 代</translation>
+    </message>
 </context>
 <context>
     <name>campanel::machine::Editor</name>
@@ -2030,6 +2038,122 @@
     <message>
         <source>Where the cycle closes: position jumps by %1 mm, speed by %2 mm/°, acceleration by %3 mm/°².</source>
         <translation>周期闭合处：位置跳变 %1 mm，速度跳变 %2 mm/°，加速度跳变 %3 mm/°²。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::machine::LineFaults</name>
+    <message>
+        <source>Late answers</source>
+        <translation>迟到的应答</translation>
+    </message>
+    <message>
+        <source>One and a half time-outs late: they meet the next question.</source>
+        <translation>迟到一个半超时时间，会碰上下一个询问。</translation>
+    </message>
+    <message>
+        <source>Lost frames</source>
+        <translation>丢失的帧</translation>
+    </message>
+    <message>
+        <source>Questions and answers that never arrive.</source>
+        <translation>永远收不到的询问和应答。</translation>
+    </message>
+    <message>
+        <source>Corrupted answers</source>
+        <translation>损坏的应答</translation>
+    </message>
+    <message>
+        <source>Flipped bits and answers cut short.</source>
+        <translation>位翻转，或应答被截短。</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>噪声</translation>
+    </message>
+    <message>
+        <source>Random bytes behind the answers.</source>
+        <translation>应答之后的随机字节。</translation>
+    </message>
+    <message>
+        <source>A second master</source>
+        <translation>第二个主站</translation>
+    </message>
+    <message>
+        <source>Its right answers stand where the panel&apos;s are expected.</source>
+        <translation>它的正确应答出现在面板等待应答的位置。</translation>
+    </message>
+    <message>
+        <source>Other devices answer</source>
+        <translation>其他设备应答</translation>
+    </message>
+    <message>
+        <source>Wrong unit, wrong function, wrong length.</source>
+        <translation>单元号、功能码或长度错误。</translation>
+    </message>
+    <message>
+        <source>Busy controller</source>
+        <translation>控制器忙</translation>
+    </message>
+    <message>
+        <source>It refuses three questions in a row.</source>
+        <translation>连续拒绝三次询问。</translation>
+    </message>
+    <message>
+        <source>Silence</source>
+        <translation>静默</translation>
+    </message>
+    <message>
+        <source>Nothing passes for two seconds.</source>
+        <translation>两秒内没有任何数据通过。</translation>
+    </message>
+    <message>
+        <source>Unplugged adapter</source>
+        <translation>拔出适配器</translation>
+    </message>
+    <message>
+        <source>The port is gone for two seconds.</source>
+        <translation>端口消失两秒。</translation>
+    </message>
+    <message>
+        <source>Restarts of the controller</source>
+        <translation>控制器重启</translation>
+    </message>
+    <message>
+        <source>Silence, then power-up from what was saved. The machine stops.</source>
+        <translation>先静默，再以已保存的内容上电。机器会停止。</translation>
+    </message>
+    <message>
+        <source>Another register map</source>
+        <translation>另一种寄存器表</translation>
+    </message>
+    <message>
+        <source>Seen when the panel connects anew, after another fault.</source>
+        <translation>其他故障后面板重新连接时才会出现。</translation>
+    </message>
+    <message>
+        <source>No faults: the line is as good as it gets.</source>
+        <translation>没有故障：线路处于最佳状态。</translation>
+    </message>
+    <message>
+        <source>Active: %1</source>
+        <translation>已启用：%1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between names</comment>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>The simulated controller refused the fault: %1</source>
+        <translation>模拟控制器拒绝了该故障：%1</translation>
+    </message>
+    <message>
+        <source>Faults are for the simulated controller only.</source>
+        <translation>故障仅适用于模拟控制器。</translation>
+    </message>
+    <message>
+        <source>The simulated controller is not running. Try again when it is connected.</source>
+        <translation>模拟控制器未运行。请在连接后重试。</translation>
     </message>
 </context>
 <context>
@@ -2239,6 +2363,43 @@
         <source>The state of the controller is not known.</source>
         <translation>控制器状态未知。</translation>
     </message>
+    <message>
+        <source>The line is back. The controller has restarted meanwhile.</source>
+        <translation>连接已恢复。期间控制器曾重新启动。</translation>
+    </message>
+    <message>
+        <source>The line is back. The controller has got another program meanwhile.</source>
+        <translation>连接已恢复。期间控制器换了另一个程序。</translation>
+    </message>
+    <message>
+        <source>The line is back. Before: %1. Now: %2.</source>
+        <comment>states of the machine</comment>
+        <translation>连接已恢复。之前：%1。现在：%2。</translation>
+    </message>
+    <message>
+        <source>The line is back: Stop was sent and the controller has taken it.</source>
+        <translation>连接已恢复：停止命令已发送，控制器已接受。</translation>
+    </message>
+    <message>
+        <source>Stop was withdrawn: it is not sent any more.</source>
+        <translation>停止命令已撤回，不会再发送。</translation>
+    </message>
+    <message>
+        <source>Stop was not sent: it was meant for the machine that was connected before.</source>
+        <translation>停止命令未发送：它是给之前连接的那台机器的。</translation>
+    </message>
+    <message>
+        <source>The line is back: Stop was sent, but the machine was no longer running.</source>
+        <translation>连接已恢复：停止命令已发送，但机器已不在运行。</translation>
+    </message>
+    <message>
+        <source>Stop was sent and its answer is awaited.</source>
+        <translation>停止命令已发送，正在等待应答。</translation>
+    </message>
+    <message>
+        <source>Stop waits for the line – it is sent as soon as the line is back.</source>
+        <translation>停止命令正在等待连接，连接恢复后立即发送。</translation>
+    </message>
 </context>
 <context>
     <name>campanel::machine::MasterDirection</name>
@@ -2289,6 +2450,117 @@
     <message>
         <source>The direction of the master</source>
         <translation>主轴方向</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::machine::ProgramProof</name>
+    <message>
+        <source>Not possible now: there is no connection to the controller.</source>
+        <translation>暂时无法进行：没有连接到控制器。</translation>
+    </message>
+    <message>
+        <source>The controller has no program. Download a recipe first.</source>
+        <translation>控制器没有程序。请先下载配方。</translation>
+    </message>
+    <message>
+        <source>The connection is lost; the comparison goes on when it is back.</source>
+        <translation>连接已断开；恢复后比较会继续。</translation>
+    </message>
+    <message>
+        <source>Reading the table back from the controller …</source>
+        <translation>正在从控制器读回程序表…</translation>
+    </message>
+    <message>
+        <source>Reads every register of the table back and compares it. The machine may run meanwhile.</source>
+        <translation>读回程序表的每个寄存器并逐一比较。期间机器可以运行。</translation>
+    </message>
+    <message>
+        <source>what this panel downloaded</source>
+        <translation>本面板下载的内容</translation>
+    </message>
+    <message>
+        <source>the table computed anew from its recipe</source>
+        <translation>按其配方重新计算的程序表</translation>
+    </message>
+    <message>
+        <source>the controller&apos;s own checksum</source>
+        <translation>控制器自己的校验和</translation>
+    </message>
+    <message>
+        <source>Equal: the table of generation %1, read back, has %2. CRC-32 %3.</source>
+        <comment>%2: &quot;the controller&apos;s own checksum&quot;</comment>
+        <translation>一致：读回的第 %1 代程序表与%2相符。CRC-32 %3。</translation>
+    </message>
+    <message>
+        <source>Equal: all %1 registers of generation %2 are %3. CRC-32 %4.</source>
+        <comment>%3: for example &quot;what this panel downloaded&quot;</comment>
+        <translation>一致：第 %2 代的全部 %1 个寄存器与%3相符。CRC-32 %4。</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s program changed during the comparison. Compare again.</source>
+        <translation>比较期间控制器的程序已更换。请重新比较。</translation>
+    </message>
+    <message>
+        <source>Canceled. Nothing was found out.</source>
+        <translation>已取消，没有得出结果。</translation>
+    </message>
+    <message>
+        <source>Different: read back the table has CRC-32 %1, the controller says %2. Download the recipe again.</source>
+        <translation>不一致：读回的程序表 CRC-32 为 %1，控制器报告为 %2。请重新下载配方。</translation>
+    </message>
+    <message>
+        <source>first %1: %2 instead of %3</source>
+        <comment>register: its value, expected value</comment>
+        <translation>第一个是 %1：为 %2，应为 %3</translation>
+    </message>
+    <message>
+        <source>Different: 1 of %1 registers is not %2, %3. Download the recipe again.</source>
+        <translation>不一致：%1 个寄存器中有 1 个与%2不符，%3。请重新下载配方。</translation>
+    </message>
+    <message>
+        <source>Different: %1 of %2 registers are not %3, %4. Download the recipe again.</source>
+        <translation>不一致：%2 个寄存器中有 %1 个与%3不符，%4。请重新下载配方。</translation>
+    </message>
+    <message>
+        <source>Not compared: there is no connection to the controller.</source>
+        <translation>未比较：没有连接到控制器。</translation>
+    </message>
+    <message>
+        <source>Not compared: another comparison is under way.</source>
+        <translation>未比较：另一个比较正在进行。</translation>
+    </message>
+    <message>
+        <source>Not compared. %1</source>
+        <comment>%1: whole sentence</comment>
+        <translation>未比较。%1</translation>
+    </message>
+    <message>
+        <source>register %1 of the rows</source>
+        <translation>行数据的第 %1 个寄存器</translation>
+    </message>
+    <message>
+        <source>no program</source>
+        <translation>没有程序</translation>
+    </message>
+    <message>
+        <source>generation %1, CRC-32 %2</source>
+        <translation>第 %1 代，CRC-32 %2</translation>
+    </message>
+    <message>
+        <source>%1 · v%2, generation %3, CRC-32 %4</source>
+        <translation>%1 · 第%2版，第 %3 代，CRC-32 %4</translation>
+    </message>
+    <message>
+        <source>nothing: after a loss of power there is no program</source>
+        <translation>无：断电后没有程序</translation>
+    </message>
+    <message>
+        <source>the same: it is there after a loss of power</source>
+        <translation>相同：断电后仍保留</translation>
+    </message>
+    <message>
+        <source>another one, CRC-32 %1: it is back after a loss of power</source>
+        <translation>另一个程序，CRC-32 %1：断电后恢复为它</translation>
     </message>
 </context>
 <context>

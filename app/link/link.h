@@ -47,6 +47,11 @@ public:
     virtual void startScan(campanel::modbus::ScanPlan::Depth depth) = 0;
     virtual void cancelScan() = 0;
 
+    // Rules for what goes wrong on the line to the simulated controller, see controller/README.md; they
+    // replace those before, an empty list clears them. They outlive a restart of the controller, not
+    // connectTo(). Ends in exactly one faultsSimulated(); while the controller is not serving, at once.
+    virtual void simulateFaults(const QStringList& rules) = 0;
+
     // While watched: figuresReported() once a second, the first one at once.
     virtual void watchFigures(bool isWatched) = 0;
     virtual void resetFigures() = 0;
@@ -64,6 +69,7 @@ signals:
     void registersRead(const campanel::link::ReadOutcome& outcome);
     void comparisonReported(const campanel::link::ComparisonReport& report);
     void scanReported(const campanel::link::ScanReport& report);
+    void faultsSimulated(const campanel::link::FaultsOutcome& outcome);
     void figuresReported(const campanel::link::FiguresReport& report);
     void framesRecorded(const QList<campanel::modbus::FrameRecord>& frames);
 };

@@ -15,6 +15,7 @@
 
 #include <QList>
 #include <QString>
+#include <QStringList>
 
 #include <chrono>
 #include <cstdint>
@@ -193,6 +194,18 @@ struct ScanReport {
     modbus::ScanProgress progress;
     QList<modbus::LineFinding> findings;     // so far
     std::optional<ConnectionSettings> found; // ready for connectTo()
+};
+
+enum class FaultsEnd {
+    Accepted,
+    Refused,      // by the controller, see detail; the rules before are still in force
+    NotSimulated, // a real line has its own faults
+    NotServing    // the simulated controller is not running, or ended before it answered
+};
+
+struct FaultsOutcome {
+    FaultsEnd end = FaultsEnd::Accepted;
+    QString detail; // its sentence
 };
 
 // What has passed on the line since the panel was started or the figures were reset.

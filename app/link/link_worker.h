@@ -40,6 +40,7 @@ public slots:
     void cancelComparison();
     void startScan(campanel::modbus::ScanPlan::Depth depth);
     void cancelScan();
+    void simulateFaults(const QStringList& rules);
     void watchFigures(bool isWatched) { m_watch.watchFigures(isWatched); }
     void resetFigures() { m_watch.resetFigures(); }
     void watchFrames(bool isWatched) { m_watch.watchFrames(isWatched); }
@@ -54,6 +55,7 @@ signals:
     void registersRead(const campanel::link::ReadOutcome& outcome);
     void comparisonReported(const campanel::link::ComparisonReport& report);
     void scanReported(const campanel::link::ScanReport& report);
+    void faultsSimulated(const campanel::link::FaultsOutcome& outcome);
     void figuresReported(const campanel::link::FiguresReport& report);
     void framesRecorded(const QList<campanel::modbus::FrameRecord>& frames);
 

@@ -89,6 +89,7 @@ void LinkWorker::startSimulator()
         else
             report(m_wasConnected ? LinkState::Lost : LinkState::Searching, m_report.error);
     });
+    connect(m_simulator.get(), &SimulatedController::faultsAnswered, this, &LinkWorker::faultsSimulated);
     m_report.simulator = SimulatorState::Starting;
     report(LinkState::Searching);
     m_simulator->start();

@@ -2,6 +2,7 @@
 // What the link worker does beside status, commands and downloads: a Stop that waits for the line, reads,
 // comparisons and scans.
 #include "app/link/link_worker.h"
+#include "app/link/simulated_controller.h"
 
 #include <algorithm>
 
@@ -182,6 +183,14 @@ void LinkWorker::endScan(bool isCanceled)
     m_scan.reset();
     report(m_report.state, m_report.error);
     stepAfter(0ms);
+}
+
+void LinkWorker::simulateFaults(const QStringList& rules)
+{
+    if (!m_simulator)
+        emit faultsSimulated({FaultsEnd::NotSimulated, {}});
+    else if (!m_simulator->setFaults(rules))
+        emit faultsSimulated({FaultsEnd::NotServing, {}});
 }
 
 void LinkWorker::reportScan(bool isRunning, bool isCanceled)

@@ -9,6 +9,7 @@
 #include <QStandardPaths>
 
 #include <chrono>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 using namespace std::chrono_literals;
@@ -32,7 +33,7 @@ SimulatedController::SimulatedController(Options options, QObject* parent)
     m_restart.setSingleShot(true);
     m_restart.setInterval(restartDelay);
     connect(&m_restart, &QTimer::timeout, this, &SimulatedController::start);
-    connect(&m_process, &QProcess::readyReadStandardOutput, this, &SimulatedController::readFirstLine);
+    connect(&m_process, &QProcess::readyReadStandardOutput, this, &SimulatedController::readLines);
     connect(&m_process, &QProcess::finished, this, &SimulatedController::processEnded);
     connect(&m_process, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
         if (error == QProcess::FailedToStart)
@@ -75,25 +76,62 @@ void SimulatedController::start()
         m_restart.start();
         return;
     }
-    QStringList arguments{u"--exit-with-parent"_s};
+    QStringList arguments{u"--exit-with-parent"_s, u"--control"_s};
     if (!m_options.stateDir.isEmpty())
         arguments << u"--state"_s << m_options.stateDir;
     m_isServing = false;
     m_process.start(program, arguments + m_options.arguments);
 }
 
-void SimulatedController::readFirstLine()
+void SimulatedController::readLines()
 {
-    if (m_isServing) {
-        m_process.readAllStandardOutput();
-        return;
+    while (m_process.canReadLine())
+        take(QString::fromLocal8Bit(m_process.readLine()).trimmed());
+}
+
+void SimulatedController::take(const QString& line)
+{
+    const auto portWord = u"port "_s;
+    if (!m_isServing) {
+        m_isServing = true;
+        qCInfo(linkLog) << "simulated controller serves" << line;
+        if (!m_faults.isEmpty())
+            sendFaults(m_faults, false);
+        emit serving(line);
+    } else if (line.startsWith(portWord)) {
+        emit serving(line.mid(portWord.size()));
+    } else if (line.startsWith(u"ok"_s) || line.startsWith(u"error"_s)) {
+        takeAnswer(line);
+    } else {
+        qCInfo(linkLog) << "simulated controller:" << line;
     }
-    if (!m_process.canReadLine())
+}
+
+void SimulatedController::takeAnswer(const QString& line)
+{
+    if (m_sentFaults.isEmpty())
         return;
-    m_isServing = true;
-    const QString port = QString::fromLocal8Bit(m_process.readLine()).trimmed();
-    qCInfo(linkLog) << "simulated controller serves" << port;
-    emit serving(port);
+    const SentFaults sent = m_sentFaults.takeFirst();
+    const bool isAccepted = line.startsWith(u"ok"_s);
+    if (isAccepted)
+        m_faults = sent.rules;
+    if (sent.isAsked)
+        emit faultsAnswered({isAccepted ? FaultsEnd::Accepted : FaultsEnd::Refused,
+                             isAccepted ? QString() : line.section(u' ', 1)});
+}
+
+bool SimulatedController::setFaults(const QStringList& rules)
+{
+    if (m_isServing)
+        sendFaults(rules, true);
+    return m_isServing;
+}
+
+void SimulatedController::sendFaults(const QStringList& rules, bool isAsked)
+{
+    m_sentFaults << SentFaults{rules, isAsked};
+    const QString script = rules.isEmpty() ? u"clear"_s : rules.join(u"; "_s);
+    m_process.write(script.toLocal8Bit() + '\n');
 }
 
 void SimulatedController::processEnded()
@@ -105,6 +143,10 @@ void SimulatedController::processEnded()
     m_isServing = false;
     m_restart.start();
     emit ended(lastWords);
+    for (const SentFaults& sent : std::exchange(m_sentFaults, {})) {
+        if (sent.isAsked)
+            emit faultsAnswered({FaultsEnd::NotServing, lastWords});
+    }
 }
 
 } // namespace campanel::link

@@ -34,6 +34,7 @@ public:
     void cancelComparison() override { emit comparisonCancelWanted(); }
     void startScan(modbus::ScanPlan::Depth depth) override { emit scanWanted(depth); }
     void cancelScan() override { emit scanCancelWanted(); }
+    void simulateFaults(const QStringList& rules) override { emit faultsWanted(rules); }
     void watchFigures(bool isWatched) override { emit figuresWatchWanted(isWatched); }
     void resetFigures() override { emit figuresResetWanted(); }
     void watchFrames(bool isWatched) override { emit framesWatchWanted(isWatched); }
@@ -50,6 +51,7 @@ signals:
     void comparisonCancelWanted();
     void scanWanted(campanel::modbus::ScanPlan::Depth depth);
     void scanCancelWanted();
+    void faultsWanted(const QStringList& rules);
     void figuresWatchWanted(bool isWatched);
     void figuresResetWanted();
     void framesWatchWanted(bool isWatched);

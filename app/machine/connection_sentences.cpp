@@ -9,28 +9,39 @@ using link::CommandEnd;
 using link::LinkState;
 using modbus::LinkErrorKind;
 
-QString ConnectionSentences::connection(const link::LinkReport& report)
+QString ConnectionSentences::connection(const link::LinkReport& report, const QDateTime& lostAt)
 {
+    if (report.isScanning)
+        return tr("The link doctor has the ports. The connection comes back when it has ended.");
     if (report.state == LinkState::Connected)
         return report.simulated ? tr("Connected to the simulated controller.")
                                 : tr("Connected to the controller on %1.").arg(report.portName);
-    if (report.isScanning)
-        return tr("The link doctor has the ports. The connection comes back when it has ended.");
     if (report.simulated && report.simulator != link::SimulatorState::Serving)
         return simulator(report);
     if (report.state == LinkState::Lost)
-        return report.error && report.error->kind == LinkErrorKind::PortAbsent
-                   ? tr("Connection lost: %1 is gone. Plug the adapter in again; the panel reconnects by "
-                        "itself.")
-                         .arg(report.portName)
-                   : tr("Connection lost. Check the cable and the controller's power; the panel keeps trying "
-                        "on %1.")
-                         .arg(report.portName);
+        return lost(report, lostAt.toString(QStringLiteral("HH:mm:ss")));
     if (report.error)
         return error(*report.error);
     if (report.state == LinkState::Connecting)
         return tr("Asking the controller on %1 who it is …").arg(report.portName);
     return tr("Looking for the port %1 …").arg(report.portName);
+}
+
+QString ConnectionSentences::lost(const link::LinkReport& report, const QString& since)
+{
+    const bool isPortGone = report.error && (report.error->kind == LinkErrorKind::PortAbsent ||
+                                             report.error->kind == LinkErrorKind::PortGone);
+    if (report.simulated)
+        return tr("No connection since %1. The panel asks the simulated controller on %2 four times a second "
+                  "and reconnects by itself.")
+            .arg(since, report.portName);
+    return isPortGone
+               ? tr("No connection since %1: the port %2 is gone. Plug the adapter in again; the panel "
+                    "looks for it four times a second, under any name, and reconnects by itself.")
+                     .arg(since, report.portName)
+               : tr("No connection since %1: nobody answers on %2. Check the cable and the controller's "
+                    "power; the panel keeps asking and reconnects by itself.")
+                     .arg(since, report.portName);
 }
 
 QString ConnectionSentences::simulator(const link::LinkReport& report)

@@ -5,6 +5,7 @@
 #include "app/link/link_values.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
 
 namespace campanel::machine {
 
@@ -12,7 +13,8 @@ class ConnectionSentences {
     Q_DECLARE_TR_FUNCTIONS(ConnectionSentences)
 
 public:
-    [[nodiscard]] static QString connection(const link::LinkReport& report);
+    // `lostAt`: since when a connection that was there is lost.
+    [[nodiscard]] static QString connection(const link::LinkReport& report, const QDateTime& lostAt);
     [[nodiscard]] static QString error(const modbus::LinkError& error);
     // Empty when the command was carried out.
     [[nodiscard]] static QString command(const link::CommandOutcome& outcome);
@@ -21,6 +23,7 @@ public:
     [[nodiscard]] static QString download(const link::DownloadReport& report);
 
 private:
+    [[nodiscard]] static QString lost(const link::LinkReport& report, const QString& since);
     [[nodiscard]] static QString simulator(const link::LinkReport& report);
     [[nodiscard]] static QString commandName(modbus::Command command);
     [[nodiscard]] static QString downloadError(const modbus::DownloadError& error);

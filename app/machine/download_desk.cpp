@@ -16,6 +16,7 @@ DownloadDesk::DownloadDesk(Machine& machine, QObject* parent)
     : QObject(parent)
     , m_machine(machine)
     , m_differences(this)
+    , m_proof(machine, this)
 {
     connect(&machine.link(), &link::Link::downloadReported, this, &DownloadDesk::takeReport);
     connect(&machine, &Machine::programChanged, this, &DownloadDesk::update);
@@ -85,6 +86,7 @@ QString DownloadDesk::blockedReason() const
 void DownloadDesk::update()
 {
     compare();
+    m_proof.update();
     m_canRetry = false;
     if (isUnderWay()) {
         m_state = m_report.stage == DownloadStage::Armed     ? State::Armed
@@ -93,10 +95,10 @@ void DownloadDesk::update()
     } else if (m_hasEnded && m_report.stage == DownloadStage::Failed) {
         m_state = State::Failed;
         m_canRetry = m_differs && blockedReason().isEmpty();
-    } else if (m_hasEnded && m_report.stage == DownloadStage::Active && !m_differs) {
-        m_state = State::Applied;
     } else if (!blockedReason().isEmpty()) {
         m_state = State::Blocked;
+    } else if (m_hasEnded && m_report.stage == DownloadStage::Active && !m_differs) {
+        m_state = State::Applied;
     } else {
         m_state = m_differs ? State::Ready : State::NothingToDo;
     }
@@ -131,6 +133,8 @@ QString DownloadDesk::controllerText() const
         return m_machine.status()->activeCrc ? tr("Controller: reading its program …")
                                              : tr("The controller has no program");
     const QString generation = QString::number(m_machine.program()->generation);
+    if (!m_machine.isConnected() || !m_machine.fresh())
+        return tr("No connection. Last known in the controller: generation %1").arg(generation);
     if (!m_offer)
         return tr("Active in controller: generation %1").arg(generation);
     switch (m_differences.count()) {
@@ -159,6 +163,7 @@ bool DownloadDesk::canSave() const
 void DownloadDesk::download(const program::ProgramImage& image, const program::Recipe& recipe)
 {
     m_sent = recipe;
+    m_sentRegisters = image.registers;
     m_report = {};
     m_hasEnded = false;
     m_machine.link().download(image.registers);
@@ -189,6 +194,8 @@ void DownloadDesk::takeReport(const link::DownloadReport& report)
         m_hasEnded = true;
         sent = std::exchange(m_sent, std::nullopt);
     }
+    if (report.stage == DownloadStage::Active)
+        m_proof.noteDownloaded(std::move(m_sentRegisters), report.crc);
     if (sent && report.stage == DownloadStage::Active)
         emit applied(*sent);
     update();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/machine/difference_model.h"
+#include "app/machine/program_proof.h"
 #include "app/machine/solution.h"
 
 #include <QObject>
@@ -28,6 +29,7 @@ public:
     [[nodiscard]] QString text() const;
     [[nodiscard]] bool canDownload() const { return m_state == State::Ready || m_canRetry; }
     [[nodiscard]] DifferenceModel& differences() { return m_differences; }
+    [[nodiscard]] ProgramProof& proof() { return m_proof; }
     [[nodiscard]] QString controllerText() const;
     [[nodiscard]] bool isSaved() const;
     [[nodiscard]] bool canSave() const;
@@ -52,10 +54,12 @@ private:
     Machine& m_machine;
     std::shared_ptr<const program::ProgramImage> m_offer;
     DifferenceModel m_differences;
+    ProgramProof m_proof;
     bool m_differs = false;
     State m_state = State::Blocked;
     bool m_canRetry = false;
     std::optional<program::Recipe> m_sent;
+    std::vector<std::uint16_t> m_sentRegisters;
     link::DownloadReport m_report;
     bool m_hasEnded = false; // the report is that of a download that ended and was not edited since
 };

@@ -97,6 +97,7 @@ class Editor : public QObject {
     Q_PROPERTY(campanel::machine::DifferenceModel* differences READ differences CONSTANT FINAL)
     Q_PROPERTY(int differenceCount READ differenceCount NOTIFY activeChanged FINAL)
     Q_PROPERTY(QString controllerText READ controllerText NOTIFY activeChanged FINAL)
+    Q_PROPERTY(campanel::machine::ProgramProof* proof READ proof CONSTANT FINAL)
     Q_PROPERTY(bool saved READ saved NOTIFY activeChanged FINAL)
     Q_PROPERTY(bool canSave READ canSave NOTIFY activeChanged FINAL)
 
@@ -176,6 +177,7 @@ public:
     [[nodiscard]] DifferenceModel* differences() { return &m_desk.differences(); }
     [[nodiscard]] int differenceCount() { return m_desk.differences().count(); }
     [[nodiscard]] QString controllerText() const { return m_desk.controllerText(); }
+    [[nodiscard]] ProgramProof* proof() { return &m_desk.proof(); }
     [[nodiscard]] bool saved() const { return m_desk.isSaved(); }
     [[nodiscard]] bool canSave() const { return m_desk.canSave(); }
 

@@ -2,11 +2,14 @@
 #include "app/machine/machine.h"
 
 #include "app/machine/connection_sentences.h"
+#include "app/machine/controller_sentences.h"
 #include "app/machine/engine_instances.h"
 #include "app/machine/settings.h"
 
 #include <QCoreApplication>
 #include <QEvent>
+
+#include <utility>
 
 using namespace std::chrono_literals;
 
@@ -26,6 +29,8 @@ Machine::Machine(link::Link& link, Settings& settings, QObject* parent)
     , m_link(link)
     , m_settings(settings)
     , m_clock(&std::chrono::steady_clock::now)
+    , m_wallClock(&QDateTime::currentDateTime)
+    , m_lineFaults(link, this)
     , m_ageTimer(this)
     , m_qualityTimer(this)
 {
@@ -84,6 +89,9 @@ void Machine::takeReport(const link::LinkReport& report)
         report.identity && m_report.identity && report.identity->uniqueId != m_report.identity->uniqueId;
     const bool leftController = m_report.identity && !report.identity; // another connection was chosen
     m_report = report;
+    m_hasStopWaited = m_hasStopWaited || report.pendingStop;
+    if (wasConnected && !isConnected())
+        noteLoss();
     if (otherController || leftController)
         forgetStatus();
     if (isConnected() != wasConnected)
@@ -94,8 +102,36 @@ void Machine::takeReport(const link::LinkReport& report)
     emit commandsChanged();
 }
 
+void Machine::noteLoss()
+{
+    m_lostAt = m_wallClock();
+    m_beforeLoss = m_status;
+    if (!m_returnMessage.isEmpty() && m_commandMessage == m_returnMessage)
+        showMessage({}); // it is not true any more
+}
+
+// What has changed while nobody was looking.
+void Machine::noteReturn(const modbus::StatusBlock& status)
+{
+    const std::optional<modbus::StatusBlock> before = std::exchange(m_beforeLoss, std::nullopt);
+    if (!before || m_hasStopWaited)
+        return;
+    m_returnMessage.clear();
+    if (status.uptimeS < before->uptimeS)
+        m_returnMessage = tr("The line is back. The controller has restarted meanwhile.");
+    else if (status.generation != before->generation)
+        m_returnMessage = tr("The line is back. The controller has got another program meanwhile.");
+    else if (before->state && status.state && before->state != status.state)
+        m_returnMessage =
+            tr("The line is back. Before: %1. Now: %2.", "states of the machine")
+                .arg(ControllerSentences::state(*before->state), ControllerSentences::state(*status.state));
+    if (!m_returnMessage.isEmpty())
+        showMessage(m_returnMessage);
+}
+
 void Machine::forgetStatus()
 {
+    m_beforeLoss.reset();
     m_status.reset();
     m_statusAt.reset();
     m_program.reset();
@@ -115,6 +151,7 @@ void Machine::takeStatus(const link::StatusBatch& batch)
     m_rate.note(batch, m_clock());
     if (batch.samples.isEmpty())
         return;
+    noteReturn(batch.samples.first().status);
     const std::optional<modbus::StatusBlock> before = m_status;
     bool bagsChanged = false;
     for (const link::StatusSample& sample : batch.samples) {
@@ -178,7 +215,13 @@ void Machine::start()
 
 void Machine::stop()
 {
-    send(state() == State::Stopping ? modbus::Command::StopNow : modbus::Command::StopAtCycleEnd);
+    const bool isAgain = state() == State::Stopping || stopWaits();
+    send(isAgain ? modbus::Command::StopNow : modbus::Command::StopAtCycleEnd);
+}
+
+void Machine::withdrawStop()
+{
+    m_link.withdrawStop();
 }
 
 void Machine::home()
@@ -194,6 +237,7 @@ void Machine::resetFault()
 void Machine::send(modbus::Command command, const modbus::CommandArguments& arguments)
 {
     showMessage({});
+    m_hasStopWaited = false;
     m_link.request({++m_lastRequestId, command, arguments});
 }
 
@@ -217,8 +261,34 @@ void Machine::takeOutcome(const link::CommandOutcome& outcome)
         outcome.reason == modbus::Refusal::NotRunning &&
         (outcome.command == modbus::Command::StopNow || outcome.command == modbus::Command::StopAtCycleEnd);
     // What the link does by itself has no id; only the last press is of interest.
-    if (outcome.id == m_lastRequestId && !isNeedlessStop)
+    if (outcome.id != m_lastRequestId)
+        return;
+    if (std::exchange(m_hasStopWaited, false)) {
+        m_beforeLoss.reset(); // what has become of the Stop is what has changed
+        showMessage(stopOutcomeText(outcome));
+    } else if (!isNeedlessStop)
         showMessage(ConnectionSentences::command(outcome));
+}
+
+// Of one that has waited for the line.
+QString Machine::stopOutcomeText(const link::CommandOutcome& outcome) const
+{
+    switch (outcome.end) {
+    case link::CommandEnd::Done:
+        return tr("The line is back: Stop was sent and the controller has taken it.");
+    case link::CommandEnd::Withdrawn:
+        return tr("Stop was withdrawn: it is not sent any more.");
+    case link::CommandEnd::NotSent:
+        return tr("Stop was not sent: it was meant for the machine that was connected before.");
+    case link::CommandEnd::Refused:
+        if (outcome.reason == modbus::Refusal::NotRunning)
+            return tr("The line is back: Stop was sent, but the machine was no longer running.");
+        break;
+    case link::CommandEnd::NotReceived:
+    case link::CommandEnd::OutcomeUnknown:
+        break;
+    }
+    return ConnectionSentences::command(outcome);
 }
 
 void Machine::dismissMessage()
@@ -241,6 +311,7 @@ bool Machine::eventFilter(QObject* watched, QEvent* event)
         emit stateChanged();
         emit commandsChanged();
         m_strokes.retranslate();
+        m_lineFaults.retranslate();
         m_direction.retranslate();
     }
     return QObject::eventFilter(watched, event);

@@ -7,10 +7,12 @@
 #include "app/machine/actual_trace.h"
 #include "app/machine/bag_statistics.h"
 #include "app/machine/controller_program.h"
+#include "app/machine/line_faults.h"
 #include "app/machine/master_direction.h"
 #include "app/machine/status_rate.h"
 #include "app/machine/stroke_model.h"
 
+#include <QDateTime>
 #include <QHash>
 #include <QList>
 #include <QObject>
@@ -44,6 +46,11 @@ class Machine : public QObject {
     Q_PROPERTY(int linkQuality READ linkQuality NOTIFY qualityChanged FINAL)
     Q_PROPERTY(bool fresh READ fresh NOTIFY freshChanged FINAL)
     Q_PROPERTY(double ageMs READ ageMs NOTIFY ageChanged FINAL)
+
+    // A Stop waits for the line, see stopWaitsText.
+    Q_PROPERTY(bool stopWaits READ stopWaits NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(QString stopWaitsText READ stopWaitsText NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(campanel::machine::LineFaults* lineFaults READ lineFaults CONSTANT FINAL)
 
     Q_PROPERTY(State state READ state NOTIFY stateChanged FINAL)
     Q_PROPERTY(QString stateText READ stateText NOTIFY stateChanged FINAL)
@@ -110,6 +117,7 @@ public:
     Q_ENUM(State)
 
     using Clock = std::function<link::SteadyTime()>;
+    using WallClock = std::function<QDateTime()>;
 
     // Both must outlive it. Nothing is connected before open().
     Machine(link::Link& link, Settings& settings, QObject* parent);
@@ -121,11 +129,15 @@ public:
     void open();
     // A clock for tests; the steady clock by default.
     void setClock(Clock clock);
+    void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
 
     [[nodiscard]] Connection connection() const;
     [[nodiscard]] QString connectionText() const;
     [[nodiscard]] QString portName() const { return m_report.portName; }
     [[nodiscard]] bool simulated() const { return m_report.simulated; }
+    [[nodiscard]] bool stopWaits() const { return m_report.pendingStop.has_value(); }
+    [[nodiscard]] QString stopWaitsText() const;
+    [[nodiscard]] LineFaults* lineFaults() { return &m_lineFaults; }
     [[nodiscard]] double statusPerSecond() const;
     [[nodiscard]] int linkQuality() const;
     [[nodiscard]] bool fresh() const { return m_fresh; }
@@ -180,8 +192,9 @@ public:
     [[nodiscard]] QString commandMessage() const { return m_commandMessage; }
 
     Q_INVOKABLE void start();
-    // At the end of the cycle; pressed again while stopping: now.
+    // At the end of the cycle; pressed again while stopping: now. Without a connection it waits for the line.
     Q_INVOKABLE void stop();
+    Q_INVOKABLE void withdrawStop();
     Q_INVOKABLE void home();
     Q_INVOKABLE void resetFault();
     Q_INVOKABLE void dismissMessage();
@@ -224,6 +237,11 @@ private:
     void takeStatus(const link::StatusBatch& batch);
     void takeProgram(const link::ActiveProgram& program);
     void takeOutcome(const link::CommandOutcome& outcome);
+    void noteLoss();
+    void noteReturn(const modbus::StatusBlock& status);
+    [[nodiscard]] QString stopOutcomeText(const link::CommandOutcome& outcome) const;
+    // The program that the last status is of; null while that is another one than is known.
+    [[nodiscard]] const ControllerProgram* runningProgram() const;
     void trace(const modbus::StatusBlock& status);
     // The active program if it is a press, else null.
     [[nodiscard]] const profile::PressProgram* pressProgram() const;
@@ -234,6 +252,7 @@ private:
     link::Link& m_link;
     Settings& m_settings;
     Clock m_clock;
+    WallClock m_wallClock;
     link::LinkReport m_report;
     std::optional<modbus::StatusBlock> m_status; // the last one, also after the connection is lost
     std::optional<link::SteadyTime> m_statusAt;
@@ -242,10 +261,15 @@ private:
     BagStatistics m_bags;
     StrokeModel m_strokes{this};
     MasterDirection m_direction{*this};
+    LineFaults m_lineFaults;
     StatusRate m_rate;
     QTimer m_ageTimer;
     QTimer m_qualityTimer;
     bool m_fresh = false;
+    QDateTime m_lostAt;                              // since when there is no connection, once there was one
+    std::optional<modbus::StatusBlock> m_beforeLoss; // until the first status after it
+    QString m_returnMessage;                         // what had changed when the line was back
+    bool m_hasStopWaited = false;                    // the last Stop, for the line
     quint32 m_lastRequestId = 0;
     quint32 m_lastParameterId = 0;
     QString m_commandMessage;

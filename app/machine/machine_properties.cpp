@@ -36,7 +36,22 @@ Machine::Connection Machine::connection() const
 
 QString Machine::connectionText() const
 {
-    return ConnectionSentences::connection(m_report);
+    return ConnectionSentences::connection(m_report, m_lostAt);
+}
+
+QString Machine::stopWaitsText() const
+{
+    if (!stopWaits())
+        return {};
+    return isConnected() ? tr("Stop was sent and its answer is awaited.")
+                         : tr("Stop waits for the line – it is sent as soon as the line is back.");
+}
+
+const ControllerProgram* Machine::runningProgram() const
+{
+    const bool isOfStatus = m_program && m_status && m_program->generation == m_status->generation &&
+                            m_program->crc == m_status->activeCrc;
+    return isOfStatus ? m_program.get() : nullptr;
 }
 
 double Machine::statusPerSecond() const
@@ -110,7 +125,8 @@ bool Machine::faulted() const
 
 double Machine::rateBagsPerMin() const
 {
-    return m_status && m_program ? m_program->rateBagsPerMin * m_status->masterSpeedPercent / 100 : unknown;
+    const ControllerProgram* program = runningProgram();
+    return program ? program->rateBagsPerMin * m_status->masterSpeedPercent / 100 : unknown;
 }
 
 double Machine::masterAngleDeg() const
@@ -125,9 +141,8 @@ double Machine::knifeAngleDeg() const
 
 double Machine::knifeSpeedMmPerS() const
 {
-    return m_status && m_program && m_program->pulsesPerMm > 0
-               ? m_status->actualFrequencyHz / m_program->pulsesPerMm
-               : unknown;
+    const ControllerProgram* program = runningProgram();
+    return program && program->pulsesPerMm > 0 ? m_status->actualFrequencyHz / program->pulsesPerMm : unknown;
 }
 
 double Machine::followingErrorPulses() const
@@ -137,9 +152,9 @@ double Machine::followingErrorPulses() const
 
 double Machine::followingErrorMm() const
 {
-    return m_status && m_program && m_program->pulsesPerMm > 0
-               ? m_status->followingErrorPulses / m_program->pulsesPerMm
-               : unknown;
+    const ControllerProgram* program = runningProgram();
+    return program && program->pulsesPerMm > 0 ? m_status->followingErrorPulses / program->pulsesPerMm
+                                               : unknown;
 }
 
 double Machine::pulseFrequencyHz() const
@@ -154,9 +169,9 @@ double Machine::cycleCount() const
 
 double Machine::positionMm() const
 {
-    return m_status && m_program && m_program->pulsesPerMm > 0
-               ? m_status->axisPositionPulses / m_program->pulsesPerMm
-               : unknown;
+    const ControllerProgram* program = runningProgram();
+    return program && program->pulsesPerMm > 0 ? m_status->axisPositionPulses / program->pulsesPerMm
+                                               : unknown;
 }
 
 double Machine::masterSpeedPercent() const

@@ -153,7 +153,14 @@ void DemoLink::compareProgram(const std::vector<std::uint16_t>& /*bank*/)
     link::ComparisonReport equal;
     equal.stage = link::ComparisonStage::Equal;
     equal.fraction = 1;
+    equal.generation = generationOf(m_kind);
+    equal.expectedCrc = equal.controllerCrc = equal.readCrc = m_program.crc;
     emit comparisonReported(equal);
+}
+
+void DemoLink::simulateFaults(const QStringList& /*rules*/)
+{
+    emit faultsSimulated({});
 }
 
 void DemoLink::startScan(modbus::ScanPlan::Depth depth)
@@ -232,12 +239,27 @@ void DemoLink::show(Situation situation, Kind kind)
     report(link::LinkState::Connected); // the figures of the link are read again
 }
 
-void DemoLink::report(link::LinkState state)
+void DemoLink::setSimulated(bool isSimulated)
+{
+    if (std::exchange(m_isSimulated, isSimulated) != isSimulated)
+        report(m_situation == Situation::Lost     ? link::LinkState::Lost
+               : m_situation == Situation::Absent ? link::LinkState::Searching
+                                                  : link::LinkState::Connected);
+}
+
+void DemoLink::showWaitingStop()
+{
+    report(link::LinkState::Lost, modbus::Command::StopAtCycleEnd);
+}
+
+void DemoLink::report(link::LinkState state, std::optional<modbus::Command> pendingStop)
 {
     link::LinkReport report;
     report.state = state;
     report.portName = QStringLiteral("/dev/ttyUSB0");
-    report.simulated = false;
+    report.simulated = m_isSimulated;
+    report.simulator = m_isSimulated ? link::SimulatorState::Serving : link::SimulatorState::NotUsed;
+    report.pendingStop = pendingStop;
     report.identity = demoIdentity();
     report.isScanning = m_isScanning;
     if (state == link::LinkState::Searching)

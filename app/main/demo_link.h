@@ -27,10 +27,11 @@ public:
     void writeParameter(quint32 id, const std::string& name, double value) override;
     void download(const std::vector<std::uint16_t>& bank) override;
     void cancelDownload() override;
-    void withdrawStop() override {} // none ever waits
+    void withdrawStop() override { ++m_withdrawals; } // none ever waits
     void readRegisters(const link::ReadRequest& request) override;
     void compareProgram(const std::vector<std::uint16_t>& bank) override;
     void cancelComparison() override {}
+    void simulateFaults(const QStringList& rules) override;
     void startScan(modbus::ScanPlan::Depth depth) override;
     void cancelScan() override;
     void watchFigures(bool isWatched) override;
@@ -40,14 +41,19 @@ public:
     void show(Situation situation, Kind kind = Kind::RotaryCutter);
     // The search that was begun comes to its end; by itself it never does.
     void endScan(bool isFound);
-    // How often Stop arrived so far.
+    // As if the line were that to the simulated controller.
+    void setSimulated(bool isSimulated);
+    // A Stop waits for the line, as long as the situation is this one.
+    void showWaitingStop();
+    // How often Stop arrived so far, and how often it was taken back.
     [[nodiscard]] int stopRequests() const { return m_stopRequests; }
+    [[nodiscard]] int withdrawals() const { return m_withdrawals; }
     [[nodiscard]] link::SteadyTime now() const { return m_now; }
     // So much of that time goes by.
     void advance(std::chrono::microseconds time) { m_now += time; }
 
 private:
-    void report(link::LinkState state);
+    void report(link::LinkState state, std::optional<modbus::Command> pendingStop = std::nullopt);
     void reportScan(const link::ScanReport& scan);
     void runProgram();
     void runBags();
@@ -62,9 +68,11 @@ private:
     std::uint32_t m_bags = 0;
     std::map<std::string, double> m_parameters; // 0 until written
     int m_stopRequests = 0;
+    int m_withdrawals = 0;
     Situation m_situation = Situation::Running;
     Kind m_kind = Kind::RotaryCutter;
     bool m_isShown = false;
+    bool m_isSimulated = false;
     bool m_isScanning = false;
 };
 

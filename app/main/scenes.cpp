@@ -219,6 +219,36 @@ const QList<Scene>& allScenes()
              stage.lookAtClock();
              stage.tap(run);
          }},
+        {QStringLiteral("run-press-lost"),
+         [=](Stage& stage) {
+             stage.link().show(Situation::Running, Kind::Press);
+             stage.link().show(Situation::Lost, Kind::Press);
+             stage.lookAtClock();
+             stage.tap(run);
+         }},
+        {QStringLiteral("run-stop-waits"),
+         [=](Stage& stage) {
+             stage.link().show(Situation::Lost);
+             stage.link().showWaitingStop();
+             stage.lookAtClock();
+             stage.tap(run);
+         }},
+        situation("motion-lost", Situation::Lost, motion),
+        taps("proof",
+             {motion, QStringLiteral("more"), QStringLiteral("proofButton"), QStringLiteral("proofCompare")}),
+        {QStringLiteral("proof-lost"),
+         [=](Stage& stage) {
+             stage.link().show(Situation::Lost);
+             stage.lookAtClock();
+             for (const char* name : {"nav1", "more", "proofButton"})
+                 stage.tap(QString::fromLatin1(name));
+         }},
+        {QStringLiteral("faults"),
+         [=](Stage& stage) {
+             stage.link().setSimulated(true);
+             for (const char* name : {"nav3", "service4", "fault0often", "fault1sometimes"})
+                 stage.tap(QString::fromLatin1(name));
+         }},
         running("run-press", Kind::Press),
         running("run-press-stopped", Kind::Press, Situation::Stopped),
         running("run-press-fresh", Kind::Press, Situation::Fresh),
@@ -302,7 +332,9 @@ void enterScene(Stage& stage, const Scene& scene)
     stage.panel().service().doctor()->cancel();
     stage.panel().service().inspector()->setGroup({});
     stage.panel().service().inspector()->setNameFilter({});
+    stage.link().setSimulated(false);
     stage.link().show(Situation::Running);
+    stage.panel().machine().dismissMessage();
     stage.lookAtClock();
     scene.enter(stage);
     stage.settle();

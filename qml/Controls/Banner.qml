@@ -39,6 +39,7 @@ Rectangle {
     }
     Button {
         id: button
+        objectName: "bannerButton"
         anchors { right: parent.right; rightMargin: Theme.size.spacing + Theme.size.outline; verticalCenter: parent.verticalCenter }
         text: banner.buttonText
         onClicked: banner.accepted()

@@ -66,7 +66,7 @@ T.AbstractButton {
                 horizontalAlignment: Text.AlignHCenter
                 wrapMode: Text.WordWrap
                 text: key.note
-                color: key.inkColor
+                color: key.ready ? key.inkColor : Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
             }
         }

@@ -80,7 +80,10 @@ Page {
         KindSheet {}
     }
     readonly property Component downloadSheet: Component {
-        DownloadSheet {}
+        DownloadSheet { onProofRequested: page.sheetRequested(page.proofSheet) }
+    }
+    readonly property Component proofSheet: Component {
+        ProofSheet {}
     }
     readonly property Component tableSheet: Component {
         TableSheet {}
@@ -94,6 +97,7 @@ Page {
             onJerkToggled: on => page.showJerk = on
             onCompareToggled: on => page.compare = on
             onTableRequested: page.sheetRequested(page.tableSheet)
+            onProofRequested: page.sheetRequested(page.proofSheet)
             onKindRequested: page.sheetRequested(page.kindSheet)
             onEditRequested: (fields, index, source) => page.editRequested(fields, index, source)
         }

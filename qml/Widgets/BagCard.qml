@@ -11,6 +11,7 @@ Card {
     id: card
 
     readonly property bool measured: !isNaN(Machine.bagLengthMm)
+    readonly property color figureColor: Machine.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
 
     Label {
         id: caption
@@ -31,13 +32,13 @@ Card {
         Label {
             anchors.right: parent.right
             text: qsTr("mean %1").arg(Theme.number(Machine.bagMeanMm, 2))
-            color: Theme.color.secondaryInk
+            color: card.figureColor
             font.pixelSize: Theme.size.caption
         }
         Label {
             anchors.right: parent.right
             text: qsTr("scatter %1").arg(Theme.number(Machine.bagScatterMm, 2))
-            color: Theme.color.secondaryInk
+            color: card.figureColor
             font.pixelSize: Theme.size.caption
         }
     }
@@ -69,6 +70,7 @@ Card {
     }
     Label {
         id: foot
+        objectName: "toleranceText"
         anchors { left: caption.left; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
         text: qsTr("tolerance ±%1 mm").arg(Theme.number(Machine.bagToleranceMm, 1))
         color: Theme.color.secondaryInk
@@ -78,7 +80,7 @@ Card {
         anchors { right: chart.right; verticalCenter: foot.verticalCenter }
         visible: card.measured
         text: qsTr("last %1").arg(Theme.signedNumber(Machine.bagDeviationMm, 2))
-        color: Theme.color.secondaryInk
+        color: card.figureColor
         font.pixelSize: Theme.size.caption
     }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which sentence the operator must see now: the answer to a command, an active alarm, a lost link. Alarms can be put aside.
+// Which sentence the operator must see now: a Stop that waits, the answer to a command, an active alarm, a lost link. Alarms can be put
+// aside; a waiting Stop is withdrawn or sent.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -20,11 +21,16 @@ Item {
     readonly property string alarm: Machine.alarmText.length > 0 ? Machine.alarmText : linkTrouble
     readonly property string answer: Machine.commandMessage.length > 0 ? Machine.commandMessage
         : Editor.notice.length > 0 ? Editor.notice : refusal
-    readonly property bool alarmShown: answer.length === 0 && alarm.length > 0 && alarm !== putAside
-    readonly property bool shown: answer.length > 0 || alarmShown
+    readonly property bool stopShown: Machine.stopWaits
+    readonly property bool alarmShown: !stopShown && answer.length === 0 && alarm.length > 0 && alarm !== putAside
+    readonly property bool shown: stopShown || answer.length > 0 || alarmShown
     readonly property bool attention: alarm.length > 0 && alarm === putAside
 
     function accept() {
+        if (host.stopShown) {
+            Machine.withdrawStop()
+            return
+        }
         if (host.alarmShown)
             host.putAside = host.alarm
         host.refusal = ""
@@ -56,9 +62,9 @@ Item {
     Banner {
         objectName: "banner"
         anchors.fill: parent
-        text: host.alarmShown ? host.alarm : host.answer
-        severity: host.alarmShown ? (Machine.faulted ? Banner.Fault : Banner.Warning) : Banner.Information
-        buttonText: qsTr("OK")
+        text: host.stopShown ? Machine.stopWaitsText : host.alarmShown ? host.alarm : host.answer
+        severity: host.stopShown ? Banner.Warning : host.alarmShown ? (Machine.faulted ? Banner.Fault : Banner.Warning) : Banner.Information
+        buttonText: host.stopShown ? qsTr("Withdraw") : qsTr("OK")
         onAccepted: host.accept()
     }
 }

@@ -22,6 +22,7 @@ Item {
         glyph: Theme.icon.start
         text: qsTr("Start")
         ready: Machine.canStart
+        note: Machine.connection === Machine.Connection.Connected ? "" : qsTr("no connection")
         onClicked: ready ? Machine.start() : column.startRefused(Machine.startBlockedReason)
     }
     CommandKey {
@@ -44,7 +45,7 @@ Item {
         square: true
         filled: true
         text: qsTr("Stop")
-        note: Machine.state === Machine.State.Stopping ? qsTr("again: at once") : ""
+        note: Machine.stopWaits ? qsTr("waits for the line") : Machine.state === Machine.State.Stopping ? qsTr("again: at once") : ""
         baseColor: Theme.color.stop
         pressedColor: Theme.color.stopPressed
         onPressed: Machine.stop()

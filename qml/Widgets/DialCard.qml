@@ -33,6 +33,7 @@ Card {
         font { pixelSize: Theme.size.value; bold: true }
     }
     KnifeDial {
+        objectName: "knifeDial"
         anchors { left: parent.left; right: parent.right; top: angle.bottom; bottom: parent.bottom; margins: Theme.size.spacing; topMargin: 0 }
         angleDeg: Machine.knifeAngleDeg
         syncStartDeg: Machine.syncStartDeg

@@ -29,7 +29,7 @@ Card {
             width: parent.width
             text: card.direction.text
             wrapMode: Text.WordWrap
-            color: card.direction.turning ? Theme.color.warning : card.direction.canChange ? Theme.color.ink : Theme.color.secondaryInk
+            color: !Machine.fresh ? Theme.color.disabledInk : card.direction.turning ? Theme.color.warning : card.direction.canChange ? Theme.color.ink : Theme.color.secondaryInk
             font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
         }
     }

@@ -13,6 +13,8 @@ Sheet {
         || Editor.downloadState === Editor.DownloadState.Sealing || Editor.downloadState === Editor.DownloadState.Armed
     readonly property bool failed: Editor.downloadState === Editor.DownloadState.Failed
 
+    signal proofRequested()
+
     title: qsTr("Download to the controller")
     note: Machine.state === Machine.State.Running ? qsTr("The machine keeps running; the new program begins with the next cycle.")
         : qsTr("The new program is used from the next start.")
@@ -42,7 +44,8 @@ Sheet {
         visible: list.count === 0
         horizontalAlignment: Text.AlignHCenter
         wrapMode: Text.WordWrap
-        text: Machine.hasActiveProgram ? qsTr("The controller already runs exactly this recipe.")
+        text: !Machine.fresh ? qsTr("Without a connection it is not known what the controller runs now.")
+            : Machine.hasActiveProgram ? qsTr("The controller already runs exactly this recipe.")
             : qsTr("The controller has no program yet; this recipe will be its first.")
         color: Theme.color.secondaryInk
     }
@@ -68,6 +71,12 @@ Sheet {
             objectName: "downloadCancel"
             text: sheet.busy ? qsTr("Cancel download") : qsTr("Close")
             onClicked: sheet.busy ? Editor.cancelDownload() : sheet.closed()
+        },
+        Button {
+            objectName: "downloadProof"
+            visible: !Editor.canDownload && !sheet.busy && Machine.hasActiveProgram
+            text: qsTr("Compare")
+            onClicked: sheet.proofRequested()
         },
         Button {
             visible: Editor.canSave && !sheet.busy

@@ -52,6 +52,7 @@ Card {
     }
     Label {
         id: key
+        objectName: "gateText"
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; bottomMargin: Theme.size.spacing }
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 2

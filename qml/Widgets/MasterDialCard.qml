@@ -26,6 +26,7 @@ Card {
         font { pixelSize: Theme.size.value; bold: true }
     }
     KnifeDial {
+        objectName: "knifeDial"
         anchors { left: parent.left; right: parent.right; top: angle.bottom; bottom: parent.bottom; margins: Theme.size.spacing; topMargin: 0 }
         angleDeg: Machine.masterAngleDeg
         stale: !Machine.fresh

@@ -16,6 +16,7 @@ Sheet {
     signal jerkToggled(bool on)
     signal compareToggled(bool on)
     signal tableRequested()
+    signal proofRequested()
     signal kindRequested()
     signal editRequested(var fields, int index, Item source)
 
@@ -23,7 +24,7 @@ Sheet {
 
     title: qsTr("View and tools")
     panelWidth: width * 0.82
-    panelHeight: (Editor.kind === Editor.Kind.RotaryCutter ? 5 : 4) * Theme.size.touch + 3 * Theme.size.spacing + Theme.size.padding
+    panelHeight: (Editor.kind === Editor.Kind.RotaryCutter ? 6 : 5) * Theme.size.touch + 3 * Theme.size.spacing + Theme.size.padding
 
     component Switch: ChoiceRow {
         width: sheet.half
@@ -61,6 +62,13 @@ Sheet {
             label: qsTr("Rows, pulses, errors")
             value: Editor.table.name.length > 0 ? Editor.table.name : qsTr("Table")
             onClicked: sheet.tableRequested()
+        }
+        SettingRow {
+            objectName: "proofButton"
+            width: sheet.half
+            label: qsTr("Edited, active, saved")
+            value: qsTr("Compare")
+            onClicked: sheet.proofRequested()
         }
         FieldTile {
             visible: Editor.kind === Editor.Kind.RotaryCutter

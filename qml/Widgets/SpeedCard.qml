@@ -57,6 +57,7 @@ Card {
         lineWidth: 2 * Theme.size.curve
         trace: Machine.actualTrace
         traceColor: card.traceColor
+        inkColor: Machine.fresh ? Theme.color.ink : Theme.color.disabledInk
         cursorTime: Machine.masterAngleDeg / 360 * Machine.cycleSeconds
         cursorDotsVisible: false
     }

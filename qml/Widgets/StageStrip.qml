@@ -29,7 +29,7 @@ Row {
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: Theme.size.caption - 2
                 text: (stage.index + 1) + "  " + stage.modelData
-                color: stage.current && Machine.fresh ? Theme.color.ink : Theme.color.secondaryInk
+                color: !Machine.fresh ? Theme.color.disabledInk : stage.current ? Theme.color.ink : Theme.color.secondaryInk
                 font.weight: stage.current ? Font.Bold : Font.Normal
             }
         }

@@ -14,6 +14,7 @@ Card {
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 3
+        color: Machine.fresh ? Theme.color.ink : Theme.color.disabledInk
         font.pixelSize: Theme.size.caption
     }
 
@@ -74,7 +75,7 @@ Card {
                         id: mark
                         visible: !stroke.good
                         code: Theme.icon.alert
-                        color: Theme.color.fault
+                        color: Machine.fresh ? Theme.color.fault : Theme.color.disabledInk
                         font.pixelSize: Theme.size.body
                     }
                     Label {
@@ -82,7 +83,7 @@ Card {
                         fontSizeMode: Text.HorizontalFit
                         minimumPixelSize: Theme.size.caption - 3
                         text: stroke.resultText
-                        color: stroke.good ? Theme.color.secondaryInk : Theme.color.fault
+                        color: !Machine.fresh ? Theme.color.disabledInk : stroke.good ? Theme.color.secondaryInk : Theme.color.fault
                         font { pixelSize: Theme.size.caption; weight: stroke.good ? Font.Normal : Font.DemiBold }
                     }
                 }

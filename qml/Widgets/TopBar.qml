@@ -91,6 +91,7 @@ Rectangle {
             font { pixelSize: Theme.size.title; bold: true }
         }
         Label {
+            objectName: "ageText"
             anchors.verticalCenter: parent.verticalCenter
             visible: !Machine.fresh && !isNaN(Machine.ageMs)
             text: qsTr("%1 s ago").arg(Theme.number(Machine.ageMs / 1000, 0))

@@ -53,6 +53,10 @@
         <source>OK</source>
         <translation>确定</translation>
     </message>
+    <message>
+        <source>Withdraw</source>
+        <translation>撤回</translation>
+    </message>
 </context>
 <context>
     <name>CommandColumn</name>
@@ -75,6 +79,14 @@
     <message>
         <source>again: at once</source>
         <translation>再按：立即</translation>
+    </message>
+    <message>
+        <source>no connection</source>
+        <translation>没有连接</translation>
+    </message>
+    <message>
+        <source>waits for the line</source>
+        <translation>等待连接</translation>
     </message>
 </context>
 <context>
@@ -303,6 +315,14 @@
     <message>
         <source>The new program is used from the next start.</source>
         <translation>新程序从下次启动起使用。</translation>
+    </message>
+    <message>
+        <source>Without a connection it is not known what the controller runs now.</source>
+        <translation>没有连接，不知道控制器现在运行什么。</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比较</translation>
     </message>
 </context>
 <context>
@@ -555,6 +575,25 @@
     </message>
 </context>
 <context>
+    <name>LineFaultsSection</name>
+    <message>
+        <source>Off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>Sometimes</source>
+        <translation>偶尔</translation>
+    </message>
+    <message>
+        <source>Often</source>
+        <translation>经常</translation>
+    </message>
+    <message>
+        <source>All off</source>
+        <translation>全部关闭</translation>
+    </message>
+</context>
+<context>
     <name>MachineSection</name>
     <message>
         <source>Machine</source>
@@ -613,6 +652,14 @@
     <message>
         <source>controller in grey</source>
         <translation>控制器的曲线为灰色</translation>
+    </message>
+    <message>
+        <source>Edited, active, saved</source>
+        <translation>编辑、运行、保存</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比较</translation>
     </message>
 </context>
 <context>
@@ -679,6 +726,10 @@
         <source>to the controller</source>
         <translation>到控制器</translation>
     </message>
+    <message>
+        <source>no connection</source>
+        <translation>没有连接</translation>
+    </message>
 </context>
 <context>
     <name>NumericKeypad</name>
@@ -739,6 +790,53 @@
     <message>
         <source>Search again</source>
         <translation>重新搜索</translation>
+    </message>
+</context>
+<context>
+    <name>ProofSheet</name>
+    <message>
+        <source>What the controller runs</source>
+        <translation>控制器运行的程序</translation>
+    </message>
+    <message>
+        <source>Edited on this panel</source>
+        <translation>本面板上编辑的</translation>
+    </message>
+    <message>
+        <source>%1 · v%2, values that differ from the active one: %3</source>
+        <translation>%1 · 第%2版，与运行中的有 %3 个值不同</translation>
+    </message>
+    <message>
+        <source>%1 · v%2</source>
+        <translation>%1 · 第%2版</translation>
+    </message>
+    <message>
+        <source>Active in the controller</source>
+        <translation>控制器中运行的</translation>
+    </message>
+    <message>
+        <source>Active in the controller when it was last heard</source>
+        <translation>最后一次收到时控制器中运行的</translation>
+    </message>
+    <message>
+        <source>Saved in the controller</source>
+        <translation>控制器中保存的</translation>
+    </message>
+    <message>
+        <source>Saved in the controller when it was last heard</source>
+        <translation>最后一次收到时控制器中保存的</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Compare with the controller</source>
+        <translation>与控制器比较</translation>
     </message>
 </context>
 <context>
@@ -868,6 +966,10 @@
     <message>
         <source>Frames</source>
         <translation>帧</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>故障模拟</translation>
     </message>
 </context>
 <context>

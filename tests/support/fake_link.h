@@ -31,6 +31,7 @@ public:
     void cancelComparison() override { ++comparisonCancels; }
     void startScan(modbus::ScanPlan::Depth depth) override { scans << depth; }
     void cancelScan() override { ++scanCancels; }
+    void simulateFaults(const QStringList& rules) override { faults << rules; }
     void watchFigures(bool isWatched) override { areFiguresWatched = isWatched; }
     void resetFigures() override { ++figuresResets; }
     void watchFrames(bool isWatched) override { areFramesWatched = isWatched; }
@@ -46,6 +47,7 @@ public:
     int comparisonCancels = 0;
     QList<modbus::ScanPlan::Depth> scans;
     int scanCancels = 0;
+    QList<QStringList> faults;
     bool areFiguresWatched = false;
     int figuresResets = 0;
     bool areFramesWatched = false;
@@ -78,7 +80,7 @@ public:
         emit reported(report);
     }
 
-    void becomeLost()
+    void becomeLost(std::optional<modbus::Command> pendingStop = std::nullopt)
     {
         link::LinkReport report;
         report.state = link::LinkState::Lost;
@@ -86,6 +88,8 @@ public:
         report.simulator = link::SimulatorState::Serving;
         report.identity = identity();
         report.error = modbus::LinkError{modbus::LinkErrorKind::PortGone, "/dev/fake", {}, {}, 0};
+        report.simulated = false;
+        report.pendingStop = pendingStop;
         emit reported(report);
     }
 

@@ -59,6 +59,8 @@ public:
                 [this](const link::FiguresReport& said) { figures << said; });
         connect(&link, &link::Link::framesRecorded, this,
                 [this](const QList<modbus::FrameRecord>& recorded) { frames += recorded; });
+        connect(&link, &link::Link::faultsSimulated, this,
+                [this](const link::FaultsOutcome& outcome) { faults << outcome; });
         link.connectTo(settings);
     }
 
@@ -88,6 +90,7 @@ public:
     QList<link::ReadOutcome> reads;
     QList<link::ComparisonReport> comparisons;
     QList<link::ScanReport> scans;
+    QList<link::FaultsOutcome> faults;
     QList<link::FiguresReport> figures;
     QList<modbus::FrameRecord> frames;
 };

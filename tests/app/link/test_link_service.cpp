@@ -4,9 +4,12 @@
 #include "tests/support/controller_process.h"
 
 #include <QElapsedTimer>
+#include <QFile>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
+#include <signal.h>
 
 using namespace campanel;
 using link::ComparisonStage;
@@ -216,6 +219,61 @@ private slots:
         // The same program, but of another power-up: whether its generation is the same is the controller's.
         QVERIFY(panel.comparisons.last().stage == ComparisonStage::Equal ||
                 panel.comparisons.last().stage == ComparisonStage::ProgramChanged);
+    }
+
+    void faultsHaveOneOutcomeAndOutliveARestart()
+    {
+        const QTemporaryDir folder;
+        // Tells its process id and becomes the controller.
+        QFile script(folder.filePath(QStringLiteral("controller.sh")));
+        QVERIFY(script.open(QIODevice::WriteOnly));
+        script.write("#!/bin/sh\necho $$ > '" + folder.path().toUtf8() +
+                     "/pid'\nexec '" CAMPANEL_CONTROLLER "' \"$@\"\n");
+        script.close();
+        script.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+        link::ConnectionSettings settings;
+        settings.simulatorProgram = script.fileName();
+        settings.simulatorStateDir = folder.filePath(QStringLiteral("state"));
+        Panel panel(settings);
+        panel.link.simulateFaults({QStringLiteral("lost-answer")}); // before it serves
+        QTRY_COMPARE_WITH_TIMEOUT(panel.faults.size(), 1, timeoutMs);
+        QCOMPARE(panel.faults.last().end, link::FaultsEnd::NotServing);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected(), timeoutMs);
+
+        panel.link.simulateFaults({QStringLiteral("lost-answer probability=often")});
+        QTRY_COMPARE_WITH_TIMEOUT(panel.faults.size(), 2, timeoutMs);
+        QCOMPARE(panel.faults.last().end, link::FaultsEnd::Refused);
+        QVERIFY2(panel.faults.last().detail.contains(QStringLiteral("'probability=often' is wrong")),
+                 qPrintable(panel.faults.last().detail));
+
+        panel.link.simulateFaults(
+            {QStringLiteral("exception code=4 every=3"), QStringLiteral("noise every=7")});
+        QTRY_COMPARE_WITH_TIMEOUT(panel.faults.size(), 3, timeoutMs);
+        QCOMPARE(panel.faults.last().end, link::FaultsEnd::Accepted);
+        const auto exceptions = [&panel] {
+            return panel.figures.isEmpty()
+                       ? 0U
+                       : panel.figures.last().figures.errors(modbus::LinkErrorKind::Exception);
+        };
+        panel.link.watchFigures(true);
+        QTRY_VERIFY_WITH_TIMEOUT(exceptions() > 3, timeoutMs);
+        QFile pid(folder.filePath(QStringLiteral("pid")));
+        QVERIFY(pid.open(QIODevice::ReadOnly));
+        QCOMPARE(::kill(pid.readAll().trimmed().toInt(), SIGKILL), 0);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.report.state, LinkState::Lost, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.report.state, LinkState::Connected, timeoutMs);
+        const auto before = exceptions();
+        QTRY_VERIFY_WITH_TIMEOUT(exceptions() > before + 3, timeoutMs);
+        QCOMPARE(panel.faults.size(), 3); // nobody asked for the last ones
+    }
+
+    void faultsAreNotForARealLine()
+    {
+        ControllerProcess controller;
+        Panel panel(portSettings(controller.port()));
+        panel.link.simulateFaults({});
+        QTRY_COMPARE_WITH_TIMEOUT(panel.faults.size(), 1, timeoutMs);
+        QCOMPARE(panel.faults.last().end, link::FaultsEnd::NotSimulated);
     }
 
     void diagnosisOfAGoodLine()

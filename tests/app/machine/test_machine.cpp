@@ -238,7 +238,7 @@ private slots:
         rig.link.becomeLost();
         QCOMPARE(rig.machine.connection(), Machine::Connection::Lost);
         QCOMPARE(rig.machine.state(), Machine::State::Unknown);
-        QVERIFY(rig.machine.connectionText().contains("keeps trying"));
+        QVERIFY(rig.machine.connectionText().contains("reconnects by itself"));
         QVERIFY(rig.machine.hasActiveProgram());
         QCOMPARE(rig.machine.linkQuality(), 0);
     }

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: Apache-2.0
+// The line breaks and comes back: controller killed and started again, port gone and back under another name,
+// a download torn in the middle, a jogging panel killed. The panel's own classes on one side,
+// campanel-controller on its pseudo-terminal on the other. Prints what it measured.
+#include "app/link/threaded_link.h"
+#include "app/machine/editor.h"
+#include "app/machine/machine.h"
+#include "app/machine/settings.h"
+#include "modbus/codec.h"
+#include "tests/support/controller_process.h"
+
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <QProcess>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fcntl.h>
+#include <unistd.h>
+
+using namespace campanel;
+using machine::Editor;
+using machine::Machine;
+using test::ControllerProcess;
+
+namespace {
+
+constexpr int timeoutMs = 20'000;
+constexpr qint64 reconnectLimitMs = 2000;
+constexpr qint64 jogLimitMs = 350; // the controller's 200 ms, its ramp, and how often is looked
+
+struct Panel {
+    Panel()
+        : machine(link, settings, nullptr)
+        , editor(machine, folder.path(), nullptr)
+    {
+    }
+
+    void openPort(const QString& port)
+    {
+        machine::ConnectionChoice choice;
+        choice.simulated = false;
+        choice.portName = port;
+        settings.overrideConnection(choice);
+        machine.open();
+    }
+
+    void openSimulated(std::uint32_t baud)
+    {
+        link::ConnectionSettings wanted;
+        wanted.simulatorProgram = QStringLiteral(CAMPANEL_CONTROLLER);
+        wanted.simulatorStateDir = folder.filePath(QStringLiteral("state"));
+        wanted.line.baud = baud;
+        link.connectTo(wanted);
+    }
+
+    [[nodiscard]] bool isConnected() const { return machine.isConnected() && machine.fresh(); }
+
+    void download()
+    {
+        QTRY_VERIFY2_WITH_TIMEOUT(editor.canDownload(), qPrintable(editor.downloadText()), timeoutMs);
+        editor.download();
+        QTRY_COMPARE_WITH_TIMEOUT(editor.downloadState(), Editor::DownloadState::Applied, timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(machine.hasActiveProgram(), timeoutMs);
+    }
+
+    QTemporaryDir folder;
+    link::ThreadedLink link{nullptr};
+    machine::Settings settings{folder.filePath(QStringLiteral("settings.ini")), nullptr};
+    Machine machine;
+    Editor editor;
+};
+
+// What the panel shows is what the last status says, and that status is of now.
+void verifyTrue(const Panel& panel)
+{
+    const auto& status = *panel.machine.status();
+    QVERIFY(panel.machine.fresh());
+    QCOMPARE(panel.machine.generation(), static_cast<double>(status.generation));
+    QCOMPARE(panel.machine.cycleCount(), static_cast<double>(status.cycleCount));
+    QCOMPARE(panel.machine.hasActiveProgram(), status.activeCrc.has_value());
+}
+
+modbus::LinkSettings lineTo(const char* port)
+{
+    modbus::LinkSettings settings;
+    settings.port = port;
+    return settings;
+}
+
+// A panel that does nothing but hold the jog key, until it is killed.
+int jog(const char* port)
+{
+    modbus::RtuClient client(lineTo(port));
+    if (!client.open() || !client.identify())
+        return 1;
+    bool isTold = false;
+    for (std::uint16_t heartbeat = 1;; ++heartbeat) {
+        const auto status = client.exchangeStatus(heartbeat, 1);
+        if (!status)
+            return 1;
+        if (!isTold && status->state == modbus::State::Jogging && status->axisPositionPulses > 100) {
+            isTold = true;
+            std::puts("jogging");
+            std::fflush(stdout);
+        }
+    }
+}
+
+} // namespace
+
+class TestLineTrouble : public QObject {
+    Q_OBJECT
+
+private slots:
+    void controllerIsKilledAndStartedAgain();
+    void stopPressedWithoutALineIsSentWhenItIsBack();
+    void portComesBackUnderAnotherName();
+    void controllerRestartsWhileItRuns();
+    void tornDownloadGoesOn();
+    void jogDiesWithItsPanel();
+};
+
+void TestLineTrouble::controllerIsKilledAndStartedAgain()
+{
+    ControllerProcess controller;
+    Panel panel;
+    panel.openPort(controller.port());
+    panel.download();
+    panel.editor.saveToFlash();
+    QTRY_VERIFY_WITH_TIMEOUT(panel.editor.saved(), timeoutMs);
+    panel.machine.start();
+    QTRY_VERIFY_WITH_TIMEOUT(panel.machine.bagCount() >= 1, timeoutMs);
+
+    controller.kill();
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.connection(), Machine::Connection::Lost, timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!panel.machine.fresh(), timeoutMs);
+    QVERIFY(panel.machine.bagCount() >= 1); // the last one, grey
+    QVERIFY2(panel.machine.connectionText().contains(controller.port()),
+             qPrintable(panel.machine.connectionText()));
+    panel.machine.start(); // is never sent
+    QCOMPARE(panel.machine.commandMessage(), QStringLiteral("There is no connection to the controller."));
+
+    controller.start();
+    QElapsedTimer sinceReturn;
+    sinceReturn.start();
+    QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected(), timeoutMs);
+    const qint64 tookMs = sinceReturn.elapsed();
+    qInfo("restart of the controller: connected %lld ms after its port was back", tookMs);
+    QVERIFY(tookMs < reconnectLimitMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Ready, timeoutMs);
+    QCOMPARE(panel.machine.bagCount(), 0.0);
+    QCOMPARE(panel.machine.commandMessage(),
+             QStringLiteral("The line is back. The controller has restarted meanwhile."));
+    verifyTrue(panel);
+}
+
+void TestLineTrouble::stopPressedWithoutALineIsSentWhenItIsBack()
+{
+    Panel panel;
+    panel.openSimulated(115200);
+    panel.download();
+    panel.machine.start();
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Running, timeoutMs);
+    panel.link.simulateFaults({QStringLiteral("unplug when=answer time=1500 limit=1")});
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.connection(), Machine::Connection::Lost, timeoutMs);
+    panel.machine.stop();
+    QTRY_VERIFY_WITH_TIMEOUT(panel.machine.stopWaits(), timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(
+        panel.machine.commandMessage(),
+        QStringLiteral("The line is back: Stop was sent and the controller has taken it."), timeoutMs);
+    QVERIFY(!panel.machine.stopWaits());
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Ready, timeoutMs);
+}
+
+void TestLineTrouble::portComesBackUnderAnotherName()
+{
+    Panel panel;
+    panel.openSimulated(115200);
+    panel.download();
+    const QString before = panel.machine.portName();
+    panel.link.simulateFaults({QStringLiteral("unplug when=answer time=800 limit=1")});
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.connection(), Machine::Connection::Lost, timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!QFileInfo::exists(before), timeoutMs);
+    // Whoever opens a terminal now gets the old name.
+    const int taken = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+    QVERIFY(taken >= 0);
+    QElapsedTimer sinceReturn;
+    QString after;
+    const auto connection =
+        QObject::connect(&panel.machine, &Machine::connectionChanged, &panel.machine, [&] {
+            if (!sinceReturn.isValid() && panel.machine.portName() != before) {
+                after = panel.machine.portName();
+                sinceReturn.start(); // the port is there and has just been tried
+            }
+        });
+    QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected() && sinceReturn.isValid(), timeoutMs);
+    const qint64 tookMs = sinceReturn.elapsed();
+    QObject::disconnect(connection);
+    ::close(taken);
+    qInfo("port back under another name (%s, was %s): connected and fresh %lld ms after", qPrintable(after),
+          qPrintable(before), tookMs);
+    QVERIFY(after != before);
+    QVERIFY(tookMs < reconnectLimitMs);
+    verifyTrue(panel);
+}
+
+void TestLineTrouble::controllerRestartsWhileItRuns()
+{
+    Panel panel;
+    panel.openSimulated(115200);
+    panel.download();
+    panel.machine.start();
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Running, timeoutMs);
+    QSignalSpy lost(&panel.machine, &Machine::freshChanged);
+    panel.link.simulateFaults({QStringLiteral("restart time=1600 limit=1")});
+    QElapsedTimer sinceSilence;
+    sinceSilence.start();
+    QTRY_VERIFY_WITH_TIMEOUT(!panel.machine.fresh(), timeoutMs);
+    QVERIFY(!panel.machine.canStart());
+    QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected(), timeoutMs);
+    const qint64 tookMs = sinceSilence.elapsed() - 1600;
+    qInfo("controller restarted in a silence of 1600 ms: connected and fresh %lld ms after it", tookMs);
+    QVERIFY(tookMs < reconnectLimitMs);
+    // Nothing was saved: it has no program now, and the panel says so.
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Idle, timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!panel.machine.hasActiveProgram(), timeoutMs);
+    verifyTrue(panel);
+}
+
+void TestLineTrouble::tornDownloadGoesOn()
+{
+    Panel panel;
+    panel.openSimulated(9600);
+    QTRY_VERIFY2_WITH_TIMEOUT(panel.editor.canDownload(), qPrintable(panel.editor.downloadText()), timeoutMs);
+    double tornAt = -1;
+    double resumedAt = -1;
+    bool isTorn = false;
+    QObject::connect(
+        &panel.link, &link::Link::downloadReported, &panel.machine, [&](const link::DownloadReport& report) {
+            if (report.isInterrupted && tornAt < 0)
+                tornAt = report.fraction;
+            if (tornAt >= 0 && !report.isInterrupted && resumedAt < 0)
+                resumedAt = report.fraction;
+            if (!isTorn && report.fraction > 0.3) {
+                isTorn = true;
+                panel.link.simulateFaults({QStringLiteral("unplug when=answer time=600 limit=1")});
+            }
+        });
+    panel.editor.download();
+    QTRY_COMPARE_WITH_TIMEOUT(panel.editor.downloadState(), Editor::DownloadState::Applied, timeoutMs);
+    qInfo("download torn at %.0f %%, went on at %.0f %%", 100 * tornAt, 100 * resumedAt);
+    QVERIFY(tornAt > 0.2);
+    QVERIFY(resumedAt >= tornAt - 0.1);
+    QTRY_VERIFY_WITH_TIMEOUT(panel.machine.hasActiveProgram(), timeoutMs);
+    QCOMPARE(panel.machine.activeName(), panel.editor.recipeName());
+    panel.editor.proof()->compare();
+    QTRY_COMPARE_WITH_TIMEOUT(panel.editor.proof()->result(), machine::ProgramProof::Result::Equal,
+                              timeoutMs);
+}
+
+void TestLineTrouble::jogDiesWithItsPanel()
+{
+    const ControllerProcess controller;
+    QProcess panel;
+    panel.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--jog"), controller.port()});
+    QVERIFY(panel.waitForReadyRead(timeoutMs));
+    QCOMPARE(panel.readLine().trimmed(), QByteArray("jogging"));
+    QElapsedTimer sinceKill;
+    sinceKill.start();
+    panel.kill();
+    QVERIFY(panel.waitForFinished(timeoutMs));
+
+    // Only reads: a heartbeat of the witness would be one.
+    modbus::RtuClient witness(lineTo(qPrintable(controller.port())));
+    QVERIFY(witness.open());
+    const modbus::RegisterInfo& state = modbus::registerNamed("status.state");
+    const auto isJogging = [&] {
+        const auto read = witness.readProven(state.address, 1);
+        return read && read->front() == static_cast<std::uint16_t>(modbus::State::Jogging);
+    };
+    QVERIFY2(isJogging(), "it was no longer jogging when the witness first looked");
+    const qint64 stillMs = sinceKill.elapsed();
+    while (isJogging() && sinceKill.elapsed() < timeoutMs) {
+    }
+    const qint64 endedMs = sinceKill.elapsed();
+    qInfo("jogging panel killed: still jogging after %lld ms, standing after %lld ms", stillMs, endedMs);
+    QVERIFY(endedMs < jogLimitMs);
+}
+
+int main(int argc, char** argv)
+{
+    if (argc == 3 && QByteArray(argv[1]) == "--jog")
+        return jog(argv[2]);
+    QCoreApplication app(argc, argv);
+    TestLineTrouble test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "test_line_trouble.moc"
