@@ -3,6 +3,7 @@
 #include "app/link/threaded_link.h"
 #include "app/main/capture.h"
 #include "app/main/fonts.h"
+#include "app/main/memory.h"
 #include "app/main/options.h"
 #include "app/main/panel.h"
 #include "app/main/qml_modules.h"
@@ -75,6 +76,7 @@ int runPanel(const panel::Options& options)
 
 int main(int argc, char* argv[])
 {
+    panel::keepMemoryFlat();
     chooseOffscreen({argv, static_cast<std::size_t>(argc)});
     QGuiApplication application(argc, argv);
     QGuiApplication::setApplicationName(QStringLiteral("campanel"));

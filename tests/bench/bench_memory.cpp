@@ -3,6 +3,7 @@
 // 115200 baud, drawn once a second of that time, and a record of every frame. What is resident may not grow.
 #include "bench_report.h"
 
+#include "app/main/memory.h"
 #include "app/main/stage.h"
 #include "modbus/rtu_line.h"
 
@@ -44,6 +45,7 @@ void record(modbus::LinkRecord& line, int exchange, modbus::LinkFigures::WallTim
 
 Figures measureMemory()
 {
+    panel::keepMemoryFlat();
     qputenv("QT_QPA_UPDATE_IDLE_TIME", "0");
     panel::Stage stage({QStringLiteral("en"), QStringLiteral("light"), QSize(1024, 600)});
     if (!stage.isReady())
