@@ -1,42 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // The whole panel in a window, touched as a finger would, on the demonstration link: keypad, pins, handles,
 // navigation, Stop, language.
-#include "app/main/fonts.h"
-#include "app/main/qml_modules.h"
+#include "panel_test.h"
+
 #include "app/main/scene_checks.h"
-#include "app/main/stage.h"
 
 #include <QFile>
-#include <QRegularExpression>
-#include <QSignalSpy>
 #include <QTemporaryDir>
-#include <QTest>
 
 #include <cmath>
-#include <memory>
 
-using campanel::panel::Look;
-using campanel::panel::Stage;
 using Kind = campanel::panel::DemoLink::Kind;
 namespace machine = campanel::machine;
 
-class TestPanel : public QObject {
+class TestPanel : public campanel::test::PanelTest {
     Q_OBJECT
 
-    std::unique_ptr<Stage> m_stage;
-
-    auto& editor() { return m_stage->panel().editor(); }
-    void tap(const char* name) { m_stage->tap(QString::fromLatin1(name)); }
-    QString textOf(const char* name)
-    {
-        const QQuickItem* item = m_stage->find(QString::fromLatin1(name));
-        return item ? item->property("text").toString() : QString();
-    }
-    void show(Kind kind)
-    {
-        m_stage->link().show(campanel::panel::DemoLink::Situation::Running, kind);
-        m_stage->settle();
-    }
     QList<double> knots(machine::KnotModel::Role role)
     {
         const machine::KnotModel* model = editor().knots();
@@ -45,37 +24,8 @@ class TestPanel : public QObject {
             values << QLocale().toDouble(model->data(model->index(row), role).toString());
         return values;
     }
-    QPoint centerOf(const QString& name)
-    {
-        const QQuickItem* item = m_stage->find(name);
-        return item ? item->mapToScene(item->boundingRect().center()).toPoint() : QPoint();
-    }
-
-    // Every visible text with a digit, or named as a value, below the page or the top bar's state.
-    static void collectTexts(QQuickItem& below, QList<QQuickItem*>& texts)
-    {
-        if (!below.isVisible() || below.opacity() == 0)
-            return;
-        if (below.inherits("QQuickText"))
-            texts << &below;
-        for (QQuickItem* child : below.childItems())
-            collectTexts(*child, texts);
-    }
 
 private slots:
-    void initTestCase() { campanel::panel::applyFonts(); }
-    void init()
-    {
-        m_stage =
-            std::make_unique<Stage>(Look{QStringLiteral("en"), QStringLiteral("light"), QSize(1024, 600)});
-        QVERIFY(m_stage->isReady());
-    }
-    void cleanup()
-    {
-        QCOMPARE(m_stage->complaints(), QStringList());
-        m_stage.reset();
-    }
-
     void paleTextIsFound()
     {
         const campanel::panel::TouchLimits anySize;
@@ -399,52 +349,6 @@ private slots:
         QCOMPARE(m_stage->link().stopRequests(), before + 1);
     }
 
-    void aFoundConnectionIsTakenOverInOneTap()
-    {
-        m_stage->link().show(campanel::panel::DemoLink::Situation::Stopped);
-        tap("nav3");
-        tap("doctorSearch");
-        QVERIFY2(textOf("doctorState").contains(QStringLiteral("/dev/ttyUSB1")),
-                 qPrintable(textOf("doctorState")));
-        QVERIFY(!m_stage->find(QStringLiteral("doctorSearch")));
-        tap("doctorCancel");
-        QVERIFY(!m_stage->find(QStringLiteral("doctorTake")));
-        tap("doctorSearch");
-        m_stage->link().endScan(true);
-        m_stage->settle();
-        tap("doctorTake");
-        const machine::ConnectionChoice& choice = m_stage->panel().settings().connection();
-        QVERIFY(!choice.simulated);
-        QCOMPARE(choice.portName, QStringLiteral("/dev/ttyUSB1"));
-        QCOMPARE(choice.baud, 19200);
-        QCOMPARE(choice.parity, QStringLiteral("E"));
-        QCOMPARE(choice.unit, 7);
-        QVERIFY(!m_stage->find(QStringLiteral("doctorTake")));
-    }
-
-    void doctorDoesNotDisturbARunningMachine()
-    {
-        tap("nav3");
-        QVERIFY(!m_stage->find(QStringLiteral("doctorSearch"))->isEnabled());
-        QVERIFY(!textOf("doctorBlocked").isEmpty());
-    }
-
-    void framesAreWatchedOnlyInSight()
-    {
-        const auto& frames = *m_stage->panel().service().frames();
-        tap("nav3");
-        QVERIFY(!frames.watched());
-        tap("service3");
-        QVERIFY(frames.watched());
-        tap("nav0");
-        QVERIFY(!frames.watched());
-        tap("nav3");
-        QVERIFY(frames.watched());
-        tap("service1");
-        QVERIFY(!frames.watched());
-        QVERIFY(m_stage->panel().service().figures()->watched());
-    }
-
     void languageChangesAtOnce()
     {
         QCOMPARE(textOf("stopKey"), QStringLiteral("Stop"));
@@ -464,131 +368,12 @@ private slots:
         QVERIFY(m_stage->find(QStringLiteral("motionPlot")));
     }
 
-    void absentPortIsSaidAfterAMoment()
-    {
-        m_stage->link().show(campanel::panel::DemoLink::Situation::Absent);
-        m_stage->settle();
-        QVERIFY2(!m_stage->find(QStringLiteral("banner")), "a link that is just coming up is no trouble");
-        QTRY_VERIFY(m_stage->find(QStringLiteral("banner")));
-        QVERIFY2(textOf("banner").contains(QStringLiteral("/dev/ttyUSB0")), qPrintable(textOf("banner")));
-        m_stage->link().show(campanel::panel::DemoLink::Situation::Running);
-        QTRY_VERIFY(!m_stage->find(QStringLiteral("banner")));
-    }
-
     void startRefusedSaysWhy()
     {
         tap("startKey");
         const QQuickItem* banner = m_stage->find(QStringLiteral("banner"));
         QVERIFY(banner);
         QVERIFY(!banner->property("text").toString().isEmpty());
-    }
-
-    void silenceTurnsEveryLiveValueGrey_data()
-    {
-        QTest::addColumn<int>("kind");
-        for (int kind = 1; kind <= 5; ++kind)
-            QTest::addRow("kind %d", kind) << kind;
-    }
-    void silenceTurnsEveryLiveValueGrey()
-    {
-        QFETCH(int, kind);
-        show(static_cast<Kind>(kind));
-        tap("nav0");
-        const auto grey = [this](const QQuickItem& text) {
-            return text.property("color").value<QColor>() == m_stage->theme()
-                                                                 ->property("color")
-                                                                 .value<QObject*>()
-                                                                 ->property("disabledInk")
-                                                                 .value<QColor>();
-        };
-        // What is said of the program and not measured.
-        const QStringList given{"toleranceText", "gateText"};
-        const auto live = [&] {
-            QList<QQuickItem*> texts;
-            QList<QQuickItem*> values;
-            collectTexts(m_stage->root(), texts);
-            static const QRegularExpression digit(QStringLiteral("[0-9]"));
-            const QRectF page =
-                m_stage->find(QStringLiteral("sheetHost"))
-                    ->mapRectToScene(m_stage->find(QStringLiteral("sheetHost"))->boundingRect());
-            for (QQuickItem* text : texts) {
-                const bool isOnPage = page.contains(text->mapToScene({1, 1}));
-                if (text->objectName() == QStringLiteral("stateText") ||
-                    text->objectName() == QStringLiteral("directionText") ||
-                    (isOnPage && !given.contains(text->objectName()) &&
-                     text->property("text").toString().contains(digit)))
-                    values << text;
-            }
-            return values;
-        };
-        const auto fresh = live();
-        QVERIFY2(fresh.size() >= 4, qPrintable(QString::number(fresh.size())));
-        for (const QQuickItem* text : fresh)
-            QVERIFY2(!grey(*text), qPrintable(text->property("text").toString()));
-        auto now = m_stage->link().now() + std::chrono::milliseconds(1200);
-        m_stage->panel().machine().setClock([&] { return now; });
-        m_stage->settle();
-        const auto stale = live();
-        QVERIFY(stale.size() >= fresh.size());
-        for (const QQuickItem* text : stale)
-            QVERIFY2(grey(*text), qPrintable(text->objectName() + u' ' + text->property("text").toString()));
-        for (const char* plot : {"bagChart", "knifeDial"}) {
-            if (const QQuickItem* item = m_stage->find(QString::fromLatin1(plot)))
-                QVERIFY2(item->property("stale").toBool(), plot);
-        }
-        QCOMPARE(textOf("ageText"), QStringLiteral("1 s ago"));
-        now += std::chrono::seconds(41);
-        m_stage->panel().machine().setClock([&] { return now; });
-        QCOMPARE(textOf("ageText"), QStringLiteral("42 s ago"));
-        m_stage->lookAtClock();
-    }
-
-    void aWaitingStopIsShownAndWithdrawn()
-    {
-        m_stage->link().show(campanel::panel::DemoLink::Situation::Lost);
-        m_stage->settle();
-        QVERIFY2(textOf("banner").startsWith(QStringLiteral("No connection since 14:06:58")),
-                 qPrintable(textOf("banner")));
-        tap("startKey");
-        QCOMPARE(textOf("banner"), QStringLiteral("There is no connection to the controller."));
-        const int stops = m_stage->link().stopRequests();
-        tap("stopKey");
-        QCOMPARE(m_stage->link().stopRequests(), stops + 1);
-        m_stage->link().showWaitingStop();
-        m_stage->settle();
-        QVERIFY2(textOf("banner").startsWith(QStringLiteral("Stop waits for the line")),
-                 qPrintable(textOf("banner")));
-        QCOMPARE(textOf("bannerButton"), QStringLiteral("Withdraw"));
-        tap("bannerButton");
-        QCOMPARE(m_stage->link().withdrawals(), 1);
-    }
-
-    void theActiveProgramIsProven()
-    {
-        for (const char* name : {"nav1", "more", "proofButton", "proofCompare"})
-            tap(name);
-        QVERIFY2(textOf("proofText").startsWith(QStringLiteral("Equal: all ")),
-                 qPrintable(textOf("proofText")));
-        tap("proofCancel"); // "Close" by now
-        QVERIFY(!m_stage->find(QStringLiteral("sheetPanel")));
-    }
-
-    void faultsAreForASimulatedLine()
-    {
-        tap("nav3");
-        QVERIFY(!m_stage->find(QStringLiteral("service4")));
-        m_stage->link().setSimulated(true);
-        m_stage->settle();
-        tap("service4");
-        tap("fault0often");
-        QCOMPARE(textOf("faultsText"), QStringLiteral("Active: Late answers"));
-        tap("faultsOff");
-        QVERIFY(textOf("faultsText").startsWith(QStringLiteral("No faults")));
-        tap("fault1often");
-        m_stage->link().setSimulated(false); // another section takes its place
-        m_stage->settle();
-        QVERIFY(!m_stage->find(QStringLiteral("faultList")));
-        QVERIFY(m_stage->find(QStringLiteral("service3")));
     }
 };
 
