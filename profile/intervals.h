@@ -43,12 +43,12 @@ struct IntervalTable {
     IntervalErrors errors;
 };
 
-// Fewest rows, and of the tables with so few one with a small speed error; the last row ends with a speed
-// above zero, as the first begins. What counts as a row is in interval_plan.h. Distances sum to the motion's
-// pulses rounded to whole ones.
-// Refuses a speed error that is not positive or that no row of one pulse could keep (SpeedError; allowed is
-// one that can be kept), a motion that turns round (Reversal), less than one pulse (TooFewPulses), pulses
-// faster than the output stage (PulseFrequency), more rows than the controller holds (RowCapacity) and
+// The fewest rows that interval_plan.h finds; fewestLinks is the number below which nobody can go. Where the
+// motion begins or ends moving the rows have exactly its speed, at rest a small one above zero. Distances sum
+// to the motion's pulses rounded to whole ones.
+// Refuses a speed error that is not positive, that no row of one pulse could keep or that would take more
+// rows than the controller holds (SpeedError; allowed is one that can be kept), a motion that turns round
+// (Reversal), less than one pulse (TooFewPulses), pulses faster than the output stage (PulseFrequency) and
 // numbers that do not fit their registers (TableRange).
 [[nodiscard]] tl::expected<IntervalTable, Refusal> compileIntervals(const MotionProfile& motion,
                                                                     const Machine& machine,
