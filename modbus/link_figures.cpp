@@ -48,7 +48,8 @@ std::string milliseconds(std::int64_t us)
 
 MinuteFigures& LinkFigures::minuteAt(WallTime at)
 {
-    const std::int64_t now = std::chrono::floor<std::chrono::minutes>(at.time_since_epoch()).count();
+    const std::int64_t now =
+        std::max<std::int64_t>(0, std::chrono::floor<std::chrono::minutes>(at.time_since_epoch()).count());
     MinuteFigures& slot = m_strip[static_cast<std::size_t>(now % stripMinutes)];
     if (slot.minute != now) {
         slot = {};
@@ -134,9 +135,11 @@ std::vector<MinuteFigures> LinkFigures::strip() const
         return result;
     result.reserve(stripMinutes);
     for (std::int64_t minute = m_minute - stripMinutes + 1; minute <= m_minute; ++minute) {
-        const MinuteFigures& slot = m_strip[static_cast<std::size_t>(minute % stripMinutes)];
-        if (slot.minute == minute) {
-            result.push_back(slot);
+        // A computer whose clock has not been set has minutes before its first one.
+        const MinuteFigures* slot =
+            minute < 0 ? nullptr : &m_strip[static_cast<std::size_t>(minute % stripMinutes)];
+        if (slot != nullptr && slot->minute == minute) {
+            result.push_back(*slot);
         } else {
             result.emplace_back();
             result.back().minute = minute;
