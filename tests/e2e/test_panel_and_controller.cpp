@@ -106,7 +106,7 @@ private:
         panel.tap("downloadStart");
         QTRY_COMPARE_WITH_TIMEOUT(panel.editor().downloadState(), Editor::DownloadState::Applied, timeoutMs);
         panel.tap("downloadCancel"); // "Close" by now
-        QVERIFY(!panel.finger().find("sheetPanel"));
+        QTRY_VERIFY_WITH_TIMEOUT(!panel.finger().find("sheetPanel"), timeoutMs);
     }
     static void runLength(PanelWindow& panel);
     static void changeWhileItRuns(PanelWindow& panel);

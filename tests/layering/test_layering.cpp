@@ -13,7 +13,7 @@ namespace {
 constexpr auto standardCpp = R"([a-z][a-z0-9_]*)";
 constexpr auto standardC = R"((stdint|stddef|stdbool|string)\.h)";
 constexpr auto posix =
-    R"((fcntl|unistd|termios|poll|grp|pwd|time|errno|stdlib|stdio|signal|getopt|limits|dirent|sys/[a-z]+|linux/serial|pty)\.h)";
+    R"((fcntl|unistd|termios|poll|grp|pwd|time|errno|stdlib|stdio|signal|getopt|limits|dirent|sys/[a-z]+|linux/serial|pty|malloc)\.h)";
 // The host programs find the core and the simulated machine on their include path.
 constexpr auto controllerHost = R"((ctl_[a-z_]+|machine|flash_device|simulated_controller)\.h)";
 constexpr auto expected = R"(tl/expected\.hpp)";
