@@ -105,8 +105,10 @@ private:
         panel.tap("nextStep");
         panel.tap("downloadStart");
         QTRY_COMPARE_WITH_TIMEOUT(panel.editor().downloadState(), Editor::DownloadState::Applied, timeoutMs);
+        panel.finger().settle();
         panel.tap("downloadCancel"); // "Close" by now
-        QTRY_VERIFY_WITH_TIMEOUT(!panel.finger().find("sheetPanel"), timeoutMs);
+        panel.finger().settle();
+        QVERIFY(!panel.finger().find("sheetPanel"));
     }
     static void runLength(PanelWindow& panel);
     static void changeWhileItRuns(PanelWindow& panel);
