@@ -133,6 +133,9 @@ constexpr std::array commands{
     entry(Command::SaveToFlash, "SaveToFlash",
           "Write active bank and parameters to the older flash slot; argument2 = active CRC-32."),
     entry(Command::SetClock, "SetClock", "argument2 = seconds since 1970-01-01 UTC."),
+    entry(Command::TeachMarks, "TeachMarks",
+          "argument0 = marks, 2..100: measure the distances between the next marks whatever they are; see "
+          "packer.teach_marks."),
 };
 
 constexpr std::array applyModes{
@@ -167,6 +170,15 @@ constexpr std::array refusals{
     entry(Refusal::BadArgument, "BadArgument", "An argument is outside its range."),
     entry(Refusal::FaultPersists, "FaultPersists", "The cause of the fault is still there."),
     entry(Refusal::HeartbeatLost, "HeartbeatLost", "No panel heartbeat; reconnect first."),
+    entry(Refusal::SensorTooFar, "SensorTooFar",
+          "More bags between mark sensor and knife than the controller remembers; a longer bag or a nearer "
+          "sensor."),
+    entry(Refusal::MarkWindowTooWide, "MarkWindowTooWide",
+          "parameter.mark_window reaches a quarter of the bag length; marks could be confused."),
+    entry(Refusal::NoRoomToCorrect, "NoRoomToCorrect",
+          "Knife and film move together for more than nine tenths of the cycle, or the cut is outside that."),
+    entry(Refusal::EyeTooNear, "EyeTooNear",
+          "The product eye must be at least one and a half products before the film, at most eight."),
 };
 
 constexpr std::array transferOperations{
@@ -218,6 +230,16 @@ constexpr std::array warningBits{
     entry(WarningBit::FlashSlotInvalid, "FlashSlotInvalid",
           "A flash slot had a wrong CRC-32 at power-up; the other was used."),
     entry(WarningBit::ClockNotSet, "ClockNotSet", "The clock has not been set since power-up."),
+    entry(WarningBit::MarksLost, "MarksLost",
+          "The run was ended: parameter.mark_missing_limit marks in a row did not come."),
+    entry(WarningBit::MarkPitchWrong, "MarkPitchWrong",
+          "The run was ended: the marks are not one bag length apart."),
+    entry(WarningBit::CorrectionAtLimit, "CorrectionAtLimit",
+          "The run was ended: five bags in a row needed more correction than the limits allow."),
+    entry(WarningBit::ProductTooLong, "ProductTooLong",
+          "The run was ended: a product with its clearance is longer than the bag."),
+    entry(WarningBit::TooManySkips, "TooManySkips",
+          "The run was ended: parameter.skip_limit cuts in a row were skipped for a product across."),
 };
 
 constexpr std::array jogBits{
@@ -230,7 +252,36 @@ constexpr std::array heartbeatLostActions{
     entry(HeartbeatLostAction::StopAtCycleEnd, "StopAtCycleEnd", "Warn and stop at the end of the cycle."),
 };
 
-constexpr std::array<EnumInfo, 20> infos{{
+constexpr std::array markStates{
+    entry(MarkState::Off, "Off", "The marks are not followed, or nothing runs yet."),
+    entry(MarkState::Searching, "Searching", "Waiting for two marks one bag length apart."),
+    entry(MarkState::Aligning, "Aligning",
+          "The film is being shifted until the cuts meet the marks; these bags are off."),
+    entry(MarkState::Tracking, "Tracking", "The cuts follow the marks."),
+};
+
+constexpr std::array gateStates{
+    entry(GateState::Running, "Running", "It follows."),
+    entry(GateState::Slowing, "Slowing", "It comes to stand at the boundary of its cycle."),
+    entry(GateState::Standing, "Standing", "It waits for whole cycles; a knife is open then."),
+    entry(GateState::Gaining, "Gaining", "It sets off to be back in phase at bank.sync_start."),
+};
+
+constexpr std::array skipCauses{
+    entry(SkipCause::None, "None", "Nothing was left out."),
+    entry(SkipCause::ProductAcross, "ProductAcross", "A product lay across the knife's path."),
+    entry(SkipCause::ProductTooLong, "ProductTooLong", "A product longer than the bag lay across it."),
+    entry(SkipCause::NoProduct, "NoProduct", "No product came: no film was used."),
+};
+
+constexpr std::array bagBits{
+    entry(BagBit::Tracked, "Tracked", "Its cut followed a mark."),
+    entry(BagBit::MarkMissed, "MarkMissed", "That mark was not seen but reckoned."),
+    entry(BagBit::ProductAcross, "ProductAcross", "Longer by the cuts skipped for a product across."),
+    entry(BagBit::Empty, "Empty", "Cut without a product."),
+};
+
+constexpr std::array<EnumInfo, 24> infos{{
     {"State", states},
     {"ProgramKind", programKinds},
     {"StagedState", stagedStates},
@@ -251,6 +302,10 @@ constexpr std::array<EnumInfo, 20> infos{{
     {"SplineEnds", splineEnds},
     {"PressStage", pressStages},
     {"StrokeResult", strokeResults},
+    {"MarkState", markStates},
+    {"GateState", gateStates},
+    {"SkipCause", skipCauses},
+    {"BagBit", bagBits},
 }};
 
 } // namespace

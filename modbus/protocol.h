@@ -14,7 +14,7 @@ namespace campanel::modbus {
 inline constexpr std::uint16_t deviceType = 0xCA3D;
 // A panel refuses a controller whose major version differs; a higher minor version only adds registers.
 inline constexpr std::uint16_t mapMajor = 1;
-inline constexpr std::uint16_t mapMinor = 1;
+inline constexpr std::uint16_t mapMinor = 2;
 
 enum class State : std::uint16_t { Idle = 0, Ready, Running, Stopping, Jogging, Homing, Fault };
 
@@ -74,6 +74,7 @@ enum class Command : std::uint16_t {
     DiscardStaged,
     SaveToFlash,
     SetClock,
+    TeachMarks,
 };
 
 enum class ApplyMode : std::uint16_t { WhenStopped = 0, NextCycle = 1 };
@@ -98,6 +99,10 @@ enum class Refusal : std::uint16_t {
     BadArgument,
     FaultPersists,
     HeartbeatLost,
+    SensorTooFar,
+    MarkWindowTooWide,
+    NoRoomToCorrect,
+    EyeTooNear,
 };
 
 enum class TransferOperation : std::uint16_t { None = 0, Begin, Block, Seal };
@@ -134,8 +139,23 @@ enum class WarningBit : std::uint16_t {
     HeartbeatLost = 0,
     NotHomed = 1,
     FlashSlotInvalid = 2,
-    ClockNotSet = 3
+    ClockNotSet = 3,
+    // What ended a run of the packing machine; until the next start.
+    MarksLost = 4,
+    MarkPitchWrong = 5,
+    CorrectionAtLimit = 6,
+    ProductTooLong = 7,
+    TooManySkips = 8
 };
+
+enum class MarkState : std::uint16_t { Off = 0, Searching, Aligning, Tracking };
+
+enum class GateState : std::uint16_t { Running = 0, Slowing, Standing, Gaining };
+
+enum class SkipCause : std::uint16_t { None = 0, ProductAcross, ProductTooLong, NoProduct };
+
+// Bits of a record of packer.bags; the upper byte is the number of bag lengths in it.
+enum class BagBit : std::uint16_t { Tracked = 0, MarkMissed = 1, ProductAcross = 2, Empty = 3 };
 
 // Bits of exchange.jog; both set means neither.
 enum class JogBit : std::uint16_t { Forward = 0, Reverse = 1 };

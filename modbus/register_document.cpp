@@ -3,6 +3,7 @@
 #include "modbus/register_document.h"
 
 #include <cctype>
+#include <cmath>
 #include <iomanip>
 #include <ostream>
 #include <sstream>
@@ -79,12 +80,18 @@ void printCHeader(std::ostream& out)
     define("BANK_REGISTERS", std::to_string(bankRegisters) + "u");
     define("BLOCK_REGISTERS", std::to_string(blockRegisters) + "u");
     define("READBACK_REGISTERS", std::to_string(readbackRegisters) + "u");
+    define("BAG_RECORDS", std::to_string(bagRecords) + "u");
+    define("VIEW_CUTS", std::to_string(viewCuts) + "u");
+    define("VIEW_MARKS", std::to_string(viewMarks) + "u");
+    define("VIEW_PRODUCTS", std::to_string(viewProducts) + "u");
     out << "\n/* Addresses, and of writable registers the limits in raw units. */\n";
     for (const RegisterInfo& row : registers()) {
         define("REG_" + upperSnake(row.name), hexAddress(row.address) + "u");
         if (row.access == Access::ReadWrite && row.type != RegisterType::Block) {
-            const auto raw = [&row](double physical) {
-                return std::to_string(static_cast<long long>(physical / row.scale + 0.5)) + "u";
+            const bool isSigned = row.type == RegisterType::I16 || row.type == RegisterType::I32;
+            const auto raw = [&row, isSigned](double physical) {
+                const std::string digits = std::to_string(std::llround(physical / row.scale));
+                return isSigned ? '(' + digits + ')' : digits + 'u';
             };
             define("MIN_" + upperSnake(row.name), raw(row.minimum));
             define("MAX_" + upperSnake(row.name), raw(row.maximum));

@@ -14,6 +14,11 @@ using namespace rows;
 
 constexpr double max32 = 4294967295.0;
 
+constexpr RegisterInfo cutter(RegisterInfo row)
+{
+    return withKind(ProgramKind::RotaryCutter, row);
+}
+
 constexpr std::array table{
     ro16("identity.device_type", 0x0000, "0xCA3D on every CamPanel controller"),
     ro16("identity.map_major", 0x0001,
@@ -46,6 +51,46 @@ constexpr std::array table{
     rw16("parameter.master_direction", 0x0089,
          "of the master of a point cam: 0 forward, 1 backward; a running one ramps through zero", {}, 0, 1,
          0),
+
+    // Film, marks and products of a packing machine; see controller/README.md, "Packing".
+    rw16("parameter.mark_tracking", 0x008A, "1: cuts follow the printed marks", {}, 0, 1, 1),
+    rw32("parameter.mark_distance", 0x008B, "film between the mark sensor and the knife", 10, 5000, 900,
+         0.001, "mm"),
+    rw32("parameter.mark_offset", 0x008D, "film from a mark to the cut behind it", 0, 2000, 0, 0.001, "mm"),
+    rw16("parameter.mark_window", 0x008F,
+         "a mark counts when it is no farther than this from where it is expected", {}, 0.5, 30, 6, 0.001,
+         "mm"),
+    rw16("parameter.mark_missing_limit", 0x0090, "so many missing in a row: tracking is lost", {}, 1, 100, 5),
+    rw16("parameter.phase_gain", 0x0091, "share of a mark's error that is taken for slip of the film", {}, 0,
+         1, 0.25, 0.001),
+    rw16("parameter.length_gain", 0x0092, "share of a mark's error that changes the length between marks",
+         {}, 0, 1, 0.1, 0.001),
+    rw16("parameter.phase_limit", 0x0093, "most that one bag's cut is shifted besides the length", {}, 0.05,
+         20, 1, 0.001, "mm"),
+    rw16("parameter.length_limit", 0x0094, "most that the film of a bag differs from its length", {}, 0, 10,
+         2, 0.01, "%"),
+    rwI16("parameter.length_trim", 0x0095, "added to every bag while the marks are not followed", -5, 5, 0,
+          0.001, "mm"),
+    rw16("parameter.anti_cut", 0x0096, "1: the knife stays open where a product lies across its path", {}, 0,
+         1, 1),
+    rw16("parameter.cut_clearance", 0x0097, "film that must be free of products on both sides of a cut", {},
+         0.5, 60, 5, 0.001, "mm"),
+    rw16("parameter.empty_bag", 0x0098, "1: film and knife wait a cycle for a product that is missing", {}, 0,
+         1, 0),
+    rw16("parameter.skip_limit", 0x0099, "so many cuts skipped in a row end the run", {}, 1, 100, 5),
+    rw32("parameter.film_feed", 0x009A, "film per revolution of the film motor", 1, 2000, 150, 0.001, "mm"),
+    rw32("parameter.film_pulses", 0x009C, "pulses per revolution of the film motor", 100, 1000000, 10000, 1.0,
+         "pulses"),
+    rw32("parameter.product_distance", 0x009E,
+         "film between the knife and where products are laid, to the nearest half bag", 50, 5000, 700, 0.001,
+         "mm"),
+    rw32("parameter.flight_pitch", 0x00A0, "distance of the products on the infeed", 20, 2000, 500, 0.001,
+         "mm"),
+    rw32("parameter.flight_pulses", 0x00A2, "pulses of the infeed motor per product", 100, 10000000, 20000,
+         1.0, "pulses"),
+    rw32("parameter.eye_distance", 0x00A4,
+         "infeed between the product eye and where products are laid on the film", 20, 10000, 1000, 0.001,
+         "mm"),
 
     // Status block: the answer to the periodic FC23 exchange. 40 registers, so that 9600 baud still carries 8
     // a second.
@@ -100,12 +145,46 @@ constexpr std::array table{
     ro16("status.sample_time", 0x0127, "controller time at which this block was taken, wrapping", {}, 1.0,
          "ms"),
 
+    // Film, marks and products; as a whole one proven reading. 0 while the program has no knife.
+    cutter(ro16("packer.mark_state", 0x0140, "how the marks are followed", "MarkState")),
+    cutter(roI16("packer.mark_error", 0x0141, "last cut: where it was minus where its mark wanted it", 0.001, "mm")),
+    cutter(ro32("packer.mark_pitch", 0x0142, "film from mark to mark, filtered, as the film motor measures it", 0.001, "mm")),
+    cutter(roI16("packer.phase_correction", 0x0144, "shift of the next cut besides the length", 0.001, "mm")),
+    cutter(roI16("packer.length_correction", 0x0145, "film of the next bag minus its length", 0.001, "mm")),
+    cutter(roI16("packer.last_mark", 0x0146, "last mark: where it came minus where it was expected", 0.001, "mm")),
+    cutter(roI16("packer.film_following_error", 0x0147, "film motor: commanded minus actual", 0.001, "mm")),
+    cutter(ro32("packer.marks", 0x0148, "marks followed since power-up")),
+    cutter(ro32("packer.marks_missing", 0x014A, "marks expected that did not come")),
+    cutter(ro32("packer.marks_false", 0x014C, "marks where none was expected")),
+    cutter(ro32("packer.products", 0x014E, "products laid on the film since power-up")),
+    cutter(ro32("packer.cuts_skipped", 0x0150, "cuts not made because a product lay across")),
+    cutter(ro32("packer.empty_bags", 0x0152, "bags without a product: saved, or cut empty when film is not saved")),
+    cutter(ro32("packer.film_saved", 0x0154, "film not used up by empty bags", 0.001, "m")),
+    cutter(ro16("packer.last_skip", 0x0156, "why a cut or a bag was last left out", "SkipCause")),
+    cutter(ro16("packer.skips_in_a_row", 0x0157, "cuts skipped since the last one made")),
+    cutter(ro32("packer.corrections_limited", 0x0158, "corrections that a limit cut short")),
+    cutter(ro16("packer.film_angle", 0x015A, "position of the film in its cycle", {}, 0.01, "deg")),
+    cutter(ro16("packer.knife_gate", 0x015B, "whether the knife follows the film", "GateState")),
+    cutter(ro16("packer.film_gate", 0x015C, "whether the film follows the infeed", "GateState")),
+    cutter(ro16("packer.teach_marks", 0x015D, "marks measured by TeachMarks; it ends at the number asked for")),
+    cutter(ro32("packer.teach_pitch", 0x015E, "their mean distance", 0.001, "mm")),
+    cutter(ro16("packer.teach_scatter", 0x0160, "standard deviation of that", {}, 0.001, "mm")),
+    cutter(ro16("packer.marks_wait", 0x0161, "marks between sensor and knife")),
+    cutter(ro32("packer.bag_number", 0x0162, "bags recorded since power-up: number of the newest record")),
+    cutter(block("packer.bags", 0x0164, 4 * bagRecords, Access::ReadOnly,
+          "the newest records; bag n is the one at (n mod 8) x 4: deviation, mark error, distance from its mark to the one before minus bag length (i16, 0.001 mm, saturating), BagBit")),
+    cutter(ro32("packer.film_position", 0x0184, "film motor's position, lower 32 bits; all below is relative to it", 0.001, "mm")),
+    cutter(block("packer.cuts", 0x0186, viewCuts, Access::ReadOnly,
+          "the next cuts by their distance to the knife, i16, 0.1 mm; 0x8000: none. An odd one is left out")),
+    cutter(block("packer.seen_marks", 0x018C, viewMarks, Access::ReadOnly, "the marks on the film, the same way; an odd one was not seen but reckoned")),
+    cutter(block("packer.seen_products", 0x0198, 2 * viewProducts, Access::ReadOnly, "the products on the film: leading and trailing edge, the same way")),
+
     rw16("exchange.tag", 0x0200, "any value that differs from the last one; comes back as status.tag"),
     rw16("exchange.heartbeat", 0x0201, "must advance; jog dies 200 ms after it last did"),
     rw16("exchange.jog", 0x0202, "held jog keys", "JogBit", 0, 3, 0),
 
     rw16("command.counter", 0x0220, "a command whose counter equals result.counter is not carried out again"),
-    rw16("command.code", 0x0221, "what to do", "Command", 0, 10, 0),
+    rw16("command.code", 0x0221, "what to do", "Command", 0, 11, 0),
     rw16("command.argument0", 0x0222, "see the command"),
     rw16("command.argument1", 0x0223, "see the command"),
     rw32("command.argument2", 0x0224, "see the command", 0, max32, 0),

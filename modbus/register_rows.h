@@ -45,6 +45,15 @@ constexpr RegisterInfo rw16(std::string_view name, std::uint16_t address, std::s
             maximum, defaultValue, enumName,          text};
 }
 
+constexpr RegisterInfo rwI16(std::string_view name, std::uint16_t address, std::string_view text,
+                             double minimum, double maximum, double defaultValue, double scale,
+                             std::string_view unit)
+{
+    return {name,  address, RegisterType::I16, 1,       Access::ReadWrite,
+            scale, unit,    minimum,           maximum, defaultValue,
+            {},    text};
+}
+
 constexpr RegisterInfo rw32(std::string_view name, std::uint16_t address, std::string_view text,
                             double minimum, double maximum, double defaultValue, double scale = 1.0,
                             std::string_view unit = {})

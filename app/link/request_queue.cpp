@@ -22,6 +22,7 @@ Priority priorityOf(modbus::Command command)
     case modbus::Command::DiscardStaged:
     case modbus::Command::SaveToFlash:
     case modbus::Command::SetClock:
+    case modbus::Command::TeachMarks:
         return Priority::Write;
     }
     return Priority::Write;

@@ -138,6 +138,8 @@ QString ConnectionSentences::commandName(modbus::Command command)
         return tr("Reset fault");
     case modbus::Command::SaveToFlash:
         return tr("Save");
+    case modbus::Command::TeachMarks:
+        return tr("Measure the marks");
     case modbus::Command::None:
     case modbus::Command::ApplyStaged:
     case modbus::Command::CancelApply:

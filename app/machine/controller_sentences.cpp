@@ -61,6 +61,34 @@ QStringList ControllerSentences::alarms(const modbus::StatusBlock& status)
         texts << tr("The controller had not heard the panel for a while. Check the cable.");
     if (status.has(WarningBit::FlashSlotInvalid))
         texts << tr("One of the two saved copies in the controller is damaged. Save the program again.");
+    texts += packingAlarms(status);
+    return texts;
+}
+
+// What ended a run of the packing machine.
+QStringList ControllerSentences::packingAlarms(const modbus::StatusBlock& status)
+{
+    QStringList texts;
+    if (status.has(WarningBit::MarksLost))
+        texts << tr(
+            "The marks on the film were lost and the run was ended. Check film and mark sensor, then start "
+            "again.");
+    if (status.has(WarningBit::MarkPitchWrong))
+        texts << tr(
+            "The marks on the film are not one bag length apart, so the run was ended. Load the right film "
+            "or teach its marks under Service.");
+    if (status.has(WarningBit::CorrectionAtLimit))
+        texts << tr(
+            "The cuts could not follow the marks within the limits, so the run was ended. Check the film's "
+            "tension and whether it slips, then start again.");
+    if (status.has(WarningBit::ProductTooLong))
+        texts << tr(
+            "A product is too long for the bag, so the run was ended. Take it out or set a longer bag, then "
+            "start again.");
+    if (status.has(WarningBit::TooManySkips))
+        texts << tr(
+            "Products lay across the knife's path several times in a row, so the run was ended. Put the "
+            "products in order, then start again.");
     return texts;
 }
 
@@ -101,6 +129,19 @@ QString ControllerSentences::refusal(Refusal reason)
         return tr("The cause of the fault is still there. Remove it first.");
     case Refusal::HeartbeatLost:
         return tr("The controller does not hear the panel. Check the cable.");
+    case Refusal::SensorTooFar:
+        return tr(
+            "Too many bags lie between mark sensor and knife. Set a longer bag, move the sensor nearer, or "
+            "switch mark tracking off under Service.");
+    case Refusal::MarkWindowTooWide:
+        return tr("The window for the marks is wider than half a bag. Make it narrower under Service.");
+    case Refusal::NoRoomToCorrect:
+        return tr(
+            "Knife and film move together for so long that no time is left to correct the film. Change k1 "
+            "to k4.");
+    case Refusal::EyeTooNear:
+        return tr(
+            "The product eye is too near or too far to decide in time. Check its distance under Service.");
     }
     return tr("The controller gives a reason that this panel does not know (%1).")
         .arg(static_cast<int>(reason));
@@ -148,6 +189,38 @@ QString ControllerSentences::strokeResult(modbus::StrokeResult result)
         return tr("Largest force reached");
     case StrokeResult::Stopped:
         return tr("Stopped");
+    }
+    return {};
+}
+
+QString ControllerSentences::markState(modbus::MarkState state)
+{
+    using modbus::MarkState;
+    switch (state) {
+    case MarkState::Off:
+        return tr("Marks not followed");
+    case MarkState::Searching:
+        return tr("Looking for marks");
+    case MarkState::Aligning:
+        return tr("Moving the cuts onto the marks");
+    case MarkState::Tracking:
+        return tr("Following the marks");
+    }
+    return {};
+}
+
+QString ControllerSentences::skipCause(modbus::SkipCause cause)
+{
+    using modbus::SkipCause;
+    switch (cause) {
+    case SkipCause::None:
+        return {};
+    case SkipCause::ProductAcross:
+        return tr("A product lay across the knife's path");
+    case SkipCause::ProductTooLong:
+        return tr("A product was longer than the bag");
+    case SkipCause::NoProduct:
+        return tr("A product was missing");
     }
     return {};
 }

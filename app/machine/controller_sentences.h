@@ -19,7 +19,12 @@ public:
     [[nodiscard]] static QString refusal(modbus::Refusal reason);
     [[nodiscard]] static QString pressStage(modbus::PressStage stage);
     [[nodiscard]] static QString strokeResult(modbus::StrokeResult result);
+    [[nodiscard]] static QString markState(modbus::MarkState state);
+    [[nodiscard]] static QString skipCause(modbus::SkipCause cause);
     [[nodiscard]] static QString transferResult(const modbus::TransferAnswer& answer);
+
+private:
+    [[nodiscard]] static QStringList packingAlarms(const modbus::StatusBlock& status);
 };
 
 } // namespace campanel::machine

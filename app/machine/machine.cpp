@@ -44,6 +44,8 @@ Machine::Machine(link::Link& link, Settings& settings, QObject* parent)
     connect(this, &Machine::connectionChanged, &m_direction, &MasterDirection::noteConnection);
     connect(this, &Machine::programChanged, &m_direction, &MasterDirection::noteProgram);
     connect(this, &Machine::freshChanged, &m_direction, &MasterDirection::changed);
+    connect(this, &Machine::connectionChanged, &m_packing, &PackingLine::noteConnection);
+    connect(this, &Machine::programChanged, &m_packing, &PackingLine::noteProgram);
     connect(&m_direction, &MasterDirection::failed, this, &Machine::showMessage);
     connect(&m_ageTimer, &QTimer::timeout, this, &Machine::updateAge);
     m_ageTimer.start(agePeriod);
@@ -313,6 +315,7 @@ bool Machine::eventFilter(QObject* watched, QEvent* event)
         m_strokes.retranslate();
         m_lineFaults.retranslate();
         m_direction.retranslate();
+        m_packing.retranslate();
     }
     return QObject::eventFilter(watched, event);
 }

@@ -9,6 +9,7 @@
 #include "app/machine/controller_program.h"
 #include "app/machine/line_faults.h"
 #include "app/machine/master_direction.h"
+#include "app/machine/packing_line.h"
 #include "app/machine/status_rate.h"
 #include "app/machine/stroke_model.h"
 
@@ -71,6 +72,8 @@ class Machine : public QObject {
     Q_PROPERTY(double masterSpeedPercent READ masterSpeedPercent NOTIFY liveChanged FINAL)
     // Of a point cam.
     Q_PROPERTY(campanel::machine::MasterDirection* direction READ direction CONSTANT FINAL)
+    // Of a rotary cutter.
+    Q_PROPERTY(campanel::machine::PackingLine* packing READ packing CONSTANT FINAL)
     // Of a press.
     Q_PROPERTY(double forceN READ forceN NOTIFY liveChanged FINAL)
     Q_PROPERTY(QString stageText READ stageText NOTIFY liveChanged FINAL)
@@ -158,6 +161,7 @@ public:
     [[nodiscard]] double positionMm() const;
     [[nodiscard]] double masterSpeedPercent() const;
     [[nodiscard]] MasterDirection* direction() { return &m_direction; }
+    [[nodiscard]] PackingLine* packing() { return &m_packing; }
     [[nodiscard]] double forceN() const;
     [[nodiscard]] QString stageText() const;
     [[nodiscard]] int stage() const;
@@ -261,6 +265,7 @@ private:
     BagStatistics m_bags;
     StrokeModel m_strokes{this};
     MasterDirection m_direction{*this};
+    PackingLine m_packing{*this};
     LineFaults m_lineFaults;
     StatusRate m_rate;
     QTimer m_ageTimer;

@@ -83,6 +83,8 @@ static uint16_t carry_out(ctl_core* core, const uint16_t* request)
         return save_to_flash(core, request);
     case CTL_COMMAND_SET_CLOCK:
         return set_clock(core, request);
+    case CTL_COMMAND_TEACH_MARKS:
+        return ctl_packer_teach(core, request[ARGUMENT0]);
     default:
         return CTL_REFUSAL_UNKNOWN_COMMAND;
     }

@@ -51,11 +51,14 @@ void ctl_init(ctl_core* core, const ctl_config* config, const ctl_port* port, ui
 {
     memset(core, 0, sizeof *core);
     core->config = *config;
+    if (core->config.slice_us == 0)
+        core->config.slice_us = CTL_SLICE_US;
     core->port = *port;
     core->started_us = now_us;
     core->now_us = now_us;
     ctl_map_init(core);
     ctl_flash_load(core);
+    ctl_packer_init(core);
     ctl_motion_init(core);
 }
 
@@ -87,20 +90,27 @@ void ctl_tick(ctl_core* core, uint64_t now_us)
 {
     while (core->now_us < now_us) {
         const uint64_t left = now_us - core->now_us;
-        const uint32_t slice_us = left < CTL_SLICE_US ? (uint32_t)left : CTL_SLICE_US;
+        const uint32_t slice_us = left < core->config.slice_us ? (uint32_t)left : core->config.slice_us;
         core->now_us += slice_us;
         core->catching_up = core->now_us < now_us;
         const uint64_t sum = (uint64_t)slice_us * core->config.timer_clock_hz + core->tick_rest;
         core->tick_rest = (uint32_t)(sum % US_PER_S);
         ctl_heartbeat_slice(core);
         ctl_motion_slice(core, (uint32_t)(sum / US_PER_S));
+        ctl_packer_slice(core);
         check_active_bank(core);
     }
     ctl_rtu_tick(core, now_us);
 }
 
+void ctl_on_cut(ctl_core* core, int64_t film)
+{
+    ctl_packer_on_cut(core, film);
+}
+
 void ctl_on_bag_cut(ctl_core* core, uint32_t length_um)
 {
+    ctl_packer_on_bag(core, length_um);
     core->bags.length_um = length_um;
     core->bags.count += 1;
 }

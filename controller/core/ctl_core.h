@@ -9,6 +9,7 @@
 #include "ctl_flash.h"
 #include "ctl_map.h"
 #include "ctl_motion.h"
+#include "ctl_packer.h"
 #include "ctl_port.h"
 #include "ctl_rtu.h"
 #include "ctl_transfer.h"
@@ -61,16 +62,18 @@ typedef struct ctl_core {
     ctl_motion motion;
     ctl_heartbeat heartbeat;
     ctl_bags bags;
+    ctl_packer packer;
     ctl_clock clock;
 } ctl_core;
 
 /* Power-up: loads the newest valid flash slot. The port's context must outlive the core. */
 void ctl_init(ctl_core* core, const ctl_config* config, const ctl_port* port, uint64_t now_us);
-/* The only clock: moves everything on to now_us, in slices of at most CTL_SLICE_US. */
+/* The only clock: moves everything on to now_us, in slices of at most config.slice_us. */
 void ctl_tick(ctl_core* core, uint64_t now_us);
-#define CTL_SLICE_US 250u
 
-/* The machine cut a bag and measured it. */
+/* The knife closed over the film when the film motor stood there, 1/256 pulse. */
+void ctl_on_cut(ctl_core* core, int64_t film);
+/* The bag that ended with the last cut was measured. */
 void ctl_on_bag_cut(ctl_core* core, uint32_t length_um);
 
 const ctl_bank* ctl_active_bank(const ctl_core* core);

@@ -9,9 +9,11 @@
 
 #include <string.h>
 
-#define MAGIC 0x43414D32u /* "CAM2" */
+#define MAGIC 0x43414D33u     /* "CAM3" */
+#define OLD_MAGIC 0x43414D32u /* "CAM2": fewer parameters */
 #define BLANK 0xFFFFFFFFu
-#define HEAD_REGISTERS (6u + CTL_PARAMETER_REGISTERS)
+#define FIXED_REGISTERS 6u
+#define HEAD_REGISTERS (FIXED_REGISTERS + CTL_PARAMETER_REGISTERS)
 #define CHUNK_REGISTERS 32u
 
 typedef struct {
@@ -64,9 +66,14 @@ static slot_stream open_slot(ctl_core* core, uint32_t slot)
 static bool read_slot(ctl_core* core, uint32_t slot, uint16_t* head, ctl_bank* bank)
 {
     slot_stream stream = open_slot(core, slot);
-    read_some(&stream, head, HEAD_REGISTERS);
-    if (!stream.ok || ctl_get32(head) != MAGIC)
+    read_some(&stream, head, FIXED_REGISTERS);
+    const uint32_t magic = ctl_get32(head);
+    if (!stream.ok || (magic != MAGIC && magic != OLD_MAGIC))
         return false;
+    /* What an older slot does not hold keeps its default. */
+    memcpy(&head[FIXED_REGISTERS], core->written.parameter, sizeof core->written.parameter);
+    read_some(&stream, &head[FIXED_REGISTERS],
+              magic == MAGIC ? CTL_PARAMETER_REGISTERS : CTL_OLD_PARAMETER_REGISTERS);
     read_some(&stream, bank->registers, CTL_BANK_HEADER_REGISTERS);
     if (!stream.ok || ctl_bank_length(bank) > CTL_BANK_REGISTERS)
         return false;
@@ -75,7 +82,7 @@ static bool read_slot(ctl_core* core, uint32_t slot, uint16_t* head, ctl_bank* b
     const uint32_t computed = ~stream.crc;
     uint16_t stored[2] = {0, 0};
     read_some(&stream, stored, 2);
-    return stream.ok && ctl_get32(stored) == computed && ctl_map_parameters_valid(&head[6]) &&
+    return stream.ok && ctl_get32(stored) == computed && ctl_map_parameters_valid(&head[FIXED_REGISTERS]) &&
            ctl_bank_check(bank, &core->config, ctl_bank_length(bank)).result == CTL_TRANSFER_RESULT_ACCEPTED;
 }
 
@@ -101,7 +108,7 @@ void ctl_flash_load(ctl_core* core)
         core->banks.has_active = true;
         core->banks.active_crc = flash->saved_crc;
         core->banks.generation = ctl_get32(&head[4]);
-        memcpy(core->written.parameter, &head[6], sizeof core->written.parameter);
+        memcpy(core->written.parameter, &head[FIXED_REGISTERS], sizeof core->written.parameter);
     }
 }
 
@@ -114,7 +121,7 @@ bool ctl_flash_save(ctl_core* core)
     ctl_put32(head, MAGIC);
     ctl_put32(&head[2], flash->sequence + 1);
     ctl_put32(&head[4], core->banks.generation);
-    memcpy(&head[6], core->written.parameter, sizeof core->written.parameter);
+    memcpy(&head[FIXED_REGISTERS], core->written.parameter, sizeof core->written.parameter);
 
     slot_stream stream = open_slot(core, slot);
     stream.ok = core->port.flash_erase(core->port.context, slot);

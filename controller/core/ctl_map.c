@@ -14,6 +14,7 @@ typedef enum {
     GROUP_CLOCK,
     GROUP_PARAMETER,
     GROUP_STATUS,
+    GROUP_PACKER,
     GROUP_EXCHANGE,
     GROUP_COMMAND,
     GROUP_RESULT,
@@ -36,6 +37,7 @@ static const group_range ranges[GROUPS] = {
     [GROUP_CLOCK] = {CTL_REG_CLOCK_UNIX_TIME, 2},
     [GROUP_PARAMETER] = {CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT, CTL_PARAMETER_REGISTERS},
     [GROUP_STATUS] = {CTL_REG_STATUS_TAG, CTL_STATUS_REGISTERS},
+    [GROUP_PACKER] = {CTL_REG_PACKER_MARK_STATE, CTL_PACKER_REGISTERS},
     [GROUP_EXCHANGE] = {CTL_REG_EXCHANGE_TAG, 3},
     [GROUP_COMMAND] = {CTL_REG_COMMAND_COUNTER, 6},
     [GROUP_RESULT] = {CTL_REG_RESULT_COUNTER, 4},
@@ -49,14 +51,16 @@ static const group_range ranges[GROUPS] = {
 
 typedef struct {
     uint16_t address;
-    uint16_t words;
-    uint32_t minimum;
-    uint32_t maximum;
+    uint16_t words; /* 1 or 2; SIGNED: one, signed */
+    int64_t minimum;
+    int64_t maximum;
+    int64_t initial; /* of parameters */
 } limit;
 
-#define LIMIT(name, words) CTL_REG_##name, words, CTL_MIN_##name, CTL_MAX_##name
+#define SIGNED 0u
+#define LIMIT(name, words) CTL_REG_##name, words, CTL_MIN_##name, CTL_MAX_##name, CTL_DEFAULT_##name
 
-/* Only those that are narrower than their registers. */
+/* All parameters, of the others only those that are narrower than their registers. */
 static const limit limits[] = {
     {LIMIT(PARAMETER_HEARTBEAT_TIMEOUT, 1)},
     {LIMIT(PARAMETER_HEARTBEAT_LOST_ACTION, 1)},
@@ -65,6 +69,26 @@ static const limit limits[] = {
     {LIMIT(PARAMETER_HOME_FREQUENCY, 2)},
     {LIMIT(PARAMETER_FOLLOWING_ERROR_LIMIT, 2)},
     {LIMIT(PARAMETER_MASTER_DIRECTION, 1)},
+    {LIMIT(PARAMETER_MARK_TRACKING, 1)},
+    {LIMIT(PARAMETER_MARK_DISTANCE, 2)},
+    {LIMIT(PARAMETER_MARK_OFFSET, 2)},
+    {LIMIT(PARAMETER_MARK_WINDOW, 1)},
+    {LIMIT(PARAMETER_MARK_MISSING_LIMIT, 1)},
+    {LIMIT(PARAMETER_PHASE_GAIN, 1)},
+    {LIMIT(PARAMETER_LENGTH_GAIN, 1)},
+    {LIMIT(PARAMETER_PHASE_LIMIT, 1)},
+    {LIMIT(PARAMETER_LENGTH_LIMIT, 1)},
+    {LIMIT(PARAMETER_LENGTH_TRIM, SIGNED)},
+    {LIMIT(PARAMETER_ANTI_CUT, 1)},
+    {LIMIT(PARAMETER_CUT_CLEARANCE, 1)},
+    {LIMIT(PARAMETER_EMPTY_BAG, 1)},
+    {LIMIT(PARAMETER_SKIP_LIMIT, 1)},
+    {LIMIT(PARAMETER_FILM_FEED, 2)},
+    {LIMIT(PARAMETER_FILM_PULSES, 2)},
+    {LIMIT(PARAMETER_PRODUCT_DISTANCE, 2)},
+    {LIMIT(PARAMETER_FLIGHT_PITCH, 2)},
+    {LIMIT(PARAMETER_FLIGHT_PULSES, 2)},
+    {LIMIT(PARAMETER_EYE_DISTANCE, 2)},
     {LIMIT(EXCHANGE_JOG, 1)},
     {LIMIT(COMMAND_CODE, 1)},
     {LIMIT(TRANSFER_OPERATION, 1)},
@@ -110,7 +134,7 @@ static void zero(uint16_t* values, uint32_t count)
 /* Registers first..first+count of a group. */
 static void read_group(ctl_core* core, group_name group, uint32_t first, uint16_t* values, uint32_t count)
 {
-    uint16_t taken[CTL_STATUS_REGISTERS]; /* the widest of the groups that are put together when asked for */
+    uint16_t taken[CTL_PACKER_REGISTERS]; /* the widest of the groups that are put together when asked for */
     const uint16_t* source = taken;
     switch (group) {
     case GROUP_IDENTITY:
@@ -121,6 +145,9 @@ static void read_group(ctl_core* core, group_name group, uint32_t first, uint16_
         break;
     case GROUP_STATUS:
         ctl_status(core, taken);
+        break;
+    case GROUP_PACKER:
+        ctl_packer_registers(core, taken);
         break;
     case GROUP_RESULT:
         source = core->command_result;
@@ -171,6 +198,13 @@ uint8_t ctl_map_read(ctl_core* core, uint32_t address, uint16_t* values, uint32_
     return 0;
 }
 
+static int64_t value_at(const uint16_t* at, uint32_t words)
+{
+    if (words == SIGNED)
+        return (int16_t)*at;
+    return words == 2 ? ctl_get32(at) : *at;
+}
+
 /* The registers `values` at `base` lie within their limits. */
 static bool within_limits(const uint16_t* values, uint32_t base, uint32_t count)
 {
@@ -178,7 +212,7 @@ static bool within_limits(const uint16_t* values, uint32_t base, uint32_t count)
         if (limits[i].address < base || limits[i].address - base >= count)
             continue;
         const uint16_t* at = &values[limits[i].address - base];
-        const uint32_t value = limits[i].words == 2 ? ctl_get32(at) : *at;
+        const int64_t value = value_at(at, limits[i].words);
         if (value < limits[i].minimum || value > limits[i].maximum)
             return false;
     }
@@ -243,15 +277,16 @@ uint8_t ctl_map_write(ctl_core* core, uint32_t address, const uint16_t* values, 
 
 void ctl_map_init(ctl_core* core)
 {
-    uint16_t* parameter = core->written.parameter;
     const uint32_t base = CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT;
-    parameter[CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT - base] = CTL_DEFAULT_PARAMETER_HEARTBEAT_TIMEOUT;
-    parameter[CTL_REG_PARAMETER_HEARTBEAT_LOST_ACTION - base] = CTL_DEFAULT_PARAMETER_HEARTBEAT_LOST_ACTION;
-    parameter[CTL_REG_PARAMETER_RAMP_TIME - base] = CTL_DEFAULT_PARAMETER_RAMP_TIME;
-    ctl_put32(&parameter[CTL_REG_PARAMETER_JOG_FREQUENCY - base], CTL_DEFAULT_PARAMETER_JOG_FREQUENCY);
-    ctl_put32(&parameter[CTL_REG_PARAMETER_HOME_FREQUENCY - base], CTL_DEFAULT_PARAMETER_HOME_FREQUENCY);
-    ctl_put32(&parameter[CTL_REG_PARAMETER_FOLLOWING_ERROR_LIMIT - base],
-              CTL_DEFAULT_PARAMETER_FOLLOWING_ERROR_LIMIT);
-    parameter[CTL_REG_PARAMETER_MASTER_DIRECTION - base] = CTL_DEFAULT_PARAMETER_MASTER_DIRECTION;
+    for (uint32_t i = 0; i < LIMIT_COUNT; ++i) {
+        const limit* row = &limits[i];
+        if (row->address < base || row->address - base >= CTL_PARAMETER_REGISTERS)
+            continue;
+        uint16_t* at = &core->written.parameter[row->address - base];
+        if (row->words == 2)
+            ctl_put32(at, (uint32_t)row->initial);
+        else
+            *at = (uint16_t)row->initial;
+    }
     core->written.readback[2] = CTL_DEFAULT_READBACK_COUNT;
 }

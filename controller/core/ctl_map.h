@@ -17,7 +17,9 @@ extern "C" {
 #define CTL_ILLEGAL_ADDRESS 2u
 #define CTL_ILLEGAL_VALUE 3u
 
-#define CTL_PARAMETER_REGISTERS 10u
+/* Up to map 1.1 there were ten parameters; a flash of then holds those. */
+#define CTL_OLD_PARAMETER_REGISTERS 10u
+#define CTL_PARAMETER_REGISTERS (CTL_REG_PARAMETER_EYE_DISTANCE + 2u - CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT)
 
 struct ctl_core;
 

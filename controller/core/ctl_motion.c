@@ -55,9 +55,11 @@ void ctl_motion_change_program(ctl_core* core)
     const bool same = had_program && ctl_bank_same_machine(ctl_active_bank(core), ctl_staged_bank(core));
     ctl_swap_banks(core);
     const bool stands_right = motion->in_phase || !ctl_bank_needs_homing(ctl_active_bank(core));
-    if (same && stands_right && ctl_table_between_cycles(&motion->table)) {
+    if (same && stands_right && ctl_table_between_cycles(&motion->table) && ctl_packer_in_step(core)) {
         ctl_table_change_bank(&motion->table, ctl_active_bank(core));
+        ctl_packer_change_bank(core);
     } else {
+        ctl_packer_break_off(core);
         motion->in_phase = false;
         motion->homed = motion->homed && same;
         ctl_table_reset(&motion->table, ctl_active_bank(core));
@@ -83,7 +85,8 @@ void ctl_motion_stand(ctl_core* core)
     /* A table that does not repeat is over when it was stopped: the next start is its beginning. */
     if (core->banks.has_active && !repeats(core) && !ctl_table_between_cycles(&motion->table))
         ctl_table_reset(&motion->table, ctl_active_bank(core));
-    if (core->transfer.state == CTL_STAGED_STATE_ARMED && ctl_table_between_cycles(&motion->table))
+    if (core->transfer.state == CTL_STAGED_STATE_ARMED && ctl_table_between_cycles(&motion->table) &&
+        ctl_packer_in_step(core))
         ctl_motion_change_program(core);
 }
 
@@ -119,6 +122,7 @@ void ctl_motion_run(ctl_core* core)
     ctl_motion* motion = &core->motion;
     begin_master_ramp(core);
     motion->direction = ctl_motion_wanted_direction(core);
+    ctl_packer_run(core);
     motion->manual = false;
     motion->start_after_home = false;
     motion->state = CTL_STATE_RUNNING;
@@ -135,6 +139,7 @@ void ctl_motion_begin_manual(ctl_core* core, uint32_t frequency_hz, int32_t dire
     motion->manual_direction = direction;
     motion->manual_rest = 0;
     motion->in_phase = false;
+    ctl_packer_break_off(core);
     if (core->banks.has_active)
         ctl_table_reset(&motion->table, ctl_active_bank(core));
 }
@@ -165,6 +170,7 @@ void ctl_motion_fault(ctl_core* core, uint16_t fault_bit)
     motion->start_after_home = false;
     motion->homed = motion->homed && ctl_motion_is_press(core);
     motion->in_phase = false;
+    ctl_packer_break_off(core);
 }
 
 /* Why the axis may not set off; CTL_REFUSAL_NONE when it may. */
@@ -191,6 +197,9 @@ uint16_t ctl_motion_start(ctl_core* core)
     const uint16_t refusal = refuse_to_move(core, CTL_REFUSAL_ALREADY_RUNNING);
     if (refusal != CTL_REFUSAL_NONE)
         return refusal;
+    const uint16_t line_refusal = ctl_packer_refusal(core);
+    if (line_refusal != CTL_REFUSAL_NONE)
+        return line_refusal;
     if (core->motion.in_phase || !ctl_bank_needs_homing(ctl_active_bank(core))) {
         ctl_motion_run(core);
     } else {
@@ -248,7 +257,8 @@ uint16_t ctl_motion_stop_at_cycle_end(ctl_core* core)
         return CTL_REFUSAL_NONE;
     }
     const uint32_t cycle = ctl_bank_cycle_ticks(motion->table.bank);
-    const uint32_t position = ctl_table_position(&motion->table);
+    const bool packs = ctl_packer_active(core);
+    const uint32_t position = packs ? ctl_packer_position(core) : ctl_table_position(&motion->table);
     motion->stop_remaining =
         motion->direction > 0 || ctl_table_between_cycles(&motion->table) ? cycle - position : position;
     while (!ctl_ramp_can_land(&motion->ramp, motion->stop_remaining))

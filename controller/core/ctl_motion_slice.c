@@ -15,14 +15,21 @@ void ctl_motion_emit(ctl_core* core, int64_t pulses)
     core->port.pulses(core->port.context, (int32_t)pulses);
 }
 
-/* An armed program takes over here, between the last pulse of one cycle and the first of the next. */
+/* Between the last pulse of one cycle and the first of the next an armed program takes over. */
+static void take_over_armed(ctl_core* core)
+{
+    if (core->transfer.state != CTL_STAGED_STATE_ARMED || core->motion.state != CTL_STATE_RUNNING)
+        return;
+    ctl_swap_banks(core);
+    ctl_table_change_bank(&core->motion.table, ctl_active_bank(core));
+    ctl_packer_change_bank(core);
+}
+
 static void cross_boundary(ctl_core* core)
 {
     ctl_table* table = &core->motion.table;
-    if (core->transfer.state == CTL_STAGED_STATE_ARMED && core->motion.state == CTL_STATE_RUNNING) {
-        ctl_swap_banks(core);
-        ctl_table_change_bank(table, ctl_active_bank(core));
-    }
+    if (!ctl_packer_active(core))
+        take_over_armed(core);
     ctl_table_begin_cycle(table, core->motion.direction);
 }
 
@@ -56,6 +63,23 @@ static void run_table(ctl_core* core, uint32_t ticks)
     }
 }
 
+/* The master moves on: film, infeed and knife of a packing machine, otherwise the table at once. */
+static void travel(ctl_core* core, uint32_t ticks)
+{
+    if (!ctl_packer_active(core)) {
+        run_table(core, ticks);
+        return;
+    }
+    while (ticks != 0) {
+        if (ctl_packer_position(core) == 0 && ctl_table_between_cycles(&core->motion.table) &&
+            ctl_packer_in_step(core))
+            take_over_armed(core);
+        uint32_t used = ticks;
+        run_table(core, ctl_packer_advance(core, &used));
+        ticks -= used;
+    }
+}
+
 /* Pulses of jogging or homing in so many ticks at full speed, without their sign. */
 static int64_t manual_pulses(ctl_core* core, uint32_t ticks)
 {
@@ -70,10 +94,10 @@ static void slice_running(ctl_core* core, uint32_t ticks)
     ctl_motion* motion = &core->motion;
     const int32_t wanted = ctl_motion_wanted_direction(core);
     if (wanted == motion->direction) {
-        run_table(core, ctl_ramp_up(&motion->ramp, ticks));
+        travel(core, ctl_ramp_up(&motion->ramp, ticks));
         return;
     }
-    run_table(core, ctl_ramp_down(&motion->ramp, ticks));
+    travel(core, ctl_ramp_down(&motion->ramp, ticks));
     if (motion->ramp.speed == 0)
         motion->direction = wanted;
 }
@@ -83,15 +107,15 @@ static void slice_stopping(ctl_core* core, uint32_t ticks)
     ctl_motion* motion = &core->motion;
     switch (motion->stop) {
     case CTL_STOP_NOW:
-        run_table(core, ctl_ramp_down(&motion->ramp, ticks));
+        travel(core, ctl_ramp_down(&motion->ramp, ticks));
         break;
     case CTL_STOP_AT_REST:
-        run_table(core, ctl_ramp_up(&motion->ramp, ticks));
+        travel(core, ctl_ramp_up(&motion->ramp, ticks));
         break;
     case CTL_STOP_AT_BOUNDARY: {
         const uint32_t travelled =
             ctl_ramp_land(&motion->ramp, ticks, motion->stop_remaining, motion->stop_limit);
-        run_table(core, travelled);
+        travel(core, travelled);
         motion->stop_remaining -= travelled;
         break;
     }

@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #define CTL_FLASH_SLOTS 2u
+#define CTL_SLICE_US 250u
 
 typedef struct {
     void* context; /* given back to every callback */
@@ -24,6 +25,18 @@ typedef struct {
     /* Force of a press now, N; NULL on a machine without. */
     int32_t (*force)(void* context);
 
+    /* Film and infeed of a packing machine; all NULL on a machine without. Pulses that leave now; positions since
+     * power-up in 1/256 pulse of the command. */
+    void (*film_pulses)(void* context, int32_t count);
+    int64_t (*film)(void* context);
+    void (*infeed_pulses)(void* context, int32_t count);
+    int64_t (*infeed)(void* context);
+    /* True once for each printed mark that passed its sensor; gives the film position latched there. */
+    bool (*mark)(void* context, int64_t* film_at_mark);
+    /* True once for each edge of a product that passed the eye; gives the infeed position latched there, and
+     * whether it covers the eye from now on. */
+    bool (*eye)(void* context, int64_t* infeed_at_edge, bool* covered);
+
     /* Flash that keeps its bytes over power loss; slot 0 or 1, erased bytes read 0xFF. False: it failed. */
     bool (*flash_read)(void* context, uint32_t slot, uint32_t offset, uint8_t* bytes, uint32_t size);
     bool (*flash_erase)(void* context, uint32_t slot);
@@ -38,6 +51,7 @@ typedef struct {
     uint32_t timer_clock_hz; /* clock of the pulse timer */
     uint16_t timer_bits;     /* its width, at most 16 */
     uint32_t max_pulse_hz;   /* highest pulse frequency of the output stage */
+    uint32_t slice_us;       /* longest step of the control, 0: CTL_SLICE_US */
 } ctl_config;
 
 #endif

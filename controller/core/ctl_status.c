@@ -41,6 +41,7 @@ uint16_t ctl_warnings(const ctl_core* core)
         bits |= 1u << CTL_WARNING_BIT_FLASH_SLOT_INVALID;
     if (!core->clock.set)
         bits |= 1u << CTL_WARNING_BIT_CLOCK_NOT_SET;
+    bits |= core->packer.alarms;
     return (uint16_t)bits;
 }
 
@@ -102,7 +103,8 @@ static void put_knife(const ctl_core* core, uint16_t* registers)
     if (core->bags.length_um != 0)
         put(registers, CTL_REG_STATUS_BAG_DEVIATION,
             saturated16((int64_t)core->bags.length_um -
-                        ctl_get32(&bank->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH])));
+                        (int64_t)ctl_packer_lengths_in_bag(core) *
+                            ctl_get32(&bank->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH])));
 }
 
 static uint16_t saturated_force(int32_t force)

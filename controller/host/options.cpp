@@ -177,7 +177,7 @@ bool takeOption(int code, std::string_view argument, Options& options)
     case Seed:
         return parseNumber<std::uint64_t>(argument, 0, UINT64_MAX, options.machine.seed);
     case FilmSlip:
-        return parseNumber(argument, 0.0, 10.0, options.machine.filmSlipMm);
+        return parseNumber(argument, 0.0, 10.0, options.machine.film.slipMm);
     case FaultSeed:
         return parseNumber<std::uint64_t>(argument, 0, UINT64_MAX, options.faults.seed);
     case Control:

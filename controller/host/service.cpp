@@ -75,7 +75,7 @@ std::uint64_t Service::simulatedUs(std::int64_t timeNs) const
 void Service::catchUp(std::int64_t nowNs)
 {
     const std::uint64_t targetUs = simulatedUs(nowNs);
-    const std::uint64_t reachableUs = m_controller->nowUs() + mostSteps * SimulatedController::stepUs;
+    const std::uint64_t reachableUs = m_controller->nowUs() + mostSteps * SimulatedController::usualStepUs;
     m_controller->runTo(std::min(targetUs, reachableUs));
     if (targetUs > reachableUs)
         m_startNs += static_cast<std::int64_t>(static_cast<double>(targetUs - reachableUs) * nsPerUs /

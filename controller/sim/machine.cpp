@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "machine.h"
 
+#include "ctl_feed.h"
 #include "ctl_press.h"
 #include "ctl_step.h"
 #include "ctl_words.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace campanel::controller {
 namespace {
 
 constexpr double fullCircle = 36000.0; // of the bank's angles, 0.01 degrees
-constexpr double restPulses = 1e-6;    // closer than that the servo stands still
-constexpr double restPulsesPerS = 1e-3;
+constexpr double sameRevolution = 1e-6; // pulses
 constexpr double umPerMm = 1000.0;
 
 double wide(const ctl_bank& bank, unsigned offset)
@@ -49,9 +48,11 @@ double pulsesAtAngle(const ctl_bank& bank, double angle)
 
 Machine::Machine(const MachineOptions& options)
     : m_options(options)
-    , m_random(options.seed)
-    , m_slipMm(0.0, std::max(options.filmSlipMm, 0.0))
-    , m_angularBandwidth(2.0 * std::numbers::pi * options.servoBandwidthHz)
+    , m_main(options.servoBandwidthHz)
+    , m_filmMotor(options.feedBandwidthHz)
+    , m_infeedMotor(options.feedBandwidthHz)
+    , m_film(options.film, options.seed)
+    , m_infeed(options.products, options.seed)
 {
     m_mark = -m_revolution * options.startAngleDegrees / 360.0;
 }
@@ -74,10 +75,10 @@ void Machine::setProgram(const ctl_bank& bank)
 // From now on so many pulses lie between two index marks; the shaft keeps its angle.
 void Machine::turnBy(double revolution)
 {
-    const double revolutions = (m_position - m_mark) / m_revolution;
-    if (std::abs(revolution - m_revolution) > restPulses) {
+    const double revolutions = (m_main.position() - m_mark) / m_revolution;
+    if (std::abs(revolution - m_revolution) > sameRevolution) {
         m_revolution = revolution;
-        m_mark = m_position - revolutions * revolution;
+        m_mark = m_main.position() - revolutions * revolution;
     }
 }
 
@@ -90,68 +91,84 @@ void Machine::setPress(const ctl_bank& bank)
         return;
     m_ram.emplace(m_options.press, m_options.seed);
     m_pulseMm = pulseMm;
-    m_top = m_position;
+    m_top = m_main.position();
 }
 
+// The film on the machine is one that was printed for the program's bags, and lies in register.
 void Machine::setKnife(const ctl_bank& bank)
 {
     m_stroke = m_revolution / bank.registers[CTL_OFFSET_PROGRAM_KNIVES];
     m_cutOffset = pulsesAtAngle(bank, bank.registers[CTL_OFFSET_BANK_CUT_ANGLE]);
+    const double bagMm = wide(bank, CTL_OFFSET_PROGRAM_BAG_LENGTH) / umPerMm;
+    const double cutShare = bank.registers[CTL_OFFSET_BANK_CUT_ANGLE] / fullCircle;
+    m_film.load(bagMm, bagMm * cutShare, rollMm(m_filmMotor.position()));
+    m_infeed.load(bagMm, cutShare, m_infeedMotor.position() / m_options.flightPulses);
 }
 
-void Machine::setDriveOn(bool on)
+void Machine::passIndex()
 {
-    if (on && !m_driveOn)
-        m_commanded = std::llround(m_position);
-    m_driveOn = on;
-}
-
-void Machine::followCommand(double stepS)
-{
-    const double error = m_driveOn ? static_cast<double>(m_commanded) - m_position : 0.0;
-    if (std::abs(error) < restPulses && std::abs(m_speed) < restPulsesPerS) {
-        m_speed = 0.0;
-        return;
-    }
-    m_speed += stepS * m_angularBandwidth * (m_angularBandwidth * error - 2.0 * m_speed);
-    m_position += stepS * m_speed;
-}
-
-void Machine::passIndex(double before)
-{
-    const double turns = std::floor((m_position - m_mark) / m_revolution);
-    if (turns > std::floor((before - m_mark) / m_revolution))
+    const double turns = std::floor((m_main.position() - m_mark) / m_revolution);
+    if (turns > std::floor((m_main.positionBefore() - m_mark) / m_revolution))
         m_index = std::llround(m_mark + turns * m_revolution);
 }
 
-void Machine::passCut(double before, double filmMm)
+double Machine::rollMm(double pulses) const
 {
-    const double first = m_mark + m_cutOffset;
-    const double strokes = std::floor((m_position - first) / m_stroke);
-    if (!m_hasKnife || strokes <= std::floor((before - first) / m_stroke))
-        return;
-    const double passed = (first + strokes * m_stroke - before) / (m_position - before);
-    const double filmAtCutMm = m_filmMm + passed * filmMm + m_slipMm(m_random);
-    if (m_filmAtCutMm)
-        m_cutUm = static_cast<std::uint32_t>(std::max(0.0, umPerMm * (filmAtCutMm - *m_filmAtCutMm) + 0.5));
-    m_filmAtCutMm = filmAtCutMm;
+    return pulses / m_options.filmPulses * m_options.filmFeedMm;
 }
 
-void Machine::advance(double stepS, double filmMm)
+void Machine::moveFilm()
 {
-    const double before = m_position;
-    followCommand(stepS);
+    const double before = rollMm(m_filmMotor.positionBefore());
+    const double now = rollMm(m_filmMotor.position());
+    const double drawnBefore = m_film.drawnMm(before);
+    m_film.drawTo(now);
+    m_infeed.moveTo(m_infeedMotor.position() / m_options.flightPulses, drawnBefore, m_film.drawnMm(now));
+}
+
+void Machine::passCut()
+{
+    const double before = m_main.positionBefore();
+    const double first = m_mark + m_cutOffset;
+    const double strokes = std::floor((m_main.position() - first) / m_stroke);
+    if (strokes <= std::floor((before - first) / m_stroke))
+        return;
+    const double passed = (first + strokes * m_stroke - before) / (m_main.position() - before);
+    const double film =
+        m_filmMotor.positionBefore() + passed * (m_filmMotor.position() - m_filmMotor.positionBefore());
+    const double drawnMm = m_film.drawnMm(rollMm(film));
+    const double materialMm = m_film.materialMm(drawnMm);
+    const Infeed::Cut infeed = m_infeed.cut(drawnMm);
+    BagCut cut;
+    cut.filmEncoder = std::llround(film * CTL_FINE);
+    cut.markErrorMm = m_film.offMarkMm(materialMm);
+    cut.products = infeed.products;
+    cut.throughProduct = infeed.through;
+    if (m_materialAtCutMm)
+        cut.lengthUm =
+            static_cast<std::uint32_t>(std::max(0.0, umPerMm * (materialMm - *m_materialAtCutMm) + 0.5));
+    m_materialAtCutMm = materialMm;
+    m_cut = cut;
+}
+
+void Machine::advance(double stepS)
+{
+    m_main.advance(stepS);
     if (m_ram)
-        m_ram->follow((m_position - m_top) * m_pulseMm);
-    passIndex(before);
-    passCut(before, filmMm);
-    m_filmMm += filmMm;
+        m_ram->follow((m_main.position() - m_top) * m_pulseMm);
+    passIndex();
+    if (!m_hasKnife)
+        return;
+    m_filmMotor.advance(stepS);
+    m_infeedMotor.advance(stepS);
+    moveFilm();
+    passCut();
 }
 
 std::int64_t Machine::encoder() const
 {
     return m_ram ? std::llround(m_top) + std::llround(m_ram->scaleMm() / m_pulseMm)
-                 : std::llround(m_position);
+                 : std::llround(m_main.position());
 }
 
 std::int64_t Machine::scale() const
@@ -166,9 +183,35 @@ std::optional<std::int64_t> Machine::takeIndex()
     return std::exchange(m_index, std::nullopt);
 }
 
-std::optional<std::uint32_t> Machine::takeCutUm()
+std::int64_t Machine::filmEncoder() const
 {
-    return std::exchange(m_cutUm, std::nullopt);
+    return std::llround(m_filmMotor.position() * CTL_FINE);
+}
+
+std::int64_t Machine::infeedEncoder() const
+{
+    return std::llround(m_infeedMotor.position() * CTL_FINE);
+}
+
+std::optional<std::int64_t> Machine::takeMark()
+{
+    double rollMm = 0.0;
+    if (!m_film.takeMark(rollMm))
+        return std::nullopt;
+    return std::llround(rollMm / m_options.filmFeedMm * m_options.filmPulses * CTL_FINE);
+}
+
+std::optional<Machine::Edge> Machine::takeEdge()
+{
+    const auto edge = m_infeed.takeEdge();
+    if (!edge)
+        return std::nullopt;
+    return Edge{std::llround(edge->position * m_options.flightPulses * CTL_FINE), edge->covered};
+}
+
+std::optional<BagCut> Machine::takeCut()
+{
+    return std::exchange(m_cut, std::nullopt);
 }
 
 } // namespace campanel::controller

@@ -1,25 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulated machine: a servo that follows the pulses with a lag. With a cutter's program it turns a knife
-// with encoder and index mark over a film that is fed in proportion to the master and measured where it is
-// cut; with a press's it drives the ram; with any other it is a plain axis with a mark at each motor
-// revolution. Same seed and same calls: same results.
+// The simulated machine: servos that follow the pulses with a lag. With a cutter's program the main one turns a
+// knife with encoder and index mark over a film that another one draws, and a third brings products; the bags
+// are measured where they are cut. With a press's program it drives the ram; with any other it is a plain axis
+// with a mark at each motor revolution. Same seed and same calls: same results.
 #pragma once
 
 #include "ctl_bank.h"
+#include "film.h"
+#include "infeed.h"
 #include "press_ram.h"
+#include "servo.h"
 
 #include <cstdint>
 #include <optional>
-#include <random>
 
 namespace campanel::controller {
 
 struct MachineOptions {
     std::uint64_t seed = 1;
-    double filmSlipMm = 0.03;         // standard deviation of the film's slip from bag to bag
+    FilmOptions film;
+    ProductOptions products;
     double servoBandwidthHz = 80.0;   // critically damped; the knife lags by 1 / (pi * bandwidth)
+    double feedBandwidthHz = 60.0;    // of film and infeed
     double startAngleDegrees = 300.0; // of the shaft at power-up, from its index mark
+    double filmFeedMm = 150.0;        // per revolution of the film motor
+    double filmPulses = 10'000.0;
+    double flightPulses = 20'000.0; // of the infeed motor per product
     PressOptions press;
+};
+
+// What a cut made, as only somebody with a ruler knows it.
+struct BagCut {
+    std::int64_t filmEncoder = 0; // 1/256 pulse, latched when the knife closed
+    std::optional<std::uint32_t> lengthUm; // none: the cut before does not count
+    double markErrorMm = 0.0;              // from the printed cut, positive: late
+    int products = 0;
+    bool throughProduct = false;
 };
 
 class Machine {
@@ -28,52 +44,60 @@ public:
 
     // The program that is executed from now on; the shaft keeps its angle.
     void setProgram(const ctl_bank& bank);
-    void command(std::int64_t pulses) { m_commanded += pulses; }
-    // A drive that is cut off does not follow any more; switched on again it has forgotten the pulses in
-    // between.
-    void setDriveOn(bool on);
+    void command(std::int64_t pulses) { m_main.command(pulses); }
+    void commandFilm(std::int64_t pulses) { m_filmMotor.command(pulses); }
+    void commandInfeed(std::int64_t pulses) { m_infeedMotor.command(pulses); }
+    void setDriveOn(bool on) { m_main.setDriveOn(on); }
 
-    // Moves on by one step of time, while which `filmMm` of film is fed.
-    void advance(double stepS, double filmMm);
-    // What is known of the last cut no longer counts: the film did not follow the knife.
-    void forgetLastCut() { m_filmAtCutMm.reset(); }
+    // Moves on by one step of time.
+    void advance(double stepS);
+    // What is known of the last cut no longer counts: the knife was turned by hand.
+    void forgetLastCut() { m_materialAtCutMm.reset(); }
 
-    // Of the motor; with a press's program the scale at the ram, the second in 1/256 pulse.
+    // Of the main motor; with a press's program the scale at the ram, the second in 1/256 pulse.
     [[nodiscard]] std::int64_t encoder() const;
     [[nodiscard]] std::int64_t scale() const;
     [[nodiscard]] std::int32_t forceN() const { return m_ram ? m_ram->forceN() : 0; }
+    // 1/256 pulse.
+    [[nodiscard]] std::int64_t filmEncoder() const;
+    [[nodiscard]] std::int64_t infeedEncoder() const;
     // Only with a press's program.
     [[nodiscard]] const PressRam& ram() const { return *m_ram; }
     // Encoder position at the index mark, once for each time that it was passed forward.
     [[nodiscard]] std::optional<std::int64_t> takeIndex();
-    // Length of the bag that was cut in the last step, micrometres.
-    [[nodiscard]] std::optional<std::uint32_t> takeCutUm();
+    // Film encoder at a printed mark, infeed encoder at an edge of a product; 1/256 pulse.
+    [[nodiscard]] std::optional<std::int64_t> takeMark();
+    struct Edge {
+        std::int64_t infeedEncoder = 0;
+        bool covered = false;
+    };
+    [[nodiscard]] std::optional<Edge> takeEdge();
+    // The cut of the last step.
+    [[nodiscard]] std::optional<BagCut> takeCut();
 
 private:
     void turnBy(double revolution);
     void setKnife(const ctl_bank& bank);
     void setPress(const ctl_bank& bank);
-    void followCommand(double stepS);
-    void passIndex(double before);
-    void passCut(double before, double filmMm);
+    void passIndex();
+    void passCut();
+    void moveFilm();
+    [[nodiscard]] double rollMm(double pulses) const;
 
     MachineOptions m_options;
-    std::mt19937_64 m_random;
-    std::normal_distribution<double> m_slipMm;
-    double m_angularBandwidth = 0.0; // 1/s
-    bool m_driveOn = true;
-    std::int64_t m_commanded = 0;  // pulses
-    double m_position = 0.0;       // pulses
-    double m_speed = 0.0;          // pulses/s
+    Servo m_main;
+    Servo m_filmMotor;
+    Servo m_infeedMotor;
     double m_revolution = 10000.0; // pulses from mark to mark
     double m_mark = 0.0;           // position of an index mark, pulses
     double m_stroke = 10000.0;     // pulses from one knife to the next
     double m_cutOffset = 0.0;      // pulses from an index mark to the cut
     bool m_hasKnife = false;
-    double m_filmMm = 0.0; // fed since power-up
-    std::optional<double> m_filmAtCutMm;
+    Film m_film;
+    Infeed m_infeed;
+    std::optional<double> m_materialAtCutMm;
     std::optional<std::int64_t> m_index;
-    std::optional<std::uint32_t> m_cutUm;
+    std::optional<BagCut> m_cut;
     std::optional<PressRam> m_ram;
     double m_pulseMm = 0.0; // of the ram
     double m_top = 0.0;     // motor position of the ram's upper position, pulses

@@ -9,15 +9,18 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace campanel::controller {
 
 class SimulatedController {
 public:
-    static constexpr std::uint64_t stepUs = CTL_SLICE_US;
+    static constexpr std::uint64_t usualStepUs = CTL_SLICE_US;
 
-    // The flash must outlive the controller.
-    SimulatedController(const ctl_config& config, const MachineOptions& options, FlashDevice& flash);
+    // The flash must outlive the controller. Longer steps are quicker; the bags come out the same to some
+    // micrometres.
+    SimulatedController(const ctl_config& config, const MachineOptions& options, FlashDevice& flash,
+                        std::uint64_t stepUs = usualStepUs);
     SimulatedController(const SimulatedController&) = delete;
     SimulatedController& operator=(const SimulatedController&) = delete;
     ~SimulatedController() = default;
@@ -30,19 +33,19 @@ public:
 
     [[nodiscard]] ctl_core& core() { return *m_core; }
     [[nodiscard]] Machine& machine() { return m_machine; }
+    // The cut of the last step.
+    [[nodiscard]] const std::optional<BagCut>& cut() const { return m_cut; }
 
 private:
     void takeOverProgram();
-    [[nodiscard]] double filmSinceLastStepMm();
 
+    std::uint64_t m_stepUs;
     Machine m_machine;
     std::unique_ptr<ctl_core> m_core; // too large for a stack
     FlashDevice& m_flash;
     std::uint64_t m_nowUs = 0;
     std::uint32_t m_generation = 0;
-    std::uint32_t m_cycles = 0;
-    double m_phase = 0.0;       // of the master, in cycles
-    double m_bagLengthMm = 0.0; // of the program that is executed
+    std::optional<BagCut> m_cut;
 };
 
 } // namespace campanel::controller

@@ -61,7 +61,7 @@ void PressBench::tick()
     const std::uint64_t steps = m_disturbance.longestTickUs / machineStepUs;
     const std::uint64_t passed = std::uniform_int_distribution<std::uint64_t>(1, steps)(m_random);
     for (std::uint64_t i = 0; i < passed; ++i)
-        m_machine.advance(static_cast<double>(machineStepUs) * 1e-6, 0.0);
+        m_machine.advance(static_cast<double>(machineStepUs) * 1e-6);
     m_nowUs += passed * machineStepUs;
     ctl_tick(m_core.get(), m_nowUs);
     if (m_core->motion.press.stage == CTL_PRESS_STAGE_HOLD)

@@ -342,7 +342,7 @@ void TestMotion::refusals()
 void TestMotion::bagsAreMeasured()
 {
     campanel::controller::MachineOptions options;
-    options.filmSlipMm = 0.0;
+    options.film.slipMm = 0.0;
     Rig exact(options);
     exact.install(camBank(10000, 1, 8'000'000));
     exact.start();

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "film.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace campanel::controller {
+namespace {
+
+constexpr double mmPerM = 1000.0;
+constexpr double fullCircle = 2.0 * std::numbers::pi;
+// Newton's steps from a guess that is off by the stretch: 0.5 %, then 1e-7, then nothing.
+constexpr int inversions = 3;
+
+} // namespace
+
+// The slow stretch swings between 0 and its largest value, in waves that no bag length divides.
+Film::Film(const FilmOptions& options, std::uint64_t seed)
+    : m_options(options)
+    , m_slipRandom(seed)
+    , m_markRandom(seed ^ 0x9E3779B97F4A7C15u)
+{
+    std::uniform_real_distribution<double> phase(0.0, fullCircle);
+    m_waves = {Wave{0.35 * options.stretch, 503'000.0, phase(m_markRandom)},
+               Wave{0.15 * options.stretch, 191'000.0, phase(m_markRandom)}};
+}
+
+double Film::stretched(double materialMm) const
+{
+    double length = materialMm * (1.0 + 0.5 * m_options.stretch);
+    for (const Wave& wave : m_waves)
+        length -= wave.share * wave.lengthMm / fullCircle *
+                  (std::cos(fullCircle * materialMm / wave.lengthMm + wave.phase) - std::cos(wave.phase));
+    return length + m_options.stretchStep * std::max(0.0, materialMm - m_options.stretchStepM * mmPerM);
+}
+
+double Film::materialMm(double drawnMm) const
+{
+    double material = drawnMm;
+    for (int i = 0; i < inversions; ++i)
+        material -= stretched(material) - drawnMm;
+    return material;
+}
+
+double Film::offMarkMm(double materialMm) const
+{
+    const double pitch = m_bagMm * (1.0 + m_options.printError);
+    return std::remainder(materialMm - m_firstMm, pitch);
+}
+
+void Film::load(double bagMm, double toFirstCutMm, double rollMm)
+{
+    if (bagMm == m_bagMm || !(bagMm > 0.0))
+        return;
+    const double drawn = m_bagMm > 0.0 ? drawnMm(rollMm) : rollMm;
+    m_slipAtKnotMm = drawn - rollMm;
+    m_slipBeforeMm = m_slipAtKnotMm;
+    m_slipAfterMm = m_slipAtKnotMm;
+    m_knotMm = rollMm;
+    m_bagMm = bagMm;
+    m_firstMm = materialMm(drawn + toFirstCutMm) + m_options.misplacedMm;
+    // The first mark that is still before the sensor.
+    const double pitch = bagMm * (1.0 + m_options.printError);
+    m_mark = static_cast<std::int64_t>(
+        std::floor((materialMm(drawn + m_options.markDistanceMm) - m_firstMm) / pitch));
+    m_seen.clear();
+    m_hasFalse = false;
+    nextMark();
+}
+
+void Film::nextMark()
+{
+    const double pitch = m_bagMm * (1.0 + m_options.printError);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    ++m_mark;
+    const double mark = stretched(m_firstMm + static_cast<double>(m_mark) * pitch) - m_options.markDistanceMm;
+    m_markDrawnMm = mark + m_options.markNoiseMm * m_normal(m_markRandom);
+    m_markSeen = share(m_markRandom) >= m_options.marksMissing;
+    if (m_options.marksFalse > 0.0 && share(m_markRandom) < m_options.marksFalse) {
+        m_hasFalse = true;
+        m_falseDrawnMm = mark - pitch * share(m_markRandom);
+    }
+}
+
+double Film::drawnMm(double rollMm) const
+{
+    const double part = (rollMm - m_knotMm) / m_bagMm;
+    const double slip = part < 0.0 ? m_slipAtKnotMm + part * (m_slipAtKnotMm - m_slipBeforeMm)
+                                   : m_slipAtKnotMm + part * (m_slipAfterMm - m_slipAtKnotMm);
+    return rollMm + slip;
+}
+
+void Film::seeMarks(double rollMm)
+{
+    const double drawn = drawnMm(rollMm);
+    while (m_markDrawnMm <= drawn || (m_hasFalse && m_falseDrawnMm <= drawn)) {
+        const bool falseOne = m_hasFalse && m_falseDrawnMm <= m_markDrawnMm;
+        const double at = falseOne ? m_falseDrawnMm : m_markDrawnMm;
+        if (falseOne || m_markSeen)
+            m_seen.push_back(rollMm - (drawn - at));
+        if (falseOne)
+            m_hasFalse = false;
+        else
+            nextMark();
+    }
+}
+
+void Film::drawTo(double rollMm)
+{
+    if (!(m_bagMm > 0.0))
+        return;
+    while (rollMm >= m_knotMm + m_bagMm) {
+        seeMarks(m_knotMm + m_bagMm);
+        m_knotMm += m_bagMm;
+        m_slipBeforeMm = m_slipAtKnotMm;
+        m_slipAtKnotMm = m_slipAfterMm;
+        m_slipAfterMm += m_options.slipMm * m_normal(m_slipRandom);
+    }
+    seeMarks(rollMm);
+}
+
+bool Film::takeMark(double& rollMm)
+{
+    if (m_seen.empty())
+        return false;
+    rollMm = m_seen.front();
+    m_seen.pop_front();
+    return true;
+}
+
+} // namespace campanel::controller

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "infeed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace campanel::controller {
+namespace {
+
+constexpr double usualLength = 0.6; // of the bag
+constexpr double misplacedBy = 0.45;
+constexpr double leastGapMm = 5.0; // between two products
+constexpr double shortestMm = 1.0;
+
+} // namespace
+
+Infeed::Infeed(const ProductOptions& options, std::uint64_t seed)
+    : m_options(options)
+    , m_random(seed ^ 0xD1B54A32D192ED03u)
+{
+}
+
+void Infeed::load(double bagMm, double layShare, double position)
+{
+    m_bagMm = bagMm;
+    m_layShare = layShare;
+    m_position = position;
+    // What is on the infeed already stays as it is; the first one has its way to the eye before it.
+    const double eye = m_options.eyeMm / m_options.pitchMm;
+    m_next = std::max(m_next, static_cast<std::int64_t>(std::floor(position - layShare + eye)) + 1);
+}
+
+void Infeed::generate()
+{
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    Product product;
+    product.number = m_next++;
+    const double usualMm = m_options.lengthMm > 0.0 ? m_options.lengthMm : usualLength * m_bagMm;
+    product.lengthMm = std::max(shortestMm, usualMm + m_options.lengthScatterMm * m_normal(m_random));
+    product.behindMm = m_options.scatterMm * m_normal(m_random);
+    const bool missing = share(m_random) < m_options.missing;
+    const bool misplaced = share(m_random) < m_options.misplaced;
+    const double where = 2.0 * share(m_random) - 1.0;
+    if (misplaced)
+        product.behindMm = where * misplacedBy * m_bagMm;
+    if (missing)
+        return;
+    const double pitchMm = std::min(m_options.pitchMm, m_bagMm);
+    if (m_last) { // one pushes the other
+        const double places = static_cast<double>(product.number - m_last->number);
+        const double room = (m_last->lengthMm + product.lengthMm) / 2.0 + leastGapMm;
+        product.behindMm = std::max(product.behindMm, m_last->behindMm + room - places * pitchMm);
+    }
+    m_last = product;
+    m_coming.push_back(product);
+    const double middle = static_cast<double>(product.number) + m_layShare +
+                          (product.behindMm - m_options.eyeMm) / m_options.pitchMm;
+    const double half = 0.5 * product.lengthMm / m_options.pitchMm;
+    const double noise = m_options.eyeNoiseMm / m_options.pitchMm;
+    m_due.push_back({middle - half + noise * m_normal(m_random), true});
+    m_due.push_back({middle + half + noise * m_normal(m_random), false});
+}
+
+void Infeed::passEye(double position)
+{
+    const double eye = m_options.eyeMm / m_options.pitchMm;
+    while (static_cast<double>(m_next) + m_layShare - eye < position + 2.0)
+        generate();
+    while (!m_due.empty() && m_due.front().position <= position) {
+        m_edges.push_back(m_due.front());
+        m_due.pop_front();
+    }
+}
+
+void Infeed::layOne(double drawnMm)
+{
+    const Product product = m_coming.front();
+    m_coming.pop_front();
+    const double wayMm = std::floor(m_options.layMm / m_bagMm) * m_bagMm + 0.5 * m_bagMm;
+    const double middle = drawnMm + wayMm + product.behindMm + m_options.laySlipMm * m_normal(m_random);
+    m_laid.push_back({middle - 0.5 * product.lengthMm, middle + 0.5 * product.lengthMm});
+}
+
+void Infeed::moveTo(double position, double drawnBeforeMm, double drawnMm)
+{
+    if (!(m_bagMm > 0.0))
+        return;
+    passEye(position);
+    while (!m_coming.empty() && static_cast<double>(m_coming.front().number) + m_layShare <= position) {
+        const double due = static_cast<double>(m_coming.front().number) + m_layShare;
+        const double way = position - m_position;
+        const double part = way > 0.0 ? std::clamp((due - m_position) / way, 0.0, 1.0) : 1.0;
+        layOne(drawnBeforeMm + part * (drawnMm - drawnBeforeMm));
+    }
+    m_position = position;
+}
+
+std::optional<Infeed::Edge> Infeed::takeEdge()
+{
+    if (m_edges.empty())
+        return std::nullopt;
+    const Edge edge = m_edges.front();
+    m_edges.pop_front();
+    return edge;
+}
+
+Infeed::Cut Infeed::cut(double drawnMm)
+{
+    Cut result;
+    for (const Laid& laid : m_laid)
+        result.through = result.through || (laid.leadMm < drawnMm && drawnMm < laid.trailMm);
+    const auto past = std::remove_if(m_laid.begin(), m_laid.end(), [drawnMm](const Laid& laid) {
+        return 0.5 * (laid.leadMm + laid.trailMm) < drawnMm;
+    });
+    result.products = static_cast<int>(m_laid.end() - past);
+    m_laid.erase(past, m_laid.end());
+    return result;
+}
+
+} // namespace campanel::controller

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "servo.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace campanel::controller {
+namespace {
+
+constexpr double restPulses = 1e-6; // closer than that it stands still
+constexpr double restPulsesPerS = 1e-3;
+
+} // namespace
+
+Servo::Servo(double bandwidthHz)
+    : m_angularBandwidth(2.0 * std::numbers::pi * bandwidthHz)
+{
+}
+
+void Servo::setDriveOn(bool on)
+{
+    if (on && !m_driveOn)
+        m_commanded = std::llround(m_position);
+    m_driveOn = on;
+}
+
+void Servo::advance(double stepS)
+{
+    m_before = m_position;
+    const double target = m_driveOn ? static_cast<double>(m_commanded) : m_position;
+    const double from = m_driveOn ? m_target : m_position;
+    m_target = target;
+    if (std::abs(target - m_position) < restPulses && std::abs(target - from) < restPulses &&
+        std::abs(m_speed) < restPulsesPerS) {
+        m_speed = 0.0;
+        return;
+    }
+    if (stepS != m_stepS) {
+        m_stepS = stepS;
+        m_decay = std::exp(-m_angularBandwidth * stepS);
+    }
+    // x'' = w^2 (u - x) - 2 w x' with u' = r: z = x - u + 2 r / w dies away as (z0 + (z0' + w z0) t) exp(-w t).
+    const double w = m_angularBandwidth;
+    const double rise = (target - from) / stepS;
+    const double lag = 2.0 * rise / w;
+    const double z = m_position - from + lag;
+    const double zSpeed = m_speed - rise;
+    const double slope = zSpeed + w * z;
+    m_position = target - lag + (z + slope * stepS) * m_decay;
+    m_speed = rise + (zSpeed - w * slope * stepS) * m_decay;
+}
+
+} // namespace campanel::controller
