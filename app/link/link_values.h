@@ -9,6 +9,7 @@
 #include "modbus/line_scan.h"
 #include "modbus/link_error.h"
 #include "modbus/link_figures.h"
+#include "modbus/packer_status.h"
 #include "modbus/register_values.h"
 #include "modbus/rtu_client.h"
 #include "modbus/wire_time.h"

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "app/link/link.h"
-#include "modbus/packer_status.h"
 
 #include <QList>
 #include <QObject>
