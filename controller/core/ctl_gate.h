@@ -16,13 +16,14 @@ extern "C" {
 
 typedef struct {
     uint32_t cycle;
-    uint32_t engage;  /* the sealing window, 0 < engage < release < cycle */
+    uint32_t engage; /* the sealing window, 0 < engage < release < cycle */
     uint32_t release;
-    uint16_t state;   /* CTL_GATE_STATE_... */
-    uint32_t phase;   /* where it stands in its cycle, 0..cycle-1 */
-    uint64_t passed;  /* ticks of the driver since this state began; not while running */
-    uint64_t dwell;   /* that it stands */
-    bool answered;    /* running: the question of this cycle */
+    uint16_t state;  /* CTL_GATE_STATE_... */
+    uint32_t phase;  /* where it stands in its cycle, 0..cycle-1 */
+    uint64_t passed; /* ticks of the driver since this state began; not while running */
+    uint32_t ramped; /* its own ticks of the ramp under way */
+    uint64_t dwell;  /* that it stands */
+    bool answered;   /* running: the question of this cycle */
 } ctl_gate;
 
 /* In phase with a driver at the start of its cycle. */

@@ -17,7 +17,8 @@
 extern "C" {
 #endif
 
-#define CTL_PACKER_REGISTERS (CTL_REG_PACKER_SEEN_PRODUCTS + 2u * CTL_VIEW_PRODUCTS - CTL_REG_PACKER_MARK_STATE)
+#define CTL_PACKER_REGISTERS                                                                                 \
+    (CTL_REG_PACKER_SEEN_PRODUCTS + 2u * CTL_VIEW_PRODUCTS - CTL_REG_PACKER_MARK_STATE)
 #define CTL_BAG_REGISTERS 4u
 
 struct ctl_core;
@@ -25,6 +26,7 @@ struct ctl_core;
 /* All in 1/256 pulse of the film motor, at the knife. */
 typedef struct {
     int64_t command; /* of the film motor when the cut is due */
+    int64_t lag;     /* by which its position is expected to differ from that at the cut */
     bool tracked;    /* it follows a mark */
     bool seen;       /* which was seen, not reckoned */
 } ctl_cut;
@@ -48,27 +50,27 @@ typedef struct {
     uint32_t engage;
     uint32_t release;
     uint32_t cut;
-    uint32_t master;      /* ticks, 0..cycle-1 */
-    int64_t number;       /* of the infeed's cycle */
+    uint32_t master; /* ticks, 0..cycle-1 */
+    int64_t number;  /* of the infeed's cycle */
     ctl_gate film_gate;
     ctl_gate knife_gate;
     ctl_feed film;
     ctl_feed infeed;
     ctl_marks marks;
     ctl_products products;
-    int64_t bag;         /* bag length, film */
-    int64_t flight;      /* from product to product, infeed; products lie at its multiples */
-    int64_t film_sent;   /* whole pulses since power-up */
+    int64_t bag;       /* bag length, film */
+    int64_t flight;    /* from product to product, infeed; products lie at its multiples */
+    int64_t film_sent; /* whole pulses since power-up */
     int64_t infeed_sent;
     int64_t film_actual; /* last measured, 1/256 pulse */
     int64_t infeed_actual;
-    bool planned;        /* the cut of the film's next cycle */
+    bool planned; /* the cut of the film's next cycle */
     ctl_cut next;
-    int64_t lag;         /* film position at a cut minus the command that was meant for it */
+    int64_t lag; /* at full speed: film position at a cut minus the command that was meant for it */
     int64_t phase_correction;
     int64_t length_correction;
     uint32_t limited_in_row;
-    uint16_t alarms;     /* bits CTL_WARNING_BIT_... until the next start */
+    uint16_t alarms; /* bits CTL_WARNING_BIT_... until the next start */
     ctl_last_cut last_cut;
     uint32_t skips_in_row;
     uint16_t last_skip;

@@ -7,7 +7,8 @@
 
 static int64_t to_film(const ctl_products* products, int64_t infeed)
 {
-    const int64_t film = (int64_t)((uint64_t)(infeed < 0 ? -infeed : infeed) * products->settings.ratio >> RATIO_BITS);
+    const int64_t film =
+        (int64_t)((uint64_t)(infeed < 0 ? -infeed : infeed) * products->settings.ratio >> RATIO_BITS);
     return infeed < 0 ? -film : film;
 }
 

@@ -68,9 +68,9 @@ private:
     double m_position = 0.0;
     std::int64_t m_next = 0; // to be generated
     std::optional<Product> m_last;
-    std::deque<Edge> m_due;        // edges that have not reached the eye yet
-    std::deque<Edge> m_edges;      // that have, and were not taken
-    std::deque<Product> m_coming;  // to be laid
+    std::deque<Edge> m_due;       // edges that have not reached the eye yet
+    std::deque<Edge> m_edges;     // that have, and were not taken
+    std::deque<Product> m_coming; // to be laid
     std::deque<Laid> m_laid;
 };
 

@@ -141,8 +141,7 @@ private:
         if (!cut.lengthUm)
             return;
         const ctl_packer& packer = m_core.packer;
-        const std::uint16_t* record =
-            &packer.records[CTL_BAG_REGISTERS * (packer.bags % CTL_BAG_RECORDS)];
+        const std::uint16_t* record = &packer.records[CTL_BAG_REGISTERS * (packer.bags % CTL_BAG_RECORDS)];
         PackedBag bag;
         bag.number = ++m_result.bags;
         bag.timeS = static_cast<double>(m_controller.nowUs() - m_startUs) / usPerS;

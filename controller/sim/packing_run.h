@@ -35,7 +35,7 @@ struct PackedBag {
     std::uint32_t lengths = 1; // bag lengths in it: cuts skipped + 1
     double deviationMm = 0.0;  // from that many set lengths
     double markErrorMm = 0.0;  // of its cut, truly: positive late
-    std::uint16_t flags = 0; // bits of BagBit
+    std::uint16_t flags = 0;   // bits of BagBit
     int products = 0;
     bool throughProduct = false;
     bool atSpeed = false; // made and begun at full speed
