@@ -64,6 +64,12 @@ static void begin(ctl_gate* gate, uint16_t state)
     gate->ramped = 0;
 }
 
+void ctl_gate_stand(ctl_gate* gate)
+{
+    begin(gate, CTL_GATE_STATE_STANDING);
+    gate->dwell = gate->cycle - gate->engage;
+}
+
 void ctl_gate_answer(ctl_gate* gate, bool wait)
 {
     if (gate->state == CTL_GATE_STATE_STANDING) {

@@ -28,6 +28,8 @@ typedef struct {
 
 /* In phase with a driver at the start of its cycle. */
 void ctl_gate_reset(ctl_gate* gate, uint32_t cycle, uint32_t engage, uint32_t release);
+/* At the start of a cycle, the driver too: stand until it is asked again, one cycle behind. */
+void ctl_gate_stand(ctl_gate* gate);
 /* It must be told whether to wait: at the end of a sealing window, and while standing at the last moment. */
 bool ctl_gate_asks(const ctl_gate* gate);
 void ctl_gate_answer(ctl_gate* gate, bool wait);

@@ -72,7 +72,8 @@ typedef struct {
     uint32_t limited_in_row;
     uint16_t alarms; /* bits CTL_WARNING_BIT_... until the next start */
     ctl_last_cut last_cut;
-    uint32_t skips_in_row;
+    uint32_t skips_in_row; /* since the last cut */
+    uint32_t skips_in_run; /* since that or the start of the run */
     uint16_t last_skip;
     uint32_t skipped;
     uint32_t limited;
@@ -91,8 +92,9 @@ void ctl_packer_break_off(struct ctl_core* core);
 /* At the boundary of a cycle another program of the same machine became active. */
 void ctl_packer_change_bank(struct ctl_core* core);
 bool ctl_packer_active(const struct ctl_core* core);
-/* Infeed, film and knife are in the same phase: a program may be changed at the boundary. */
-bool ctl_packer_in_step(const struct ctl_core* core);
+/* Infeed, film and knife are in the same phase, so that a program may be changed at the boundary, and with
+ * `bank` no product lies under its first cut, which the knife could not leave out any more. */
+bool ctl_packer_may_change(const struct ctl_core* core, const ctl_bank* bank);
 /* Ticks from the start of the master's cycle. */
 uint32_t ctl_packer_position(const struct ctl_core* core);
 /* The master moves on by *ticks, at most to the end of its cycle; returns the knife's ticks, *ticks becomes
@@ -116,6 +118,8 @@ void ctl_packer_registers(const struct ctl_core* core, uint16_t* registers);
 
 /* Between the files of this module. */
 bool ctl_packer_tracks(const struct ctl_core* core);
+/* The film's cycle begins and the knife stands open: its first cut was not asked about yet. */
+void ctl_packer_ask_first_cut(struct ctl_core* core);
 /* Search, follow or leave the marks as the parameters say now. */
 void ctl_packer_follow_marks(struct ctl_core* core);
 /* Film of a cycle without its correction, and what a correction of the length may change of it. */

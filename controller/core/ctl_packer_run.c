@@ -110,6 +110,19 @@ static void plan_cut(ctl_core* core)
         ctl_feed_correct(&packer->film, shift, packer->cycle - packer->release + (uint64_t)packer->engage);
 }
 
+static void count_skip(ctl_core* core)
+{
+    ctl_packer* packer = &core->packer;
+    const bool too_long =
+        packer->products.longest + 2 * film_um(core, CTL_REG_PARAMETER_CUT_CLEARANCE) > packer->bag;
+    packer->skipped += 1;
+    packer->skips_in_row += 1;
+    packer->skips_in_run += 1;
+    packer->last_skip = too_long ? CTL_SKIP_CAUSE_PRODUCT_TOO_LONG : CTL_SKIP_CAUSE_PRODUCT_ACROSS;
+    if (packer->skips_in_run >= ctl_parameter16(core, CTL_REG_PARAMETER_SKIP_LIMIT))
+        raise_alarm(packer, CTL_WARNING_BIT_TOO_MANY_SKIPS);
+}
+
 /* A product lies where the knife would close next if it set off now. */
 static bool knife_must_wait(ctl_core* core)
 {
@@ -126,14 +139,19 @@ static bool knife_must_wait(ctl_core* core)
     }
     if (!ctl_products_across(&packer->products, cut + packer->next.lag, clearance))
         return false;
-    const bool too_long =
-        packer->products.longest + 2 * film_um(core, CTL_REG_PARAMETER_CUT_CLEARANCE) > packer->bag;
-    packer->skipped += 1;
-    packer->skips_in_row += 1;
-    packer->last_skip = too_long ? CTL_SKIP_CAUSE_PRODUCT_TOO_LONG : CTL_SKIP_CAUSE_PRODUCT_ACROSS;
-    if (packer->skips_in_row >= ctl_parameter16(core, CTL_REG_PARAMETER_SKIP_LIMIT))
-        raise_alarm(packer, CTL_WARNING_BIT_TOO_MANY_SKIPS);
+    count_skip(core);
     return true;
+}
+
+void ctl_packer_ask_first_cut(ctl_core* core)
+{
+    ctl_packer* packer = &core->packer;
+    if (ctl_parameter16(core, CTL_REG_PARAMETER_ANTI_CUT) == 0 ||
+        !ctl_products_across(&packer->products, packer->next.command + packer->next.lag,
+                             film_um(core, CTL_REG_PARAMETER_CUT_CLEARANCE)))
+        return;
+    count_skip(core);
+    ctl_gate_stand(&packer->knife_gate);
 }
 
 /* The product that would come next on the film is missing: the film waits for the one after it. */
@@ -279,6 +297,7 @@ void ctl_packer_on_cut(ctl_core* core, int64_t film)
     last->had_products = ctl_products_cut(&packer->products, film) != 0;
     last->bags = 1u + packer->skips_in_row;
     packer->skips_in_row = 0;
+    packer->skips_in_run = 0;
     packer->cut_before = true;
 }
 

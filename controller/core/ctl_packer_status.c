@@ -119,10 +119,10 @@ void ctl_packer_registers(const ctl_core* core, uint16_t* registers)
 {
     const ctl_packer* packer = &core->packer;
     memset(registers, 0, CTL_PACKER_REGISTERS * sizeof registers[0]);
-    if (packer->bank == NULL)
-        return;
     for (uint32_t i = CTL_REG_PACKER_CUTS - CTL_REG_PACKER_MARK_STATE; i < CTL_PACKER_REGISTERS; ++i)
         registers[i] = NOTHING;
+    if (packer->bank == NULL)
+        return;
     put_marks(core, registers);
     put_counts(core, registers);
     put(registers, CTL_REG_PACKER_FILM_ANGLE,

@@ -19,12 +19,15 @@ static int64_t divided(int64_t value, int64_t by)
     return value % by < 0 ? quotient - 1 : quotient;
 }
 
-void ctl_products_reset(ctl_products* products, const ctl_product_settings* settings, int64_t infeed)
+void ctl_products_set(ctl_products* products, const ctl_product_settings* settings, int64_t infeed)
 {
+    const bool same =
+        products->settings.flight == settings->flight && products->settings.eye == settings->eye;
     products->settings = *settings;
+    if (same)
+        return;
     products->coming_count = 0;
     products->covered = false;
-    products->longest = 0;
     products->watched_from = infeed;
     products->next = divided(infeed - settings->lay, settings->flight) + 1;
 }

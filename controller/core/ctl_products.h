@@ -48,9 +48,9 @@ typedef struct {
     int64_t longest; /* film length of the longest one seen since the settings were made */
 } ctl_products;
 
-/* The infeed stands at `infeed`; what is under way between eye and film is not known, what lies on the film
- * lies there. */
-void ctl_products_reset(ctl_products* products, const ctl_product_settings* settings, int64_t infeed);
+/* The infeed stands at `infeed`. When its geometry is another one than before, and at first, what is under
+ * way between eye and film is not known; what lies on the film lies there. */
+void ctl_products_set(ctl_products* products, const ctl_product_settings* settings, int64_t infeed);
 /* An edge passed the eye at that infeed position. */
 void ctl_products_edge(ctl_products* products, int64_t infeed, bool covered);
 /* Product `number` is known not to come: its place went by under the eye, and nothing was there. */

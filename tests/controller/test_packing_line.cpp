@@ -71,12 +71,15 @@ private slots:
     void bagsFollowTheMarks();
     void correctionsLeaveTheSealingWindowAlone();
     void knifeStaysOpenOverAProduct();
+    void firstCutIsAskedAboutToo();
+    void changesOfLengthCutNoProduct();
     void filmWaitsForAProduct();
     void trimLengthensBagsOnlyWithoutMarks();
     void otherLengthAtTheBoundary();
     void stopAndStartGoOn();
     void jogIsForgottenByTheNextRun();
     void teachingMeasuresTheMarks();
+    void feedsThatAreTooFastAreRefused();
     void olderFlashKeepsItsParameters();
     void registersTellWhatHappens();
 };
@@ -168,6 +171,58 @@ void TestPackingLine::knifeStaysOpenOverAProduct()
     // Not one cut more or fewer than there are bags of film.
     QVERIFY(std::abs(static_cast<int>(packer.skipped) + cuts -
                      static_cast<int>(packer.film.start / packer.bag)) <= 3);
+}
+
+// Whenever it begins anew the knife may stand before a product that nobody asked about.
+void TestPackingLine::firstCutIsAskedAboutToo()
+{
+    MachineOptions options;
+    options.products.misplaced = 0.7;
+    Rig rig(options);
+    rig.install(cutter());
+    rig.setParameter(CTL_REG_PARAMETER_SKIP_LIMIT, 100);
+    std::uint32_t waitedAtOnce = 0;
+    for (int i = 0; i < 60; ++i) {
+        rig.start();
+        waitedAtOnce += rig.core().packer.knife_gate.state == CTL_GATE_STATE_STANDING ? 1u : 0u;
+        for (std::uint64_t us = 0; us < (8 + static_cast<std::uint64_t>(i % 7)) * cycleUs; us += 250) {
+            rig.controller().step();
+            QVERIFY(!rig.controller().cut() || !rig.controller().cut()->throughProduct);
+        }
+        rig.command(CTL_COMMAND_STOP_NOW);
+        QVERIFY(rig.runUntilState(CTL_STATE_READY));
+        rig.heartbeat(1u << CTL_JOG_BIT_FORWARD);
+        rig.run(50'000);
+        rig.heartbeat();
+        QVERIFY(rig.runUntilState(CTL_STATE_READY));
+    }
+    QVERIFY(waitedAtOnce > 3);
+}
+
+void TestPackingLine::changesOfLengthCutNoProduct()
+{
+    MachineOptions options;
+    options.products.misplaced = 0.1;
+    options.products.lengthMm = 120.0;
+    Rig rig(options);
+    rig.install(cutter());
+    rig.setParameter(CTL_REG_PARAMETER_SKIP_LIMIT, 100);
+    rig.start();
+    int cuts = 0;
+    for (std::uint16_t change = 1; change <= 30; ++change) {
+        const BankImage other = cutter(change % 2 != 0 ? 190'000 : 250'000);
+        rig.download(other.registers(), change);
+        QCOMPARE(rig.apply(other.registers(), CTL_APPLY_MODE_NEXT_CYCLE, change), CTL_REFUSAL_NONE);
+        for (std::uint64_t us = 0; us < 25 * cycleUs; us += 250) {
+            rig.controller().step();
+            if (!rig.controller().cut())
+                continue;
+            ++cuts;
+            QVERIFY(!rig.controller().cut()->throughProduct);
+        }
+        QCOMPARE(rig.core().banks.generation, change + 1u);
+    }
+    QVERIFY(cuts > 300);
 }
 
 void TestPackingLine::filmWaitsForAProduct()
@@ -300,6 +355,21 @@ void TestPackingLine::teachingMeasuresTheMarks()
 }
 
 // A slot as controllers with ten parameters wrote it.
+void TestPackingLine::feedsThatAreTooFastAreRefused()
+{
+    Rig rig;
+    rig.install(cutter()); // 83 kHz for the film, 100 for the infeed, a little more in corrections
+    rig.write(CTL_REG_PARAMETER_FILM_PULSES, {0, 20'000});
+    QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
+    rig.command(CTL_COMMAND_STOP_NOW);
+    QVERIFY(rig.runUntilState(CTL_STATE_READY));
+    rig.write(CTL_REG_PARAMETER_FILM_PULSES, {0, 20'400}); // 170 kHz and 0.15 / 0.8 of that
+    QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_FEED_TOO_FAST);
+    rig.write(CTL_REG_PARAMETER_FILM_PULSES, {0, 10'000});
+    rig.write(CTL_REG_PARAMETER_FLIGHT_PULSES, {0, 30'000});
+    QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_FEED_TOO_FAST);
+}
+
 void TestPackingLine::olderFlashKeepsItsParameters()
 {
     MemoryFlash flash;
@@ -338,7 +408,9 @@ void TestPackingLine::olderFlashKeepsItsParameters()
 void TestPackingLine::registersTellWhatHappens()
 {
     Rig rig(calm());
-    QCOMPARE(rig.read(CTL_REG_PACKER_MARK_STATE, 104), Registers(104, 0));
+    Registers nothing(104, 0);
+    std::fill(nothing.begin() + (CTL_REG_PACKER_CUTS - CTL_REG_PACKER_MARK_STATE), nothing.end(), 0x8000);
+    QCOMPARE(rig.read(CTL_REG_PACKER_MARK_STATE, 104), nothing);
     rig.install(cutter());
     rig.start();
     rig.run(20 * cycleUs + 50'000);

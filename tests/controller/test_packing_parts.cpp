@@ -339,7 +339,7 @@ void TestPackingParts::productsLieWhereTheyWereSeen()
 {
     ctl_products products{};
     const ctl_product_settings settings = productSettings();
-    ctl_products_reset(&products, &settings, 1);
+    ctl_products_set(&products, &settings, 1);
     passEye(products, 3, 0, 200'000);
     passEye(products, 4, -30'000, 100'000);
     QCOMPARE(products.longest, 200'000);
@@ -359,7 +359,7 @@ void TestPackingParts::missingProductIsKnownInTime()
 {
     ctl_products products{};
     const ctl_product_settings settings = productSettings();
-    ctl_products_reset(&products, &settings, 1);
+    ctl_products_set(&products, &settings, 1);
     // The place of product 3 is at the eye from 1.0 to 2.0 million, that of product 4 up to 3.0.
     QVERIFY(!ctl_products_missing(&products, 3, 1'999'999));
     QVERIFY(ctl_products_missing(&products, 3, 2'000'000));
@@ -376,7 +376,7 @@ void TestPackingParts::acrossMeansWithClearance()
 {
     ctl_products products{};
     const ctl_product_settings settings = productSettings();
-    ctl_products_reset(&products, &settings, 0);
+    ctl_products_set(&products, &settings, 0);
     passEye(products, 3, 0, 200'000);
     ctl_products_lay(&products, 3'500'000, 3'500'000, 0, 0);
     const std::int64_t middle = settings.distance;
