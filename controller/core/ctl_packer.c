@@ -200,6 +200,7 @@ static void begin_cycle(ctl_core* core)
     packer->master = 0;
     packer->planned = false;
     packer->cut_before = false;
+    packer->skips_in_bag = 0;
     packer->lag = 0;
     packer->broken_off = false;
     ctl_gate_reset(&packer->film_gate, packer->cycle, packer->engage, packer->release);

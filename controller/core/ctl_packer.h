@@ -70,7 +70,8 @@ typedef struct {
     uint32_t limited_in_row;
     uint16_t alarms;     /* bits CTL_WARNING_BIT_... until the next start */
     ctl_last_cut last_cut;
-    uint32_t skips_in_row;
+    uint32_t skips_in_row; /* begins anew with each run */
+    uint32_t skips_in_bag; /* since the last cut */
     uint16_t last_skip;
     uint32_t skipped;
     uint32_t limited;

@@ -108,6 +108,7 @@ static bool knife_must_wait(ctl_core* core)
     const bool too_long = packer->products.longest + 2 * film_um(core, CTL_REG_PARAMETER_CUT_CLEARANCE) > packer->bag;
     packer->skipped += 1;
     packer->skips_in_row += 1;
+    packer->skips_in_bag += 1;
     packer->last_skip = too_long ? CTL_SKIP_CAUSE_PRODUCT_TOO_LONG : CTL_SKIP_CAUSE_PRODUCT_ACROSS;
     if (packer->skips_in_row >= ctl_parameter16(core, CTL_REG_PARAMETER_SKIP_LIMIT))
         raise_alarm(packer, CTL_WARNING_BIT_TOO_MANY_SKIPS);
@@ -256,8 +257,9 @@ void ctl_packer_on_cut(ctl_core* core, int64_t film)
     last->tracked = packer->next.tracked;
     last->seen = packer->next.seen;
     last->had_products = ctl_products_cut(&packer->products, film) != 0;
-    last->bags = 1u + packer->skips_in_row;
+    last->bags = 1u + packer->skips_in_bag;
     packer->skips_in_row = 0;
+    packer->skips_in_bag = 0;
     packer->cut_before = true;
 }
 
