@@ -10,8 +10,6 @@
 /* The cuts may be shifted by so much of the bag length until they meet the marks. */
 #define ALIGNING_SHARE 10
 #define LIMITED_IN_ROW 5u
-/* Of a new lag of the film at the cut, which is learned. */
-#define LAG_SHARE 8
 
 static int64_t limited(int64_t value, int64_t limit)
 {
@@ -73,10 +71,10 @@ static void plan_cut(ctl_core* core)
     ctl_packer_follow_marks(core);
     ctl_marks_drop(&packer->marks, ctl_feed_position(&packer->film) - packer->bag / 2);
     const int64_t even = uncorrected(core);
-    const ctl_mark* mark = packer->marks.state == CTL_MARK_STATE_OFF ||
-                                   packer->marks.state == CTL_MARK_STATE_SEARCHING
-                               ? NULL
-                               : ctl_marks_near(&packer->marks, even + packer->lag, packer->bag / 2);
+    const ctl_mark* mark =
+        packer->marks.state == CTL_MARK_STATE_OFF || packer->marks.state == CTL_MARK_STATE_SEARCHING
+            ? NULL
+            : ctl_marks_near(&packer->marks, even + packer->lag, packer->bag / 2);
     int64_t shift = 0;
     packer->phase_correction = 0;
     packer->length_correction = 0;
@@ -105,7 +103,8 @@ static bool knife_must_wait(ctl_core* core)
     }
     if (!ctl_products_across(&packer->products, cut + packer->lag, clearance))
         return false;
-    const bool too_long = packer->products.longest + 2 * film_um(core, CTL_REG_PARAMETER_CUT_CLEARANCE) > packer->bag;
+    const bool too_long =
+        packer->products.longest + 2 * film_um(core, CTL_REG_PARAMETER_CUT_CLEARANCE) > packer->bag;
     packer->skipped += 1;
     packer->skips_in_row += 1;
     packer->skips_in_bag += 1;
@@ -211,8 +210,8 @@ static void read_sensors(ctl_core* core)
     while (port->eye(port->context, &at, &covered))
         ctl_products_edge(&packer->products, at, covered);
     ctl_marks_pass(&packer->marks, packer->film_actual);
-    const uint32_t empty = ctl_products_lay(&packer->products, infeed_before, packer->infeed_actual, film_before,
-                                            packer->film_actual);
+    const uint32_t empty = ctl_products_lay(&packer->products, infeed_before, packer->infeed_actual,
+                                            film_before, packer->film_actual);
     if (ctl_parameter16(core, CTL_REG_PARAMETER_EMPTY_BAG) == 0)
         packer->empty += empty;
 }
@@ -248,7 +247,7 @@ void ctl_packer_on_cut(ctl_core* core, int64_t film)
     const ctl_mark* mark = ctl_marks_near(&packer->marks, film, packer->bag / 2);
     const int64_t lag = film - packer->next.command;
     if (packer->cut_before && lag < packer->bag / 4 && lag > -packer->bag / 4)
-        packer->lag += (lag - packer->lag) / LAG_SHARE;
+        packer->lag = lag; /* latched, so there is no noise to filter; it grows with the speed */
     const int64_t mark_before = last->mark_at;
     last->at = film;
     last->mark_at = mark == NULL ? film : mark->at;
