@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace campanel::controller {
 
@@ -34,7 +35,8 @@ struct BagCut {
     std::int64_t filmEncoder = 0;          // 1/256 pulse, latched when the knife closed
     std::optional<std::uint32_t> lengthUm; // none: the cut before does not count
     double markErrorMm = 0.0;              // from the printed cut, positive: late
-    int products = 0;
+    double drawnMm = 0.0;                  // film, slip included
+    std::vector<Infeed::Laid> products;    // in the bag
     bool throughProduct = false;
 };
 
