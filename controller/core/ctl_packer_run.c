@@ -10,8 +10,6 @@
 /* The cuts may be shifted by so much of the bag length until they meet the marks. */
 #define ALIGNING_SHARE 10
 #define LIMITED_IN_ROW 5u
-/* Of a new lag of the film at the cut, which is learned. */
-#define LAG_SHARE 2
 
 static int64_t limited(int64_t value, int64_t limit)
 {
@@ -52,7 +50,7 @@ static void learn_lag(ctl_core* core, int64_t lag)
     const ctl_ramp* ramp = &core->motion.ramp;
     if (lag > packer->bag / 4 || lag < -packer->bag / 4 || ramp->speed < ramp->full / 4u)
         return;
-    packer->lag += (lag * (int64_t)ramp->full / (int64_t)ramp->speed - packer->lag) / LAG_SHARE;
+    packer->lag = lag * (int64_t)ramp->full / (int64_t)ramp->speed;
 }
 
 static void raise_alarm(ctl_packer* packer, uint32_t bit)

@@ -244,7 +244,7 @@ void TestPackingLine::filmWaitsForAProduct()
         if (!rig.controller().cut())
             continue;
         ++cuts;
-        empty += rig.controller().cut()->products == 0 ? 1u : 0u;
+        empty += rig.controller().cut()->products.empty() ? 1u : 0u;
         QCOMPARE(ctl_packer_lengths_in_bag(&rig.core()), 1u);
     }
     QVERIFY(packer.empty > 40);
