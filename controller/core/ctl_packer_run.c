@@ -247,7 +247,7 @@ void ctl_packer_on_cut(ctl_core* core, int64_t film)
     const ctl_mark* mark = ctl_marks_near(&packer->marks, film, packer->bag / 2);
     const int64_t lag = film - packer->next.command;
     if (packer->cut_before && lag < packer->bag / 4 && lag > -packer->bag / 4)
-        packer->lag = lag; /* latched, so there is no noise to filter; it grows with the speed */
+        packer->lag = lag; /* latched, good to a pulse; it grows with the speed */
     const int64_t mark_before = last->mark_at;
     last->at = film;
     last->mark_at = mark == NULL ? film : mark->at;
