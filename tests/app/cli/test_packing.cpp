@@ -140,6 +140,36 @@ private slots:
         QVERIFY2(crossings <= 2, qPrintable(QString::number(crossings)));
     }
 
+    // A mark too many, some of them just before the right one: the nearer one is believed.
+    void falseMarks_data()
+    {
+        QTest::addColumn<double>("lengthMm");
+        QTest::addColumn<double>("step");
+        for (const double lengthMm : {100.0, 250.0, 460.0}) {
+            QTest::addRow("%g mm", lengthMm) << lengthMm << 0.0;
+            QTest::addRow("%g mm and a step of stretch", lengthMm) << lengthMm << 0.01;
+        }
+    }
+    void falseMarks()
+    {
+        QFETCH(double, lengthMm);
+        QFETCH(double, step);
+        const Packed packed = pack(cutterAt(lengthMm, 60), 3000, [&](PackingJob& job) {
+            job.machine.film.marksFalse = 0.2;
+            job.machine.film.stretchStep = step;
+            job.machine.film.stretchStepM = lengthMm; // of a thousand bags
+        });
+        QCOMPARE(packed.result.end, PackingEnd::Done);
+        QVERIFY(packed.result.marksFalse > 500);
+        const auto outside = std::ranges::count_if(packed.bags, [](const PackedBag& bag) {
+            return bag.isSettled && std::abs(bag.deviationMm) > toleranceMm;
+        });
+        QVERIFY2(outside <= (step == 0.0 ? 0 : 5), qPrintable(QString::number(outside)));
+        QVERIFY(std::ranges::none_of(packed.bags, [](const PackedBag& bag) {
+            return isTracked(bag) && std::abs(bag.markErrorMm) > lostPhaseMm;
+        }));
+    }
+
     void misplacedProducts()
     {
         const Packed packed = pack(cutterAt(250, 60), 20'000, [](PackingJob& job) {
