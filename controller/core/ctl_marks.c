@@ -190,8 +190,8 @@ void ctl_marks_pass(ctl_marks* marks, int64_t film)
         marks->expected += marks->pitch;
         if (marks->missing_in_row < settings->missing_limit)
             continue;
-        marks->alarm = marks->false_in_row >= marks->missing_in_row ? CTL_WARNING_BIT_MARK_PITCH_WRONG
-                                                                    : CTL_WARNING_BIT_MARKS_LOST;
+        marks->alarm = marks->false_in_row + 1u >= marks->missing_in_row ? CTL_WARNING_BIT_MARK_PITCH_WRONG
+                                                                         : CTL_WARNING_BIT_MARKS_LOST;
         return;
     }
 }

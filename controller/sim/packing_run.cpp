@@ -161,7 +161,7 @@ private:
     bool takeAlarm(std::uint16_t bits)
     {
         for (unsigned bit = 0; bit < alarmBits; ++bit)
-            m_result.alarms[bit] += bits >> bit & 1u;
+            m_result.alarms[bit] += static_cast<unsigned>(bits) >> bit & 1u;
         m_startsWithoutBag = m_result.bags == m_bagsAtAlarm ? m_startsWithoutBag + 1 : 0;
         m_bagsAtAlarm = m_result.bags;
         if (!m_job.goOn || m_startsWithoutBag > mostStartsPerBag)
