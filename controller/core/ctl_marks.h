@@ -3,7 +3,8 @@
  * mark gives the place of one cut. What a mark's error says is divided: a share (the phase gain) is taken for
  * film that slipped against its motor, and shifts all marks that wait; a share (the length gain) changes the
  * distance expected to the next. An error that no slip explains is a change of the print or of the film's
- * stretch: it is believed at once, and the marks before it stay where they are. */
+ * stretch: it is believed at once, and the marks before it stay where they are; unless another mark comes
+ * nearer to where one was expected, then the first was none. */
 #ifndef CTL_MARKS_H
 #define CTL_MARKS_H
 
@@ -49,6 +50,10 @@ typedef struct {
     int64_t last;  /* the mark before that, as it was seen */
     int64_t pitch; /* filtered distance from mark to mark */
     int64_t error; /* of the last mark */
+    bool jumped;   /* which no slip explained; before it there were: */
+    int64_t expected_before;
+    int64_t last_before;
+    int64_t pitch_before;
     bool has_candidate;
     int64_t candidate; /* searching: the mark before; where the search began when there is none */
     uint32_t wrong_gaps;

@@ -83,7 +83,8 @@ struct PackingResult {
     double largestFollowingErrorPulses = 0.0;
 };
 
-// Steps of time with which the bags come out the same to some micrometres: a 400th of a cycle within limits.
+// Steps of time with which no bag comes out different by more than a pulse of the film motor: a 400th of a
+// cycle, within limits.
 [[nodiscard]] std::uint64_t quickStepUs(double cycleS);
 
 // Settled are the bags behind the first that follow the marks from cut to cut, or with tracking off those
