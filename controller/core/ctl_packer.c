@@ -184,10 +184,19 @@ static int64_t first_cut(int64_t start, const ctl_bank* bank, int64_t length)
     return start + (int64_t)((uint64_t)length * bank->registers[CTL_OFFSET_BANK_CUT_ANGLE] / FULL_CIRCLE);
 }
 
+/* What the film lags by at a cut goes with its speed. */
+static void scale_lag(ctl_packer* packer, int64_t bag_before, uint32_t cycle_before)
+{
+    if (bag_before != 0)
+        packer->lag = packer->lag * packer->bag / bag_before * (int64_t)cycle_before / (int64_t)packer->cycle;
+}
+
 static void read_bank(ctl_core* core)
 {
     ctl_packer* packer = &core->packer;
     const ctl_bank* bank = ctl_active_bank(core);
+    const int64_t bag_before = packer->bag;
+    const uint32_t cycle_before = packer->cycle;
     packer->bank = bank;
     packer->cycle = ctl_bank_cycle_ticks(bank);
     packer->engage = ticks_at(bank, CTL_OFFSET_BANK_SYNC_START);
@@ -195,6 +204,7 @@ static void read_bank(ctl_core* core)
     packer->cut = ticks_at(bank, CTL_OFFSET_BANK_CUT_ANGLE);
     packer->bag = ctl_packer_film(core, bag_um(bank));
     packer->flight = (int64_t)ctl_parameter32(core, CTL_REG_PARAMETER_FLIGHT_PULSES) * CTL_FINE;
+    scale_lag(packer, bag_before, cycle_before);
 }
 
 void ctl_packer_init(ctl_core* core)
@@ -244,7 +254,6 @@ static void begin_cycle(ctl_core* core)
     packer->planned = false;
     packer->cut_before = false;
     packer->skips_in_row = 0;
-    packer->lag = 0;
     packer->broken_off = false;
     ctl_gate_reset(&packer->film_gate, packer->cycle, packer->engage, packer->release);
     ctl_gate_reset(&packer->knife_gate, packer->cycle, packer->engage, packer->release);
@@ -291,6 +300,7 @@ void ctl_packer_change_bank(ctl_core* core)
     const int64_t film = ctl_feed_position(&packer->film);
     read_bank(core);
     packer->planned = false;
+    packer->limited_in_row = 0;
     ctl_gate_reset(&packer->film_gate, packer->cycle, packer->engage, packer->release);
     ctl_gate_reset(&packer->knife_gate, packer->cycle, packer->engage, packer->release);
     ctl_feed_reset(&packer->film, packer->cycle, film, ctl_packer_cycle_length(core));
