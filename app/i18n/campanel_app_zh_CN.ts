@@ -236,6 +236,10 @@
         <source>No connection since %1: nobody answers on %2. Check the cable and the controller&apos;s power; the panel keeps asking and reconnects by itself.</source>
         <translation>自 %1 起没有连接：%2 上无人应答。请检查电缆和控制器电源；面板会不断询问并自动重新连接。</translation>
     </message>
+    <message>
+        <source>Measure the marks</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ControllerSentences</name>
@@ -450,6 +454,70 @@
     <message>
         <source>The data of the machine change only at standstill. Stop the machine first.</source>
         <translation>机器数据只能在静止时更改。请先停机。</translation>
+    </message>
+    <message>
+        <source>The marks on the film were lost and the run was ended. Check film and mark sensor, then start again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks on the film are not one bag length apart, so the run was ended. Load the right film or teach its marks under Service.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cuts could not follow the marks within the limits, so the run was ended. Check the film&apos;s tension and whether it slips, then start again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A product is too long for the bag, so the run was ended. Take it out or set a longer bag, then start again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Products lay across the knife&apos;s path several times in a row, so the run was ended. Put the products in order, then start again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too many bags lie between mark sensor and knife. Set a longer bag, move the sensor nearer, or switch mark tracking off under Service.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The window for the marks is wider than half a bag. Make it narrower under Service.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Knife and film move together for so long that no time is left to correct the film. Change k1 to k4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The product eye is too near or too far to decide in time. Check its distance under Service.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks not followed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moving the cuts onto the marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Following the marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A product lay across the knife&apos;s path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A product was longer than the bag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A product was missing</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2402,6 +2470,89 @@
     </message>
 </context>
 <context>
+    <name>campanel::machine::MarkWizard</name>
+    <message>
+        <source>There is no connection to the controller.</source>
+        <translation type="unfinished">没有连接到控制器。</translation>
+    </message>
+    <message>
+        <source>The controller does not run a packing machine&apos;s program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start the machine; this step goes on while it runs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cuts do not follow the marks. Switch that on first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting until the cuts have met the marks …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asking the controller …</source>
+        <translation type="unfinished">正在询问控制器…</translation>
+    </message>
+    <message>
+        <source>The corrected distance is none that the controller takes. Measure again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The distance is written, but the cuts of the last bags lay %1 from their marks on average. Look at gains and film before measuring again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At most a bag length, %1, to either side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That bag has been measured already; wait for the next one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No bag has been cut yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The simulated machine cannot be measured now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller works with the new distance, and the cuts of the last bags lie within %1 of where it wants them. Measure one more bag to be sure. Without Save the controller forgets it at power-off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When every cut lies off its mark by the same distance, the controller is wrong about how far the mark sensor is from the knife. This finds it out: the machine cuts a few bags, you measure how far their cuts lie behind their marks, and the distance is corrected. Nothing is changed before you confirm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 bags cut. Keep them in order and do not pull them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The measurements are %1 apart. Are they all from the same edge of the mark?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure from the mark to the cut, in the direction in which the film is cut later: positive when the cut lies behind its mark, negative when before it. The mean of up to %1 bags counts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This becomes the distance from the mark sensor to the knife. The cuts move over the next bags.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing, and reading back …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written and read back. The new distance reaches the knife with the film: bag %1 of %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>campanel::machine::MasterDirection</name>
     <message>
         <source>There is no connection to the controller.</source>
@@ -2450,6 +2601,152 @@
     <message>
         <source>The direction of the master</source>
         <translation>主轴方向</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::machine::PackingFields</name>
+    <message>
+        <source>Cuts follow the marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Phase gain: share of an error taken for slip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length gain: share of an error taken for length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark sensor to knife</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut behind its mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Window around an expected mark, ±</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks missing in a row until it stops</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Phase limit: most that a bag&apos;s cut is shifted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length limit: most that a bag&apos;s film is changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length trim while no marks are followed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Knife stays open over a product</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free of products on both sides of a cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cuts left out in a row until it stops</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Film waits for a missing product</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where products are laid, before the knife</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Product eye, before where they are laid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of the products on the infeed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Infeed motor: pulses per product</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Film motor: film per revolution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Film motor: pulses per revolution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing %1: %2 …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2, read back from the controller.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From %1 to %2.</source>
+        <translation type="unfinished">从 %1 到 %2。</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation type="unfinished">%1 到 %2</translation>
+    </message>
+    <message>
+        <source>%1 · suggestion after %2 bags that follow their marks, %3 so far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · film slips %2 mm a bag, sensor scatters %3 mm (%4 bags)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>campanel::machine::PackingSetup</name>
+    <message>
+        <source>The controller tells nothing of a packing machine: connect it and download a cutter&apos;s recipe.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting: the marks are measured while the film runs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 marks measured …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measures the distances between the next %1 marks. The machine keeps running.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start the machine: the marks are measured while the film runs, with or without following them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks are %1 mm apart (± %2 mm); the recipe cuts %3 mm. That is more than the length limit allows: this film does not fit this recipe.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks are %1 mm apart (± %2 mm); the recipe cuts %3 mm.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -70,7 +70,8 @@ void GainEstimate::take(const MarkSample& mark, double phaseGain)
     const auto before = m_before;
     m_before = mark;
     const bool follows = before && mark.marks == before->marks + 1 && mark.missing == before->missing &&
-                         std::abs(mark.errorMm) < jumpMm && std::abs(before->errorMm) < jumpMm;
+                         std::abs(mark.errorMm) < jumpMm && std::abs(before->errorMm) < jumpMm &&
+                         std::abs(mark.pitchMm - before->pitchMm) < jumpMm;
     if (!follows) {
         if (!m_runs.empty() && !m_runs.back().empty())
             m_runs.emplace_back();

@@ -336,9 +336,9 @@ QString MarkWizard::text() const
         if (m_measuredMm.size() > 1 && *most - *least > scatterMm)
             return tr("The measurements are %1 apart. Are they all from the same edge of the mark?")
                 .arg(millimeters(*most - *least, 1));
-        return tr("Measure from the mark to the cut, in the direction in which the film is cut later: "
-                  "positive when the cut "
-                  "lies behind its mark, negative when before it. The mean of up to %1 bags counts.")
+        return tr("Measure from the printed mark to the cut: positive when the film passes the mark first "
+                  "and the cut comes "
+                  "behind it, negative when the cut comes before its mark. The mean of up to %1 bags counts.")
             .arg(mostMeasured);
     }
     case Step::Confirm:

@@ -71,11 +71,11 @@ Item {
             spacing: Theme.size.padding * 2
             visible: sheet.showsDistances
             Pair {
-                name: qsTr("Measured behind the mark")
+                name: qsTr("Cut behind mark")
                 value: sheet.wizard.meanText
             }
             Pair {
-                name: qsTr("Set")
+                name: qsTr("Wanted")
                 value: sheet.wizard.offsetText
             }
             Pair {
@@ -151,35 +151,7 @@ Item {
         id: keypad
         anchors.fill: parent
         active: false
-        sourceComponent: measurement
-    }
-    Component {
-        id: measurement
-        Item {
-            id: entry
-            MouseArea {
-                anchors.fill: parent
-                onClicked: keypad.active = false
-            }
-            NumericKeypad {
-                objectName: "keypad"
-                anchors { right: parent.right; verticalCenter: parent.verticalCenter }
-                width: 4 * Theme.size.commandKey + 2 * Theme.size.accent
-                height: Math.min(parent.height, preferredHeight)
-                label: qsTr("Cut behind its mark")
-                unit: "mm"
-                currentText: Theme.number(NaN, 2)
-                minimum: -sheet.wizard.mostMm
-                maximum: sheet.wizard.mostMm
-                defaultValue: 0
-                decimals: 2
-                refusal: isNaN(typedValue) ? "" : sheet.wizard.check(typedValue)
-                onAccepted: value => {
-                    sheet.wizard.addMeasurement(value)
-                    keypad.active = false
-                }
-                onCanceled: keypad.active = false
-            }
-        }
+        source: "MeasurementKeypad.qml"
+        onLoaded: (item as MeasurementKeypad).closed.connect(() => keypad.active = false)
     }
 }

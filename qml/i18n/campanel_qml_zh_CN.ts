@@ -601,6 +601,89 @@
     </message>
 </context>
 <context>
+    <name>MarkWizardSheet</name>
+    <message>
+        <source>Mark sensor to knife</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step 1 of 5: what this does</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step 2 of 5: cut bags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step 3 of 5: measure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step 4 of 5: write</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step 5 of 5: watch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured behind the mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">关闭</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">取消</translation>
+    </message>
+    <message>
+        <source>Read the ruler</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut behind its mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>MasterDialCard</name>
     <message>
         <source>Master</source>
@@ -748,6 +831,40 @@
     <message>
         <source>OK</source>
         <translation>确定</translation>
+    </message>
+</context>
+<context>
+    <name>PackingRow</name>
+    <message>
+        <source>Take %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation type="unfinished">关</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PackingSection</name>
+    <message>
+        <source>Measure the marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sensor to knife …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values are used at once. The controller keeps them over a power-off only after Save.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished">保存</translation>
     </message>
 </context>
 <context>
@@ -970,6 +1087,10 @@
     <message>
         <source>Faults</source>
         <translation>故障模拟</translation>
+    </message>
+    <message>
+        <source>Packing</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
