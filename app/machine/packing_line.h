@@ -21,11 +21,11 @@ class Machine;
 // What lies on the film, for the plot that draws it. Distances to the knife in mm at the time `at`.
 struct FilmView {
     link::SteadyTime at;
-    double filmMm = 0;    // film motor's position, to tell one view from the next
-    double bagMm = 0;     // set length
+    double filmMm = 0;      // film motor's position, to tell one view from the next
+    double bagMm = 0;       // set length
     double speedMmPerS = 0; // of the film, 0 at standstill
-    double windowMm = 0;  // to both sides of where a mark is expected; 0 while it is not known
-    double sensorMm = 0;  // mark sensor before the knife; 0 while it is not known
+    double windowMm = 0;    // to both sides of where a mark is expected; 0 while it is not known
+    double sensorMm = 0;    // mark sensor before the knife; 0 while it is not known
     std::vector<modbus::FilmCut> cuts;
     std::vector<modbus::FilmMark> marks;
     std::vector<modbus::FilmProduct> products;

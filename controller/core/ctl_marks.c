@@ -6,7 +6,8 @@
 #include <stddef.h>
 
 #define GAIN_ONE 1000
-/* Searching: so many distances that are no bag length in a row mean that the film does not fit the program. */
+/* Searching: so many distances that are no bag length in a row mean that the film does not fit the program.
+ */
 #define MOST_WRONG_GAPS 8u
 
 static int64_t size_of(int64_t value)
@@ -80,7 +81,8 @@ static void search(ctl_marks* marks, int64_t film)
 {
     const ctl_mark_settings* settings = &marks->settings;
     const int64_t gap = film - marks->candidate;
-    if (marks->has_candidate && size_of(gap - settings->nominal) <= settings->most_difference + settings->window) {
+    if (marks->has_candidate &&
+        size_of(gap - settings->nominal) <= settings->most_difference + settings->window) {
         marks->pitch = settings->nominal + limited(gap - settings->nominal, settings->most_difference);
         found(marks, film);
         return;
@@ -168,8 +170,8 @@ void ctl_marks_pass(ctl_marks* marks, int64_t film)
         marks->expected += marks->pitch;
         if (marks->missing_in_row < settings->missing_limit)
             continue;
-        marks->alarm = marks->false_in_row >= marks->missing_in_row ? CTL_WARNING_BIT_MARK_PITCH_WRONG
-                                                                    : CTL_WARNING_BIT_MARKS_LOST;
+        marks->alarm = marks->false_in_row + 1u >= marks->missing_in_row ? CTL_WARNING_BIT_MARK_PITCH_WRONG
+                                                                         : CTL_WARNING_BIT_MARKS_LOST;
         return;
     }
 }

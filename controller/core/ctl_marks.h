@@ -17,10 +17,10 @@ extern "C" {
 #define CTL_WAITING_MARKS 24u
 
 typedef struct {
-    int64_t nominal;  /* between two marks: the bag length */
-    int64_t distance; /* from the sensor to where the mark's cut is at the knife */
-    int64_t window;   /* to both sides of where a mark is expected */
-    int64_t jump;     /* an error larger than this is not slip */
+    int64_t nominal;         /* between two marks: the bag length */
+    int64_t distance;        /* from the sensor to where the mark's cut is at the knife */
+    int64_t window;          /* to both sides of where a mark is expected */
+    int64_t jump;            /* an error larger than this is not slip */
     int64_t most_difference; /* of the distance between marks from the nominal one */
     uint32_t phase_gain;     /* 0.001 */
     uint32_t length_gain;    /* 0.001 */
@@ -53,8 +53,8 @@ typedef struct {
     int64_t candidate; /* searching: the mark before; where the search began when there is none */
     uint32_t wrong_gaps;
     uint32_t missing_in_row;
-    uint32_t false_in_row; /* since the last mark that was right */
-    uint16_t alarm;        /* CTL_WARNING_BIT_MARKS_LOST or _MARK_PITCH_WRONG; 0 when neither */
+    uint32_t false_in_row;               /* since the last mark that was right */
+    uint16_t alarm;                      /* CTL_WARNING_BIT_MARKS_LOST or _MARK_PITCH_WRONG; 0 when neither */
     ctl_mark waiting[CTL_WAITING_MARKS]; /* as a ring, from the knife to the sensor */
     uint32_t first;
     uint32_t count;
