@@ -121,7 +121,6 @@ void PackingFields::forget()
     m_reads.clear();
     for (Field& field : m_fields)
         field.value.reset();
-    m_isUnsaved = false;
     tell();
 }
 

@@ -34,6 +34,7 @@ PackingSetup::PackingSetup(Machine& machine, QObject* parent)
     // Another film, another estimate.
     connect(&machine, &Machine::programChanged, this, [this] {
         m_estimate.clear();
+        m_fields.suggest(std::nullopt, 0);
         emit changed();
     });
     connect(&m_fields, &PackingFields::changed, this, &PackingSetup::changed);

@@ -125,7 +125,7 @@ QList<Scene> packingScenes()
             {QStringLiteral("packing-keypad"),
              [](Stage& stage) {
                  openSection(stage);
-                 stage.tap(QStringLiteral("packing3"));
+                 stage.tap(QStringLiteral("packing1"));
              }},
             wizardAt("packing-wizard", Step::Explain),
             wizardAt("packing-wizard-cutting", Step::Cutting),

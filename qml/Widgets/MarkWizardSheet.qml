@@ -37,6 +37,7 @@ Item {
 
     Sheet {
         anchors.fill: parent
+        visible: !keypad.active
         title: qsTr("Mark sensor to knife")
         note: sheet.ended ? "" : [qsTr("Step 1 of 5: what this does"), qsTr("Step 2 of 5: cut bags"), qsTr("Step 3 of 5: measure"),
             qsTr("Step 4 of 5: write"), qsTr("Step 4 of 5: write"), qsTr("Step 5 of 5: watch")][sheet.step]

@@ -7,7 +7,6 @@
 #include <cmath>
 
 using Step = campanel::machine::MarkWizard::Step;
-namespace machine = campanel::machine;
 
 class TestPanelPacking : public campanel::test::PanelTest {
     Q_OBJECT
@@ -39,7 +38,8 @@ private slots:
         m_stage->settle();
         QVERIFY(!m_stage->find(QStringLiteral("keypad")));
         QCOMPARE(textOf("packingText"),
-                 QStringLiteral("Mark sensor to knife: 900 mm, read back from the controller."));
+                 QStringLiteral(
+                     "Phase gain: share of an error taken for slip: 0.25, read back from the controller."));
         QVERIFY(packing().fields()->unsaved());
         tap("packingSave");
         QVERIFY(!packing().fields()->unsaved());

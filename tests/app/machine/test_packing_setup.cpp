@@ -180,6 +180,10 @@ private slots:
         QCOMPARE(rig.fields().outcomeText(),
                  "Window around an expected mark, ±: 8 mm, read back from the controller.");
         QVERIFY(rig.fields().unsaved());
+        rig.link.becomeLost();
+        rig.link.becomeConnected();
+        rig.link.sendStatus(rig.now);
+        QVERIFY(rig.fields().unsaved()); // the controller still has it
         rig.fields().save();
         QCOMPARE(rig.link.requests.last().command, modbus::Command::SaveToFlash);
         QCOMPARE(rig.link.requests.last().arguments.argument2, *rig.link.status.activeCrc);
