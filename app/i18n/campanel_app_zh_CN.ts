@@ -2614,11 +2614,11 @@
         <translation>切断跟踪色标</translation>
     </message>
     <message>
-        <source>Phase gain: share of an error taken for slip</source>
+        <source>Phase gain: share taken for slip</source>
         <translation>相位增益：误差中视为打滑的份额</translation>
     </message>
     <message>
-        <source>Length gain: share of an error taken for length</source>
+        <source>Length gain: share taken for length</source>
         <translation>长度增益：误差中视为长度的份额</translation>
     </message>
     <message>
@@ -2634,19 +2634,19 @@
         <translation>预期色标的窗口，±</translation>
     </message>
     <message>
-        <source>Marks missing in a row until it stops</source>
+        <source>Missing marks in a row to stop</source>
         <translation>连续缺少多少色标时停机</translation>
     </message>
     <message>
-        <source>Phase limit: most that a bag&apos;s cut is shifted</source>
+        <source>Phase limit: most shift of a cut</source>
         <translation>相位限值：每袋切断的最大移动</translation>
     </message>
     <message>
-        <source>Length limit: most that a bag&apos;s film is changed</source>
+        <source>Length limit: most change of a bag</source>
         <translation>长度限值：每袋薄膜的最大变化</translation>
     </message>
     <message>
-        <source>Length trim while no marks are followed</source>
+        <source>Length trim without marks</source>
         <translation>不跟踪色标时的长度微调</translation>
     </message>
     <message>
@@ -2654,11 +2654,11 @@
         <translation>有产品时切刀保持张开</translation>
     </message>
     <message>
-        <source>Free of products on both sides of a cut</source>
+        <source>Clearance on both sides of a cut</source>
         <translation>切断两侧无产品的距离</translation>
     </message>
     <message>
-        <source>Cuts left out in a row until it stops</source>
+        <source>Skipped cuts in a row to stop</source>
         <translation>连续跳过多少次切断时停机</translation>
     </message>
     <message>
@@ -2666,15 +2666,15 @@
         <translation>缺产品时薄膜等待</translation>
     </message>
     <message>
-        <source>Where products are laid, before the knife</source>
+        <source>Products are laid before the knife</source>
         <translation>产品落点，切刀之前</translation>
     </message>
     <message>
-        <source>Product eye, before where they are laid</source>
+        <source>Product eye before that place</source>
         <translation>产品光电眼，落点之前</translation>
     </message>
     <message>
-        <source>Distance of the products on the infeed</source>
+        <source>Product distance on the infeed</source>
         <translation>进料上产品的间距</translation>
     </message>
     <message>

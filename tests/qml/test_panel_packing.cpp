@@ -38,8 +38,7 @@ private slots:
         m_stage->settle();
         QVERIFY(!m_stage->find(QStringLiteral("keypad")));
         QCOMPARE(textOf("packingText"),
-                 QStringLiteral(
-                     "Phase gain: share of an error taken for slip: 0.25, read back from the controller."));
+                 QStringLiteral("Phase gain: share taken for slip: 0.25, read back from the controller."));
         QVERIFY(packing().fields()->unsaved());
         tap("packingSave");
         QVERIFY(!packing().fields()->unsaved());
