@@ -236,6 +236,10 @@
         <source>No connection since %1: nobody answers on %2. Check the cable and the controller&apos;s power; the panel keeps asking and reconnects by itself.</source>
         <translation>自 %1 起没有连接：%2 上无人应答。请检查电缆和控制器电源；面板会不断询问并自动重新连接。</translation>
     </message>
+    <message>
+        <source>Measure the marks</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ControllerSentences</name>
@@ -450,6 +454,74 @@
     <message>
         <source>The data of the machine change only at standstill. Stop the machine first.</source>
         <translation>机器数据只能在静止时更改。请先停机。</translation>
+    </message>
+    <message>
+        <source>The marks on the film were lost and the run was ended. Check film and mark sensor, then start again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks on the film are not one bag length apart, so the run was ended. Load the right film or teach its marks under Service.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cuts could not follow the marks within the limits, so the run was ended. Check the film&apos;s tension and whether it slips, then start again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A product is too long for the bag, so the run was ended. Take it out or set a longer bag, then start again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Products lay across the knife&apos;s path several times in a row, so the run was ended. Put the products in order, then start again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too many bags lie between mark sensor and knife. Set a longer bag, move the sensor nearer, or switch mark tracking off under Service.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The window for the marks is wider than half a bag. Make it narrower under Service.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Knife and film move together for so long that no time is left to correct the film. Change k1 to k4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The product eye is too near or too far to decide in time. Check its distance under Service.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks not followed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moving the cuts onto the marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Following the marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A product lay across the knife&apos;s path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A product was longer than the bag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A product was missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The film or the infeed would have to run faster than the controller can drive it. Lower the rate.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2402,6 +2474,89 @@
     </message>
 </context>
 <context>
+    <name>campanel::machine::MarkWizard</name>
+    <message>
+        <source>There is no connection to the controller.</source>
+        <translation>与控制器没有连接。</translation>
+    </message>
+    <message>
+        <source>The controller does not run a packing machine&apos;s program.</source>
+        <translation>控制器没有运行包装机的程序。</translation>
+    </message>
+    <message>
+        <source>Start the machine; this step goes on while it runs.</source>
+        <translation>请启动机器；运行中此步骤才会继续。</translation>
+    </message>
+    <message>
+        <source>The cuts do not follow the marks. Switch that on first.</source>
+        <translation>切断未跟踪色标。请先打开色标跟踪。</translation>
+    </message>
+    <message>
+        <source>Waiting until the cuts have met the marks …</source>
+        <translation>正在等待切断与色标对齐…</translation>
+    </message>
+    <message>
+        <source>Asking the controller …</source>
+        <translation>正在询问控制器…</translation>
+    </message>
+    <message>
+        <source>The corrected distance is none that the controller takes. Measure again.</source>
+        <translation>修正后的距离超出控制器的范围。请重新测量。</translation>
+    </message>
+    <message>
+        <source>The distance is written, but the cuts of the last bags lay %1 from their marks on average. Look at gains and film before measuring again.</source>
+        <translation>距离已写入，但最近几袋的切断平均偏离色标 %1。重新测量前请检查增益和薄膜。</translation>
+    </message>
+    <message>
+        <source>At most a bag length, %1, to either side.</source>
+        <translation>两侧最多一个袋长（%1）。</translation>
+    </message>
+    <message>
+        <source>That bag has been measured already; wait for the next one.</source>
+        <translation>这一袋已经量过；请等下一袋。</translation>
+    </message>
+    <message>
+        <source>No bag has been cut yet.</source>
+        <translation>还没有切出袋子。</translation>
+    </message>
+    <message>
+        <source>The simulated machine cannot be measured now.</source>
+        <translation>现在无法测量模拟机器。</translation>
+    </message>
+    <message>
+        <source>The controller works with the new distance, and the cuts of the last bags lie within %1 of where it wants them. Measure one more bag to be sure. Without Save the controller forgets it at power-off.</source>
+        <translation>控制器已使用新距离，最近几袋的切断与目标位置相差不超过 %1。请再量一袋确认。不保存则断电后丢失。</translation>
+    </message>
+    <message>
+        <source>When every cut lies off its mark by the same distance, the controller is wrong about how far the mark sensor is from the knife. This finds it out: the machine cuts a few bags, you measure how far their cuts lie behind their marks, and the distance is corrected. Nothing is changed before you confirm.</source>
+        <translation>如果每次切断都以相同距离偏离色标，说明控制器中色标传感器到切刀的距离不对。此向导用来找出它：机器切出几袋，您测量切断在色标后多远，再修正距离。确认之前不会改变任何值。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 bags cut. Keep them in order and do not pull them.</source>
+        <translation>已切 %1 / %2 袋。请按顺序放好，不要拉伸。</translation>
+    </message>
+    <message>
+        <source>The measurements are %1 apart. Are they all from the same edge of the mark?</source>
+        <translation>各次测量相差 %1。都是从色标的同一边量起的吗？</translation>
+    </message>
+    <message>
+        <source>This becomes the distance from the mark sensor to the knife. The cuts move over the next bags.</source>
+        <translation>这将成为色标传感器到切刀的距离。切断位置将在随后几袋中移动。</translation>
+    </message>
+    <message>
+        <source>Writing, and reading back …</source>
+        <translation>正在写入并回读…</translation>
+    </message>
+    <message>
+        <source>Written and read back. The new distance reaches the knife with the film: bag %1 of %2.</source>
+        <translation>已写入并回读。新距离随薄膜到达切刀：第 %1 袋，共 %2 袋。</translation>
+    </message>
+    <message>
+        <source>Measure from the printed mark to the cut: positive when the film passes the mark first and the cut comes behind it, negative when the cut comes before its mark. The mean of up to %1 bags counts.</source>
+        <translation>从印刷色标量到切断处：先经过色标、切断在其后为正；切断在色标之前为负。最多取 %1 袋的平均值。</translation>
+    </message>
+</context>
+<context>
     <name>campanel::machine::MasterDirection</name>
     <message>
         <source>There is no connection to the controller.</source>
@@ -2450,6 +2605,152 @@
     <message>
         <source>The direction of the master</source>
         <translation>主轴方向</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::machine::PackingFields</name>
+    <message>
+        <source>Cuts follow the marks</source>
+        <translation>切断跟踪色标</translation>
+    </message>
+    <message>
+        <source>Phase gain: share taken for slip</source>
+        <translation>相位增益：误差中视为打滑的份额</translation>
+    </message>
+    <message>
+        <source>Length gain: share taken for length</source>
+        <translation>长度增益：误差中视为长度的份额</translation>
+    </message>
+    <message>
+        <source>Mark sensor to knife</source>
+        <translation>色标传感器到切刀</translation>
+    </message>
+    <message>
+        <source>Cut behind its mark</source>
+        <translation>切断在色标之后</translation>
+    </message>
+    <message>
+        <source>Window around an expected mark, ±</source>
+        <translation>预期色标的窗口，±</translation>
+    </message>
+    <message>
+        <source>Missing marks in a row to stop</source>
+        <translation>连续缺少多少色标时停机</translation>
+    </message>
+    <message>
+        <source>Phase limit: most shift of a cut</source>
+        <translation>相位限值：每袋切断的最大移动</translation>
+    </message>
+    <message>
+        <source>Length limit: most change of a bag</source>
+        <translation>长度限值：每袋薄膜的最大变化</translation>
+    </message>
+    <message>
+        <source>Length trim without marks</source>
+        <translation>不跟踪色标时的长度微调</translation>
+    </message>
+    <message>
+        <source>Knife stays open over a product</source>
+        <translation>有产品时切刀保持张开</translation>
+    </message>
+    <message>
+        <source>Clearance on both sides of a cut</source>
+        <translation>切断两侧无产品的距离</translation>
+    </message>
+    <message>
+        <source>Skipped cuts in a row to stop</source>
+        <translation>连续跳过多少次切断时停机</translation>
+    </message>
+    <message>
+        <source>Film waits for a missing product</source>
+        <translation>缺产品时薄膜等待</translation>
+    </message>
+    <message>
+        <source>Products are laid before the knife</source>
+        <translation>产品落点，切刀之前</translation>
+    </message>
+    <message>
+        <source>Product eye before that place</source>
+        <translation>产品光电眼，落点之前</translation>
+    </message>
+    <message>
+        <source>Product distance on the infeed</source>
+        <translation>进料上产品的间距</translation>
+    </message>
+    <message>
+        <source>Infeed motor: pulses per product</source>
+        <translation>进料电机：每个产品的脉冲数</translation>
+    </message>
+    <message>
+        <source>Film motor: film per revolution</source>
+        <translation>薄膜电机：每转薄膜长度</translation>
+    </message>
+    <message>
+        <source>Film motor: pulses per revolution</source>
+        <translation>薄膜电机：每转脉冲数</translation>
+    </message>
+    <message>
+        <source>Writing %1: %2 …</source>
+        <translation>正在写入 %1：%2…</translation>
+    </message>
+    <message>
+        <source>%1: %2, read back from the controller.</source>
+        <translation>%1：%2，已从控制器回读。</translation>
+    </message>
+    <message>
+        <source>From %1 to %2.</source>
+        <translation>从 %1 到 %2。</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 到 %2</translation>
+    </message>
+    <message>
+        <source>%1 · suggestion after %2 bags that follow their marks, %3 so far</source>
+        <translation>%1 · 跟踪色标 %2 袋后给出建议，目前 %3 袋</translation>
+    </message>
+    <message>
+        <source>%1 · film slips %2 mm a bag, sensor scatters %3 mm (%4 bags)</source>
+        <translation>%1 · 薄膜每袋打滑 %2 mm，传感器离散 %3 mm（%4 袋）</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::machine::PackingSetup</name>
+    <message>
+        <source>The controller tells nothing of a packing machine: connect it and download a cutter&apos;s recipe.</source>
+        <translation>控制器没有包装机的数据：请连接并下载切刀配方。</translation>
+    </message>
+    <message>
+        <source>Waiting: the marks are measured while the film runs.</source>
+        <translation>等待中：薄膜运行时才测量色标。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 marks measured …</source>
+        <translation>已测量 %1 / %2 个色标…</translation>
+    </message>
+    <message>
+        <source>Measures the distances between the next %1 marks. The machine keeps running.</source>
+        <translation>测量随后 %1 个色标的间距。机器继续运行。</translation>
+    </message>
+    <message>
+        <source>Start the machine: the marks are measured while the film runs, with or without following them.</source>
+        <translation>请启动机器：薄膜运行时测量色标，跟踪与否均可。</translation>
+    </message>
+    <message>
+        <source>The marks are %1 mm apart (± %2 mm); the recipe cuts %3 mm. That is more than the length limit allows: this film does not fit this recipe.</source>
+        <translation>色标间距 %1 mm（± %2 mm）；配方切 %3 mm。差值超过长度限值：此薄膜与此配方不符。</translation>
+    </message>
+    <message>
+        <source>The marks are %1 mm apart (± %2 mm); the recipe cuts %3 mm.</source>
+        <translation>色标间距 %1 mm（± %2 mm）；配方切 %3 mm。</translation>
     </message>
 </context>
 <context>

@@ -52,6 +52,10 @@ public:
     // connectTo(). Ends in exactly one faultsSimulated(); while the controller is not serving, at once.
     virtual void simulateFaults(const QStringList& rules) = 0;
 
+    // What somebody with a ruler finds at the last bag of the simulated machine. Ends in exactly one
+    // rulerRead(); a link that has no simulated machine says so at once.
+    virtual void readRuler() { emit rulerRead({RulerEnd::NotSimulated}); }
+
     // While watched: figuresReported() once a second, the first one at once.
     virtual void watchFigures(bool isWatched) = 0;
     virtual void resetFigures() = 0;
@@ -70,6 +74,7 @@ signals:
     void comparisonReported(const campanel::link::ComparisonReport& report);
     void scanReported(const campanel::link::ScanReport& report);
     void faultsSimulated(const campanel::link::FaultsOutcome& outcome);
+    void rulerRead(const campanel::link::RulerOutcome& outcome);
     void figuresReported(const campanel::link::FiguresReport& report);
     void framesRecorded(const QList<campanel::modbus::FrameRecord>& frames);
 };

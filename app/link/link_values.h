@@ -209,6 +209,20 @@ struct FaultsOutcome {
     QString detail; // its sentence
 };
 
+enum class RulerEnd {
+    Read,
+    NoBag,        // none has been cut since the controller's start
+    NotSimulated, // a real machine needs a real ruler
+    NotServing    // the simulated controller is not running, or ended before it answered
+};
+
+// The last bag as it lies on the table of the simulated machine.
+struct RulerOutcome {
+    RulerEnd end = RulerEnd::Read;
+    double lengthMm = 0.0;     // 0: the cut before does not count
+    double behindMarkMm = 0.0; // of its cut, behind the nearest printed mark; negative: before it
+};
+
 // What has passed on the line since the panel was started or the figures were reset.
 struct FiguresReport {
     SteadyTime takenAt;

@@ -41,6 +41,7 @@ public slots:
     void startScan(campanel::modbus::ScanPlan::Depth depth);
     void cancelScan();
     void simulateFaults(const QStringList& rules);
+    void readRuler();
     void watchFigures(bool isWatched) { m_watch.watchFigures(isWatched); }
     void resetFigures() { m_watch.resetFigures(); }
     void watchFrames(bool isWatched) { m_watch.watchFrames(isWatched); }
@@ -56,6 +57,7 @@ signals:
     void comparisonReported(const campanel::link::ComparisonReport& report);
     void scanReported(const campanel::link::ScanReport& report);
     void faultsSimulated(const campanel::link::FaultsOutcome& outcome);
+    void rulerRead(const campanel::link::RulerOutcome& outcome);
     void figuresReported(const campanel::link::FiguresReport& report);
     void framesRecorded(const QList<campanel::modbus::FrameRecord>& frames);
 

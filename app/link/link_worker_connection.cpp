@@ -90,6 +90,7 @@ void LinkWorker::startSimulator()
             report(m_wasConnected ? LinkState::Lost : LinkState::Searching, m_report.error);
     });
     connect(m_simulator.get(), &SimulatedController::faultsAnswered, this, &LinkWorker::faultsSimulated);
+    connect(m_simulator.get(), &SimulatedController::rulerRead, this, &LinkWorker::rulerRead);
     m_report.simulator = SimulatorState::Starting;
     report(LinkState::Searching);
     m_simulator->start();

@@ -193,6 +193,14 @@ void LinkWorker::simulateFaults(const QStringList& rules)
         emit faultsSimulated({FaultsEnd::NotServing, {}});
 }
 
+void LinkWorker::readRuler()
+{
+    if (!m_simulator)
+        emit rulerRead({RulerEnd::NotSimulated});
+    else if (!m_simulator->readRuler())
+        emit rulerRead({RulerEnd::NotServing});
+}
+
 void LinkWorker::reportScan(bool isRunning, bool isCanceled)
 {
     ScanReport report;

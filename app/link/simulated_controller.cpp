@@ -92,6 +92,7 @@ void SimulatedController::readLines()
 void SimulatedController::take(const QString& line)
 {
     const auto portWord = u"port "_s;
+    const auto measuredWord = u"measured "_s;
     if (!m_isServing) {
         m_isServing = true;
         qCInfo(linkLog) << "simulated controller serves" << line;
@@ -100,6 +101,8 @@ void SimulatedController::take(const QString& line)
         emit serving(line);
     } else if (line.startsWith(portWord)) {
         emit serving(line.mid(portWord.size()));
+    } else if (line.startsWith(measuredWord)) {
+        takeMeasured(line.mid(measuredWord.size()));
     } else if (line.startsWith(u"ok"_s) || line.startsWith(u"error"_s)) {
         takeAnswer(line);
     } else {
@@ -118,6 +121,28 @@ void SimulatedController::takeAnswer(const QString& line)
     if (sent.isAsked)
         emit faultsAnswered({isAccepted ? FaultsEnd::Accepted : FaultsEnd::Refused,
                              isAccepted ? QString() : line.section(u' ', 1)});
+}
+
+// "none", or length and distance of the cut behind its mark in mm; "?" for a length that is not known.
+void SimulatedController::takeMeasured(const QString& line)
+{
+    if (m_rulersAsked == 0)
+        return;
+    --m_rulersAsked;
+    const QStringList words = line.split(u' ');
+    if (words.size() == 2)
+        emit rulerRead({RulerEnd::Read, words[0].toDouble(), words[1].toDouble()});
+    else
+        emit rulerRead({RulerEnd::NoBag});
+}
+
+bool SimulatedController::readRuler()
+{
+    if (!m_isServing)
+        return false;
+    ++m_rulersAsked;
+    m_process.write("measure\n");
+    return true;
 }
 
 bool SimulatedController::setFaults(const QStringList& rules)
@@ -147,6 +172,8 @@ void SimulatedController::processEnded()
         if (sent.isAsked)
             emit faultsAnswered({FaultsEnd::NotServing, lastWords});
     }
+    for (int left = std::exchange(m_rulersAsked, 0); left > 0; --left)
+        emit rulerRead({RulerEnd::NotServing});
 }
 
 } // namespace campanel::link

@@ -31,6 +31,9 @@ public:
     // is not serving.
     [[nodiscard]] bool setFaults(const QStringList& rules);
 
+    // Ends in one rulerRead(); false, and none, while it is not serving.
+    [[nodiscard]] bool readRuler();
+
     // Where it is looked for: beside this program, in the tree it is installed to, on PATH.
     [[nodiscard]] static QStringList candidatePaths();
 
@@ -41,11 +44,13 @@ signals:
     // It is started again a moment later. `lastWords` is what it wrote to its standard error.
     void ended(const QString& lastWords);
     void faultsAnswered(const campanel::link::FaultsOutcome& outcome);
+    void rulerRead(const campanel::link::RulerOutcome& outcome);
 
 private:
     void readLines();
     void take(const QString& line);
     void takeAnswer(const QString& line);
+    void takeMeasured(const QString& line);
     void sendFaults(const QStringList& rules, bool isAsked);
     void processEnded();
 
@@ -59,6 +64,7 @@ private:
     };
     QList<SentFaults> m_sentFaults; // and not yet answered
     QStringList m_faults;           // in force
+    int m_rulersAsked = 0;          // and not yet answered
 };
 
 } // namespace campanel::link

@@ -23,6 +23,7 @@ ThreadedLink::ThreadedLink(QObject* parent)
     connect(this, &ThreadedLink::scanWanted, worker, &LinkWorker::startScan);
     connect(this, &ThreadedLink::scanCancelWanted, worker, &LinkWorker::cancelScan);
     connect(this, &ThreadedLink::faultsWanted, worker, &LinkWorker::simulateFaults);
+    connect(this, &ThreadedLink::rulerWanted, worker, &LinkWorker::readRuler);
     connect(this, &ThreadedLink::figuresWatchWanted, worker, &LinkWorker::watchFigures);
     connect(this, &ThreadedLink::figuresResetWanted, worker, &LinkWorker::resetFigures);
     connect(this, &ThreadedLink::framesWatchWanted, worker, &LinkWorker::watchFrames);
@@ -36,6 +37,7 @@ ThreadedLink::ThreadedLink(QObject* parent)
     connect(worker, &LinkWorker::comparisonReported, this, &Link::comparisonReported);
     connect(worker, &LinkWorker::scanReported, this, &Link::scanReported);
     connect(worker, &LinkWorker::faultsSimulated, this, &Link::faultsSimulated);
+    connect(worker, &LinkWorker::rulerRead, this, &Link::rulerRead);
     connect(worker, &LinkWorker::figuresReported, this, &Link::figuresReported);
     connect(worker, &LinkWorker::framesRecorded, this, &Link::framesRecorded);
     connect(&m_thread, &QThread::finished, worker, &QObject::deleteLater);

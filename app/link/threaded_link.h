@@ -35,6 +35,7 @@ public:
     void startScan(modbus::ScanPlan::Depth depth) override { emit scanWanted(depth); }
     void cancelScan() override { emit scanCancelWanted(); }
     void simulateFaults(const QStringList& rules) override { emit faultsWanted(rules); }
+    void readRuler() override { emit rulerWanted(); }
     void watchFigures(bool isWatched) override { emit figuresWatchWanted(isWatched); }
     void resetFigures() override { emit figuresResetWanted(); }
     void watchFrames(bool isWatched) override { emit framesWatchWanted(isWatched); }
@@ -52,6 +53,7 @@ signals:
     void scanWanted(campanel::modbus::ScanPlan::Depth depth);
     void scanCancelWanted();
     void faultsWanted(const QStringList& rules);
+    void rulerWanted();
     void figuresWatchWanted(bool isWatched);
     void figuresResetWanted();
     void framesWatchWanted(bool isWatched);

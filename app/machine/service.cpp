@@ -18,6 +18,7 @@ Service::Service(Machine& machine, Settings& settings, const QString& folder, QO
     , m_figures(machine.link(), m_files, this)
     , m_inspector(machine, this)
     , m_frames(machine.link(), m_files, this)
+    , m_packing(machine, this)
 {
     QCoreApplication::instance()->installEventFilter(this);
 }
@@ -34,6 +35,7 @@ bool Service::eventFilter(QObject* watched, QEvent* event)
         m_figures.retranslate();
         m_inspector.retranslate();
         m_frames.retranslate();
+        m_packing.retranslate();
     }
     return QObject::eventFilter(watched, event);
 }

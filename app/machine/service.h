@@ -5,6 +5,7 @@
 #include "app/machine/frame_list.h"
 #include "app/machine/line_figures.h"
 #include "app/machine/link_doctor.h"
+#include "app/machine/packing_setup.h"
 #include "app/machine/register_inspector.h"
 #include "app/machine/report_files.h"
 
@@ -25,6 +26,7 @@ class Service : public QObject {
     Q_PROPERTY(campanel::machine::LineFigures* figures READ figures CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::RegisterInspector* inspector READ inspector CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::FrameList* frames READ frames CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::PackingSetup* packing READ packing CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::ReportFiles* files READ files CONSTANT FINAL)
 
 public:
@@ -38,6 +40,7 @@ public:
     [[nodiscard]] LineFigures* figures() { return &m_figures; }
     [[nodiscard]] RegisterInspector* inspector() { return &m_inspector; }
     [[nodiscard]] FrameList* frames() { return &m_frames; }
+    [[nodiscard]] PackingSetup* packing() { return &m_packing; }
     [[nodiscard]] ReportFiles* files() { return &m_files; }
 
 protected:
@@ -49,6 +52,7 @@ private:
     LineFigures m_figures;
     RegisterInspector m_inspector;
     FrameList m_frames;
+    PackingSetup m_packing;
 };
 
 } // namespace campanel::machine

@@ -2,6 +2,8 @@
 // Every page and dialog of the panel; see scenes.h.
 #include "app/main/scenes.h"
 
+#include "app/main/packing_scenes.h"
+
 namespace campanel::panel {
 namespace {
 
@@ -305,7 +307,8 @@ const QList<Scene>& allScenes()
                  stage.tap(QString::fromLatin1(name));
          }},
     };
-    return scenes;
+    static const QList<Scene> all = scenes + packingScenes();
+    return all;
 }
 
 QList<Look> allLooks()

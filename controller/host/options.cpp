@@ -2,6 +2,7 @@
 #include "options.h"
 
 #include "file_flash.h"
+#include "machine_options.h"
 
 #include <charconv>
 #include <cstring>
@@ -10,11 +11,13 @@
 #include <iterator>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace campanel::controller {
 namespace {
 
-constexpr const char* help =
+// Around the machine's own options.
+constexpr const char* helpBefore =
     R"(usage: campanel-controller [OPTION]...
 
 Simulates the machine and its controller, and serves it over Modbus RTU on a pseudo-terminal. The first line
@@ -29,20 +32,16 @@ printed is that port's path. Ends on SIGTERM or SIGINT.
   --state DIR          where its flash is kept ($XDG_STATE_HOME/campanel)
   --speed FACTOR       simulated seconds per second, 0.01..1000 (1)
   --seed N             seed of the machine's disturbances (1)
-  --film-slip MM       standard deviation of the film's slip per bag, 0..10 (0.03)
-  --work-piece MM      where the work piece of a press begins, below the upper position, 0..1000 (75)
-  --work-piece-scatter MM  standard deviation of that from stroke to stroke, 0..100 (0.2)
-  --work-piece-missing P   share of the strokes that find none, 0..1 (0)
-  --work-piece-stiffness N force per mm that the ram goes into it, 0..1000000 (200)
-  --press-backlash MM  play between motor and ram, 0..10 (0.037)
-  --press-lead-error R the ram goes 1 + R times as far as the motor says, -0.1..0.1 (0.00012)
-  --press-screw-error MM   error to both sides within each turn of the screw, 0..1 (0.001)
-  --press-drift MM     standard deviation of heat's move of the ram from stroke to stroke, 0..1 (0.005)
-  --faults FILE        rules for what goes wrong on the line, one a line; see controller/README.md
+)";
+
+constexpr const char* helpAfter =
+    R"(  --faults FILE        rules for what goes wrong on the line, one a line; see controller/README.md
   --fault-seed N       seed of the faults, unless the rules name one (1)
   --control            take a line of rules, separated by ';', from standard input at any time; it replaces all
                        rules, 'clear' removes them. Answered on standard output by 'ok N', N faults by the rules
-                       before, or 'error' and a sentence; 'unplugged', 'port PATH', 'restarted' tell what happened
+                       before, or 'error' and a sentence; 'unplugged', 'port PATH', 'restarted' tell what
+                       happened. 'measure' is answered by 'measured LENGTH DISTANCE': the last bag's length and
+                       that of its cut behind its mark in mm, as a ruler shows it; 'measured none' before any
   --exit-with-parent   end when the process that started this one ends
   --help, --version
 )";
@@ -71,69 +70,46 @@ enum Code {
     State,
     Speed,
     Seed,
-    FilmSlip,
-    WorkPiece,
-    WorkPieceScatter,
-    WorkPieceMissing,
-    WorkPieceStiffness,
-    PressBacklash,
-    PressLeadError,
-    PressScrewError,
-    PressDrift,
     Faults,
     FaultSeed,
     Control,
     ExitWithParent,
     Help,
-    Version
+    Version,
+    FirstOfMachine // the options of machineOptions()
 };
 
-const option table[] = {{"link", required_argument, nullptr, Link},
-                        {"unit", required_argument, nullptr, Unit},
-                        {"baud", required_argument, nullptr, Baud},
-                        {"parity", required_argument, nullptr, Parity},
-                        {"stop-bits", required_argument, nullptr, StopBits},
-                        {"no-pacing", no_argument, nullptr, NoPacing},
-                        {"state", required_argument, nullptr, State},
-                        {"speed", required_argument, nullptr, Speed},
-                        {"seed", required_argument, nullptr, Seed},
-                        {"film-slip", required_argument, nullptr, FilmSlip},
-                        {"work-piece", required_argument, nullptr, WorkPiece},
-                        {"work-piece-scatter", required_argument, nullptr, WorkPieceScatter},
-                        {"work-piece-missing", required_argument, nullptr, WorkPieceMissing},
-                        {"work-piece-stiffness", required_argument, nullptr, WorkPieceStiffness},
-                        {"press-backlash", required_argument, nullptr, PressBacklash},
-                        {"press-lead-error", required_argument, nullptr, PressLeadError},
-                        {"press-screw-error", required_argument, nullptr, PressScrewError},
-                        {"press-drift", required_argument, nullptr, PressDrift},
-                        {"faults", required_argument, nullptr, Faults},
-                        {"fault-seed", required_argument, nullptr, FaultSeed},
-                        {"control", no_argument, nullptr, Control},
-                        {"exit-with-parent", no_argument, nullptr, ExitWithParent},
-                        {"help", no_argument, nullptr, Help},
-                        {"version", no_argument, nullptr, Version},
-                        {nullptr, 0, nullptr, 0}};
+const option ownOptions[] = {{"link", required_argument, nullptr, Link},
+                             {"unit", required_argument, nullptr, Unit},
+                             {"baud", required_argument, nullptr, Baud},
+                             {"parity", required_argument, nullptr, Parity},
+                             {"stop-bits", required_argument, nullptr, StopBits},
+                             {"no-pacing", no_argument, nullptr, NoPacing},
+                             {"state", required_argument, nullptr, State},
+                             {"speed", required_argument, nullptr, Speed},
+                             {"seed", required_argument, nullptr, Seed},
+                             {"faults", required_argument, nullptr, Faults},
+                             {"fault-seed", required_argument, nullptr, FaultSeed},
+                             {"control", no_argument, nullptr, Control},
+                             {"exit-with-parent", no_argument, nullptr, ExitWithParent},
+                             {"help", no_argument, nullptr, Help},
+                             {"version", no_argument, nullptr, Version}};
 
-bool takePressOption(int code, std::string_view argument, PressOptions& press)
+// The own ones and the machine's, as getopt_long() wants them.
+std::vector<option> allOptions()
 {
-    switch (code) {
-    case WorkPiece:
-        return parseNumber(argument, 0.0, 1000.0, press.workPieceMm);
-    case WorkPieceScatter:
-        return parseNumber(argument, 0.0, 100.0, press.workPieceScatterMm);
-    case WorkPieceMissing:
-        return parseNumber(argument, 0.0, 1.0, press.missing);
-    case WorkPieceStiffness:
-        return parseNumber(argument, 0.0, 1e6, press.stiffnessNPerMm);
-    case PressBacklash:
-        return parseNumber(argument, 0.0, 10.0, press.backlashMm);
-    case PressLeadError:
-        return parseNumber(argument, -0.1, 0.1, press.leadError);
-    case PressScrewError:
-        return parseNumber(argument, 0.0, 1.0, press.screwErrorMm);
-    default:
-        return parseNumber(argument, 0.0, 1.0, press.driftMm);
-    }
+    std::vector<option> all(std::begin(ownOptions), std::end(ownOptions));
+    int code = FirstOfMachine;
+    for (const MachineOption& option : machineOptions())
+        all.push_back({option.name, required_argument, nullptr, code++});
+    all.push_back({nullptr, 0, nullptr, 0});
+    return all;
+}
+
+bool takeMachineOption(int code, std::string_view argument, MachineOptions& machine)
+{
+    const MachineOption& option = machineOptions()[static_cast<std::size_t>(code - FirstOfMachine)];
+    return parseNumber(argument, option.minimum, option.maximum, option.member(machine));
 }
 
 // Empty: done.
@@ -176,8 +152,6 @@ bool takeOption(int code, std::string_view argument, Options& options)
         return parseNumber(argument, 0.01, 1000.0, options.speed);
     case Seed:
         return parseNumber<std::uint64_t>(argument, 0, UINT64_MAX, options.machine.seed);
-    case FilmSlip:
-        return parseNumber(argument, 0.0, 10.0, options.machine.film.slipMm);
     case FaultSeed:
         return parseNumber<std::uint64_t>(argument, 0, UINT64_MAX, options.faults.seed);
     case Control:
@@ -187,7 +161,7 @@ bool takeOption(int code, std::string_view argument, Options& options)
         options.exitWithParent = true;
         return true;
     default:
-        return takePressOption(code, argument, options.machine.press);
+        return takeMachineOption(code, argument, options.machine);
     }
 }
 
@@ -197,25 +171,27 @@ tl::expected<Options, Ending> parseOptions(int argc, char** argv)
 {
     Options options;
     options.stateDirectory = defaultStateDirectory();
+    const std::vector<option> table = allOptions();
     std::string faultFile; // read last: the seed may be named after it
     opterr = 0;
     for (;;) {
         int index = 0;
         const char* word = argv[optind];
-        const int code = getopt_long(argc, argv, "", table, &index);
+        const int code = getopt_long(argc, argv, "", table.data(), &index);
         if (code == -1)
             break;
         if (code == '?')
             return wrong("unknown or incomplete option " + std::string(word));
         if (code == Help)
-            return tl::unexpected(Ending{0, help});
+            return tl::unexpected(Ending{0, std::string(helpBefore).append(machineHelp()).append(helpAfter)});
         if (code == Version)
             return tl::unexpected(Ending{0, "campanel-controller " CAMPANEL_VERSION "\n"});
         const char* argument = optarg != nullptr ? optarg : "";
         if (code == Faults)
             faultFile = argument;
         else if (!takeOption(code, argument, options))
-            return wrong("--" + std::string(table[index].name) + " cannot be '" + argument + "'");
+            return wrong("--" + std::string(table[static_cast<std::size_t>(index)].name) + " cannot be '" +
+                         argument + "'");
     }
     if (optind < argc)
         return wrong("unexpected argument " + std::string(argv[optind]));

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::int64_t nsPerS = 1'000'000'000;
 constexpr double nsPerUs = 1000.0;
+constexpr double umPerMm = 1000.0;
 // Nothing can be seen of the machine between two requests, so that it need not be moved more often than this.
 constexpr std::int64_t longestSleepNs = 20'000'000;
 // Steps of one catching up; further behind than that, simulated time is late for good.
@@ -63,6 +64,7 @@ void Service::powerUp(std::int64_t nowNs)
 {
     m_startNs = nowNs;
     m_frameEndNs.reset();
+    m_lastCut.reset();
     m_controller = std::make_unique<SimulatedController>(configOf(m_options), m_options.machine, m_flash);
 }
 
@@ -76,7 +78,13 @@ void Service::catchUp(std::int64_t nowNs)
 {
     const std::uint64_t targetUs = simulatedUs(nowNs);
     const std::uint64_t reachableUs = m_controller->nowUs() + mostSteps * SimulatedController::usualStepUs;
-    m_controller->runTo(std::min(targetUs, reachableUs));
+    const std::uint64_t endUs = std::min(targetUs, reachableUs);
+    while (m_controller->nowUs() + SimulatedController::usualStepUs <= endUs) {
+        m_controller->step();
+        if (m_controller->cut())
+            m_lastCut = m_controller->cut();
+    }
+    m_controller->runTo(endUs);
     if (targetUs > reachableUs)
         m_startNs += static_cast<std::int64_t>(static_cast<double>(targetUs - reachableUs) * nsPerUs /
                                                m_options.speed);
@@ -139,8 +147,28 @@ void Service::say(std::string_view line) const
     std::fflush(stdout);
 }
 
+// As somebody finds it who lays a ruler on the last bag.
+void Service::measure() const
+{
+    if (!m_lastCut) {
+        say("measured none");
+        return;
+    }
+    std::array<char, 64> text{};
+    if (m_lastCut->lengthUm)
+        std::snprintf(text.data(), text.size(), "measured %.3f %.3f", *m_lastCut->lengthUm / umPerMm,
+                      m_lastCut->markErrorMm);
+    else
+        std::snprintf(text.data(), text.size(), "measured ? %.3f", m_lastCut->markErrorMm);
+    say(text.data());
+}
+
 void Service::takeControlLine(std::string_view text)
 {
+    if (text == "measure") {
+        measure();
+        return;
+    }
     const auto script = parseFaultScript(text, m_line.script());
     if (!script) {
         say("error " + script.error());

@@ -34,6 +34,7 @@ private:
     void wait(std::int64_t nowNs, const sigset_t& waitMask);
     void act(const LineEvent& event, std::int64_t nowNs);
     void powerUp(std::int64_t nowNs);
+    void measure() const;
     void takeControlLine(std::string_view text);
     void say(std::string_view line) const;
 
@@ -45,6 +46,7 @@ private:
     std::int64_t m_gapNs = 0;
     std::int64_t m_startNs = 0; // real time of power-up, moved when the simulation cannot keep up
     std::unique_ptr<SimulatedController> m_controller;
+    std::optional<BagCut> m_lastCut;
     std::uint64_t m_frame = 0;                // of the bytes that came last
     std::optional<std::int64_t> m_frameEndNs; // of the request under way
 };

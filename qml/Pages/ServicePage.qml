@@ -15,9 +15,10 @@ Page {
         { key: 0, name: "service0", text: qsTr("Link doctor"), source: "DoctorSection.qml" },
         { key: 1, name: "service1", text: qsTr("Figures"), source: "FiguresSection.qml" },
         { key: 2, name: "service2", text: qsTr("Registers"), source: "RegistersSection.qml" },
-        { key: 3, name: "service3", text: qsTr("Frames"), source: "FramesSection.qml" }
+        { key: 3, name: "service3", text: qsTr("Frames"), source: "FramesSection.qml" },
+        { key: 4, name: "servicePacking", text: qsTr("Packing"), source: "PackingSection.qml" }
     ]
-    readonly property var simulatedOnly: [{ key: 4, name: "service4", text: qsTr("Faults"), source: "LineFaultsSection.qml" }]
+    readonly property var simulatedOnly: [{ key: 5, name: "service4", text: qsTr("Faults"), source: "LineFaultsSection.qml" }]
     readonly property var sections: Machine.simulated ? page.always.concat(page.simulatedOnly) : page.always
     readonly property int shown: Math.min(page.section, page.sections.length - 1)
 

@@ -601,10 +601,96 @@
     </message>
 </context>
 <context>
+    <name>MarkWizardSheet</name>
+    <message>
+        <source>Mark sensor to knife</source>
+        <translation>色标传感器到切刀</translation>
+    </message>
+    <message>
+        <source>Step 1 of 5: what this does</source>
+        <translation>第 1 步，共 5 步：说明</translation>
+    </message>
+    <message>
+        <source>Step 2 of 5: cut bags</source>
+        <translation>第 2 步，共 5 步：切袋</translation>
+    </message>
+    <message>
+        <source>Step 3 of 5: measure</source>
+        <translation>第 3 步，共 5 步：测量</translation>
+    </message>
+    <message>
+        <source>Step 4 of 5: write</source>
+        <translation>第 4 步，共 5 步：写入</translation>
+    </message>
+    <message>
+        <source>Step 5 of 5: watch</source>
+        <translation>第 5 步，共 5 步：观察</translation>
+    </message>
+    <message>
+        <source>Distance before</source>
+        <translation>原距离</translation>
+    </message>
+    <message>
+        <source>New distance</source>
+        <translation>新距离</translation>
+    </message>
+    <message>
+        <source>Measured, mm</source>
+        <translation>测量值，mm</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Read the ruler</source>
+        <translation>读尺</translation>
+    </message>
+    <message>
+        <source>Enter …</source>
+        <translation>输入…</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>重新测量</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>写入</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Cut behind mark</source>
+        <translation>切断在色标后</translation>
+    </message>
+    <message>
+        <source>Wanted</source>
+        <translation>目标</translation>
+    </message>
+</context>
+<context>
     <name>MasterDialCard</name>
     <message>
         <source>Master</source>
         <translation>主轴</translation>
+    </message>
+</context>
+<context>
+    <name>MeasurementKeypad</name>
+    <message>
+        <source>Cut behind its mark</source>
+        <translation>切断在色标之后</translation>
     </message>
 </context>
 <context>
@@ -748,6 +834,40 @@
     <message>
         <source>OK</source>
         <translation>确定</translation>
+    </message>
+</context>
+<context>
+    <name>PackingRow</name>
+    <message>
+        <source>Take %1</source>
+        <translation>采用 %1</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>开</translation>
+    </message>
+</context>
+<context>
+    <name>PackingSection</name>
+    <message>
+        <source>Measure the marks</source>
+        <translation>测量色标</translation>
+    </message>
+    <message>
+        <source>Sensor to knife …</source>
+        <translation>传感器到切刀…</translation>
+    </message>
+    <message>
+        <source>Values are used at once. The controller keeps them over a power-off only after Save.</source>
+        <translation>数值立即生效。只有保存后，控制器断电才不丢失。</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
     </message>
 </context>
 <context>
@@ -970,6 +1090,10 @@
     <message>
         <source>Faults</source>
         <translation>故障模拟</translation>
+    </message>
+    <message>
+        <source>Packing</source>
+        <translation>包装</translation>
     </message>
 </context>
 <context>

@@ -96,6 +96,7 @@ private slots:
     void restartLosesWhatIsInRam();
     void fileOfRules();
     void endOfInputIsNotTheEnd();
+    void thereIsNothingToMeasureBeforeABag();
 };
 
 void TestLiveFaults::rulesAreReplaced()
@@ -194,6 +195,15 @@ void TestLiveFaults::fileOfRules()
     QVERIFY(wrong.waitForFinished(waitMs));
     QCOMPARE(wrong.exitCode(), 2);
     QVERIFY(wrong.readAllStandardError().contains("cannot read"));
+}
+
+void TestLiveFaults::thereIsNothingToMeasureBeforeABag()
+{
+    Program controller;
+    QCOMPARE(controller.tell("exception code=4"), u"ok 0"_s);
+    QCOMPARE(controller.tell("measure"), u"measured none"_s);
+    QVERIFY(ask(controller.port(), 200) == frame({1, 0x83, 4}));
+    QCOMPARE(controller.tell("clear"), u"ok 1"_s); // measuring is no rule
 }
 
 void TestLiveFaults::endOfInputIsNotTheEnd()

@@ -32,6 +32,7 @@ public:
     void startScan(modbus::ScanPlan::Depth depth) override { scans << depth; }
     void cancelScan() override { ++scanCancels; }
     void simulateFaults(const QStringList& rules) override { faults << rules; }
+    void readRuler() override { ++rulers; }
     void watchFigures(bool isWatched) override { areFiguresWatched = isWatched; }
     void resetFigures() override { ++figuresResets; }
     void watchFrames(bool isWatched) override { areFramesWatched = isWatched; }
@@ -48,6 +49,7 @@ public:
     QList<modbus::ScanPlan::Depth> scans;
     int scanCancels = 0;
     QList<QStringList> faults;
+    int rulers = 0;
     bool areFiguresWatched = false;
     int figuresResets = 0;
     bool areFramesWatched = false;

@@ -267,6 +267,37 @@ private slots:
         QCOMPARE(panel.faults.size(), 3); // nobody asked for the last ones
     }
 
+    void theRulerHasOneOutcome()
+    {
+        const QTemporaryDir folder;
+        link::ConnectionSettings settings;
+        settings.simulatorProgram = QStringLiteral(CAMPANEL_CONTROLLER);
+        settings.simulatorStateDir = folder.filePath(QStringLiteral("state"));
+        Panel panel(settings);
+        QList<link::RulerEnd> ends;
+        QObject::connect(&panel.link, &link::Link::rulerRead, &panel.link,
+                         [&ends](const link::RulerOutcome& outcome) { ends << outcome.end; });
+        panel.link.readRuler(); // before it serves
+        QTRY_COMPARE_WITH_TIMEOUT(ends.size(), 1, timeoutMs);
+        QCOMPARE(ends.last(), link::RulerEnd::NotServing);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected(), timeoutMs);
+        panel.link.readRuler();
+        panel.link.simulateFaults({QStringLiteral("lost-answer limit=1")});
+        panel.link.readRuler();
+        QTRY_COMPARE_WITH_TIMEOUT(ends.size(), 3, timeoutMs);
+        QCOMPARE(ends, (QList{link::RulerEnd::NotServing, link::RulerEnd::NoBag, link::RulerEnd::NoBag}));
+        QTRY_COMPARE_WITH_TIMEOUT(panel.faults.size(), 1, timeoutMs);
+        QCOMPARE(panel.faults.last().end, link::FaultsEnd::Accepted);
+
+        ControllerProcess controller;
+        Panel real(portSettings(controller.port()));
+        QObject::connect(&real.link, &link::Link::rulerRead, &real.link,
+                         [&ends](const link::RulerOutcome& outcome) { ends << outcome.end; });
+        real.link.readRuler();
+        QTRY_COMPARE_WITH_TIMEOUT(ends.size(), 4, timeoutMs);
+        QCOMPARE(ends.last(), link::RulerEnd::NotSimulated);
+    }
+
     void faultsAreNotForARealLine()
     {
         ControllerProcess controller;

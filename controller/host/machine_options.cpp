@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machine_options.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace campanel::controller {
+namespace {
+
+template <auto Member> double& film(MachineOptions& options)
+{
+    return options.film.*Member;
+}
+
+template <auto Member> double& products(MachineOptions& options)
+{
+    return options.products.*Member;
+}
+
+template <auto Member> double& press(MachineOptions& options)
+{
+    return options.press.*Member;
+}
+
+using Film = FilmOptions;
+using Products = ProductOptions;
+using Press = PressOptions;
+
+constexpr std::array table{
+    MachineOption{"film-slip", "MM", "standard deviation of the film's slip per bag", 0, 10,
+                  film<&Film::slipMm>},
+    MachineOption{"film-stretch", "SHARE", "largest slow stretch of the film; half of it is always there", 0,
+                  0.1, film<&Film::stretch>},
+    MachineOption{"film-stretch-step", "SHARE", "stretch that sets in at once", -0.1, 0.1,
+                  film<&Film::stretchStep>},
+    MachineOption{"film-stretch-step-after", "M", "film drawn until it does", 0, 1e6,
+                  film<&Film::stretchStepM>},
+    MachineOption{"film-misplaced", "MM", "the film lies so far from its marks at the first cut", -1000, 1000,
+                  film<&Film::misplacedMm>},
+    MachineOption{"mark-noise", "MM", "standard deviation of the mark sensor", 0, 10,
+                  film<&Film::markNoiseMm>},
+    MachineOption{"marks-missing", "P", "share of the marks that the sensor does not see", 0, 1,
+                  film<&Film::marksMissing>},
+    MachineOption{"marks-false", "P", "share of the bags with a second mark somewhere", 0, 1,
+                  film<&Film::marksFalse>},
+    MachineOption{"mark-distance", "MM", "film that truly lies between the mark sensor and the knife", 10,
+                  5000, film<&Film::markDistanceMm>},
+    MachineOption{"print-error", "SHARE", "the marks are printed so much further apart than a bag is long",
+                  -0.1, 0.1, film<&Film::printError>},
+    MachineOption{"product-length", "MM", "mean length of the products; 0: 0.6 of the bag length", 0, 2000,
+                  products<&Products::lengthMm>},
+    MachineOption{"product-length-scatter", "MM", "standard deviation of that", 0, 100,
+                  products<&Products::lengthScatterMm>},
+    MachineOption{"product-scatter", "MM", "standard deviation of their place on the infeed", 0, 100,
+                  products<&Products::scatterMm>},
+    MachineOption{"product-lay-slip", "MM",
+                  "standard deviation of their slip on the film, which the eye does not see", 0, 100,
+                  products<&Products::laySlipMm>},
+    MachineOption{"product-eye-noise", "MM", "standard deviation of the eye", 0, 10,
+                  products<&Products::eyeNoiseMm>},
+    MachineOption{"product-missing", "P", "share of the products that are missing", 0, 1,
+                  products<&Products::missing>},
+    MachineOption{"product-misplaced", "P", "share that lies anywhere, up to 0.45 of a bag length off", 0, 1,
+                  products<&Products::misplaced>},
+    MachineOption{"work-piece", "MM", "where the work piece of a press begins, below the upper position", 0,
+                  1000, press<&Press::workPieceMm>},
+    MachineOption{"work-piece-scatter", "MM", "standard deviation of that from stroke to stroke", 0, 100,
+                  press<&Press::workPieceScatterMm>},
+    MachineOption{"work-piece-missing", "P", "share of the strokes that find none", 0, 1,
+                  press<&Press::missing>},
+    MachineOption{"work-piece-stiffness", "N", "force per mm that the ram goes into it", 0, 1e6,
+                  press<&Press::stiffnessNPerMm>},
+    MachineOption{"press-backlash", "MM", "play between motor and ram", 0, 10, press<&Press::backlashMm>},
+    MachineOption{"press-lead-error", "R", "the ram goes 1 + R times as far as the motor says", -0.1, 0.1,
+                  press<&Press::leadError>},
+    MachineOption{"press-screw-error", "MM", "error to both sides within each turn of the screw", 0, 1,
+                  press<&Press::screwErrorMm>},
+    MachineOption{"press-drift", "MM", "standard deviation of heat's move of the ram from stroke to stroke",
+                  0, 1, press<&Press::driftMm>},
+};
+
+// As short as it can be said.
+std::string numberText(double value)
+{
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
+    return {text.data(), end.ptr};
+}
+
+} // namespace
+
+std::span<const MachineOption> machineOptions()
+{
+    return table;
+}
+
+std::string machineHelp()
+{
+    constexpr std::size_t textColumn = 23;
+    MachineOptions defaults;
+    std::string help;
+    for (const MachineOption& option : table) {
+        std::string line("  --");
+        line.append(option.name).append(" ").append(option.unit);
+        line.resize(std::max(line.size() + 2, textColumn), ' ');
+        line.append(option.text).append(", ").append(numberText(option.minimum)).append("..");
+        line.append(numberText(option.maximum)).append(" (").append(numberText(option.member(defaults)));
+        help.append(line).append(")\n");
+    }
+    return help;
+}
+
+} // namespace campanel::controller

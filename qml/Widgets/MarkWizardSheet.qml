@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// The distance from mark sensor to knife, corrected with bags and a ruler, one step after the other.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+Item {
+    id: sheet
+
+    readonly property MarkWizard wizard: Service.packing.wizard
+    readonly property int step: wizard.step
+    readonly property bool waits: step === MarkWizard.Step.Cutting || step === MarkWizard.Step.Watch
+    readonly property bool ended: step === MarkWizard.Step.Done || step === MarkWizard.Step.Failed
+    readonly property bool showsDistances: step === MarkWizard.Step.Confirm || step === MarkWizard.Step.Writing
+        || step === MarkWizard.Step.Watch || step === MarkWizard.Step.Done
+    signal closed()
+
+    component Pair: Column {
+        id: pair
+        required property string name
+        required property string value
+        property bool strong
+        spacing: Theme.size.outline
+        Label {
+            text: pair.name
+            color: Theme.color.secondaryInk
+            font.pixelSize: Theme.size.caption
+        }
+        Label {
+            text: pair.value
+            color: pair.strong ? Theme.color.touch : Theme.color.ink
+            font { pixelSize: Theme.size.title; weight: Font.Bold }
+        }
+    }
+
+    Sheet {
+        anchors.fill: parent
+        visible: !keypad.active
+        title: qsTr("Mark sensor to knife")
+        note: sheet.ended ? "" : [qsTr("Step 1 of 5: what this does"), qsTr("Step 2 of 5: cut bags"), qsTr("Step 3 of 5: measure"),
+            qsTr("Step 4 of 5: write"), qsTr("Step 4 of 5: write"), qsTr("Step 5 of 5: watch")][sheet.step]
+        panelWidth: width * 0.9
+        onClosed: sheet.closed()
+
+        Label {
+            id: words
+            objectName: "wizardText"
+            anchors { left: parent.left; right: parent.right; top: parent.top }
+            wrapMode: Text.WordWrap
+            text: sheet.wizard.text
+            color: sheet.step === MarkWizard.Step.Failed ? Theme.color.fault : Theme.color.ink
+        }
+        Label {
+            id: reason
+            objectName: "wizardReason"
+            anchors { left: parent.left; right: parent.right; top: words.bottom; topMargin: Theme.size.spacing }
+            wrapMode: Text.WordWrap
+            visible: text.length > 0
+            text: sheet.wizard.blockedReason
+            color: Theme.color.warning
+            font.weight: Font.DemiBold
+        }
+        ProgressBar {
+            anchors { left: parent.left; right: parent.right; top: reason.visible ? reason.bottom : words.bottom; topMargin: Theme.size.padding }
+            visible: sheet.waits
+            progress: sheet.wizard.progress
+        }
+        Row {
+            anchors { left: parent.left; bottom: parent.bottom; bottomMargin: Theme.size.padding }
+            spacing: Theme.size.padding * 2
+            visible: sheet.showsDistances
+            Pair {
+                name: qsTr("Cut behind mark")
+                value: sheet.wizard.meanText
+            }
+            Pair {
+                name: qsTr("Wanted")
+                value: sheet.wizard.offsetText
+            }
+            Pair {
+                name: qsTr("Distance before")
+                value: sheet.wizard.oldText
+            }
+            Pair {
+                objectName: "wizardNew"
+                name: qsTr("New distance")
+                value: sheet.wizard.newText
+                strong: true
+            }
+        }
+        Row {
+            anchors { left: parent.left; bottom: parent.bottom; bottomMargin: Theme.size.padding }
+            spacing: Theme.size.padding * 2
+            visible: sheet.step === MarkWizard.Step.Measure && sheet.wizard.measuredText.length > 0
+            Pair {
+                objectName: "wizardMeasured"
+                name: qsTr("Measured, mm")
+                value: sheet.wizard.measuredText
+            }
+            Pair {
+                name: qsTr("Mean")
+                value: sheet.wizard.meanText
+                strong: true
+            }
+        }
+        footer: [
+            Button {
+                objectName: "wizardCancel"
+                text: sheet.ended || sheet.step === MarkWizard.Step.Watch ? qsTr("Close") : qsTr("Cancel")
+                onClicked: sheet.closed()
+            },
+            Button {
+                objectName: "wizardDrop"
+                visible: sheet.step === MarkWizard.Step.Measure
+                enabled: sheet.wizard.measuredText.length > 0
+                glyph: Theme.icon.backspace
+                onClicked: sheet.wizard.dropMeasurement()
+            },
+            Button {
+                objectName: "wizardRuler"
+                visible: sheet.step === MarkWizard.Step.Measure && Machine.simulated
+                enabled: sheet.wizard.canReadRuler
+                text: qsTr("Read the ruler")
+                onClicked: sheet.wizard.readRuler()
+            },
+            Button {
+                objectName: "wizardEnter"
+                visible: sheet.step === MarkWizard.Step.Measure
+                glyph: Theme.icon.edit
+                text: qsTr("Enter …")
+                onClicked: keypad.active = true
+            },
+            Button {
+                objectName: "wizardAgain"
+                visible: sheet.ended
+                text: qsTr("Measure again")
+                onClicked: sheet.wizard.restart()
+            },
+            Button {
+                objectName: "wizardNext"
+                visible: !sheet.waits && !sheet.ended
+                kind: Button.Primary
+                enabled: sheet.wizard.canGoOn
+                text: sheet.step === MarkWizard.Step.Confirm || sheet.step === MarkWizard.Step.Writing ? qsTr("Write") : qsTr("Next")
+                onClicked: sheet.wizard.goOn()
+            }
+        ]
+    }
+    Loader {
+        id: keypad
+        anchors.fill: parent
+        active: false
+        source: "MeasurementKeypad.qml"
+        onLoaded: (item as MeasurementKeypad).closed.connect(() => keypad.active = false)
+    }
+}

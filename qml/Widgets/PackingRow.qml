@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// One number or switch of a packing machine: what it is and its range, its value, and a key that takes a suggestion.
+pragma ComponentBehavior: Bound
+import QtQuick
+import QtQuick.Templates as T
+import CamPanel.Theme
+import CamPanel.Controls
+
+T.AbstractButton {
+    id: row
+
+    required property int index
+    required property string name
+    required property string note
+    required property string value
+    required property string unit
+    required property bool toggle
+    required property bool on
+    required property bool known
+    required property string suggestion
+    signal switched(bool on)
+    signal suggestionTaken()
+
+    implicitHeight: Theme.size.touch
+    enabled: row.known
+
+    background: Rectangle {
+        radius: Theme.size.radius
+        color: row.down && !row.toggle ? Theme.color.touchTint : Theme.color.inset
+        border { width: Theme.size.hairline; color: Theme.color.line }
+    }
+    Item {
+        anchors.fill: parent
+        Column {
+            anchors { left: parent.left; right: row.toggle ? choice.left : take.visible ? take.left : shown.left; margins: Theme.size.padding; verticalCenter: parent.verticalCenter }
+            Label {
+                width: parent.width
+                text: row.name
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption - 3
+                font.weight: Font.DemiBold
+            }
+            Label {
+                width: parent.width
+                visible: row.note.length > 0
+                text: row.note
+                wrapMode: Text.WordWrap
+                maximumLineCount: 2
+                color: Theme.color.secondaryInk
+                font.pixelSize: Theme.size.caption - 2
+            }
+        }
+        Button {
+            id: take
+            objectName: "packingTake" + row.index
+            anchors { right: shown.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+            visible: row.suggestion.length > 0
+            text: qsTr("Take %1").arg(row.suggestion)
+            onClicked: row.suggestionTaken()
+        }
+        Row {
+            id: shown
+            anchors { right: mark.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+            visible: !row.toggle
+            spacing: Theme.size.accent
+            Label {
+                id: number
+                text: row.value
+                color: row.known ? Theme.color.ink : Theme.color.disabledInk
+                font { pixelSize: Theme.size.title; weight: Font.Bold }
+            }
+            Label {
+                anchors.baseline: number.baseline
+                text: row.unit
+                color: Theme.color.secondaryInk
+                font.pixelSize: Theme.size.caption
+            }
+        }
+        IconLabel {
+            id: mark
+            anchors { right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+            visible: !row.toggle
+            code: Theme.icon.edit
+            color: row.known ? Theme.color.touch : Theme.color.disabledInk
+        }
+        Segmented {
+            id: choice
+            anchors { right: parent.right; verticalCenter: parent.verticalCenter }
+            visible: row.toggle
+            width: Math.round(parent.width * 0.3)
+            choices: [{ key: false, text: qsTr("Off"), name: "packing" + row.index + "off" },
+                { key: true, text: qsTr("On"), name: "packing" + row.index + "on" }]
+            current: row.known ? row.on : undefined
+            onChosen: key => row.switched(key)
+        }
+    }
+}

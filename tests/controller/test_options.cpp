@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line of campanel-controller: every number of the simulated machine reaches its own member,
+// within its range, and is in the help.
+#include "machine_options.h"
+#include "options.h"
+
+#include <QTest>
+
+#include <getopt.h>
+#include <set>
+#include <string>
+#include <vector>
+
+using namespace campanel::controller;
+
+namespace {
+
+tl::expected<Options, Ending> parse(std::vector<std::string> words)
+{
+    words.insert(words.begin(), "campanel-controller");
+    std::vector<char*> arguments;
+    for (std::string& word : words)
+        arguments.push_back(word.data());
+    optind = 0; // getopt begins anew
+    const auto count = static_cast<int>(arguments.size());
+    arguments.push_back(nullptr);
+    return parseOptions(count, arguments.data());
+}
+
+std::vector<double> values(MachineOptions machine)
+{
+    std::vector<double> values;
+    for (const MachineOption& option : machineOptions())
+        values.push_back(option.member(machine));
+    return values;
+}
+
+} // namespace
+
+class TestOptions : public QObject {
+    Q_OBJECT
+
+private slots:
+    void eachNumberReachesItsOwnMember_data()
+    {
+        QTest::addColumn<int>("index");
+        int index = 0;
+        for (const MachineOption& option : machineOptions())
+            QTest::newRow(option.name) << index++;
+    }
+    void eachNumberReachesItsOwnMember()
+    {
+        QFETCH(int, index);
+        const auto at = static_cast<std::size_t>(index);
+        const MachineOption& option = machineOptions()[at];
+        const std::string name = "--" + std::string(option.name);
+        const std::vector<double> before = values({});
+        QVERIFY(before[at] >= option.minimum && before[at] <= option.maximum);
+        for (const double value : {option.minimum, option.maximum, (option.minimum + option.maximum) / 4}) {
+            const auto options = parse({name, QByteArray::number(value, 'g', 17).toStdString()});
+            QVERIFY(options.has_value());
+            std::vector<double> expected = before;
+            expected[at] = value;
+            QVERIFY(values(options->machine) == expected);
+        }
+        const double beyond = option.maximum + 1;
+        for (const std::string& wrong : {std::to_string(beyond), std::to_string(option.minimum - 1),
+                                         std::string("nan"), std::string("1x"), std::string()}) {
+            const auto refused = parse({name, wrong});
+            QVERIFY2(!refused.has_value(), wrong.c_str());
+            QCOMPARE(refused.error().exitCode, 2);
+            QVERIFY2(refused.error().text.find(name + " cannot be '" + wrong + "'") != std::string::npos,
+                     refused.error().text.c_str());
+        }
+    }
+
+    void numbersAreWhatTheirNamesSay()
+    {
+        const auto options = parse({"--film-slip",
+                                    "0.1",
+                                    "--film-stretch",
+                                    "0.01",
+                                    "--film-stretch-step",
+                                    "-0.003",
+                                    "--film-stretch-step-after",
+                                    "40",
+                                    "--film-misplaced",
+                                    "-12",
+                                    "--mark-noise",
+                                    "0.2",
+                                    "--marks-missing",
+                                    "0.02",
+                                    "--marks-false",
+                                    "0.03",
+                                    "--mark-distance",
+                                    "903",
+                                    "--print-error",
+                                    "0.004",
+                                    "--product-length",
+                                    "120"});
+        QVERIFY(options.has_value());
+        const FilmOptions& film = options->machine.film;
+        QCOMPARE(film.slipMm, 0.1);
+        QCOMPARE(film.stretch, 0.01);
+        QCOMPARE(film.stretchStep, -0.003);
+        QCOMPARE(film.stretchStepM, 40.0);
+        QCOMPARE(film.misplacedMm, -12.0);
+        QCOMPARE(film.markNoiseMm, 0.2);
+        QCOMPARE(film.marksMissing, 0.02);
+        QCOMPARE(film.marksFalse, 0.03);
+        QCOMPARE(film.markDistanceMm, 903.0);
+        QCOMPARE(film.printError, 0.004);
+        const auto more = parse({"--product-length", "120", "--product-length-scatter", "3",
+                                 "--product-scatter", "4", "--product-lay-slip", "0.4", "--product-eye-noise",
+                                 "0.3", "--product-missing", "0.05", "--product-misplaced", "0.06"});
+        QVERIFY(more.has_value());
+        const ProductOptions& products = more->machine.products;
+        QCOMPARE(products.lengthMm, 120.0);
+        QCOMPARE(products.lengthScatterMm, 3.0);
+        QCOMPARE(products.scatterMm, 4.0);
+        QCOMPARE(products.laySlipMm, 0.4);
+        QCOMPARE(products.eyeNoiseMm, 0.3);
+        QCOMPARE(products.missing, 0.05);
+        QCOMPARE(products.misplaced, 0.06);
+    }
+
+    void noTwoOptionsShareAMember()
+    {
+        MachineOptions machine;
+        std::set<const double*> members;
+        for (const MachineOption& option : machineOptions())
+            members.insert(&option.member(machine));
+        QCOMPARE(members.size(), machineOptions().size());
+    }
+
+    void helpNamesEachWithRangeAndDefault()
+    {
+        const auto help = parse({"--help"});
+        QVERIFY(!help.has_value());
+        QCOMPARE(help.error().exitCode, 0);
+        const std::string& text = help.error().text;
+        for (const MachineOption& option : machineOptions())
+            QVERIFY2(text.find("\n  --" + std::string(option.name) + " ") != std::string::npos, option.name);
+        QVERIFY(
+            text.find("--film-slip MM       standard deviation of the film's slip per bag, 0..10 (0.03)\n") !=
+            std::string::npos);
+        QVERIFY(text.find("  --seed N ") < text.find("  --film-slip MM "));
+        QVERIFY(text.find("  --press-drift MM ") < text.find("  --faults FILE "));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestOptions)
+#include "test_options.moc"

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// The section of Service for packing machines under a finger: a value entered, a switch, the wizard to its
+// end.
+#include "app/main/scenes.h"
+#include "panel_test.h"
+
+#include <cmath>
+
+using Step = campanel::machine::MarkWizard::Step;
+
+class TestPanelPacking : public campanel::test::PanelTest {
+    Q_OBJECT
+
+    auto& packing() { return *m_stage->panel().service().packing(); }
+    void enter(const char* name)
+    {
+        for (const auto& scene : campanel::panel::allScenes()) {
+            if (scene.name == QLatin1String(name))
+                campanel::panel::enterScene(*m_stage, scene);
+        }
+    }
+
+private slots:
+    void marksAreToldInWords()
+    {
+        enter("packing");
+        QVERIFY2(textOf("packingTeachText").startsWith(QStringLiteral("The marks are 250.31 mm apart")),
+                 qPrintable(textOf("packingTeachText")));
+        QVERIFY(!m_stage->find(QStringLiteral("packingSave"))->isEnabled());
+    }
+
+    void aNumberIsEntered()
+    {
+        enter("packing-keypad");
+        QVERIFY(m_stage->find(QStringLiteral("keypad")));
+        tap("keypadDefault");
+        tap("keypadAccept");
+        m_stage->settle();
+        QVERIFY(!m_stage->find(QStringLiteral("keypad")));
+        QCOMPARE(textOf("packingText"),
+                 QStringLiteral("Phase gain: share taken for slip: 0.25, read back from the controller."));
+        QVERIFY(packing().fields()->unsaved());
+        tap("packingSave");
+        QVERIFY(!packing().fields()->unsaved());
+    }
+
+    void trackingIsSwitchedByOneTap()
+    {
+        enter("packing");
+        tap("packing0off");
+        m_stage->settle();
+        QCOMPARE(packing().fields()->value("parameter.mark_tracking"), 0.0);
+        tap("packing0on");
+        m_stage->settle();
+        QCOMPARE(packing().fields()->value("parameter.mark_tracking"), 1.0);
+    }
+
+    void aSuggestionIsTakenByOneTap()
+    {
+        enter("packing-suggested");
+        tap("packingTake1");
+        m_stage->settle();
+        QCOMPARE(packing().fields()->value("parameter.phase_gain"), 0.1);
+        QVERIFY(!m_stage->find(QStringLiteral("packingTake1")));
+    }
+
+    void measurementsAreEnteredAndWritten()
+    {
+        enter("packing-wizard-measure");
+        QCOMPARE(packing().wizard()->measuredText(), QStringLiteral("-3.10 · -2.90 · -3.05"));
+        tap("wizardEnter");
+        tap("keypadDefault");
+        tap("keypadAccept");
+        QVERIFY(!m_stage->find(QStringLiteral("keypad")));
+        QCOMPARE(packing().wizard()->measuredText(), QStringLiteral("-3.10 · -2.90 · -3.05 · 0.00"));
+        tap("wizardDrop");
+        tap("wizardNext");
+        QCOMPARE(packing().fields()->value("parameter.mark_distance"), 900.0);
+        tap("wizardNext");
+        m_stage->settle();
+        QCOMPARE(packing().wizard()->step(), Step::Watch);
+        QVERIFY(std::abs(packing().fields()->value("parameter.mark_distance") - 903.017) < 1e-6);
+    }
+
+    void aClosedWizardChangesNothing()
+    {
+        enter("packing-wizard-confirm");
+        tap("wizardCancel");
+        QVERIFY(!m_stage->find(QStringLiteral("wizardText")));
+        QCOMPARE(packing().fields()->value("parameter.mark_distance"), 900.0);
+        tap("packingWizard");
+        QCOMPARE(packing().wizard()->step(), Step::Explain);
+    }
+};
+
+int main(int argc, char* argv[])
+{
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    QGuiApplication application(argc, argv);
+    TestPanelPacking test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "test_panel_packing.moc"
