@@ -236,6 +236,10 @@
         <source>No connection since %1: nobody answers on %2. Check the cable and the controller&apos;s power; the panel keeps asking and reconnects by itself.</source>
         <translation>自 %1 起没有连接：%2 上无人应答。请检查电缆和控制器电源；面板会不断询问并自动重新连接。</translation>
     </message>
+    <message>
+        <source>Measure the marks</source>
+        <translation>测量色标</translation>
+    </message>
 </context>
 <context>
     <name>ControllerSentences</name>
@@ -450,6 +454,70 @@
     <message>
         <source>The data of the machine change only at standstill. Stop the machine first.</source>
         <translation>机器数据只能在静止时更改。请先停机。</translation>
+    </message>
+    <message>
+        <source>The marks on the film were lost and the run was ended. Check film and mark sensor, then start again.</source>
+        <translation>薄膜上的色标丢失，运行已结束。请检查薄膜和色标传感器，然后重新启动。</translation>
+    </message>
+    <message>
+        <source>The marks on the film are not one bag length apart, so the run was ended. Load the right film or teach its marks under Service.</source>
+        <translation>薄膜上色标的间距不是一个袋长，运行已结束。请装上正确的薄膜，或在“维护”中示教色标。</translation>
+    </message>
+    <message>
+        <source>The cuts could not follow the marks within the limits, so the run was ended. Check the film&apos;s tension and whether it slips, then start again.</source>
+        <translation>切断在限值内跟不上色标，运行已结束。请检查薄膜张力以及是否打滑，然后重新启动。</translation>
+    </message>
+    <message>
+        <source>A product is too long for the bag, so the run was ended. Take it out or set a longer bag, then start again.</source>
+        <translation>有产品长于袋长，运行已结束。请取出该产品或设定更长的袋长，然后重新启动。</translation>
+    </message>
+    <message>
+        <source>Products lay across the knife&apos;s path several times in a row, so the run was ended. Put the products in order, then start again.</source>
+        <translation>连续多次有产品横在切刀处，运行已结束。请理顺产品，然后重新启动。</translation>
+    </message>
+    <message>
+        <source>Too many bags lie between mark sensor and knife. Set a longer bag, move the sensor nearer, or switch mark tracking off under Service.</source>
+        <translation>色标传感器与切刀之间的袋数过多。请设定更长的袋长、移近传感器，或在“维护”中关闭色标跟踪。</translation>
+    </message>
+    <message>
+        <source>The window for the marks is wider than half a bag. Make it narrower under Service.</source>
+        <translation>色标窗口宽于半个袋长。请在“维护”中缩小窗口。</translation>
+    </message>
+    <message>
+        <source>Knife and film move together for so long that no time is left to correct the film. Change k1 to k4.</source>
+        <translation>切刀与薄膜同步的时间过长，没有时间修正薄膜。请更改 k1 至 k4。</translation>
+    </message>
+    <message>
+        <source>The product eye is too near or too far to decide in time. Check its distance under Service.</source>
+        <translation>产品光电离切刀过近或过远，来不及判断。请在“维护”中检查其距离。</translation>
+    </message>
+    <message>
+        <source>Marks not followed</source>
+        <translation>未跟踪色标</translation>
+    </message>
+    <message>
+        <source>Looking for marks</source>
+        <translation>正在寻找色标</translation>
+    </message>
+    <message>
+        <source>Moving the cuts onto the marks</source>
+        <translation>正在将切断对准色标</translation>
+    </message>
+    <message>
+        <source>Following the marks</source>
+        <translation>正在跟踪色标</translation>
+    </message>
+    <message>
+        <source>A product lay across the knife&apos;s path</source>
+        <translation>有产品横在切刀处</translation>
+    </message>
+    <message>
+        <source>A product was longer than the bag</source>
+        <translation>有产品长于袋长</translation>
+    </message>
+    <message>
+        <source>A product was missing</source>
+        <translation>缺少产品</translation>
     </message>
 </context>
 <context>

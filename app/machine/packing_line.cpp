@@ -69,6 +69,7 @@ void PackingLine::askWhenIdle()
             forget();
         return;
     }
+    m_setup.ask();
     if (!m_isAsked && !m_timer.isActive())
         ask();
     emit changed();

@@ -14,7 +14,7 @@ namespace {
 constexpr auto frameTime = 33ms; // 30 pictures a second
 constexpr double mostBags = 12;  // in sight: more are not told apart
 constexpr double bagsWithoutSensor = 4;
-constexpr double bagsBehindSensor = 0.4; // film in sight that has not come to the sensor
+constexpr double bagsBehindSensor = 1.1; // in sight: where the next mark is expected
 constexpr double shareAfterKnife = 0.1;  // of the width
 constexpr double anyBagMm = 250;         // for the scale while no bag length is known
 

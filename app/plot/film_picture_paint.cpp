@@ -18,7 +18,7 @@ constexpr double headShare = 0.6;    // height of a cut's head and of the sensor
 constexpr double markShare = 0.3;    // of the film's width; marks are printed along its lower edge
 constexpr double productShare = 0.5; // of the film's width, in its middle
 constexpr double windowShare = 0.42; // of the film's width; higher than a mark
-constexpr double markWidth = 5;      // px
+constexpr double markWidth = 7;      // px
 constexpr double lineWidth = 2;      // px
 constexpr double knifeShare = 0.6;   // of a line of text: half of the knife's width
 constexpr double tickLength = 4;     // px
@@ -106,7 +106,7 @@ void FilmPicture::paintScale(QPainter& painter, const Rows& rows) const
         const double half = metrics.horizontalAdvance(text) / 2;
         if (x - half < 0 || x + half > freeUpTo - textGap)
             continue;
-        painter.setPen(live(m_textColor));
+        painter.setPen(m_textColor);
         freeUpTo = paintText(painter, x, textTop, text).left();
     }
 }
@@ -148,22 +148,22 @@ void FilmPicture::paintWindow(QPainter& painter, const Rows& rows) const
 void FilmPicture::paintMarks(QPainter& painter, const Rows& rows) const
 {
     const double markHeight = markShare * (rows.filmBottom - rows.filmTop);
+    const double rim = lineWidth / 2;
     for (const QPointF& mark : m_marks) {
         const QRectF box(xOf(mark.x()) - markWidth / 2, rows.filmBottom - markHeight, markWidth, markHeight);
         const bool isReckoned = mark.y() != 0;
-        painter.setPen(QPen(live(m_markColor), isReckoned ? 1 : 0));
+        painter.setPen(QPen(live(m_markColor), lineWidth, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
         painter.setBrush(isReckoned ? m_filmColor : live(m_markColor));
-        if (isReckoned)
-            painter.drawRect(box.adjusted(0.5, 0.5, -0.5, -0.5));
-        else
-            painter.fillRect(box, live(m_markColor));
+        painter.drawRect(box.adjusted(rim, rim, -rim, -rim));
     }
 }
 
-// A cut: a line with a full head. One that is left out: a broken line, and a cross for a head.
+// A cut: a line down to the marks with a full head. One that is left out: a broken line, and a cross for a
+// head.
 void FilmPicture::paintCuts(QPainter& painter, const Rows& rows) const
 {
     const double head = rows.filmTop - rows.headsTop;
+    const double bottom = rows.filmBottom - markShare * (rows.filmBottom - rows.filmTop) - lineWidth;
     for (const QPointF& cut : m_cuts) {
         const double x = xOf(cut.x());
         if (x > knifeX())
@@ -174,7 +174,7 @@ void FilmPicture::paintCuts(QPainter& painter, const Rows& rows) const
         if (isLeftOut)
             pen.setDashPattern({2, 2});
         painter.setPen(pen);
-        painter.drawLine(QPointF(x, rows.filmTop), QPointF(x, rows.filmBottom));
+        painter.drawLine(QPointF(x, rows.filmTop), QPointF(x, bottom));
         if (isLeftOut) {
             const double reach = head / 2 - 1;
             const QPointF middle(x, rows.filmTop - head / 2);
@@ -217,7 +217,7 @@ void FilmPicture::paintSensor(QPainter& painter, const Rows& rows) const
     const double right = std::max(x + metrics.horizontalAdvance(text) / 2, metrics.horizontalAdvance(text));
     if (right + textGap > knifeLeft)
         return; // no room for both names
-    painter.setPen(live(m_textColor));
+    painter.setPen(m_textColor);
     paintText(painter, x, 0, text);
 }
 
@@ -237,7 +237,7 @@ void FilmPicture::paintKnife(QPainter& painter, const Rows& rows) const
         const double tip = rows.filmTop + head;
         painter.drawPolygon(triangle({knifeX(), tip}, half / 2, head));
     }
-    painter.setPen(live(m_textColor));
+    painter.setPen(m_textColor);
     paintText(painter, knifeX(), 0, m_knifeText);
 }
 

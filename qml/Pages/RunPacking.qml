@@ -37,6 +37,7 @@ Item {
     }
     SpeedCard {
         anchors { left: parent.left; right: leftOut.left; rightMargin: view.gap; top: film.bottom; topMargin: view.gap; bottom: leftOut.bottom }
+        compact: Theme.size.name === "small"
         title: qsTr("Knife speed mm/s")
     }
     LeftOutCard {

@@ -82,7 +82,7 @@ Card {
         sensorText: qsTr("Mark sensor")
         knifeText: qsTr("Knife")
         textFont: Theme.captionFont
-        filmColor: Theme.color.touchTint
+        filmColor: card.fresh ? Theme.color.touchTint : Theme.color.inset
         edgeColor: Theme.color.target
         markColor: Theme.color.ink
         windowColor: Theme.color.touch
@@ -90,7 +90,7 @@ Card {
         cutColor: Theme.color.ink
         leftOutColor: Theme.color.warning
         knifeColor: Theme.color.ink
-        textColor: Theme.color.secondaryInk
+        textColor: card.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
         staleColor: Theme.color.target
         Binding {
             target: picture

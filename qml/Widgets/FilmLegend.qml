@@ -15,7 +15,7 @@ Grid {
         required property string text
         default property alias sign: place.data
         width: legend.width / 2
-        height: Math.round(Theme.size.body * 1.6)
+        height: Math.round(Theme.size.body * 1.8)
         Item {
             id: place
             width: Theme.size.icon

@@ -29,7 +29,7 @@ Sheet {
         required property string label
         required property string value
         width: sheet.half
-        height: Math.round(Theme.size.body * 1.6)
+        height: Math.round(Theme.size.body * 2.1)
         Label {
             anchors { left: parent.left; right: amount.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
             text: figure.label
@@ -65,6 +65,7 @@ Sheet {
         Figure { label: qsTr("Film saved"); value: isNaN(sheet.line.filmSavedM) ? Theme.unknownText : qsTr("%1 m").arg(Theme.number(sheet.line.filmSavedM, 1)) }
         Figure { label: qsTr("Following error of the knife"); value: sheet.millimeters(Machine.followingErrorMm) }
         Figure { label: qsTr("Following error of the film"); value: sheet.millimeters(sheet.line.filmFollowingErrorMm) }
+        Item { width: 1; height: Theme.size.spacing }
         FilmLegend { width: sheet.half }
     }
 }
