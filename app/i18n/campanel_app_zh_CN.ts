@@ -2521,6 +2521,17 @@
     </message>
 </context>
 <context>
+    <name>campanel::machine::PackingLine</name>
+    <message>
+        <source>Film waits for a product</source>
+        <translation>薄膜等待产品</translation>
+    </message>
+    <message>
+        <source>Knife stays open: product across</source>
+        <translation>切刀保持张开：有产品横在切刀处</translation>
+    </message>
+</context>
+<context>
     <name>campanel::machine::ProgramProof</name>
     <message>
         <source>Not possible now: there is no connection to the controller.</source>

@@ -1207,6 +1207,10 @@
         <source>actual</source>
         <translation>实际</translation>
     </message>
+    <message>
+        <source>error %1 mm</source>
+        <translation>误差 %1 mm</translation>
+    </message>
 </context>
 <context>
     <name>StrokeCard</name>
