@@ -163,6 +163,7 @@ void Machine::takeStatus(const link::StatusBatch& batch)
         trace(sample.status);
         const modbus::StatusBlock& status = sample.status;
         m_strokes.note(status, m_program ? m_program->pulsesPerMm : 0);
+        bagsChanged |= !m_status || m_status->bagCount != status.bagCount;
         m_status = status;
         bagsChanged |= m_packing.recordsBags()
                            ? m_bags.noteLength(status.bagLengthMm)

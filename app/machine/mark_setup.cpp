@@ -16,7 +16,7 @@ MarkSetup::MarkSetup(Machine& machine)
 void MarkSetup::ask()
 {
     for (Entry& entry : m_entries) {
-        if (!entry.value && !entry.isMissing && entry.readId == 0)
+        if (!entry.isCertain && !entry.isMissing && entry.readId == 0)
             entry.readId = m_machine.readParameter(entry.name);
     }
 }
@@ -26,6 +26,14 @@ void MarkSetup::forget()
     for (Entry& entry : m_entries)
         entry = Entry{entry.name};
     emit changed();
+}
+
+void MarkSetup::doubt()
+{
+    for (Entry& entry : m_entries) {
+        entry.isCertain = entry.isMissing = false;
+        entry.readId = 0;
+    }
 }
 
 // Also of what others read and write: the value is proven by reading in any case.
@@ -40,11 +48,12 @@ void MarkSetup::takeOutcome(const link::ParameterOutcome& outcome)
         entry->readId = 0;
     if (outcome.end == link::ParameterEnd::Done && outcome.value) {
         entry->value = outcome.value;
+        entry->isCertain = true;
         emit changed();
     } else if (isOwn) {
         entry->isMissing = outcome.end == link::ParameterEnd::Refused;
     } else if (outcome.end == link::ParameterEnd::OutcomeUnknown) {
-        entry->value.reset(); // perhaps written: asked for at the next occasion
+        entry->isCertain = false; // perhaps written
     }
 }
 

@@ -26,10 +26,12 @@ public:
     [[nodiscard]] double sensorMm() const { return valueOf(m_entries[0]); } // mark sensor before the knife
     [[nodiscard]] double windowMm() const { return valueOf(m_entries[1]); } // to both sides
 
-    // Asks for what is not known and not being asked for.
+    // Asks for what is not certain and not being asked for.
     void ask();
-    // Another controller or another program: all is asked for anew.
+    // Another controller: nothing is known of it.
     void forget();
+    // Who knows what was written meanwhile: all is asked for anew, and is as it was until the answer.
+    void doubt();
 
 signals:
     void changed();
@@ -38,6 +40,7 @@ private:
     struct Entry {
         const char* name;
         std::optional<double> value{};
+        bool isCertain = false;
         quint32 readId = 0;     // 0: not asked for
         bool isMissing = false; // the controller does not have it
     };

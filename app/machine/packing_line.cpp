@@ -47,10 +47,12 @@ void PackingLine::noteConnection()
 {
     if (!m_machine.isConnected()) {
         m_isAsked = false;
-        m_setup.forget(); // who knows what is written meanwhile
+        m_setup.doubt();
     }
-    if (!m_machine.identity())
+    if (!m_machine.identity()) {
+        m_setup.forget();
         forget();
+    }
     askWhenIdle();
 }
 
@@ -58,7 +60,7 @@ void PackingLine::noteConnection()
 void PackingLine::noteProgram()
 {
     m_toldBag.reset();
-    m_setup.forget();
+    m_setup.doubt();
     askWhenIdle();
 }
 
@@ -119,7 +121,7 @@ void PackingLine::tellBags()
     const bool hasRestarted = m_toldBag && *m_toldBag > m_status->bagNumber;
     const bool isFirst = !m_toldBag || hasRestarted;
     if (hasRestarted)
-        m_setup.forget();
+        m_setup.doubt();
     const std::uint32_t told = isFirst ? m_status->bagNumber : *m_toldBag;
     m_toldBag = m_status->bagNumber;
     for (const modbus::BagRecord& bag : m_status->bags) {

@@ -221,22 +221,17 @@ void FilmPicture::paintSensor(QPainter& painter, const Rows& rows) const
     paintText(painter, x, 0, text);
 }
 
-// Open, it is above the film; else its edge goes through.
+// A blade above the film and a thin line where it cuts; hollow while it stands open.
 void FilmPicture::paintKnife(QPainter& painter, const Rows& rows) const
 {
     const double half = knifeShare * QFontMetricsF(m_textFont).height();
-    const double head = rows.filmTop - rows.headsTop;
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(live(m_knifeColor));
-    painter.drawPolygon(triangle({knifeX(), rows.filmTop}, half, head));
-    painter.setPen(
-        QPen(live(m_knifeColor), lineWidth, m_isKnifeOpen ? Qt::DotLine : Qt::SolidLine, Qt::FlatCap));
+    const QColor color = live(m_knifeColor);
+    painter.setPen(QPen(color, 1, Qt::DashLine));
     painter.drawLine(QPointF(knifeX(), rows.filmTop), QPointF(knifeX(), rows.filmBottom + tickLength));
-    if (!m_isKnifeOpen) {
-        painter.setPen(Qt::NoPen);
-        const double tip = rows.filmTop + head;
-        painter.drawPolygon(triangle({knifeX(), tip}, half / 2, head));
-    }
+    painter.setPen(QPen(color, lineWidth, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    painter.setBrush(m_isKnifeOpen ? QBrush() : QBrush(color));
+    const double head = rows.filmTop - rows.headsTop - lineWidth;
+    painter.drawPolygon(triangle({knifeX(), rows.filmTop - lineWidth}, half, head));
     painter.setPen(m_textColor);
     paintText(painter, knifeX(), 0, m_knifeText);
 }

@@ -51,7 +51,7 @@
     <name>BagStrip</name>
     <message>
         <source>Bag of %1 lengths, cut left out</source>
-        <translation>%1 倍袋长，漏切一次以上</translation>
+        <translation>%1 个袋长，有切断略过</translation>
     </message>
     <message>
         <source>Bag length</source>

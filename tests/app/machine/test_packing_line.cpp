@@ -206,11 +206,13 @@ private slots:
         // A write of which nobody knows whether it arrived.
         emit rig.link.parameterEnded({9001, "parameter.mark_distance", link::ParameterEnd::OutcomeUnknown,
                                       std::nullopt, std::nullopt});
-        QVERIFY(std::isnan(rig.line().sensorMm()));
         rig.answerNext();
         QTRY_COMPARE(rig.link.parameters.size(), 3);
+        rig.answerParameter("parameter.mark_distance", 860);
+        QCOMPARE(rig.line().sensorMm(), 860.0);
         // After the line was gone, who knows.
         rig.link.becomeLost();
+        QCOMPARE(rig.line().sensorMm(), 860.0);
         rig.connect();
         QTRY_COMPARE(rig.link.parameters.size(), 5);
     }

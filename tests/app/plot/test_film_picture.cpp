@@ -79,7 +79,10 @@ private slots:
         QVERIFY(rig.picture.xOf(900) > 0 && rig.picture.xOf(900) < rig.picture.xOf(500));
         QVERIFY2(rig.picture.xOf(900 + 250) > 0, "where the next mark is expected is in sight");
         const QImage image = rig.paint();
-        QVERIFY(rig.inkAt(image, 0, magenta) > 50);
+        const int blade = rig.inkAt(image, 0, magenta);
+        QVERIFY2(blade > 50, qPrintable(QString::number(blade)));
+        rig.picture.setProperty("knifeOpen", true);
+        QVERIFY2(rig.inkAt(rig.paint(), 0, magenta) < 0.9 * blade, "open, it is hollow");
         QCOMPARE(test::inkIn(image, QRect(0, 0, 600, 160), magenta), 0);
     }
 
