@@ -24,6 +24,7 @@ Card {
             width: parent.width
             fontSizeMode: Text.HorizontalFit
             minimumPixelSize: Theme.size.caption - 2
+            font.pixelSize: Theme.size.caption
             text: Machine.bagLengths > 1 ? qsTr("Bag of %1 lengths, cut left out").arg(Machine.bagLengths) : qsTr("Bag length")
             color: !Machine.fresh ? Theme.color.disabledInk : Machine.bagLengths > 1 ? Theme.color.warning : Theme.color.secondaryInk
         }
