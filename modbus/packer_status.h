@@ -16,9 +16,9 @@ inline constexpr std::uint16_t packerAddress = 0x0140;
 inline constexpr std::uint16_t packerRegisters = 104;
 
 struct BagRecord {
-    std::uint32_t number = 0; // counted since power-up
-    double deviationMm = 0.0; // of its length from `lengths` set lengths, saturating at 32.767
-    double markErrorMm = 0.0; // of its cut
+    std::uint32_t number = 0;      // counted since power-up
+    double deviationMm = 0.0;      // of its length from `lengths` set lengths, saturating at 32.767
+    double markErrorMm = 0.0;      // of its cut
     double pitchDeviationMm = 0.0; // from its mark to the one before, minus as many bag lengths
     int lengths = 1;               // bag lengths in it: cuts skipped + 1
     bool isTracked = false;        // its cut followed a mark
@@ -71,7 +71,7 @@ struct PackerStatus {
     std::optional<double> teachScatterMm; // empty below three
     int marksWaiting = 0;
     std::uint32_t bagNumber = 0;
-    std::vector<BagRecord> bags; // the newest, oldest first; at most bagRecords
+    std::vector<BagRecord> bags;      // the newest, oldest first; at most bagRecords
     std::uint32_t filmPositionUm = 0; // lower 32 bits
     std::vector<FilmCut> cuts;        // from the knife on
     std::vector<FilmMark> seenMarks;

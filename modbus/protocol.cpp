@@ -178,7 +178,11 @@ constexpr std::array refusals{
     entry(Refusal::NoRoomToCorrect, "NoRoomToCorrect",
           "Knife and film move together for more than nine tenths of the cycle, or the cut is outside that."),
     entry(Refusal::EyeTooNear, "EyeTooNear",
-          "The product eye must be at least one and a half products before the film, at most eight."),
+          "The product eye must be far enough before the film to decide in time, some two products, and at "
+          "most eight."),
+    entry(Refusal::FeedTooFast, "FeedTooFast",
+          "Film or infeed would need more pulses a second, corrections included, than the output stage "
+          "gives."),
 };
 
 constexpr std::array transferOperations{

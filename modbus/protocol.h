@@ -103,6 +103,7 @@ enum class Refusal : std::uint16_t {
     MarkWindowTooWide,
     NoRoomToCorrect,
     EyeTooNear,
+    FeedTooFast,
 };
 
 enum class TransferOperation : std::uint16_t { None = 0, Begin, Block, Seal };

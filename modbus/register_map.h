@@ -64,7 +64,8 @@ inline constexpr std::uint16_t bankRegisters =
 inline constexpr std::uint16_t blockRegisters =
     116; // payload of one transfer block: the most that one FC23 request holds
 inline constexpr std::uint16_t readbackRegisters = 122; // payload of one read-back answer
-// Of the group `packer`: bags remembered (four registers each), and what is told of the film before the knife.
+// Of the group `packer`: bags remembered (four registers each), and what is told of the film before the
+// knife.
 inline constexpr std::uint16_t bagRecords = 8;
 inline constexpr std::uint16_t viewCuts = 6;
 inline constexpr std::uint16_t viewMarks = 12;

@@ -34,6 +34,7 @@ public:
 
     [[nodiscard]] bool isSet(const QString& option) const { return m_parser.isSet(option); }
     [[nodiscard]] QString value(const QString& option) const { return m_parser.value(option); }
+    [[nodiscard]] QStringList values(const QString& option) const { return m_parser.values(option); }
     [[nodiscard]] QStringList arguments() const { return m_arguments; } // without the command's name
     [[nodiscard]] bool wantsHelp() const { return m_parser.isSet(QStringLiteral("help")); }
     [[nodiscard]] QString helpText() const;

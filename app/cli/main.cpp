@@ -2,6 +2,7 @@
 // campanelctl: finds the command, runs it, turns its outcome into an exit code and one line on stderr.
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
+#include "app/cli/simulate_options.h"
 
 #include <QCoreApplication>
 
@@ -77,6 +78,15 @@ std::vector<CommandInfo> commandTable()
          {u"json"_s},
          {{u"name"_s, u"Name of the recipe."_s, u"TEXT"_s}},
          runRecipe},
+        {u"simulate"_s,
+         u"Cut bags on a simulated packing machine; print a summary, or a row for each bag as CSV."_s,
+         u"The controller is the real one's core. Figures of accuracy leave out the bags before tracking has "
+         u"settled\n"
+         "(bags_before_settled). CSV: the bags alone on standard output, the summary on standard error. An "
+         "alarm "
+         u"ends\n"
+         "the run with exit code 1 unless --go-on is given. A share of 0.01 is 1 %."_s,
+         recipe, all, simulateOptions(), runSimulate},
         {u"download"_s,
          u"Transfer a recipe's table, compare CRC-32, apply, wait until it is active."_s,
          u"A running machine takes the new table over at its next cycle."_s,

@@ -142,6 +142,10 @@ QString ControllerSentences::refusal(Refusal reason)
     case Refusal::EyeTooNear:
         return tr(
             "The product eye is too near or too far to decide in time. Check its distance under Service.");
+    case Refusal::FeedTooFast:
+        return tr(
+            "The film or the infeed would have to run faster than the controller can drive it. Lower the "
+            "rate.");
     }
     return tr("The controller gives a reason that this panel does not know (%1).")
         .arg(static_cast<int>(reason));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gives a QML engine the objects behind the singletons Machine, Editor, Service and Settings. Each engine has
+// Gives a QML engine the objects behind the singletons Machine, Editor, Records, Service and Settings. Each engine has
 // its own, so that tests run side by side and nothing is global.
 #pragma once
 
@@ -11,12 +11,13 @@ namespace campanel::machine {
 
 class Editor;
 class Machine;
+class Records;
 class Service;
 class Settings;
 
 // The objects stay owned by the caller and must outlive the engine.
-void attachToEngine(QQmlEngine& engine, Machine& machine, Editor& editor, Service& service,
-                    Settings& settings);
+void attachToEngine(QQmlEngine& engine, Machine& machine, Editor& editor, Records& records,
+                    Service& service, Settings& settings);
 
 // Name of the engine's dynamic property that holds the instance of a singleton type.
 template <typename Type> [[nodiscard]] const char* instanceKey()

@@ -25,10 +25,11 @@ Panel::Panel(link::Link& link, const Storage& storage)
     : m_settings(storage.settingsFile, nullptr)
     , m_machine(link, m_settings, nullptr)
     , m_editor(m_machine, recipeFolder(storage), nullptr)
+    , m_records(recipeFolder(storage), nullptr)
     , m_service(m_machine, m_settings, recipeFolder(storage), nullptr)
 {
     m_engine.addImportPath(QStringLiteral("qrc:/qt/qml"));
-    machine::attachToEngine(m_engine, m_machine, m_editor, m_service, m_settings);
+    machine::attachToEngine(m_engine, m_machine, m_editor, m_records, m_service, m_settings);
     connect(&m_settings, &machine::Settings::languageChanged, this, &Panel::translate);
     translate();
     m_component.loadUrl(QUrl(QStringLiteral("qrc:/qt/qml/CamPanel/Pages/Main.qml")),

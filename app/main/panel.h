@@ -6,6 +6,7 @@
 #include "app/link/link.h"
 #include "app/machine/editor.h"
 #include "app/machine/machine.h"
+#include "app/machine/records.h"
 #include "app/machine/service.h"
 #include "app/machine/settings.h"
 
@@ -37,6 +38,7 @@ public:
     [[nodiscard]] machine::Settings& settings() { return m_settings; }
     [[nodiscard]] machine::Machine& machine() { return m_machine; }
     [[nodiscard]] machine::Editor& editor() { return m_editor; }
+    [[nodiscard]] machine::Records& records() { return m_records; }
     [[nodiscard]] machine::Service& service() { return m_service; }
     [[nodiscard]] QQmlEngine& engine() { return m_engine; }
 
@@ -51,6 +53,7 @@ private:
     machine::Settings m_settings;
     machine::Machine m_machine;
     machine::Editor m_editor;
+    machine::Records m_records;
     machine::Service m_service;
     std::array<QTranslator, 3> m_translators; // the panel's QML, its C++, Qt itself
     QQmlEngine m_engine;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* An axis that feeds: so much a cycle in proportion to its phase, plus at most one correction, which is spread
- * over a given part of the cycle with 3 x^2 - 2 x^3, so that the speed has no step. The film takes its
+/* An axis that feeds: so much a cycle in proportion to its phase, plus at most one correction, which is
+ * spread over a given part of the cycle with 3 x^2 - 2 x^3, so that the speed has no step. The film takes its
  * corrections outside the sealing window. Positions in 1/256 pulse of its motor. */
 #ifndef CTL_FEED_H
 #define CTL_FEED_H

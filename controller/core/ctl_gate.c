@@ -14,6 +14,7 @@ void ctl_gate_reset(ctl_gate* gate, uint32_t cycle, uint32_t engage, uint32_t re
     gate->state = CTL_GATE_STATE_RUNNING;
     gate->phase = 0;
     gate->passed = 0;
+    gate->ramped = 0;
     gate->dwell = 0;
     gate->answered = false;
 }
@@ -35,7 +36,9 @@ static uint32_t slowed(uint32_t way, uint64_t passed)
 {
     const uint64_t x = (passed << ONE_BITS) / (2u * (uint64_t)way);
     const uint64_t x2 = x * x >> ONE_BITS;
-    const uint64_t share = x - (x2 * x >> ONE_BITS) + (x2 * x2 >> (ONE_BITS + 1u));
+    uint64_t share = x - (x2 * x >> ONE_BITS) + (x2 * x2 >> (ONE_BITS + 1u));
+    if (share > ONE / 2u)
+        share = ONE / 2u;
     return (uint32_t)(2u * (uint64_t)way * share >> ONE_BITS);
 }
 
@@ -58,6 +61,13 @@ static void begin(ctl_gate* gate, uint16_t state)
 {
     gate->state = state;
     gate->passed = 0;
+    gate->ramped = 0;
+}
+
+void ctl_gate_stand(ctl_gate* gate)
+{
+    begin(gate, CTL_GATE_STATE_STANDING);
+    gate->dwell = gate->cycle - gate->engage;
 }
 
 void ctl_gate_answer(ctl_gate* gate, bool wait)
@@ -115,10 +125,13 @@ uint32_t ctl_gate_advance(ctl_gate* gate, uint32_t ticks)
         gate->passed += ticks;
         return own;
     }
-    own = way_travelled(gate);
     gate->passed += ticks;
-    own = way_travelled(gate) - own;
-    gate->phase += own;
+    const uint32_t ramped = way_travelled(gate);
+    if (ramped > gate->ramped) { /* the last bits may say that it went back */
+        own = ramped - gate->ramped;
+        gate->ramped = ramped;
+        gate->phase += own;
+    }
     if (gate->passed == state_ticks(gate))
         end_state(gate);
     return own;
@@ -130,7 +143,7 @@ int64_t ctl_smooth_share(int64_t amount, uint64_t part, uint64_t whole)
     const uint64_t x2 = x * x >> ONE_BITS;
     const uint64_t share = 3u * x2 - 2u * (x2 * x >> ONE_BITS);
     const uint64_t size = (uint64_t)(amount < 0 ? -amount : amount);
-    const int64_t result = (int64_t)((size >> 8u) * share >> (ONE_BITS - 8u)) +
-                           (int64_t)((size & 0xFFu) * share >> ONE_BITS);
+    const int64_t result =
+        (int64_t)((size >> 8u) * share >> (ONE_BITS - 8u)) + (int64_t)((size & 0xFFu) * share >> ONE_BITS);
     return part == whole ? amount : (amount < 0 ? -result : result);
 }

@@ -16,17 +16,20 @@ extern "C" {
 
 typedef struct {
     uint32_t cycle;
-    uint32_t engage;  /* the sealing window, 0 < engage < release < cycle */
+    uint32_t engage; /* the sealing window, 0 < engage < release < cycle */
     uint32_t release;
-    uint16_t state;   /* CTL_GATE_STATE_... */
-    uint32_t phase;   /* where it stands in its cycle, 0..cycle-1 */
-    uint64_t passed;  /* ticks of the driver since this state began; not while running */
-    uint64_t dwell;   /* that it stands */
-    bool answered;    /* running: the question of this cycle */
+    uint16_t state;  /* CTL_GATE_STATE_... */
+    uint32_t phase;  /* where it stands in its cycle, 0..cycle-1 */
+    uint64_t passed; /* ticks of the driver since this state began; not while running */
+    uint32_t ramped; /* its own ticks of the ramp under way */
+    uint64_t dwell;  /* that it stands */
+    bool answered;   /* running: the question of this cycle */
 } ctl_gate;
 
 /* In phase with a driver at the start of its cycle. */
 void ctl_gate_reset(ctl_gate* gate, uint32_t cycle, uint32_t engage, uint32_t release);
+/* At the start of a cycle, the driver too: stand until it is asked again, one cycle behind. */
+void ctl_gate_stand(ctl_gate* gate);
 /* It must be told whether to wait: at the end of a sealing window, and while standing at the last moment. */
 bool ctl_gate_asks(const ctl_gate* gate);
 void ctl_gate_answer(ctl_gate* gate, bool wait);

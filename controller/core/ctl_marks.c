@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #define GAIN_ONE 1000
-/* Searching: so many distances that are no bag length in a row mean that the film does not fit the program. */
+/* Searching: so many distances in a row that are no bag length mean that the film does not fit. */
 #define MOST_WRONG_GAPS 8u
 
 static int64_t size_of(int64_t value)
@@ -27,6 +27,7 @@ void ctl_marks_search(ctl_marks* marks, const ctl_mark_settings* settings, int64
     marks->state = CTL_MARK_STATE_SEARCHING;
     marks->pitch = settings->nominal;
     marks->error = 0;
+    marks->jumped = false;
     marks->has_candidate = false;
     marks->candidate = film;
     marks->wrong_gaps = 0;
@@ -80,7 +81,8 @@ static void search(ctl_marks* marks, int64_t film)
 {
     const ctl_mark_settings* settings = &marks->settings;
     const int64_t gap = film - marks->candidate;
-    if (marks->has_candidate && size_of(gap - settings->nominal) <= settings->most_difference + settings->window) {
+    if (marks->has_candidate &&
+        size_of(gap - settings->nominal) <= settings->most_difference + settings->window) {
         marks->pitch = settings->nominal + limited(gap - settings->nominal, settings->most_difference);
         found(marks, film);
         return;
@@ -95,8 +97,23 @@ static void search(ctl_marks* marks, int64_t film)
     marks->candidate = film;
 }
 
+/* The last mark was none, because this one is nearer to where it was expected. */
+static void take_back(ctl_marks* marks, int64_t film)
+{
+    const int64_t from = size_of(film - marks->expected_before);
+    if (!marks->jumped || marks->count == 0 || from >= size_of(marks->last - marks->expected_before))
+        return;
+    marks->count -= 1;
+    marks->expected = marks->expected_before;
+    marks->last = marks->last_before;
+    marks->pitch = marks->pitch_before;
+    marks->followed -= 1;
+    marks->unexpected += 1;
+}
+
 static void follow(ctl_marks* marks, int64_t film)
 {
+    take_back(marks, film);
     const ctl_mark_settings* settings = &marks->settings;
     const int64_t error = film - marks->expected;
     if (size_of(error) > settings->window) {
@@ -106,7 +123,11 @@ static void follow(ctl_marks* marks, int64_t film)
     }
     int64_t place = film;
     int64_t pitch = film - marks->last;
-    if (size_of(error) <= settings->jump) {
+    marks->jumped = size_of(error) > settings->jump;
+    marks->expected_before = marks->expected;
+    marks->last_before = marks->last;
+    marks->pitch_before = marks->pitch;
+    if (!marks->jumped) {
         const int64_t slip = error * (int64_t)settings->phase_gain / GAIN_ONE;
         shift_waiting(marks, slip);
         place = marks->expected + slip;
@@ -163,13 +184,14 @@ void ctl_marks_pass(ctl_marks* marks, int64_t film)
     while (marks->state != CTL_MARK_STATE_OFF && film - marks->expected > settings->window) {
         marks->missing += 1;
         marks->missing_in_row += 1;
+        marks->jumped = false;
         push(marks, marks->expected + settings->distance, marks->pitch, false);
         marks->last = marks->expected;
         marks->expected += marks->pitch;
         if (marks->missing_in_row < settings->missing_limit)
             continue;
-        marks->alarm = marks->false_in_row >= marks->missing_in_row ? CTL_WARNING_BIT_MARK_PITCH_WRONG
-                                                                    : CTL_WARNING_BIT_MARKS_LOST;
+        marks->alarm = marks->false_in_row + 1u >= marks->missing_in_row ? CTL_WARNING_BIT_MARK_PITCH_WRONG
+                                                                         : CTL_WARNING_BIT_MARKS_LOST;
         return;
     }
 }

@@ -3,7 +3,8 @@
  * mark gives the place of one cut. What a mark's error says is divided: a share (the phase gain) is taken for
  * film that slipped against its motor, and shifts all marks that wait; a share (the length gain) changes the
  * distance expected to the next. An error that no slip explains is a change of the print or of the film's
- * stretch: it is believed at once, and the marks before it stay where they are. */
+ * stretch: it is believed at once, and the marks before it stay where they are; unless another mark comes
+ * nearer to where one was expected, then the first was none. */
 #ifndef CTL_MARKS_H
 #define CTL_MARKS_H
 
@@ -17,10 +18,10 @@ extern "C" {
 #define CTL_WAITING_MARKS 24u
 
 typedef struct {
-    int64_t nominal;  /* between two marks: the bag length */
-    int64_t distance; /* from the sensor to where the mark's cut is at the knife */
-    int64_t window;   /* to both sides of where a mark is expected */
-    int64_t jump;     /* an error larger than this is not slip */
+    int64_t nominal;         /* between two marks: the bag length */
+    int64_t distance;        /* from the sensor to where the mark's cut is at the knife */
+    int64_t window;          /* to both sides of where a mark is expected */
+    int64_t jump;            /* an error larger than this is not slip */
     int64_t most_difference; /* of the distance between marks from the nominal one */
     uint32_t phase_gain;     /* 0.001 */
     uint32_t length_gain;    /* 0.001 */
@@ -49,12 +50,16 @@ typedef struct {
     int64_t last;  /* the mark before that, as it was seen */
     int64_t pitch; /* filtered distance from mark to mark */
     int64_t error; /* of the last mark */
+    bool jumped;   /* which no slip explained; before it there were: */
+    int64_t expected_before;
+    int64_t last_before;
+    int64_t pitch_before;
     bool has_candidate;
     int64_t candidate; /* searching: the mark before; where the search began when there is none */
     uint32_t wrong_gaps;
     uint32_t missing_in_row;
-    uint32_t false_in_row; /* since the last mark that was right */
-    uint16_t alarm;        /* CTL_WARNING_BIT_MARKS_LOST or _MARK_PITCH_WRONG; 0 when neither */
+    uint32_t false_in_row;               /* since the last mark that was right */
+    uint16_t alarm;                      /* CTL_WARNING_BIT_MARKS_LOST or _MARK_PITCH_WRONG; 0 when neither */
     ctl_mark waiting[CTL_WAITING_MARKS]; /* as a ring, from the knife to the sensor */
     uint32_t first;
     uint32_t count;

@@ -55,7 +55,8 @@ void ctl_motion_change_program(ctl_core* core)
     const bool same = had_program && ctl_bank_same_machine(ctl_active_bank(core), ctl_staged_bank(core));
     ctl_swap_banks(core);
     const bool stands_right = motion->in_phase || !ctl_bank_needs_homing(ctl_active_bank(core));
-    if (same && stands_right && ctl_table_between_cycles(&motion->table) && ctl_packer_in_step(core)) {
+    if (same && stands_right && ctl_table_between_cycles(&motion->table) &&
+        ctl_packer_may_change(core, ctl_active_bank(core))) {
         ctl_table_change_bank(&motion->table, ctl_active_bank(core));
         ctl_packer_change_bank(core);
     } else {
@@ -86,7 +87,7 @@ void ctl_motion_stand(ctl_core* core)
     if (core->banks.has_active && !repeats(core) && !ctl_table_between_cycles(&motion->table))
         ctl_table_reset(&motion->table, ctl_active_bank(core));
     if (core->transfer.state == CTL_STAGED_STATE_ARMED && ctl_table_between_cycles(&motion->table) &&
-        ctl_packer_in_step(core))
+        ctl_packer_may_change(core, ctl_staged_bank(core)))
         ctl_motion_change_program(core);
 }
 

@@ -71,8 +71,9 @@ static void travel(ctl_core* core, uint32_t ticks)
         return;
     }
     while (ticks != 0) {
-        if (ctl_packer_position(core) == 0 && ctl_table_between_cycles(&core->motion.table) &&
-            ctl_packer_in_step(core))
+        if (core->transfer.state == CTL_STAGED_STATE_ARMED && ctl_packer_position(core) == 0 &&
+            ctl_table_between_cycles(&core->motion.table) &&
+            ctl_packer_may_change(core, ctl_staged_bank(core)))
             take_over_armed(core);
         uint32_t used = ticks;
         run_table(core, ctl_packer_advance(core, &used));

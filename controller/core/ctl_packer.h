@@ -17,7 +17,8 @@
 extern "C" {
 #endif
 
-#define CTL_PACKER_REGISTERS (CTL_REG_PACKER_SEEN_PRODUCTS + 2u * CTL_VIEW_PRODUCTS - CTL_REG_PACKER_MARK_STATE)
+#define CTL_PACKER_REGISTERS                                                                                 \
+    (CTL_REG_PACKER_SEEN_PRODUCTS + 2u * CTL_VIEW_PRODUCTS - CTL_REG_PACKER_MARK_STATE)
 #define CTL_BAG_REGISTERS 4u
 
 struct ctl_core;
@@ -25,6 +26,7 @@ struct ctl_core;
 /* All in 1/256 pulse of the film motor, at the knife. */
 typedef struct {
     int64_t command; /* of the film motor when the cut is due */
+    int64_t lag;     /* by which its position is expected to differ from that at the cut */
     bool tracked;    /* it follows a mark */
     bool seen;       /* which was seen, not reckoned */
 } ctl_cut;
@@ -48,29 +50,30 @@ typedef struct {
     uint32_t engage;
     uint32_t release;
     uint32_t cut;
-    uint32_t master;      /* ticks, 0..cycle-1 */
-    int64_t number;       /* of the infeed's cycle */
+    uint32_t master; /* ticks, 0..cycle-1 */
+    int64_t number;  /* of the infeed's cycle */
     ctl_gate film_gate;
     ctl_gate knife_gate;
     ctl_feed film;
     ctl_feed infeed;
     ctl_marks marks;
     ctl_products products;
-    int64_t bag;         /* bag length, film */
-    int64_t flight;      /* from product to product, infeed; products lie at its multiples */
-    int64_t film_sent;   /* whole pulses since power-up */
+    int64_t bag;       /* bag length, film */
+    int64_t flight;    /* from product to product, infeed; products lie at its multiples */
+    int64_t film_sent; /* whole pulses since power-up */
     int64_t infeed_sent;
     int64_t film_actual; /* last measured, 1/256 pulse */
     int64_t infeed_actual;
-    bool planned;        /* the cut of the film's next cycle */
+    bool planned; /* the cut of the film's next cycle */
     ctl_cut next;
-    int64_t lag;         /* film position at a cut minus the command that was meant for it */
+    int64_t lag; /* at full speed: film position at a cut minus the command that was meant for it */
     int64_t phase_correction;
     int64_t length_correction;
     uint32_t limited_in_row;
-    uint16_t alarms;     /* bits CTL_WARNING_BIT_... until the next start */
+    uint16_t alarms; /* bits CTL_WARNING_BIT_... until the next start */
     ctl_last_cut last_cut;
-    uint32_t skips_in_row;
+    uint32_t skips_in_row; /* since the last cut */
+    uint32_t skips_in_run; /* since that or the start of the run */
     uint16_t last_skip;
     uint32_t skipped;
     uint32_t limited;
@@ -89,8 +92,9 @@ void ctl_packer_break_off(struct ctl_core* core);
 /* At the boundary of a cycle another program of the same machine became active. */
 void ctl_packer_change_bank(struct ctl_core* core);
 bool ctl_packer_active(const struct ctl_core* core);
-/* Infeed, film and knife are in the same phase: a program may be changed at the boundary. */
-bool ctl_packer_in_step(const struct ctl_core* core);
+/* Infeed, film and knife are in the same phase, so that a program may be changed at the boundary, and with
+ * `bank` no product lies under its first cut, which the knife could not leave out any more. */
+bool ctl_packer_may_change(const struct ctl_core* core, const ctl_bank* bank);
 /* Ticks from the start of the master's cycle. */
 uint32_t ctl_packer_position(const struct ctl_core* core);
 /* The master moves on by *ticks, at most to the end of its cycle; returns the knife's ticks, *ticks becomes
@@ -114,6 +118,8 @@ void ctl_packer_registers(const struct ctl_core* core, uint16_t* registers);
 
 /* Between the files of this module. */
 bool ctl_packer_tracks(const struct ctl_core* core);
+/* The film's cycle begins and the knife stands open: its first cut was not asked about yet. */
+void ctl_packer_ask_first_cut(struct ctl_core* core);
 /* Search, follow or leave the marks as the parameters say now. */
 void ctl_packer_follow_marks(struct ctl_core* core);
 /* Film of a cycle without its correction, and what a correction of the length may change of it. */

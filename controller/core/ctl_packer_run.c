@@ -10,8 +10,6 @@
 /* The cuts may be shifted by so much of the bag length until they meet the marks. */
 #define ALIGNING_SHARE 10
 #define LIMITED_IN_ROW 5u
-/* Of a new lag of the film at the cut, which is learned. */
-#define LAG_SHARE 8
 
 static int64_t limited(int64_t value, int64_t limit)
 {
@@ -33,6 +31,26 @@ static int64_t uncorrected(const ctl_core* core)
     const int64_t next = ctl_packer_cycle_length(core);
     return packer->film.start + packer->film.shift + packer->film.length +
            (int64_t)((uint64_t)next * packer->cut / packer->cycle);
+}
+
+/* Drives lag in proportion to the speed, and not all by the same time. */
+static int64_t lag_at_next_cut(const ctl_core* core)
+{
+    const ctl_packer* packer = &core->packer;
+    const ctl_ramp* ramp = &core->motion.ramp;
+    const uint32_t way = packer->cycle - packer->film.phase + packer->cut;
+    const uint32_t speed =
+        core->motion.state == CTL_STATE_RUNNING ? ctl_ramp_speed_after(ramp, way) : ramp->speed;
+    return packer->lag * (int64_t)speed / (int64_t)ramp->full;
+}
+
+static void learn_lag(ctl_core* core, int64_t lag)
+{
+    ctl_packer* packer = &core->packer;
+    const ctl_ramp* ramp = &core->motion.ramp;
+    if (lag > packer->bag / 4 || lag < -packer->bag / 4 || ramp->speed < ramp->full / 4u)
+        return;
+    packer->lag = lag * (int64_t)ramp->full / (int64_t)ramp->speed;
 }
 
 static void raise_alarm(ctl_packer* packer, uint32_t bit)
@@ -73,20 +91,34 @@ static void plan_cut(ctl_core* core)
     ctl_packer_follow_marks(core);
     ctl_marks_drop(&packer->marks, ctl_feed_position(&packer->film) - packer->bag / 2);
     const int64_t even = uncorrected(core);
-    const ctl_mark* mark = packer->marks.state == CTL_MARK_STATE_OFF ||
-                                   packer->marks.state == CTL_MARK_STATE_SEARCHING
-                               ? NULL
-                               : ctl_marks_near(&packer->marks, even + packer->lag, packer->bag / 2);
+    packer->next.lag = lag_at_next_cut(core);
+    const ctl_mark* mark =
+        packer->marks.state == CTL_MARK_STATE_OFF || packer->marks.state == CTL_MARK_STATE_SEARCHING
+            ? NULL
+            : ctl_marks_near(&packer->marks, even + packer->next.lag, packer->bag / 2);
     int64_t shift = 0;
     packer->phase_correction = 0;
     packer->length_correction = 0;
     if (mark != NULL)
-        shift = allowed_shift(core, mark, mark->at - packer->lag - even);
+        shift = allowed_shift(core, mark, mark->at - packer->next.lag - even);
     packer->next.command = even + shift;
     packer->next.tracked = mark != NULL && packer->marks.state == CTL_MARK_STATE_TRACKING;
     packer->next.seen = mark != NULL && mark->seen;
     if (shift != 0)
         ctl_feed_correct(&packer->film, shift, packer->cycle - packer->release + (uint64_t)packer->engage);
+}
+
+static void count_skip(ctl_core* core)
+{
+    ctl_packer* packer = &core->packer;
+    const bool too_long =
+        packer->products.longest + 2 * film_um(core, CTL_REG_PARAMETER_CUT_CLEARANCE) > packer->bag;
+    packer->skipped += 1;
+    packer->skips_in_row += 1;
+    packer->skips_in_run += 1;
+    packer->last_skip = too_long ? CTL_SKIP_CAUSE_PRODUCT_TOO_LONG : CTL_SKIP_CAUSE_PRODUCT_ACROSS;
+    if (packer->skips_in_run >= ctl_parameter16(core, CTL_REG_PARAMETER_SKIP_LIMIT))
+        raise_alarm(packer, CTL_WARNING_BIT_TOO_MANY_SKIPS);
 }
 
 /* A product lies where the knife would close next if it set off now. */
@@ -103,15 +135,21 @@ static bool knife_must_wait(ctl_core* core)
                          ? packer->bag / ALIGNING_SHARE
                          : ctl_packer_length_limit(core) + film_um(core, CTL_REG_PARAMETER_PHASE_LIMIT);
     }
-    if (!ctl_products_across(&packer->products, cut + packer->lag, clearance))
+    if (!ctl_products_across(&packer->products, cut + packer->next.lag, clearance))
         return false;
-    const bool too_long = packer->products.longest + 2 * film_um(core, CTL_REG_PARAMETER_CUT_CLEARANCE) > packer->bag;
-    packer->skipped += 1;
-    packer->skips_in_row += 1;
-    packer->last_skip = too_long ? CTL_SKIP_CAUSE_PRODUCT_TOO_LONG : CTL_SKIP_CAUSE_PRODUCT_ACROSS;
-    if (packer->skips_in_row >= ctl_parameter16(core, CTL_REG_PARAMETER_SKIP_LIMIT))
-        raise_alarm(packer, CTL_WARNING_BIT_TOO_MANY_SKIPS);
+    count_skip(core);
     return true;
+}
+
+void ctl_packer_ask_first_cut(ctl_core* core)
+{
+    ctl_packer* packer = &core->packer;
+    if (ctl_parameter16(core, CTL_REG_PARAMETER_ANTI_CUT) == 0 ||
+        !ctl_products_across(&packer->products, packer->next.command + packer->next.lag,
+                             film_um(core, CTL_REG_PARAMETER_CUT_CLEARANCE)))
+        return;
+    count_skip(core);
+    ctl_gate_stand(&packer->knife_gate);
 }
 
 /* The product that would come next on the film is missing: the film waits for the one after it. */
@@ -210,8 +248,8 @@ static void read_sensors(ctl_core* core)
     while (port->eye(port->context, &at, &covered))
         ctl_products_edge(&packer->products, at, covered);
     ctl_marks_pass(&packer->marks, packer->film_actual);
-    const uint32_t empty = ctl_products_lay(&packer->products, infeed_before, packer->infeed_actual, film_before,
-                                            packer->film_actual);
+    const uint32_t empty = ctl_products_lay(&packer->products, infeed_before, packer->infeed_actual,
+                                            film_before, packer->film_actual);
     if (ctl_parameter16(core, CTL_REG_PARAMETER_EMPTY_BAG) == 0)
         packer->empty += empty;
 }
@@ -245,9 +283,8 @@ void ctl_packer_on_cut(ctl_core* core, int64_t film)
         return;
     ctl_last_cut* last = &packer->last_cut;
     const ctl_mark* mark = ctl_marks_near(&packer->marks, film, packer->bag / 2);
-    const int64_t lag = film - packer->next.command;
-    if (packer->cut_before && lag < packer->bag / 4 && lag > -packer->bag / 4)
-        packer->lag += (lag - packer->lag) / LAG_SHARE;
+    if (packer->cut_before)
+        learn_lag(core, film - packer->next.command);
     const int64_t mark_before = last->mark_at;
     last->at = film;
     last->mark_at = mark == NULL ? film : mark->at;
@@ -258,6 +295,7 @@ void ctl_packer_on_cut(ctl_core* core, int64_t film)
     last->had_products = ctl_products_cut(&packer->products, film) != 0;
     last->bags = 1u + packer->skips_in_row;
     packer->skips_in_row = 0;
+    packer->skips_in_run = 0;
     packer->cut_before = true;
 }
 

@@ -50,7 +50,8 @@ static void put_marks(const ctl_core* core, uint16_t* registers)
     put_wide(registers, CTL_REG_PACKER_MARKS_MISSING, marks->missing);
     put_wide(registers, CTL_REG_PACKER_MARKS_FALSE, marks->unexpected);
     put(registers, CTL_REG_PACKER_TEACH_MARKS, marks->teaching.count);
-    put_wide(registers, CTL_REG_PACKER_TEACH_PITCH, (uint64_t)ctl_packer_um(core, ctl_marks_taught_pitch(marks)));
+    put_wide(registers, CTL_REG_PACKER_TEACH_PITCH,
+             (uint64_t)ctl_packer_um(core, ctl_marks_taught_pitch(marks)));
     put(registers, CTL_REG_PACKER_TEACH_SCATTER,
         film_um16(core, ctl_square_root(ctl_marks_taught_variance(marks))));
     put(registers, CTL_REG_PACKER_MARKS_WAIT, (uint16_t)marks->count);
@@ -67,7 +68,8 @@ static void put_counts(const ctl_core* core, uint16_t* registers)
     put(registers, CTL_REG_PACKER_SKIPS_IN_A_ROW, (uint16_t)(packer->skips_in_row & 0xFFFFu));
     put_wide(registers, CTL_REG_PACKER_CORRECTIONS_LIMITED, packer->limited);
     put_wide(registers, CTL_REG_PACKER_BAG_NUMBER, packer->bags);
-    memcpy(&registers[CTL_REG_PACKER_BAGS - CTL_REG_PACKER_MARK_STATE], packer->records, sizeof packer->records);
+    memcpy(&registers[CTL_REG_PACKER_BAGS - CTL_REG_PACKER_MARK_STATE], packer->records,
+           sizeof packer->records);
 }
 
 /* Distance to the knife in 0.1 mm; its last bit says that something is special about it. */
@@ -81,9 +83,8 @@ static uint16_t view(const ctl_core* core, int64_t at, bool special)
 static void put_cuts(const ctl_core* core, uint16_t* registers)
 {
     const ctl_packer* packer = &core->packer;
-    const int64_t clearance =
-        ctl_packer_film(core, ctl_parameter16(core, CTL_REG_PARAMETER_CUT_CLEARANCE));
-    int64_t at = packer->next.command + packer->lag;
+    const int64_t clearance = ctl_packer_film(core, ctl_parameter16(core, CTL_REG_PARAMETER_CUT_CLEARANCE));
+    int64_t at = packer->next.command + packer->next.lag;
     if (at < packer->film_actual) /* made already, the next one is not planned yet */
         at += packer->bag;
     for (uint32_t i = 0; i < CTL_VIEW_CUTS; ++i) {
@@ -118,10 +119,10 @@ void ctl_packer_registers(const ctl_core* core, uint16_t* registers)
 {
     const ctl_packer* packer = &core->packer;
     memset(registers, 0, CTL_PACKER_REGISTERS * sizeof registers[0]);
-    if (packer->bank == NULL)
-        return;
     for (uint32_t i = CTL_REG_PACKER_CUTS - CTL_REG_PACKER_MARK_STATE; i < CTL_PACKER_REGISTERS; ++i)
         registers[i] = NOTHING;
+    if (packer->bank == NULL)
+        return;
     put_marks(core, registers);
     put_counts(core, registers);
     put(registers, CTL_REG_PACKER_FILM_ANGLE,

@@ -25,8 +25,8 @@ typedef struct {
     /* Force of a press now, N; NULL on a machine without. */
     int32_t (*force)(void* context);
 
-    /* Film and infeed of a packing machine; all NULL on a machine without. Pulses that leave now; positions since
-     * power-up in 1/256 pulse of the command. */
+    /* Film and infeed of a packing machine; all NULL on a machine without. Pulses that leave now; positions
+     * since power-up in 1/256 pulse of the command. */
     void (*film_pulses)(void* context, int32_t count);
     int64_t (*film)(void* context);
     void (*infeed_pulses)(void* context, int32_t count);

@@ -7,7 +7,8 @@
 
 static int64_t to_film(const ctl_products* products, int64_t infeed)
 {
-    const int64_t film = (int64_t)((uint64_t)(infeed < 0 ? -infeed : infeed) * products->settings.ratio >> RATIO_BITS);
+    const int64_t film =
+        (int64_t)((uint64_t)(infeed < 0 ? -infeed : infeed) * products->settings.ratio >> RATIO_BITS);
     return infeed < 0 ? -film : film;
 }
 
@@ -18,12 +19,15 @@ static int64_t divided(int64_t value, int64_t by)
     return value % by < 0 ? quotient - 1 : quotient;
 }
 
-void ctl_products_reset(ctl_products* products, const ctl_product_settings* settings, int64_t infeed)
+void ctl_products_set(ctl_products* products, const ctl_product_settings* settings, int64_t infeed)
 {
+    const bool same =
+        products->settings.flight == settings->flight && products->settings.eye == settings->eye;
     products->settings = *settings;
+    if (same)
+        return;
     products->coming_count = 0;
     products->covered = false;
-    products->longest = 0;
     products->watched_from = infeed;
     products->next = divided(infeed - settings->lay, settings->flight) + 1;
 }

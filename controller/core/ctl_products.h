@@ -44,19 +44,19 @@ typedef struct {
     uint32_t coming_count;
     ctl_product laid[CTL_PRODUCTS]; /* from the knife to where they are laid */
     uint32_t laid_count;
-    uint32_t total; /* laid since power-up */
+    uint32_t total;  /* laid since power-up */
     int64_t longest; /* film length of the longest one seen since the settings were made */
 } ctl_products;
 
-/* The infeed stands at `infeed`; what is under way between eye and film is not known, what lies on the film
- * lies there. */
-void ctl_products_reset(ctl_products* products, const ctl_product_settings* settings, int64_t infeed);
+/* The infeed stands at `infeed`. When its geometry is another one than before, and at first, what is under
+ * way between eye and film is not known; what lies on the film lies there. */
+void ctl_products_set(ctl_products* products, const ctl_product_settings* settings, int64_t infeed);
 /* An edge passed the eye at that infeed position. */
 void ctl_products_edge(ctl_products* products, int64_t infeed, bool covered);
 /* Product `number` is known not to come: its place went by under the eye, and nothing was there. */
 bool ctl_products_missing(const ctl_products* products, int64_t number, int64_t infeed);
-/* The infeed has come to `infeed`, the film from `film_before` to `film`: lays what is due. Returns the places
- * that were empty. */
+/* The infeed has come to `infeed`, the film from `film_before` to `film`: lays what is due. Returns the
+ * places that were empty. */
 uint32_t ctl_products_lay(ctl_products* products, int64_t infeed_before, int64_t infeed, int64_t film_before,
                           int64_t film);
 /* A product lies across a cut made at this film position, or nearer to it than the clearance. */

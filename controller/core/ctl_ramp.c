@@ -86,6 +86,13 @@ uint32_t ctl_square_root(uint64_t square)
     return (uint32_t)root;
 }
 
+uint32_t ctl_ramp_speed_after(const ctl_ramp* ramp, uint32_t way)
+{
+    const uint64_t square = (uint64_t)ramp->speed * ramp->speed + 2u * (uint64_t)ramp->full * way;
+    const uint32_t speed = ctl_square_root(square);
+    return speed < ramp->full ? speed : ramp->full;
+}
+
 bool ctl_ramp_can_land(const ctl_ramp* ramp, uint64_t remaining)
 {
     if (ramp->s_curve)

@@ -34,6 +34,8 @@ uint32_t ctl_ramp_down(ctl_ramp* ramp, uint32_t ticks);
 uint32_t ctl_ramp_land(ctl_ramp* ramp, uint32_t ticks, uint64_t remaining, uint32_t limit);
 /* The ramp is short enough to stand still within `remaining` master ticks. */
 bool ctl_ramp_can_land(const ctl_ramp* ramp, uint64_t remaining);
+/* Speed, 0..full, of a linear ramp that goes up while the master travels `way` ticks more. */
+uint32_t ctl_ramp_speed_after(const ctl_ramp* ramp, uint32_t way);
 /* The share of `value` that the present speed is of full speed, rounded down; value below 2^32. */
 uint32_t ctl_ramp_share(const ctl_ramp* ramp, uint32_t value);
 

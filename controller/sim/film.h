@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The film of a packing machine from the mark sensor to the knife. Its material is counted in mm of unstretched
-// film; it comes stretched by some tenths of a percent, which change slowly along the reel, and what was
-// printed at equal distances comes at unequal ones. It slips against the roll that draws it. All of it follows
-// from where the roll stands, so that it does not depend on the steps in which the roll is moved.
+// The film of a packing machine from the mark sensor to the knife. Its material is counted in mm of
+// unstretched film; it comes stretched by some tenths of a percent, which change slowly along the reel, and
+// what was printed at equal distances comes at unequal ones. It slips against the roll that draws it. All of
+// it follows from where the roll stands, so that it does not depend on the steps in which the roll is moved.
 #pragma once
 
 #include <array>
@@ -13,15 +13,15 @@
 namespace campanel::controller {
 
 struct FilmOptions {
-    double slipMm = 0.03;         // standard deviation from bag to bag
-    double stretch = 0.005;       // largest slow one; half of it is always there
-    double stretchStep = 0.0;     // stretch that sets in at once ...
-    double stretchStepM = 0.0;    // ... after so many metres of film
-    double markNoiseMm = 0.05;    // standard deviation of the sensor
-    double marksMissing = 0.0;    // share that the sensor does not see
-    double marksFalse = 0.0;      // share of bags with a second mark somewhere
-    double printError = 0.0;      // the print's distance is this share longer than the bag
-    double misplacedMm = 0.0;     // the film lies so far from its marks at the first cut
+    double slipMm = 0.03;          // standard deviation from bag to bag
+    double stretch = 0.005;        // largest slow one; half of it is always there
+    double stretchStep = 0.0;      // stretch that sets in at once ...
+    double stretchStepM = 0.0;     // ... after so many metres of film
+    double markNoiseMm = 0.05;     // standard deviation of the sensor
+    double marksMissing = 0.0;     // share that the sensor does not see
+    double marksFalse = 0.0;       // share of bags with a second mark somewhere
+    double printError = 0.0;       // the print's distance is this share longer than the bag
+    double misplacedMm = 0.0;      // the film lies so far from its marks at the first cut
     double markDistanceMm = 900.0; // from the sensor to the knife
 };
 
@@ -59,7 +59,7 @@ private:
     std::mt19937_64 m_markRandom;
     std::normal_distribution<double> m_normal;
     std::array<Wave, 2> m_waves;
-    double m_bagMm = 0.0; // 0: no film
+    double m_bagMm = 0.0;   // 0: no film
     double m_firstMm = 0.0; // material of the first printed cut
     // Slip: straight lines from knot to knot, one bag apart on the roll.
     double m_knotMm = 0.0;

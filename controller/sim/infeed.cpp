@@ -110,10 +110,10 @@ Infeed::Cut Infeed::cut(double drawnMm)
     Cut result;
     for (const Laid& laid : m_laid)
         result.through = result.through || (laid.leadMm < drawnMm && drawnMm < laid.trailMm);
-    const auto past = std::remove_if(m_laid.begin(), m_laid.end(), [drawnMm](const Laid& laid) {
-        return 0.5 * (laid.leadMm + laid.trailMm) < drawnMm;
+    const auto past = std::partition(m_laid.begin(), m_laid.end(), [drawnMm](const Laid& laid) {
+        return 0.5 * (laid.leadMm + laid.trailMm) >= drawnMm;
     });
-    result.products = static_cast<int>(m_laid.end() - past);
+    result.products.assign(past, m_laid.end());
     m_laid.erase(past, m_laid.end());
     return result;
 }

@@ -8,6 +8,7 @@
 #include <deque>
 #include <optional>
 #include <random>
+#include <vector>
 
 namespace campanel::controller {
 
@@ -39,9 +40,14 @@ public:
     };
     std::optional<Edge> takeEdge();
 
+    // Film drawn when the edges of a product on the film are at the knife.
+    struct Laid {
+        double leadMm = 0.0;
+        double trailMm = 0.0;
+    };
     struct Cut {
-        int products = 0;     // in the bag that ends here
-        bool through = false; // one lay under the knife
+        std::vector<Laid> products; // in the bag that ends here
+        bool through = false;       // one lay under the knife
     };
     // The knife closes with so much film drawn.
     Cut cut(double drawnMm);
@@ -51,10 +57,6 @@ private:
         std::int64_t number = 0;
         double behindMm = 0.0; // its place
         double lengthMm = 0.0;
-    };
-    struct Laid {
-        double leadMm = 0.0; // film drawn when the edge is at the knife
-        double trailMm = 0.0;
     };
     void generate();
     void passEye(double position);
@@ -68,9 +70,9 @@ private:
     double m_position = 0.0;
     std::int64_t m_next = 0; // to be generated
     std::optional<Product> m_last;
-    std::deque<Edge> m_due;        // edges that have not reached the eye yet
-    std::deque<Edge> m_edges;      // that have, and were not taken
-    std::deque<Product> m_coming;  // to be laid
+    std::deque<Edge> m_due;       // edges that have not reached the eye yet
+    std::deque<Edge> m_edges;     // that have, and were not taken
+    std::deque<Product> m_coming; // to be laid
     std::deque<Laid> m_laid;
 };
 

@@ -13,7 +13,7 @@
 namespace campanel::controller {
 namespace {
 
-constexpr double fullCircle = 36000.0; // of the bank's angles, 0.01 degrees
+constexpr double fullCircle = 36000.0;  // of the bank's angles, 0.01 degrees
 constexpr double sameRevolution = 1e-6; // pulses
 constexpr double umPerMm = 1000.0;
 
@@ -138,11 +138,12 @@ void Machine::passCut()
         m_filmMotor.positionBefore() + passed * (m_filmMotor.position() - m_filmMotor.positionBefore());
     const double drawnMm = m_film.drawnMm(rollMm(film));
     const double materialMm = m_film.materialMm(drawnMm);
-    const Infeed::Cut infeed = m_infeed.cut(drawnMm);
+    Infeed::Cut infeed = m_infeed.cut(drawnMm);
     BagCut cut;
     cut.filmEncoder = std::llround(film * CTL_FINE);
     cut.markErrorMm = m_film.offMarkMm(materialMm);
-    cut.products = infeed.products;
+    cut.drawnMm = drawnMm;
+    cut.products = std::move(infeed.products);
     cut.throughProduct = infeed.through;
     if (m_materialAtCutMm)
         cut.lengthUm =

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulated machine: servos that follow the pulses with a lag. With a cutter's program the main one turns a
-// knife with encoder and index mark over a film that another one draws, and a third brings products; the bags
-// are measured where they are cut. With a press's program it drives the ram; with any other it is a plain axis
-// with a mark at each motor revolution. Same seed and same calls: same results.
+// The simulated machine: servos that follow the pulses with a lag. With a cutter's program the main one turns
+// a knife with encoder and index mark over a film that another one draws, and a third brings products; the
+// bags are measured where they are cut. With a press's program it drives the ram; with any other it is a
+// plain axis with a mark at each motor revolution. Same seed and same calls: same results.
 #pragma once
 
 #include "ctl_bank.h"
@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace campanel::controller {
 
@@ -31,10 +32,11 @@ struct MachineOptions {
 
 // What a cut made, as only somebody with a ruler knows it.
 struct BagCut {
-    std::int64_t filmEncoder = 0; // 1/256 pulse, latched when the knife closed
+    std::int64_t filmEncoder = 0;          // 1/256 pulse, latched when the knife closed
     std::optional<std::uint32_t> lengthUm; // none: the cut before does not count
     double markErrorMm = 0.0;              // from the printed cut, positive: late
-    int products = 0;
+    double drawnMm = 0.0;                  // film, slip included
+    std::vector<Infeed::Laid> products;    // in the bag
     bool throughProduct = false;
 };
 

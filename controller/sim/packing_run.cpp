@@ -17,6 +17,15 @@ constexpr double umPerMm = 1000.0;
 // Homing and the ramp, before the first bag must have come; and how long a bag may take.
 constexpr std::uint64_t longestStartUs = 120'000'000;
 constexpr unsigned longestBagCycles = 400;
+// Of the steps of time.
+constexpr double stepsPerCycle = 400.0;
+constexpr double shortestStepUs = 100.0;
+constexpr double longestStepUs = 2500.0;
+// A machine that alarms so often without a bag in between is not started again.
+constexpr std::uint32_t mostStartsPerBag = 20;
+// What the eye, the product's slip on the film and the film's own slip may hide.
+constexpr double sensorMm = 2.5;
+constexpr double aligningShare = 0.1; // of the bag length, by which a cut may be shifted while aligning
 
 // Nothing is kept over a power loss.
 class NoFlash : public FlashDevice {
@@ -29,6 +38,14 @@ public:
     bool erase(std::uint32_t) override { return true; }
     bool write(std::uint32_t, std::uint32_t, std::span<const std::uint8_t>) override { return true; }
 };
+
+// Of the bank, which need not be a good one.
+double cycleS(const PackingJob& job)
+{
+    return job.bank.size() < CTL_BANK_HEADER_REGISTERS
+               ? 0.0
+               : static_cast<double>(ctl_get32(&job.bank[CTL_OFFSET_BANK_CYCLE_TICKS])) / job.timerClockHz;
+}
 
 ctl_config configOf(const PackingJob& job)
 {
@@ -46,13 +63,15 @@ public:
     Run(const PackingJob& job, const std::function<void(const PackedBag&)>& onBag)
         : m_job(job)
         , m_onBag(onBag)
-        , m_controller(configOf(job), job.machine, m_flash, job.stepUs)
+        , m_controller(configOf(job), job.machine, m_flash,
+                       job.stepUs != 0 ? job.stepUs : quickStepUs(cycleS(job)))
         , m_core(m_controller.core())
     {
     }
 
     PackingResult result()
     {
+        m_startUs = m_controller.nowUs();
         if (setUp() && start())
             pack();
         const ctl_packer& packer = m_core.packer;
@@ -93,35 +112,40 @@ private:
             return end(PackingEnd::BadBank, verdict.result);
         m_core.transfer.staged_crc = ctl_bank_crc(&bank);
         ctl_motion_change_program(&m_core);
-        m_setUm = ctl_get32(&ctl_active_bank(&m_core)->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH]);
+        m_setMm = ctl_get32(&ctl_active_bank(&m_core)->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH]) / umPerMm;
+        m_longestBagUs = static_cast<std::uint64_t>(longestBagCycles * cycleS(m_job) * usPerS);
         return true;
     }
 
     bool start()
     {
-        m_startUs = m_controller.nowUs();
         const std::uint16_t refusal = ctl_motion_start(&m_core);
-        return refusal == CTL_REFUSAL_NONE || end(PackingEnd::Refused, refusal);
+        if (refusal != CTL_REFUSAL_NONE)
+            return end(PackingEnd::Refused, refusal);
+        m_untilUs = m_controller.nowUs() + longestStartUs + m_longestBagUs;
+        m_isSettled = false;
+        m_beforeFits = false;
+        m_fullSpeed = false;
+        m_result.starts += 1;
+        return true;
     }
 
     void pack()
     {
-        const std::uint64_t cycleUs = static_cast<std::uint64_t>(
-            ctl_bank_cycle_ticks(ctl_active_bank(&m_core)) * usPerS / m_job.timerClockHz);
-        std::uint64_t untilUs = m_startUs + longestStartUs + longestBagCycles * cycleUs;
         while (m_result.bags < m_job.bags) {
             m_controller.step();
             m_fullSpeed = m_fullSpeed && m_core.motion.ramp.speed == m_core.motion.ramp.full;
+            noticeSkip();
             if (m_controller.cut()) {
                 takeCut(*m_controller.cut());
-                untilUs = m_controller.nowUs() + longestBagCycles * cycleUs;
+                m_untilUs = m_controller.nowUs() + m_longestBagUs;
             }
-            if (!goesOn(untilUs))
+            if (!goesOn())
                 return;
         }
     }
 
-    bool goesOn(std::uint64_t untilUs)
+    bool goesOn()
     {
         const ctl_motion& motion = m_core.motion;
         m_result.largestFollowingErrorPulses =
@@ -130,31 +154,99 @@ private:
         if (motion.state == CTL_STATE_FAULT)
             return end(PackingEnd::Fault, motion.fault);
         if (m_core.packer.alarms != 0 && ctl_motion_standstill(&m_core))
-            return end(PackingEnd::Alarm, m_core.packer.alarms);
-        return m_controller.nowUs() < untilUs || end(PackingEnd::Alarm, m_core.packer.alarms);
+            return takeAlarm(m_core.packer.alarms);
+        return m_controller.nowUs() < m_untilUs || end(PackingEnd::NoBags, 0);
+    }
+
+    bool takeAlarm(std::uint16_t bits)
+    {
+        for (unsigned bit = 0; bit < alarmBits; ++bit)
+            m_result.alarms[bit] += static_cast<unsigned>(bits) >> bit & 1u;
+        m_startsWithoutBag = m_result.bags == m_bagsAtAlarm ? m_startsWithoutBag + 1 : 0;
+        m_bagsAtAlarm = m_result.bags;
+        if (!m_job.goOn || m_startsWithoutBag > mostStartsPerBag)
+            return end(PackingEnd::Alarm, bits);
+        return start();
+    }
+
+    void noticeSkip()
+    {
+        const ctl_packer& packer = m_core.packer;
+        if (packer.skipped == m_skipped)
+            return;
+        m_result.skips[packer.last_skip] += packer.skipped - m_skipped;
+        m_skipped = packer.skipped;
+        m_skipCause = packer.last_skip;
+        if (packer.marks.state == CTL_MARK_STATE_ALIGNING)
+            m_skippedAligning = true;
     }
 
     void takeCut(const BagCut& cut)
     {
         const bool atSpeed = m_fullSpeed;
         m_fullSpeed = true;
-        if (!cut.lengthUm)
-            return;
+        if (cut.lengthUm)
+            takeBag(cut, atSpeed);
+        m_drawnBeforeMm = cut.drawnMm;
+        m_skipCause = CTL_SKIP_CAUSE_NONE;
+        m_skippedAligning = false;
+    }
+
+    void takeBag(const BagCut& cut, bool atSpeed)
+    {
         const ctl_packer& packer = m_core.packer;
-        const std::uint16_t* record =
-            &packer.records[CTL_BAG_REGISTERS * (packer.bags % CTL_BAG_RECORDS)];
+        const std::uint16_t* record = &packer.records[CTL_BAG_REGISTERS * (packer.bags % CTL_BAG_RECORDS)];
         PackedBag bag;
         bag.number = ++m_result.bags;
         bag.timeS = static_cast<double>(m_controller.nowUs() - m_startUs) / usPerS;
         bag.lengthMm = *cut.lengthUm / umPerMm;
         bag.lengths = ctl_packer_lengths_in_bag(&m_core);
-        bag.deviationMm = bag.lengthMm - bag.lengths * (m_setUm / umPerMm);
+        bag.deviationMm = bag.lengthMm - bag.lengths * m_setMm;
         bag.markErrorMm = cut.markErrorMm;
         bag.flags = record[3];
-        bag.products = cut.products;
+        bag.products = static_cast<int>(cut.products.size());
         bag.throughProduct = cut.throughProduct;
         bag.atSpeed = atSpeed;
+        bag.start = m_result.starts;
+        settle(bag);
+        bag.isSettled = m_isSettled;
+        explainSkips(bag, cut);
         m_onBag(bag);
+    }
+
+    void settle(const PackedBag& bag)
+    {
+        const bool tracks = ctl_packer_tracks(&m_core);
+        const bool fits = bag.atSpeed && (!tracks || (bag.flags & 1u << CTL_BAG_BIT_TRACKED) != 0);
+        m_isSettled = m_isSettled || (fits && m_beforeFits);
+        m_beforeFits = fits;
+    }
+
+    // The cuts skipped in a bag would have divided it evenly.
+    void explainSkips(PackedBag& bag, const BagCut& cut)
+    {
+        bag.skipCause = m_skipCause;
+        for (std::uint32_t i = 1; i < bag.lengths; ++i) {
+            const double skippedMm = m_drawnBeforeMm + (cut.drawnMm - m_drawnBeforeMm) * i / bag.lengths;
+            double gapMm = m_setMm;
+            for (const Infeed::Laid& product : cut.products)
+                gapMm =
+                    std::min(gapMm, std::max({0.0, product.leadMm - skippedMm, skippedMm - product.trailMm}));
+            bag.skipGapMm = std::max(bag.skipGapMm, gapMm);
+        }
+        bag.isUnexplained = bag.skipGapMm > keptClearMm();
+        m_result.skipsUnexplained += bag.isUnexplained ? 1u : 0u;
+        m_result.largestSkipGapMm = std::max(m_result.largestSkipGapMm, bag.skipGapMm);
+    }
+
+    // The clearance, what a correction may still shift, and what no sensor sees.
+    double keptClearMm() const
+    {
+        const double clearance = ctl_parameter16(&m_core, CTL_REG_PARAMETER_CUT_CLEARANCE) / umPerMm;
+        const double phase = ctl_parameter16(&m_core, CTL_REG_PARAMETER_PHASE_LIMIT) / umPerMm;
+        const double length = m_setMm * static_cast<double>(ctl_packer_length_limit(&m_core)) /
+                              static_cast<double>(m_core.packer.bag);
+        return clearance + sensorMm + (m_skippedAligning ? m_setMm * aligningShare : length + phase);
     }
 
     const PackingJob& m_job;
@@ -164,11 +256,27 @@ private:
     ctl_core& m_core;
     PackingResult m_result;
     std::uint64_t m_startUs = 0;
-    std::uint32_t m_setUm = 0;
-    bool m_fullSpeed = false;
+    std::uint64_t m_untilUs = 0; // a bag must have come by then
+    std::uint64_t m_longestBagUs = 0;
+    double m_setMm = 0.0;
+    double m_drawnBeforeMm = 0.0; // at the cut before
+    bool m_fullSpeed = false;     // since that
+    bool m_isSettled = false;
+    bool m_beforeFits = false;
+    std::uint32_t m_skipped = 0;
+    std::uint16_t m_skipCause = CTL_SKIP_CAUSE_NONE; // of the last cut skipped since
+    bool m_skippedAligning = false;
+    std::uint32_t m_bagsAtAlarm = 0;
+    std::uint32_t m_startsWithoutBag = 0;
 };
 
 } // namespace
+
+std::uint64_t quickStepUs(double cycleS)
+{
+    return static_cast<std::uint64_t>(
+        std::clamp(cycleS * usPerS / stepsPerCycle, shortestStepUs, longestStepUs));
+}
 
 PackingResult runPacking(const PackingJob& job, const std::function<void(const PackedBag&)>& onBag)
 {

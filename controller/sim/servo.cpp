@@ -39,7 +39,8 @@ void Servo::advance(double stepS)
         m_stepS = stepS;
         m_decay = std::exp(-m_angularBandwidth * stepS);
     }
-    // x'' = w^2 (u - x) - 2 w x' with u' = r: z = x - u + 2 r / w dies away as (z0 + (z0' + w z0) t) exp(-w t).
+    // x'' = w^2 (u - x) - 2 w x' with u' = r: z = x - u + 2 r / w dies away as (z0 + (z0' + w z0) t) exp(-w
+    // t).
     const double w = m_angularBandwidth;
     const double rise = (target - from) / stepS;
     const double lag = 2.0 * rise / w;

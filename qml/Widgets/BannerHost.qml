@@ -20,7 +20,7 @@ Item {
     readonly property string linkTrouble: isTrouble ? Machine.connectionText : ""
     readonly property string alarm: Machine.alarmText.length > 0 ? Machine.alarmText : linkTrouble
     readonly property string answer: Machine.commandMessage.length > 0 ? Machine.commandMessage
-        : Editor.notice.length > 0 ? Editor.notice : refusal
+        : Editor.notice.length > 0 ? Editor.notice : Records.notice.length > 0 ? Records.notice : refusal
     readonly property bool stopShown: Machine.stopWaits
     readonly property bool alarmShown: !stopShown && answer.length === 0 && alarm.length > 0 && alarm !== putAside
     readonly property bool shown: stopShown || answer.length > 0 || alarmShown
@@ -36,6 +36,7 @@ Item {
         host.refusal = ""
         Machine.dismissMessage()
         Editor.dismissNotice()
+        Records.dismissNotice()
     }
 
     implicitHeight: Theme.size.actionBar

@@ -29,6 +29,7 @@ using Figures = std::vector<Figure>;
 // all.
 [[nodiscard]] Figures measureMotion();
 [[nodiscard]] Figures measurePrograms();
+[[nodiscard]] Figures measurePacking();
 [[nodiscard]] Figures measurePlots();
 [[nodiscard]] Figures measureLink();
 [[nodiscard]] Figures measurePeers();

@@ -244,7 +244,9 @@ void TestMotion::changeWhileRunningDoesNotJump()
 
 void TestMotion::changeAtStandstillMidCycleHomesAgain()
 {
-    Rig rig;
+    campanel::controller::MachineOptions options;
+    options.products.missing = 1.0; // none that the knife has to wait for
+    Rig rig(options);
     rig.install(camBank(10000, 1, 8'000'000));
     rig.start();
     rig.run(1'300'000);

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace campanel;
 using namespace campanel::test;
@@ -81,8 +82,9 @@ void TestRegisters::defaultsAndLimits()
     for (const modbus::RegisterInfo& info : modbus::registers()) {
         if (!info.name.starts_with("parameter."))
             continue;
-        const auto words = [&info](double value) {
-            const auto raw = static_cast<std::uint32_t>(value);
+        // By so many steps beyond a physical value.
+        const auto words = [&info](double value, int steps = 0) {
+            const auto raw = static_cast<std::uint32_t>(std::llround(value / info.scale) + steps);
             return info.count == 2 ? Registers{static_cast<std::uint16_t>(raw >> 16),
                                                static_cast<std::uint16_t>(raw & 0xFFFFu)}
                                    : Registers{static_cast<std::uint16_t>(raw)};
@@ -90,13 +92,13 @@ void TestRegisters::defaultsAndLimits()
         QCOMPARE(rig.read(info.address, info.count), words(info.defaultValue));
         QCOMPARE(rig.write(info.address, words(info.maximum)), 0);
         QCOMPARE(rig.write(info.address, words(info.minimum)), 0);
-        QCOMPARE(rig.write(info.address, words(info.maximum + 1)), 3);
-        if (info.minimum > 0)
-            QCOMPARE(rig.write(info.address, words(info.minimum - 1)), 3);
+        QCOMPARE(rig.write(info.address, words(info.maximum, 1)), 3);
+        if (info.minimum > 0 || info.type == modbus::RegisterType::I16)
+            QCOMPARE(rig.write(info.address, words(info.minimum, -1)), 3);
         QCOMPARE(rig.read(info.address, info.count), words(info.minimum));
         ++checked;
     }
-    QCOMPARE(checked, 7);
+    QCOMPARE(checked, 27);
 }
 
 void TestRegisters::halfOfAWideValueIsChecked()

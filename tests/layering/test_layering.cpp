@@ -39,7 +39,8 @@ const QList<Rule>& includeRules()
          {standardCpp, expected, qtAny, u"profile/.*"_s, u"app/(link|program|store|machine)/.*"_s}},
         {u"app/plot"_s, {standardCpp, qtAny, u"qwt[a-z_]*\\.h"_s, u"profile/.*"_s, u"app/plot/.*"_s}},
         {u"app/cli"_s,
-         {standardCpp, posix, expected, qtAny, u"(profile|modbus)/.*"_s, u"app/(program|store|cli)/.*"_s}},
+         {standardCpp, posix, expected, qtAny, u"(profile|modbus)/.*"_s, u"app/(program|store|cli)/.*"_s,
+          u"packing_run\\.h"_s}},
         {u"app/main"_s, {standardCpp, qtAny, u"app/.*"_s, posix}},
     };
     return rules;

@@ -8,6 +8,7 @@
 
 #include <QtTest>
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -129,10 +130,12 @@ void CodecTest::everyRawValueSurvivesItsPhysicalForm()
                 continue;
             const bool wide = info.count == 2;
             const bool limited = info.access == Access::ReadWrite && info.maximum > info.minimum;
-            const std::int64_t last =
-                limited ? static_cast<std::int64_t>(info.maximum) : (wide ? 0x7FFFFFFF : 0x7FFF);
-            for (std::int64_t raw = limited ? static_cast<std::int64_t>(info.minimum) : 0; raw <= last;
-                 raw += 1 + (last / 997)) {
+            const auto rawLimit = [&info](double limit) {
+                return static_cast<std::int64_t>(std::llround(limit / info.scale));
+            };
+            const std::int64_t first = limited ? rawLimit(info.minimum) : 0;
+            const std::int64_t last = limited ? rawLimit(info.maximum) : (wide ? 0x7FFFFFFF : 0x7FFF);
+            for (std::int64_t raw = first; raw <= last; raw += 1 + (last / 997)) {
                 const auto again = toRaw(info, toPhysical(info, raw));
                 QVERIFY2(again.has_value(), info.name.data());
                 QCOMPARE(*again, raw);

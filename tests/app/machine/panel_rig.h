@@ -4,6 +4,7 @@
 
 #include "app/machine/editor.h"
 #include "app/machine/machine.h"
+#include "app/machine/records.h"
 #include "app/machine/service.h"
 #include "app/machine/settings.h"
 #include "fake_link.h"
@@ -19,6 +20,7 @@ struct PanelRig {
     link::SteadyTime now{std::chrono::hours(1)};
     machine::Machine machine{link, settings, nullptr};
     machine::Editor editor{machine, folder.path(), nullptr};
+    machine::Records records{folder.path(), nullptr};
     machine::Service service{machine, settings, folder.path(), nullptr};
 
     PanelRig()

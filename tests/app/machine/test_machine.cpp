@@ -311,7 +311,7 @@ private slots:
         PanelRig rig;
         rig.connectRunning();
         QQmlEngine engine;
-        machine::attachToEngine(engine, rig.machine, rig.editor, rig.service, rig.settings);
+        machine::attachToEngine(engine, rig.machine, rig.editor, rig.records, rig.service, rig.settings);
         QQmlComponent component(&engine);
         component.setData("import QtQuick\nimport CamPanel.Machine\nQtObject {\n"
                           "  property double length: Editor.bagLength.value\n"

@@ -122,7 +122,7 @@ private slots:
             QCOMPARE(inspector.selectedText().startsWith(u"Read only:"), !isParameter);
             writable += isParameter ? 1 : 0;
         }
-        QCOMPARE(writable, 7);
+        QCOMPARE(writable, 27);
         QVERIFY(inspector.registers()->count() > 100);
     }
 

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// campanelctl simulate: a packing machine that cuts bags by a recipe, without a line, much faster than a real
+// one.
+#include "app/cli/commands.h"
+#include "app/cli/invocation.h"
+#include "app/cli/recipe_options.h"
+#include "app/cli/report.h"
+#include "app/cli/simulate_figures.h"
+#include "app/cli/simulate_options.h"
+#include "app/cli/simulate_table.h"
+
+#include <cstdio>
+#include <ctime>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::cli {
+namespace {
+
+constexpr double usualToleranceMm = 0.2;
+constexpr double largestToleranceMm = 100.0;
+constexpr qsizetype rowBytes = 80; // about, to reserve
+
+// What the format asks for, bag by bag.
+class BagRows {
+public:
+    BagRows(const Invocation& call, std::uint32_t bags)
+        : m_csv(call.format() == u"csv")
+        , m_json(call.format() == u"json" && call.isSet(u"with-bags"_s))
+    {
+        if (m_csv) {
+            m_text.reserve(rowBytes * static_cast<qsizetype>(bags));
+            m_text = bagHeader();
+        }
+    }
+
+    void add(const controller::PackedBag& bag)
+    {
+        if (m_csv)
+            m_text += bagRow(bag);
+        if (m_json)
+            m_list.append(bagObject(bag));
+    }
+
+    // CSV holds the bags alone, so that the next program can read it; the summary goes beside it.
+    [[nodiscard]] Outcome deliver(const Invocation& call, QJsonObject summary) const
+    {
+        if (m_csv) {
+            std::fputs(formatted(summary, u"text"_s).constData(), stderr);
+            return call.deliver(m_text);
+        }
+        if (m_json)
+            summary[u"bag_list"_s] = m_list;
+        return call.deliver(formatted(summary, call.format()));
+    }
+
+private:
+    bool m_csv;
+    bool m_json;
+    QByteArray m_text;
+    QJsonArray m_list;
+};
+
+double cpuS()
+{
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+Outcome checkCombination(const Invocation& call)
+{
+    const bool table = call.isSet(u"table"_s);
+    if (!table && call.isSet(u"lengths"_s))
+        return fail(ExitCode::Usage, u"--lengths belongs to --table."_s);
+    for (const QString& option : {u"no-tracking"_s, u"with-bags"_s}) {
+        if (table && call.isSet(option))
+            return fail(ExitCode::Usage, u"--%1 does not go with --table."_s.arg(option));
+    }
+    return {};
+}
+
+Outcome simulateOne(const Invocation& call, const program::Recipe& recipe, const controller::PackingJob& job,
+                    double toleranceMm)
+{
+    const auto image = program::buildProgram(recipe);
+    if (!image)
+        return fail(ExitCode::Refused, program::describe(image.error()));
+    PackingFigures figures(toleranceMm);
+    BagRows rows(call, job.bags);
+    const double before = cpuS();
+    const controller::PackingResult result =
+        runPacking(withProgram(job, *image), [&figures, &rows](const controller::PackedBag& bag) {
+            figures.add(bag);
+            rows.add(bag);
+        });
+    const double spent = cpuS() - before;
+    const Outcome ended = outcomeOf(result);
+    QJsonObject summary = figures.object(result, spent);
+    summary[u"name"_s] = QString::fromStdString(image->recipe.name);
+    summary[u"set_length_mm"_s] = program::value(image->recipe, profile::Field::BagLength);
+    summary[u"rate_bags_per_min"_s] = program::value(image->recipe, profile::Field::Rate);
+    summary[u"seed"_s] = static_cast<qint64>(job.machine.seed);
+    summary[u"end"_s] = ended ? u"all bags cut"_s : ended.error().sentence.simplified();
+    if (const Outcome delivered = rows.deliver(call, summary); !delivered)
+        return delivered;
+    return ended;
+}
+
+} // namespace
+
+Outcome runSimulate(const Invocation& call)
+{
+    if (const Outcome checked = checkCombination(call); !checked)
+        return checked;
+    const auto recipe = recipeOf(call);
+    if (!recipe)
+        return tl::unexpected(recipe.error());
+    if (!recipe->isCutter())
+        return fail(ExitCode::Usage,
+                    u"Bags are cut by a rotary cutter: name a recipe of kind rotary_cutter."_s);
+    const auto job = jobOf(call);
+    if (!job)
+        return tl::unexpected(job.error());
+    const auto tolerance = numberOf(call, u"tolerance"_s, usualToleranceMm, 0, largestToleranceMm);
+    if (!tolerance)
+        return tl::unexpected(tolerance.error());
+    return call.isSet(u"table"_s) ? simulateTable(call, *recipe, *job, *tolerance)
+                                  : simulateOne(call, *recipe, *job, *tolerance);
+}
+
+} // namespace campanel::cli

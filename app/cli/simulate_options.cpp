@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// One row per disturbance.
+#include "app/cli/simulate_options.h"
+
+#include "app/cli/invocation.h"
+#include "app/cli/report.h"
+#include "modbus/codec.h"
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::cli {
+namespace {
+
+using controller::PackingJob;
+
+constexpr double longestMm = 2000.0;
+constexpr double mostBags = 1e8;
+constexpr double mostSeed = 4294967295.0;
+
+struct Disturbance {
+    const char* name;
+    const char* what;
+    const char* unit;
+    double least;
+    double most;
+    double& (*place)(controller::MachineOptions& machine);
+};
+
+using Machine = controller::MachineOptions;
+
+constexpr Disturbance disturbances[] = {
+    {"slip", "standard deviation of the film's slip from bag to bag", "MM", 0, 10,
+     [](Machine& machine) -> double& { return machine.film.slipMm; }},
+    {"stretch", "largest slow stretch of the film", "SHARE", 0, 0.1,
+     [](Machine& machine) -> double& { return machine.film.stretch; }},
+    {"stretch-step", "stretch that sets in at once", "SHARE", -0.2, 0.2,
+     [](Machine& machine) -> double& { return machine.film.stretchStep; }},
+    {"stretch-step-after", "film before it sets in", "M", 0, 1e6,
+     [](Machine& machine) -> double& { return machine.film.stretchStepM; }},
+    {"mark-noise", "standard deviation of the mark sensor", "MM", 0, 10,
+     [](Machine& machine) -> double& { return machine.film.markNoiseMm; }},
+    {"marks-missing", "marks that the sensor does not see", "SHARE", 0, 1,
+     [](Machine& machine) -> double& { return machine.film.marksMissing; }},
+    {"marks-false", "bags with a second mark anywhere", "SHARE", 0, 1,
+     [](Machine& machine) -> double& { return machine.film.marksFalse; }},
+    {"print-error", "by which the print is longer than the bag", "SHARE", -0.5, 0.5,
+     [](Machine& machine) -> double& { return machine.film.printError; }},
+    {"film-misplaced", "film off its marks at the first cut", "MM", -longestMm, longestMm,
+     [](Machine& machine) -> double& { return machine.film.misplacedMm; }},
+    {"product-length", "length of the products; 0: 0.6 of the bag", "MM", 0, longestMm,
+     [](Machine& machine) -> double& { return machine.products.lengthMm; }},
+    {"product-scatter", "standard deviation of their places", "MM", 0, longestMm,
+     [](Machine& machine) -> double& { return machine.products.scatterMm; }},
+    {"products-missing", "places without a product", "SHARE", 0, 1,
+     [](Machine& machine) -> double& { return machine.products.missing; }},
+    {"products-misplaced", "products that lie anywhere within 0.45 of a bag length from their place", "SHARE",
+     0, 1, [](Machine& machine) -> double& { return machine.products.misplaced; }},
+};
+
+// "parameter.cut_clearance=8"
+tl::expected<controller::ParameterValue, Failure> settingOf(const QString& text)
+{
+    const qsizetype sign = text.indexOf(u'=');
+    bool isNumber = false;
+    const double value = text.mid(sign + 1).trimmed().toDouble(&isNumber);
+    if (sign < 1 || !isNumber || !std::isfinite(value))
+        return fail(
+            ExitCode::Usage,
+            u"--set takes a parameter and its value such as parameter.cut_clearance=8, not \"%1\"."_s.arg(
+                text));
+    return parameterOf(text.left(sign).trimmed(), value);
+}
+
+tl::expected<std::vector<controller::ParameterValue>, Failure> parametersOf(const Invocation& call)
+{
+    std::vector<controller::ParameterValue> parameters;
+    QStringList settings = call.values(u"set"_s);
+    if (call.isSet(u"no-tracking"_s))
+        settings << u"parameter.mark_tracking=0"_s;
+    if (call.isSet(u"save-film"_s))
+        settings << u"parameter.empty_bag=1"_s;
+    for (const QString& each : settings) {
+        auto setting = settingOf(each);
+        if (!setting)
+            return tl::unexpected(setting.error());
+        parameters.push_back(std::move(*setting));
+    }
+    return parameters;
+}
+
+tl::expected<double, Failure> wholeOf(const Invocation& call, const QString& option, double otherwise,
+                                      double least, double most)
+{
+    auto value = numberOf(call, option, otherwise, least, most);
+    if (value && *value != std::floor(*value))
+        return fail(ExitCode::Usage,
+                    u"--%1 takes a whole number, not \"%2\"."_s.arg(option, call.value(option)));
+    return value;
+}
+
+} // namespace
+
+QList<QCommandLineOption> simulateOptions()
+{
+    QList<QCommandLineOption> options{
+        {u"bags"_s, u"Bags to cut (default 1000)."_s, u"COUNT"_s},
+        {u"seed"_s, u"Of everything that is left to chance (default 1); same seed, same bags."_s,
+         u"NUMBER"_s},
+        {u"tolerance"_s, u"Deviation that a bag may have (default 0.2)."_s, u"MM"_s},
+        {u"go-on"_s, u"Start again after an alarm, as an operator would, until all bags are cut."_s},
+        {u"with-bags"_s, u"With --format json: the bags too."_s},
+        {u"set"_s,
+         u"Set a parameter of the controller, such as parameter.cut_clearance=8; may be repeated."_s,
+         u"NAME=VALUE"_s},
+        {u"no-tracking"_s, u"The cuts do not follow the marks: parameter.mark_tracking=0."_s},
+        {u"save-film"_s, u"No product, no bag: parameter.empty_bag=1."_s},
+        {u"table"_s,
+         u"Run the --lengths at 60 bags/min and at the largest feasible rate up to 300, with and without "
+         "tracking; print one table."_s},
+        {u"lengths"_s, u"For --table, in mm; without it those of the paper's Table 2."_s, u"L1,L2,..."_s}};
+    const controller::MachineOptions defaults;
+    for (const Disturbance& each : disturbances) {
+        Machine machine = defaults;
+        options << QCommandLineOption(
+            QString::fromLatin1(each.name),
+            u"Disturbance: %1 (%2 to %3, default %4)."_s.arg(QLatin1String(each.what))
+                .arg(each.least)
+                .arg(each.most)
+                .arg(each.place(machine)),
+            QString::fromLatin1(each.unit));
+    }
+    return options;
+}
+
+tl::expected<double, Failure> numberOf(const Invocation& call, const QString& option, double otherwise,
+                                       double least, double most)
+{
+    if (!call.isSet(option))
+        return otherwise;
+    bool isNumber = false;
+    const double value = call.value(option).toDouble(&isNumber);
+    if (!isNumber || !(value >= least && value <= most))
+        return fail(ExitCode::Usage, u"--%1 takes a number from %2 to %3, not \"%4\"."_s.arg(option)
+                                         .arg(least, 0, 'g', 10)
+                                         .arg(most, 0, 'g', 10)
+                                         .arg(call.value(option)));
+    return value;
+}
+
+tl::expected<controller::PackingJob, Failure> jobOf(const Invocation& call)
+{
+    PackingJob job;
+    const auto bags = wholeOf(call, u"bags"_s, job.bags, 1, mostBags);
+    const auto seed = wholeOf(call, u"seed"_s, 1, 0, mostSeed);
+    auto parameters = parametersOf(call);
+    if (!bags || !seed || !parameters)
+        return tl::unexpected(!bags ? bags.error() : !seed ? seed.error() : parameters.error());
+    job.bags = static_cast<std::uint32_t>(*bags);
+    job.machine.seed = static_cast<std::uint64_t>(*seed);
+    job.parameters = std::move(*parameters);
+    job.goOn = call.isSet(u"go-on"_s);
+    for (const Disturbance& each : disturbances) {
+        double& place = each.place(job.machine);
+        const auto value = numberOf(call, QString::fromLatin1(each.name), place, each.least, each.most);
+        if (!value)
+            return tl::unexpected(value.error());
+        place = *value;
+    }
+    return job;
+}
+
+tl::expected<controller::ParameterValue, Failure> parameterOf(const QString& name, double value)
+{
+    const modbus::RegisterInfo* info = modbus::findRegister(name.toStdString());
+    if (info == nullptr || !info->name.starts_with("parameter."))
+        return fail(ExitCode::Usage,
+                    u"\"%1\" is no parameter; campanelctl registers lists them."_s.arg(name));
+    controller::ParameterValue parameter;
+    parameter.address = info->address;
+    parameter.registers.resize(info->count);
+    modbus::RegisterWriter writer(parameter.registers, info->address);
+    if (const auto written = writer.physical(*info, value); !written)
+        return fail(ExitCode::Usage, modbus::describe(written.error()));
+    return parameter;
+}
+
+PackingJob withProgram(PackingJob job, const program::ProgramImage& image)
+{
+    job.bank = image.registers;
+    job.timerClockHz = static_cast<std::uint32_t>(image.recipe.machine.timerClockHz);
+    job.maxPulseHz = static_cast<std::uint32_t>(image.recipe.machine.maxPulseFrequencyHz);
+    return job;
+}
+
+} // namespace campanel::cli

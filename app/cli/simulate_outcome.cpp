@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// Why a simulated run ended before its last bag, and what to do about it.
+#include "app/cli/report.h"
+#include "app/cli/simulate_figures.h"
+#include "modbus/protocol.h"
+
+#include <QStringList>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::cli {
+namespace {
+
+using modbus::Refusal;
+using modbus::WarningBit;
+
+QString actionFor(WarningBit bit)
+{
+    switch (bit) {
+    case WarningBit::MarksLost:
+        return u"Check film and mark sensor, or run without marks: --no-tracking."_s;
+    case WarningBit::MarkPitchWrong:
+        return u"Take the film that was printed for this bag length, or set the bag length of the film."_s;
+    case WarningBit::CorrectionAtLimit:
+        return u"Check the film's tension and slip, or raise parameter.length_limit or parameter.phase_limit."_s;
+    case WarningBit::ProductTooLong:
+        return u"Take shorter products or a longer bag, or lower parameter.cut_clearance."_s;
+    case WarningBit::TooManySkips:
+        return u"Put the products in order, or raise parameter.skip_limit."_s;
+    default:
+        return {};
+    }
+}
+
+QString actionFor(Refusal reason)
+{
+    switch (reason) {
+    case Refusal::SensorTooFar:
+        return u"Set a longer bag or a smaller parameter.mark_distance, or run without marks: --no-tracking."_s;
+    case Refusal::MarkWindowTooWide:
+        return u"Lower parameter.mark_window or set a longer bag."_s;
+    case Refusal::NoRoomToCorrect:
+        return u"Change --k so that knife and film move together for a shorter time."_s;
+    case Refusal::EyeTooNear:
+        return u"Change parameter.eye_distance."_s;
+    default:
+        return {};
+    }
+}
+
+// Words of every bit that is set.
+QStringList wordsOf(std::string_view enumeration, std::uint32_t bits)
+{
+    QStringList words;
+    for (std::uint16_t bit = 0; bit < controller::alarmBits; ++bit) {
+        if ((bits >> bit & 1u) == 0)
+            continue;
+        words << fromView(modbus::enumText(enumeration, bit));
+        if (enumeration == "WarningBit")
+            words << actionFor(static_cast<WarningBit>(bit));
+    }
+    return words;
+}
+
+QString sentenceOf(const controller::PackingResult& result)
+{
+    const auto code = static_cast<std::uint16_t>(result.detail);
+    switch (result.end) {
+    case controller::PackingEnd::Done:
+        return {};
+    case controller::PackingEnd::BadBank:
+        return u"The controller does not take the program: "_s +
+               fromView(modbus::enumText("TransferResult", code));
+    case controller::PackingEnd::BadParameter:
+        return u"The controller does not take the parameter at 0x%1."_s.arg(result.detail, 4, 16,
+                                                                            QChar(u'0'));
+    case controller::PackingEnd::Refused:
+        return u"The controller refuses to start: %1 %2"_s.arg(fromView(modbus::enumText("Refusal", code)),
+                                                               actionFor(static_cast<Refusal>(code)));
+    case controller::PackingEnd::Alarm:
+        return u"After %1 bags: "_s.arg(result.bags) + wordsOf("WarningBit", result.detail).join(u' ');
+    case controller::PackingEnd::Fault:
+        return u"After %1 bags the machine went into fault: "_s.arg(result.bags) +
+               wordsOf("FaultBit", result.detail).join(u' ');
+    case controller::PackingEnd::NoBags:
+        return u"After %1 bags no more came for hundreds of cycles: film or knife stood. Check whether "
+               u"products "
+               "come."_s.arg(result.bags);
+    }
+    return {};
+}
+
+} // namespace
+
+Outcome outcomeOf(const controller::PackingResult& result)
+{
+    if (result.end == controller::PackingEnd::Done)
+        return {};
+    return fail(ExitCode::Refused, sentenceOf(result));
+}
+
+} // namespace campanel::cli

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/machine/records.h"
+
+#include "app/machine/engine_instances.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QEvent>
+
+namespace campanel::machine {
+
+Records::Records(const QString& folder, QObject* parent)
+    : QObject(parent)
+    , m_store(folder)
+{
+    connect(&m_store, &store::StoreThread::opened, this, &Records::takeOpening);
+    QCoreApplication::instance()->installEventFilter(this);
+}
+
+Records::~Records() = default;
+
+Records* Records::create(QQmlEngine* qmlEngine, QJSEngine*)
+{
+    return attachedInstance<Records>(qmlEngine);
+}
+
+void Records::takeOpening(const store::StoreThread::Report& report)
+{
+    if (!report.error && report.opening.damagedKeptAs.isEmpty()) {
+        // What could be read is worth a copy; should it fail, the file itself is still there.
+        m_store.run(
+            this, [](store::Database& database) { return database.makeCopy(); },
+            [this](const tl::expected<void, store::StoreError>& copied) {
+                if (!copied)
+                    complain(copied.error());
+            });
+        return;
+    }
+    m_opening = report;
+    emit noticeChanged();
+}
+
+void Records::complain(const store::StoreError& error)
+{
+    m_error = error;
+    emit noticeChanged();
+}
+
+QString Records::notice() const
+{
+    if (m_error)
+        return store::StoreErrorText::describe(*m_error);
+    if (!m_opening)
+        return {};
+    if (m_opening->error)
+        return tr("%1 Until then nothing is kept over a restart.", "%1: whole sentences")
+            .arg(store::StoreErrorText::describe(*m_opening->error));
+    const QString kept = QDir::toNativeSeparators(m_opening->opening.damagedKeptAs);
+    return m_opening->opening.fromCopy
+               ? tr("The panel's memory was damaged. It goes on with its last good copy; the damaged file is "
+                    "kept as %1.")
+                     .arg(kept)
+               : tr("The panel's memory was damaged and there was no copy. It begins anew; the damaged file is "
+                    "kept as %1.")
+                     .arg(kept);
+}
+
+void Records::dismissNotice()
+{
+    m_error.reset();
+    m_opening.reset();
+    emit noticeChanged();
+}
+
+bool Records::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance())
+        emit noticeChanged();
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace campanel::machine

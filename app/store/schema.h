@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tables of the database, as the steps that lead from each version to the next. A step that was released
+// is never changed: a new one follows it.
+#pragma once
+
+#include <QStringList>
+
+#include <vector>
+
+namespace campanel::store {
+
+[[nodiscard]] const std::vector<QStringList>& migrations();
+
+} // namespace campanel::store

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/store/store_error.h"
+
+#include <QDir>
+
+namespace campanel::store {
+
+QString StoreErrorText::describe(const StoreError& error)
+{
+    const QString path = QDir::toNativeSeparators(error.path);
+    switch (error.kind) {
+    case StoreError::Kind::CannotOpen:
+        return tr("The panel's memory %1 cannot be opened: %2. Check the disk and its permissions.")
+            .arg(path, error.detail);
+    case StoreError::Kind::NewerSchema:
+        return tr("The panel's memory %1 was written by a newer version of CamPanel. Install that version.")
+            .arg(path);
+    case StoreError::Kind::Damaged:
+        return tr("The panel's memory %1 is damaged. Restart the panel: it goes on with its last good copy.")
+            .arg(path);
+    case StoreError::Kind::Full:
+        return tr("The disk is full. What was saved before is kept; make room and save again.");
+    case StoreError::Kind::ReadOnly:
+        return tr("The panel's memory %1 is write-protected. Check the disk and its permissions.").arg(path);
+    case StoreError::Kind::Refused:
+    case StoreError::Kind::Failed:
+        return tr("The panel's memory did not take this: %1.").arg(error.detail);
+    }
+    return {};
+}
+
+} // namespace campanel::store
