@@ -519,6 +519,10 @@
         <source>A product was missing</source>
         <translation>缺少产品</translation>
     </message>
+    <message>
+        <source>The film or the infeed would have to run faster than the controller can drive it. Lower the rate.</source>
+        <translation>薄膜或进料须快于控制器所能驱动的速度。请降低速率。</translation>
+    </message>
 </context>
 <context>
     <name>DifferencesText</name>
