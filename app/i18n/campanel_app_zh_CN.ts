@@ -238,7 +238,7 @@
     </message>
     <message>
         <source>Measure the marks</source>
-        <translation type="unfinished"></translation>
+        <translation>测量色标</translation>
     </message>
 </context>
 <context>
@@ -457,71 +457,71 @@
     </message>
     <message>
         <source>The marks on the film were lost and the run was ended. Check film and mark sensor, then start again.</source>
-        <translation type="unfinished"></translation>
+        <translation>薄膜上的色标丢失，运行已结束。请检查薄膜和色标传感器，然后重新启动。</translation>
     </message>
     <message>
         <source>The marks on the film are not one bag length apart, so the run was ended. Load the right film or teach its marks under Service.</source>
-        <translation type="unfinished"></translation>
+        <translation>薄膜上色标的间距不是一个袋长，运行已结束。请装上正确的薄膜，或在“维护”中示教色标。</translation>
     </message>
     <message>
         <source>The cuts could not follow the marks within the limits, so the run was ended. Check the film&apos;s tension and whether it slips, then start again.</source>
-        <translation type="unfinished"></translation>
+        <translation>切断在限值内跟不上色标，运行已结束。请检查薄膜张力以及是否打滑，然后重新启动。</translation>
     </message>
     <message>
         <source>A product is too long for the bag, so the run was ended. Take it out or set a longer bag, then start again.</source>
-        <translation type="unfinished"></translation>
+        <translation>有产品长于袋长，运行已结束。请取出该产品或设定更长的袋长，然后重新启动。</translation>
     </message>
     <message>
         <source>Products lay across the knife&apos;s path several times in a row, so the run was ended. Put the products in order, then start again.</source>
-        <translation type="unfinished"></translation>
+        <translation>连续多次有产品横在切刀处，运行已结束。请理顺产品，然后重新启动。</translation>
     </message>
     <message>
         <source>Too many bags lie between mark sensor and knife. Set a longer bag, move the sensor nearer, or switch mark tracking off under Service.</source>
-        <translation type="unfinished"></translation>
+        <translation>色标传感器与切刀之间的袋数过多。请设定更长的袋长、移近传感器，或在“维护”中关闭色标跟踪。</translation>
     </message>
     <message>
         <source>The window for the marks is wider than half a bag. Make it narrower under Service.</source>
-        <translation type="unfinished"></translation>
+        <translation>色标窗口宽于半个袋长。请在“维护”中缩小窗口。</translation>
     </message>
     <message>
         <source>Knife and film move together for so long that no time is left to correct the film. Change k1 to k4.</source>
-        <translation type="unfinished"></translation>
+        <translation>切刀与薄膜同步的时间过长，没有时间修正薄膜。请更改 k1 至 k4。</translation>
     </message>
     <message>
         <source>The product eye is too near or too far to decide in time. Check its distance under Service.</source>
-        <translation type="unfinished"></translation>
+        <translation>产品光电离切刀过近或过远，来不及判断。请在“维护”中检查其距离。</translation>
     </message>
     <message>
         <source>Marks not followed</source>
-        <translation type="unfinished"></translation>
+        <translation>未跟踪色标</translation>
     </message>
     <message>
         <source>Looking for marks</source>
-        <translation type="unfinished"></translation>
+        <translation>正在寻找色标</translation>
     </message>
     <message>
         <source>Moving the cuts onto the marks</source>
-        <translation type="unfinished"></translation>
+        <translation>正在将切断对准色标</translation>
     </message>
     <message>
         <source>Following the marks</source>
-        <translation type="unfinished"></translation>
+        <translation>正在跟踪色标</translation>
     </message>
     <message>
         <source>A product lay across the knife&apos;s path</source>
-        <translation type="unfinished"></translation>
+        <translation>有产品横在切刀处</translation>
     </message>
     <message>
         <source>A product was longer than the bag</source>
-        <translation type="unfinished"></translation>
+        <translation>有产品长于袋长</translation>
     </message>
     <message>
         <source>A product was missing</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少产品</translation>
     </message>
     <message>
         <source>The film or the infeed would have to run faster than the controller can drive it. Lower the rate.</source>
-        <translation type="unfinished"></translation>
+        <translation>薄膜或进料须快于控制器所能驱动的速度。请降低速率。</translation>
     </message>
 </context>
 <context>
@@ -1764,6 +1764,37 @@
     </message>
 </context>
 <context>
+    <name>StoreErrorText</name>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>无法创建文件夹</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s memory %1 cannot be opened: %2. Check the disk and its permissions.</source>
+        <translation>无法打开面板的存储 %1：%2。请检查磁盘及其权限。</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s memory %1 was written by a newer version of CamPanel. Install that version.</source>
+        <translation>面板的存储 %1 由更新版本的 CamPanel 写入。请安装该版本。</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s memory %1 is damaged. Restart the panel: it goes on with its last good copy.</source>
+        <translation>面板的存储 %1 已损坏。请重新启动面板：它将使用最后一份完好的副本继续工作。</translation>
+    </message>
+    <message>
+        <source>The disk is full. What was saved before is kept; make room and save again.</source>
+        <translation>磁盘已满。以前保存的内容仍在；请腾出空间后再次保存。</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s memory %1 is write-protected. Check the disk and its permissions.</source>
+        <translation>面板的存储 %1 被写保护。请检查磁盘及其权限。</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s memory did not take this: %1.</source>
+        <translation>面板的存储未能接受：%1。</translation>
+    </message>
+</context>
+<context>
     <name>TableText</name>
     <message>
         <source>Step table</source>
@@ -2723,6 +2754,17 @@
     </message>
 </context>
 <context>
+    <name>campanel::machine::PackingLine</name>
+    <message>
+        <source>Film waits for a product</source>
+        <translation>薄膜等待产品</translation>
+    </message>
+    <message>
+        <source>Knife stays open: product across</source>
+        <translation>切刀保持张开：有产品横在切刀处</translation>
+    </message>
+</context>
+<context>
     <name>campanel::machine::PackingSetup</name>
     <message>
         <source>The controller tells nothing of a packing machine: connect it and download a cutter&apos;s recipe.</source>
@@ -2862,6 +2904,22 @@
     <message>
         <source>another one, CRC-32 %1: it is back after a loss of power</source>
         <translation>另一个程序，CRC-32 %1：断电后恢复为它</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::machine::Records</name>
+    <message>
+        <source>%1 Until then nothing is kept over a restart.</source>
+        <comment>%1: whole sentences</comment>
+        <translation>%1 在此之前，重新启动后不会保留任何内容。</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s memory was damaged. It goes on with its last good copy; the damaged file is kept as %1.</source>
+        <translation>面板的存储曾损坏，现使用最后一份完好的副本继续工作；损坏的文件保留为 %1。</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s memory was damaged and there was no copy. It begins anew; the damaged file is kept as %1.</source>
+        <translation>面板的存储已损坏且没有副本，现从空白开始；损坏的文件保留为 %1。</translation>
     </message>
 </context>
 <context>

@@ -46,6 +46,9 @@ Machine::Machine(link::Link& link, Settings& settings, QObject* parent)
     connect(this, &Machine::freshChanged, &m_direction, &MasterDirection::changed);
     connect(this, &Machine::connectionChanged, &m_packing, &PackingLine::noteConnection);
     connect(this, &Machine::programChanged, &m_packing, &PackingLine::noteProgram);
+    connect(this, &Machine::freshChanged, &m_packing, &PackingLine::changed);
+    connect(&m_packing, &PackingLine::bagRecorded, this, &Machine::takeBag);
+    connect(&settings, &Settings::bagToleranceChanged, this, &Machine::bagChanged);
     connect(&m_direction, &MasterDirection::failed, this, &Machine::showMessage);
     connect(&m_ageTimer, &QTimer::timeout, this, &Machine::updateAge);
     m_ageTimer.start(agePeriod);
@@ -160,8 +163,11 @@ void Machine::takeStatus(const link::StatusBatch& batch)
         trace(sample.status);
         const modbus::StatusBlock& status = sample.status;
         m_strokes.note(status, m_program ? m_program->pulsesPerMm : 0);
-        bagsChanged |= m_bags.note(status.bagCount, status.bagLengthMm, status.bagDeviationMm);
+        bagsChanged |= !m_status || m_status->bagCount != status.bagCount;
         m_status = status;
+        bagsChanged |= m_packing.recordsBags()
+                           ? m_bags.noteLength(status.bagLengthMm)
+                           : m_bags.note(status.bagCount, status.bagLengthMm, status.bagDeviationMm);
         m_statusAt = sample.receivedAt;
     }
     updateAge();
@@ -178,6 +184,12 @@ void Machine::takeStatus(const link::StatusBatch& batch)
         emit savedChanged();
     if (!before)
         emit ageChanged();
+}
+
+void Machine::takeBag(const modbus::BagRecord& bag)
+{
+    m_bags.note(bag, activeBagLengthMm());
+    emit bagChanged();
 }
 
 void Machine::trace(const modbus::StatusBlock& status)

@@ -92,7 +92,13 @@ class Machine : public QObject {
     Q_PROPERTY(double bagMeanMm READ bagMeanMm NOTIFY bagChanged FINAL)
     Q_PROPERTY(double bagScatterMm READ bagScatterMm NOTIFY bagChanged FINAL)
     Q_PROPERTY(QList<double> bagSeries READ bagSeries NOTIFY bagChanged FINAL)
-    Q_PROPERTY(double bagToleranceMm READ bagToleranceMm CONSTANT FINAL)
+    // Of bagSeries.
+    Q_PROPERTY(double bagMeanDeviationMm READ bagMeanDeviationMm NOTIFY bagChanged FINAL)
+    // Of these, how many are within the tolerance.
+    Q_PROPERTY(int bagsWithin READ bagsWithin NOTIFY bagChanged FINAL)
+    // Bag lengths in the last bag: more than one where cuts were left out.
+    Q_PROPERTY(int bagLengths READ bagLengths NOTIFY bagChanged FINAL)
+    Q_PROPERTY(double bagToleranceMm READ bagToleranceMm NOTIFY bagChanged FINAL)
 
     Q_PROPERTY(double generation READ generation NOTIFY programChanged FINAL)
     // As Editor.kind; 0 while there is no program.
@@ -175,9 +181,12 @@ public:
     [[nodiscard]] double bagLengthMm() const { return m_bags.lengthMm(); }
     [[nodiscard]] double bagDeviationMm() const { return m_bags.deviationMm(); }
     [[nodiscard]] double bagMeanMm() const { return m_bags.meanMm(); }
+    [[nodiscard]] double bagMeanDeviationMm() const { return m_bags.meanDeviationMm(); }
     [[nodiscard]] double bagScatterMm() const { return m_bags.scatterMm(); }
     [[nodiscard]] QList<double> bagSeries() const { return m_bags.deviationsMm(); }
-    [[nodiscard]] double bagToleranceMm() const { return toleranceMm; }
+    [[nodiscard]] int bagsWithin() const { return m_bags.countWithin(bagToleranceMm()); }
+    [[nodiscard]] int bagLengths() const { return m_bags.lengths(); }
+    [[nodiscard]] double bagToleranceMm() const;
     [[nodiscard]] double generation() const;
     [[nodiscard]] int activeKind() const;
     [[nodiscard]] bool hasActiveProgram() const { return m_program != nullptr; }
@@ -235,11 +244,11 @@ protected:
 
 private:
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    static constexpr double toleranceMm = 1.0; // the paper's claim for bag lengths
 
     void takeReport(const link::LinkReport& report);
     void takeStatus(const link::StatusBatch& batch);
     void takeProgram(const link::ActiveProgram& program);
+    void takeBag(const modbus::BagRecord& bag);
     void takeOutcome(const link::CommandOutcome& outcome);
     void noteLoss();
     void noteReturn(const modbus::StatusBlock& status);

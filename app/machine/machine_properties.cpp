@@ -3,6 +3,7 @@
 #include "app/machine/connection_sentences.h"
 #include "app/machine/controller_sentences.h"
 #include "app/machine/machine.h"
+#include "app/machine/settings.h"
 
 namespace campanel::machine {
 
@@ -240,6 +241,11 @@ double Machine::maxStopForceN() const
 int Machine::activeKind() const
 {
     return m_program ? static_cast<int>(m_program->recipe.kind()) : 0;
+}
+
+double Machine::bagToleranceMm() const
+{
+    return m_settings.bagToleranceMm();
 }
 
 double Machine::bagCount() const

@@ -25,14 +25,16 @@ constexpr double mmPerUm = 0.001;
 
 PackingLine::PackingLine(Machine& machine)
     : m_machine(machine)
+    , m_setup(machine)
     , m_timer(this)
 {
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &PackingLine::ask);
     connect(&machine.link(), &link::Link::registersRead, this, &PackingLine::takeRead);
+    connect(&m_setup, &MarkSetup::changed, this, &PackingLine::changed);
 }
 
-bool PackingLine::isWanted() const
+bool PackingLine::recordsBags() const
 {
     const auto& status = m_machine.status();
     // A controller of an older map does not have these registers.
@@ -43,22 +45,36 @@ bool PackingLine::isWanted() const
 
 void PackingLine::noteConnection()
 {
-    if (!m_machine.isConnected())
+    if (!m_machine.isConnected()) {
         m_isAsked = false;
-    if (!m_machine.identity())
+        m_setup.doubt();
+    }
+    if (!m_machine.identity()) {
+        m_setup.forget();
         forget();
-    noteProgram();
+    }
+    askWhenIdle();
 }
 
+// The bag under way was begun under another program: which one it is shows the next reading.
 void PackingLine::noteProgram()
 {
-    if (!isWanted()) {
+    m_toldBag.reset();
+    m_setup.doubt();
+    askWhenIdle();
+}
+
+void PackingLine::askWhenIdle()
+{
+    if (!recordsBags()) {
         if (m_machine.isConnected() && m_status)
             forget();
         return;
     }
+    m_setup.ask();
     if (!m_isAsked && !m_timer.isActive())
         ask();
+    emit changed();
 }
 
 void PackingLine::forget()
@@ -74,8 +90,9 @@ void PackingLine::ask()
         m_wasFresh = false;
         emit changed();
     }
-    if (!isWanted() || m_isAsked)
+    if (!recordsBags() || m_isAsked)
         return;
+    m_setup.ask();
     m_isAsked = true;
     m_askedAt = m_machine.now();
     m_machine.link().readRegisters({readId, modbus::packerAddress, modbus::packerRegisters});
@@ -101,7 +118,10 @@ void PackingLine::takeRead(const link::ReadOutcome& outcome)
 // Of a controller that has restarted the count begins anew.
 void PackingLine::tellBags()
 {
-    const bool isFirst = !m_toldBag || *m_toldBag > m_status->bagNumber;
+    const bool hasRestarted = m_toldBag && *m_toldBag > m_status->bagNumber;
+    const bool isFirst = !m_toldBag || hasRestarted;
+    if (hasRestarted)
+        m_setup.doubt();
     const std::uint32_t told = isFirst ? m_status->bagNumber : *m_toldBag;
     m_toldBag = m_status->bagNumber;
     for (const modbus::BagRecord& bag : m_status->bags) {
@@ -163,24 +183,58 @@ double PackingLine::teachScatterMm() const
     return m_status ? m_status->teachScatterMm.value_or(unknown) : unknown;
 }
 
-QVariant PackingLine::film() const
+double PackingLine::filmPositionMm() const
 {
-    if (!m_status)
-        return {};
-    FilmView view;
-    view.at = m_receivedAt;
-    view.filmMm = m_status->filmPositionUm * mmPerUm;
-    const double bagMm = m_machine.activeBagLengthMm();
-    const double cycleS = m_machine.cycleSeconds();
-    const double speedShare = m_machine.masterSpeedPercent() / 100;
-    view.bagMm = std::isfinite(bagMm) ? bagMm : 0;
-    const double speed = bagMm / cycleS * speedShare;
-    const bool runs = m_status->filmGate == modbus::GateState::Running;
-    view.speedMmPerS = runs && std::isfinite(speed) ? speed : 0;
-    view.cuts = m_status->cuts;
-    view.marks = m_status->seenMarks;
-    view.products = m_status->seenProducts;
-    return QVariant::fromValue(view);
+    return m_status ? m_status->filmPositionUm * mmPerUm : unknown;
+}
+
+double PackingLine::filmSpeedMmPerS() const
+{
+    const double speed =
+        m_machine.activeBagLengthMm() / m_machine.cycleSeconds() * m_machine.masterSpeedPercent() / 100;
+    const bool runs = m_status && m_status->filmGate == modbus::GateState::Running;
+    return runs && std::isfinite(speed) ? speed : 0;
+}
+
+bool PackingLine::knifeOpen() const
+{
+    return m_status && m_status->knifeGate != modbus::GateState::Running;
+}
+
+// One pitch behind the last mark that the sensor saw or should have seen.
+double PackingLine::nextMarkMm() const
+{
+    const bool isExpected = markState() == MarkState::Aligning || markState() == MarkState::Tracking;
+    if (!isExpected || m_status->seenMarks.empty())
+        return unknown;
+    const auto last = std::ranges::max_element(m_status->seenMarks, {}, &modbus::FilmMark::distanceMm);
+    const double pitch = m_status->markPitchMm > 0 ? m_status->markPitchMm : m_machine.activeBagLengthMm();
+    return last->distanceMm + pitch;
+}
+
+QList<QPointF> PackingLine::cuts() const
+{
+    QList<QPointF> cuts;
+    for (const modbus::FilmCut& cut : m_status ? m_status->cuts : std::vector<modbus::FilmCut>())
+        cuts << QPointF(cut.distanceMm, cut.isLeftOut ? 1 : 0);
+    return cuts;
+}
+
+QList<QPointF> PackingLine::seenMarks() const
+{
+    QList<QPointF> marks;
+    for (const modbus::FilmMark& mark : m_status ? m_status->seenMarks : std::vector<modbus::FilmMark>())
+        marks << QPointF(mark.distanceMm, mark.isReckoned ? 1 : 0);
+    return marks;
+}
+
+QList<QPointF> PackingLine::seenProducts() const
+{
+    QList<QPointF> products;
+    for (const modbus::FilmProduct& product :
+         m_status ? m_status->seenProducts : std::vector<modbus::FilmProduct>())
+        products << QPointF(product.leadMm, product.trailMm);
+    return products;
 }
 
 void PackingLine::teach(int marks)

@@ -4,11 +4,12 @@
 #pragma once
 
 #include "app/link/link.h"
+#include "app/machine/mark_setup.h"
 
 #include <QList>
 #include <QObject>
+#include <QPointF>
 #include <QTimer>
-#include <QVariant>
 #include <QtQml/qqmlregistration.h>
 
 #include <limits>
@@ -18,23 +19,12 @@ namespace campanel::machine {
 
 class Machine;
 
-// What lies on the film, for the plot that draws it. Distances to the knife in mm at the time `at`.
-struct FilmView {
-    link::SteadyTime at;
-    double filmMm = 0;      // film motor's position, to tell one view from the next
-    double bagMm = 0;       // set length
-    double speedMmPerS = 0; // of the film, 0 at standstill
-    double windowMm = 0;    // to both sides of where a mark is expected; 0 while it is not known
-    double sensorMm = 0;    // mark sensor before the knife; 0 while it is not known
-    std::vector<modbus::FilmCut> cuts;
-    std::vector<modbus::FilmMark> marks;
-    std::vector<modbus::FilmProduct> products;
-};
-
 class PackingLine : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The packing line belongs to the Machine")
+    // There is one: a cutter's program in a controller that tells of its film, or told before it was lost.
+    Q_PROPERTY(bool present READ present NOTIFY changed FINAL)
     // The controller has told, and not longer than a second ago.
     Q_PROPERTY(bool known READ known NOTIFY changed FINAL)
     Q_PROPERTY(bool fresh READ fresh NOTIFY changed FINAL)
@@ -60,8 +50,19 @@ class PackingLine : public QObject {
     Q_PROPERTY(int teachMarks READ teachMarks NOTIFY changed FINAL)
     Q_PROPERTY(double teachPitchMm READ teachPitchMm NOTIFY changed FINAL)
     Q_PROPERTY(double teachScatterMm READ teachScatterMm NOTIFY changed FINAL)
-    // A campanel::machine::FilmView for the plot; empty while nothing is known.
-    Q_PROPERTY(QVariant film READ film NOTIFY changed FINAL)
+    // The film as a picture. Distances to the knife in mm when the film motor was at filmPositionMm; lists
+    // are empty while nothing is known. Cuts as (distance, 1 when left out), marks as (distance, 1 when
+    // reckoned), products as (leading edge, trailing edge).
+    Q_PROPERTY(double filmPositionMm READ filmPositionMm NOTIFY changed FINAL)
+    Q_PROPERTY(double filmSpeedMmPerS READ filmSpeedMmPerS NOTIFY changed FINAL) // 0 at standstill
+    Q_PROPERTY(bool knifeOpen READ knifeOpen NOTIFY changed FINAL)               // stands open for whole bags
+    Q_PROPERTY(double sensorMm READ sensorMm NOTIFY changed FINAL) // mark sensor before the knife
+    Q_PROPERTY(
+        double windowMm READ windowMm NOTIFY changed FINAL) // to both sides of where a mark is expected
+    Q_PROPERTY(double nextMarkMm READ nextMarkMm NOTIFY changed FINAL) // where the next mark is expected
+    Q_PROPERTY(QList<QPointF> cuts READ cuts NOTIFY changed FINAL)
+    Q_PROPERTY(QList<QPointF> seenMarks READ seenMarks NOTIFY changed FINAL)
+    Q_PROPERTY(QList<QPointF> seenProducts READ seenProducts NOTIFY changed FINAL)
 
 public:
     enum class MarkState { Unknown, Off, Searching, Aligning, Tracking };
@@ -70,6 +71,7 @@ public:
     // The machine must outlive it.
     explicit PackingLine(Machine& machine);
 
+    [[nodiscard]] bool present() const { return known() || recordsBags(); }
     [[nodiscard]] bool known() const { return m_status.has_value(); }
     [[nodiscard]] bool fresh() const;
     [[nodiscard]] MarkState markState() const;
@@ -104,13 +106,23 @@ public:
     [[nodiscard]] int teachMarks() const { return m_status ? m_status->teachMarks : 0; }
     [[nodiscard]] double teachPitchMm() const;
     [[nodiscard]] double teachScatterMm() const;
-    [[nodiscard]] QVariant film() const;
+    [[nodiscard]] double filmPositionMm() const;
+    [[nodiscard]] double filmSpeedMmPerS() const;
+    [[nodiscard]] bool knifeOpen() const;
+    [[nodiscard]] double sensorMm() const { return m_setup.sensorMm(); }
+    [[nodiscard]] double windowMm() const { return m_setup.windowMm(); }
+    [[nodiscard]] double nextMarkMm() const;
+    [[nodiscard]] QList<QPointF> cuts() const;
+    [[nodiscard]] QList<QPointF> seenMarks() const;
+    [[nodiscard]] QList<QPointF> seenProducts() const;
 
     // Measures the distances between the next marks; teachMarks counts up to that number.
     Q_INVOKABLE void teach(int marks);
 
     // For the Machine and for who shows single bags.
     [[nodiscard]] const std::optional<modbus::PackerStatus>& status() const { return m_status; }
+    // The controller records its bags: they come by bagRecorded() and not with its status.
+    [[nodiscard]] bool recordsBags() const;
     void noteConnection();
     void noteProgram();
     void retranslate() { emit changed(); }
@@ -121,7 +133,7 @@ signals:
     void bagRecorded(const campanel::modbus::BagRecord& bag);
 
 private:
-    [[nodiscard]] bool isWanted() const;
+    void askWhenIdle();
     void ask();
     void takeRead(const link::ReadOutcome& outcome);
     void tellBags();
@@ -132,6 +144,7 @@ private:
     }
 
     Machine& m_machine;
+    MarkSetup m_setup;
     QTimer m_timer;
     std::optional<modbus::PackerStatus> m_status;
     link::SteadyTime m_receivedAt;
@@ -142,5 +155,3 @@ private:
 };
 
 } // namespace campanel::machine
-
-Q_DECLARE_METATYPE(campanel::machine::FilmView)

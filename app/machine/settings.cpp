@@ -8,6 +8,7 @@
 #include <QStandardPaths>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -17,6 +18,7 @@ namespace {
 
 constexpr auto languageKey = "language"_L1;
 constexpr auto themeKey = "theme"_L1;
+constexpr auto bagToleranceKey = "bag_tolerance_mm"_L1;
 
 QString chosen(const QString& wanted, const QStringList& possible, const QString& otherwise)
 {
@@ -79,6 +81,9 @@ Settings::Settings(const QString& storage, QObject* parent)
     m_language =
         chosen(m_storage.value(languageKey).toString(), languages(), chineseSystem ? u"zh_CN"_s : u"en"_s);
     m_theme = chosen(m_storage.value(themeKey).toString(), themes(), u"light"_s);
+    const double stored = m_storage.value(bagToleranceKey, standardToleranceMm).toDouble();
+    if (stored >= leastToleranceMm && stored <= mostToleranceMm)
+        m_bagToleranceMm = stored;
     m_applied = storedConnection(m_storage);
     m_draft = m_applied;
     QLocale::setDefault(QLocale(m_language));
@@ -136,6 +141,16 @@ void Settings::setTheme(const QString& theme)
 {
     overrideTheme(theme);
     m_storage.setValue(themeKey, m_theme);
+}
+
+void Settings::setBagToleranceMm(double toleranceMm)
+{
+    const double taken = std::clamp(toleranceMm, leastToleranceMm, mostToleranceMm);
+    if (std::isnan(toleranceMm) || taken == m_bagToleranceMm)
+        return;
+    m_bagToleranceMm = taken;
+    m_storage.setValue(bagToleranceKey, m_bagToleranceMm);
+    emit bagToleranceChanged();
 }
 
 void Settings::edit(ConnectionChoice choice)

@@ -38,6 +38,12 @@ class Settings : public QObject {
     Q_PROPERTY(QStringList languageNames READ languageNames CONSTANT FINAL)
     Q_PROPERTY(QString theme READ theme WRITE setTheme NOTIFY themeChanged FINAL)
     Q_PROPERTY(QStringList themes READ themes CONSTANT FINAL)
+    // +- mm that a bag's length may be off; only shown, the controller does not know it.
+    Q_PROPERTY(
+        double bagToleranceMm READ bagToleranceMm WRITE setBagToleranceMm NOTIFY bagToleranceChanged FINAL)
+    Q_PROPERTY(double leastBagToleranceMm READ leastBagToleranceMm CONSTANT FINAL)
+    Q_PROPERTY(double mostBagToleranceMm READ mostBagToleranceMm CONSTANT FINAL)
+    Q_PROPERTY(double defaultBagToleranceMm READ defaultBagToleranceMm CONSTANT FINAL)
 
     Q_PROPERTY(bool simulated READ simulated WRITE setSimulated NOTIFY connectionChanged FINAL)
     Q_PROPERTY(QString portName READ portName WRITE setPortName NOTIFY connectionChanged FINAL)
@@ -63,6 +69,11 @@ public:
     [[nodiscard]] QString theme() const { return m_theme; }
     void setTheme(const QString& theme);
     [[nodiscard]] QStringList themes() const;
+    [[nodiscard]] double bagToleranceMm() const { return m_bagToleranceMm; }
+    void setBagToleranceMm(double toleranceMm); // what is beyond the limits becomes the limit
+    [[nodiscard]] double leastBagToleranceMm() const { return leastToleranceMm; }
+    [[nodiscard]] double mostBagToleranceMm() const { return mostToleranceMm; }
+    [[nodiscard]] double defaultBagToleranceMm() const { return standardToleranceMm; }
 
     [[nodiscard]] bool simulated() const { return m_draft.simulated; }
     void setSimulated(bool simulated);
@@ -99,15 +110,21 @@ public:
 signals:
     void languageChanged();
     void themeChanged();
+    void bagToleranceChanged();
     void connectionChanged();
     void connectionApplied();
 
 private:
+    static constexpr double leastToleranceMm = 0.05;
+    static constexpr double mostToleranceMm = 5;
+    static constexpr double standardToleranceMm = 0.5;
+
     void edit(ConnectionChoice choice);
 
     QSettings m_storage;
     QString m_language;
     QString m_theme;
+    double m_bagToleranceMm = standardToleranceMm;
     ConnectionChoice m_draft;
     ConnectionChoice m_applied;
     PortModel m_ports;

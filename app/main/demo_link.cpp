@@ -3,6 +3,7 @@
 #include "app/main/demo_link.h"
 
 #include "app/main/demo_line.h"
+#include "app/main/demo_packing.h"
 
 #include <algorithm>
 #include <chrono>
@@ -17,12 +18,11 @@ namespace campanel::panel {
 namespace {
 
 constexpr std::uint32_t firstBag = 12420;
-constexpr int bagsShown = 60;
+constexpr int bagsShown = 61;       // the first one was begun before the program and does not count
 constexpr int samplesPerCycle = 78; // as over 115200 baud at one bag a second
 constexpr int samplesPerBatch = 6;
 constexpr double shareShown = 0.62; // of the newest cycle
-constexpr double scatterMm = 0.09;
-constexpr double lagS = 0.0012; // of the knife behind its target
+constexpr double lagS = 0.0012;     // of the knife behind its target
 constexpr unsigned seed = 7;
 constexpr std::uint32_t firstGeneration = 12;
 constexpr double samplesPerS = 78;
@@ -96,6 +96,10 @@ DemoLink::DemoLink(QObject* parent)
     : Link(parent)
     , m_program(demoProgram(Kind::RotaryCutter))
 {
+    for (const modbus::RegisterInfo& info : modbus::registers()) {
+        if (std::string_view(info.name).starts_with("parameter."))
+            m_parameters[std::string(info.name)] = info.defaultValue;
+    }
 }
 
 void DemoLink::connectTo(const link::ConnectionSettings&)
@@ -144,8 +148,26 @@ void DemoLink::cancelDownload()
 
 void DemoLink::readRegisters(const link::ReadRequest& request)
 {
+    if (request.address == modbus::packerAddress) {
+        m_filmRequest = request;
+        tellFilm();
+        return;
+    }
     emit registersRead(
         {request, link::ReadEnd::Done, demoRegisters(request, m_program), m_now, std::nullopt});
+}
+
+void DemoLink::tellFilm()
+{
+    DemoFilm film;
+    film.bagMm = m_program.cutter().cycle.bagLengthMm;
+    film.cycleShare = m_cycleShare;
+    film.bags = m_bags;
+    film.trouble = m_situation == Situation::ProductAcross ? DemoFilm::Trouble::ProductAcross
+                   : m_situation == Situation::MarksLost   ? DemoFilm::Trouble::MarksLost
+                                                           : DemoFilm::Trouble::None;
+    if (m_filmRequest)
+        emit registersRead({*m_filmRequest, link::ReadEnd::Done, demoPacker(film), m_now, std::nullopt});
 }
 
 void DemoLink::compareProgram(const std::vector<std::uint16_t>& /*bank*/)
@@ -181,7 +203,7 @@ void DemoLink::cancelScan()
 void DemoLink::endScan(bool isFound)
 {
     m_isScanning = false;
-    reportScan(demoSearchEnd(isFound, demoIdentity()));
+    reportScan(demoSearchEnd(isFound, identity()));
 }
 
 void DemoLink::reportScan(const link::ScanReport& scan)
@@ -233,6 +255,7 @@ void DemoLink::show(Situation situation, Kind kind)
         const std::vector<std::uint16_t> header(bank.begin(), bank.begin() + modbus::bankHeaderRegisters);
         const modbus::KnotSpan span = modbus::knotSpan(header);
         const auto knots = bank.begin() + span.offset;
+        pass(0, statusAt(0)); // a program is read when the status names it
         emit programRead({generationOf(m_kind), m_program.crc, header, {knots, knots + span.count}});
         runProgram();
     }
@@ -260,7 +283,7 @@ void DemoLink::report(link::LinkState state, std::optional<modbus::Command> pend
     report.simulated = m_isSimulated;
     report.simulator = m_isSimulated ? link::SimulatorState::Serving : link::SimulatorState::NotUsed;
     report.pendingStop = pendingStop;
-    report.identity = demoIdentity();
+    report.identity = identity();
     report.isScanning = m_isScanning;
     if (state == link::LinkState::Searching)
         report.error = modbus::LinkError{modbus::LinkErrorKind::PortAbsent, "/dev/ttyUSB0", {}, {}, 0};
@@ -287,13 +310,13 @@ void DemoLink::pass(double timeS, const modbus::StatusBlock& status)
 
 void DemoLink::runBags()
 {
-    std::mt19937 random(seed);
-    std::normal_distribution<double> deviation(0.03, scatterMm);
     m_bags = firstBag;
+    m_cycleShare = 0;
+    tellFilm();
     for (int bag = 0; bag <= bagsShown; ++bag) {
         const int samples =
             bag < bagsShown ? samplesPerCycle : static_cast<int>(shareShown * samplesPerCycle);
-        const double off = std::round(100 * deviation(random)) / 100;
+        const double off = demoDeviationMm(m_bags);
         link::StatusBatch batch;
         for (int i = 0; i < samples; ++i) {
             modbus::StatusBlock status = statusAt(static_cast<double>(i) / samplesPerCycle);
@@ -306,8 +329,13 @@ void DemoLink::runBags()
                 emit statusReceived(std::exchange(batch, {}));
         }
         emit statusReceived(batch);
+        if (bag == bagsShown)
+            break;
         ++m_bags;
+        tellFilm();
     }
+    m_cycleShare = shareShown;
+    tellFilm();
 }
 
 // One whole cycle, so that the trace has an end, and the one under way.
@@ -343,14 +371,13 @@ void DemoLink::runStrokes()
         status.press = last;
         pass(cycleS, status);
     }
-    const bool isRunning = m_situation == Situation::Running;
-    const double endS = isRunning ? (joints[2] + joints[3]) / 2 : cycleS;
+    const double endS = isRunning() ? (joints[2] + joints[3]) / 2 : cycleS;
     for (double timeS = 1 / samplesPerS; timeS < endS; timeS += 1 / samplesPerS) {
         modbus::StatusBlock status = strokeAt(timeS);
         status.cycleCount = firstStroke + strokesShown;
         pass(1 / samplesPerS, status);
     }
-    if (!isRunning) {
+    if (!isRunning()) {
         modbus::StatusBlock status = strokeAt(0);
         status.cycleCount = firstStroke + strokesShown;
         pass(1 / samplesPerS, status);
@@ -375,6 +402,18 @@ modbus::StatusBlock DemoLink::strokeAt(double timeS) const
     return status;
 }
 
+bool DemoLink::isRunning() const
+{
+    return m_situation == Situation::Running || m_situation == Situation::ProductAcross;
+}
+
+modbus::Identity DemoLink::identity() const
+{
+    modbus::Identity identity = demoIdentity();
+    identity.mapMinor = m_isOld ? 0 : modbus::mapMinor;
+    return identity;
+}
+
 modbus::StatusBlock DemoLink::statusAt(double cycleShare) const
 {
     const program::SolvedProgram& solved = m_program.solved;
@@ -387,17 +426,19 @@ modbus::StatusBlock DemoLink::statusAt(double cycleShare) const
     const auto actual = solved.motion.at(lateS);
 
     modbus::StatusBlock status;
-    status.state = m_situation == Situation::Running ? modbus::State::Running
+    status.state = isRunning()                       ? modbus::State::Running
                    : m_situation == Situation::Fault ? modbus::State::Fault
                                                      : modbus::State::Ready;
     if (m_situation == Situation::Fault)
         status.faultBits = 1U << static_cast<unsigned>(modbus::FaultBit::FollowingError);
+    if (m_situation == Situation::MarksLost)
+        status.warningBits = 1U << static_cast<unsigned>(modbus::WarningBit::MarksLost);
     status.programKind = static_cast<modbus::ProgramKind>(m_kind);
     status.generation = generationOf(m_kind);
     status.activeCrc = m_program.crc;
     status.savedCrc = m_program.crc;
     status.masterAngleDeg = 360 * cycleShare;
-    if (m_situation == Situation::Running) {
+    if (isRunning()) {
         status.masterSpeedPercent = 100;
         status.commandedFrequencyHz = static_cast<std::int32_t>(wanted.velocityMmPerS * solved.pulsesPerMm);
         status.actualFrequencyHz = static_cast<std::int32_t>(actual.velocityMmPerS * solved.pulsesPerMm);

@@ -7,7 +7,9 @@
 #include "app/program/program_image.h"
 
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace campanel::panel {
 
@@ -15,8 +17,9 @@ class DemoLink : public link::Link {
     Q_OBJECT
 
 public:
-    // Fresh: with a program that has not run yet. Empty: without one.
-    enum class Situation { Running, Stopped, Fault, Lost, Absent, Empty, Fresh };
+    // Fresh: with a program that has not run yet. Empty: without one. ProductAcross: a cutter that waits for
+    // one to pass. MarksLost: a cutter that stopped for that.
+    enum class Situation { Running, Stopped, Fault, Lost, Absent, Empty, Fresh, ProductAcross, MarksLost };
     using Kind = profile::ProgramKind;
 
     explicit DemoLink(QObject* parent);
@@ -43,6 +46,9 @@ public:
     void endScan(bool isFound);
     // As if the line were that to the simulated controller.
     void setSimulated(bool isSimulated);
+    // A controller of an older register map, which tells nothing of film and marks; holds from the next
+    // show() of another situation on. True when that is another one than before.
+    bool setOld(bool isOld) { return std::exchange(m_isOld, isOld) != isOld; }
     // A Stop waits for the line, as long as the situation is this one.
     void showWaitingStop();
     // How often Stop arrived so far, and how often it was taken back.
@@ -56,10 +62,13 @@ private:
     void report(link::LinkState state, std::optional<modbus::Command> pendingStop = std::nullopt);
     void reportScan(const link::ScanReport& scan);
     void runProgram();
+    void tellFilm();
     void runBags();
     void runCycles();
     void runStrokes();
     void pass(double timeS, const modbus::StatusBlock& status); // one status, after so much time
+    [[nodiscard]] bool isRunning() const;
+    [[nodiscard]] modbus::Identity identity() const;
     [[nodiscard]] modbus::StatusBlock statusAt(double cycleShare) const;
     [[nodiscard]] modbus::StatusBlock strokeAt(double timeS) const;
 
@@ -74,6 +83,9 @@ private:
     bool m_isShown = false;
     bool m_isSimulated = false;
     bool m_isScanning = false;
+    bool m_isOld = false;
+    std::optional<link::ReadRequest> m_filmRequest; // the last one; answered again with every bag
+    double m_cycleShare = 0;                        // of the bag under way
 };
 
 } // namespace campanel::panel

@@ -208,6 +208,18 @@ const QList<Scene>& allScenes()
         situation("run-stopped", Situation::Stopped, run),
         situation("run-empty", Situation::Empty, run),
         situation("run-fault", Situation::Fault, run),
+        situation("run-product-across", Situation::ProductAcross, run),
+        situation("run-marks-lost", Situation::MarksLost, run),
+        {QStringLiteral("run-old-controller"),
+         [=](Stage& stage) {
+             stage.link().setOld(true);
+             stage.link().show(Situation::Stopped);
+             stage.link().show(Situation::Running);
+             stage.lookAtClock();
+             stage.tap(run);
+         }},
+        taps("packing", {run, QStringLiteral("filmCard")}),
+        taps("bag-tolerance", {settings, QStringLiteral("section2"), QStringLiteral("bagTolerance")}),
         situation("run-lost", Situation::Lost, run),
         situation("motion-fault", Situation::Fault, motion),
         running("run-position", Kind::PositionMove),
@@ -336,6 +348,8 @@ void enterScene(Stage& stage, const Scene& scene)
     stage.panel().service().inspector()->setGroup({});
     stage.panel().service().inspector()->setNameFilter({});
     stage.link().setSimulated(false);
+    if (stage.link().setOld(false))
+        stage.link().show(Situation::Empty);
     stage.link().show(Situation::Running);
     stage.panel().machine().dismissMessage();
     stage.lookAtClock();

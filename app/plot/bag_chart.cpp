@@ -20,6 +20,8 @@ constexpr double toleranceShare =
 constexpr double defaultReachMm = 1.0; // without tolerance and without larger values
 constexpr double headroom = 1.05;      // above the largest deviation
 constexpr double levelFactor = 1.5;    // between two levels of zoom
+constexpr double scatterOpacity = 0.25;
+constexpr double leastBand = 2;        // px, of the scatter
 constexpr double badPointFactor = 1.5; // a bag out of tolerance is not told by its colour alone
 
 void paintPoints(QPainter& painter, const QPolygonF& points, std::unique_ptr<QwtSymbol> symbol,
@@ -97,6 +99,7 @@ void BagChart::paint(QPainter* painter)
     indexMap.setScaleInterval(0, std::max(1, m_capacity - 1));
     indexMap.setPaintInterval(margin, width() - margin);
 
+    paintMean(*painter, valueMap);
     paintLines(*painter, valueMap);
     painter->setRenderHint(QPainter::Antialiasing);
     const auto symbol = [this](QwtSymbol::Style style, const QColor& color, double size) {
@@ -107,6 +110,18 @@ void BagChart::paint(QPainter* painter)
                 valueMap);
     paintPoints(*painter, all.bad, symbol(QwtSymbol::Diamond, m_violationColor, badPointFactor * m_pointSize),
                 indexMap, valueMap);
+}
+
+void BagChart::paintMean(QPainter& painter, const QwtScaleMap& valueMap) const
+{
+    if (std::isnan(m_mean) || std::isnan(m_scatter)) {
+        return;
+    }
+    const double middle = valueMap.transform(m_mean);
+    const double half = std::max(leastBand / 2, middle - valueMap.transform(m_mean + m_scatter));
+    QColor color = m_stale ? m_staleColor : m_pointColor;
+    color.setAlphaF(static_cast<float>(scatterOpacity));
+    painter.fillRect(QRectF(0, middle - half, width(), 2 * half), color);
 }
 
 void BagChart::paintLines(QPainter& painter, const QwtScaleMap& valueMap) const

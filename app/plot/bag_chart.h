@@ -23,6 +23,9 @@ class BagChart : public QQuickPaintedItem {
     Q_PROPERTY(int capacity MEMBER m_capacity NOTIFY valuesChanged FINAL)
     // +- mm around zero; NaN: no lines.
     Q_PROPERTY(double tolerance READ tolerance WRITE setTolerance NOTIFY toleranceChanged FINAL)
+    // Of the values, mm: a line in a band of +- scatter; NaN: none.
+    Q_PROPERTY(double mean MEMBER m_mean NOTIFY valuesChanged FINAL)
+    Q_PROPERTY(double scatter MEMBER m_scatter NOTIFY valuesChanged FINAL)
     Q_PROPERTY(bool stale MEMBER m_stale NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor backgroundColor MEMBER m_backgroundColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor gridColor MEMBER m_gridColor NOTIFY styleChanged FINAL)
@@ -55,11 +58,14 @@ private:
     [[nodiscard]] Points points() const;
     // Half of the value range in sight, mm.
     [[nodiscard]] double halfRange(const Points& points) const;
+    void paintMean(QPainter& painter, const QwtScaleMap& valueMap) const;
     void paintLines(QPainter& painter, const QwtScaleMap& valueMap) const;
 
     QList<double> m_values;
     int m_capacity = 60;
     double m_tolerance = std::numeric_limits<double>::quiet_NaN();
+    double m_mean = std::numeric_limits<double>::quiet_NaN();
+    double m_scatter = std::numeric_limits<double>::quiet_NaN();
     bool m_stale = false;
     QColor m_backgroundColor{Qt::transparent};
     QColor m_gridColor{Qt::lightGray};

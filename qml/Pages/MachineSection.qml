@@ -38,7 +38,20 @@ SettingsSection {
                     onExplainRequested: field => section.page.explainRequested(field)
                 }
             }
+            SettingRow {
+                objectName: "bagTolerance"
+                visible: Editor.kind === Editor.Kind.RotaryCutter
+                width: section.half
+                height: section.rowHeight
+                label: qsTr("Bag tolerance")
+                value: qsTr("±%1 mm").arg(Theme.number(Settings.bagToleranceMm, 2))
+                onClicked: section.page.sheetRequested(toleranceKeypad)
+            }
         }
+    }
+    Component {
+        id: toleranceKeypad
+        ToleranceKeypad {}
     }
     ScrollMark { view: list }
 }

@@ -8,14 +8,19 @@ import CamPanel.Machine
 Page {
     id: page
 
-    // By Machine.activeKind: no program, cutter, position move, speed move, point cam, press.
+    // By Machine.activeKind: no program, cutter (of a controller that tells nothing of film and marks), position move, speed move, point cam, press.
     readonly property list<string> views: ["RunEmpty.qml", "RunCutter.qml", "RunAxis.qml", "RunAxis.qml", "RunAxis.qml", "RunPress.qml"]
-    readonly property string view: page.views[Machine.activeKind]
+    readonly property string view: Machine.activeKind === 1 && Machine.packing.present ? "RunPacking.qml" : page.views[Machine.activeKind]
 
     Loader {
         id: loader
         anchors.fill: parent
         source: page.view
+    }
+    Connections {
+        target: loader.item
+        ignoreUnknownSignals: true
+        function onSheetRequested(sheet: Component) { page.sheetRequested(sheet) }
     }
     Binding {
         target: loader.item

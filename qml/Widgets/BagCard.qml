@@ -72,7 +72,7 @@ Card {
         id: foot
         objectName: "toleranceText"
         anchors { left: caption.left; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
-        text: qsTr("tolerance ±%1 mm").arg(Theme.number(Machine.bagToleranceMm, 1))
+        text: qsTr("tolerance ±%1 mm").arg(Theme.number(Machine.bagToleranceMm, 2))
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }

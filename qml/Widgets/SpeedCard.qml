@@ -10,6 +10,7 @@ Card {
     id: card
 
     required property string title
+    property bool compact                  // there is no room for many words
     readonly property color traceColor: Machine.fresh ? Theme.color.touch : Theme.color.disabledInk
 
     component Key: Row {
@@ -40,9 +41,10 @@ Card {
     }
     Row {
         anchors { right: parent.right; rightMargin: Theme.size.padding; verticalCenter: caption.verticalCenter }
-        spacing: Theme.size.padding
+        spacing: card.compact ? Theme.size.spacing : Theme.size.padding
         Label {
-            text: qsTr("following error %1 mm").arg(Theme.number(Machine.followingErrorMm, 2))
+            objectName: "followingError"
+            text: (card.compact ? qsTr("error %1 mm") : qsTr("following error %1 mm")).arg(Theme.number(Machine.followingErrorMm, 2))
             color: Machine.fresh ? Theme.color.ink : Theme.color.disabledInk
             font.pixelSize: Theme.size.caption
         }

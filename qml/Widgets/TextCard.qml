@@ -11,6 +11,7 @@ Card {
 
     required property string text
     required property string caption
+    property color captionColor: Theme.color.secondaryInk
 
     Readout {
         anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; verticalCenterOffset: -Theme.size.padding }
@@ -20,7 +21,7 @@ Card {
     Label {
         anchors { left: parent.left; leftMargin: Theme.size.padding; right: parent.right; rightMargin: Theme.size.padding; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
         text: card.caption
-        color: Theme.color.secondaryInk
+        color: card.captionColor
         font.pixelSize: Theme.size.body
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 2

@@ -48,6 +48,33 @@
     </message>
 </context>
 <context>
+    <name>BagStrip</name>
+    <message>
+        <source>Bag of %1 lengths, cut left out</source>
+        <translation>%1 个袋长，有切断略过</translation>
+    </message>
+    <message>
+        <source>Bag length</source>
+        <translation>袋长</translation>
+    </message>
+    <message>
+        <source>mean %1, scatter %2</source>
+        <translation>平均 %1，离散 %2</translation>
+    </message>
+    <message>
+        <source>No bag measured yet. Press Start.</source>
+        <translation>尚未测得袋长。请按“启动”。</translation>
+    </message>
+    <message>
+        <source>±%1 mm</source>
+        <translation>±%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 of %2 within</source>
+        <translation>%2 袋中 %1 袋合格</translation>
+    </message>
+</context>
+<context>
     <name>BannerHost</name>
     <message>
         <source>OK</source>
@@ -380,6 +407,48 @@
     </message>
 </context>
 <context>
+    <name>FilmCard</name>
+    <message>
+        <source>mark error %1 mm</source>
+        <translation>色标误差 %1 mm</translation>
+    </message>
+    <message>
+        <source>Mark sensor</source>
+        <translation>色标传感器</translation>
+    </message>
+    <message>
+        <source>Knife</source>
+        <translation>切刀</translation>
+    </message>
+</context>
+<context>
+    <name>FilmLegend</name>
+    <message>
+        <source>mark seen</source>
+        <translation>已检出的色标</translation>
+    </message>
+    <message>
+        <source>mark not seen, reckoned</source>
+        <translation>未检出、推算的色标</translation>
+    </message>
+    <message>
+        <source>next mark expected here</source>
+        <translation>下一色标应在此处</translation>
+    </message>
+    <message>
+        <source>product</source>
+        <translation>产品</translation>
+    </message>
+    <message>
+        <source>next cut</source>
+        <translation>下一次切断</translation>
+    </message>
+    <message>
+        <source>cut left out</source>
+        <translation>略过的切断</translation>
+    </message>
+</context>
+<context>
     <name>ForceCard</name>
     <message>
         <source>Force N over position</source>
@@ -575,6 +644,29 @@
     </message>
 </context>
 <context>
+    <name>LeftOutCard</name>
+    <message>
+        <source>Cuts left out</source>
+        <translation>略过的切断</translation>
+    </message>
+    <message>
+        <source>Bags without product</source>
+        <translation>无产品的袋</translation>
+    </message>
+    <message>
+        <source>Film saved</source>
+        <translation>节省薄膜</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Last: %1</source>
+        <translation>最近一次：%1</translation>
+    </message>
+</context>
+<context>
     <name>LineFaultsSection</name>
     <message>
         <source>Off</source>
@@ -598,6 +690,14 @@
     <message>
         <source>Machine</source>
         <translation>机器</translation>
+    </message>
+    <message>
+        <source>Bag tolerance</source>
+        <translation>袋长允差</translation>
+    </message>
+    <message>
+        <source>±%1 mm</source>
+        <translation>±%1 mm</translation>
     </message>
 </context>
 <context>
@@ -871,6 +971,81 @@
     </message>
 </context>
 <context>
+    <name>PackingSheet</name>
+    <message>
+        <source>Marks, cuts and film</source>
+        <translation>色标、切断与薄膜</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Mark error of the last cut</source>
+        <translation>上一次切断的色标误差</translation>
+    </message>
+    <message>
+        <source>Distance of the marks</source>
+        <translation>色标间距</translation>
+    </message>
+    <message>
+        <source>Shift of the next cut</source>
+        <translation>下一次切断的移动量</translation>
+    </message>
+    <message>
+        <source>Correction of the length</source>
+        <translation>袋长修正量</translation>
+    </message>
+    <message>
+        <source>Corrections at their limit</source>
+        <translation>达到限值的修正</translation>
+    </message>
+    <message>
+        <source>Marks followed</source>
+        <translation>已跟踪的色标</translation>
+    </message>
+    <message>
+        <source>Marks missing</source>
+        <translation>缺失的色标</translation>
+    </message>
+    <message>
+        <source>Marks where none belongs</source>
+        <translation>多余的色标</translation>
+    </message>
+    <message>
+        <source>Cuts and film</source>
+        <translation>切断与薄膜</translation>
+    </message>
+    <message>
+        <source>Products</source>
+        <translation>产品</translation>
+    </message>
+    <message>
+        <source>Cuts left out, product across</source>
+        <translation>因产品横在切刀处略过的切断</translation>
+    </message>
+    <message>
+        <source>Bags without product</source>
+        <translation>无产品的袋</translation>
+    </message>
+    <message>
+        <source>Film saved</source>
+        <translation>节省薄膜</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Following error of the knife</source>
+        <translation>切刀跟随误差</translation>
+    </message>
+    <message>
+        <source>Following error of the film</source>
+        <translation>薄膜跟随误差</translation>
+    </message>
+</context>
+<context>
     <name>ParityPicker</name>
     <message>
         <source>Parity and stop bits</source>
@@ -1055,6 +1230,17 @@
     </message>
 </context>
 <context>
+    <name>RunPacking</name>
+    <message>
+        <source>bags/min · %1 bags</source>
+        <translation>袋/分 · 共 %1 袋</translation>
+    </message>
+    <message>
+        <source>Knife speed mm/s</source>
+        <translation>切刀速度 mm/s</translation>
+    </message>
+</context>
+<context>
     <name>RunPress</name>
     <message>
         <source>Force N</source>
@@ -1145,6 +1331,10 @@
         <source>actual</source>
         <translation>实际</translation>
     </message>
+    <message>
+        <source>error %1 mm</source>
+        <translation>误差 %1 mm</translation>
+    </message>
 </context>
 <context>
     <name>StrokeCard</name>
@@ -1163,6 +1353,17 @@
     <message>
         <source>Each stroke is listed here when it ends.</source>
         <translation>每个行程结束后列在此处。</translation>
+    </message>
+</context>
+<context>
+    <name>ToleranceKeypad</name>
+    <message>
+        <source>Bag tolerance ±</source>
+        <translation>袋长允差 ±</translation>
+    </message>
+    <message>
+        <source>The tolerance is from %1 to %2 mm.</source>
+        <translation>允差范围为 %1 至 %2 mm。</translation>
     </message>
 </context>
 <context>

@@ -127,7 +127,7 @@ private slots:
         QVERIFY(stale.size() >= fresh.size());
         for (const QQuickItem* text : stale)
             QVERIFY2(grey(*text), qPrintable(text->objectName() + u' ' + text->property("text").toString()));
-        for (const char* plot : {"bagChart", "knifeDial"}) {
+        for (const char* plot : {"bagChart", "knifeDial", "filmPicture"}) {
             if (const QQuickItem* item = m_stage->find(QString::fromLatin1(plot)))
                 QVERIFY2(item->property("stale").toBool(), plot);
         }

@@ -59,6 +59,14 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Running, timeoutMs);
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine.rateBagsPerMin(), 60.0, timeoutMs);
         QTRY_VERIFY_WITH_TIMEOUT(panel.machine.bagSeries().size() >= 3, timeoutMs);
+        const machine::PackingLine& line = *panel.machine.packing();
+        QTRY_COMPARE_WITH_TIMEOUT(line.markState(), machine::PackingLine::MarkState::Tracking, timeoutMs);
+        QVERIFY(line.fresh());
+        QCOMPARE(line.sensorMm(), 900.0);
+        QVERIFY(line.cuts().size() > 3);
+        QTRY_VERIFY_WITH_TIMEOUT(line.seenMarks().size() >= 3, timeoutMs);
+        QVERIFY(line.nextMarkMm() > line.sensorMm());
+        QVERIFY(std::abs(line.filmSpeedMmPerS() - 250) < 5);
         QVERIFY(panel.machine.actualTrace().size() > 40);
         for (const QPointF& point : panel.machine.actualTrace())
             QVERIFY(point.y() > -50 && point.y() < 600);

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/plot/film_picture.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+using namespace std::chrono_literals;
+
+namespace campanel::plot {
+
+namespace {
+
+constexpr auto frameTime = 33ms; // 30 pictures a second
+constexpr double mostBags = 12;  // in sight: more are not told apart
+constexpr double bagsWithoutSensor = 4;
+constexpr double bagsBehindSensor = 1.1; // in sight: where the next mark is expected
+constexpr double shareAfterKnife = 0.1;  // of the width
+constexpr double anyBagMm = 250;         // for the scale while no bag length is known
+
+double steadySeconds()
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+} // namespace
+
+FilmPicture::FilmPicture(QQuickItem* parent)
+    : QQuickPaintedItem(parent)
+    , m_clock(&steadySeconds)
+    , m_frames(this)
+{
+    m_frames.setInterval(frameTime);
+    connect(&m_frames, &QTimer::timeout, this, &FilmPicture::advance);
+    connect(this, &FilmPicture::filmChanged, this, &FilmPicture::noteFilm);
+    connect(this, &FilmPicture::scaleChanged, this, &FilmPicture::updateAll);
+    connect(this, &FilmPicture::styleChanged, this, &FilmPicture::updateFrames);
+}
+
+// What belongs to one report comes property by property; it is taken as a whole before the next frame.
+void FilmPicture::noteFilm()
+{
+    m_isReportNew = true;
+    polish();
+    updateAll();
+}
+
+void FilmPicture::updatePolish()
+{
+    takeReport();
+    updateFrames();
+}
+
+void FilmPicture::takeReport()
+{
+    if (!std::exchange(m_isReportNew, false))
+        return;
+    if (std::isnan(m_positionMm))
+        m_motion.forget();
+    else
+        m_motion.report(m_positionMm, m_speedMmPerS, m_clock());
+}
+
+void FilmPicture::updateFrames()
+{
+    const bool isMoving = isVisible() && m_isLive && !m_isStale && m_motion.isMoving(m_clock());
+    if (isMoving && !m_frames.isActive())
+        m_frames.start();
+    else if (!isMoving)
+        m_frames.stop();
+    updateAll();
+}
+
+void FilmPicture::advance()
+{
+    updateFrames();
+}
+
+void FilmPicture::itemChange(ItemChange change, const ItemChangeData& data)
+{
+    QQuickPaintedItem::itemChange(change, data);
+    if (change == ItemVisibleHasChanged)
+        updateFrames();
+}
+
+void FilmPicture::geometryChange(const QRectF& newGeometry, const QRectF& oldGeometry)
+{
+    QQuickPaintedItem::geometryChange(newGeometry, oldGeometry);
+    updateAll();
+}
+
+double FilmPicture::travelledMm() const
+{
+    return m_isLive ? m_motion.travelledMm(m_clock()) : 0;
+}
+
+double FilmPicture::reachMm() const
+{
+    const double bagMm = m_bagMm > 0 ? m_bagMm : anyBagMm;
+    if (!(m_sensorMm > 0))
+        return bagsWithoutSensor * bagMm;
+    return std::min(m_sensorMm + bagsBehindSensor * bagMm, mostBags * bagMm);
+}
+
+double FilmPicture::knifeX() const
+{
+    return width() * (1 - shareAfterKnife);
+}
+
+double FilmPicture::pxPerMm() const
+{
+    return knifeX() / reachMm();
+}
+
+double FilmPicture::xOf(double distanceMm) const
+{
+    return knifeX() - (distanceMm - travelledMm()) * pxPerMm();
+}
+
+} // namespace campanel::plot

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// The film of a packing machine from the mark sensor at the left to the knife at the right: printed marks,
+// where the next one is expected, products, the next cuts. Between two reports it goes on at the film's
+// speed.
+#pragma once
+
+#include "app/plot/film_motion.h"
+
+#include <QColor>
+#include <QFont>
+#include <QList>
+#include <QLocale>
+#include <QPointF>
+#include <QQuickPaintedItem>
+#include <QTimer>
+#include <QtQml/qqmlregistration.h>
+
+#include <functional>
+#include <limits>
+
+namespace campanel::plot {
+
+class FilmPicture : public QQuickPaintedItem {
+    Q_OBJECT
+    QML_ELEMENT
+    // mm before the knife when the film motor was at `position`; negative: past the knife. Cuts as (distance,
+    // 1 when left out), marks as (distance, 1 when reckoned), products as (leading edge, trailing edge).
+    Q_PROPERTY(QList<QPointF> cuts MEMBER m_cuts NOTIFY filmChanged FINAL)
+    Q_PROPERTY(QList<QPointF> marks MEMBER m_marks NOTIFY filmChanged FINAL)
+    Q_PROPERTY(QList<QPointF> products MEMBER m_products NOTIFY filmChanged FINAL)
+    Q_PROPERTY(double nextMark MEMBER m_nextMarkMm NOTIFY filmChanged FINAL) // expected there; NaN: none is
+    Q_PROPERTY(double position MEMBER m_positionMm NOTIFY filmChanged FINAL) // NaN: nothing is known
+    Q_PROPERTY(double speed MEMBER m_speedMmPerS NOTIFY filmChanged FINAL)   // mm/s
+    // mm; NaN while they are not known.
+    Q_PROPERTY(double bagLength MEMBER m_bagMm NOTIFY scaleChanged FINAL)
+    Q_PROPERTY(double sensor MEMBER m_sensorMm NOTIFY scaleChanged FINAL) // before the knife; NaN: not drawn
+    Q_PROPERTY(double window MEMBER m_windowMm NOTIFY scaleChanged FINAL) // to both sides of nextMark
+    // The knife stands open.
+    Q_PROPERTY(bool knifeOpen MEMBER m_isKnifeOpen NOTIFY styleChanged FINAL)
+    // Old: grey, and it stands.
+    Q_PROPERTY(bool stale MEMBER m_isStale NOTIFY styleChanged FINAL)
+    // Goes on between two reports; without, it shows the last one as it was.
+    Q_PROPERTY(bool live MEMBER m_isLive NOTIFY styleChanged FINAL)
+
+    Q_PROPERTY(QString sensorText MEMBER m_sensorText NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QString knifeText MEMBER m_knifeText NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QFont textFont MEMBER m_textFont NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QLocale locale MEMBER m_locale NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor filmColor MEMBER m_filmColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor edgeColor MEMBER m_edgeColor NOTIFY styleChanged FINAL) // of the film
+    Q_PROPERTY(QColor markColor MEMBER m_markColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor windowColor MEMBER m_windowColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor productColor MEMBER m_productColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor cutColor MEMBER m_cutColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor leftOutColor MEMBER m_leftOutColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor knifeColor MEMBER m_knifeColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor textColor MEMBER m_textColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor staleColor MEMBER m_staleColor NOTIFY styleChanged FINAL)
+
+public:
+    explicit FilmPicture(QQuickItem* parent = nullptr);
+
+    void paint(QPainter* painter) override;
+
+    // Seconds of any steady clock; for tests.
+    void setClock(std::function<double()> clock) { m_clock = std::move(clock); }
+    // Where something lies now that was reported at this distance, px from the left.
+    [[nodiscard]] double xOf(double distanceMm) const;
+    // It moves by itself now.
+    [[nodiscard]] bool isMoving() const { return m_frames.isActive(); }
+
+signals:
+    void filmChanged();
+    void scaleChanged();
+    void styleChanged();
+
+protected:
+    void updatePolish() override;
+    void itemChange(ItemChange change, const ItemChangeData& data) override;
+    void geometryChange(const QRectF& newGeometry, const QRectF& oldGeometry) override;
+
+private:
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+    // From top to bottom: names, heads of the cuts, the film, the scale.
+    struct Rows {
+        double headsTop = 0;
+        double filmTop = 0;
+        double filmBottom = 0;
+    };
+
+    void updateAll() { update(boundingRect().toAlignedRect()); }
+    void noteFilm();
+    void takeReport();
+    void updateFrames();
+    void advance();
+    [[nodiscard]] QColor live(const QColor& color) const { return m_isStale ? m_staleColor : color; }
+    [[nodiscard]] Rows rows() const;
+    [[nodiscard]] double reachMm() const; // of the film in sight before the knife
+    [[nodiscard]] double pxPerMm() const;
+    [[nodiscard]] double knifeX() const;
+    [[nodiscard]] double travelledMm() const;
+    void paintFilm(QPainter& painter, const Rows& rows) const;
+    void paintScale(QPainter& painter, const Rows& rows) const;
+    void paintProducts(QPainter& painter, const Rows& rows) const;
+    void paintWindow(QPainter& painter, const Rows& rows) const;
+    void paintMarks(QPainter& painter, const Rows& rows) const;
+    void paintCuts(QPainter& painter, const Rows& rows) const;
+    void paintSensor(QPainter& painter, const Rows& rows) const;
+    void paintKnife(QPainter& painter, const Rows& rows) const;
+    // Around `x`, but inside of the item.
+    QRectF paintText(QPainter& painter, double x, double top, const QString& text) const;
+
+    QList<QPointF> m_cuts;
+    QList<QPointF> m_marks;
+    QList<QPointF> m_products;
+    double m_nextMarkMm = unknown;
+    double m_positionMm = unknown;
+    double m_speedMmPerS = 0;
+    double m_bagMm = unknown;
+    double m_sensorMm = unknown;
+    double m_windowMm = unknown;
+    bool m_isKnifeOpen = false;
+    bool m_isStale = false;
+    bool m_isLive = true;
+    QString m_sensorText;
+    QString m_knifeText;
+    QFont m_textFont;
+    QLocale m_locale;
+    QColor m_filmColor{Qt::white};
+    QColor m_edgeColor{Qt::gray};
+    QColor m_markColor{Qt::black};
+    QColor m_windowColor{Qt::cyan};
+    QColor m_productColor{Qt::darkCyan};
+    QColor m_cutColor{Qt::blue};
+    QColor m_leftOutColor{Qt::red};
+    QColor m_knifeColor{Qt::black};
+    QColor m_textColor{Qt::black};
+    QColor m_staleColor{Qt::gray};
+
+    std::function<double()> m_clock;
+    FilmMotion m_motion;
+    bool m_isReportNew = false;
+    QTimer m_frames;
+};
+
+} // namespace campanel::plot

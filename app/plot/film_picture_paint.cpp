@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/plot/film_picture.h"
+#include "app/plot/label_draw.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace campanel::plot {
+
+namespace {
+
+constexpr double headShare = 0.6;    // height of a cut's head and of the sensor, of a line of text
+constexpr double markShare = 0.3;    // of the film's width; marks are printed along its lower edge
+constexpr double productShare = 0.5; // of the film's width, in its middle
+constexpr double windowShare = 0.42; // of the film's width; higher than a mark
+constexpr double markWidth = 7;      // px
+constexpr double lineWidth = 2;      // px
+constexpr double knifeShare = 0.6;   // of a line of text: half of the knife's width
+constexpr double tickLength = 4;     // px
+constexpr double tickSpacing = 64;   // px at least between two numbers
+constexpr double textGap = 4;        // px between two texts
+constexpr double windowOpacity = 0.25;
+constexpr double cutFilmOpacity = 0.45; // of what the knife has cut off
+
+QPolygonF triangle(const QPointF& tip, double halfWidth, double height)
+{
+    return {{tip, tip + QPointF(-halfWidth, -height), tip + QPointF(halfWidth, -height)}};
+}
+
+// The smallest of 10, 20, 50, 100 ... mm that leaves room for the numbers.
+double tickStepMm(double pxPerMm)
+{
+    double decade = 10;
+    while (true) {
+        for (const double factor : {1.0, 2.0, 5.0}) {
+            if (factor * decade * pxPerMm >= tickSpacing)
+                return factor * decade;
+        }
+        decade *= 10;
+    }
+}
+
+} // namespace
+
+FilmPicture::Rows FilmPicture::rows() const
+{
+    const double line = QFontMetricsF(m_textFont).height();
+    return {line, line * (1 + headShare), height() - line - tickLength};
+}
+
+void FilmPicture::paint(QPainter* painter)
+{
+    const Rows places = rows();
+    if (width() < 1 || places.filmBottom - places.filmTop < 1)
+        return;
+    takeReport();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setFont(m_textFont);
+    paintFilm(*painter, places);
+    paintScale(*painter, places);
+    if (!std::isnan(m_positionMm)) {
+        painter->save();
+        painter->setClipRect(boundingRect());
+        paintProducts(*painter, places);
+        paintWindow(*painter, places);
+        paintMarks(*painter, places);
+        paintCuts(*painter, places);
+        painter->restore();
+    }
+    paintSensor(*painter, places);
+    paintKnife(*painter, places);
+}
+
+// Cut off, the film is paler.
+void FilmPicture::paintFilm(QPainter& painter, const Rows& rows) const
+{
+    const QRectF before(0, rows.filmTop, knifeX(), rows.filmBottom - rows.filmTop);
+    painter.fillRect(before, m_filmColor);
+    painter.save();
+    painter.setOpacity(cutFilmOpacity);
+    painter.fillRect(QRectF(before.topRight(), QPointF(width(), rows.filmBottom)), m_filmColor);
+    painter.restore();
+    painter.setPen(QPen(m_edgeColor, 1));
+    for (const double y : {rows.filmTop, rows.filmBottom})
+        painter.drawLine(QPointF(0, y), QPointF(width(), y));
+}
+
+void FilmPicture::paintScale(QPainter& painter, const Rows& rows) const
+{
+    const double stepMm = tickStepMm(pxPerMm());
+    const QFontMetricsF metrics(m_textFont);
+    const double textTop = height() - metrics.height();
+    // The unit stands with the zero; from there on to the left.
+    double freeUpTo = width();
+    for (int i = 0; i * stepMm <= reachMm(); ++i) {
+        const double x = knifeX() - i * stepMm * pxPerMm();
+        painter.setPen(QPen(m_edgeColor, 1));
+        painter.drawLine(QPointF(x, rows.filmBottom), QPointF(x, rows.filmBottom + tickLength));
+        const QString number = localNumber(m_locale, i * stepMm, 0);
+        const QString text = i == 0 ? number + QStringLiteral(" mm") : number;
+        const double half = metrics.horizontalAdvance(text) / 2;
+        if (x - half < 0 || x + half > freeUpTo - textGap)
+            continue;
+        painter.setPen(m_textColor);
+        freeUpTo = paintText(painter, x, textTop, text).left();
+    }
+}
+
+void FilmPicture::paintProducts(QPainter& painter, const Rows& rows) const
+{
+    const double film = rows.filmBottom - rows.filmTop;
+    const double top = rows.filmTop + film * (1 - productShare) / 2 - film * markShare / 3;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(live(m_productColor));
+    for (const QPointF& product : m_products) {
+        const QRectF box(QPointF(xOf(product.y()), top),
+                         QPointF(xOf(product.x()), top + film * productShare));
+        const double radius = std::min(box.height(), std::abs(box.width())) / 4;
+        painter.drawRoundedRect(box.normalized(), radius, radius);
+    }
+}
+
+// Where the next mark has to come: a tint between two brackets.
+void FilmPicture::paintWindow(QPainter& painter, const Rows& rows) const
+{
+    if (std::isnan(m_nextMarkMm) || std::isnan(m_windowMm))
+        return;
+    const double left = xOf(m_nextMarkMm + m_windowMm);
+    const double right = xOf(m_nextMarkMm - m_windowMm);
+    const double top = rows.filmBottom - windowShare * (rows.filmBottom - rows.filmTop);
+    const double half = std::max(markWidth, (right - left) / 2);
+    const QRectF box(QPointF((left + right) / 2 - half, top),
+                     QPointF((left + right) / 2 + half, rows.filmBottom));
+    QColor tint = live(m_windowColor);
+    painter.setPen(QPen(tint, lineWidth));
+    tint.setAlphaF(static_cast<float>(windowOpacity));
+    painter.fillRect(box, tint);
+    const double lip = half / 2;
+    painter.drawPolyline(QPolygonF({box.topLeft() + QPointF(lip, 0), box.topLeft(), box.bottomLeft()}));
+    painter.drawPolyline(QPolygonF({box.topRight() - QPointF(lip, 0), box.topRight(), box.bottomRight()}));
+}
+
+void FilmPicture::paintMarks(QPainter& painter, const Rows& rows) const
+{
+    const double markHeight = markShare * (rows.filmBottom - rows.filmTop);
+    const double rim = lineWidth / 2;
+    for (const QPointF& mark : m_marks) {
+        const QRectF box(xOf(mark.x()) - markWidth / 2, rows.filmBottom - markHeight, markWidth, markHeight);
+        const bool isReckoned = mark.y() != 0;
+        painter.setPen(QPen(live(m_markColor), lineWidth, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+        painter.setBrush(isReckoned ? m_filmColor : live(m_markColor));
+        painter.drawRect(box.adjusted(rim, rim, -rim, -rim));
+    }
+}
+
+// A cut: a line down to the marks with a full head. One that is left out: a broken line, and a cross for a
+// head.
+void FilmPicture::paintCuts(QPainter& painter, const Rows& rows) const
+{
+    const double head = rows.filmTop - rows.headsTop;
+    const double bottom = rows.filmBottom - markShare * (rows.filmBottom - rows.filmTop) - lineWidth;
+    for (const QPointF& cut : m_cuts) {
+        const double x = xOf(cut.x());
+        if (x > knifeX())
+            continue; // made
+        const bool isLeftOut = cut.y() != 0;
+        const QColor color = live(isLeftOut ? m_leftOutColor : m_cutColor);
+        QPen pen(color, lineWidth, Qt::SolidLine, Qt::FlatCap);
+        if (isLeftOut)
+            pen.setDashPattern({2, 2});
+        painter.setPen(pen);
+        painter.drawLine(QPointF(x, rows.filmTop), QPointF(x, bottom));
+        if (isLeftOut) {
+            const double reach = head / 2 - 1;
+            const QPointF middle(x, rows.filmTop - head / 2);
+            painter.setPen(QPen(color, lineWidth));
+            painter.drawLine(middle - QPointF(reach, reach), middle + QPointF(reach, reach));
+            painter.drawLine(middle - QPointF(reach, -reach), middle + QPointF(reach, -reach));
+        } else {
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(color);
+            painter.drawPolygon(triangle({x, rows.filmTop}, head / 2, head));
+        }
+    }
+}
+
+// Above its place, or at the left edge with an arrow when it is beyond the film in sight.
+void FilmPicture::paintSensor(QPainter& painter, const Rows& rows) const
+{
+    if (!(m_sensorMm > 0))
+        return;
+    const double head = rows.filmTop - rows.headsTop;
+    const bool isInSight = m_sensorMm <= reachMm();
+    const double x = isInSight ? knifeX() - m_sensorMm * pxPerMm() : 0;
+    const QColor color = live(m_windowColor);
+    const QFontMetricsF metrics(m_textFont);
+    painter.setPen(QPen(color, lineWidth));
+    painter.setBrush(color);
+    if (isInSight) {
+        painter.drawLine(QPointF(x, rows.filmTop), QPointF(x, rows.filmBottom));
+        painter.drawRect(QRectF(x - head / 2, rows.headsTop + 1, head, head - 1));
+    } else {
+        const double y = (rows.headsTop + rows.filmTop) / 2;
+        painter.drawPolygon(
+            QPolygonF({QPointF(1, y), QPointF(1 + head, y - head / 2), QPointF(1 + head, y + head / 2)}));
+    }
+    const QString text = isInSight ? m_sensorText
+                                   : m_sensorText + QLatin1Char(' ') + localNumber(m_locale, m_sensorMm, 0) +
+                                         QStringLiteral(" mm");
+    const double knifeLeft = std::min(knifeX(), width() - metrics.horizontalAdvance(m_knifeText) / 2) -
+                             metrics.horizontalAdvance(m_knifeText) / 2;
+    const double right = std::max(x + metrics.horizontalAdvance(text) / 2, metrics.horizontalAdvance(text));
+    if (right + textGap > knifeLeft)
+        return; // no room for both names
+    painter.setPen(m_textColor);
+    paintText(painter, x, 0, text);
+}
+
+// A blade above the film and a thin line where it cuts; hollow while it stands open.
+void FilmPicture::paintKnife(QPainter& painter, const Rows& rows) const
+{
+    const double half = knifeShare * QFontMetricsF(m_textFont).height();
+    const QColor color = live(m_knifeColor);
+    painter.setPen(QPen(color, 1, Qt::DashLine));
+    painter.drawLine(QPointF(knifeX(), rows.filmTop), QPointF(knifeX(), rows.filmBottom + tickLength));
+    painter.setPen(QPen(color, lineWidth, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    painter.setBrush(m_isKnifeOpen ? QBrush() : QBrush(color));
+    const double head = rows.filmTop - rows.headsTop - lineWidth;
+    painter.drawPolygon(triangle({knifeX(), rows.filmTop - lineWidth}, half, head));
+    painter.setPen(m_textColor);
+    paintText(painter, knifeX(), 0, m_knifeText);
+}
+
+QRectF FilmPicture::paintText(QPainter& painter, double x, double top, const QString& text) const
+{
+    const QFontMetricsF metrics(m_textFont);
+    const double textWidth = metrics.horizontalAdvance(text);
+    const double left = std::clamp(x - textWidth / 2, 0.0, std::max(0.0, width() - textWidth));
+    painter.drawText(QPointF(left, top + metrics.ascent()), text);
+    return {left, top, textWidth, metrics.height()};
+}
+
+} // namespace campanel::plot

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the signs in the picture of the film mean.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+
+Grid {
+    id: legend
+
+    columns: 2
+
+    component Key: Item {
+        id: key
+        required property string text
+        default property alias sign: place.data
+        width: legend.width / 2
+        height: Math.round(Theme.size.body * 1.8)
+        Item {
+            id: place
+            width: Theme.size.icon
+            height: Theme.size.body
+            anchors.verticalCenter: parent.verticalCenter
+        }
+        Label {
+            anchors { left: place.right; leftMargin: Theme.size.spacing; right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+            fontSizeMode: Text.HorizontalFit
+            minimumPixelSize: Theme.size.caption - 3
+            text: key.text
+            color: Theme.color.secondaryInk
+            font.pixelSize: Theme.size.caption
+        }
+    }
+    component Sign: Rectangle {
+        anchors.centerIn: parent
+        width: Theme.size.accent
+        height: parent ? parent.height : 0
+    }
+
+    Key {
+        text: qsTr("mark seen")
+        Sign { color: Theme.color.ink }
+    }
+    Key {
+        text: qsTr("mark not seen, reckoned")
+        Sign {
+            color: Theme.color.touchTint
+            border { width: Theme.size.hairline; color: Theme.color.ink }
+        }
+    }
+    Key {
+        text: qsTr("next mark expected here")
+        Sign {
+            width: Theme.size.mark
+            color: Theme.color.touchTint
+            border { width: Theme.size.outline; color: Theme.color.touch }
+        }
+    }
+    Key {
+        text: qsTr("product")
+        Sign {
+            width: parent.width
+            radius: Theme.size.accent
+            color: Theme.color.sync
+        }
+    }
+    Key {
+        text: qsTr("next cut")
+        Sign {
+            width: Theme.size.outline
+            color: Theme.color.ink
+        }
+    }
+    Key {
+        text: qsTr("cut left out")
+        IconLabel {
+            anchors.centerIn: parent
+            code: Theme.icon.close
+            color: Theme.color.warning
+            font.pixelSize: Theme.size.body
+        }
+    }
+}

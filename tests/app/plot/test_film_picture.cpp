@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where FilmPicture puts its ink, and how it goes on between two reports.
+#include "samples.h"
+
+#include "app/plot/film_picture.h"
+
+#include <QFontMetricsF>
+#include <QTest>
+
+#include <limits>
+
+namespace campanel::plot {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+const QColor black(0, 0, 0);
+const QColor red(255, 0, 0);
+const QColor green(0, 160, 0);
+const QColor blue(0, 0, 255);
+const QColor magenta(255, 0, 255);
+
+using Places = QList<QPointF>;
+
+// Bags of 250 mm, the sensor at 900 mm, in a picture of 800 x 160; the clock is set by hand.
+struct Rig {
+    FilmPicture picture;
+    double timeS = 100;
+
+    Rig()
+    {
+        picture.setSize({800, 160});
+        picture.setClock([this] { return timeS; });
+        for (const char* name : {"filmColor", "edgeColor"})
+            picture.setProperty(name, QColor(Qt::white));
+        picture.setProperty("markColor", black);
+        picture.setProperty("windowColor", QColor(Qt::cyan));
+        picture.setProperty("productColor", green);
+        picture.setProperty("cutColor", blue);
+        picture.setProperty("leftOutColor", red);
+        picture.setProperty("knifeColor", magenta);
+        picture.setProperty("staleColor", QColor(Qt::gray));
+        picture.setProperty("textColor", QColor(Qt::gray));
+        picture.setProperty("bagLength", 250.0);
+        picture.setProperty("sensor", 900.0);
+        picture.setProperty("window", 6.0);
+        picture.setProperty("position", 1000.0);
+    }
+
+    void set(const char* name, const Places& places)
+    {
+        picture.setProperty(name, QVariant::fromValue(places));
+    }
+    // The film is reported here and this fast.
+    void report(double positionMm, double speedMmPerS)
+    {
+        picture.setProperty("position", positionMm);
+        picture.setProperty("speed", speedMmPerS);
+        paint();
+    }
+    QImage paint() { return test::paintItem(picture); }
+    // Ink in a strip of so many mm around a place.
+    int inkAt(const QImage& image, double distanceMm, const QColor& color, int reach = 8)
+    {
+        const int x = qRound(picture.xOf(distanceMm));
+        return test::inkIn(image, {x - reach, 0, 2 * reach + 1, image.height()}, color);
+    }
+};
+
+} // namespace
+
+class TestFilmPicture : public QObject {
+    Q_OBJECT
+private slots:
+    void theKnifeIsAtTheRightAndTheFilmFlowsToIt()
+    {
+        Rig rig;
+        QVERIFY(rig.picture.xOf(0) > 700 && rig.picture.xOf(0) < 800);
+        QVERIFY(rig.picture.xOf(900) > 0 && rig.picture.xOf(900) < rig.picture.xOf(500));
+        QVERIFY2(rig.picture.xOf(900 + 250) > 0, "where the next mark is expected is in sight");
+        const QImage image = rig.paint();
+        const int blade = rig.inkAt(image, 0, magenta);
+        QVERIFY2(blade > 50, qPrintable(QString::number(blade)));
+        rig.picture.setProperty("knifeOpen", true);
+        QVERIFY2(rig.inkAt(rig.paint(), 0, magenta) < 0.9 * blade, "open, it is hollow");
+        QCOMPARE(test::inkIn(image, QRect(0, 0, 600, 160), magenta), 0);
+    }
+
+    void marksAreFullAndReckonedOnesHollow()
+    {
+        Rig rig;
+        QCOMPARE(test::inkIn(rig.paint(), QRect(0, 0, 800, 160), black), 0);
+        rig.set("marks", {{200, 0}, {600, 1}});
+        const QImage image = rig.paint();
+        const int seen = rig.inkAt(image, 200, black);
+        const int reckoned = rig.inkAt(image, 600, black);
+        QVERIFY2(seen > 80, qPrintable(QString::number(seen)));
+        QVERIFY2(reckoned > 20 && reckoned < 0.75 * seen, qPrintable(QString::number(reckoned)));
+        QCOMPARE(rig.inkAt(image, 400, black), 0);
+    }
+
+    void productsLieWhereTheirEdgesAre()
+    {
+        Rig rig;
+        rig.set("products", {{100, 250}});
+        const QImage image = rig.paint();
+        QVERIFY(rig.inkAt(image, 175, green) > 200);
+        QCOMPARE(rig.inkAt(image, 80, green, 4), 0);
+        QCOMPARE(rig.inkAt(image, 270, green, 4), 0);
+    }
+
+    void aCutThatIsLeftOutLooksOtherwise()
+    {
+        Rig rig;
+        rig.set("cuts", {{100, 0}, {350, 1}, {600, 0}});
+        const QImage image = rig.paint();
+        for (const double distance : {100.0, 600.0}) {
+            QVERIFY(rig.inkAt(image, distance, blue) > 60);
+            QCOMPARE(rig.inkAt(image, distance, red), 0);
+        }
+        QCOMPARE(rig.inkAt(image, 350, blue), 0);
+        // Not by its color alone: its line is broken.
+        rig.picture.setProperty("leftOutColor", blue);
+        const QImage sameColor = rig.paint();
+        const int broken = rig.inkAt(sameColor, 350, blue);
+        QVERIFY(broken > 20);
+        QVERIFY(broken < 0.8 * rig.inkAt(sameColor, 100, blue));
+    }
+
+    void cutsThatAreMadeAreGone()
+    {
+        Rig rig;
+        rig.set("cuts", {{20, 0}});
+        rig.report(1000, 200);
+        QVERIFY(test::inkIn(rig.paint(), QRect(0, 0, 800, 160), blue) > 60);
+        rig.timeS += 0.2; // 40 mm: past the knife
+        QCOMPARE(test::inkIn(rig.paint(), QRect(0, 0, 800, 160), blue), 0);
+    }
+
+    void theWindowIsWhereTheNextMarkIsExpected()
+    {
+        Rig rig;
+        rig.picture.setProperty("sensor", nan);
+        QCOMPARE(test::inkIn(rig.paint(), QRect(0, 0, 800, 160), Qt::cyan), 0);
+        rig.picture.setProperty("nextMark", 400.0);
+        QVERIFY(rig.inkAt(rig.paint(), 400, Qt::cyan, 20) > 40);
+        rig.picture.setProperty("window", nan);
+        QCOMPARE(test::inkIn(rig.paint(), QRect(0, 0, 800, 160), Qt::cyan), 0);
+    }
+
+    void aFarSensorIsNamedAtTheEdge()
+    {
+        Rig rig;
+        rig.picture.setProperty("windowColor", red);
+        rig.picture.setProperty("sensor", 5000.0);
+        const QImage image = rig.paint();
+        QVERIFY(rig.picture.xOf(5000) < 0);
+        QVERIFY(test::inkIn(image, QRect(0, 0, 20, 60), red) > 20);
+    }
+
+    void itGoesOnBetweenTwoReports()
+    {
+        Rig rig;
+        rig.report(1000, 250);
+        const double before = rig.picture.xOf(500);
+        const double pxPerMm = (rig.picture.xOf(0) - before) / 500;
+        rig.timeS += 0.1;
+        QVERIFY(std::abs(rig.picture.xOf(500) - before - 25 * pxPerMm) < 1e-6);
+        // At its end it waits for the next report.
+        rig.timeS += 100;
+        QVERIFY(std::abs(rig.picture.xOf(500) - before - 250 * pxPerMm) < 1e-6);
+    }
+
+    void aReportThatDiffersALittleDoesNotJump()
+    {
+        Rig rig;
+        rig.report(1000, 250);
+        rig.timeS += 0.15; // shown at 1037.5
+        // The same place of the film: 500 mm before the knife at 1000 mm is 470 mm before it at 1030 mm.
+        const double before = rig.picture.xOf(500);
+        rig.report(1030, 250);
+        QVERIFY(std::abs(rig.picture.xOf(470) - before) < 1e-6);
+        rig.timeS += 0.1; // blended
+        const double pxPerMm = rig.picture.xOf(0) - rig.picture.xOf(1);
+        QVERIFY(std::abs(rig.picture.xOf(470) - (before + (25 - 7.5) * pxPerMm)) < 1e-6);
+    }
+
+    void aReportFromElsewhereJumps()
+    {
+        Rig rig;
+        rig.report(1000, 0);
+        const double before = rig.picture.xOf(500);
+        rig.report(2000, 0);
+        QCOMPARE(rig.picture.xOf(500), before);
+    }
+
+    void thePositionMayWrap()
+    {
+        Rig rig;
+        rig.report(FilmMotion::wrapMm - 10, 100);
+        rig.timeS += 0.15; // shown 5 mm past the wrap
+        const double before = rig.picture.xOf(500);
+        rig.report(4, 100); // 14 mm on
+        QVERIFY(std::abs(rig.picture.xOf(486) - before) < 1e-3);
+    }
+
+    void itStandsWhenItIsNotLive()
+    {
+        Rig rig;
+        rig.picture.setProperty("live", false);
+        rig.report(1000, 250);
+        const double before = rig.picture.xOf(500);
+        rig.timeS += 0.5;
+        QCOMPARE(rig.picture.xOf(500), before);
+    }
+
+    void staleIsGrey()
+    {
+        Rig rig;
+        rig.set("marks", {{200, 0}});
+        rig.set("cuts", {{350, 1}});
+        rig.set("products", {{400, 500}});
+        rig.picture.setProperty("stale", true);
+        const QImage image = rig.paint();
+        for (const QColor& color : {black, red, green, blue, magenta})
+            QCOMPARE(test::inkIn(image, image.rect(), color), 0);
+    }
+
+    void nothingKnownIsAnEmptyFilm()
+    {
+        Rig rig;
+        rig.set("marks", {{200, 0}});
+        rig.set("cuts", {{350, 0}});
+        rig.picture.setProperty("position", nan);
+        const QImage image = rig.paint();
+        QCOMPARE(test::inkIn(image, image.rect(), black), 0);
+        QCOMPARE(test::inkIn(image, image.rect(), blue), 0);
+    }
+
+    // Names and numbers are whole at any width: their ink does not touch the edge.
+    void textIsNeverClipped()
+    {
+        Rig rig;
+        QFont font;
+        font.setPixelSize(13);
+        rig.picture.setProperty("textFont", font);
+        rig.picture.setProperty("textColor", red);
+        rig.picture.setProperty("sensorText", QStringLiteral("Mark sensor"));
+        rig.picture.setProperty("knifeText", QStringLiteral("A long name of the knife"));
+        for (const int width : {200, 350, 560, 1000}) {
+            rig.picture.setSize({static_cast<double>(width), 100});
+            const QImage image = rig.paint();
+            QVERIFY(test::inkIn(image, image.rect(), red) > 50);
+            for (const QRect& edge : {QRect(0, 0, width, 1), QRect(0, 99, width, 1)})
+                QVERIFY2(test::inkIn(image, edge, red) == 0, qPrintable(QString::number(width)));
+        }
+    }
+};
+
+} // namespace campanel::plot
+
+QTEST_MAIN(campanel::plot::TestFilmPicture)
+#include "test_film_picture.moc"
