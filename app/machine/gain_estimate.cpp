@@ -16,6 +16,7 @@ namespace campanel::machine {
 
 namespace {
 
+constexpr double leastScatterMm = 0.002; // below what the registers resolve there is nothing to weigh
 constexpr double leastPhaseGain = 0.1;
 constexpr double mostPhaseGain = 0.6;
 constexpr double leastLengthGain = 0.02;
@@ -113,6 +114,8 @@ std::optional<GainSuggestion> GainEstimate::suggestion() const
         }
     }
     const double variance = least / bags();
+    if (variance < leastScatterMm * leastScatterMm)
+        return std::nullopt;
     GainSuggestion suggestion;
     suggestion.slipMm = best * std::sqrt(variance);
     suggestion.sensorMm = std::sqrt((1.0 - best) * variance);

@@ -37,7 +37,7 @@ public:
     void clear() { *this = {}; }
     // Distances that count.
     [[nodiscard]] int bags() const;
-    // Empty before there are fewestBags.
+    // Empty before there are fewestBags, and where the marks do not scatter.
     [[nodiscard]] std::optional<GainSuggestion> suggestion() const;
 
 private:

@@ -29,6 +29,9 @@ public:
     Records(const QString& folder, QObject* parent);
     ~Records() override;
 
+    // Opens the database; until then nothing is read or kept.
+    void open() { m_store.open(); }
+
     // The instance that attachToEngine() gave to this engine.
     static Records* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 

@@ -58,7 +58,7 @@ int runPanel(const panel::Options& options)
         panel.window().showFullScreen();
     else
         panel.window().show();
-    // The line can wait for the first frame; a person cannot.
+    // Line and disk can wait for the first frame; a person cannot.
     QObject::connect(
         &panel.window(), &QQuickWindow::frameSwapped, &panel.machine(),
         [&panel, isAnnounced = options.isFirstFrameAnnounced] {
@@ -67,6 +67,7 @@ int runPanel(const panel::Options& options)
                 std::fflush(stdout);
             }
             panel.machine().open();
+            panel.records().open();
         },
         Qt::ConnectionType(Qt::AutoConnection | Qt::SingleShotConnection));
     return QGuiApplication::exec();

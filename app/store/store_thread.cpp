@@ -10,7 +10,6 @@ StoreThread::StoreThread(const QString& folder, QObject* parent)
     qRegisterMetaType<Report>();
     m_thread.setObjectName(QStringLiteral("store"));
     m_worker->moveToThread(&m_thread);
-    m_thread.start(QThread::LowPriority);
     QMetaObject::invokeMethod(m_worker.get(), [this, folder] {
         Report report;
         auto database = Database::open(folder);
@@ -22,8 +21,15 @@ StoreThread::StoreThread(const QString& folder, QObject* parent)
     });
 }
 
+void StoreThread::open()
+{
+    m_thread.start(QThread::LowPriority);
+}
+
 StoreThread::~StoreThread()
 {
+    if (!m_thread.isRunning())
+        m_thread.start(); // what was handed in is to be kept
     // After all jobs that were handed in before.
     QMetaObject::invokeMethod(m_worker.get(), [this] {
         m_database.reset();

@@ -25,9 +25,12 @@ public:
         std::optional<StoreError> error; // it could not be opened: what is kept is gone at the end
     };
 
-    // Opens the database in `folder` at once, in its own thread; opened() tells what came of it.
+    // The database is in `folder`.
     explicit StoreThread(const QString& folder, QObject* parent = nullptr);
     ~StoreThread() override;
+
+    // From now on; opened() tells what came of it. Jobs that were handed in before wait for it.
+    void open();
 
     // `job` is called with the Database in its thread, then `done` with what it returned in the thread of
     // `context`, unless that is gone by then.

@@ -56,6 +56,7 @@ private slots:
     void fullDiskLosesNothing();
     void folderThatCannotBeMade();
     void jobsAreDoneInOrderAndBeforeTheEnd();
+    void jobsWaitForTheOpening();
     void unopenedStoreStillWorksUntilTheEnd();
 };
 
@@ -190,6 +191,7 @@ void TestDatabase::jobsAreDoneInOrderAndBeforeTheEnd()
     {
         StoreThread store(folder.path());
         QSignalSpy spy(&store, &StoreThread::opened);
+        store.open();
         for (int i = 0; i < 20; ++i)
             store.run(
                 &context,
@@ -208,10 +210,22 @@ void TestDatabase::jobsAreDoneInOrderAndBeforeTheEnd()
     QCOMPARE(recipes(*opened(folder)), 21);
 }
 
+void TestDatabase::jobsWaitForTheOpening()
+{
+    const QTemporaryDir folder;
+    {
+        StoreThread store(folder.path());
+        store.run(this, [](Database& database) { return addRecipe(database, u"early"_s); }, [](bool) {});
+        QVERIFY(!QFile::exists(folder.filePath(u"campanel.sqlite"_s)));
+    }
+    QCOMPARE(recipes(*opened(folder)), 1);
+}
+
 void TestDatabase::unopenedStoreStillWorksUntilTheEnd()
 {
     StoreThread store(u"/proc/no/such/folder"_s);
     QSignalSpy spy(&store, &StoreThread::opened);
+    store.open();
     int count = -1;
     store.run(
         this,
