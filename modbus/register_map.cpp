@@ -5,7 +5,7 @@
 
 #include "modbus/register_rows.h"
 
-#include <algorithm>
+#include <unordered_map>
 
 namespace campanel::modbus {
 namespace {
@@ -242,12 +242,17 @@ std::span<const RegisterInfo> registers()
 
 const RegisterInfo* findRegister(std::string_view name)
 {
-    for (const std::span<const RegisterInfo> rows : {registers(), bankFields()}) {
-        const auto found = std::ranges::find(rows, name, &RegisterInfo::name);
-        if (found != rows.end())
-            return &*found;
-    }
-    return nullptr;
+    // Every status block is read by names, some eighty a second.
+    static const std::unordered_map<std::string_view, const RegisterInfo*> byName = [] {
+        std::unordered_map<std::string_view, const RegisterInfo*> index;
+        for (const std::span<const RegisterInfo> rows : {registers(), bankFields()}) {
+            for (const RegisterInfo& row : rows)
+                index.emplace(row.name, &row);
+        }
+        return index;
+    }();
+    const auto found = byName.find(name);
+    return found == byName.end() ? nullptr : found->second;
 }
 
 } // namespace campanel::modbus
