@@ -218,7 +218,7 @@ const QList<Scene>& allScenes()
              stage.lookAtClock();
              stage.tap(run);
          }},
-        taps("packing", {run, QStringLiteral("filmCard")}),
+        taps("run-film", {run, QStringLiteral("filmCard")}),
         taps("bag-tolerance", {settings, QStringLiteral("section2"), QStringLiteral("bagTolerance")}),
         situation("run-lost", Situation::Lost, run),
         situation("motion-fault", Situation::Fault, motion),
