@@ -32,7 +32,8 @@ Grid {
         }
     }
     component Sign: Rectangle {
-        anchors.centerIn: parent
+        x: parent ? (parent.width - width) / 2 : 0
+        y: parent ? (parent.height - height) / 2 : 0
         width: Theme.size.accent
         height: parent ? parent.height : 0
     }
