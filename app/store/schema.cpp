@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Times are milliseconds since 1970 UTC. Rings are tables whose rows have a slot as their key: a new row
-// replaces the one that was written a whole ring before.
+// Times are milliseconds since 1970 UTC.
 #include "app/store/schema.h"
 
 using namespace Qt::StringLiterals;
@@ -24,28 +23,6 @@ const std::vector<QStringList>& migrations()
                     kind TEXT NOT NULL,
                     json BLOB NOT NULL,
                     PRIMARY KEY (recipe, version)) WITHOUT ROWID)"_s,
-            // One row for each time that an alarm came; went and acknowledged are empty until then.
-            uR"(CREATE TABLE alarm (
-                    id INTEGER PRIMARY KEY,
-                    kind TEXT NOT NULL,
-                    came_ms INTEGER NOT NULL,
-                    went_ms INTEGER,
-                    acknowledged_ms INTEGER,
-                    acknowledged_by TEXT,
-                    times INTEGER NOT NULL DEFAULT 1))"_s,
-            u"CREATE INDEX alarm_came ON alarm (came_ms)"_s,
-            u"CREATE INDEX alarm_open ON alarm (kind) WHERE went_ms IS NULL"_s,
-            uR"(CREATE TABLE bag (
-                    slot INTEGER PRIMARY KEY,
-                    cut_ms INTEGER NOT NULL,
-                    number INTEGER NOT NULL,
-                    set_mm REAL NOT NULL,
-                    lengths INTEGER NOT NULL,
-                    deviation_mm REAL NOT NULL,
-                    mark_error_mm REAL NOT NULL,
-                    flags INTEGER NOT NULL))"_s,
-            u"CREATE INDEX bag_cut ON bag (cut_ms)"_s,
-            uR"(CREATE TABLE ring (name TEXT PRIMARY KEY, next INTEGER NOT NULL) WITHOUT ROWID)"_s,
         },
     };
     return steps;
