@@ -299,15 +299,6 @@ void ctl_packer_on_cut(ctl_core* core, int64_t film)
     packer->cut_before = true;
 }
 
-static uint16_t saturated16(int64_t value)
-{
-    if (value > INT16_MAX)
-        value = INT16_MAX;
-    if (value < INT16_MIN)
-        value = INT16_MIN;
-    return (uint16_t)(value & 0xFFFF);
-}
-
 void ctl_packer_on_bag(ctl_core* core, uint32_t length_um)
 {
     ctl_packer* packer = &core->packer;
@@ -327,9 +318,9 @@ void ctl_packer_on_bag(ctl_core* core, uint32_t length_um)
         flags |= 1u << CTL_BAG_BIT_EMPTY;
     packer->bags += 1;
     uint16_t* record = &packer->records[CTL_BAG_REGISTERS * (packer->bags % CTL_BAG_RECORDS)];
-    record[0] = saturated16((int64_t)length_um - set_um);
-    record[1] = saturated16(ctl_packer_um(core, last->error));
-    record[2] = saturated16(ctl_packer_um(core, last->pitch - (int64_t)last->bags * packer->bag));
+    record[0] = ctl_saturated16((int64_t)length_um - set_um);
+    record[1] = ctl_saturated16(ctl_packer_um(core, last->error));
+    record[2] = ctl_saturated16(ctl_packer_um(core, last->pitch - (int64_t)last->bags * packer->bag));
     record[3] = (uint16_t)flags;
 }
 

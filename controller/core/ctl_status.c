@@ -52,15 +52,6 @@ uint32_t ctl_unix_time(const ctl_core* core)
     return core->clock.unix_time + (uint32_t)((core->now_us - core->clock.set_us) / US_PER_S);
 }
 
-static uint16_t saturated16(int64_t value)
-{
-    if (value > INT16_MAX)
-        value = INT16_MAX;
-    if (value < INT16_MIN)
-        value = INT16_MIN;
-    return (uint16_t)(value & 0xFFFF);
-}
-
 static void put(uint16_t* registers, uint32_t address, uint16_t value)
 {
     registers[address - CTL_REG_STATUS_TAG] = value;
@@ -102,9 +93,9 @@ static void put_knife(const ctl_core* core, uint16_t* registers)
     put_wide(registers, CTL_REG_STATUS_BAG_COUNT, core->bags.count);
     if (core->bags.length_um != 0)
         put(registers, CTL_REG_STATUS_BAG_DEVIATION,
-            saturated16((int64_t)core->bags.length_um -
-                        (int64_t)ctl_packer_lengths_in_bag(core) *
-                            ctl_get32(&bank->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH])));
+            ctl_saturated16((int64_t)core->bags.length_um -
+                            (int64_t)ctl_packer_lengths_in_bag(core) *
+                                ctl_get32(&bank->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH])));
 }
 
 static uint16_t saturated_force(int32_t force)
@@ -119,7 +110,7 @@ static void put_press(const ctl_core* core, uint16_t* registers)
     const ctl_press* press = &core->motion.press;
     put(registers, CTL_REG_STATUS_PRESS_STAGE, press->stage);
     put(registers, CTL_REG_STATUS_PRESS_FORCE, saturated_force(ctl_motion_press_force(core)));
-    put(registers, CTL_REG_STATUS_STOP_ERROR, saturated16(press->last.error));
+    put(registers, CTL_REG_STATUS_STOP_ERROR, ctl_saturated16(press->last.error));
     put(registers, CTL_REG_STATUS_STOP_FORCE, saturated_force(press->last.force));
     put(registers, CTL_REG_STATUS_STROKE_RESULT, press->last.result);
     put(registers, CTL_REG_STATUS_PEAK_FORCE, saturated_force(press->last.peak));
@@ -152,7 +143,7 @@ static void put_motion(const ctl_core* core, uint16_t* registers)
     put_wide(registers, CTL_REG_STATUS_ACTUAL_FREQUENCY, (uint64_t)motion->actual_hz);
     put_wide(registers, CTL_REG_STATUS_COMMANDED_POSITION, (uint64_t)(motion->commanded - motion->origin));
     put_wide(registers, CTL_REG_STATUS_AXIS_POSITION, (uint64_t)(motion->actual - motion->origin));
-    put(registers, CTL_REG_STATUS_FOLLOWING_ERROR, saturated16(motion->commanded - motion->actual));
+    put(registers, CTL_REG_STATUS_FOLLOWING_ERROR, ctl_saturated16(motion->commanded - motion->actual));
 }
 
 void ctl_status(const ctl_core* core, uint16_t* registers)

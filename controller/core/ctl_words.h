@@ -17,6 +17,16 @@ static inline void ctl_put32(uint16_t* registers, uint32_t value)
     registers[1] = (uint16_t)(value & 0xFFFFu);
 }
 
+/* The nearest value that a signed register holds. */
+static inline uint16_t ctl_saturated16(int64_t value)
+{
+    if (value > INT16_MAX)
+        value = INT16_MAX;
+    if (value < INT16_MIN)
+        value = INT16_MIN;
+    return (uint16_t)(value & 0xFFFF);
+}
+
 static inline uint16_t ctl_get_bytes16(const uint8_t* bytes)
 {
     return (uint16_t)((uint16_t)(bytes[0] << 8) | bytes[1]);
