@@ -43,6 +43,8 @@ QString actionFor(Refusal reason)
         return u"Change --k so that knife and film move together for a shorter time."_s;
     case Refusal::EyeTooNear:
         return u"Change parameter.eye_distance."_s;
+    case Refusal::FeedTooFast:
+        return u"Lower the rate, parameter.film_pulses or parameter.flight_pulses."_s;
     default:
         return {};
     }
