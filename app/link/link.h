@@ -31,6 +31,10 @@ public:
     virtual void cancelDownload() = 0;
     // Takes back a Stop that waits for the line (LinkReport::pendingStop); it then ends as Withdrawn.
     virtual void withdrawStop() = 0;
+    // The jog key that is held now. Counts for `jogCounts` and is told again before that; None when it is let
+    // go. Any Stop, a lost connection and a scan end it too: after them, and when the time was over, nothing
+    // moves before a None.
+    virtual void setJog(campanel::link::JogDirection direction) = 0;
 
     // Ends in exactly one registersRead(). Reads share the line evenly with the status polls and go after
     // commands; at most 32 wait.

@@ -65,6 +65,7 @@ struct LinkReport {
 struct StatusSample {
     SteadyTime receivedAt;
     modbus::StatusBlock status;
+    std::chrono::nanoseconds latency{0}; // from asking to the answer, repetitions included; 0: not known
 };
 
 // Samples since the last batch, oldest first; at most some 60 batches a second.
@@ -89,6 +90,17 @@ struct CommandRequest {
     modbus::Command command = modbus::Command::None;
     modbus::CommandArguments arguments;
 };
+
+enum class JogDirection { None, Forward, Reverse };
+
+// A jog key that is held. It counts until then only: who stops telling, for whatever reason, has let go.
+struct JogRequest {
+    JogDirection direction = JogDirection::None;
+    SteadyTime until;
+};
+
+// How long one setJog() counts. Tell again several times meanwhile.
+inline constexpr std::chrono::milliseconds jogCounts{200};
 
 enum class CommandEnd {
     Done,

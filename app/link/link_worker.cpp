@@ -57,6 +57,8 @@ LinkWorker::~LinkWorker() = default;
 
 void LinkWorker::request(const CommandRequest& request)
 {
+    if (priorityOf(request.command) == Priority::Stop)
+        m_jog.end();
     const bool isKept = m_wasConnected && m_report.state != LinkState::Connected;
     if (!isKept || priorityOf(request.command) != Priority::Stop) {
         enqueue(request);
@@ -121,9 +123,12 @@ void LinkWorker::exchange()
     const auto sinceLastPoll = steady_clock::now() - m_lastPollAt;
     const bool mayPollWait = sinceLastPoll < pollPeriodInTransfer;
     const bool isReadNext = !m_reads.isEmpty() && !m_wasRead;
+    const bool isJogNext = m_jog.isPollDue(steady_clock::now(), m_lastPollAt) && !m_requests.isStopNext();
     m_wasRead = false;
     if (m_heldStop && !std::exchange(m_heldStop->isPollNext, false))
         sendHeldStop();
+    else if (isJogNext)
+        pollStatus();
     else if (const auto request = m_requests.take())
         carryOut(*request);
     else if (m_isHeaderWanted)
@@ -138,7 +143,8 @@ void LinkWorker::exchange()
         pollStatus();
     if (m_report.state != LinkState::Connected)
         return;
-    const bool hasWork = m_heldStop || !m_requests.isEmpty() || !m_reads.isEmpty() ||
+    const bool hasWork = m_heldStop || m_jog.isPollDue(steady_clock::now(), m_lastPollAt) ||
+                         !m_requests.isEmpty() || !m_reads.isEmpty() ||
                          (m_download && m_download->hasWork()) || (m_comparison && m_comparison->hasWork());
     const auto pollDue = m_lastPollAt + shortestPollPeriod - steady_clock::now();
     stepAfter(hasWork ? 0ms : std::max(0ms, std::chrono::ceil<std::chrono::milliseconds>(pollDue)));
@@ -203,8 +209,9 @@ void LinkWorker::advanceDownload()
 void LinkWorker::pollStatus()
 {
     m_lastPollAt = steady_clock::now();
-    const auto status = m_client->exchangeStatus(++m_heartbeat, 0);
+    const auto status = m_client->exchangeStatus(++m_heartbeat, m_jog.bits(m_lastPollAt));
     if (status) {
+        m_jog.noteAnswer();
         noteStatus(*status);
         return;
     }
@@ -219,7 +226,7 @@ void LinkWorker::noteStatus(const modbus::StatusBlock& status)
     const bool isFirst = !m_status;
     m_lastGoodAt = steady_clock::now();
     m_status = status;
-    m_batch.samples << StatusSample{m_lastGoodAt, status};
+    m_batch.samples << StatusSample{m_lastGoodAt, status, m_lastGoodAt - m_lastPollAt};
     if (m_lastGoodAt - m_lastFlushAt >= shortestBatchPeriod)
         flushBatch();
     if (m_download) {

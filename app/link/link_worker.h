@@ -5,6 +5,7 @@
 
 #include "app/link/comparison_job.h"
 #include "app/link/download_job.h"
+#include "app/link/held_jog.h"
 #include "app/link/link_values.h"
 #include "app/link/link_watch.h"
 #include "app/link/port_finder.h"
@@ -35,6 +36,7 @@ public slots:
     void download(const std::vector<std::uint16_t>& bank);
     void cancelDownload();
     void withdrawStop();
+    void setJog(const campanel::link::JogRequest& request);
     void readRegisters(const campanel::link::ReadRequest& request);
     void compareProgram(const std::vector<std::uint16_t>& bank);
     void cancelComparison();
@@ -112,6 +114,7 @@ private:
     std::optional<AdapterIdentity> m_adapter;    // of the port that was opened last
     RequestQueue m_requests;
     std::optional<HeldStop> m_heldStop;
+    HeldJog m_jog;
     std::uint64_t m_controllerId = 0; // whom the held stop is for
     RegisterReads m_reads;
     bool m_wasRead = false; // the last exchange was one of m_reads

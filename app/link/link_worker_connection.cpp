@@ -158,6 +158,7 @@ void LinkWorker::lose(const modbus::LinkError& error)
 // What waits for the line ends, but for a Stop; long work waits.
 void LinkWorker::disconnect(std::optional<modbus::LinkError> error)
 {
+    m_jog.end();
     flushBatch();
     m_client.reset();
     if (m_download)

@@ -46,6 +46,14 @@ void LinkWorker::withdrawStop()
     report(m_report.state, m_report.error);
 }
 
+void LinkWorker::setJog(const JogRequest& request)
+{
+    m_jog.hold(request);
+    if (m_report.state == LinkState::Connected &&
+        m_jog.isPollDue(std::chrono::steady_clock::now(), m_lastPollAt))
+        stepAfter(0ms);
+}
+
 // One exchange at most; called while connected. Never sent again on a mere suspicion: as long as nobody knows
 // whether it was received, it is asked, with a poll in between that notices when the line is lost.
 void LinkWorker::sendHeldStop()

@@ -52,6 +52,11 @@ std::optional<Request> RequestQueue::take()
     return request;
 }
 
+bool RequestQueue::isStopNext() const
+{
+    return !m_requests.empty() && priorityOf(m_requests.front()) == Priority::Stop;
+}
+
 std::deque<Request> RequestQueue::takeAll()
 {
     return std::exchange(m_requests, {});

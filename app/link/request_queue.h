@@ -23,6 +23,7 @@ public:
     void push(Request request);
     // The oldest of the highest priority.
     [[nodiscard]] std::optional<Request> take();
+    [[nodiscard]] bool isStopNext() const;
     [[nodiscard]] bool isEmpty() const { return m_requests.empty(); }
     // All that wait, leaving the queue empty.
     [[nodiscard]] std::deque<Request> takeAll();

@@ -17,6 +17,7 @@ ThreadedLink::ThreadedLink(QObject* parent)
     connect(this, &ThreadedLink::downloadWanted, worker, &LinkWorker::download);
     connect(this, &ThreadedLink::cancelWanted, worker, &LinkWorker::cancelDownload);
     connect(this, &ThreadedLink::withdrawalWanted, worker, &LinkWorker::withdrawStop);
+    connect(this, &ThreadedLink::jogWanted, worker, &LinkWorker::setJog);
     connect(this, &ThreadedLink::readWanted, worker, &LinkWorker::readRegisters);
     connect(this, &ThreadedLink::comparisonWanted, worker, &LinkWorker::compareProgram);
     connect(this, &ThreadedLink::comparisonCancelWanted, worker, &LinkWorker::cancelComparison);

@@ -29,6 +29,11 @@ public:
     void download(const std::vector<std::uint16_t>& bank) override { emit downloadWanted(bank); }
     void cancelDownload() override { emit cancelWanted(); }
     void withdrawStop() override { emit withdrawalWanted(); }
+    // From now, however long the link thread takes until it looks at it.
+    void setJog(JogDirection direction) override
+    {
+        emit jogWanted({direction, std::chrono::steady_clock::now() + jogCounts});
+    }
     void readRegisters(const ReadRequest& request) override { emit readWanted(request); }
     void compareProgram(const std::vector<std::uint16_t>& bank) override { emit comparisonWanted(bank); }
     void cancelComparison() override { emit comparisonCancelWanted(); }
@@ -47,6 +52,7 @@ signals:
     void downloadWanted(const std::vector<std::uint16_t>& bank);
     void cancelWanted();
     void withdrawalWanted();
+    void jogWanted(const campanel::link::JogRequest& request);
     void readWanted(const campanel::link::ReadRequest& request);
     void comparisonWanted(const std::vector<std::uint16_t>& bank);
     void comparisonCancelWanted();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/machine/controller_sentences.h"
 
+#include "app/machine/alarm_catalogue.h"
+
 namespace campanel::machine {
 
 using modbus::FaultBit;
@@ -33,62 +35,20 @@ QString ControllerSentences::state(State state)
 QStringList ControllerSentences::alarms(const modbus::StatusBlock& status)
 {
     QStringList texts;
-    if (status.has(FaultBit::FollowingError))
-        texts << tr(
-            "The axis does not keep up with its command. Look for a jam, then reset the fault and home.");
-    if (status.has(FaultBit::ActiveTableDamaged))
-        texts << tr("The table in the controller is damaged. Reset the fault and download the recipe again.");
-    if (status.has(FaultBit::DriveNotFollowing))
-        texts << tr(
-            "No index mark was found while homing. Check drive and index sensor, then reset the fault.");
-    if (status.has(FaultBit::ForceLimit))
-        texts << tr(
-            "The press reached its largest force, stopped and went back. Look for a jam or a wrong work "
-            "piece, then reset the fault.");
-    if (status.has(FaultBit::TouchedTooEarly))
-        texts << tr(
-            "The press met something on its way down. Check the work piece and the approach position, then "
-            "reset the fault.");
-    if (status.has(FaultBit::NeverTouched))
-        texts << tr(
-            "The press did not feel a work piece. Put one in or check where it must be touched, then reset "
-            "the fault.");
-    if (status.has(FaultBit::MasterTooFast))
-        texts << tr(
-            "The axis cannot follow this master: too many pulses. Lower the master speed, then reset the "
-            "fault.");
-    if (status.has(WarningBit::HeartbeatLost))
-        texts << tr("The controller had not heard the panel for a while. Check the cable.");
-    if (status.has(WarningBit::FlashSlotInvalid))
-        texts << tr("One of the two saved copies in the controller is damaged. Save the program again.");
-    texts += packingAlarms(status);
-    return texts;
-}
-
-// What ended a run of the packing machine.
-QStringList ControllerSentences::packingAlarms(const modbus::StatusBlock& status)
-{
-    QStringList texts;
-    if (status.has(WarningBit::MarksLost))
-        texts << tr(
-            "The marks on the film were lost and the run was ended. Check film and mark sensor, then start "
-            "again.");
-    if (status.has(WarningBit::MarkPitchWrong))
-        texts << tr(
-            "The marks on the film are not one bag length apart, so the run was ended. Load the right film "
-            "or teach its marks under Service.");
-    if (status.has(WarningBit::CorrectionAtLimit))
-        texts << tr(
-            "The cuts could not follow the marks within the limits, so the run was ended. Check the film's "
-            "tension and whether it slips, then start again.");
-    if (status.has(WarningBit::ProductTooLong))
-        texts << tr(
-            "A product is too long for the bag, so the run was ended. Take it out or set a longer bag, then "
-            "start again.");
-    if (status.has(WarningBit::TooManySkips))
-        texts << tr(
-            "Products lay across the knife's path several times in a row, so the run was ended. Put the "
-            "products in order, then start again.");
+    for (const FaultBit bit :
+         {FaultBit::FollowingError, FaultBit::ActiveTableDamaged, FaultBit::DriveNotFollowing,
+          FaultBit::ForceLimit, FaultBit::TouchedTooEarly, FaultBit::NeverTouched, FaultBit::MasterTooFast}) {
+        if (status.has(bit))
+            texts << AlarmCatalogue::of(bit).sentence();
+    }
+    // Not homed and without a clock is what a controller is when it was switched on.
+    for (const WarningBit bit :
+         {WarningBit::HeartbeatLost, WarningBit::FlashSlotInvalid, WarningBit::MarksLost,
+          WarningBit::MarkPitchWrong, WarningBit::CorrectionAtLimit, WarningBit::ProductTooLong,
+          WarningBit::TooManySkips}) {
+        if (status.has(bit))
+            texts << AlarmCatalogue::of(bit).sentence();
+    }
     return texts;
 }
 

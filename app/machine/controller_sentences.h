@@ -14,7 +14,7 @@ class ControllerSentences {
 
 public:
     [[nodiscard]] static QString state(modbus::State state);
-    // One sentence or two for each: what it is and what to do. Faults first.
+    // Two sentences for each, of the alarm catalogue: what it is and what to do. Faults first.
     [[nodiscard]] static QStringList alarms(const modbus::StatusBlock& status);
     [[nodiscard]] static QString refusal(modbus::Refusal reason);
     [[nodiscard]] static QString pressStage(modbus::PressStage stage);
@@ -22,9 +22,6 @@ public:
     [[nodiscard]] static QString markState(modbus::MarkState state);
     [[nodiscard]] static QString skipCause(modbus::SkipCause cause);
     [[nodiscard]] static QString transferResult(const modbus::TransferAnswer& answer);
-
-private:
-    [[nodiscard]] static QStringList packingAlarms(const modbus::StatusBlock& status);
 };
 
 } // namespace campanel::machine

@@ -166,6 +166,7 @@ void DownloadDesk::download(const program::ProgramImage& image, const program::R
     m_sentRegisters = image.registers;
     m_report = {};
     m_hasEnded = false;
+    emit begun(image);
     m_machine.link().download(image.registers);
     update();
 }
@@ -187,15 +188,17 @@ void DownloadDesk::takeReport(const link::DownloadReport& report)
     if (!isUnderWay())
         return;
     m_report = report;
-    const bool ended = report.stage == DownloadStage::Active || report.stage == DownloadStage::Failed ||
-                       report.stage == DownloadStage::Canceled;
+    const bool isOver = report.stage == DownloadStage::Active || report.stage == DownloadStage::Failed ||
+                        report.stage == DownloadStage::Canceled;
     std::optional<program::Recipe> sent;
-    if (ended) {
+    if (isOver) {
         m_hasEnded = true;
         sent = std::exchange(m_sent, std::nullopt);
     }
     if (report.stage == DownloadStage::Active)
         m_proof.noteDownloaded(std::move(m_sentRegisters), report.crc);
+    if (isOver)
+        emit ended(report);
     if (sent && report.stage == DownloadStage::Active)
         emit applied(*sent);
     update();

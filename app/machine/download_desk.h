@@ -43,6 +43,9 @@ public:
 signals:
     void changed();
     void applied(const campanel::program::Recipe& recipe);
+    // For the audit trail: what is about to be sent, and what became of it.
+    void begun(const campanel::program::ProgramImage& image);
+    void ended(const campanel::link::DownloadReport& report);
 
 private:
     [[nodiscard]] bool isUnderWay() const;

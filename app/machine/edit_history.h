@@ -19,8 +19,18 @@ public:
             m_undo.erase(m_undo.begin());
     }
 
+    void clear()
+    {
+        m_undo.clear();
+        m_redo.clear();
+    }
+
     [[nodiscard]] bool canUndo() const { return !m_undo.empty(); }
     [[nodiscard]] bool canRedo() const { return !m_redo.empty(); }
+
+    // What undo() and redo() lead to.
+    [[nodiscard]] const Value& previous() const { return m_undo.back(); }
+    [[nodiscard]] const Value& next() const { return m_redo.back(); }
 
     // The value to return to; `present` is kept for the way back. Only when canUndo() or canRedo().
     [[nodiscard]] Value undo(Value present) { return move(m_undo, m_redo, std::move(present)); }

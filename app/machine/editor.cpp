@@ -46,6 +46,24 @@ QString fieldId(Field field)
     }
 }
 
+// Bag length and rate are the operator's, all else is set up by a technician.
+Level levelFor(Field field)
+{
+    return field == Field::BagLength || field == Field::Rate ? Level::Operator : Level::Technician;
+}
+
+// What leads from one to the other: bag length and rate alone, or more.
+Level levelBetween(const program::Recipe& before, const program::Recipe& after)
+{
+    if (!before.isCutter() || !after.isCutter())
+        return Level::Technician;
+    program::Recipe same = after;
+    same.cutter().pinned = before.cutter().pinned;
+    for (const Field field : program::pinnableFields)
+        program::setValue(same, field, program::value(before, field));
+    return sameRecipe(before, same) ? Level::Operator : Level::Technician;
+}
+
 // Edits that follow one another faster are kept together: writing a file takes longer than a frame.
 constexpr auto keepDelay = 300ms;
 constexpr auto tableDelay = 80ms;
@@ -87,7 +105,12 @@ Editor::Editor(Machine& machine, const QString& folder, QObject* parent)
     connect(&m_desk, &DownloadDesk::changed, this, &Editor::downloadChanged);
     connect(&m_desk, &DownloadDesk::changed, this, &Editor::activeChanged);
     connect(&m_desk, &DownloadDesk::changed, this, &Editor::overlayChanged);
-    connect(&m_desk, &DownloadDesk::applied, this, &Editor::takeApplied);
+    connect(&m_desk, &DownloadDesk::begun, this, &Editor::downloadBegun);
+    connect(&m_desk, &DownloadDesk::ended, this, &Editor::downloadEnded);
+    connect(&m_desk, &DownloadDesk::applied, this, [this](const program::Recipe& recipe) {
+        takeStored(recipe);
+        emit applied(recipe);
+    });
     connect(&machine, &Machine::connectionChanged, this, &Editor::watchController);
     connect(&machine, &Machine::programChanged, this, &Editor::show);
     QCoreApplication::instance()->installEventFilter(this);
@@ -111,18 +134,20 @@ void Editor::connectFields()
     for (const profile::FieldInfo& info : profile::fields) {
         const Field field = info.field;
         auto* item = new EditorField(fieldId(field), this);
+        item->setNeededLevel(levelFor(field));
         m_fields[static_cast<std::size_t>(field)] = item;
         connect(item, &EditorField::setRequested, this, [this, field](double value) {
-            edit([&](program::Recipe& recipe) {
+            edit(levelFor(field), [&](program::Recipe& recipe) {
                 enterField(recipe, field, profile::snapToGrid(field, value));
             });
         });
-        connect(item, &EditorField::pinToggleRequested, this,
-                [this, field] { edit([&](program::Recipe& recipe) { togglePin(recipe, field); }); });
+        connect(item, &EditorField::pinToggleRequested, this, [this, field] {
+            edit(Level::Technician, [&](program::Recipe& recipe) { togglePin(recipe, field); });
+        });
     }
     const auto connectParameter = [this](EditorField& item, std::size_t index) {
         connect(&item, &EditorField::setRequested, this, [this, index](double value) {
-            edit([&](program::Recipe& recipe) {
+            edit(Level::Technician, [&](program::Recipe& recipe) {
                 if (profile::LawParameters* parameters = program::lawParameters(recipe.program))
                     (*parameters)[index] = value;
             });
@@ -135,9 +160,13 @@ void Editor::connectFields()
 void Editor::connectKnots()
 {
     connect(&m_knots, &KnotModel::edited, this, [this](const profile::PointCamProgram& program) {
-        edit([&](program::Recipe& recipe) { recipe.program = program; });
+        edit(Level::Technician, [&](program::Recipe& recipe) { recipe.program = program; });
     });
     connect(&m_knots, &KnotModel::dragged, this, [this](const profile::PointCamProgram& program) {
+        if (!m_beforeDrag && !admits(Level::Technician)) {
+            show(); // the handle goes back
+            return;
+        }
         if (!m_beforeDrag)
             m_beforeDrag = m_recipe;
         m_recipe.program = program;
@@ -145,16 +174,23 @@ void Editor::connectKnots()
     });
     connect(&m_knots, &KnotModel::dragEnded, this, &Editor::commitDrag);
     connect(&m_knotFiles, &KnotFiles::taken, this, [this](const std::vector<profile::Knot>& knots) {
-        edit([&](program::Recipe& recipe) {
+        edit(Level::Technician, [&](program::Recipe& recipe) {
             if (auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
                 cam->knots = knots;
         });
     });
 }
 
-template <typename Change> void Editor::edit(Change change)
+bool Editor::admits(Level needed) const
+{
+    return m_machine.gate().admits(needed);
+}
+
+template <typename Change> void Editor::edit(Level needed, Change change)
 {
     commitDrag();
+    if (!admits(needed))
+        return;
     program::Recipe before = m_recipe;
     change(m_recipe);
     if (!sameRecipe(before, m_recipe)) {
@@ -167,21 +203,20 @@ template <typename Change> void Editor::edit(Change change)
 void Editor::setLaw(const QString& lawId)
 {
     if (const profile::Law* law = profile::findLaw(lawId.toStdString()))
-        edit([law](program::Recipe& recipe) { chooseLaw(recipe, *law); });
+        edit(Level::Technician, [law](program::Recipe& recipe) { chooseLaw(recipe, *law); });
 }
 
 void Editor::newProgram(int kind)
 {
     if (kind < 1 || kind > static_cast<int>(program::kinds().size()))
         return;
-    edit([kind](program::Recipe& recipe) {
-        recipe = program::defaultRecipe(static_cast<profile::ProgramKind>(kind));
-    });
+    edit(Level::Technician,
+         [&](program::Recipe& recipe) { recipe = newRecipe(static_cast<profile::ProgramKind>(kind)); });
 }
 
 void Editor::setChoice(int row, int option)
 {
-    edit([&](program::Recipe& recipe) { m_choices.apply(row, option, recipe); });
+    edit(Level::Technician, [&](program::Recipe& recipe) { m_choices.apply(row, option, recipe); });
 }
 
 void Editor::compareLaw(const QString& lawId)
@@ -212,7 +247,7 @@ void Editor::setRecipeName(const QString& name)
 {
     const std::string wanted = name.trimmed().toStdString();
     if (!wanted.empty())
-        edit([&](program::Recipe& recipe) {
+        edit(Level::Technician, [&](program::Recipe& recipe) {
             recipe.name = modbus::fittingUtf8(wanted, program::longestNameBytes);
         });
 }
@@ -222,13 +257,18 @@ void Editor::applySuggestion()
     if (!suggestion())
         return;
     const profile::Suggestion wanted = *suggestion();
-    edit([&](program::Recipe& recipe) { enterField(recipe, wanted.field, wanted.value); });
+    edit(levelFor(wanted.field),
+         [&](program::Recipe& recipe) { enterField(recipe, wanted.field, wanted.value); });
 }
 
 void Editor::dragRatio(int index, double timeSeconds)
 {
     if (!m_recipe.isCutter() || index < 0 || index >= static_cast<int>(m_recipe.cutter().k.size()))
         return;
+    if (!m_beforeDrag && !admits(Level::Technician)) {
+        show(); // the handle goes back
+        return;
+    }
     if (!m_beforeDrag)
         m_beforeDrag = m_recipe;
     machine::dragRatio(m_recipe, index, timeSeconds / m_cycleSeconds);
@@ -248,20 +288,20 @@ void Editor::commitDrag()
 void Editor::undo()
 {
     commitDrag();
-    if (m_history.canUndo())
+    if (m_history.canUndo() && admits(levelBetween(m_recipe, m_history.previous())))
         replace(m_history.undo(m_recipe));
 }
 
 void Editor::redo()
 {
     commitDrag();
-    if (m_history.canRedo())
+    if (m_history.canRedo() && admits(levelBetween(m_recipe, m_history.next())))
         replace(m_history.redo(m_recipe));
 }
 
 void Editor::revert()
 {
-    edit([this](program::Recipe& recipe) { recipe = m_stored; });
+    edit(Level::Operator, [this](program::Recipe& recipe) { recipe = m_stored; });
 }
 
 void Editor::replace(program::Recipe recipe)
@@ -271,21 +311,9 @@ void Editor::replace(program::Recipe recipe)
     recompute();
 }
 
-bool Editor::edited() const
-{
-    return !sameRecipe(m_recipe, m_stored);
-}
-
-void Editor::keepWorkingCopy()
-{
-    m_keepTimer.stop();
-    if (const auto kept = m_workingFile.save(m_recipe); !kept)
-        showNotice(store::FileErrorText::describe(kept.error()));
-}
-
 void Editor::recompute()
 {
-    m_recipe.version = edited() ? std::min(m_stored.version + 1, program::largestVersion) : m_stored.version;
+    m_recipe.version = edited() ? nextVersion() : m_stored.version;
     m_tableTimer.stop();
     // After a download the recipe is the one that it was: its table stays on offer.
     const bool isKnown =
@@ -363,27 +391,20 @@ void Editor::watchController()
 void Editor::download()
 {
     commitDrag();
-    if (canDownload() && m_solution.image)
+    if (canDownload() && m_solution.image && admits(Level::Operator))
         m_desk.download(*m_solution.image, m_recipe);
 }
 
 void Editor::cancelDownload()
 {
-    m_desk.cancel();
+    if (admits(Level::Operator))
+        m_desk.cancel();
 }
 
 void Editor::saveToFlash()
 {
-    m_desk.save();
-}
-
-void Editor::takeApplied(const program::Recipe& recipe)
-{
-    m_stored = recipe;
-    if (const auto kept = m_storedFile.save(m_stored); !kept)
-        showNotice(store::FileErrorText::describe(kept.error()));
-    m_keepTimer.start();
-    recompute();
+    if (admits(Level::Operator))
+        m_desk.save();
 }
 
 void Editor::showNotice(const QString& text)

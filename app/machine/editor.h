@@ -21,6 +21,8 @@
 #include <QtQml/qqmlregistration.h>
 
 #include <array>
+#include <functional>
+#include <map>
 #include <optional>
 
 class QJSEngine;
@@ -167,7 +169,7 @@ public:
     [[nodiscard]] bool canRedo() const { return m_history.canRedo(); }
     [[nodiscard]] QString recipeName() const { return QString::fromStdString(m_recipe.name); }
     void setRecipeName(const QString& name);
-    [[nodiscard]] int recipeVersion() const { return m_stored.version; }
+    [[nodiscard]] int recipeVersion() const;
     [[nodiscard]] bool edited() const;
     [[nodiscard]] QString notice() const { return m_notice; }
     [[nodiscard]] DownloadState downloadState() const { return static_cast<DownloadState>(m_desk.state()); }
@@ -201,9 +203,30 @@ public:
     Q_INVOKABLE void saveToFlash();
     Q_INVOKABLE void dismissNotice();
 
+    // What follows from the recipe now.
+    [[nodiscard]] const Solution& solution() const { return m_solution; }
     [[nodiscard]] const program::Recipe& recipe() const { return m_recipe; }
+    // What edited() compares with: the version that was opened, downloaded or saved last.
+    [[nodiscard]] const program::Recipe& storedRecipe() const { return m_stored; }
+
+    // Another recipe is edited from now on: as it is, or on from `edited`. Nothing of the one before remains,
+    // nor can it be undone.
+    void open(const program::Recipe& stored, const std::optional<program::Recipe>& edited = {});
+    // This, that has been saved, is what edited() compares with from now on; the edits stay.
+    void takeStored(const program::Recipe& recipe);
+    // Tells the newest version that is kept under a name, 0: none. An edited recipe has the one after it.
+    using NewestVersion = std::function<int(const std::string& name)>;
+    void setNewestVersion(NewestVersion newest);
+    // A new program of this kind is made for this machine.
+    void setMachine(profile::ProgramKind kind, const profile::Machine& machine)
+    {
+        m_machines[kind] = machine;
+    }
+    [[nodiscard]] program::Recipe newRecipe(profile::ProgramKind kind) const;
 
 signals:
+    // The controller executes it.
+    void applied(const campanel::program::Recipe& recipe);
     void kindChanged();
     void fieldsChanged();
     void overlayChanged();
@@ -214,6 +237,9 @@ signals:
     void recipeChanged();
     void downloadChanged();
     void noticeChanged();
+    // For the audit trail, see DownloadDesk.
+    void downloadBegun(const campanel::program::ProgramImage& image);
+    void downloadEnded(const campanel::link::DownloadReport& report);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -223,17 +249,19 @@ private:
     void connectKnots();
     void compareCurves();
     void showFields();
-    template <typename Change> void edit(Change change);
+    // Who may not is asked to log in, and nothing changes.
+    [[nodiscard]] bool admits(Level needed) const;
+    template <typename Change> void edit(Level needed, Change change);
     void replace(program::Recipe recipe); // undo, redo, revert
     void recompute();
     void takeSolution(Solution solution);
     void show();
     void watchController();
     void keepWorkingCopy();
-    void takeApplied(const program::Recipe& recipe);
     void showNotice(const QString& text);
     [[nodiscard]] const profile::Suggestion* suggestion() const;
     [[nodiscard]] const profile::Machine& limits() const;
+    [[nodiscard]] int nextVersion() const;
 
     EditorField m_lawParameter1{QStringLiteral("lawParameter1"), this};
     EditorField m_lawParameter2{QStringLiteral("lawParameter2"), this};
@@ -252,6 +280,8 @@ private:
     QTimer m_tableTimer; // a slow table is made when the finger rests
     program::Recipe m_stored;
     program::Recipe m_recipe;
+    NewestVersion m_newestVersion = [](const std::string&) { return 0; };
+    std::map<profile::ProgramKind, profile::Machine> m_machines;
     std::optional<program::Recipe> m_beforeDrag;
     EditHistory<program::Recipe> m_history;
     std::optional<modbus::Identity> m_controller; // that the solution was made for

@@ -3,6 +3,8 @@
 // it.
 #pragma once
 
+#include "app/machine/gate.h"
+
 #include <QObject>
 #include <QString>
 #include <QtQml/qqmlregistration.h>
@@ -37,6 +39,8 @@ class EditorField : public QObject {
     QML_UNCREATABLE("Fields belong to the Editor")
 
     Q_PROPERTY(QString fieldId READ fieldId CONSTANT FINAL)
+    // Who may change it, as Access.level.
+    Q_PROPERTY(int neededLevel READ neededLevel CONSTANT FINAL)
     Q_PROPERTY(QString label READ label NOTIFY changed FINAL)
     Q_PROPERTY(QString unit READ unit NOTIFY changed FINAL)
     Q_PROPERTY(double value READ value NOTIFY changed FINAL)
@@ -56,6 +60,8 @@ public:
     EditorField(QString fieldId, QObject* parent);
 
     [[nodiscard]] QString fieldId() const { return m_fieldId; }
+    [[nodiscard]] int neededLevel() const { return static_cast<int>(m_neededLevel); }
+    void setNeededLevel(Level level) { m_neededLevel = level; }
     [[nodiscard]] QString label() const { return m_view.label; }
     [[nodiscard]] QString unit() const { return m_view.unit; }
     [[nodiscard]] double value() const { return m_view.value; }
@@ -87,6 +93,7 @@ signals:
 
 private:
     QString m_fieldId;
+    Level m_neededLevel = Level::Technician;
     FieldView m_view;
 };
 

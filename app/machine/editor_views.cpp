@@ -70,8 +70,8 @@ FieldView EditorViews::field(Field field) const
         view.activeText = valueText(field, program::value(m_active->recipe, field));
     if (isRatio(field))
         narrowRatio(field, view);
-    if (view.derived && m_solution.cutter())
-        view.explanation = explanation(field);
+    view.explanation =
+        view.derived && m_solution.cutter() ? explanation(field) : RecipeWords::machineHelp(field);
     return view;
 }
 

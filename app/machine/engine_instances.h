@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gives a QML engine the objects behind the singletons Machine, Editor, Records, Service and Settings. Each engine has
-// its own, so that tests run side by side and nothing is global.
+// Gives a QML engine the objects behind the singletons of this module (Machine, Editor ...). Each engine has its
+// own, so that tests run side by side and nothing is global.
 #pragma once
 
 #include <QJSEngine>
@@ -9,20 +9,16 @@
 
 namespace campanel::machine {
 
-class Editor;
-class Machine;
-class Records;
-class Service;
-class Settings;
-
-// The objects stay owned by the caller and must outlive the engine.
-void attachToEngine(QQmlEngine& engine, Machine& machine, Editor& editor, Records& records,
-                    Service& service, Settings& settings);
-
 // Name of the engine's dynamic property that holds the instance of a singleton type.
 template <typename Type> [[nodiscard]] const char* instanceKey()
 {
     return Type::staticMetaObject.className();
+}
+
+// One object per singleton type. They stay owned by the caller and must outlive the engine.
+template <typename... Types> void attachToEngine(QQmlEngine& engine, Types&... instances)
+{
+    (engine.setProperty(instanceKey<Types>(), QVariant::fromValue(&instances)), ...);
 }
 
 template <typename Type> [[nodiscard]] Type* attachedInstance(const QQmlEngine* engine)

@@ -125,9 +125,11 @@ void KnotFiles::write(int place)
     emit changed();
     m_pool.start([this, where = m_found.places[place], knots = m_knots, name = m_recipeName] {
         const auto written = store::exportKnots(knots, name, where);
-        QMetaObject::invokeMethod(this, [this, written] {
+        QMetaObject::invokeMethod(this, [this, written, isOnStick = where.isRemovable] {
             m_failed = !written;
-            m_message = written ? tr("Written: %1").arg(*written) : written.error();
+            m_message = !written    ? written.error()
+                        : isOnStick ? tr("Written: %1. The stick can be taken out now.").arg(*written)
+                                    : tr("Written: %1").arg(*written);
             --m_jobs;
             search();
         });

@@ -67,9 +67,10 @@ constexpr qsizetype faultCount = static_cast<qsizetype>(faults.size());
 
 } // namespace
 
-LineFaults::LineFaults(link::Link& link, QObject* parent)
+LineFaults::LineFaults(link::Link& link, Gate& gate, QObject* parent)
     : QAbstractListModel(parent)
     , m_link(link)
+    , m_gate(gate)
     , m_levels(faultCount, Off)
     , m_wanted(m_levels)
 {
@@ -90,7 +91,8 @@ QStringList LineFaults::rules(const QList<Level>& levels)
 
 void LineFaults::setLevel(int row, int level)
 {
-    if (row < 0 || row >= faultCount || level < Off || level > Often)
+    if (row < 0 || row >= faultCount || level < Off || level > Often ||
+        !m_gate.admits(machine::Level::Technician))
         return;
     m_wanted[row] = static_cast<Level>(level);
     send();
@@ -98,6 +100,8 @@ void LineFaults::setLevel(int row, int level)
 
 void LineFaults::clear()
 {
+    if (!m_gate.admits(machine::Level::Technician))
+        return;
     m_wanted.fill(Off);
     send();
 }

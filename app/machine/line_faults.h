@@ -5,6 +5,7 @@
 #pragma once
 
 #include "app/link/link.h"
+#include "app/machine/gate.h"
 
 #include <QAbstractListModel>
 #include <QList>
@@ -30,8 +31,8 @@ public:
     Q_ENUM(Level)
     enum Role { NameRole = Qt::UserRole + 1, NoteRole, LevelRole };
 
-    // The link must outlive it.
-    LineFaults(link::Link& link, QObject* parent);
+    // Both must outlive it. Changes are for technicians.
+    LineFaults(link::Link& link, Gate& gate, QObject* parent);
 
     // At another level from the moment that the controller accepts it.
     Q_INVOKABLE void setLevel(int row, int level);
@@ -43,6 +44,7 @@ public:
     [[nodiscard]] QString errorText() const;
     // Rules for campanel-controller of these levels, one for each row of the list.
     [[nodiscard]] static QStringList rules(const QList<Level>& levels);
+    [[nodiscard]] QStringList rulesInForce() const { return rules(m_levels); }
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
@@ -58,6 +60,7 @@ private:
     void setLevels(const QList<Level>& levels);
 
     link::Link& m_link;
+    Gate& m_gate;
     QList<Level> m_levels; // in force
     QList<Level> m_wanted;
     std::optional<QList<Level>> m_sent; // not yet answered

@@ -30,11 +30,12 @@ Machine::Machine(link::Link& link, Settings& settings, QObject* parent)
     , m_settings(settings)
     , m_clock(&std::chrono::steady_clock::now)
     , m_wallClock([] { return QDateTime::currentDateTime(); })
-    , m_lineFaults(link, this)
+    , m_lineFaults(link, m_gate, this)
     , m_ageTimer(this)
     , m_qualityTimer(this)
 {
     m_report.simulated = settings.connection().simulated;
+    settings.guardBy(m_gate);
     connect(&link, &link::Link::reported, this, &Machine::takeReport);
     connect(&link, &link::Link::statusReceived, this, &Machine::takeStatus);
     connect(&link, &link::Link::programRead, this, &Machine::takeProgram);
@@ -221,6 +222,8 @@ void Machine::takeProgram(const link::ActiveProgram& program)
 void Machine::start()
 {
     const QString reason = startBlockedReason();
+    if (reason.isEmpty() && !m_gate.admits(Level::Operator))
+        return;
     if (reason.isEmpty())
         send(modbus::Command::Start);
     else
@@ -235,24 +238,29 @@ void Machine::stop()
 
 void Machine::withdrawStop()
 {
-    m_link.withdrawStop();
+    if (m_gate.admits(Level::Operator))
+        m_link.withdrawStop();
 }
 
 void Machine::home()
 {
-    send(modbus::Command::Home);
+    if (m_gate.admits(Level::Operator))
+        send(modbus::Command::Home);
 }
 
 void Machine::resetFault()
 {
-    send(modbus::Command::ResetFault);
+    if (m_gate.admits(Level::Operator))
+        send(modbus::Command::ResetFault);
 }
 
 void Machine::send(modbus::Command command, const modbus::CommandArguments& arguments)
 {
     showMessage({});
     m_hasStopWaited = false;
-    m_link.request({++m_lastRequestId, command, arguments});
+    const link::CommandRequest request{++m_lastRequestId, command, arguments};
+    emit commandSending(request);
+    m_link.request(request);
 }
 
 quint32 Machine::readParameter(const char* name)
@@ -263,9 +271,13 @@ quint32 Machine::readParameter(const char* name)
 
 quint32 Machine::writeParameter(const char* name, double value)
 {
+    if (!m_gate.admits(Level::Technician))
+        return 0;
     showMessage({});
-    m_link.writeParameter(++m_lastParameterId, name, value);
-    return m_lastParameterId;
+    const quint32 id = ++m_lastParameterId;
+    emit parameterWriting(QString::fromLatin1(name), id, value);
+    m_link.writeParameter(id, name, value);
+    return id;
 }
 
 void Machine::takeOutcome(const link::CommandOutcome& outcome)
@@ -275,6 +287,8 @@ void Machine::takeOutcome(const link::CommandOutcome& outcome)
         outcome.reason == modbus::Refusal::NotRunning &&
         (outcome.command == modbus::Command::StopNow || outcome.command == modbus::Command::StopAtCycleEnd);
     // What the link does by itself has no id; only the last press is of interest.
+    if (outcome.id != 0)
+        emit commandEnded(outcome);
     if (outcome.id != m_lastRequestId)
         return;
     if (std::exchange(m_hasStopWaited, false)) {

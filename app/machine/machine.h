@@ -7,6 +7,7 @@
 #include "app/machine/actual_trace.h"
 #include "app/machine/bag_statistics.h"
 #include "app/machine/controller_program.h"
+#include "app/machine/gate.h"
 #include "app/machine/line_faults.h"
 #include "app/machine/master_direction.h"
 #include "app/machine/packing_line.h"
@@ -212,8 +213,13 @@ public:
     Q_INVOKABLE void resetFault();
     Q_INVOKABLE void dismissMessage();
 
-    // For the Editor.
+    // What whoever is at the panel may do. Start, home, reset and a withdrawn Stop are for operators; Stop is
+    // everybody's.
+    [[nodiscard]] Gate& gate() { return m_gate; }
+
+    // For the Editor and the Alarms.
     [[nodiscard]] link::Link& link() { return m_link; }
+    [[nodiscard]] const link::LinkReport& report() const { return m_report; }
     [[nodiscard]] link::SteadyTime now() const { return m_clock(); }
     [[nodiscard]] bool isConnected() const { return m_report.state == link::LinkState::Connected; }
     [[nodiscard]] const std::optional<modbus::Identity>& identity() const { return m_report.identity; }
@@ -221,7 +227,7 @@ public:
     [[nodiscard]] const std::shared_ptr<const ControllerProgram>& program() const { return m_program; }
     void send(modbus::Command command, const modbus::CommandArguments& arguments = {});
     // A register of the controller by its name, see link::Link. Ends in one parameterEnded() with the id that
-    // is returned.
+    // is returned. Writing is for technicians; 0 when the gate does not admit it.
     [[nodiscard]] quint32 readParameter(const char* name);
     [[nodiscard]] quint32 writeParameter(const char* name, double value);
 
@@ -238,6 +244,10 @@ signals:
     void commandsChanged();
     void commandMessageChanged();
     void parameterEnded(const campanel::link::ParameterOutcome& outcome);
+    // For the audit trail: before the question goes to the link, and what became of it.
+    void commandSending(const campanel::link::CommandRequest& request);
+    void commandEnded(const campanel::link::CommandOutcome& outcome);
+    void parameterWriting(const QString& name, quint32 id, double value);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -264,6 +274,7 @@ private:
 
     link::Link& m_link;
     Settings& m_settings;
+    Gate m_gate;
     Clock m_clock;
     WallClock m_wallClock;
     link::LinkReport m_report;

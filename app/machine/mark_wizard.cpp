@@ -108,7 +108,7 @@ bool MarkWizard::canGoOn() const
 
 void MarkWizard::goOn()
 {
-    if (!canGoOn())
+    if (!canGoOn() || !m_machine.gate().admits(Level::Technician))
         return;
     switch (m_step) {
     case Step::Explain:

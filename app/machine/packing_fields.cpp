@@ -130,6 +130,8 @@ void PackingFields::write(const char* name, double value)
 {
     const Field* field = find(QString::fromLatin1(name));
     Q_ASSERT(field);
+    if (!m_machine.gate().admits(Level::Technician))
+        return;
     m_outcome = tr("Writing %1: %2 …").arg(tr(field->words), text(*field, value));
     m_isFailed = false;
     m_writes.insert(m_machine.writeParameter(name, value));
@@ -163,7 +165,7 @@ void PackingFields::takeOutcome(const link::ParameterOutcome& outcome)
 void PackingFields::save()
 {
     const auto& status = m_machine.status();
-    if (m_machine.isConnected() && status && status->activeCrc)
+    if (m_machine.isConnected() && status && status->activeCrc && m_machine.gate().admits(Level::Technician))
         m_machine.send(modbus::Command::SaveToFlash, {0, 0, *status->activeCrc});
 }
 

@@ -56,7 +56,7 @@ public:
     void suggest(const std::optional<GainSuggestion>& gains, int bags);
     // NaN while it is not known. `name` as in the register table.
     [[nodiscard]] double value(const char* name) const;
-    // Ends in one written().
+    // For technicians. Ends in one written().
     void write(const char* name, double value);
     void retranslate();
 

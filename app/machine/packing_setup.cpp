@@ -58,7 +58,7 @@ bool PackingSetup::canTeach() const
 
 void PackingSetup::teach()
 {
-    if (!canTeach())
+    if (!canTeach() || !m_machine.gate().admits(Level::Technician))
         return;
     m_refusal.clear();
     m_teaching = Teaching::Asked;

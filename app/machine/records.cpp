@@ -40,9 +40,16 @@ void Records::takeOpening(const store::StoreThread::Report& report)
     emit noticeChanged();
 }
 
+void Records::noteRestore(const store::FinishedRestore& restore)
+{
+    m_restore = restore;
+    emit noticeChanged();
+}
+
 void Records::complain(const store::StoreError& error)
 {
     m_error = error;
+    emit troubled(error);
     emit noticeChanged();
 }
 
@@ -50,6 +57,12 @@ QString Records::notice() const
 {
     if (m_error)
         return store::StoreErrorText::describe(*m_error);
+    if (m_restore.isDone && !m_opening)
+        return m_restore.problem.isEmpty()
+                   ? tr("The backup has been restored. What was there before is kept in %1.")
+                         .arg(QDir::toNativeSeparators(m_restore.keptIn))
+                   : tr("The restore could not be finished: %1. It is tried again at the next start.")
+                         .arg(m_restore.problem);
     if (!m_opening)
         return {};
     if (m_opening->error)
@@ -60,7 +73,8 @@ QString Records::notice() const
                ? tr("The panel's memory was damaged. It goes on with its last good copy; the damaged file is "
                     "kept as %1.")
                      .arg(kept)
-               : tr("The panel's memory was damaged and there was no copy. It begins anew; the damaged file is "
+               : tr("The panel's memory was damaged and there was no copy. It begins anew; the damaged file "
+                    "is "
                     "kept as %1.")
                      .arg(kept);
 }
@@ -69,6 +83,7 @@ void Records::dismissNotice()
 {
     m_error.reset();
     m_opening.reset();
+    m_restore = {};
     emit noticeChanged();
 }
 

@@ -3,6 +3,7 @@
 // through the database's own thread; nothing here waits for the disk.
 #pragma once
 
+#include "app/store/restore.h"
 #include "app/store/store_thread.h"
 
 #include <QObject>
@@ -39,11 +40,14 @@ public:
     Q_INVOKABLE void dismissNotice();
 
     [[nodiscard]] store::StoreThread& store() { return m_store; }
+    // A backup has taken the place of what was kept; said until it is dismissed.
+    void noteRestore(const store::FinishedRestore& restore);
     // Something could not be kept.
     void complain(const store::StoreError& error);
 
 signals:
     void noticeChanged();
+    void troubled(const campanel::store::StoreError& error); // somebody complained
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -54,6 +58,7 @@ private:
     store::StoreThread m_store;
     std::optional<store::StoreThread::Report> m_opening; // until its notice was dismissed
     std::optional<store::StoreError> m_error;
+    store::FinishedRestore m_restore;
 };
 
 } // namespace campanel::machine

@@ -220,7 +220,7 @@ QString RegisterInspector::check(double value) const
 
 void RegisterInspector::write(double value)
 {
-    if (!canWrite() || !check(value).isEmpty())
+    if (!canWrite() || !check(value).isEmpty() || !m_machine.gate().admits(Level::Service))
         return;
     m_outcome = tr("Writing %1 …").arg(number(value));
     m_isFailed = false;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/machine/report_files.h"
 
-#include "app/store/new_file.h"
-
 namespace campanel::machine {
 
 namespace {
@@ -10,13 +8,16 @@ namespace {
 struct Written {
     QStringList paths;
     QString problem; // empty when all were written
+    bool isOnStick = false;
 };
 
 Written writeAll(const QList<ReportFile>& files, const store::Place& place)
 {
     Written written;
+    written.isOnStick = place.isRemovable;
     for (const ReportFile& file : files) {
-        const auto path = store::writeNewFile(place, file.name, file.suffix, file.content());
+        const auto path = file.write ? store::writeNewFile(place, file.name, file.suffix, file.write)
+                                     : store::writeNewFile(place, file.name, file.suffix, file.content());
         if (!path) {
             written.problem = path.error();
             break;
@@ -54,13 +55,31 @@ void ReportFiles::look()
     search();
 }
 
+void ReportFiles::refresh()
+{
+    if (busy() || m_isRefreshing)
+        return;
+    m_isRefreshing = true;
+    m_pool.start([this, look = m_looker, folder = m_ownFolder] {
+        const QList<store::Place> found = look(folder);
+        QMetaObject::invokeMethod(this, [this, found] {
+            m_isRefreshing = false;
+            takePlaces(found);
+        });
+    });
+}
+
 void ReportFiles::search()
 {
     ++m_jobs;
     emit changed();
     m_pool.start([this, look = m_looker, folder = m_ownFolder] {
         const QList<store::Place> found = look(folder);
-        QMetaObject::invokeMethod(this, [this, found] { takePlaces(found); });
+        QMetaObject::invokeMethod(this, [this, found] {
+            takePlaces(found);
+            --m_jobs;
+            emit changed();
+        });
     });
 }
 
@@ -78,8 +97,6 @@ void ReportFiles::takePlaces(const QList<store::Place>& places)
                          !place.isReadOnly};
     }
     m_places.setRows(rows);
-    --m_jobs;
-    emit changed();
 }
 
 void ReportFiles::write(int place)
@@ -92,9 +109,12 @@ void ReportFiles::write(int place)
         const Written written = writeAll(files, where);
         QMetaObject::invokeMethod(this, [this, written] {
             m_failed = !written.problem.isEmpty();
-            m_message =
-                m_failed ? written.problem : tr("Written: %1").arg(written.paths.join(QStringLiteral(", ")));
+            const QString paths = written.paths.join(QStringLiteral(", "));
+            m_message = m_failed            ? written.problem
+                        : written.isOnStick ? tr("Written: %1. The stick can be taken out now.").arg(paths)
+                                            : tr("Written: %1").arg(paths);
             --m_jobs;
+            emit this->written(written.paths, written.problem);
             search();
         });
     });

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/machine/offer_model.h"
-#include "app/store/exchange_places.h"
+#include "app/store/new_file.h"
 
 #include <QObject>
 #include <QThreadPool>
@@ -18,6 +18,7 @@ struct ReportFile {
     QString name; // a person's words; see store::freePath()
     QString suffix;
     std::function<QByteArray()> content; // called in another thread
+    store::FileWriter write{};           // the same of a large one, instead of `content`
 };
 
 class ReportFiles : public QObject {
@@ -49,11 +50,15 @@ public:
 
     // Looks again at what there is and forgets the message.
     Q_INVOKABLE void look();
+    // The same in silence, for who waits for a stick: the message stays.
+    Q_INVOKABLE void refresh();
     // Writes new files to that place, then looks again.
     Q_INVOKABLE void write(int place);
 
 signals:
     void changed();
+    // Of what was offered; `problem` is empty when all of it was.
+    void written(const QStringList& paths, const QString& problem);
 
 private:
     void search();
@@ -67,6 +72,7 @@ private:
     QString m_message;
     bool m_failed = false;
     int m_jobs = 0;
+    bool m_isRefreshing = false;
     QThreadPool m_pool; // one thread; waits for it at the end
 };
 

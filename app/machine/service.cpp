@@ -19,6 +19,10 @@ Service::Service(Machine& machine, Settings& settings, const QString& folder, QO
     , m_inspector(machine, this)
     , m_frames(machine.link(), m_files, this)
     , m_packing(machine, this)
+    , m_jog(machine, this)
+    , m_homing(machine, this)
+    , m_io(machine, this)
+    , m_dryRun(this)
 {
     QCoreApplication::instance()->installEventFilter(this);
 }
@@ -36,6 +40,10 @@ bool Service::eventFilter(QObject* watched, QEvent* event)
         m_inspector.retranslate();
         m_frames.retranslate();
         m_packing.retranslate();
+        m_jog.retranslate();
+        m_homing.retranslate();
+        m_io.retranslate();
+        m_dryRun.retranslate();
     }
     return QObject::eventFilter(watched, event);
 }

@@ -2,7 +2,11 @@
 // `Service` in QML: what a technician needs to know about the line, and the controller's registers.
 #pragma once
 
+#include "app/machine/dry_run.h"
 #include "app/machine/frame_list.h"
+#include "app/machine/homing.h"
+#include "app/machine/io_list.h"
+#include "app/machine/jog.h"
 #include "app/machine/line_figures.h"
 #include "app/machine/link_doctor.h"
 #include "app/machine/packing_setup.h"
@@ -27,6 +31,10 @@ class Service : public QObject {
     Q_PROPERTY(campanel::machine::RegisterInspector* inspector READ inspector CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::FrameList* frames READ frames CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::PackingSetup* packing READ packing CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::Jog* jog READ jog CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::Homing* homing READ homing CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::IoList* io READ io CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::DryRun* dryRun READ dryRun CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::ReportFiles* files READ files CONSTANT FINAL)
 
 public:
@@ -41,6 +49,10 @@ public:
     [[nodiscard]] RegisterInspector* inspector() { return &m_inspector; }
     [[nodiscard]] FrameList* frames() { return &m_frames; }
     [[nodiscard]] PackingSetup* packing() { return &m_packing; }
+    [[nodiscard]] Jog* jog() { return &m_jog; }
+    [[nodiscard]] Homing* homing() { return &m_homing; }
+    [[nodiscard]] IoList* io() { return &m_io; }
+    [[nodiscard]] DryRun* dryRun() { return &m_dryRun; }
     [[nodiscard]] ReportFiles* files() { return &m_files; }
 
 protected:
@@ -53,6 +65,10 @@ private:
     RegisterInspector m_inspector;
     FrameList m_frames;
     PackingSetup m_packing;
+    Jog m_jog;
+    Homing m_homing;
+    IoList m_io;
+    DryRun m_dryRun;
 };
 
 } // namespace campanel::machine

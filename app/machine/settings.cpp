@@ -4,6 +4,7 @@
 #include "app/link/port_finder.h"
 #include "app/machine/engine_instances.h"
 
+#include <QFile>
 #include <QLocale>
 #include <QStandardPaths>
 
@@ -18,7 +19,13 @@ namespace {
 
 constexpr auto languageKey = "language"_L1;
 constexpr auto themeKey = "theme"_L1;
+constexpr auto glovesKey = "gloves"_L1;
 constexpr auto bagToleranceKey = "bag_tolerance_mm"_L1;
+constexpr auto autoLogoutKey = "access/auto_logout_minutes"_L1;
+constexpr auto firstStartKey = "first_start"_L1;
+constexpr auto firstStartBegun = "begun"_L1;
+constexpr auto firstStartDone = "done"_L1;
+constexpr auto operatorsLogInKey = "access/operators_log_in"_L1;
 
 QString chosen(const QString& wanted, const QStringList& possible, const QString& otherwise)
 {
@@ -26,6 +33,7 @@ QString chosen(const QString& wanted, const QStringList& possible, const QString
 }
 
 const QList<int> possibleBauds{9600, 19200, 38400, 57600, 115200};
+const QList<int> possibleLogouts{1, 2, 5, 10, 30};
 const QStringList possibleParities{u"N"_s, u"E"_s, u"O"_s};
 
 // What was edited by hand into nonsense becomes the standard.
@@ -75,18 +83,56 @@ void store(QSettings& storage, const ConnectionChoice& choice)
 
 Settings::Settings(const QString& storage, QObject* parent)
     : QObject(parent)
-    , m_storage(storage.isEmpty() ? QSettings().fileName() : storage, QSettings::IniFormat)
+    , m_storage(fileName(storage), QSettings::IniFormat)
 {
     const bool chineseSystem = QLocale::system().language() == QLocale::Chinese;
     m_language =
         chosen(m_storage.value(languageKey).toString(), languages(), chineseSystem ? u"zh_CN"_s : u"en"_s);
     m_theme = chosen(m_storage.value(themeKey).toString(), themes(), u"light"_s);
+    m_gloves = m_storage.value(glovesKey, m_gloves).toBool();
     const double stored = m_storage.value(bagToleranceKey, standardToleranceMm).toDouble();
     if (stored >= leastToleranceMm && stored <= mostToleranceMm)
         m_bagToleranceMm = stored;
+    const int minutes = m_storage.value(autoLogoutKey, m_autoLogoutMinutes).toInt();
+    if (possibleLogouts.contains(minutes))
+        m_autoLogoutMinutes = minutes;
+    m_operatorsLogIn = m_storage.value(operatorsLogInKey, m_operatorsLogIn).toBool();
     m_applied = storedConnection(m_storage);
     m_draft = m_applied;
     QLocale::setDefault(QLocale(m_language));
+}
+
+QString Settings::fileName(const QString& storage)
+{
+    return storage.isEmpty() ? QSettings().fileName() : storage;
+}
+
+QByteArray Settings::contents()
+{
+    m_storage.sync();
+    QFile file(m_storage.fileName());
+    return file.open(QIODevice::ReadOnly) ? file.readAll()
+                                          : QByteArray(); // not there before the first change
+}
+
+void Settings::offerFirstStart()
+{
+    if (m_storage.allKeys().isEmpty() || m_storage.value(firstStartKey).toString() == firstStartBegun)
+        beginFirstStart();
+}
+
+void Settings::beginFirstStart()
+{
+    m_storage.setValue(firstStartKey, firstStartBegun);
+    m_isFirstStart = true;
+    emit firstStartChanged();
+}
+
+void Settings::endFirstStart()
+{
+    m_storage.setValue(firstStartKey, firstStartDone);
+    m_isFirstStart = false;
+    emit firstStartChanged();
 }
 
 Settings* Settings::create(QQmlEngine* qmlEngine, QJSEngine*)
@@ -106,7 +152,7 @@ QStringList Settings::languageNames() const
 
 QStringList Settings::themes() const
 {
-    return {u"light"_s, u"dark"_s};
+    return {u"light"_s, u"dark"_s, u"contrast"_s};
 }
 
 QList<int> Settings::bauds() const
@@ -143,19 +189,56 @@ void Settings::setTheme(const QString& theme)
     m_storage.setValue(themeKey, m_theme);
 }
 
+void Settings::overrideGloves(bool gloves)
+{
+    if (m_gloves == gloves)
+        return;
+    m_gloves = gloves;
+    emit glovesChanged();
+}
+
+void Settings::setGloves(bool gloves)
+{
+    overrideGloves(gloves);
+    m_storage.setValue(glovesKey, m_gloves);
+}
+
 void Settings::setBagToleranceMm(double toleranceMm)
 {
     const double taken = std::clamp(toleranceMm, leastToleranceMm, mostToleranceMm);
-    if (std::isnan(toleranceMm) || taken == m_bagToleranceMm)
+    if (std::isnan(toleranceMm) || taken == m_bagToleranceMm || !admits(Level::Technician))
         return;
     m_bagToleranceMm = taken;
     m_storage.setValue(bagToleranceKey, m_bagToleranceMm);
     emit bagToleranceChanged();
 }
 
+QList<int> Settings::autoLogoutChoices() const
+{
+    return possibleLogouts;
+}
+
+void Settings::setAutoLogoutMinutes(int minutes)
+{
+    if (minutes == m_autoLogoutMinutes || !possibleLogouts.contains(minutes) || !admits(Level::Service))
+        return;
+    m_autoLogoutMinutes = minutes;
+    m_storage.setValue(autoLogoutKey, minutes);
+    emit accessChanged();
+}
+
+void Settings::setOperatorsLogIn(bool logIn)
+{
+    if (logIn == m_operatorsLogIn || !admits(Level::Service))
+        return;
+    m_operatorsLogIn = logIn;
+    m_storage.setValue(operatorsLogInKey, logIn);
+    emit accessChanged();
+}
+
 void Settings::edit(ConnectionChoice choice)
 {
-    if (m_draft == choice)
+    if (m_draft == choice || !admits(Level::Technician))
         return;
     m_draft = std::move(choice);
     emit connectionChanged();
@@ -217,6 +300,8 @@ void Settings::refreshPorts()
 
 void Settings::applyConnection()
 {
+    if (!admits(Level::Technician))
+        return;
     m_applied = m_draft;
     store(m_storage, m_applied);
     emit connectionChanged();
@@ -244,6 +329,8 @@ link::ConnectionSettings Settings::linkSettings() const
 
 void Settings::takeConnection(const link::ConnectionSettings& settings)
 {
+    if (!admits(Level::Technician))
+        return;
     m_draft = choiceOf(settings, m_applied);
     applyConnection();
 }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Settings` in QML: what this panel remembers for itself (language, theme, connection), kept by QSettings.
+// `Settings` in QML: what this panel remembers for itself (language, looks, connection), kept by QSettings.
 // Connection fields are a draft until applyConnection().
 #pragma once
 
 #include "app/link/link_values.h"
+#include "app/machine/gate.h"
 #include "app/machine/port_model.h"
 
 #include <QObject>
+#include <QPointer>
 #include <QSettings>
 #include <QStringList>
 #include <QtQml/qqmlregistration.h>
@@ -38,6 +40,8 @@ class Settings : public QObject {
     Q_PROPERTY(QStringList languageNames READ languageNames CONSTANT FINAL)
     Q_PROPERTY(QString theme READ theme WRITE setTheme NOTIFY themeChanged FINAL)
     Q_PROPERTY(QStringList themes READ themes CONSTANT FINAL)
+    // Keys for a hand in a thick glove: a quarter larger.
+    Q_PROPERTY(bool gloves READ gloves WRITE setGloves NOTIFY glovesChanged FINAL)
     // +- mm that a bag's length may be off; only shown, the controller does not know it.
     Q_PROPERTY(
         double bagToleranceMm READ bagToleranceMm WRITE setBagToleranceMm NOTIFY bagToleranceChanged FINAL)
@@ -53,11 +57,28 @@ class Settings : public QObject {
     Q_PROPERTY(int unit READ unit WRITE setUnit NOTIFY connectionChanged FINAL)
     Q_PROPERTY(bool connectionDirty READ connectionDirty NOTIFY connectionChanged FINAL)
     Q_PROPERTY(QList<int> bauds READ bauds CONSTANT FINAL)
+
+    // Minutes without a touch until whoever is logged in is logged out.
+    Q_PROPERTY(
+        int autoLogoutMinutes READ autoLogoutMinutes WRITE setAutoLogoutMinutes NOTIFY accessChanged FINAL)
+    Q_PROPERTY(QList<int> autoLogoutChoices READ autoLogoutChoices CONSTANT FINAL)
+    // Without a login one may only look and stop, not operate.
+    Q_PROPERTY(bool operatorsLogIn READ operatorsLogIn WRITE setOperatorsLogIn NOTIFY accessChanged FINAL)
     Q_PROPERTY(campanel::machine::PortModel* ports READ ports CONSTANT FINAL)
+    // The panel is new: language, controller, PINs, machine and a first recipe are to be set.
+    Q_PROPERTY(bool firstStart READ firstStart NOTIFY firstStartChanged FINAL)
 
 public:
     // `storage` as an ini file's path; empty for the user's usual place.
     explicit Settings(const QString& storage, QObject* parent);
+
+    // Where they are kept for that `storage`.
+    [[nodiscard]] static QString fileName(const QString& storage);
+    // The file as it is now.
+    [[nodiscard]] QByteArray contents();
+
+    // What was set has been written, as far as anybody knows.
+    [[nodiscard]] bool areKept() const { return m_storage.status() == QSettings::NoError; }
 
     // The instance that attachToEngine() gave to this engine.
     static Settings* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
@@ -69,6 +90,8 @@ public:
     [[nodiscard]] QString theme() const { return m_theme; }
     void setTheme(const QString& theme);
     [[nodiscard]] QStringList themes() const;
+    [[nodiscard]] bool gloves() const { return m_gloves; }
+    void setGloves(bool gloves);
     [[nodiscard]] double bagToleranceMm() const { return m_bagToleranceMm; }
     void setBagToleranceMm(double toleranceMm); // what is beyond the limits becomes the limit
     [[nodiscard]] double leastBagToleranceMm() const { return leastToleranceMm; }
@@ -91,6 +114,21 @@ public:
     [[nodiscard]] QList<int> bauds() const;
     [[nodiscard]] PortModel* ports() { return &m_ports; }
 
+    [[nodiscard]] int autoLogoutMinutes() const { return m_autoLogoutMinutes; }
+    void setAutoLogoutMinutes(int minutes);
+    [[nodiscard]] QList<int> autoLogoutChoices() const;
+    [[nodiscard]] bool operatorsLogIn() const { return m_operatorsLogIn; }
+    void setOperatorsLogIn(bool logIn);
+    // From now on it is asked before a change: connection and tolerance are for technicians, logging in and
+    // out for service, language and looks for everybody.
+    void guardBy(Gate& gate) { m_gate = &gate; }
+
+    [[nodiscard]] bool firstStart() const { return m_isFirstStart; }
+    // It is one when nothing has been set yet, or when the last one was not brought to its end.
+    void offerFirstStart();
+    void beginFirstStart();
+    Q_INVOKABLE void endFirstStart();
+
     Q_INVOKABLE void refreshPorts();
     Q_INVOKABLE void applyConnection();
 
@@ -106,13 +144,17 @@ public:
     void overrideConnection(const ConnectionChoice& choice);
     void overrideLanguage(const QString& language);
     void overrideTheme(const QString& theme);
+    void overrideGloves(bool gloves);
 
 signals:
     void languageChanged();
     void themeChanged();
+    void glovesChanged();
     void bagToleranceChanged();
     void connectionChanged();
     void connectionApplied();
+    void accessChanged();
+    void firstStartChanged();
 
 private:
     static constexpr double leastToleranceMm = 0.05;
@@ -120,11 +162,17 @@ private:
     static constexpr double standardToleranceMm = 0.5;
 
     void edit(ConnectionChoice choice);
+    [[nodiscard]] bool admits(Level needed) const { return !m_gate || m_gate->admits(needed); }
 
     QSettings m_storage;
     QString m_language;
     QString m_theme;
+    bool m_gloves = false;
     double m_bagToleranceMm = standardToleranceMm;
+    int m_autoLogoutMinutes = 5;
+    bool m_operatorsLogIn = false;
+    bool m_isFirstStart = false;
+    QPointer<Gate> m_gate;
     ConnectionChoice m_draft;
     ConnectionChoice m_applied;
     PortModel m_ports;

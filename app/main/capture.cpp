@@ -2,45 +2,73 @@
 // Writes every scene in every look; see capture.h.
 #include "app/main/capture.h"
 
-#include "app/main/scenes.h"
-
 #include <QDir>
 
 #include <cstdio>
 #include <cstdlib>
 
 namespace campanel::panel {
+namespace {
 
-int capture(const QString& folder)
+constexpr int smallestFile = 0; // as the PNG writer of Qt understands quality
+
+// In this look, into the folder. False after an error.
+bool captureLook(const QDir& target, const Look& look, const QList<Scene>& scenes)
+{
+    Stage stage(look);
+    if (!stage.isReady())
+        return false;
+    for (const Scene& scene : scenes) {
+        enterScene(stage, scene);
+        const QString path = target.filePath(pictureName(scene, look));
+        if (!stage.grab().convertToFormat(QImage::Format_RGB888).save(path, "PNG", smallestFile)) {
+            std::fprintf(stderr,
+                         "campanel: %s cannot be written; is the disk full or the folder read-only?\n",
+                         qPrintable(path));
+            return false;
+        }
+    }
+    for (const QString& complaint : stage.complaints())
+        std::fprintf(stderr, "campanel: %s: %s\n", qPrintable(look.name()), qPrintable(complaint));
+    return stage.complaints().isEmpty();
+}
+
+} // namespace
+
+QString pictureName(const Scene& scene, const Look& look)
+{
+    return QStringLiteral("%1-%2.png").arg(scene.name, look.name());
+}
+
+std::optional<int> captureThose(const QString& folder, const QList<Look>& looks, const QList<Scene>& scenes,
+                                const std::function<bool(const QString& name)>& isWanted)
 {
     const QDir target(folder);
     if (!target.mkpath(QStringLiteral("."))) {
         std::fprintf(stderr, "campanel: the folder %s cannot be made; choose another for --capture.\n",
                      qPrintable(folder));
-        return EXIT_FAILURE;
+        return std::nullopt;
     }
     int written = 0;
-    for (const Look& look : allLooks()) {
-        Stage stage(look);
-        if (!stage.isReady())
-            return EXIT_FAILURE;
-        for (const Scene& scene : allScenes()) {
-            enterScene(stage, scene);
-            const QString path = target.filePath(QStringLiteral("%1-%2.png").arg(scene.name, look.name()));
-            if (!stage.grab().save(path)) {
-                std::fprintf(stderr,
-                             "campanel: %s cannot be written; is the disk full or the folder read-only?\n",
-                             qPrintable(path));
-                return EXIT_FAILURE;
-            }
-            ++written;
-        }
-        for (const QString& complaint : stage.complaints())
-            std::fprintf(stderr, "campanel: %s: %s\n", qPrintable(look.name()), qPrintable(complaint));
-        if (!stage.complaints().isEmpty())
-            return EXIT_FAILURE;
+    for (const Look& look : looks) {
+        QList<Scene> wanted = scenes;
+        wanted.removeIf([&](const Scene& scene) { return !isWanted(pictureName(scene, look)); });
+        if (wanted.isEmpty())
+            continue;
+        if (!captureLook(target, look, wanted))
+            return std::nullopt;
+        written += static_cast<int>(wanted.size());
     }
-    std::printf("%d pictures in %s\n", written, qPrintable(target.absolutePath()));
+    return written;
+}
+
+int capture(const QString& folder, const Selection& selection)
+{
+    const auto written =
+        captureThose(folder, looksOf(selection), scenesOf(selection), [](const QString&) { return true; });
+    if (!written)
+        return EXIT_FAILURE;
+    std::printf("%d pictures in %s\n", *written, qPrintable(QDir(folder).absolutePath()));
     return EXIT_SUCCESS;
 }
 

@@ -2,11 +2,19 @@
 // Writes every scene in every look as a PNG file, always the same picture for the same program.
 #pragma once
 
-#include <QString>
+#include "app/main/scenes.h"
 
 namespace campanel::panel {
 
-// Files are named scene-theme-language-size.png. The exit code for main().
-[[nodiscard]] int capture(const QString& folder);
+// Files are named as pictureName() says. The exit code for main().
+[[nodiscard]] int capture(const QString& folder, const Selection& selection);
+
+// "run-light-en-800x480.png".
+[[nodiscard]] QString pictureName(const Scene& scene, const Look& look);
+
+// Captures those whose name is wanted. The number of pictures; nothing after an error, which went to stderr.
+[[nodiscard]] std::optional<int> captureThose(const QString& folder, const QList<Look>& looks,
+                                              const QList<Scene>& scenes,
+                                              const std::function<bool(const QString& name)>& isWanted);
 
 } // namespace campanel::panel

@@ -14,8 +14,6 @@
 namespace campanel::panel {
 namespace {
 
-constexpr double smallTextContrast = 4.5;
-constexpr double largeTextContrast = 3.0;
 constexpr int largePx = 24;
 constexpr int largeBoldPx = 19;
 
@@ -68,12 +66,12 @@ QColor inkOn(const QQuickItem& text, const QColor& behind)
                             mixed(color.blueF(), behind.blueF()));
 }
 
-double contrastNeeded(const QQuickItem& text)
+double contrastNeeded(const QQuickItem& text, const TextContrast& least)
 {
     // A fitted text is drawn smaller than its font says.
     const int px = text.property("fontInfo").value<QJSValue>().property(QStringLiteral("pixelSize")).toInt();
     const bool isBold = text.property("font").value<QFont>().bold();
-    return px >= (isBold ? largeBoldPx : largePx) ? largeTextContrast : smallTextContrast;
+    return px >= (isBold ? largeBoldPx : largePx) ? least.large : least.small;
 }
 
 } // namespace campanel::panel

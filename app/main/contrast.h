@@ -24,7 +24,13 @@ namespace campanel::panel {
 // `behind`.
 [[nodiscard]] QColor inkOn(const QQuickItem& text, const QColor& behind);
 
-// 4.5, or 3 for large text: 24 px and more, bold from 19 px.
-[[nodiscard]] double contrastNeeded(const QQuickItem& text);
+// Least contrasts that a theme promises; by default those of level AA.
+struct TextContrast {
+    double small = 4.5;
+    double large = 3; // 24 px and more, bold from 19 px
+};
+
+// Which of the two the text needs.
+[[nodiscard]] double contrastNeeded(const QQuickItem& text, const TextContrast& least);
 
 } // namespace campanel::panel

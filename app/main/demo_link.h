@@ -31,6 +31,7 @@ public:
     void download(const std::vector<std::uint16_t>& bank) override;
     void cancelDownload() override;
     void withdrawStop() override { ++m_withdrawals; } // none ever waits
+    void setJog(link::JogDirection direction) override { m_jog = direction; }
     void readRegisters(const link::ReadRequest& request) override;
     void compareProgram(const std::vector<std::uint16_t>& bank) override;
     void cancelComparison() override {}
@@ -54,6 +55,8 @@ public:
     // How often Stop arrived so far, and how often it was taken back.
     [[nodiscard]] int stopRequests() const { return m_stopRequests; }
     [[nodiscard]] int withdrawals() const { return m_withdrawals; }
+    // The key that is held, as it was told last.
+    [[nodiscard]] link::JogDirection jog() const { return m_jog; }
     [[nodiscard]] link::SteadyTime now() const { return m_now; }
     // So much of that time goes by.
     void advance(std::chrono::microseconds time) { m_now += time; }
@@ -78,6 +81,7 @@ private:
     std::map<std::string, double> m_parameters; // 0 until written
     int m_stopRequests = 0;
     int m_withdrawals = 0;
+    link::JogDirection m_jog = link::JogDirection::None;
     Situation m_situation = Situation::Running;
     Kind m_kind = Kind::RotaryCutter;
     bool m_isShown = false;

@@ -28,7 +28,9 @@ QQuickItem* visibleItem(QQuickItem& below, const QString& name)
 void sendMouse(QQuickWindow& window, QEvent::Type type, const QPointF& at)
 {
     const Qt::MouseButtons buttons = type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton;
-    QMouseEvent event(type, at, window.mapToGlobal(at), Qt::LeftButton, buttons, Qt::NoModifier);
+    // A move that names a button would count as another press.
+    const Qt::MouseButton changed = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
+    QMouseEvent event(type, at, window.mapToGlobal(at), changed, buttons, Qt::NoModifier);
     QCoreApplication::sendEvent(&window, &event);
 }
 
@@ -84,6 +86,28 @@ void Finger::tap(QQuickItem& item)
 void Finger::hold(const QString& name)
 {
     press(name, holdTimeMs);
+}
+
+void Finger::touch(const QString& name)
+{
+    QQuickItem* item = find(name);
+    if (!item) {
+        m_complaints += QStringLiteral("%1 is not on the screen").arg(name);
+        return;
+    }
+    m_place = item->mapToScene(item->boundingRect().center());
+    sendMouse(window(), QEvent::MouseButtonPress, m_place);
+}
+
+void Finger::slide(const QPointF& to)
+{
+    m_place = to;
+    sendMouse(window(), QEvent::MouseMove, m_place);
+}
+
+void Finger::lift()
+{
+    sendMouse(window(), QEvent::MouseButtonRelease, m_place);
 }
 
 void Finger::type(const QString& keys)

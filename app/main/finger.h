@@ -31,17 +31,25 @@ public:
     void tap(const QString& name);
     void tap(QQuickItem& item);
     void hold(const QString& name);
+    // Goes down on an item's middle and stays there; then wherever it is, up again.
+    void touch(const QString& name);
+    void slide(const QPointF& to); // in the window, px
+    void lift();
     void type(const QString& keys);
     void closeDialogs();
     // Events handled, bindings and layout settled, one frame drawn.
     void settle();
     [[nodiscard]] QImage grab();
 
+protected:
+    void complain(const QString& complaint) { m_complaints += complaint; }
+
 private:
     void press(const QString& name, int holdMs);
     void press(QQuickItem& item, int holdMs);
 
     Panel& m_panel;
+    QPointF m_place; // of a finger that is down
     QStringList m_complaints;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The panel's executable: reads the options and puts the parts together.
 #include "app/link/threaded_link.h"
+#include "app/main/baselines.h"
 #include "app/main/capture.h"
 #include "app/main/fonts.h"
 #include "app/main/memory.h"
@@ -41,6 +42,17 @@ bool hasFonts()
     return missing.isEmpty();
 }
 
+// Out of the event loop, to put the panel together anew from what is on the disk.
+constexpr int restartCode = 1000;
+
+int capture(const panel::Options& options)
+{
+    return options.baselineFolder.isEmpty()
+               ? panel::capture(options.captureFolder, options.selection)
+               : panel::compareWithBaselines(options.captureFolder, options.baselineFolder,
+                                             options.isUpdatingBaselines);
+}
+
 int runPanel(const panel::Options& options)
 {
     link::ThreadedLink link(nullptr);
@@ -58,16 +70,20 @@ int runPanel(const panel::Options& options)
         panel.window().showFullScreen();
     else
         panel.window().show();
-    // Line and disk can wait for the first frame; a person cannot.
+    QGuiApplication::setQuitOnLastWindowClosed(true);
+    QObject::connect(&panel, &panel::Panel::restartWanted, [] {
+        QGuiApplication::setQuitOnLastWindowClosed(false); // the next one is about to open
+        QGuiApplication::exit(restartCode);
+    });
     QObject::connect(
-        &panel.window(), &QQuickWindow::frameSwapped, &panel.machine(),
+        &panel.window(), &QQuickWindow::frameSwapped, &panel,
         [&panel, isAnnounced = options.isFirstFrameAnnounced] {
             if (isAnnounced) {
                 std::puts("first frame");
                 std::fflush(stdout);
             }
-            panel.machine().open();
-            panel.records().open();
+            panel.settings().offerFirstStart();
+            panel.open();
         },
         Qt::ConnectionType(Qt::AutoConnection | Qt::SingleShotConnection));
     return QGuiApplication::exec();
@@ -87,8 +103,11 @@ int main(int argc, char* argv[])
 
     panel::applyFonts();
     if (!options.captureFolder.isEmpty())
-        return hasFonts() ? panel::capture(options.captureFolder) : EXIT_FAILURE;
+        return hasFonts() ? capture(options) : EXIT_FAILURE;
     if (options.isSelfTest)
-        return hasFonts() ? panel::selfTest() : EXIT_FAILURE;
-    return runPanel(options);
+        return hasFonts() ? panel::selfTest(options.selection) : EXIT_FAILURE;
+    int code = restartCode;
+    while (code == restartCode)
+        code = runPanel(options);
+    return code;
 }

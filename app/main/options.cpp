@@ -63,6 +63,12 @@ void refuseLineParametersWithoutPort(const QCommandLineParser& parser)
     }
 }
 
+void refuseWithout(const QCommandLineParser& parser, const QString& option, const QString& needed)
+{
+    if (parser.isSet(option) && !parser.isSet(needed))
+        refuse(QStringLiteral("--%1 says nothing without --%2 FOLDER.").arg(option, needed));
+}
+
 machine::ConnectionChoice connectionFrom(const QCommandLineParser& parser)
 {
     machine::ConnectionChoice choice;
@@ -100,7 +106,8 @@ Options readOptions(const QCoreApplication& application)
          QStringLiteral("number"), QStringLiteral("1")},
         {QStringLiteral("language"), QStringLiteral("en or zh_CN, for this run."),
          QStringLiteral("language")},
-        {QStringLiteral("theme"), QStringLiteral("light or dark, for this run."), QStringLiteral("theme")},
+        {QStringLiteral("theme"), QStringLiteral("light, dark or contrast, for this run."),
+         QStringLiteral("theme")},
         {QStringLiteral("size"), QStringLiteral("Size of the window (1024x600)."), QStringLiteral("WxH"),
          QStringLiteral("1024x600")},
         {QStringLiteral("fullscreen"), QStringLiteral("Fill the screen; touch sizes follow its density.")},
@@ -109,6 +116,18 @@ Options readOptions(const QCoreApplication& application)
          QStringLiteral("folder")},
         {QStringLiteral("self-test"),
          QStringLiteral("Load every page and dialog and check texts, contrast and touch targets, and end.")},
+        {QStringLiteral("looks"),
+         QStringLiteral("Of --capture and --self-test: only these, such as \"dark-*\" or \"*-gloves\"."),
+         QStringLiteral("pattern")},
+        {QStringLiteral("scenes"),
+         QStringLiteral("Of --capture and --self-test: only these, such as \"run*\"."),
+         QStringLiteral("pattern")},
+        {QStringLiteral("compare"),
+         QStringLiteral(
+             "Of --capture: only the pictures in that folder, compared with them; fails when one differs."),
+         QStringLiteral("folder")},
+        {QStringLiteral("update-golden"),
+         QStringLiteral("Of --compare: take what was captured as right from now on.")},
         {QStringLiteral("announce-first-frame"),
          QStringLiteral("Print \"first frame\" when it is on the screen.")},
     });
@@ -124,10 +143,16 @@ Options readOptions(const QCoreApplication& application)
         refuseLineParametersWithoutPort(parser);
     options.language =
         oneOf(parser, QStringLiteral("language"), {QStringLiteral("en"), QStringLiteral("zh_CN")});
-    options.theme = oneOf(parser, QStringLiteral("theme"), {QStringLiteral("light"), QStringLiteral("dark")});
+    options.theme = oneOf(parser, QStringLiteral("theme"),
+                          {QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("contrast")});
     options.size = sizeFrom(parser.value(QStringLiteral("size")));
     options.isFullScreen = parser.isSet(QStringLiteral("fullscreen"));
     options.captureFolder = parser.value(QStringLiteral("capture"));
+    options.baselineFolder = parser.value(QStringLiteral("compare"));
+    options.isUpdatingBaselines = parser.isSet(QStringLiteral("update-golden"));
+    options.selection = {parser.value(QStringLiteral("looks")), parser.value(QStringLiteral("scenes"))};
+    refuseWithout(parser, QStringLiteral("compare"), QStringLiteral("capture"));
+    refuseWithout(parser, QStringLiteral("update-golden"), QStringLiteral("compare"));
     options.isSelfTest = parser.isSet(QStringLiteral("self-test"));
     options.isFirstFrameAnnounced = parser.isSet(QStringLiteral("announce-first-frame"));
     return options;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/machine/settings.h"
+#include "app/main/scenes.h"
 
 #include <QSize>
 #include <QString>
@@ -19,7 +20,10 @@ struct Options {
     QString theme;
     QSize size{1024, 600};
     bool isFullScreen = false;
-    QString captureFolder; // empty: no capture
+    QString captureFolder;  // empty: no capture
+    QString baselineFolder; // of the pictures that a capture is compared with; empty: nothing is compared
+    bool isUpdatingBaselines = false;
+    Selection selection; // of what a capture or the self-test looks at
     bool isSelfTest = false;
     bool isFirstFrameAnnounced = false; // a line on stdout, for measuring the start
 };

@@ -3,6 +3,7 @@
 #include "app/main/panel.h"
 
 #include "app/machine/engine_instances.h"
+#include "app/report/commissioning_pdf.h"
 
 #include <QCoreApplication>
 #include <QEventLoop>
@@ -22,14 +23,33 @@ QString recipeFolder(const Storage& storage)
 } // namespace
 
 Panel::Panel(link::Link& link, const Storage& storage)
-    : m_settings(storage.settingsFile, nullptr)
+    : m_restore(
+          store::finishRestore(recipeFolder(storage), machine::Settings::fileName(storage.settingsFile)))
+    , m_settings(storage.settingsFile, nullptr)
     , m_machine(link, m_settings, nullptr)
     , m_editor(m_machine, recipeFolder(storage), nullptr)
     , m_records(recipeFolder(storage), nullptr)
+    , m_alarms(m_machine, m_editor, m_records, m_settings, nullptr)
+    , m_recipes(m_machine, m_editor, m_records, recipeFolder(storage), nullptr)
     , m_service(m_machine, m_settings, recipeFolder(storage), nullptr)
+    , m_trends(m_machine, m_settings, m_records, *m_service.files(), recipeFolder(storage), nullptr)
+    , m_access(m_records, m_machine, m_settings, nullptr)
+    , m_trail(m_records, {m_machine, m_editor, m_settings, m_service, m_access}, nullptr)
+    , m_audit(m_records, m_trail, *m_service.files(), nullptr)
+    , m_backup({m_machine, m_editor, m_records, m_settings, m_access, m_trail}, recipeFolder(storage),
+               nullptr)
+    , m_commissioning(m_machine, m_editor, m_access, *m_service.files(), nullptr)
+    , m_explanations(m_machine, m_editor, nullptr)
 {
+    m_commissioning.setPrinter(&report::commissioningPdf);
+    m_records.noteRestore(m_restore);
+    connect(&m_backup, &machine::Backup::restartWanted, this, &Panel::restartWanted);
+    m_service.dryRun()->follow(m_editor);
+    m_recipes.setAuthor([this] { return m_access.userName(); });
+    connect(&m_access, &machine::Access::changed, this, [this] { m_alarms.setPerson(m_access.userName()); });
     m_engine.addImportPath(QStringLiteral("qrc:/qt/qml"));
-    machine::attachToEngine(m_engine, m_machine, m_editor, m_records, m_service, m_settings);
+    machine::attachToEngine(m_engine, m_access, m_alarms, m_audit, m_backup, m_commissioning, m_machine,
+                            m_editor, m_explanations, m_records, m_recipes, m_service, m_settings, m_trends);
     connect(&m_settings, &machine::Settings::languageChanged, this, &Panel::translate);
     translate();
     m_component.loadUrl(QUrl(QStringLiteral("qrc:/qt/qml/CamPanel/Pages/Main.qml")),
@@ -40,6 +60,15 @@ Panel::~Panel()
 {
     for (QTranslator& translator : m_translators)
         QCoreApplication::removeTranslator(&translator);
+}
+
+void Panel::open()
+{
+    m_machine.open();
+    m_records.open();
+    m_trends.open();
+    m_access.open();
+    m_trail.open();
 }
 
 bool Panel::load(QSize size)

@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel put together: settings, machine, editor, service, the QML engine and its window, in the language
-// of the settings.
+// The panel put together: settings, machine, editor, alarms, service, the QML engine and its window, in the
+// language of the settings.
 #pragma once
 
 #include "app/link/link.h"
+#include "app/machine/access.h"
+#include "app/machine/alarms.h"
+#include "app/machine/audit.h"
+#include "app/machine/audit_trail.h"
+#include "app/machine/backup.h"
+#include "app/machine/commissioning.h"
 #include "app/machine/editor.h"
+#include "app/machine/explanations.h"
 #include "app/machine/machine.h"
+#include "app/machine/recipes.h"
 #include "app/machine/records.h"
 #include "app/machine/service.h"
 #include "app/machine/settings.h"
+#include "app/machine/trends.h"
 
 #include <QObject>
 #include <QQmlComponent>
@@ -39,22 +48,48 @@ public:
     [[nodiscard]] machine::Machine& machine() { return m_machine; }
     [[nodiscard]] machine::Editor& editor() { return m_editor; }
     [[nodiscard]] machine::Records& records() { return m_records; }
+    [[nodiscard]] machine::Alarms& alarms() { return m_alarms; }
+    [[nodiscard]] machine::Recipes& recipes() { return m_recipes; }
     [[nodiscard]] machine::Service& service() { return m_service; }
+    [[nodiscard]] machine::Trends& trends() { return m_trends; }
+    [[nodiscard]] machine::Access& access() { return m_access; }
+    [[nodiscard]] machine::AuditTrail& trail() { return m_trail; }
+    [[nodiscard]] machine::Audit& audit() { return m_audit; }
+    [[nodiscard]] machine::Backup& backup() { return m_backup; }
+    [[nodiscard]] machine::Commissioning& commissioning() { return m_commissioning; }
     [[nodiscard]] QQmlEngine& engine() { return m_engine; }
+
+    // Connects to the controller and opens the databases. The first frame is to come first: line and disk can
+    // wait, a person cannot.
+    void open();
 
     // Loads the window, hidden, at its size from the first binding on: a later resize lays all texts out
     // again. False after QML errors, which went to the log.
     [[nodiscard]] bool load(QSize size);
     [[nodiscard]] QQuickWindow& window() { return *m_window; }
 
+signals:
+    // What it keeps has been replaced on the disk: another panel is to be put together in its place.
+    void restartWanted();
+
 private:
     void translate();
 
+    store::FinishedRestore m_restore; // before anything is read
     machine::Settings m_settings;
     machine::Machine m_machine;
     machine::Editor m_editor;
     machine::Records m_records;
+    machine::Alarms m_alarms;
+    machine::Recipes m_recipes;
     machine::Service m_service;
+    machine::Trends m_trends;
+    machine::Access m_access;
+    machine::AuditTrail m_trail;
+    machine::Audit m_audit;
+    machine::Backup m_backup;
+    machine::Commissioning m_commissioning;
+    machine::Explanations m_explanations;
     std::array<QTranslator, 3> m_translators; // the panel's QML, its C++, Qt itself
     QQmlEngine m_engine;
     QQmlComponent m_component{&m_engine};

@@ -2,8 +2,6 @@
 // Checks of what is on the screen; see scene_checks.h.
 #include "app/main/scene_checks.h"
 
-#include "app/main/contrast.h"
-
 #include <QImage>
 #include <QQuickItem>
 
@@ -69,9 +67,18 @@ const QQuickItem* surfaceOf(const QQuickItem& text)
     return parent;
 }
 
+// A key of a keyboard with letters.
+bool isLetterKey(const QQuickItem& item)
+{
+    const QString name = item.objectName();
+    return name.startsWith(QLatin1String("key_")) || name == QLatin1String("nameBackspace") ||
+           name == QLatin1String("nameAccept") ||
+           (name.startsWith(QLatin1String("text")) && item.inherits("QQuickAbstractButton"));
+}
+
 class Checker {
 public:
-    Checker(const TouchLimits& limits, const QImage& picture)
+    Checker(const SceneLimits& limits, const QImage& picture)
         : m_limits(limits)
         , m_picture(picture)
     {
@@ -143,18 +150,22 @@ private:
             return;
         const QColor ink = inkOn(item, *behind);
         const double ratio = contrastRatio(ink, *behind);
-        if (ratio < contrastNeeded(item))
+        const double needed = contrastNeeded(item, m_limits.contrast);
+        if (ratio < needed)
             m_faults += QStringLiteral("%1 in %2 on %3 has a contrast of %4, it needs %5")
                             .arg(nameOf(item), ink.name(), behind->name())
                             .arg(ratio, 0, 'f', 2)
-                            .arg(contrastNeeded(item));
+                            .arg(needed);
     }
 
     void checkTarget(const QQuickItem& item)
     {
         const bool isCommand =
             item.objectName() == QStringLiteral("startKey") || item.objectName() == QStringLiteral("stopKey");
-        const double limit = std::floor(isCommand ? m_limits.commandPx : m_limits.touchPx) - tolerancePx;
+        const double needed = isCommand           ? m_limits.commandPx
+                              : isLetterKey(item) ? m_limits.letterPx
+                                                  : m_limits.touchPx;
+        const double limit = std::floor(needed) - tolerancePx;
         if (item.width() < limit || item.height() < limit)
             m_faults += QStringLiteral("%1 is %2 x %3, a finger needs %4")
                             .arg(nameOf(item))
@@ -163,7 +174,7 @@ private:
                             .arg(limit);
     }
 
-    TouchLimits m_limits;
+    SceneLimits m_limits;
     const QImage& m_picture;
     QList<PaintedText> m_texts;
     QStringList m_faults;
@@ -182,10 +193,10 @@ QQuickItem* childNamed(QQuickItem& below, const QString& name)
 
 } // namespace
 
-QStringList checkScene(QQuickItem& root, const TouchLimits& limits, const QImage& picture)
+QStringList checkScene(QQuickItem& root, const SceneLimits& limits, const QImage& picture)
 {
     QQuickItem* layer = &root;
-    for (const char* host : {"sheetHost", "keypadLoader"}) {
+    for (const char* host : {"firstStart", "sheetHost", "keypadLoader", "loginLoader"}) {
         QQuickItem* item = childNamed(root, QString::fromLatin1(host));
         if (item && !item->childItems().isEmpty())
             layer = item;

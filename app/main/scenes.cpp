@@ -2,7 +2,16 @@
 // Every page and dialog of the panel; see scenes.h.
 #include "app/main/scenes.h"
 
+#include "app/main/access_scenes.h"
+#include "app/main/alarm_scenes.h"
+#include "app/main/backup_scenes.h"
+#include "app/main/first_scenes.h"
 #include "app/main/packing_scenes.h"
+#include "app/main/recipe_scenes.h"
+#include "app/main/service_scenes.h"
+#include "app/main/trend_scenes.h"
+
+#include <QRegularExpression>
 
 namespace campanel::panel {
 namespace {
@@ -11,12 +20,30 @@ using Situation = DemoLink::Situation;
 using Kind = DemoLink::Kind;
 
 // A tap on each name in turn; the navigation is "nav0" (Run), "nav1" (Motion), "nav2" (Settings), "nav3"
-// (Service).
+// (Service), "nav6" (Alarms).
 Scene taps(const char* name, const QStringList& names)
 {
     return {QString::fromLatin1(name), [names](Stage& stage) {
                 for (const QString& tapped : names)
                     stage.tap(tapped);
+            }};
+}
+
+// What a finger is told that is held there.
+Scene held(const char* name, const QString& page, const QString& item)
+{
+    return {QString::fromLatin1(name), [page, item](Stage& stage) {
+                stage.tap(page);
+                stage.hold(item);
+            }};
+}
+
+// What is behind the key More, on a screen that has one; else a page as it is.
+Scene morePages(const char* name)
+{
+    return {QString::fromLatin1(name), [](Stage& stage) {
+                stage.tap(stage.find(QStringLiteral("navMore")) ? QStringLiteral("navMore")
+                                                                : QStringLiteral("nav0"));
             }};
 }
 
@@ -107,6 +134,7 @@ Scene service(const char* name, const QStringList& names, Situation situation = 
                 stage.link().show(situation);
                 stage.lookAtClock();
                 stage.tap(QStringLiteral("nav3"));
+                stage.tap(QStringLiteral("serviceLine"));
                 for (const QString& tapped : names)
                     stage.tap(tapped);
             }};
@@ -116,7 +144,7 @@ Scene searched(const char* name, bool isFound)
 {
     return {QString::fromLatin1(name), [isFound](Stage& stage) {
                 stage.link().show(Situation::Absent);
-                for (const char* tapped : {"nav3", "service0", "doctorSearch"})
+                for (const char* tapped : {"nav3", "serviceLine", "service0", "doctorSearch"})
                     stage.tap(QString::fromLatin1(tapped));
                 stage.link().endScan(isFound);
             }};
@@ -133,11 +161,16 @@ Scene reportPlaces(const char* name)
                         {QStringLiteral("/media/panel/OLD"), QStringLiteral("OLD"), true},
                         {folder.section(u'/', -1), QStringLiteral("reports"), false}};
                 });
-                for (const char* tapped : {"nav3", "service1", "figuresExport"})
+                for (const char* tapped : {"nav3", "serviceLine", "service1", "figuresExport"})
                     stage.tap(QString::fromLatin1(tapped));
                 stage.waitFor(files);
                 stage.tap(QStringLiteral("place0"));
             }};
+}
+
+bool matches(const QString& pattern, const QString& name)
+{
+    return pattern.isEmpty() || QRegularExpression::fromWildcard(pattern).match(name).hasMatch();
 }
 
 } // namespace
@@ -164,6 +197,10 @@ const QList<Scene>& allScenes()
              stage.tap(motion);
              stage.hold(QStringLiteral("field_baseSpeed"));
          }},
+        held("explanation-bags", run, QStringLiteral("bagNumbers")),
+        held("explanation-rate", run, QStringLiteral("packingRate")),
+        held("explanation-verdict", motion, QStringLiteral("verdictNumbers")),
+        morePages("more-pages"),
         taps("laws", {motion, QStringLiteral("lawButton")}),
         {QStringLiteral("laws-limits"),
          [=](Stage& stage) {
@@ -260,7 +297,7 @@ const QList<Scene>& allScenes()
         {QStringLiteral("faults"),
          [=](Stage& stage) {
              stage.link().setSimulated(true);
-             for (const char* name : {"nav3", "service4", "fault0often", "fault1sometimes"})
+             for (const char* name : {"nav3", "serviceLine", "service4", "fault0often", "fault1sometimes"})
                  stage.tap(QString::fromLatin1(name));
          }},
         running("run-press", Kind::Press),
@@ -319,26 +356,56 @@ const QList<Scene>& allScenes()
                  stage.tap(QString::fromLatin1(name));
          }},
     };
-    static const QList<Scene> all = scenes + packingScenes();
+    static const QList<Scene> all = scenes + packingScenes() + recipeScenes() + trendScenes() +
+                                    alarmScenes() + accessScenes() + firstScenes() + backupScenes() +
+                                    serviceScenes();
     return all;
 }
 
 QList<Look> allLooks()
 {
     QList<Look> looks;
+    const auto add = [&looks](const char* theme, const char* language, QSize size, bool gloves = false) {
+        looks.append({QString::fromLatin1(language), QString::fromLatin1(theme), size, gloves});
+    };
     for (const QSize size : {QSize(800, 480), QSize(1024, 600), QSize(1280, 800)}) {
-        for (const char* theme : {"light", "dark"}) {
-            for (const char* language : {"en", "zh_CN"})
-                looks.append({QString::fromLatin1(language), QString::fromLatin1(theme), size});
-        }
+        // A color moves no text and all three lay out the same: of dark and high contrast one language each
+        // at each size, in turn, is enough. With both the self-test took longer than four minutes.
+        const bool isMiddle = size.width() == 1024;
+        add("light", "en", size);
+        add("light", "zh_CN", size);
+        add("dark", isMiddle ? "zh_CN" : "en", size);
+        add("contrast", isMiddle ? "en" : "zh_CN", size);
+        add("light", "long", size);
+        add("light", "en", size, true);
     }
     return looks;
+}
+
+QList<Look> looksOf(const Selection& selection)
+{
+    QList<Look> looks = allLooks();
+    // With gloves and with longer texts a dozen pages do not hold yet; who asks for these looks sees which.
+    const bool isAsked = !selection.looks.isEmpty();
+    looks.removeIf([&](const Look& look) {
+        return isAsked ? !matches(selection.looks, look.name()) : look.gloves || look.isLong();
+    });
+    return looks;
+}
+
+QList<Scene> scenesOf(const Selection& selection)
+{
+    QList<Scene> scenes = allScenes();
+    scenes.removeIf([&](const Scene& scene) { return !matches(selection.scenes, scene.name); });
+    return scenes;
 }
 
 void enterScene(Stage& stage, const Scene& scene)
 {
     auto& editor = stage.panel().editor();
     stage.closeDialogs();
+    stage.panel().settings().endFirstStart();
+    forgetUsers(stage);
     editor.cancelDownload();
     editor.compareLaw({});
     while (editor.canUndo())
@@ -347,11 +414,16 @@ void enterScene(Stage& stage, const Scene& scene)
     stage.panel().service().doctor()->cancel();
     stage.panel().service().inspector()->setGroup({});
     stage.panel().service().inspector()->setNameFilter({});
+    stage.panel().service().jog()->letGo();
     stage.link().setSimulated(false);
     if (stage.link().setOld(false))
         stage.link().show(Situation::Empty);
     stage.link().show(Situation::Running);
     stage.panel().machine().dismissMessage();
+    stage.settle();
+    while (stage.panel().alarms().shelved()->count() > 0)
+        stage.panel().alarms().unshelve(0);
+    stage.panel().alarms().acknowledgeAll();
     stage.lookAtClock();
     scene.enter(stage);
     stage.settle();

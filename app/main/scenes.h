@@ -17,8 +17,18 @@ struct Scene {
 
 [[nodiscard]] const QList<Scene>& allScenes();
 
-// Every language, theme and size.
+// What the self-test and a capture look at: every language and size in the light theme, in the others what
+// their colors could change; gloves, and texts that are longer.
 [[nodiscard]] QList<Look> allLooks();
+
+// Patterns as of a shell ("run*"). Without one: all scenes, and all looks but gloves and longer texts.
+struct Selection {
+    QString looks;
+    QString scenes;
+};
+
+[[nodiscard]] QList<Look> looksOf(const Selection& selection);
+[[nodiscard]] QList<Scene> scenesOf(const Selection& selection);
 
 // From wherever the stage is to the scene.
 void enterScene(Stage& stage, const Scene& scene);

@@ -3,7 +3,6 @@
 #include "app/main/self_test.h"
 
 #include "app/main/scene_checks.h"
-#include "app/main/scenes.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -19,10 +18,15 @@ void noteMessage(QtMsgType type, const QMessageLogContext&, const QString& messa
         g_warnings += message;
 }
 
-TouchLimits limitsOf(Stage& stage)
+SceneLimits limitsOf(Stage& stage)
 {
     const auto* size = stage.theme()->property("size").value<QObject*>();
-    return {size->property("touch").toDouble(), size->property("commandKey").toDouble()};
+    const auto* color = stage.theme()->property("color").value<QObject*>();
+    const double touch = size->property("touch").toDouble();
+    return {touch,
+            touch / size->property("reach").toDouble(),
+            size->property("commandKey").toDouble(),
+            {color->property("textContrast").toDouble(), color->property("largeTextContrast").toDouble()}};
 }
 
 QStringList checkStop(Stage& stage)
@@ -33,13 +37,13 @@ QStringList checkStop(Stage& stage)
                                                 : QStringList(QStringLiteral("Stop cannot be reached"));
 }
 
-QStringList checkLook(const Look& look)
+QStringList checkLook(const Look& look, const QList<Scene>& scenes)
 {
     QStringList faults;
     Stage stage(look);
     if (!stage.isReady())
         return {QStringLiteral("the window cannot be loaded")};
-    for (const Scene& scene : allScenes()) {
+    for (const Scene& scene : scenes) {
         enterScene(stage, scene);
         const QStringList found = checkScene(stage.root(), limitsOf(stage), stage.grab()) + checkStop(stage);
         for (const QString& fault : found)
@@ -50,21 +54,22 @@ QStringList checkLook(const Look& look)
 
 } // namespace
 
-int selfTest()
+int selfTest(const Selection& selection)
 {
+    const QList<Look> looks = looksOf(selection);
+    const QList<Scene> scenes = scenesOf(selection);
     const QtMessageHandler before = qInstallMessageHandler(noteMessage);
     qsizetype faults = 0;
-    for (const Look& look : allLooks()) {
+    for (const Look& look : looks) {
         g_warnings.clear();
-        const QStringList found = checkLook(look) + g_warnings;
+        const QStringList found = checkLook(look, scenes) + g_warnings;
         for (const QString& fault : found)
             std::fprintf(stderr, "%s: %s\n", qPrintable(look.name()), qPrintable(fault));
         faults += found.size();
     }
     qInstallMessageHandler(before);
-    std::printf("%lld pages and dialogs in %lld looks: %lld faults\n",
-                static_cast<long long>(allScenes().size()), static_cast<long long>(allLooks().size()),
-                static_cast<long long>(faults));
+    std::printf("%lld pages and dialogs in %lld looks: %lld faults\n", static_cast<long long>(scenes.size()),
+                static_cast<long long>(looks.size()), static_cast<long long>(faults));
     return faults == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 

@@ -3,9 +3,11 @@
 // small target or unreachable Stop.
 #pragma once
 
+#include "app/main/scenes.h"
+
 namespace campanel::panel {
 
 // The exit code for main().
-[[nodiscard]] int selfTest();
+[[nodiscard]] int selfTest(const Selection& selection);
 
 } // namespace campanel::panel

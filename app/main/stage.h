@@ -4,17 +4,22 @@
 
 #include "app/main/demo_link.h"
 #include "app/main/finger.h"
+#include "app/main/long_texts.h"
 
+#include <QEventLoop>
 #include <QTemporaryDir>
+#include <QTimer>
 
 namespace campanel::panel {
 
 struct Look {
-    QString language;
+    QString language; // of Settings.languages, or "long": English texts that are longer, see long_texts.h
     QString theme;
     QSize size;
+    bool gloves = false;
 
-    [[nodiscard]] QString name() const; // "light-en-1024x600"
+    [[nodiscard]] bool isLong() const;
+    [[nodiscard]] QString name() const; // "light-en-1024x600", "light-en-1024x600-gloves"
 };
 
 class Stage : public Finger {
@@ -26,16 +31,41 @@ public:
     [[nodiscard]] DemoLink& link() { return m_link; }
     [[nodiscard]] Panel& panel() { return m_panel; }
 
+    using Finger::tap;
+    // A page whose key is not in the navigation, as in glove mode on a small screen, is behind the key More.
+    void tap(const QString& name);
     // The machine looks at the age of its data now; by itself it does so every tenth of a real second.
     void lookAtClock();
     // Until it has found what there is.
     void waitFor(machine::KnotFiles& files);
     void waitFor(machine::ReportFiles& files);
+    // Until it has read what it was asked for so far; its store must be open.
+    void waitForTrends();
+    void waitFor(machine::RecipeFiles& files);
+
+    // Until `condition` holds, looked at whenever the object emits that signal.
+    template <typename Object, typename Signal, typename Condition>
+    void waitUntil(Object& object, Signal signal, Condition condition)
+    {
+        QEventLoop untilTrue;
+        QObject::connect(&object, signal, &untilTrue, [&] {
+            if (condition(object))
+                untilTrue.quit();
+        });
+        constexpr int patienceMs = 10000;
+        QTimer::singleShot(patienceMs, &untilTrue, &QEventLoop::quit);
+        if (!condition(object))
+            untilTrue.exec();
+        if (!condition(object))
+            complain(QStringLiteral("what was waited for did not come"));
+        settle();
+    }
 
 private:
     template <typename Files> void waitUntilIdle(Files& files);
 
     QTemporaryDir m_folder;
+    std::unique_ptr<LongTexts> m_longTexts; // installed before the panel has any text
     DemoLink m_link{nullptr};
     Panel m_panel;
     bool m_isReady = false;

@@ -72,6 +72,9 @@ public:
     explicit CurvePlot(QQuickItem* parent = nullptr);
 
     void paint(QPainter* painter) override;
+    // Everything but cursor and trace, in the size of the item, without the image between: lines stay lines
+    // on paper. The item needs no window.
+    void print(QPainter& painter);
 
     // Between s, values and px of the item. NaN where there is no such panel; values that lie outside are not
     // clamped. These bring the layout up to date first, so they are not const.
@@ -157,6 +160,7 @@ private:
     [[nodiscard]] QRectF traceStrip(double fromS, double toS);
 
     void paintImage();
+    void paintStatic(QPainter& painter) const;
     void paintMarkers(QPainter& painter) const;
     void paintTints(QPainter& painter) const;
     void paintTitles(QPainter& painter) const;

@@ -44,6 +44,19 @@ void CurvePlot::paintImage()
 {
     m_image.fill(Qt::transparent);
     QPainter painter(&m_image);
+    paintStatic(painter);
+    m_imageValid = true;
+    ++m_staticPaintCount;
+}
+
+void CurvePlot::print(QPainter& painter)
+{
+    ensureLayout();
+    paintStatic(painter);
+}
+
+void CurvePlot::paintStatic(QPainter& painter) const
+{
     const PlotStyle look = style();
     paintTints(painter);
     for (const PlotPanel& panel : m_panels) {
@@ -55,8 +68,6 @@ void CurvePlot::paintImage()
     }
     paintTitles(painter);
     paintTimeLabels(painter, look);
-    m_imageValid = true;
-    ++m_staticPaintCount;
 }
 
 void CurvePlot::paintTints(QPainter& painter) const

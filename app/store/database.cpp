@@ -51,9 +51,14 @@ StoreError::Kind kindOf(int code)
     return StoreError::Kind::Failed;
 }
 
-// The file and what its write-ahead log left, under another name; false when it cannot be moved.
-QString moveAside(const QString& path)
+// The file and what its write-ahead log left, under another name; empty when it cannot be moved.
+QString moveAside(const QString& path, const DatabaseFile& file)
 {
+    if (!file.isPrecious) {
+        QDir folder = QFileInfo(path).dir();
+        for (const QString& old : folder.entryList({file.name + u".damaged-*"_s}, QDir::Files))
+            folder.remove(old);
+    }
     const QString stamp = QDateTime::currentDateTimeUtc().toString(u"yyyyMMdd-HHmmss"_s);
     const QString aside = u"%1.damaged-%2"_s.arg(path, stamp);
     if (!QFile::rename(path, aside))
@@ -65,13 +70,20 @@ QString moveAside(const QString& path)
 
 } // namespace
 
+const DatabaseFile& mainDatabase()
+{
+    static const DatabaseFile file{u"campanel.sqlite"_s, &migrations, true};
+    return file;
+}
+
 int schemaVersion()
 {
     return static_cast<int>(migrations().size());
 }
 
-Database::Database(QString path)
+Database::Database(QString path, const DatabaseFile& file)
     : m_path(std::move(path))
+    , m_file(file)
     , m_connection(QUuid::createUuid().toString())
     , m_database(QSqlDatabase::addDatabase(u"QSQLITE"_s, m_connection))
 {
@@ -85,6 +97,11 @@ Database::~Database()
     QSqlDatabase::removeDatabase(m_connection);
 }
 
+bool Database::isInMemory() const
+{
+    return m_path == inMemoryPath;
+}
+
 void Database::close()
 {
     m_database.close();
@@ -95,17 +112,18 @@ StoreError Database::errorOf(const QSqlError& error) const
     return {kindOf(error.nativeErrorCode().toInt()), m_path, error.databaseText()};
 }
 
-tl::expected<std::unique_ptr<Database>, StoreError> Database::open(const QString& folder)
+tl::expected<std::unique_ptr<Database>, StoreError> Database::open(const QString& folder,
+                                                                   const DatabaseFile& file)
 {
     if (!QDir().mkpath(folder))
         return tl::unexpected(StoreError{StoreError::Kind::CannotOpen, folder,
                                          StoreErrorText::tr("the folder cannot be made")});
-    const QString path = QDir(folder).filePath(u"campanel.sqlite"_s);
+    const QString path = QDir(folder).filePath(file.name);
     const QString copy = path + u".copy"_s;
     Opening opening;
     opening.isNew = !QFileInfo::exists(path);
     for (int attempt = 0;; ++attempt) {
-        std::unique_ptr<Database> database(new Database(path));
+        std::unique_ptr<Database> database(new Database(path, file));
         const auto connected = database->connect();
         const bool isDamaged =
             connected ? !database->isSound() : connected.error().kind == StoreError::Kind::Damaged;
@@ -118,16 +136,29 @@ tl::expected<std::unique_ptr<Database>, StoreError> Database::open(const QString
         }
         database.reset();
         // The second time the copy is what is damaged: begin with an empty one.
-        opening.damagedKeptAs = moveAside(path);
+        opening.damagedKeptAs = moveAside(path, file);
         if (opening.damagedKeptAs.isEmpty())
             return tl::unexpected(StoreError{StoreError::Kind::Damaged, path, {}});
         opening.fromCopy = attempt == 0 && QFile::copy(copy, path);
     }
 }
 
-std::unique_ptr<Database> Database::inMemory()
+tl::expected<std::unique_ptr<Database>, StoreError> Database::openAnew(const QString& folder,
+                                                                       const DatabaseFile& file)
 {
-    std::unique_ptr<Database> database(new Database(inMemoryPath));
+    const QString path = QDir(folder).filePath(file.name);
+    const QString kept = moveAside(path, file);
+    if (kept.isEmpty())
+        return tl::unexpected(StoreError{StoreError::Kind::Damaged, path, {}});
+    auto database = open(folder, file);
+    if (database)
+        (*database)->m_opening.damagedKeptAs = kept;
+    return database;
+}
+
+std::unique_ptr<Database> Database::inMemory(const DatabaseFile& file)
+{
+    std::unique_ptr<Database> database(new Database(inMemoryPath, file));
     if (database->connect())
         (void)database->migrate(); // an empty one takes every statement
     database->m_opening.isNew = true;
@@ -138,8 +169,10 @@ tl::expected<void, StoreError> Database::connect()
 {
     if (!m_database.open())
         return tl::unexpected(errorOf(m_database.lastError()));
-    for (const QString& pragma : {u"PRAGMA journal_mode = WAL"_s, u"PRAGMA synchronous = FULL"_s,
-                                  u"PRAGMA foreign_keys = ON"_s, u"PRAGMA busy_timeout = 5000"_s}) {
+    const QString synchronous =
+        m_file.isPrecious ? u"PRAGMA synchronous = FULL"_s : u"PRAGMA synchronous = NORMAL"_s;
+    for (const QString& pragma : {u"PRAGMA journal_mode = WAL"_s, synchronous, u"PRAGMA foreign_keys = ON"_s,
+                                  u"PRAGMA busy_timeout = 5000"_s}) {
         if (const auto done = execute(pragma); !done)
             return tl::unexpected(done.error());
     }
@@ -148,6 +181,8 @@ tl::expected<void, StoreError> Database::connect()
 
 bool Database::isSound()
 {
+    if (!m_file.isPrecious)
+        return true;
     auto check = execute(u"PRAGMA quick_check(1)"_s);
     return check && check->next() && check->value(0).toString() == u"ok";
 }
@@ -157,20 +192,22 @@ tl::expected<void, StoreError> Database::migrate()
     auto asked = execute(u"PRAGMA user_version"_s);
     if (!asked || !asked->next())
         return tl::unexpected(asked ? StoreError{StoreError::Kind::Damaged, m_path, {}} : asked.error());
+    const std::vector<QStringList>& steps = m_file.steps();
+    const int newest = static_cast<int>(steps.size());
     const int found = asked->value(0).toInt();
     asked->finish();
-    if (found > schemaVersion())
+    if (found > newest)
         return tl::unexpected(StoreError{StoreError::Kind::NewerSchema, m_path, QString::number(found)});
-    m_opening.migratedFrom = found > 0 && found < schemaVersion() ? found : 0;
+    m_opening.migratedFrom = found > 0 && found < newest ? found : 0;
     return transaction([&]() -> tl::expected<void, StoreError> {
-        for (int version = found; version < schemaVersion(); ++version) {
-            for (const QString& statement : migrations()[static_cast<std::size_t>(version)]) {
+        for (int version = found; version < newest; ++version) {
+            for (const QString& statement : steps[static_cast<std::size_t>(version)]) {
                 if (const auto done = execute(statement); !done)
                     return tl::unexpected(done.error());
             }
         }
         // A pragma takes no bound value.
-        const auto noted = execute(u"PRAGMA user_version = %1"_s.arg(schemaVersion()));
+        const auto noted = execute(u"PRAGMA user_version = %1"_s.arg(newest));
         return noted ? tl::expected<void, StoreError>() : tl::unexpected(noted.error());
     });
 }
@@ -181,11 +218,21 @@ Database::Result Database::execute(const QString& statement, std::initializer_li
     query.setForwardOnly(true);
     if (!query.prepare(statement))
         return tl::unexpected(errorOf(query.lastError()));
-    for (const QVariant& value : values)
-        query.addBindValue(value);
+    for (const QVariant& value : values) {
+        // An empty text, not NULL: that is a QVariant without a value.
+        const bool isEmptyText = value.typeId() == QMetaType::QString && value.toString().isEmpty();
+        query.addBindValue(isEmptyText ? QVariant(u""_s) : value);
+    }
     if (!query.exec())
         return tl::unexpected(errorOf(query.lastError()));
     return query;
+}
+
+tl::expected<void, StoreError> Database::stepped(const QSqlQuery& query) const
+{
+    if (query.lastError().type() == QSqlError::NoError)
+        return {};
+    return tl::unexpected(errorOf(query.lastError()));
 }
 
 tl::expected<void, StoreError>
@@ -206,7 +253,7 @@ Database::transaction(const std::function<tl::expected<void, StoreError>()>& wor
 
 tl::expected<void, StoreError> Database::makeCopy()
 {
-    if (m_path == inMemoryPath)
+    if (isInMemory())
         return {};
     const QString copy = m_path + u".copy"_s;
     const QString fresh = copy + u".new"_s;

@@ -51,7 +51,7 @@ QList<Place> exchangePlaces(const QString& ownFolder)
         // A volume without a label is known by its folder.
         const QString label = volume.name();
         places << Place{volume.rootPath(), label.isEmpty() ? QFileInfo(volume.rootPath()).fileName() : label,
-                        isReadOnly};
+                        isReadOnly, true};
     }
     QDir().mkpath(ownFolder);
     places << Place{QDir(ownFolder).absolutePath(), FileErrorText::tr("This panel"),

@@ -15,6 +15,7 @@ struct Place {
     QString path; // absolute
     QString name; // as a person knows it
     bool isReadOnly = false;
+    bool isRemovable = false; // a stick
 
     bool operator==(const Place&) const = default;
 };

@@ -6,6 +6,9 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 namespace campanel::store {
 
 tl::expected<QByteArray, FileError> readBytes(const QString& path)
@@ -26,6 +29,18 @@ tl::expected<void, FileError> replaceBytes(const QString& path, const QByteArray
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.flush() ||
         !file.commit())
         return tl::unexpected(FileError{FileError::Kind::NotWritable, path, {}, file.errorString(), {}, 0});
+    return {};
+}
+
+tl::expected<void, FileError> settle(const QString& path)
+{
+    const int file = ::open(QFile::encodeName(path).constData(), O_RDONLY | O_CLOEXEC);
+    const bool isSettled = file >= 0 && ::syncfs(file) == 0;
+    const QString reason = isSettled ? QString() : qt_error_string();
+    if (file >= 0)
+        ::close(file);
+    if (!isSettled)
+        return tl::unexpected(FileError{FileError::Kind::NotWritable, path, {}, reason, {}, 0});
     return {};
 }
 

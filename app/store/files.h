@@ -14,5 +14,8 @@ namespace campanel::store {
 [[nodiscard]] tl::expected<QByteArray, FileError> readBytes(const QString& path);
 // The file is the old one or the new one, also after a power cut.
 [[nodiscard]] tl::expected<void, FileError> replaceBytes(const QString& path, const QByteArray& bytes);
+// Brings all that was written to the file system of `path` onto its medium, names too. The system's reason on
+// failure.
+[[nodiscard]] tl::expected<void, FileError> settle(const QString& path);
 
 } // namespace campanel::store

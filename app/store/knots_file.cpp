@@ -2,6 +2,7 @@
 #include "app/store/knots_file.h"
 
 #include "app/store/files.h"
+#include "app/store/new_file.h"
 #include "profile/knots_csv.h"
 #include "profile/point_cam.h"
 
@@ -116,13 +117,8 @@ QString exportPath(const QString& recipeName, const Place& place)
 tl::expected<QString, QString> exportKnots(std::span<const profile::Knot> knots, const QString& recipeName,
                                            const Place& place)
 {
-    const QString path = exportPath(recipeName, place);
-    if (const auto written = writeKnots(knots, path); !written)
-        return tl::unexpected(
-            FileErrorText::tr("%1 Make room there, unlock the stick or choose another place.",
-                              "%1: whole sentence")
-                .arg(written.error()));
-    return path;
+    return writeNewFile(place, recipeName, QStringLiteral("csv"),
+                        QByteArray::fromStdString(profile::writeKnotsCsv(knots)));
 }
 
 } // namespace campanel::store

@@ -5,19 +5,30 @@
 #include "app/store/files.h"
 
 #include <QDir>
+#include <QFile>
 
 namespace campanel::store {
 
 tl::expected<QString, QString> writeNewFile(const Place& place, const QString& name, const QString& suffix,
                                             const QByteArray& bytes)
 {
+    return writeNewFile(place, name, suffix, [&bytes](const QString& path) {
+        return replaceBytes(path, bytes).map_error([](const FileError& error) { return error.found; });
+    });
+}
+
+tl::expected<QString, QString> writeNewFile(const Place& place, const QString& name, const QString& suffix,
+                                            const FileWriter& write)
+{
     const QString path = freePath(place, name, suffix);
-    if (const auto written = replaceBytes(path, bytes); !written)
+    const auto written = write(path).and_then(
+        [&path] { return settle(path).map_error([](const FileError& error) { return error.found; }); });
+    if (!written)
         return tl::unexpected(
             FileErrorText::tr("%1 Make room there, unlock the stick or choose another place.",
                               "%1: whole sentence")
                 .arg(FileErrorText::tr("The file %1 cannot be written: %2.")
-                         .arg(QDir::toNativeSeparators(path), written.error().found)));
+                         .arg(QDir::toNativeSeparators(path), written.error())));
     return path;
 }
 

@@ -7,7 +7,10 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include <algorithm>
+
 namespace campanel::store {
+
 QString backupPath(const QString& path)
 {
     return path + QStringLiteral(".bak");
@@ -27,6 +30,19 @@ tl::expected<void, FileError> writeRecipe(const program::Recipe& recipe, const Q
             return kept;
     }
     return replaceBytes(path, toJson(recipe));
+}
+
+QList<RecipeOffer> offeredRecipes(const QList<Place>& places)
+{
+    constexpr qsizetype mostFiles = 200; // of one place
+    QList<RecipeOffer> offers;
+    for (const Place& place : places) {
+        for (const QFileInfo& file : filesIn(place, QStringLiteral("json"), mostFiles))
+            offers << RecipeOffer{file.filePath(), place.name, file.lastModified(),
+                                  readRecipe(file.filePath())};
+    }
+    std::ranges::stable_sort(offers, std::ranges::greater(), &RecipeOffer::changed);
+    return offers;
 }
 
 } // namespace campanel::store

@@ -3,7 +3,10 @@
 // one; the copy before it stays beside it as FILE.bak.
 #pragma once
 
+#include "app/store/exchange_places.h"
 #include "app/store/recipe_json.h"
+
+#include <QDateTime>
 
 namespace campanel::store {
 
@@ -14,5 +17,16 @@ namespace campanel::store {
 
 // Name of the copy that writeRecipe() keeps of the last good file.
 [[nodiscard]] QString backupPath(const QString& path);
+
+// A file that can be looked at before anything is taken from it.
+struct RecipeOffer {
+    QString path;
+    QString placeName;
+    QDateTime changed;
+    tl::expected<program::Recipe, FileError> recipe;
+};
+
+// The JSON files of the places, newest first. Waits for the disk.
+[[nodiscard]] QList<RecipeOffer> offeredRecipes(const QList<Place>& places);
 
 } // namespace campanel::store

@@ -22,6 +22,10 @@ QString StoreErrorText::describe(const StoreError& error)
         return tr("The disk is full. What was saved before is kept; make room and save again.");
     case StoreError::Kind::ReadOnly:
         return tr("The panel's memory %1 is write-protected. Check the disk and its permissions.").arg(path);
+    case StoreError::Kind::TrendsAnew:
+        return tr("The records of bags and trends were damaged and begin anew. The damaged file is kept as "
+                  "%1.")
+            .arg(QDir::toNativeSeparators(error.detail));
     case StoreError::Kind::Refused:
     case StoreError::Kind::Failed:
         return tr("The panel's memory did not take this: %1.").arg(error.detail);

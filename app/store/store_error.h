@@ -12,10 +12,11 @@ struct StoreError {
         CannotOpen,  // `detail` is the system's reason
         NewerSchema, // written by a newer version of this program
         Damaged,
-        Full,     // no room on the disk
-        ReadOnly, // the disk or the file
-        Refused,  // by a rule of the tables; `detail` says which
-        Failed    // `detail` is the database's sentence
+        Full,       // no room on the disk
+        ReadOnly,   // the disk or the file
+        TrendsAnew, // bags and trends were damaged and begin anew; `detail` is where the damaged file is
+        Refused,    // by a rule of the tables; `detail` says which
+        Failed      // `detail` is the database's sentence
     };
 
     Kind kind = Kind::Failed;

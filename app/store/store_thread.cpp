@@ -3,22 +3,36 @@
 
 namespace campanel::store {
 
-StoreThread::StoreThread(const QString& folder, QObject* parent)
+StoreThread::StoreThread(const QString& folder, const DatabaseFile& file, QObject* parent)
     : QObject(parent)
+    , m_folder(folder)
+    , m_file(file)
     , m_worker(std::make_unique<QObject>())
 {
     qRegisterMetaType<Report>();
     m_thread.setObjectName(QStringLiteral("store"));
     m_worker->moveToThread(&m_thread);
-    QMetaObject::invokeMethod(m_worker.get(), [this, folder] {
-        Report report;
-        auto database = Database::open(folder);
-        if (!database)
-            report.error = database.error();
-        m_database = database ? std::move(*database) : Database::inMemory();
-        report.opening = m_database->opening();
-        QMetaObject::invokeMethod(this, [this, report] { emit opened(report); });
+    QMetaObject::invokeMethod(m_worker.get(), [this] { take(Database::open(m_folder, m_file)); });
+}
+
+void StoreThread::beginAnew()
+{
+    QMetaObject::invokeMethod(m_worker.get(), [this] {
+        if (m_database->isInMemory())
+            return;
+        m_database.reset();
+        take(Database::openAnew(m_folder, m_file));
     });
+}
+
+void StoreThread::take(tl::expected<std::unique_ptr<Database>, StoreError> database)
+{
+    Report report;
+    if (!database)
+        report.error = database.error();
+    m_database = database ? std::move(*database) : Database::inMemory(m_file);
+    report.opening = m_database->opening();
+    QMetaObject::invokeMethod(this, [this, report] { emit opened(report); });
 }
 
 void StoreThread::open()

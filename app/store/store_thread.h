@@ -26,11 +26,14 @@ public:
     };
 
     // The database is in `folder`.
-    explicit StoreThread(const QString& folder, QObject* parent = nullptr);
+    explicit StoreThread(const QString& folder, const DatabaseFile& file = mainDatabase(),
+                         QObject* parent = nullptr);
     ~StoreThread() override;
 
     // From now on; opened() tells what came of it. Jobs that were handed in before wait for it.
     void open();
+    // A job has found the file damaged: it is moved aside and another one begun; opened() tells of it.
+    void beginAnew();
 
     // `job` is called with the Database in its thread, then `done` with what it returned in the thread of
     // `context`, unless that is gone by then.
@@ -52,6 +55,10 @@ signals:
     void opened(const campanel::store::StoreThread::Report& report);
 
 private:
+    void take(tl::expected<std::unique_ptr<Database>, StoreError> database); // in m_thread
+
+    QString m_folder;
+    DatabaseFile m_file;
     QThread m_thread;
     std::unique_ptr<QObject> m_worker;    // lives in m_thread
     std::unique_ptr<Database> m_database; // made, used and destroyed there

@@ -26,6 +26,8 @@ T.AbstractButton {
             spacing: Theme.size.outline
             Label {
                 width: parent.width
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption - 2
                 text: entry.text
                 color: entry.enabled ? Theme.color.ink : Theme.color.disabledInk
                 font.weight: Font.DemiBold

@@ -65,6 +65,8 @@ T.AbstractButton {
                 width: key.width - Theme.size.spacing
                 horizontalAlignment: Text.AlignHCenter
                 wrapMode: Text.WordWrap
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption - 4
                 text: key.note
                 color: key.ready ? key.inkColor : Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption

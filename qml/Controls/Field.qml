@@ -20,6 +20,7 @@ T.AbstractButton {
     implicitHeight: Theme.size.touch
     onPressAndHold: field.explain()
 
+    readonly property bool below: compact && caption.lineCount < 2    // the unit; a long label takes its room
     readonly property int inset: compact ? Theme.size.spacing + Theme.size.outline : Theme.size.padding
 
     background: Rectangle {
@@ -37,17 +38,25 @@ T.AbstractButton {
             text: field.label
             color: Theme.color.secondaryInk
             font.pixelSize: Theme.size.caption
+            // In two lines before it gets too small to be read.
+            wrapMode: title.advanceWidth * (Theme.size.caption - 2) > width * Theme.size.caption ? Text.WordWrap : Text.NoWrap
             fontSizeMode: Text.HorizontalFit
             minimumPixelSize: Theme.size.caption - 2
+            lineHeight: lineCount > 1 ? 0.85 : 1
+            TextMetrics {
+                id: title
+                font: Theme.captionFont
+                text: field.label
+            }
         }
         Label {
             id: number
             x: field.inset
-            width: parent.width - 2 * field.inset - (field.compact ? 0 : suffix.width + Theme.size.spacing)
+            width: parent.width - 2 * field.inset - (field.below ? 0 : suffix.width + Theme.size.spacing)
             anchors.top: caption.bottom
-            anchors.bottom: field.compact ? suffix.top : parent.bottom
-            anchors.topMargin: field.compact ? 0 : -Theme.size.accent
-            anchors.bottomMargin: field.compact ? 0 : Theme.size.accent
+            anchors.bottom: field.below ? suffix.top : parent.bottom
+            anchors.topMargin: field.below ? 0 : -Theme.size.accent
+            anchors.bottomMargin: field.below ? 0 : Theme.size.accent
             text: field.value
             color: field.derived ? Theme.color.secondaryInk : Theme.color.ink
             fontSizeMode: Text.Fit
@@ -57,8 +66,8 @@ T.AbstractButton {
         }
         Label {
             id: suffix
-            x: field.compact ? field.inset : parent.width - width - field.inset
-            y: field.compact ? parent.height - height - field.inset + Theme.size.outline
+            x: field.below ? field.inset : parent.width - width - field.inset
+            y: field.below ? parent.height - height - field.inset + Theme.size.outline
                 : number.y + number.baselineOffset - baselineOffset
             text: field.unit
             color: Theme.color.secondaryInk

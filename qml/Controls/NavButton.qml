@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One page in the navigation; the current page has a tint and an accent at its edge.
+// One page in the navigation; the current page has a tint and an accent at its edge, one that calls has a number.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T
@@ -9,8 +9,9 @@ T.AbstractButton {
     id: button
 
     required property string glyph
-    property color accentColor: Theme.color.touch
-    readonly property color inkColor: checked || down ? accentColor : Theme.color.secondaryInk
+    property int calls                     // how many times; 0: not
+    property color callColor: Theme.color.fault
+    readonly property color inkColor: checked || down ? Theme.color.touch : calls > 0 ? callColor : Theme.color.secondaryInk
 
     background: Rectangle {
         color: button.checked || button.down ? Theme.color.touchTint : "transparent"
@@ -18,21 +19,44 @@ T.AbstractButton {
             visible: button.checked
             width: Theme.size.accent
             height: parent.height
-            color: button.accentColor
+            color: Theme.color.touch
         }
     }
     Item {
         anchors.fill: parent
+        Rectangle {
+            id: badge
+            visible: button.calls > 0
+            x: keys.x + mark.x + mark.width
+            y: keys.y
+            width: Math.max(height, number.implicitWidth + Theme.size.spacing)
+            height: number.implicitHeight
+            radius: height / 2
+            color: button.callColor
+            Label {
+                id: number
+                objectName: "navCalls"
+                anchors.centerIn: parent
+                text: button.calls > 99 ? "99+" : button.calls
+                color: Theme.color.touchInk
+                font { pixelSize: 0.85 * Theme.size.caption; bold: true }
+            }
+        }
         Column {
+            id: keys
             anchors.centerIn: parent
             spacing: Theme.size.accent
             IconLabel {
+                id: mark
                 anchors.horizontalCenter: parent.horizontalCenter
                 code: button.glyph
                 color: button.inkColor
             }
             Label {
                 anchors.horizontalCenter: parent.horizontalCenter
+                width: Math.min(implicitWidth, button.width - Theme.size.accent)
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption - 4
                 text: button.text
                 color: button.inkColor
                 font { pixelSize: Theme.size.caption; weight: button.checked ? Font.Bold : Font.DemiBold }

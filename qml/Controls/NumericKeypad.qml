@@ -47,7 +47,7 @@ Card {
     }
     Item {
         id: header
-        anchors { left: parent.left; right: parent.right; top: parent.top; margins: Theme.size.padding; topMargin: Theme.size.spacing }
+        anchors { left: parent.left; right: parent.right; top: parent.top; margins: Theme.size.padding; topMargin: Math.max(Theme.size.spacing, Theme.size.accent) }
         height: Math.max(Math.round(1.3 * (Theme.size.value + Theme.size.caption)), keypad.height - 4 * Theme.size.commandKey - 2 * Theme.size.accent - Theme.size.spacing)
 
         Label {

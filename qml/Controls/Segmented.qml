@@ -41,6 +41,7 @@ Rectangle {
                         anchors.centerIn: parent
                         spacing: Theme.size.spacing
                         IconLabel {
+                            id: sign
                             anchors.verticalCenter: parent.verticalCenter
                             visible: code.length > 0
                             code: choice.modelData.glyph ?? ""
@@ -48,6 +49,10 @@ Rectangle {
                         }
                         Label {
                             anchors.verticalCenter: parent.verticalCenter
+                            visible: text.length > 0
+                            width: Math.min(implicitWidth, choice.width - 2 * Theme.size.accent - (sign.visible ? sign.width + Theme.size.spacing : 0))
+                            fontSizeMode: Text.HorizontalFit
+                            minimumPixelSize: Theme.size.caption - 4
                             text: choice.modelData.text
                             color: choice.ink
                             font.weight: choice.holds ? Font.Bold : Font.DemiBold

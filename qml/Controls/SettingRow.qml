@@ -29,7 +29,7 @@ T.AbstractButton {
                 width: parent.width
                 text: row.label
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 2
+                minimumPixelSize: Theme.size.caption - 4
                 color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
             }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Language and theme; both change at once, on every page.
+// Language, theme and keys for gloves; all change at once, on every page.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -11,7 +11,8 @@ SettingsSection {
 
     readonly property var themeChoices: ({
         light: { key: "light", text: qsTr("Light"), glyph: Theme.icon.light },
-        dark: { key: "dark", text: qsTr("Dark"), glyph: Theme.icon.dark }
+        dark: { key: "dark", text: qsTr("Dark"), glyph: Theme.icon.dark },
+        contrast: { key: "contrast", text: qsTr("High contrast"), glyph: Theme.icon.contrast }
     })
 
     readonly property var languages: Settings.languages
@@ -26,17 +27,46 @@ SettingsSection {
         y: section.bodyTop
         width: parent.width
         spacing: Theme.size.spacing
-        Label {
-            text: qsTr("Language")
-            color: Theme.color.secondaryInk
-        }
-        Segmented {
-            objectName: "languageChoice"
+        Row {
+            id: upper
+            readonly property real half: (width - spacing) / 2
             width: parent.width
-            height: section.keyHeight
-            choices: section.languages.map((key, i) => ({ key: key, text: Settings.languageNames[i] }))
-            current: Settings.language
-            onChosen: key => Settings.language = key
+            spacing: Theme.size.gap
+            Column {
+                width: upper.half
+                spacing: Theme.size.spacing
+                Label {
+                    text: qsTr("Language")
+                    color: Theme.color.secondaryInk
+                }
+                Segmented {
+                    objectName: "languageChoice"
+                    width: parent.width
+                    height: section.keyHeight
+                    choices: section.languages.map((key, i) => ({ key: key, text: Settings.languageNames[i], name: "language_" + key }))
+                    current: Settings.language
+                    onChosen: key => Settings.language = key
+                }
+            }
+            Column {
+                width: upper.half
+                spacing: Theme.size.spacing
+                Label {
+                    width: parent.width
+                    fontSizeMode: Text.HorizontalFit
+                    minimumPixelSize: Theme.size.caption - 2
+                    text: qsTr("Keys for gloves")
+                    color: Theme.color.secondaryInk
+                }
+                Segmented {
+                    objectName: "glovesChoice"
+                    width: parent.width
+                    height: section.keyHeight
+                    choices: [{ key: false, text: qsTr("Off"), name: "glovesOff" }, { key: true, text: qsTr("On"), name: "glovesOn" }]
+                    current: Settings.gloves
+                    onChosen: key => Settings.gloves = key
+                }
+            }
         }
         Item { width: 1; height: Theme.size.spacing }
         Label {
@@ -55,7 +85,7 @@ SettingsSection {
         Label {
             width: parent.width
             wrapMode: Text.WordWrap
-            text: qsTr("Light for a bright hall, dark for the night shift. Numbers and units follow the language.")
+            text: qsTr("Light for a bright hall, dark for the night shift, high contrast for tired eyes or a dirty screen. For gloves all keys are a quarter larger. Numbers and units follow the language.")
             color: Theme.color.secondaryInk
         }
     }

@@ -12,9 +12,12 @@ Rectangle {
 
     property int page
     property bool showsPages               // off until the frame itself is on the screen: Start and Stop come first
-    readonly property list<string> sources: ["RunPage.qml", "MotionPage.qml", "SettingsPage.qml", "ServicePage.qml"]
+    readonly property list<string> sources: ["RunPage.qml", "MotionPage.qml", "SettingsPage.qml", "ServicePage.qml", "RecipesPage.qml",
+        "TrendsPage.qml", "AlarmsPage.qml"]
     // What is not on the screen at the start is named by its file: naming its type would load it at once.
     readonly property url explanation: "../Widgets/ExplanationSheet.qml"
+    readonly property url numbersExplained: "../Widgets/NumbersSheet.qml"
+    readonly property url morePages: "../Widgets/PagesSheet.qml"
     property alias clockRuns: topBar.clockRuns
     property alias now: topBar.now
     property var sheet: null               // the open dialog
@@ -27,19 +30,42 @@ Rectangle {
     function openSheet(sheet: Component, values: var): void {
         frame.closeAll()
         frame.sheet = sheet.createObject(sheetHost, Object.assign({ width: Qt.binding(() => sheetHost.width), height: Qt.binding(() => sheetHost.height) }, values))
-        frame.sheet.closed.connect(frame.closeAll)
+        const opened = frame.sheet
+        opened.closed.connect(() => frame.closeSheet(opened))
+    }
+    function openMorePages(): void {
+        frame.openSheet(Qt.createComponent(frame.morePages), { pages: navigation.pagesBehind, current: frame.page })
+        frame.sheet.chosen.connect(page => frame.openPage(page))
+    }
+    // Another one may have taken its place by then.
+    function closeSheet(sheet: var): void {
+        if (frame.sheet !== sheet)
+            return
+        frame.closeKeypad()
+        frame.sheet.destroy()
+        frame.sheet = null
     }
     function closeAll(): void {
         frame.closeKeypad()
+        loginLoader.active = false
         if (frame.sheet)
             frame.sheet.destroy()
         frame.sheet = null
+    }
+    // Whoever may do what needs that level logs in, above whatever is open.
+    function openLogin(level: int): void {
+        if (loginLoader.active)
+            return
+        loginLoader.setSource("../Widgets/LoginSheet.qml", { level: level })
+        loginLoader.active = true
     }
     function closeKeypad(): void {
         keypadLoader.active = false
         frame.shift = 0
     }
     function edit(fields: var, index: int, source: Item): void {
+        if (!Access.ask((fields[index] as EditorField).neededLevel))
+            return
         const right = source.mapToItem(overlay, source.width, 0).x - frame.shift
         keypadLoader.setSource("KeypadOverlay.qml", { fields: fields, index: index, field: source })
         keypadLoader.active = true
@@ -75,12 +101,18 @@ Rectangle {
                         target: loader.item as Page
                         function onEditRequested(fields: var, index: int, source: Item) { frame.edit(fields, index, source) }
                         function onExplainRequested(field: EditorField) { frame.openSheet(Qt.createComponent(frame.explanation), { field: field }) }
+                        function onNumbersExplainRequested(quantities: var) { frame.openSheet(Qt.createComponent(frame.numbersExplained), { quantities: quantities }) }
                         function onSheetRequested(sheet: Component) { frame.openSheet(sheet, {}) }
                     }
                     Binding {
                         target: loader.item
                         property: "bottomInset"
                         value: banner.shown ? banner.height + Theme.size.gap : 0
+                    }
+                    Binding {
+                        target: loader.item
+                        property: "covered"
+                        value: frame.sheet !== null || keypadLoader.active || loginLoader.active
                     }
                 }
             }
@@ -92,15 +124,24 @@ Rectangle {
     }
     NavigationBar {
         id: navigation
-        anchors { left: parent.left; top: topBar.bottom; bottom: parent.bottom }
+        anchors { left: parent.left; top: parent.top; bottom: parent.bottom }
         current: frame.page
-        attention: banner.attention
         onChosen: page => frame.openPage(page)
-        onAttentionRequested: banner.putAside = ""
+        onMoreChosen: frame.openMorePages()
     }
     TopBar {
         id: topBar
-        anchors { left: parent.left; right: parent.right; top: parent.top }
+        anchors { left: navigation.right; right: parent.right; top: parent.top }
+    }
+    // What of the navigation stands above the sheets' region is dimmed with the rest of it.
+    Rectangle {
+        anchors { left: navigation.left; right: navigation.right; top: parent.top; bottom: topBar.bottom }
+        visible: frame.sheet !== null || loginLoader.active || firstStart.active
+        color: Theme.color.scrim
+        MouseArea {
+            anchors.fill: parent
+            onClicked: frame.closeAll()
+        }
     }
     // Sheets and keypad live here: everything but the top bar and the command column.
     Item {
@@ -108,6 +149,22 @@ Rectangle {
         objectName: "overlay"
         anchors { left: parent.left; right: commands.left; rightMargin: Theme.size.spacing; top: topBar.bottom; bottom: parent.bottom }
 
+        Loader {
+            id: firstStart
+            objectName: "firstStart"
+            anchors.fill: parent
+            active: Settings.firstStart && frame.showsPages
+            source: "FirstStart.qml"
+            transform: Translate { x: frame.shift }
+            Connections {
+                target: firstStart.item
+                ignoreUnknownSignals: true
+                function onEditRequested(fields: var, index: int, source: Item) { frame.edit(fields, index, source) }
+                function onExplainRequested(field: EditorField) { frame.openSheet(Qt.createComponent(frame.explanation), { field: field }) }
+                function onSheetRequested(sheet: Component) { frame.openSheet(sheet, {}) }
+                function onFinished() { frame.openPage(1) }
+            }
+        }
         Item {
             id: sheetHost
             objectName: "sheetHost"
@@ -123,6 +180,23 @@ Rectangle {
                 target: keypadLoader.item
                 ignoreUnknownSignals: true
                 function onClosed() { frame.closeKeypad() }
+            }
+        }
+        Loader {
+            id: loginLoader
+            objectName: "loginLoader"
+            anchors.fill: parent
+            active: false
+            Connections {
+                target: loginLoader.item
+                ignoreUnknownSignals: true
+                function onClosed() { loginLoader.active = false }
+            }
+            Connections {
+                target: Access
+                function onLoginRequested(level: int) { frame.openLogin(level) }
+                function onLoginSucceeded() { loginLoader.active = false }
+                function onLeftAlone() { frame.openPage(0) }
             }
         }
     }

@@ -45,7 +45,10 @@ SettingsSection {
                 height: section.rowHeight
                 label: qsTr("Bag tolerance")
                 value: qsTr("±%1 mm").arg(Theme.number(Settings.bagToleranceMm, 2))
-                onClicked: section.page.sheetRequested(toleranceKeypad)
+                onClicked: {
+                    if (Access.ask(Access.Technician))
+                        section.page.sheetRequested(toleranceKeypad)
+                }
             }
         }
     }

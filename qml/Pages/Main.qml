@@ -31,6 +31,7 @@ Window {
         function onFrameSwapped() { nextTurn.start() }
     }
     Binding { target: Theme; property: "name"; value: Settings.theme }
+    Binding { target: Theme; property: "gloves"; value: Settings.gloves }
     Binding { target: Theme; property: "language"; value: Settings.language }
     Binding { target: Theme; property: "window"; value: Qt.size(window.width, window.height) }
     Binding {

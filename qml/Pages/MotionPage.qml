@@ -53,6 +53,7 @@ Page {
         visible: page.bottomInset === 0    // a banner takes its place
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
         onDownloadRequested: page.sheetRequested(page.downloadSheet)
+        onExplainRequested: quantities => page.numbersExplainRequested(quantities)
     }
 
     readonly property Component lawSheet: Component {
@@ -77,7 +78,12 @@ Page {
         KnotFilesSheet { onKnotsTaken: page.sheetRequested(page.knotSheet) }
     }
     readonly property Component kindSheet: Component {
-        KindSheet {}
+        KindSheet {
+            onChosen: key => {
+                Editor.newProgram(key)
+                closed()
+            }
+        }
     }
     readonly property Component downloadSheet: Component {
         DownloadSheet { onProofRequested: page.sheetRequested(page.proofSheet) }

@@ -61,6 +61,8 @@ ServiceSection {
                 text: qsTr("Sensor to knife …")
                 enabled: section.setup.available
                 onClicked: {
+                    if (!Access.ask(Access.Technician))
+                        return
                     section.setup.wizard.restart()
                     section.page.sheetRequested(wizardSheet)
                 }
@@ -79,7 +81,7 @@ ServiceSection {
             objectName: "packing" + index
             width: list.width - 2 * Theme.size.accent
             onClicked: {
-                if (toggle)
+                if (toggle || !Access.ask(Access.Technician))
                     return
                 section.fields.select(index)
                 section.page.sheetRequested(valueSheet)

@@ -98,7 +98,10 @@ ServiceSection {
             enabled: section.inspector.canWrite
             kind: Button.Primary
             text: qsTr("Write …")
-            onClicked: section.page.sheetRequested(valueSheet)
+            onClicked: {
+                if (Access.ask(Access.Service))
+                    section.page.sheetRequested(valueSheet)
+            }
         }
     }
 

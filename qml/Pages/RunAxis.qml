@@ -11,6 +11,7 @@ Item {
 
     readonly property int gap: Theme.size.gap
     property real bottomInset
+    signal explainRequested(var quantities)
     readonly property bool isCam: Machine.activeKind === 4    // Editor.Kind.PointCam
     readonly property real upper: Math.round((height - gap) * (isCam ? 0.4 : 0.28))
     readonly property real start: isCam ? dial.width + gap : 0
@@ -71,5 +72,6 @@ Item {
     SpeedCard {
         anchors { left: parent.left; right: parent.right; top: parent.top; topMargin: view.upper + view.gap + (view.isCam ? direction.height + view.gap : 0); bottom: parent.bottom; bottomMargin: view.bottomInset }
         title: qsTr("Axis speed mm/s")
+        onExplainRequested: quantities => view.explainRequested(quantities)
     }
 }

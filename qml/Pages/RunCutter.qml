@@ -11,6 +11,7 @@ Item {
 
     readonly property int gap: Theme.size.gap
     property real bottomInset
+    signal explainRequested(var quantities)
     readonly property real upper: Math.round((height - gap) * 0.48)
 
     DialCard {
@@ -26,6 +27,8 @@ Item {
         value: Machine.rateBagsPerMin
         decimals: 1
         caption: qsTr("bags/min")
+        quantities: [Explanations.Rate]
+        onExplainRequested: quantities => view.explainRequested(quantities)
     }
     NumberCard {
         anchors { left: rate.left; right: rate.right; top: rate.bottom; topMargin: view.gap }
@@ -37,9 +40,11 @@ Item {
     BagCard {
         anchors { left: rate.right; leftMargin: view.gap; right: parent.right }
         height: view.upper
+        onExplainRequested: quantities => view.explainRequested(quantities)
     }
     SpeedCard {
         anchors { left: parent.left; right: parent.right; top: dial.bottom; topMargin: view.gap; bottom: parent.bottom; bottomMargin: view.bottomInset }
         title: qsTr("Knife speed mm/s")
+        onExplainRequested: quantities => view.explainRequested(quantities)
     }
 }

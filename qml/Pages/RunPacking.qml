@@ -14,6 +14,7 @@ Item {
     readonly property real room: height - bottomInset - 2 * gap
     readonly property Component details: PackingSheet {}
     signal sheetRequested(sheet: Component)
+    signal explainRequested(var quantities)
 
     NumberCard {
         id: rate
@@ -24,26 +25,32 @@ Item {
         decimals: 1
         caption: qsTr("bags/min · %1 bags").arg(Theme.count(Machine.bagCount, 0))
         captionColor: Machine.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
+        quantities: [Explanations.Rate]
+        onExplainRequested: quantities => view.explainRequested(quantities)
     }
     BagStrip {
         anchors { left: rate.right; leftMargin: view.gap; right: parent.right }
         height: rate.height
+        onExplainRequested: quantities => view.explainRequested(quantities)
     }
     FilmCard {
         id: film
         anchors { left: parent.left; right: parent.right; top: rate.bottom; topMargin: view.gap }
         height: Math.round(view.room * 0.36)
         onTapped: view.sheetRequested(view.details)
+        onExplainRequested: quantities => view.explainRequested(quantities)
     }
     SpeedCard {
         anchors { left: parent.left; right: leftOut.left; rightMargin: view.gap; top: film.bottom; topMargin: view.gap; bottom: leftOut.bottom }
         compact: Theme.size.name === "small"
         title: qsTr("Knife speed mm/s")
+        onExplainRequested: quantities => view.explainRequested(quantities)
     }
     LeftOutCard {
         id: leftOut
         anchors { right: parent.right; top: film.bottom; topMargin: view.gap; bottom: parent.bottom; bottomMargin: view.bottomInset }
         width: Math.round((view.width - view.gap) * 0.36)
         onTapped: view.sheetRequested(view.details)
+        onExplainRequested: quantities => view.explainRequested(quantities)
     }
 }

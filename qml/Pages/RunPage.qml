@@ -20,6 +20,7 @@ Page {
     Connections {
         target: loader.item
         ignoreUnknownSignals: true
+        function onExplainRequested(quantities: var) { page.numbersExplainRequested(quantities) }
         function onSheetRequested(sheet: Component) { page.sheetRequested(sheet) }
     }
     Binding {

@@ -12,6 +12,7 @@ Item {
 
     readonly property int gap: Theme.size.gap
     property real bottomInset
+    signal explainRequested(var quantities)
     readonly property real upper: Math.round((height - gap) * 0.26)
     readonly property real cell: (width - 2 * gap) / 3
 
@@ -40,6 +41,8 @@ Item {
         height: view.upper
         text: Machine.strokes.count > 0 ? Theme.count(Machine.strokes.goodCount, 0) + " / " + Theme.count(Machine.strokes.count, 0) : Theme.unknownText
         caption: qsTr("good of the last strokes")
+        quantities: [Explanations.GoodStrokes]
+        onExplainRequested: quantities => view.explainRequested(quantities)
     }
     StageStrip {
         id: stages

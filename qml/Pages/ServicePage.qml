@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Service: what a technician needs of the line and the controller, one section at a time in the full width.
+// Service: what a technician needs, one section at a time in the full width. Three groups: the line to the controller, the machine, and what the panel keeps.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -10,31 +10,53 @@ import CamPanel.Machine
 Page {
     id: page
 
-    property int section
-    readonly property var always: [
+    property int group
+    property var chosen: [0, 0, 0]         // the key of each group's section
+    readonly property var line: [
         { key: 0, name: "service0", text: qsTr("Link doctor"), source: "DoctorSection.qml" },
         { key: 1, name: "service1", text: qsTr("Figures"), source: "FiguresSection.qml" },
         { key: 2, name: "service2", text: qsTr("Registers"), source: "RegistersSection.qml" },
-        { key: 3, name: "service3", text: qsTr("Frames"), source: "FramesSection.qml" },
-        { key: 4, name: "servicePacking", text: qsTr("Packing"), source: "PackingSection.qml" }
+        { key: 3, name: "service3", text: qsTr("Frames"), source: "FramesSection.qml" }
     ]
-    readonly property var simulatedOnly: [{ key: 5, name: "service4", text: qsTr("Faults"), source: "LineFaultsSection.qml" }]
-    readonly property var sections: Machine.simulated ? page.always.concat(page.simulatedOnly) : page.always
-    readonly property int shown: Math.min(page.section, page.sections.length - 1)
+    readonly property var simulatedLine: page.line.concat([{ key: 4, name: "service4", text: qsTr("Faults"), source: "LineFaultsSection.qml" }])
+    readonly property var machine: [
+        { key: 0, name: "serviceJog", text: qsTr("Jog"), source: "JogSection.qml" },
+        { key: 1, name: "serviceHoming", text: qsTr("Homing"), source: "HomingSection.qml" },
+        { key: 2, name: "serviceIo", text: qsTr("I/O"), source: "IoSection.qml" },
+        { key: 3, name: "servicePacking", text: qsTr("Packing"), source: "PackingSection.qml" },
+        { key: 4, name: "serviceDryRun", text: qsTr("Dry run"), source: "DryRunSection.qml" }
+    ]
+    readonly property var memory: [{ key: 0, name: "serviceBackup", text: qsTr("Backup"), source: "BackupSection.qml" }]
+    readonly property var groups: [
+        { key: 0, name: "serviceLine", text: "", glyph: Theme.icon.serialPort },
+        { key: 1, name: "serviceMachine", text: "", glyph: Theme.icon.machine },
+        { key: 2, name: "servicePanel", text: "", glyph: Theme.icon.save }
+    ]
+    readonly property var all: [Machine.simulated ? page.simulatedLine : page.line, page.machine, page.memory]
+    readonly property var shown: page.all[page.group][Math.min(page.chosen[page.group], page.all[page.group].length - 1)]
 
     Segmented {
-        id: tabs
-        anchors { left: parent.left; right: parent.right; top: parent.top }
+        id: groupKeys
+        anchors { left: parent.left; top: parent.top }
+        width: page.groups.length * Theme.size.touch
         color: Theme.color.surface
-        choices: page.sections
-        current: page.shown
-        onChosen: key => page.section = key
+        choices: page.groups
+        current: page.group
+        onChosen: key => page.group = key
+    }
+    Segmented {
+        id: tabs
+        anchors { left: groupKeys.right; leftMargin: Theme.size.spacing; right: parent.right; top: parent.top }
+        color: Theme.color.surface
+        choices: page.all[page.group]
+        current: page.shown.key
+        onChosen: key => page.chosen = page.chosen.map((before, group) => group === page.group ? key : before)
     }
     Card {
         anchors { left: parent.left; right: parent.right; top: tabs.bottom; topMargin: Theme.size.spacing; bottom: parent.bottom; bottomMargin: page.bottomInset }
         Loader {
             anchors { fill: parent; margins: Theme.size.padding }
-            source: page.always.concat(page.simulatedOnly)[page.shown].source
+            source: page.shown.source
             onLoaded: (item as ServiceSection).page = page
         }
     }

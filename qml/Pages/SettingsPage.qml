@@ -11,10 +11,11 @@ Page {
 
     property int section
     readonly property var sections: [
-        { text: qsTr("Display"), note: qsTr("language, light or dark"), source: "DisplaySection.qml" },
-        { text: qsTr("Connection"), note: qsTr("simulated or serial port"), source: "ConnectionSection.qml" },
-        { text: qsTr("Machine"), note: qsTr("drive, gear, motor limits"), source: "MachineSection.qml" },
-        { text: qsTr("About"), note: qsTr("version, safety"), source: "AboutSection.qml" }
+        { name: "section0", text: qsTr("Display"), note: qsTr("language, theme, gloves"), source: "DisplaySection.qml" },
+        { name: "section1", text: qsTr("Connection"), note: qsTr("simulated or serial port"), source: "ConnectionSection.qml" },
+        { name: "section2", text: qsTr("Machine"), note: qsTr("drive, gear, motor limits"), source: "MachineSection.qml" },
+        { name: "sectionUsers", text: qsTr("Users"), note: qsTr("PINs, levels, audit"), source: "UsersSection.qml" },
+        { name: "section3", text: qsTr("About"), note: qsTr("version, safety"), source: "AboutSection.qml" }
     ]
 
     Card {
@@ -30,7 +31,7 @@ Page {
                 ChoiceRow {
                     required property int index
                     required property var modelData
-                    objectName: "section" + index
+                    objectName: modelData.name
                     width: menu.width
                     height: (menu.height - (page.sections.length - 1) * menu.spacing) / page.sections.length
                     text: modelData.text

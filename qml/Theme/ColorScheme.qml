@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The names of all colors; a scheme (light, dark) gives them values. Nothing outside this folder names a color.
+// The names of all colors; a scheme (light, dark, high contrast) gives them values. Nothing outside this folder names a color.
 pragma ComponentBehavior: Bound
 import QtQuick
 
 QtObject {
     required property bool dark
+    required property real textContrast       // least contrast of a text with what is behind it, 1 to 21
+    required property real largeTextContrast  // of one of 24 px, bold from 19 px
     required property color ground        // behind the cards
     required property color surface       // cards, bars
     required property color inset         // fields and plots inside a card

@@ -3,6 +3,8 @@
 pragma ComponentBehavior: Bound
 ColorScheme {
     dark: true
+    textContrast: 4.5
+    largeTextContrast: 3
     ground: "#11161B"
     surface: "#1A2128"
     inset: "#222B33"

@@ -9,7 +9,7 @@ SizeClass {
     diagonalInch: 10.1
     topBar: 68
     navigation: 108
-    gap: 14
+    wideGap: 14
     padding: 16
     radius: 10
     sideColumn: 352

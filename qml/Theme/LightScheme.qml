@@ -3,6 +3,8 @@
 pragma ComponentBehavior: Bound
 ColorScheme {
     dark: false
+    textContrast: 4.5
+    largeTextContrast: 3
     ground: "#E7EBEE"
     surface: "#FFFFFF"
     inset: "#F3F5F7"

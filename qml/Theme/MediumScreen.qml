@@ -9,7 +9,7 @@ SizeClass {
     diagonalInch: 7
     topBar: 56
     navigation: 88
-    gap: 12
+    wideGap: 12
     padding: 12
     radius: 8
     sideColumn: 290

@@ -9,7 +9,7 @@ QtObject {
     required property real diagonalInch
     required property int topBar
     required property int navigation
-    required property int gap             // between cards and to the edge
+    required property int wideGap         // between cards and to the edge, for a bare finger
     required property int padding         // inside a card
     required property int radius
     required property int sideColumn      // the column of fields at the left
@@ -27,11 +27,14 @@ QtObject {
     required property int curve           // width of a drawn curve
 
     property real pixelsPerMm: Math.hypot(screen.width, screen.height) / diagonalInch / 25.4
+    property real reach: 1                // how much larger than for a bare finger what is touched has to be
     readonly property int hairline: 1
     readonly property int outline: 2
     readonly property int accent: 4
-    readonly property int touch: Math.round(12 * pixelsPerMm)
-    readonly property int commandKey: Math.floor(18 * pixelsPerMm)
-    readonly property int spacing: Math.round(padding / 2)
+    readonly property int touch: Math.round(12 * reach * pixelsPerMm)
+    readonly property int commandKey: Math.floor(18 * reach * pixelsPerMm)
+    // The room for larger keys comes from what is between them.
+    readonly property int gap: reach > 1 ? Math.round(wideGap / 3) : wideGap
+    readonly property int spacing: Math.round(padding / (reach > 1 ? 4 : 2))
     readonly property int actionBar: touch + 2 * spacing + hairline * 4
 }

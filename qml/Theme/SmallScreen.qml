@@ -9,7 +9,7 @@ SizeClass {
     diagonalInch: 7
     topBar: 44
     navigation: 72
-    gap: 8
+    wideGap: 8
     padding: 8
     radius: 6
     sideColumn: 232

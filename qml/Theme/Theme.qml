@@ -14,7 +14,9 @@ QtObject {
     property real screenPixelsPerMm: 0
     property bool animated: true
 
-    readonly property ColorScheme color: name === "dark" ? theme.dark : theme.light
+    property bool gloves: false            // keys for a hand in a glove
+
+    readonly property ColorScheme color: name === "dark" ? theme.dark : name === "contrast" ? theme.contrast : theme.light
     readonly property SizeClass size: theme.window.width >= 1200 && theme.window.height >= 720 ? theme.large
         : theme.window.width >= 960 && theme.window.height >= 560 ? theme.medium : theme.small
     readonly property IconCodes icon: IconCodes {}
@@ -26,9 +28,11 @@ QtObject {
     readonly property int shortTime: theme.animated ? 120 : 0
     readonly property int longPressTime: 600
     readonly property int clockTime: 1000
+    readonly property int lookAgainTime: 2000
 
     readonly property ColorScheme light: LightScheme {}
     readonly property ColorScheme dark: DarkScheme {}
+    readonly property ColorScheme contrast: HighContrastScheme {}
     readonly property SizeClass small: SmallScreen {}
     readonly property SizeClass medium: MediumScreen {}
     readonly property SizeClass large: LargeScreen {}
@@ -38,6 +42,12 @@ QtObject {
         property: "pixelsPerMm"
         value: theme.screenPixelsPerMm
         when: theme.screenPixelsPerMm > 0
+    }
+
+    readonly property Binding reach: Binding {
+        target: theme.size
+        property: "reach"
+        value: theme.gloves ? 1.25 : 1
     }
 
     // A number as text in the panel's language; a value that is not known is "--", never 0. Digits are grouped in counts only.

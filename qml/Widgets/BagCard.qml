@@ -10,6 +10,8 @@ import CamPanel.Plot
 Card {
     id: card
 
+    signal explainRequested(var quantities)
+
     readonly property bool measured: !isNaN(Machine.bagLengthMm)
     readonly property color figureColor: Machine.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
 
@@ -72,6 +74,9 @@ Card {
         id: foot
         objectName: "toleranceText"
         anchors { left: caption.left; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
+        width: Math.min(implicitWidth, chart.width / 2)
+        fontSizeMode: Text.HorizontalFit
+        minimumPixelSize: Theme.size.caption - 4
         text: qsTr("tolerance ±%1 mm").arg(Theme.number(Machine.bagToleranceMm, 2))
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
@@ -79,8 +84,16 @@ Card {
     Label {
         anchors { right: chart.right; verticalCenter: foot.verticalCenter }
         visible: card.measured
+        width: Math.min(implicitWidth, chart.width / 2 - Theme.size.accent)
+        fontSizeMode: Text.HorizontalFit
+        minimumPixelSize: Theme.size.caption - 4
         text: qsTr("last %1").arg(Theme.signedNumber(Machine.bagDeviationMm, 2))
         color: card.figureColor
         font.pixelSize: Theme.size.caption
+    }
+    Explained {
+        objectName: "bagNumbers"
+        quantities: [Explanations.BagMean, Explanations.BagScatter, Explanations.BagDeviation]
+        onExplainRequested: quantities => card.explainRequested(quantities)
     }
 }

@@ -10,6 +10,8 @@ import CamPanel.Plot
 Card {
     id: card
 
+    signal explainRequested(var quantities)
+
     readonly property bool measured: !isNaN(Machine.bagMeanMm)
     readonly property color figureColor: Machine.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
     readonly property var deviations: Machine.bagSeries
@@ -95,5 +97,10 @@ Card {
         text: qsTr("%1 of %2 within").arg(Machine.bagsWithin).arg(card.deviations.length)
         color: !Machine.fresh ? Theme.color.disabledInk : Machine.bagsWithin < card.deviations.length ? Theme.color.fault : Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
+    }
+    Explained {
+        objectName: "bagNumbers"
+        quantities: [Explanations.BagMean, Explanations.BagScatter, Explanations.BagsWithin, Explanations.BagDeviation]
+        onExplainRequested: quantities => card.explainRequested(quantities)
     }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which sentence the operator must see now: a Stop that waits, the answer to a command, an active alarm, a lost link. Alarms can be put
-// aside; a waiting Stop is withdrawn or sent.
+// aside and stay on the Alarms page, where acknowledging them puts them aside too; a waiting Stop is withdrawn or sent.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -22,9 +22,8 @@ Item {
     readonly property string answer: Machine.commandMessage.length > 0 ? Machine.commandMessage
         : Editor.notice.length > 0 ? Editor.notice : Records.notice.length > 0 ? Records.notice : refusal
     readonly property bool stopShown: Machine.stopWaits
-    readonly property bool alarmShown: !stopShown && answer.length === 0 && alarm.length > 0 && alarm !== putAside
+    readonly property bool alarmShown: !stopShown && answer.length === 0 && alarm.length > 0 && alarm !== putAside && !Alarms.seen
     readonly property bool shown: stopShown || answer.length > 0 || alarmShown
-    readonly property bool attention: alarm.length > 0 && alarm === putAside
 
     function accept() {
         if (host.stopShown) {

@@ -40,7 +40,9 @@ Item {
         id: stopKey
         objectName: "stopKey"
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
-        height: (parent.height - Theme.size.gap) / 2
+        // Half of the column, unless what is above needs more of it.
+        height: Math.max(Theme.size.commandKey, Math.min((parent.height - Theme.size.gap) / 2,
+            parent.height - (column.between ? 2 : 1) * (Theme.size.commandKey + Theme.size.gap)))
         glyph: Theme.icon.stop
         square: true
         filled: true

@@ -29,7 +29,7 @@ Item {
         width: parent.width * 0.26
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 2
+        minimumPixelSize: Theme.size.caption - 4
         text: row.activeText
         color: Theme.color.secondaryInk
         font.pixelSize: row.header ? Theme.size.caption : Theme.size.body
@@ -40,7 +40,7 @@ Item {
         width: parent.width * 0.28 - Theme.size.padding
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 2
+        minimumPixelSize: Theme.size.caption - 4
         text: row.editedText
         color: row.header ? Theme.color.secondaryInk : Theme.color.touch
         font { pixelSize: row.header ? Theme.size.caption : Theme.size.body; weight: row.header ? Font.Normal : Font.Bold }

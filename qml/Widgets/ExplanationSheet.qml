@@ -13,7 +13,7 @@ Sheet {
 
     title: field.label
     panelWidth: width * 0.75
-    panelHeight: height * 0.7
+    panelHeight: height * 0.8
 
     Readout {
         id: number
@@ -27,8 +27,8 @@ Sheet {
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
         minimumPixelSize: Theme.size.caption
-        text: sheet.field.explanation.length > 0 ? sheet.field.explanation
-            : qsTr("This number is given, not derived. It may be from %1 to %2.")
+        text: sheet.field.derived ? sheet.field.explanation
+            : sheet.field.explanation + (sheet.field.explanation.length > 0 ? "\n" : "") + qsTr("This number is given, not derived. It may be from %1 to %2.")
                 .arg(Theme.number(sheet.field.minimum, sheet.field.decimals)).arg(Theme.number(sheet.field.maximum, sheet.field.decimals))
         lineHeight: 1.2
     }

@@ -35,7 +35,7 @@ Column {
                 height: parent.height
                 text: figure.label
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 3
+                minimumPixelSize: Theme.size.caption - 5
                 font.pixelSize: Theme.size.caption
             }
             Label {

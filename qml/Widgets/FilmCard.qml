@@ -15,6 +15,7 @@ Card {
     readonly property bool follows: line.markState === PackingLine.Tracking
     readonly property bool marksUsed: line.markState !== PackingLine.Off && line.markState !== PackingLine.Unknown
     signal tapped()
+    signal explainRequested(var quantities)
 
     IconLabel {
         id: sign
@@ -98,9 +99,10 @@ Card {
             value: Theme.locale
         }
     }
-    MouseArea {
+    Explained {
         objectName: "filmCard"
-        anchors.fill: parent
+        quantities: [Explanations.MarkError]
+        onExplainRequested: quantities => card.explainRequested(quantities)
         onClicked: card.tapped()
     }
 }

@@ -18,8 +18,4 @@ ListPicker {
     note: qsTr("Takes the place of the recipe on this page; Undo brings it back")
     current: Editor.kind
     choices: sheet.names.map((text, index) => ({ key: index + 1, text: text, note: sheet.notes[index] }))
-    onChosen: key => {
-        Editor.newProgram(key)
-        sheet.closed()
-    }
 }

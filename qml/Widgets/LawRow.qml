@@ -52,7 +52,7 @@ T.AbstractButton {
                     rightPadding: Theme.size.accent
                     horizontalAlignment: Text.AlignRight
                     fontSizeMode: Text.HorizontalFit
-                    minimumPixelSize: Theme.size.caption - 3
+                    minimumPixelSize: Theme.size.caption - 5
                     text: modelData
                     color: row.header ? Theme.color.secondaryInk : row.usable ? Theme.color.ink : Theme.color.secondaryInk
                     font { pixelSize: Theme.size.caption; weight: row.header ? Font.Normal : Font.DemiBold }

@@ -12,6 +12,7 @@ Card {
     readonly property PackingLine line: Machine.packing
     readonly property color inkColor: Machine.fresh && line.fresh ? Theme.color.ink : Theme.color.disabledInk
     signal tapped()
+    signal explainRequested(var quantities)
 
     component Figure: Item {
         id: figure
@@ -58,15 +59,20 @@ Card {
             objectName: "lastSkip"
             visible: card.line.lastSkipText.length > 0
             width: parent.width
+            height: Math.max(Theme.size.caption, card.height - Theme.size.padding - y)
+            verticalAlignment: Text.AlignTop
             wrapMode: Text.WordWrap
+            fontSizeMode: Text.Fit
+            minimumPixelSize: Theme.size.caption - 4
             text: qsTr("Last: %1").arg(card.line.lastSkipText)
             color: card.inkColor
             font.pixelSize: Theme.size.caption
         }
     }
-    MouseArea {
+    Explained {
         objectName: "leftOutCard"
-        anchors.fill: parent
+        quantities: [Explanations.FilmSaved]
+        onExplainRequested: quantities => card.explainRequested(quantities)
         onClicked: card.tapped()
     }
 }

@@ -1,27 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pages at the left, and below them a bell while something wants attention that was put aside.
+// The pages at the left, on a screen that is too low for all of them the last ones behind the key More; the key of the alarms counts what wants to be acknowledged.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Machine
 
 Rectangle {
     id: bar
 
     required property int current
-    required property bool attention
     signal chosen(int page)
-    signal attentionRequested()
+    signal moreChosen()
 
     // `page` as the frame numbers them; from top to bottom as they stand here.
     readonly property var pages: [
         { page: 0, text: qsTr("Run"), glyph: Theme.icon.run },
         { page: 1, text: qsTr("Motion"), glyph: Theme.icon.motion },
+        { page: 4, text: qsTr("Recipes"), glyph: Theme.icon.recipes },
+        { page: 5, text: qsTr("Trends"), glyph: Theme.icon.trends },
+        { page: 6, text: qsTr("Alarms"), glyph: Theme.icon.alarm },
         { page: 3, text: qsTr("Service"), glyph: Theme.icon.service },
         { page: 2, text: qsTr("Settings"), glyph: Theme.icon.settings }
     ]
 
-    implicitWidth: Theme.size.navigation
+    // Seven pages fit into the height of each screen with keys that a finger hits, but not always a glove.
+    readonly property bool fits: Math.floor(height / pages.length) >= Theme.size.touch
+    readonly property int inFront: 5
+    readonly property var pagesBehind: fits ? [] : pages.slice(inFront)
+    readonly property var keys: fits ? pages : pages.slice(0, inFront).concat([{ page: -1, text: qsTr("More"), glyph: Theme.icon.more }])
+    readonly property real keyHeight: Math.min(Math.max(Theme.size.navigation, Theme.size.touch), Math.floor(height / keys.length))
+
+    implicitWidth: Math.max(Theme.size.navigation, Theme.size.touch + Theme.size.hairline)
     color: Theme.color.surface
 
     Rectangle {
@@ -33,29 +43,20 @@ Rectangle {
     Column {
         width: parent.width
         Repeater {
-            model: bar.pages
+            model: bar.keys
             NavButton {
                 required property var modelData
-                objectName: "nav" + modelData.page
+                readonly property bool isMore: modelData.page < 0
+                objectName: isMore ? "navMore" : "nav" + modelData.page
                 width: bar.width - Theme.size.hairline
-                height: Theme.size.navigation
+                height: bar.keyHeight
                 text: modelData.text
                 glyph: modelData.glyph
-                checked: bar.current === modelData.page
-                onClicked: bar.chosen(modelData.page)
+                checked: isMore ? bar.pagesBehind.some(behind => behind.page === bar.current) : bar.current === modelData.page
+                calls: modelData.page === 6 ? Alarms.unacknowledged : 0
+                callColor: Alarms.callingSeverity === Alarms.Severity.Fault ? Theme.color.fault : Theme.color.warning
+                onClicked: isMore ? bar.moreChosen() : bar.chosen(modelData.page)
             }
         }
-    }
-    NavButton {
-        objectName: "attention"
-        anchors.bottom: parent.bottom
-        visible: bar.attention
-        width: bar.width - Theme.size.hairline
-        height: Theme.size.navigation
-        text: qsTr("Alarm")
-        glyph: Theme.icon.alarm
-        accentColor: Theme.color.fault
-        checked: true
-        onClicked: bar.attentionRequested()
     }
 }

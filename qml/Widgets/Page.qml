@@ -6,8 +6,11 @@ import CamPanel.Machine
 
 Item {
     property real bottomInset              // taken by a banner at the lower edge
+    property bool covered                  // a sheet, a keypad or the login lies above it
 
     signal editRequested(var fields, int index, Item source)
     signal explainRequested(EditorField field)
+    // Some of Explanations, told in one sheet.
+    signal numbersExplainRequested(var quantities)
     signal sheetRequested(Component sheet)
 }

@@ -13,9 +13,16 @@ Sheet {
     property string chosenDetail
     property bool chosenUsable
 
-    readonly property ReportFiles files: Service.files
+    property ReportFiles files: Service.files
     readonly property string hint: sheet.files.busy ? qsTr("Looking …") : qsTr("Choose the place of the new files.")
 
+    // A stick is found when it is plugged in.
+    Timer {
+        interval: Theme.lookAgainTime
+        repeat: true
+        running: sheet.chosen < 0
+        onTriggered: sheet.files.refresh()
+    }
     ListView {
         id: list
         objectName: "reportPlaces"

@@ -9,6 +9,8 @@ import CamPanel.Machine
 Card {
     id: card
 
+    signal explainRequested(var quantities)
+
     required property string title
     property bool compact                  // there is no room for many words
     readonly property color traceColor: Machine.fresh ? Theme.color.touch : Theme.color.disabledInk
@@ -35,21 +37,36 @@ Card {
     Label {
         id: caption
         anchors { left: parent.left; top: parent.top; leftMargin: Theme.size.padding; topMargin: Theme.size.spacing }
+        width: Math.min(implicitWidth, 0.3 * card.width)
+        fontSizeMode: Text.HorizontalFit
+        minimumPixelSize: Theme.size.caption - 4
         text: card.title
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }
     Row {
+        id: keys
         anchors { right: parent.right; rightMargin: Theme.size.padding; verticalCenter: caption.verticalCenter }
         spacing: card.compact ? Theme.size.spacing : Theme.size.padding
         Label {
             objectName: "followingError"
-            text: (card.compact ? qsTr("error %1 mm") : qsTr("following error %1 mm")).arg(Theme.number(Machine.followingErrorMm, 2))
+            id: followingError
+            readonly property real room: 0.7 * card.width - 3 * Theme.size.padding - target.width - actual.width - 2 * keys.spacing
+            width: Math.min(implicitWidth, room)
+            fontSizeMode: Text.HorizontalFit
+            minimumPixelSize: Theme.size.caption - 4
+            readonly property string number: Theme.number(Machine.followingErrorMm, 2)
+            text: card.compact || words.advanceWidth > followingError.room ? qsTr("error %1 mm").arg(number) : words.text
+            TextMetrics {
+                id: words
+                font: Theme.captionFont
+                text: qsTr("following error %1 mm").arg(followingError.number)
+            }
             color: Machine.fresh ? Theme.color.ink : Theme.color.disabledInk
             font.pixelSize: Theme.size.caption
         }
-        Key { text: qsTr("target"); color: Theme.color.target }
-        Key { text: qsTr("actual"); color: card.traceColor }
+        Key { id: target; text: qsTr("target"); color: Theme.color.target }
+        Key { id: actual; text: qsTr("actual"); color: card.traceColor }
     }
     StyledCurves {
         anchors { left: parent.left; right: parent.right; top: caption.bottom; bottom: parent.bottom; margins: Theme.size.spacing; topMargin: Theme.size.outline }
@@ -62,5 +79,10 @@ Card {
         inkColor: Machine.fresh ? Theme.color.ink : Theme.color.disabledInk
         cursorTime: Machine.masterAngleDeg / 360 * Machine.cycleSeconds
         cursorDotsVisible: false
+    }
+    Explained {
+        objectName: "speedNumbers"
+        quantities: [Explanations.FollowingError]
+        onExplainRequested: quantities => card.explainRequested(quantities)
     }
 }

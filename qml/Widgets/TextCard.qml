@@ -12,6 +12,8 @@ Card {
     required property string text
     required property string caption
     property color captionColor: Theme.color.secondaryInk
+    property var quantities: []            // of Explanations, what the text is; nothing to explain: empty
+    signal explainRequested(var quantities)
 
     Readout {
         anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; verticalCenterOffset: -Theme.size.padding }
@@ -25,5 +27,10 @@ Card {
         font.pixelSize: Theme.size.body
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 2
+    }
+    Explained {
+        enabled: card.quantities.length > 0
+        quantities: card.quantities
+        onExplainRequested: quantities => card.explainRequested(quantities)
     }
 }

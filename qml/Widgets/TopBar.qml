@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Top bar: recipe, state of the controller in words, icon and color, link, clock. It is read, not touched.
+// Top bar: recipe, state of the controller in words, icon and color, the most urgent alarm, link, clock. It is read, not touched.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -34,7 +34,7 @@ Rectangle {
     Row {
         id: recipe
         anchors { left: parent.left; leftMargin: Theme.size.gap + Theme.size.accent; verticalCenter: parent.verticalCenter }
-        readonly property real room: bar.width * 0.36 - (editedMark.visible ? editedMark.width + Theme.size.padding : 0)
+        readonly property real room: Math.min(bar.width * 0.36, state.x - recipe.x - Theme.size.padding) - (editedMark.visible ? editedMark.width + Theme.size.padding : 0)
         spacing: Theme.size.padding
         Column {
             anchors.verticalCenter: parent.verticalCenter
@@ -52,6 +52,8 @@ Rectangle {
                 visible: bar.runsAnother
                 width: Math.min(implicitWidth, recipe.room)
                 elide: Text.ElideRight
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: 0.6 * Theme.size.caption
                 text: qsTr("in the controller: %1 · v%2").arg(Machine.activeName).arg(Machine.activeVersion)
                 color: Machine.fresh ? Theme.color.warning : Theme.color.disabledInk
                 font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
@@ -76,6 +78,7 @@ Rectangle {
         }
     }
     Row {
+        id: state
         anchors { horizontalCenter: parent.horizontalCenter; verticalCenter: parent.verticalCenter }
         spacing: Theme.size.spacing
         IconLabel {
@@ -86,6 +89,9 @@ Rectangle {
         Label {
             objectName: "stateText"
             anchors.verticalCenter: parent.verticalCenter
+            width: Math.min(implicitWidth, 0.2 * bar.width)
+            fontSizeMode: Text.HorizontalFit
+            minimumPixelSize: Theme.size.caption - 2
             text: Machine.stateText
             color: bar.stateColor
             font { pixelSize: Theme.size.title; bold: true }
@@ -99,9 +105,40 @@ Rectangle {
             font.pixelSize: Theme.size.caption
         }
     }
+    UrgentAlarm {
+        anchors { left: state.right; leftMargin: Theme.size.padding; right: line.left; rightMargin: Theme.size.padding; top: parent.top; bottom: parent.bottom }
+    }
     Row {
+        id: line
         anchors { right: parent.right; rightMargin: Theme.size.gap + Theme.size.accent; verticalCenter: parent.verticalCenter }
         spacing: Theme.size.padding
+        Row {
+            anchors.verticalCenter: parent.verticalCenter
+            visible: Access.protectedByPins
+            spacing: Theme.size.accent
+            IconLabel {
+                anchors.verticalCenter: parent.verticalCenter
+                code: Theme.icon.user
+                color: Access.loggedIn ? Theme.color.touch : Theme.color.secondaryInk
+            }
+            Column {
+                anchors.verticalCenter: parent.verticalCenter
+                Label {
+                    objectName: "userName"
+                    visible: Access.loggedIn
+                    width: Math.min(implicitWidth, bar.width * 0.13)
+                    elide: Text.ElideRight
+                    text: Access.userName
+                    font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
+                }
+                Label {
+                    objectName: "userLevel"
+                    text: Access.levelText
+                    color: Theme.color.secondaryInk
+                    font.pixelSize: Theme.size.caption - 1
+                }
+            }
+        }
         Label {
             anchors.verticalCenter: parent.verticalCenter
             visible: Machine.simulated

@@ -10,6 +10,7 @@ Card {
     id: bar
 
     signal downloadRequested()
+    signal explainRequested(var quantities)
 
     readonly property bool good: Editor.severity === Editor.Severity.Good
     readonly property color verdictColor: good ? Theme.color.good
@@ -30,7 +31,7 @@ Card {
         height: (parent.height - 2 * Theme.size.spacing) * (bar.good ? 0.56 : 1)
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
-        minimumPixelSize: Theme.size.caption - 1
+        minimumPixelSize: Theme.size.caption - 5
         text: Editor.verdict
         font.weight: Font.DemiBold
     }
@@ -43,6 +44,16 @@ Card {
         text: Editor.downloadState === Editor.DownloadState.Failed ? Editor.downloadText : Editor.controllerText
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
+    }
+    Explained {
+        objectName: "verdictNumbers"
+        anchors.right: tools.left
+        quantities: []
+        onPressAndHold: {
+            const told = Explanations.ofVerdict()
+            if (told.length > 0)
+                bar.explainRequested(told)
+        }
     }
     Row {
         id: tools

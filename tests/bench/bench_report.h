@@ -35,6 +35,7 @@ using Figures = std::vector<Figure>;
 [[nodiscard]] Figures measurePeers();
 [[nodiscard]] Figures measureStart();
 [[nodiscard]] Figures measureMemory(); // takes some minutes
+[[nodiscard]] Figures measureRecords();
 
 // Memory of a process; throws std::runtime_error when there is no such process.
 [[nodiscard]] double residentMb(std::int64_t processId);

@@ -32,13 +32,15 @@ public:
         m_finger.theme()->setProperty("animated", false);
         m_panel.window().show();
         m_finger.settle();
-        m_panel.machine().open();
+        m_panel.open();
     }
 
     [[nodiscard]] machine::Machine& machine() { return m_panel.machine(); }
     [[nodiscard]] machine::Editor& editor() { return m_panel.editor(); }
     [[nodiscard]] machine::Service& service() { return m_panel.service(); }
     [[nodiscard]] machine::Settings& settings() { return m_panel.settings(); }
+    [[nodiscard]] panel::Panel& panel() { return m_panel; }
+    [[nodiscard]] QString folder() const { return m_folder.path(); }
     [[nodiscard]] panel::Finger& finger() { return m_finger; }
     [[nodiscard]] const std::vector<modbus::StatusBlock>& statuses() const { return m_statuses; }
 

@@ -38,7 +38,7 @@ private slots:
         ControllerProcess controller;
         PanelWindow panel(controller.port());
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
-        for (const char* name : {"nav3", "service2", "registerGroup", "choice_parameter", "register2"})
+        for (const char* name : {"nav3", "serviceLine", "service2", "registerGroup", "choice_parameter", "register2"})
             panel.tap(name);
         QTRY_COMPARE_WITH_TIMEOUT(rampTime(panel), "800 ms", timeoutMs);
         panel.tap("registerWrite");
@@ -64,12 +64,37 @@ private slots:
         QCOMPARE(panel.complaints(), QStringList());
     }
 
+    void theAxisMovesWhileAFingerHoldsTheKey()
+    {
+        ControllerProcess controller;
+        PanelWindow panel(controller.port());
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        for (const char* name : {"nav3", "serviceMachine", "serviceJog"})
+            panel.tap(name);
+        machine::Jog& jog = *panel.service().jog();
+        QTRY_COMPARE_WITH_TIMEOUT(jog.speed()->frequencyHz(), 1000.0, timeoutMs);
+        panel.finger().touch(QStringLiteral("jogForward"));
+        QTRY_VERIFY_WITH_TIMEOUT(jog.positionPulses() > 500, timeoutMs); // longer than a forgotten key lives
+        QCOMPARE(panel.machine().state(), Machine::State::Jogging);
+        panel.finger().lift();
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        const double stoodAt = jog.positionPulses();
+
+        // The page goes away under the finger.
+        panel.finger().touch(QStringLiteral("jogReverse"));
+        QTRY_VERIFY_WITH_TIMEOUT(jog.positionPulses() < stoodAt - 300, timeoutMs);
+        QMetaObject::invokeMethod(panel.finger().frame(), "openPage", Q_ARG(int, 0));
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        panel.finger().lift();
+        QCOMPARE(panel.complaints(), QStringList());
+    }
+
     void aWrongUnitNumberIsFoundAndMended()
     {
         ControllerProcess controller;
         PanelWindow panel(controller.port());
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
-        for (const char* name : {"nav3", "service0", "doctorDiagnose"})
+        for (const char* name : {"nav3", "serviceLine", "service0", "doctorDiagnose"})
             panel.tap(name);
         const machine::LinkDoctor& doctor = *panel.service().doctor();
         QTRY_VERIFY_WITH_TIMEOUT(doctor.resultText().startsWith("The connection in use works"), timeoutMs);

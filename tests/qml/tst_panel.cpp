@@ -28,7 +28,7 @@ class TestPanel : public campanel::test::PanelTest {
 private slots:
     void paleTextIsFound()
     {
-        const campanel::panel::TouchLimits anySize;
+        const campanel::panel::SceneLimits anySize;
         QCOMPARE(checkScene(m_stage->root(), anySize, m_stage->grab()), QStringList());
         m_stage->find(QStringLiteral("stateText"))->setProperty("color", QColor(0x98, 0x98, 0x98));
         const QStringList faults = checkScene(m_stage->root(), anySize, m_stage->grab());

@@ -26,6 +26,7 @@ public:
     void download(const std::vector<std::uint16_t>& bank) override { banks << bank; }
     void cancelDownload() override { ++cancels; }
     void withdrawStop() override { ++withdrawals; }
+    void setJog(link::JogDirection direction) override { jogs << direction; }
     void readRegisters(const link::ReadRequest& request) override { reads << request; }
     void compareProgram(const std::vector<std::uint16_t>& bank) override { comparisons << bank; }
     void cancelComparison() override { ++comparisonCancels; }
@@ -43,6 +44,7 @@ public:
     QList<std::vector<std::uint16_t>> banks;
     int cancels = 0;
     int withdrawals = 0;
+    QList<link::JogDirection> jogs;
     QList<link::ReadRequest> reads;
     QList<std::vector<std::uint16_t>> comparisons;
     int comparisonCancels = 0;

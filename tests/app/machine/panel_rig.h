@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Settings, Machine, Editor and Service on a fake link, a fake clock and a folder of their own.
+// Settings, Machine, Editor, Records, Alarms and Service on a fake link, a fake clock and a folder of their
+// own.
 #pragma once
 
+#include "app/machine/alarms.h"
 #include "app/machine/editor.h"
 #include "app/machine/machine.h"
 #include "app/machine/records.h"
 #include "app/machine/service.h"
 #include "app/machine/settings.h"
+#include "app/machine/trends.h"
 #include "fake_link.h"
 
 #include <QTemporaryDir>
@@ -21,11 +24,14 @@ struct PanelRig {
     machine::Machine machine{link, settings, nullptr};
     machine::Editor editor{machine, folder.path(), nullptr};
     machine::Records records{folder.path(), nullptr};
+    machine::Alarms alarms{machine, editor, records, settings, nullptr};
     machine::Service service{machine, settings, folder.path(), nullptr};
+    machine::Trends trends{machine, settings, records, *service.files(), folder.path(), nullptr};
 
     PanelRig()
     {
         machine.setClock([this] { return now; });
+        service.dryRun()->follow(editor);
     }
 
     void connectIdle()

@@ -311,7 +311,8 @@ private slots:
         PanelRig rig;
         rig.connectRunning();
         QQmlEngine engine;
-        machine::attachToEngine(engine, rig.machine, rig.editor, rig.records, rig.service, rig.settings);
+        machine::attachToEngine(engine, rig.alarms, rig.machine, rig.editor, rig.records, rig.service,
+                                rig.settings, rig.trends);
         QQmlComponent component(&engine);
         component.setData("import QtQuick\nimport CamPanel.Machine\nQtObject {\n"
                           "  property double length: Editor.bagLength.value\n"

@@ -215,7 +215,8 @@ void TestDatabase::jobsWaitForTheOpening()
     const QTemporaryDir folder;
     {
         StoreThread store(folder.path());
-        store.run(this, [](Database& database) { return addRecipe(database, u"early"_s); }, [](bool) {});
+        store.run(
+            this, [](Database& database) { return addRecipe(database, u"early"_s); }, [](bool) {});
         QVERIFY(!QFile::exists(folder.filePath(u"campanel.sqlite"_s)));
     }
     QCOMPARE(recipes(*opened(folder)), 1);

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/machine/alarm_lists.h"
+
+#include "app/machine/alarm_words.h"
+
+#include <algorithm>
+
+namespace campanel::machine {
+
+void LiveAlarms::setEntries(std::vector<AlarmEntry> entries, const QDate& today)
+{
+    m_today = today;
+    const auto idOf = [](const AlarmEntry& entry) { return entry.row.id; };
+    if (std::ranges::equal(m_entries, entries, {}, idOf, idOf)) {
+        m_entries = std::move(entries); // the list stays where the finger left it
+        retranslate();
+        return;
+    }
+    beginResetModel();
+    m_entries = std::move(entries);
+    endResetModel();
+    emit countChanged();
+}
+
+void LiveAlarms::retranslate()
+{
+    if (count() > 0)
+        emit dataChanged(index(0), index(count() - 1));
+}
+
+int LiveAlarms::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : count();
+}
+
+QVariant LiveAlarms::data(const QModelIndex& index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    return AlarmWords::role(m_entries[static_cast<std::size_t>(index.row())].row, role, m_today);
+}
+
+QHash<int, QByteArray> LiveAlarms::roleNames() const
+{
+    return AlarmWords::roles();
+}
+
+void ShelvedAlarms::setShelves(const QList<store::AlarmShelf>& shelves, const QDate& today)
+{
+    if (shelves == m_shelves && today == m_today)
+        return; // the list stays where the finger left it
+    beginResetModel();
+    m_shelves = shelves;
+    m_today = today;
+    endResetModel();
+    emit countChanged();
+}
+
+void ShelvedAlarms::retranslate()
+{
+    if (count() > 0)
+        emit dataChanged(index(0), index(count() - 1));
+}
+
+int ShelvedAlarms::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : count();
+}
+
+QVariant ShelvedAlarms::data(const QModelIndex& index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    const store::AlarmShelf& shelf = m_shelves[index.row()];
+    switch (role) {
+    case CodeRole:
+        return shelf.code;
+    case TitleRole:
+        return AlarmWords::title(shelf.code);
+    case UntilRole:
+        return tr("until %1").arg(AlarmWords::time(shelf.untilMs, m_today));
+    case ByRole:
+        return shelf.by;
+    default:
+        return {};
+    }
+}
+
+QHash<int, QByteArray> ShelvedAlarms::roleNames() const
+{
+    return {{CodeRole, "code"}, {TitleRole, "title"}, {UntilRole, "until"}, {ByRole, "by"}};
+}
+
+} // namespace campanel::machine

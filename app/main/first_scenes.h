@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+// The steps of the first start.
+#pragma once
+
+#include "app/main/scenes.h"
+
+namespace campanel::panel {
+
+[[nodiscard]] QList<Scene> firstScenes();
+
+} // namespace campanel::panel

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/plot/trend_lane.h"
+
+#include "app/plot/label_draw.h"
+#include "app/plot/plot_panel.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPalette>
+
+#include <qwt_plot_grid.h>
+#include <qwt_plot_intervalcurve.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace campanel::plot {
+
+namespace {
+
+constexpr double bandOpacity = 0.28;
+constexpr double flattest = 0.002;    // a scale that is smaller would show the last digit's trembling
+constexpr double nearTolerance = 1.0; // of the data's span: a line so near is in sight
+constexpr double toleranceDash = 4;
+
+QPolygonF cut(const QPolygonF& points, qsizetype begin, qsizetype end)
+{
+    return points.mid(begin, end - begin);
+}
+
+// Ends of stretches [begin, end) without a gap.
+QList<std::pair<qsizetype, qsizetype>> stretches(const QPolygonF& points)
+{
+    QList<std::pair<qsizetype, qsizetype>> found;
+    qsizetype begin = 0;
+    for (qsizetype i = 0; i <= points.size(); ++i) {
+        if (i < points.size() && std::isfinite(points[i].y()))
+            continue;
+        if (i > begin)
+            found << std::pair(begin, i);
+        begin = i + 1;
+    }
+    return found;
+}
+
+} // namespace
+
+void TrendLane::setData(const Lines& lines, double fromMs, double toMs, double tolerance)
+{
+    m_tolerance = tolerance;
+    const auto before = std::ranges::lower_bound(lines.means, fromMs, {}, &QPointF::x) - lines.means.begin();
+    const auto after = std::ranges::upper_bound(lines.means, toMs, {}, &QPointF::x) - lines.means.begin();
+    const qsizetype begin = std::max<qsizetype>(0, before - 1);
+    const qsizetype end = std::min<qsizetype>(lines.means.size(), after + 1);
+    m_shown = {cut(lines.means, begin, end), cut(lines.lows, begin, end), cut(lines.highs, begin, end)};
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (qsizetype i = 0; i < m_shown.means.size(); ++i) {
+        if (!std::isfinite(m_shown.means[i].y()))
+            continue;
+        low = std::min(low, m_shown.lows[i].y());
+        high = std::max(high, m_shown.highs[i].y());
+    }
+    if (low > high) {
+        m_scale.reset();
+        (void)m_scale.fit(m_tolerance > 0 ? -m_tolerance : 0, m_tolerance > 0 ? m_tolerance : 1, 0);
+        return;
+    }
+    const double near = std::max(nearTolerance * (high - low), m_tolerance);
+    if (m_tolerance < high + near)
+        high = std::max(high, m_tolerance);
+    if (-m_tolerance > low - near)
+        low = std::min(low, -m_tolerance);
+    (void)m_scale.fit(low, high, flattest);
+}
+
+void TrendLane::setCanvas(const QRectF& canvas)
+{
+    m_canvas = canvas;
+    m_valueMap.setScaleInterval(m_scale.lower(), m_scale.upper());
+    m_valueMap.setPaintInterval(canvas.bottom(), canvas.top());
+}
+
+double TrendLane::labelWidth(const PlotStyle& style) const
+{
+    LabelDraw labels(QwtScaleDraw::LeftScale, style.locale, decimalsOfStep(m_scale.step()));
+    labels.setScaleDiv(m_scale.division());
+    return labels.extent(style.axisFont);
+}
+
+TrendLane::Values TrendLane::valuesAt(double timeMs) const
+{
+    const QPolygonF& means = m_shown.means;
+    auto right = std::ranges::lower_bound(means, timeMs, {}, &QPointF::x) - means.begin();
+    if (means.isEmpty() || !std::isfinite(timeMs))
+        return {};
+    right = std::min<qsizetype>(right, means.size() - 1);
+    const qsizetype left = std::max<qsizetype>(0, right - 1);
+    const qsizetype nearest = timeMs - means[left].x() < means[right].x() - timeMs ? left : right;
+    return {m_shown.lows[nearest].y(), means[nearest].y(), m_shown.highs[nearest].y()};
+}
+
+QwtScaleDiv TrendLane::labelDivision(const PlotStyle& style) const
+{
+    QwtScaleDiv division = m_scale.division();
+    const QList<double> ticks = division.ticks(QwtScaleDiv::MajorTick);
+    const double room = m_canvas.height() / std::max<double>(1, static_cast<double>(ticks.size() - 1));
+    if (ticks.size() > 2 && room < QFontMetricsF(style.axisFont).height())
+        division.setTicks(QwtScaleDiv::MajorTick, {ticks.first(), ticks.last()});
+    return division;
+}
+
+void TrendLane::paintGrid(QPainter& painter, const PlotStyle& style) const
+{
+    QwtPlotGrid grid;
+    grid.enableX(false);
+    grid.setMajorPen(QPen(style.grid, 1));
+    grid.setYDiv(m_scale.division());
+    grid.draw(&painter, QwtScaleMap(), m_valueMap, m_canvas.adjusted(0, 0, 0, 1));
+    if (m_shown.means.isEmpty())
+        return; // nothing is known, so no number is shown
+    LabelDraw labels(QwtScaleDraw::LeftScale, style.locale, decimalsOfStep(m_scale.step()));
+    labels.setScaleDiv(labelDivision(style));
+    labels.move(m_canvas.topLeft());
+    labels.setLength(m_canvas.height());
+    QPalette palette;
+    palette.setColor(QPalette::Text, style.secondaryInk);
+    painter.setFont(style.axisFont);
+    labels.draw(&painter, palette);
+    paintTolerance(painter, style);
+}
+
+void TrendLane::paintTolerance(QPainter& painter, const PlotStyle& style) const
+{
+    QPen pen(style.limit, 2);
+    pen.setDashPattern({toleranceDash, toleranceDash});
+    pen.setCapStyle(Qt::FlatCap);
+    painter.setPen(pen);
+    for (const double value : {m_tolerance, -m_tolerance}) {
+        if (!(value >= m_scale.lower() && value <= m_scale.upper()))
+            continue;
+        const double y = std::round(m_valueMap.transform(value));
+        painter.drawLine(QPointF(m_canvas.left(), y), QPointF(m_canvas.right(), y));
+    }
+}
+
+void TrendLane::paintCurves(QPainter& painter, const PlotStyle& style, const QColor& color,
+                            const QwtScaleMap& timeMap) const
+{
+    QColor tint = color;
+    tint.setAlphaF(static_cast<float>(bandOpacity));
+    painter.save();
+    painter.setClipRect(m_canvas.adjusted(0, -style.lineWidth, 0, style.lineWidth));
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const auto& [begin, end] : stretches(m_shown.means)) {
+        if (end - begin == 1) { // one alone has no line
+            const double x = timeMap.transform(m_shown.means[begin].x());
+            painter.setPen(QPen(color, 2 * style.lineWidth, Qt::SolidLine, Qt::RoundCap));
+            painter.drawLine(QPointF(x, m_valueMap.transform(m_shown.lows[begin].y())),
+                             QPointF(x, m_valueMap.transform(m_shown.highs[begin].y())));
+            continue;
+        }
+        QList<QwtIntervalSample> samples;
+        for (qsizetype i = begin; i < end; ++i)
+            samples << QwtIntervalSample(m_shown.means[i].x(), m_shown.lows[i].y(), m_shown.highs[i].y());
+        QwtPlotIntervalCurve band;
+        band.setStyle(QwtPlotIntervalCurve::Tube);
+        band.setPen(QPen(Qt::NoPen));
+        band.setBrush(tint);
+        band.setSamples(samples);
+        band.draw(&painter, timeMap, m_valueMap, m_canvas);
+        paintLine(painter, cut(m_shown.means, begin, end), {color, style.lineWidth}, timeMap, m_valueMap);
+    }
+    painter.restore();
+}
+
+} // namespace campanel::plot

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// One quantity over the time of day: the mean as a line in the band from the lowest to the highest value, its
+// own value scale and tolerance lines. Owned and driven by TrendPlot.
+#pragma once
+
+#include "app/plot/axis_scale.h"
+#include "app/plot/plot_style.h"
+
+#include <QPolygonF>
+#include <QRectF>
+
+#include <qwt_scale_map.h>
+
+#include <limits>
+
+class QPainter;
+
+namespace campanel::plot {
+
+class TrendLane {
+public:
+    struct Lines {
+        QPolygonF means; // x in ms since 1970 UTC; NaN as y: a gap
+        QPolygonF lows;  // at the same times
+        QPolygonF highs;
+    };
+    struct Values {
+        double low = std::numeric_limits<double>::quiet_NaN();
+        double mean = std::numeric_limits<double>::quiet_NaN();
+        double high = std::numeric_limits<double>::quiet_NaN();
+    };
+
+    // Only what lies in the window, and one point beyond each end, is drawn and has a part in the scale.
+    void setData(const Lines& lines, double fromMs, double toMs, double tolerance);
+    void setCanvas(const QRectF& canvas);
+    [[nodiscard]] const QRectF& canvas() const { return m_canvas; }
+    [[nodiscard]] const QwtScaleMap& valueMap() const { return m_valueMap; }
+    [[nodiscard]] double labelWidth(const PlotStyle& style) const;
+    // Of the point that is nearest; NaN in a gap.
+    [[nodiscard]] Values valuesAt(double timeMs) const;
+    [[nodiscard]] qsizetype drawnPoints() const { return m_shown.means.size(); }
+
+    void paintGrid(QPainter& painter, const PlotStyle& style) const;
+    void paintCurves(QPainter& painter, const PlotStyle& style, const QColor& color,
+                     const QwtScaleMap& timeMap) const;
+
+private:
+    void paintTolerance(QPainter& painter, const PlotStyle& style) const;
+    [[nodiscard]] QwtScaleDiv labelDivision(const PlotStyle& style) const;
+
+    Lines m_shown;
+    double m_tolerance = std::numeric_limits<double>::quiet_NaN(); // to both sides of zero
+    AxisScale m_scale;
+    QRectF m_canvas;
+    QwtScaleMap m_valueMap;
+};
+
+} // namespace campanel::plot

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// Up to three quantities over the time of day, stacked over one axis of local time. A finger moves the
+// window, two zoom it, a tap or a held finger puts the cursor. All in the GUI thread.
+#pragma once
+
+#include "app/plot/trend_lane.h"
+#include "app/plot/window_gesture.h"
+
+#include <QImage>
+#include <QQuickPaintedItem>
+#include <QTimer>
+#include <QVariant>
+#include <QtQml/qqmlregistration.h>
+
+#include <limits>
+#include <vector>
+
+namespace campanel::plot {
+
+class TrendPlot : public QQuickPaintedItem {
+    Q_OBJECT
+    QML_ELEMENT
+    // std::shared_ptr<const QList<QList<QPointF>>>: of each lane means, lowest and highest values over ms
+    // since 1970 UTC; a NaN as y is a gap. Anything else: nothing is known.
+    Q_PROPERTY(QVariant curves MEMBER m_curves NOTIFY dataChanged FINAL)
+    Q_PROPERTY(int lanes MEMBER m_laneCount NOTIFY dataChanged FINAL)
+    Q_PROPERTY(double fromMs MEMBER m_fromMs NOTIFY dataChanged FINAL)
+    Q_PROPERTY(double toMs MEMBER m_toMs NOTIFY dataChanged FINAL)
+    // Of each lane, to both sides of zero; NaN: none.
+    Q_PROPERTY(QList<double> tolerances MEMBER m_tolerances NOTIFY dataChanged FINAL)
+    // ms; NaN: none.
+    Q_PROPERTY(double cursorMs MEMBER m_cursorMs NOTIFY cursorChanged FINAL)
+    // px above each lane, free for its title.
+    Q_PROPERTY(double headerHeight MEMBER m_headerHeight NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QList<QColor> laneColors MEMBER m_laneColors NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor gridColor MEMBER m_gridColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor inkColor MEMBER m_inkColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor secondaryInkColor MEMBER m_secondaryInkColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor toleranceColor MEMBER m_toleranceColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(double lineWidth MEMBER m_lineWidth NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QFont axisFont MEMBER m_axisFont NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QLocale locale MEMBER m_locale NOTIFY styleChanged FINAL)
+    // The canvas of all lanes together, in px of the item.
+    Q_PROPERTY(QRectF plotArea READ plotArea NOTIFY layoutChanged FINAL)
+
+public:
+    explicit TrendPlot(QQuickItem* parent = nullptr);
+
+    void paint(QPainter* painter) override;
+
+    // These bring the layout up to date first, so they are not const.
+    [[nodiscard]] QRectF plotArea();
+    [[nodiscard]] Q_INVOKABLE double laneTop(int lane); // of its header
+    [[nodiscard]] Q_INVOKABLE double xOfTime(double timeMs);
+    [[nodiscard]] Q_INVOKABLE double timeOfX(double x);
+    // {lowest, mean, highest} of the lane at that time; NaN in a gap.
+    [[nodiscard]] Q_INVOKABLE QList<double> valuesAt(int lane, double timeMs);
+    [[nodiscard]] Q_INVOKABLE QString momentText(double timeMs) const;
+    [[nodiscard]] qsizetype drawnPoints(int lane);
+
+signals:
+    void dataChanged();
+    void cursorChanged();
+    void styleChanged();
+    void layoutChanged();
+    // Fingers ask for this window.
+    void windowWanted(double fromMs, double toMs);
+    // A finger has pointed at this time.
+    void cursorWanted(double timeMs);
+
+protected:
+    void geometryChange(const QRectF& newGeometry, const QRectF& oldGeometry) override;
+    void touchEvent(QTouchEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void touchUngrabEvent() override { endGesture(); }
+    void mouseUngrabEvent() override { endGesture(); }
+
+private:
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+    void invalidate();
+    void ensureLayout();
+    void putFingers(const QList<double>& x);
+    void moveFingers(const QList<double>& x);
+    void liftLast(double x);
+    void endGesture();
+    void pointCursor();
+    [[nodiscard]] PlotStyle style() const;
+    [[nodiscard]] QwtScaleMap timeMap() const;
+    void paintPicture(QPainter& painter);
+    void paintTimeAxis(QPainter& painter) const;
+    void paintCursor(QPainter& painter) const;
+
+    QVariant m_curves;
+    int m_laneCount = 1;
+    double m_fromMs = 0;
+    double m_toMs = 1;
+    QList<double> m_tolerances;
+    double m_cursorMs = unknown;
+    double m_headerHeight = 0;
+    QList<QColor> m_laneColors;
+    QColor m_gridColor{Qt::lightGray};
+    QColor m_inkColor{Qt::black};
+    QColor m_secondaryInkColor{Qt::darkGray};
+    QColor m_toleranceColor{Qt::darkYellow};
+    double m_lineWidth = 2;
+    QFont m_axisFont;
+    QLocale m_locale;
+
+    std::vector<TrendLane> m_lanes;
+    bool m_isLayoutOld = true;
+    QRectF m_area;
+    double m_labelWidth = 0; // only grows, so that the curves do not jump sideways
+    WindowGesture m_gesture;
+    QTimer m_holdTimer;
+    double m_pressX = 0;
+    bool m_isPointing = false;     // a held finger moves the cursor
+    bool m_wereTwoFingers = false; // the one that is left of two does not point
+};
+
+} // namespace campanel::plot

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// What fingers do on a TrendPlot; a mouse is a finger.
+#include "app/plot/trend_plot.h"
+
+#include <QMouseEvent>
+#include <QTouchEvent>
+
+#include <algorithm>
+
+namespace campanel::plot {
+
+namespace {
+
+QList<double> placesOf(const QTouchEvent& event, double left)
+{
+    QList<double> x;
+    for (const QEventPoint& point : event.points()) {
+        if (point.state() != QEventPoint::Released && x.size() < 2)
+            x << point.position().x() - left;
+    }
+    return x;
+}
+
+} // namespace
+
+void TrendPlot::touchEvent(QTouchEvent* event)
+{
+    const QList<double> x = placesOf(*event, plotArea().left());
+    const bool areOthers = event->touchPointStates() & (QEventPoint::Pressed | QEventPoint::Released);
+    if (x.isEmpty())
+        liftLast(m_pressX);
+    else if (areOthers)
+        putFingers(x);
+    else
+        moveFingers(x);
+    setKeepTouchGrab(true);
+    event->accept();
+}
+
+void TrendPlot::mousePressEvent(QMouseEvent* event)
+{
+    setKeepMouseGrab(true);
+    putFingers({event->position().x() - plotArea().left()});
+}
+
+void TrendPlot::mouseMoveEvent(QMouseEvent* event)
+{
+    moveFingers({event->position().x() - plotArea().left()});
+}
+
+void TrendPlot::mouseReleaseEvent(QMouseEvent* event)
+{
+    liftLast(event->position().x() - plotArea().left());
+}
+
+void TrendPlot::putFingers(const QList<double>& x)
+{
+    m_gesture.begin(x, {m_fromMs, m_toMs}, plotArea().width());
+    m_pressX = x.first();
+    m_wereTwoFingers = m_wereTwoFingers || x.size() > 1;
+    if (!m_wereTwoFingers && !m_isPointing)
+        m_holdTimer.start();
+    else
+        m_holdTimer.stop();
+}
+
+void TrendPlot::moveFingers(const QList<double>& x)
+{
+    if (m_isPointing) {
+        m_pressX = std::clamp(x.first(), 0.0, plotArea().width());
+        pointCursor();
+        return;
+    }
+    const WindowGesture::Window wanted = m_gesture.moved(x);
+    if (!m_gesture.hasMoved())
+        return;
+    m_holdTimer.stop();
+    emit windowWanted(wanted.fromMs, wanted.toMs);
+}
+
+void TrendPlot::liftLast(double x)
+{
+    const bool isTap = m_holdTimer.isActive() && !m_gesture.hasMoved();
+    m_pressX = std::clamp(x, 0.0, plotArea().width());
+    endGesture();
+    if (isTap)
+        emit cursorWanted(timeOfX(m_pressX + m_area.left()));
+}
+
+void TrendPlot::endGesture()
+{
+    m_holdTimer.stop();
+    m_isPointing = false;
+    m_wereTwoFingers = false;
+}
+
+// A finger that was held still, and where it goes from there.
+void TrendPlot::pointCursor()
+{
+    m_isPointing = true;
+    emit cursorWanted(timeOfX(m_pressX + plotArea().left()));
+}
+
+} // namespace campanel::plot

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is kept of many values: how many, mean, scatter, ends. In whole thousandths, so that sums are exact
+// and do not depend on the order in which they were made.
+#pragma once
+
+#include <QtGlobal>
+
+namespace campanel::store {
+
+// The numbers are kept in the database.
+enum class TrendQuantity { BagLength, Deviation, MarkError, FollowingError, Rate, Latency };
+inline constexpr int trendQuantities = 6;
+
+struct TrendBucket {
+    qint64 count = 0;
+    qint64 sum = 0;     // thousandths of the quantity's unit
+    qint64 squares = 0; // of these
+    qint64 low = 0;
+    qint64 high = 0;
+    qint64 within = 0; // how many were within the tolerance of their day
+
+    void add(double value, bool isWithin);
+    void merge(const TrendBucket& other);
+    [[nodiscard]] bool isEmpty() const { return count == 0; }
+    // In the quantity's unit; NaN when it is empty.
+    [[nodiscard]] double mean() const;
+    [[nodiscard]] double lowest() const;
+    [[nodiscard]] double highest() const;
+
+    bool operator==(const TrendBucket&) const = default;
+};
+
+// Of any number of buckets, also where their sums together would not fit.
+class TrendStatistics {
+public:
+    void add(const TrendBucket& bucket);
+
+    [[nodiscard]] double count() const { return m_count; }
+    [[nodiscard]] double mean() const;
+    [[nodiscard]] double deviation() const; // standard deviation; NaN below two values
+    [[nodiscard]] double lowest() const;
+    [[nodiscard]] double highest() const;
+    [[nodiscard]] double shareWithin() const; // 0..1
+
+private:
+    double m_count = 0;
+    double m_mean = 0;
+    double m_squares = 0; // of the differences from the mean
+    double m_low = 0;
+    double m_high = 0;
+    double m_within = 0;
+};
+
+} // namespace campanel::store

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// Digits of a PIN, shown as dots; keys as those of the numeric keypad.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+
+Card {
+    id: pad
+
+    required property string label
+    property string hint
+    property bool hintIsFault
+    property bool ready: true              // the digits may be entered now
+    property int most: 8
+    property int fewest: 4
+    signal accepted(string pin)
+    signal edited()
+    signal canceled()
+
+    property string digits
+
+    readonly property int preferredWidth: 4 * Theme.size.commandKey + 2 * Theme.size.accent
+    readonly property int preferredHeight: 4 * Theme.size.commandKey + Theme.size.touch + Theme.size.padding
+    readonly property int keyWidth: Math.min(Theme.size.commandKey, Math.floor((width - 2 * Theme.size.accent) / 4))
+    readonly property int keyHeight: Math.min(Theme.size.commandKey, Math.floor((height - header.height - Theme.size.spacing - Theme.size.accent) / 4))
+    readonly property bool acceptable: ready && digits.length >= fewest
+
+    function clear(): void { pad.digits = "" }
+    function type(key: string): void {
+        if (pad.digits.length < pad.most && key.length === 1 && "0123456789".includes(key)) {
+            pad.digits += key
+            pad.edited()
+        }
+    }
+    function backspace(): void { pad.digits = pad.digits.slice(0, -1) }
+    function finish(): void {
+        if (!pad.acceptable)
+            return
+        const pin = pad.digits
+        pad.clear()
+        pad.accepted(pin)
+    }
+
+    border { width: Theme.size.outline; color: Theme.color.touch }
+    focus: true
+    Component.onCompleted: pad.forceActiveFocus()
+    Keys.onReturnPressed: pad.finish()
+    Keys.onEnterPressed: pad.finish()
+    Keys.onEscapePressed: pad.canceled()
+    Keys.onPressed: event => {
+        if (event.key === Qt.Key_Backspace)
+            pad.backspace()
+        else
+            pad.type(event.text)
+    }
+
+    MouseArea { anchors.fill: parent }
+    Item {
+        id: header
+        anchors { left: parent.left; right: parent.right; top: parent.top; margins: Theme.size.padding; topMargin: Math.max(Theme.size.spacing, Theme.size.accent) }
+        height: Math.max(Math.round(1.3 * (Theme.size.value + Theme.size.caption)), pad.height - 4 * Theme.size.commandKey - 2 * Theme.size.accent - Theme.size.spacing)
+
+        Label {
+            id: caption
+            anchors { left: parent.left; right: dots.left; rightMargin: Theme.size.spacing; verticalCenter: dots.verticalCenter }
+            text: pad.label
+            fontSizeMode: Text.HorizontalFit
+            minimumPixelSize: Theme.size.caption - 2
+            font { weight: Font.DemiBold; pixelSize: Theme.size.body }
+        }
+        Row {
+            id: dots
+            anchors { right: parent.right; top: parent.top; topMargin: Theme.size.accent }
+            height: Theme.size.value
+            spacing: Theme.size.accent
+            Repeater {
+                model: Math.max(pad.fewest, pad.digits.length)
+                Rectangle {
+                    required property int index
+                    anchors.verticalCenter: parent.verticalCenter
+                    width: Theme.size.mark
+                    height: width
+                    radius: width / 2
+                    color: index < pad.digits.length ? Theme.color.ink : Theme.color.inset
+                    border { width: Theme.size.hairline; color: index < pad.digits.length ? Theme.color.ink : Theme.color.line }
+                }
+            }
+        }
+        Label {
+            objectName: "pinHint"
+            anchors { left: parent.left; right: parent.right; bottom: parent.bottom; top: dots.bottom }
+            fontSizeMode: Text.Fit
+            minimumPixelSize: Theme.size.caption - 5
+            wrapMode: Text.WordWrap
+            text: pad.hint
+            color: pad.hintIsFault ? Theme.color.fault : Theme.color.secondaryInk
+            font.pixelSize: Theme.size.caption
+        }
+    }
+    Grid {
+        anchors { horizontalCenter: parent.horizontalCenter; bottom: parent.bottom; bottomMargin: Theme.size.hairline }
+        columns: 4
+
+        component Digit: KeypadKey {
+            objectName: "pin" + text
+            width: pad.keyWidth
+            height: pad.keyHeight
+            onClicked: pad.type(text)
+        }
+        Digit { text: "7" }
+        Digit { text: "8" }
+        Digit { text: "9" }
+        KeypadKey {
+            width: pad.keyWidth; height: pad.keyHeight
+            objectName: "pinBackspace"
+            quiet: true
+            glyph: Theme.icon.backspace
+            enabled: pad.digits.length > 0
+            onClicked: pad.backspace()
+            onPressAndHold: pad.clear()
+        }
+        Digit { text: "4" }
+        Digit { text: "5" }
+        Digit { text: "6" }
+        Item { width: pad.keyWidth; height: pad.keyHeight }
+        Digit { text: "1" }
+        Digit { text: "2" }
+        Digit { text: "3" }
+        KeypadKey {
+            width: pad.keyWidth; height: pad.keyHeight
+            objectName: "pinCancel"
+            quiet: true
+            glyph: Theme.icon.close
+            text: qsTr("Cancel")
+            onClicked: pad.canceled()
+        }
+        Item { width: pad.keyWidth; height: pad.keyHeight }
+        Digit { text: "0" }
+        Item { width: pad.keyWidth; height: pad.keyHeight }
+        KeypadKey {
+            width: pad.keyWidth; height: pad.keyHeight
+            objectName: "pinAccept"
+            primary: true
+            glyph: Theme.icon.check
+            text: qsTr("OK")
+            enabled: pad.acceptable
+            onClicked: pad.finish()
+        }
+    }
+}

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Letters, capitals, digits and signs for a text input that somebody else shows. A capital is for one letter; held, for all.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+
+Item {
+    id: keyboard
+
+    required property TextInput input
+    property bool acceptable: true
+    signal accepted()
+
+    enum KeySet { Small, Capital, Signs }
+    property int keySet: TextKeyboard.Small
+    property bool capitalsStay
+
+    readonly property var rows: keySet === TextKeyboard.Signs ? ["1234567890", "-_/+*=%#&", "().,:;'\"!?"]
+        : keySet === TextKeyboard.Capital ? ["QWERTYUIOP", "ASDFGHJKL", "ZXCVBNM"] : ["qwertyuiop", "asdfghjkl", "zxcvbnm"]
+    readonly property int perRow: 10
+    readonly property real keyWidth: (width - (perRow - 1) * Theme.size.outline) / perRow
+    readonly property real keyHeight: (height - 3 * Theme.size.outline) / 4
+
+    function put(letters: string): void {
+        keyboard.input.remove(keyboard.input.selectionStart, keyboard.input.selectionEnd)
+        keyboard.input.insert(keyboard.input.cursorPosition, letters)
+        if (keyboard.keySet === TextKeyboard.Capital && !keyboard.capitalsStay)
+            keyboard.keySet = TextKeyboard.Small
+    }
+    function erase(): void {
+        if (keyboard.input.selectionStart !== keyboard.input.selectionEnd)
+            keyboard.input.remove(keyboard.input.selectionStart, keyboard.input.selectionEnd)
+        else
+            keyboard.input.remove(keyboard.input.cursorPosition - 1, keyboard.input.cursorPosition)
+    }
+
+    component Key: KeypadKey {
+        width: keyboard.keyWidth
+        height: keyboard.keyHeight
+        focusPolicy: Qt.NoFocus
+    }
+    component LetterKey: Key {
+        required property string modelData
+        objectName: "key_" + modelData
+        text: modelData
+        onClicked: keyboard.put(modelData)
+    }
+
+    Column {
+        spacing: Theme.size.outline
+        Row {
+            spacing: Theme.size.outline
+            Repeater {
+                model: keyboard.rows[0].split("")
+                LetterKey {}
+            }
+        }
+        Row {
+            spacing: Theme.size.outline
+            Repeater {
+                model: keyboard.rows[1].split("")
+                LetterKey {}
+            }
+            Key {
+                objectName: "textBackspace"
+                quiet: true
+                glyph: Theme.icon.backspace
+                enabled: keyboard.input.length > 0
+                onClicked: keyboard.erase()
+                onPressAndHold: keyboard.input.clear()
+            }
+        }
+        Row {
+            spacing: Theme.size.outline
+            Key {
+                objectName: "textCapital"
+                visible: keyboard.keySet !== TextKeyboard.Signs
+                width: 1.5 * keyboard.keyWidth + Theme.size.outline / 2
+                quiet: true
+                primary: keyboard.keySet === TextKeyboard.Capital && keyboard.capitalsStay
+                glyph: Theme.icon.capital
+                onClicked: {
+                    keyboard.capitalsStay = false
+                    keyboard.keySet = keyboard.keySet === TextKeyboard.Capital ? TextKeyboard.Small : TextKeyboard.Capital
+                }
+                onPressAndHold: {
+                    keyboard.keySet = TextKeyboard.Capital
+                    keyboard.capitalsStay = true
+                }
+            }
+            Repeater {
+                model: keyboard.rows[2].split("")
+                LetterKey {}
+            }
+            Key {
+                visible: keyboard.keySet !== TextKeyboard.Signs
+                width: 1.5 * keyboard.keyWidth + Theme.size.outline / 2
+                objectName: "key_-"
+                text: "-"
+                onClicked: keyboard.put("-")
+            }
+        }
+        Row {
+            spacing: Theme.size.outline
+            Key {
+                objectName: "textSigns"
+                width: 2 * keyboard.keyWidth + Theme.size.outline
+                quiet: true
+                text: keyboard.keySet === TextKeyboard.Signs ? qsTr("abc") : qsTr("123")
+                onClicked: keyboard.keySet = keyboard.keySet === TextKeyboard.Signs ? TextKeyboard.Small : TextKeyboard.Signs
+            }
+            Key {
+                objectName: "textSpace"
+                width: 6 * keyboard.keyWidth + 5 * Theme.size.outline
+                text: qsTr("Space")
+                onClicked: keyboard.put(" ")
+            }
+            Key {
+                objectName: "textAccept"
+                width: 2 * keyboard.keyWidth + Theme.size.outline
+                primary: true
+                glyph: Theme.icon.check
+                enabled: keyboard.acceptable
+                onClicked: keyboard.accepted()
+            }
+        }
+    }
+}

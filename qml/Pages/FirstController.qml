@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the controller is: searched for on all ports, or simulated.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+FirstStep {
+    id: step
+
+    readonly property LinkDoctor doctor: Service.doctor
+
+    Column {
+        width: parent.width
+        spacing: Theme.size.spacing
+        ChoiceRow {
+            objectName: "firstSimulated"
+            width: parent.width
+            text: qsTr("Simulated controller")
+            note: qsTr("to learn and to try things out; it can be changed in Settings at any time")
+            holds: Machine.simulated && !step.doctor.running
+            enabled: !step.doctor.running
+            onClicked: {
+                Settings.simulated = true
+                Settings.applyConnection()
+            }
+        }
+        ChoiceRow {
+            objectName: "firstSearch"
+            width: parent.width
+            text: qsTr("Search for the controller")
+            note: qsTr("on every serial port, with every setting; takes up to some minutes")
+            holds: !Machine.simulated || step.doctor.running
+            enabled: step.doctor.canBegin
+            onClicked: step.doctor.search()
+        }
+        Label {
+            objectName: "firstSearchText"
+            width: parent.width
+            wrapMode: Text.WordWrap
+            text: step.doctor.running ? qsTr("%1 · %2").arg(step.doctor.progressText).arg(step.doctor.triedText)
+                : step.doctor.canTake ? step.doctor.foundText : Machine.connectionText
+            color: step.doctor.canTake ? Theme.color.good : Theme.color.secondaryInk
+        }
+        ProgressBar {
+            width: parent.width
+            visible: step.doctor.running
+            progress: step.doctor.progress
+        }
+        Row {
+            spacing: Theme.size.spacing
+            Button {
+                objectName: "firstTake"
+                visible: step.doctor.canTake
+                kind: Button.Primary
+                text: qsTr("Use this connection")
+                onClicked: step.doctor.take()
+            }
+            Button {
+                objectName: "firstSearchCancel"
+                visible: step.doctor.running
+                text: qsTr("Cancel")
+                onClicked: step.doctor.cancel()
+            }
+        }
+    }
+}

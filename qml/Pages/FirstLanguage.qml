@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// The language, each under its own name.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+FirstStep {
+    id: step
+
+    readonly property var languages: Settings.languages
+    readonly property var names: Settings.languageNames
+
+    Column {
+        width: parent.width
+        spacing: Theme.size.spacing
+        Label {
+            width: parent.width
+            wrapMode: Text.WordWrap
+            text: qsTr("Stop at the right always works. It is no emergency stop: that one is a switch of the machine.")
+            color: Theme.color.secondaryInk
+        }
+        Repeater {
+            model: step.languages
+            ChoiceRow {
+                required property int index
+                required property string modelData
+                objectName: "firstLanguage_" + modelData
+                width: parent.width
+                text: step.names[index]
+                holds: Settings.language === modelData
+                onClicked: Settings.language = modelData
+            }
+        }
+    }
+}

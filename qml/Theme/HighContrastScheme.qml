@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// High contrast: tired eyes, a dirty or sunlit screen. Black cards on nearly black; every text and curve at least 7:1.
+pragma ComponentBehavior: Bound
+ColorScheme {
+    dark: true
+    textContrast: 7
+    largeTextContrast: 7
+    ground: "#1C1C1C"
+    surface: "#000000"
+    inset: "#101010"
+    ink: "#FFFFFF"
+    secondaryInk: "#DADADA"
+    line: "#8C8C8C"
+    touch: "#6FD0FF"
+    touchTint: "#00304A"
+    touchInk: "#000000"
+    touchPressed: "#C2ECFF"
+    good: "#5CF09A"
+    warning: "#FFC94D"
+    fault: "#FF8A8A"
+    stop: "#FF7070"
+    stopPressed: "#FFB3B3"
+    stopInk: "#000000"
+    target: "#B4B4B4"
+    sync: "#3C8DBC"
+    disabledInk: "#B4B4B4"
+    scrim: "#C0000000"
+    acceleration: "#5CF09A"
+    frequency: "#FFC94D"
+    position: "#D4B8FF"
+    jerk: "#FFA6CF"
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Occurrences of alarms below one another; without any, a sentence that says what is so.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+
+Item {
+    id: panel
+
+    required property var rows             // a model with the roles of AlarmRow
+    required property string emptyText
+    property string emptyGlyph
+    property string listName               // for who looks for it
+    signal opened(int row)
+
+    ListView {
+        id: list
+        objectName: panel.listName
+        anchors.fill: parent
+        clip: true
+        boundsBehavior: Flickable.StopAtBounds
+        model: panel.rows
+        delegate: AlarmRow {
+            required property int index
+            objectName: panel.listName + index
+            width: list.width - 2 * Theme.size.accent
+            onClicked: panel.opened(index)
+        }
+    }
+    ScrollMark { view: list }
+    Column {
+        anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; margins: Theme.size.padding }
+        visible: list.count === 0
+        spacing: Theme.size.spacing
+        IconLabel {
+            width: parent.width
+            visible: panel.emptyGlyph.length > 0
+            code: panel.emptyGlyph
+            color: Theme.color.good
+            font.pixelSize: Theme.size.largeIcon
+        }
+        Label {
+            objectName: "alarmsEmpty"
+            width: parent.width
+            horizontalAlignment: Text.AlignHCenter
+            wrapMode: Text.WordWrap
+            text: panel.emptyText
+            color: Theme.color.secondaryInk
+        }
+    }
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// One occurrence of an alarm: cause, what to do, when and how often; with the keys to acknowledge and to shelve it.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+Sheet {
+    id: sheet
+
+    readonly property AlarmDetail alarm: Alarms.detail
+
+    function shelve(hours: int): void {
+        if (!Access.ask(Access.Technician))
+            return
+        Alarms.shelveShown(hours)
+        sheet.closed()
+    }
+
+    title: qsTr("%1 · %2").arg(alarm.code).arg(alarm.title)
+    note: qsTr("%1 · %2").arg(alarm.severityText).arg(alarm.stateText)
+
+    Flickable {
+        id: view
+        anchors.fill: parent
+        contentHeight: body.height
+        clip: true
+        boundsBehavior: Flickable.StopAtBounds
+        Column {
+            id: body
+            width: view.width - 2 * Theme.size.accent
+            spacing: Theme.size.padding
+            AlarmText {
+                name: "alarmCause"
+                caption: qsTr("Cause")
+                large: true
+                text: sheet.alarm.cause
+            }
+            AlarmText {
+                name: "alarmAction"
+                caption: qsTr("What to do")
+                large: true
+                text: sheet.alarm.action
+            }
+            AlarmText {
+                name: "alarmDetail"
+                caption: qsTr("Detail")
+                text: sheet.alarm.detail
+            }
+            Rectangle {
+                width: parent.width
+                height: Theme.size.hairline
+                color: Theme.color.line
+            }
+            Flow {
+                width: parent.width
+                spacing: 2 * Theme.size.padding
+                Repeater {
+                    model: [{ name: "alarmRaised", caption: qsTr("Came"), text: sheet.alarm.raisedText },
+                        { name: "alarmReturned", caption: qsTr("Gone"), text: sheet.alarm.returnedText },
+                        { name: "alarmAcknowledged", caption: qsTr("Acknowledged"), text: sheet.alarm.acknowledgedText },
+                        { name: "alarmTimes", caption: qsTr("How often"), text: Theme.count(sheet.alarm.times, 0) }]
+                    AlarmText {
+                        required property var modelData
+                        name: modelData.name
+                        caption: modelData.caption
+                        text: modelData.text
+                        width: implicitWidth
+                    }
+                }
+            }
+        }
+    }
+    ScrollMark { view: view }
+    footer: [
+        Button {
+            objectName: "alarmUnshelve"
+            visible: sheet.alarm.shelved
+            text: qsTr("Take back from the shelf")
+            onClicked: {
+                Alarms.unshelveShown()
+                sheet.closed()
+            }
+        },
+        Button {
+            objectName: "alarmShelve1"
+            visible: sheet.alarm.shelvable && !sheet.alarm.shelved
+            text: qsTr("Shelve 1 h")
+            onClicked: sheet.shelve(1)
+        },
+        Button {
+            objectName: "alarmShelve8"
+            visible: sheet.alarm.shelvable && !sheet.alarm.shelved
+            text: qsTr("Shelve 8 h")
+            onClicked: sheet.shelve(8)
+        },
+        Button {
+            objectName: "alarmAcknowledge"
+            visible: sheet.alarm.calls
+            kind: Button.Primary
+            text: qsTr("Acknowledge")
+            onClicked: {
+                Alarms.acknowledgeShown()
+                sheet.closed()
+            }
+        }
+    ]
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// One row of the audit trail: when and who, what, and from what to what.
+pragma ComponentBehavior: Bound
+import QtQuick
+import QtQuick.Templates as T
+import CamPanel.Theme
+import CamPanel.Controls
+
+T.AbstractButton {
+    id: row
+
+    required property string time
+    required property string who
+    required property string what
+    required property string object
+    required property string change
+    required property string problem
+
+    implicitHeight: Theme.size.touch
+
+    background: Rectangle {
+        radius: Theme.size.radius
+        color: row.down ? Theme.color.touchTint : Theme.color.inset
+        border { width: Theme.size.hairline; color: Theme.color.line }
+    }
+    Item {
+        anchors.fill: parent
+        Column {
+            id: first
+            anchors { left: parent.left; leftMargin: Theme.size.padding; verticalCenter: parent.verticalCenter }
+            width: Math.round(parent.width * 0.3)
+            Label {
+                width: parent.width
+                text: row.time
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption - 3
+                color: Theme.color.secondaryInk
+                font.pixelSize: Theme.size.caption
+            }
+            Label {
+                width: parent.width
+                text: row.who
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption - 2
+            }
+        }
+        Column {
+            anchors { left: first.right; leftMargin: Theme.size.padding; right: arrow.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+            Label {
+                width: parent.width
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption - 3
+                text: row.object.length > 0 ? qsTr("%1 · %2").arg(row.what).arg(row.object) : row.what
+                font.weight: Font.DemiBold
+            }
+            Label {
+                width: parent.width
+                visible: text.length > 0
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption - 3
+                text: row.problem.length > 0 ? row.problem : row.change
+                color: row.problem.length > 0 ? Theme.color.warning : Theme.color.secondaryInk
+                font.pixelSize: Theme.size.caption
+            }
+        }
+        IconLabel {
+            id: arrow
+            anchors { right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+            code: Theme.icon.next
+            color: Theme.color.touch
+        }
+    }
+}

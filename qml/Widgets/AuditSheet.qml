@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// The audit trail: rows newest first, by who and what; one of them in full; the state of the chain; a file of it.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+Sheet {
+    id: sheet
+
+    property string mode: "list"           // or "who", "area", "detail"
+    signal exportRequested()
+
+    readonly property var choices: sheet.mode === "who" ? Audit.names : Audit.areas
+    readonly property bool chooses: sheet.mode === "who" || sheet.mode === "area"
+
+    function choose(key: string): void {
+        if (sheet.mode === "who")
+            Audit.who = key
+        else
+            Audit.area = key
+        sheet.mode = "list"
+    }
+
+    title: sheet.mode === "detail" ? Audit.detailTitle : qsTr("Audit trail")
+    Component.onCompleted: Audit.open()
+
+    Item {
+        anchors.fill: parent
+        visible: sheet.mode === "list"
+
+        Row {
+            id: filters
+            anchors { left: parent.left; right: parent.right; top: parent.top }
+            spacing: Theme.size.spacing
+            readonly property real third: (width - 2 * spacing) / 3
+            SettingRow {
+                objectName: "auditWho"
+                width: filters.third
+                label: qsTr("Who")
+                value: Audit.who.length > 0 ? Audit.who : qsTr("Everybody")
+                onClicked: sheet.mode = "who"
+            }
+            SettingRow {
+                objectName: "auditArea"
+                width: filters.third
+                label: qsTr("What")
+                value: Audit.areaText
+                onClicked: sheet.mode = "area"
+            }
+            Button {
+                objectName: "auditExport"
+                width: filters.third
+                glyph: Theme.icon.save
+                text: qsTr("Export CSV")
+                enabled: Audit.count > 0 && !Audit.busy
+                onClicked: {
+                    Audit.exportCsv()
+                    sheet.exportRequested()
+                }
+            }
+        }
+        Label {
+            objectName: "auditEmpty"
+            anchors { left: parent.left; right: parent.right; top: filters.bottom; topMargin: Theme.size.padding }
+            visible: Audit.count === 0 && !Audit.busy
+            wrapMode: Text.WordWrap
+            text: qsTr("Nothing of this kind yet. Every command, download, parameter, setting and login is written down here.")
+            color: Theme.color.secondaryInk
+        }
+        ListView {
+            id: list
+            objectName: "auditList"
+            anchors { left: parent.left; right: parent.right; top: filters.bottom; bottom: chain.top; topMargin: Theme.size.spacing; bottomMargin: Theme.size.spacing }
+            clip: true
+            spacing: Theme.size.outline
+            boundsBehavior: Flickable.StopAtBounds
+            model: Audit
+            onAtYEndChanged: {
+                if (atYEnd && Audit.count > 0)
+                    Audit.readMore()
+            }
+            delegate: AuditRow {
+                required property int index
+                objectName: "audit" + index
+                width: list.width - 2 * Theme.size.accent
+                onClicked: {
+                    Audit.select(index)
+                    sheet.mode = "detail"
+                }
+            }
+        }
+        ScrollMark { view: list }
+        Row {
+            id: chain
+            anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+            spacing: Theme.size.spacing
+            IconLabel {
+                id: chainIcon
+                anchors.verticalCenter: parent.verticalCenter
+                code: Audit.broken ? Theme.icon.alert : Audit.checking ? Theme.icon.unknown : Theme.icon.good
+                color: Audit.broken ? Theme.color.fault : Theme.color.secondaryInk
+            }
+            Label {
+                objectName: "auditChain"
+                anchors.verticalCenter: parent.verticalCenter
+                width: parent.width - chainIcon.width - parent.spacing
+                wrapMode: Text.WordWrap
+                text: Audit.chainText
+                color: Audit.broken ? Theme.color.fault : Theme.color.secondaryInk
+            }
+        }
+    }
+    ListView {
+        id: picker
+        anchors.fill: parent
+        visible: sheet.chooses
+        clip: true
+        spacing: Theme.size.spacing
+        boundsBehavior: Flickable.StopAtBounds
+        model: sheet.chooses ? sheet.choices : []
+        delegate: ChoiceRow {
+            required property var modelData
+            objectName: "choice_" + modelData.key
+            width: picker.width - 2 * Theme.size.accent
+            text: modelData.text
+            holds: modelData.key === (sheet.mode === "who" ? Audit.who : Audit.area)
+            onClicked: sheet.choose(modelData.key)
+        }
+    }
+    ScrollMark {
+        view: picker
+        opacity: sheet.chooses ? 1 : 0
+    }
+    AuditDetail {
+        anchors { left: parent.left; right: parent.right; top: parent.top; bottom: back.top; bottomMargin: Theme.size.spacing }
+        visible: sheet.mode === "detail"
+    }
+    Button {
+        id: back
+        objectName: "auditBack"
+        anchors { right: parent.right; bottom: parent.bottom }
+        visible: sheet.mode === "detail"
+        text: qsTr("Back to the list")
+        onClicked: sheet.mode = "list"
+    }
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// A question before something that cannot be taken back by a second touch: what will happen, and the ways on.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+
+Sheet {
+    id: sheet
+
+    required property string question
+    required property var ways             // each {key, text, primary}
+    signal chosen(string key)
+
+    panelWidth: width * 0.86
+    panelHeight: 4.2 * Theme.size.touch
+
+    Label {
+        objectName: "question"
+        anchors.fill: parent
+        wrapMode: Text.WordWrap
+        fontSizeMode: Text.Fit
+        minimumPixelSize: Theme.size.caption
+        text: sheet.question
+    }
+    footer: [
+        Button {
+            objectName: "confirmCancel"
+            text: qsTr("Cancel")
+            onClicked: sheet.closed()
+        },
+        Repeater {
+            model: sheet.ways
+            Button {
+                required property var modelData
+                objectName: "confirm_" + modelData.key
+                kind: modelData.primary ? Button.Primary : Button.Normal
+                text: modelData.text
+                onClicked: {
+                    sheet.closed()
+                    sheet.chosen(modelData.key)
+                }
+            }
+        }
+    ]
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// One side of what the controller tells of its inputs and outputs: lamp, name and value. A lamp that is on is full, one that is
+// off is a ring.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+Column {
+    id: column
+
+    required property string title
+    required property IoList io
+    required property int side             // IoList.Input ...
+    property bool withValues: true
+
+    readonly property int rowHeight: Math.round(Theme.size.caption * 1.7)
+
+    Label {
+        width: parent.width
+        height: column.rowHeight
+        text: column.title
+        color: Theme.color.secondaryInk
+        font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
+    }
+    Repeater {
+        model: column.io
+        Item {
+            id: row
+            required property string name
+            required property string value
+            required property int side
+            required property int lamp
+            readonly property bool bad: lamp === IoList.Bad
+            readonly property color ink: column.io.stale ? Theme.color.disabledInk : bad ? Theme.color.fault : Theme.color.ink
+            visible: side === column.side
+            width: column.width
+            height: column.rowHeight
+            Rectangle {
+                id: light
+                anchors.verticalCenter: parent.verticalCenter
+                visible: row.lamp !== IoList.None
+                width: Theme.size.mark
+                height: width
+                radius: width / 2
+                color: row.lamp === IoList.Off ? "transparent" : column.io.stale ? Theme.color.disabledInk : row.bad ? Theme.color.fault : Theme.color.touch
+                border { width: Theme.size.outline; color: row.lamp === IoList.Off || column.io.stale ? Theme.color.disabledInk : row.bad ? Theme.color.fault : Theme.color.touch }
+            }
+            Label {
+                anchors { left: parent.left; leftMargin: Theme.size.mark + Theme.size.spacing; right: amount.left; rightMargin: column.withValues ? Theme.size.spacing : 0 }
+                height: parent.height
+                text: row.name
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption - 3
+                color: row.ink
+                font { pixelSize: Theme.size.caption; weight: row.bad ? Font.Bold : Font.Normal }
+            }
+            Label {
+                id: amount
+                anchors.right: parent.right
+                height: parent.height
+                text: row.value
+                color: row.ink
+                font { pixelSize: Theme.size.caption; weight: Font.Bold }
+            }
+        }
+    }
+}

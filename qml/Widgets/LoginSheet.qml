@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Logging in: who may do what was touched, and the pad for the PIN of the one who is chosen.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+PinPanel {
+    id: sheet
+
+    required property int level            // that is needed, Access.Viewer: any
+    readonly property var everybody: Access.users
+    readonly property var people: sheet.everybody.filter(user => user.level >= sheet.level)
+
+    title: qsTr("Log in")
+    sentence: sheet.level > Access.Viewer ? Access.refusalText(sheet.level) : qsTr("Choose who you are.")
+    pad {
+        label: qsTr("PIN")
+        ready: Access.chosen > 0 && !Access.waits && !Access.busy
+        hintIsFault: Access.waits || Access.failed
+        hint: Access.chosen === 0 ? qsTr("Choose who you are, then type your PIN.") : Access.waits ? Access.waitText
+            : Access.busy ? qsTr("One moment …") : Access.message.length > 0 ? Access.message : qsTr("Type your PIN.")
+        onAccepted: pin => Access.login(pin)
+        onEdited: Access.clearMessage()
+    }
+    Component.onCompleted: {
+        Access.clearMessage()
+        Access.chosen = sheet.people.length === 1 ? sheet.people[0].id : 0
+    }
+
+    ListView {
+        id: list
+        objectName: "loginUsers"
+        anchors.fill: parent
+        clip: true
+        spacing: Theme.size.spacing
+        boundsBehavior: Flickable.StopAtBounds
+        model: sheet.people
+        delegate: ChoiceRow {
+            required property var modelData
+            objectName: "login_" + modelData.name
+            width: list.width - 2 * Theme.size.accent
+            text: modelData.name
+            note: modelData.levelText
+            holds: Access.chosen === modelData.id
+            onClicked: {
+                sheet.pad.clear()
+                Access.clearMessage()
+                Access.chosen = modelData.id
+            }
+        }
+    }
+    ScrollMark { view: list }
+}

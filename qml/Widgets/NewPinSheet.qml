@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// A PIN to be set: typed twice, refused when it is easily guessed.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+PinPanel {
+    id: sheet
+
+    property string first                  // what was typed the first time
+    property string refusal
+    signal entered(string pin)
+
+    function take(pin: string): void {
+        const isSecond = sheet.first.length > 0
+        sheet.refusal = isSecond ? (pin === sheet.first ? "" : qsTr("The two were not the same. Once more from the beginning.")) : Access.pinRefusal(pin)
+        if (isSecond && sheet.refusal.length === 0)
+            sheet.entered(pin)
+        sheet.first = isSecond || sheet.refusal.length > 0 ? "" : pin
+    }
+
+    sentence: qsTr("4 to 8 digits. Nobody can look it up later; somebody of the level Service can set a new one.")
+    pad {
+        label: sheet.first.length > 0 ? qsTr("Again") : qsTr("New PIN")
+        hint: sheet.refusal.length > 0 ? sheet.refusal : sheet.first.length > 0 ? qsTr("Type the same PIN again.") : qsTr("Type the new PIN.")
+        hintIsFault: sheet.refusal.length > 0
+        onAccepted: pin => sheet.take(pin)
+        onEdited: sheet.refusal = ""
+    }
+}

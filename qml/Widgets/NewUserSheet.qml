@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// A user to be added: level and name, then the PIN. The first one is of the level Service.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+Sheet {
+    id: sheet
+
+    property int level: Access.protectedByPins ? Access.Operator : Access.Service
+    property string name: Access.freeName(level)
+    readonly property var levels: Access.levels
+    readonly property string refusal: Access.nameRefusal(sheet.name)
+    signal nameRequested()
+    signal pinRequested()
+
+    title: qsTr("New user")
+    panelHeight: Theme.size.touch * (Access.protectedByPins ? 6.6 : 5)
+
+    Column {
+        anchors.fill: parent
+        spacing: Theme.size.spacing
+        Repeater {
+            model: Access.protectedByPins ? sheet.levels : []
+            ChoiceRow {
+                required property var modelData
+                objectName: "level" + modelData.key
+                width: parent.width
+                text: modelData.text
+                note: modelData.note
+                holds: sheet.level === modelData.key
+                onClicked: {
+                    const wasFree = sheet.name === Access.freeName(sheet.level)
+                    sheet.level = modelData.key
+                    if (wasFree)
+                        sheet.name = Access.freeName(modelData.key)
+                }
+            }
+        }
+        Label {
+            visible: !Access.protectedByPins
+            width: parent.width
+            wrapMode: Text.WordWrap
+            text: qsTr("The first user is of the level Service: may do everything and adds the others. Keep this PIN where it can be found again; nobody can read it out of the panel.")
+        }
+        SettingRow {
+            objectName: "newUserName"
+            width: parent.width
+            label: qsTr("Name")
+            value: sheet.name.length > 0 ? sheet.name : Theme.unknownText
+            glyph: Theme.icon.edit
+            onClicked: sheet.nameRequested()
+        }
+    }
+    footer: [
+        Label {
+            height: Theme.size.touch
+            text: sheet.refusal
+            color: Theme.color.fault
+        },
+        Button {
+            objectName: "userPin"
+            kind: Button.Primary
+            text: qsTr("On to the PIN")
+            enabled: sheet.refusal.length === 0
+            onClicked: sheet.pinRequested()
+        }
+    ]
+}

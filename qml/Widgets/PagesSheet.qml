@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pages that have no key of their own in the navigation.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Controls
+
+ListPicker {
+    id: sheet
+
+    required property var pages            // list of {page, text}
+
+    title: qsTr("More pages")
+    choices: sheet.pages.map(each => ({ key: each.page, text: each.text }))
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a PIN is asked for, at the left, and the pad for it beside Stop.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+
+Item {
+    id: panel
+
+    required property string title
+    property string sentence
+    property alias pad: pad
+    default property alias content: body.data
+    signal closed()
+
+    Rectangle {
+        anchors.fill: parent
+        color: Theme.color.scrim
+    }
+    MouseArea {
+        anchors.fill: parent
+        onClicked: panel.closed()
+    }
+    Card {
+        objectName: "sheetPanel"
+        clip: true
+        anchors { left: parent.left; leftMargin: Theme.size.gap; right: pad.left; rightMargin: Theme.size.spacing; top: pad.top; bottom: pad.bottom }
+        MouseArea { anchors.fill: parent }
+        Column {
+            id: heading
+            anchors { left: parent.left; right: parent.right; top: parent.top; margins: Theme.size.padding }
+            spacing: Theme.size.spacing
+            Label {
+                width: parent.width
+                text: panel.title
+                wrapMode: Text.WordWrap
+                font { pixelSize: Theme.size.title; bold: true }
+            }
+            Label {
+                objectName: "pinSentence"
+                width: parent.width
+                visible: text.length > 0
+                wrapMode: Text.WordWrap
+                text: panel.sentence
+                color: Theme.color.secondaryInk
+            }
+        }
+        Item {
+            id: body
+            anchors { left: parent.left; right: parent.right; top: heading.bottom; bottom: parent.bottom; margins: Theme.size.padding }
+        }
+    }
+    PinPad {
+        id: pad
+        objectName: "keypad"
+        label: qsTr("PIN")
+        anchors { right: parent.right; verticalCenter: parent.verticalCenter }
+        width: preferredWidth
+        height: Math.min(parent.height, preferredHeight)
+        onCanceled: panel.closed()
+    }
+}

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// The chosen recipe: what it is, whether it is open or runs, and what can be done with it.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+Card {
+    id: card
+
+    signal openRequested()
+    signal copyRequested()
+    signal renameRequested()
+    signal versionsRequested()
+    signal compareRequested()
+    signal exportRequested()
+    signal removeRequested()
+
+    readonly property real third: Math.floor((keys.width - 2 * keys.spacing) / 3)
+
+    component Key: Button {
+        width: card.third
+    }
+
+    Column {
+        id: head
+        anchors { left: parent.left; right: parent.right; top: parent.top; margins: Theme.size.padding }
+        Label {
+            objectName: "chosenName"
+            width: parent.width
+            fontSizeMode: Text.HorizontalFit
+            minimumPixelSize: Theme.size.caption
+            text: Recipes.chosenName
+            font { pixelSize: Theme.size.title; bold: true }
+        }
+        Label {
+            width: parent.width
+            fontSizeMode: Text.HorizontalFit
+            minimumPixelSize: Theme.size.caption - 4
+            text: Recipes.chosenNote
+            color: Theme.color.secondaryInk
+            font.pixelSize: Theme.size.caption
+        }
+        Label {
+            width: parent.width
+            text: Recipes.chosenIsActive ? qsTr("In the controller") : Recipes.chosenIsOpen ? qsTr("Open on this panel") : qsTr("Stored on this panel")
+            color: Recipes.chosenIsActive ? Theme.color.good : Theme.color.secondaryInk
+            font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
+        }
+    }
+    ListView {
+        id: list
+        anchors { left: parent.left; right: parent.right; top: head.bottom; bottom: keys.top; margins: Theme.size.padding; topMargin: Theme.size.spacing }
+        clip: true
+        boundsBehavior: Flickable.StopAtBounds
+        model: Recipes.figures
+        delegate: Item {
+            id: figure
+            required property string label
+            required property string value
+            width: list.width - 2 * Theme.size.accent
+            height: Math.round(1.5 * Theme.size.body)
+            Label {
+                width: parent.width - amount.width - Theme.size.spacing
+                height: parent.height
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption - 3
+                text: figure.label
+                color: Theme.color.secondaryInk
+            }
+            Label {
+                id: amount
+                anchors.right: parent.right
+                height: parent.height
+                text: figure.value
+                font.weight: Font.DemiBold
+            }
+        }
+    }
+    ScrollMark { view: list }
+    Flow {
+        id: keys
+        anchors { left: parent.left; right: parent.right; bottom: parent.bottom; margins: Theme.size.spacing }
+        spacing: Theme.size.spacing
+        Key {
+            objectName: "recipeRename"
+            text: qsTr("Rename …")
+            onClicked: card.renameRequested()
+        }
+        Key {
+            objectName: "recipeCopy"
+            text: qsTr("Copy …")
+            onClicked: card.copyRequested()
+        }
+        Key {
+            objectName: "recipeVersions"
+            text: qsTr("Versions")
+            onClicked: card.versionsRequested()
+        }
+        Key {
+            objectName: "recipeCompare"
+            text: qsTr("Compare")
+            enabled: Recipes.total > 1
+            onClicked: card.compareRequested()
+        }
+        Key {
+            objectName: "recipeRemove"
+            text: qsTr("Delete …")
+            enabled: !Recipes.chosenIsOpen
+            onClicked: card.removeRequested()
+        }
+        Key {
+            objectName: "recipeExport"
+            text: qsTr("Export …")
+            onClicked: card.exportRequested()
+        }
+        Key {
+            objectName: "recipeOpen"
+            width: keys.width
+            kind: Button.Primary
+            text: Recipes.chosenIsOpen && !Editor.edited ? qsTr("Download …") : qsTr("Open")
+            onClicked: card.openRequested()
+        }
+    }
+}

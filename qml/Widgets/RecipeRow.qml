@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// One recipe of the list: name, what it is, when it was saved; whether it is open or in the controller.
+pragma ComponentBehavior: Bound
+import QtQuick
+import QtQuick.Templates as T
+import CamPanel.Theme
+import CamPanel.Controls
+
+T.AbstractButton {
+    id: row
+
+    required property string name
+    required property int version
+    required property string summary
+    required property bool isOpen
+    required property bool isActive
+    property bool holds
+
+    implicitHeight: Theme.size.touch
+
+    background: Rectangle {
+        radius: Theme.size.radius
+        color: row.holds || row.down ? Theme.color.touchTint : Theme.color.inset
+        border { width: Theme.size.hairline; color: row.holds ? Theme.color.touch : Theme.color.line }
+    }
+    Item {
+        anchors.fill: parent
+        Column {
+            anchors { left: parent.left; right: marks.left; margins: Theme.size.padding; verticalCenter: parent.verticalCenter }
+            spacing: Theme.size.outline
+            Label {
+                width: parent.width
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption - 3
+                text: row.name
+                font.weight: Font.DemiBold
+            }
+            Label {
+                width: parent.width
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption - 3
+                text: qsTr("v%1 · %2").arg(row.version).arg(row.summary)
+                color: Theme.color.secondaryInk
+                font.pixelSize: Theme.size.caption
+            }
+        }
+        Row {
+            id: marks
+            anchors { right: parent.right; rightMargin: Theme.size.padding; verticalCenter: parent.verticalCenter }
+            spacing: Theme.size.spacing
+            IconLabel {
+                visible: row.isOpen
+                code: Theme.icon.edit
+                color: Theme.color.secondaryInk
+            }
+            IconLabel {
+                visible: row.isActive
+                code: Theme.icon.machine
+                color: row.holds ? Theme.color.ink : Theme.color.good
+            }
+        }
+    }
+}

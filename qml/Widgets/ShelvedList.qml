@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// The alarms that are shelved, until when and by whom, each with a key that takes it back.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+Item {
+    id: panel
+
+    ListView {
+        id: list
+        anchors.fill: parent
+        clip: true
+        boundsBehavior: Flickable.StopAtBounds
+        model: Alarms.shelved
+        delegate: Rectangle {
+            id: row
+            required property int index
+            required property string code
+            required property string title
+            required property string until
+            required property string by
+            width: list.width - 2 * Theme.size.accent
+            height: Theme.size.touch + Theme.size.accent
+            color: Theme.color.surface
+            Rectangle {
+                anchors.bottom: parent.bottom
+                width: parent.width
+                height: Theme.size.hairline
+                color: Theme.color.line
+            }
+            Column {
+                anchors { left: parent.left; right: back.left; margins: Theme.size.padding; verticalCenter: parent.verticalCenter }
+                Label {
+                    width: parent.width
+                    text: row.title
+                    fontSizeMode: Text.HorizontalFit
+                    minimumPixelSize: Theme.size.caption
+                }
+                Label {
+                    objectName: "shelvedState"
+                    width: parent.width
+                    text: row.by.length > 0 ? qsTr("%1 · %2 · by %3").arg(row.code).arg(row.until).arg(row.by) : qsTr("%1 · %2").arg(row.code).arg(row.until)
+                    fontSizeMode: Text.HorizontalFit
+                    minimumPixelSize: 0.8 * Theme.size.caption
+                    color: Theme.color.secondaryInk
+                    font.pixelSize: Theme.size.caption
+                }
+            }
+            Button {
+                id: back
+                objectName: "unshelve" + row.index
+                anchors { right: parent.right; verticalCenter: parent.verticalCenter }
+                text: qsTr("Take back")
+                onClicked: Alarms.unshelve(row.index)
+            }
+        }
+    }
+    ScrollMark { view: list }
+    Label {
+        objectName: "alarmsEmpty"
+        anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; margins: Theme.size.padding }
+        visible: list.count === 0
+        horizontalAlignment: Text.AlignHCenter
+        wrapMode: Text.WordWrap
+        text: qsTr("Nothing is shelved. A warning that is known about and does not stop the machine can be shelved for some hours: tap it in the list.")
+        color: Theme.color.secondaryInk
+    }
+}

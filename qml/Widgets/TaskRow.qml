@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Something that can be done, with what it does in a sentence and its key.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+
+Item {
+    id: row
+
+    required property string title
+    required property string note
+    required property string action
+    required property string name          // of the key, for who looks for it
+    property string glyph
+    property real keyWidth: key.implicitWidth
+    readonly property alias naturalKeyWidth: key.implicitWidth
+    property bool usable: true
+    signal clicked()
+
+    implicitHeight: Theme.size.touch
+
+    Column {
+        anchors { left: parent.left; right: key.left; rightMargin: Theme.size.padding; verticalCenter: parent.verticalCenter }
+        Label {
+            id: heading
+            width: parent.width
+            text: row.title
+            font.weight: Font.DemiBold
+        }
+        Label {
+            width: parent.width
+            height: Math.min(implicitHeight, row.height - heading.height)
+            wrapMode: Text.Wrap
+            fontSizeMode: Text.Fit
+            minimumPixelSize: Theme.size.caption - 3
+            text: row.note
+            color: Theme.color.secondaryInk
+            font.pixelSize: Theme.size.caption
+        }
+    }
+    Button {
+        id: key
+        objectName: row.name
+        anchors { right: parent.right; verticalCenter: parent.verticalCenter }
+        width: row.keyWidth
+        enabled: row.usable
+        glyph: row.glyph
+        text: row.action
+        onClicked: row.clicked()
+    }
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which quantities are drawn.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+Sheet {
+    id: sheet
+
+    readonly property var chosen: Trends.chosen
+    readonly property TrendWords words: TrendWords {}
+
+    readonly property real rowHeight: Theme.size.touch * 1.2
+
+    panelHeight: Theme.size.touch + Theme.size.outline + 3 * (sheet.rowHeight + Theme.size.spacing) + Theme.size.padding
+    title: qsTr("Curves")
+    note: qsTr("Up to three; one more takes the place of the lowest.")
+
+    Grid {
+        id: grid
+        anchors { left: parent.left; right: parent.right; top: parent.top }
+        columns: 2
+        spacing: Theme.size.spacing
+        Repeater {
+            model: sheet.words.titles.length
+            ChoiceRow {
+                required property int index
+                objectName: "curve" + index
+                width: (grid.width - grid.spacing) / 2
+                height: sheet.rowHeight
+                text: sheet.words.titles[index]
+                note: sheet.words.notes[index]
+                holds: sheet.chosen.includes(index)
+                onClicked: Trends.toggle(index)
+            }
+        }
+    }
+}

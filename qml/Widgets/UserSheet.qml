@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// One user: level, PIN, and taking them out.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+Sheet {
+    id: sheet
+
+    required property int userId
+    property bool sure                     // the first tap on Remove asks, the second one removes
+    readonly property var everybody: Access.users
+    readonly property var user: sheet.everybody.find(each => each.id === sheet.userId) ?? { name: "", level: Access.Operator }
+    readonly property var levels: Access.levels
+    signal pinRequested()
+
+    title: sheet.user.name
+    note: Access.message
+    panelHeight: Theme.size.touch * 6
+
+    Column {
+        anchors.fill: parent
+        spacing: Theme.size.spacing
+        Repeater {
+            model: sheet.levels
+            ChoiceRow {
+                required property var modelData
+                objectName: "level" + modelData.key
+                width: parent.width
+                text: modelData.text
+                note: modelData.note
+                holds: sheet.user.level === modelData.key
+                onClicked: Access.changeLevel(sheet.userId, modelData.key)
+            }
+        }
+    }
+    footer: [
+        Button {
+            objectName: "userRemove"
+            glyph: Theme.icon.remove
+            text: sheet.sure ? qsTr("Yes, remove") : qsTr("Remove")
+            onClicked: {
+                if (sheet.sure) {
+                    Access.removeUser(sheet.userId)
+                    sheet.closed()
+                }
+                sheet.sure = true
+            }
+        },
+        Button {
+            objectName: "userPin"
+            glyph: Theme.icon.key
+            text: qsTr("New PIN")
+            onClicked: sheet.pinRequested()
+        }
+    ]
+    Component.onCompleted: Access.clearMessage()
+}

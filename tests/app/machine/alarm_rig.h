@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Alarms on a fake link with a log that can be closed and opened again, as a panel that is restarted.
+#pragma once
+
+#include "panel_rig.h"
+
+#include <QEventLoop>
+#include <QTest>
+
+#include <memory>
+
+namespace campanel::test {
+
+struct AlarmRig {
+    PanelRig panel;
+    QTemporaryDir folder;
+    std::unique_ptr<machine::Records> records;
+    std::unique_ptr<machine::Alarms> alarms;
+    QDateTime day{QDate(2026, 1, 15), QTime(14, 0)}; // when panel.now is an hour
+
+    AlarmRig() { start(); }
+
+    void start()
+    {
+        records = std::make_unique<machine::Records>(folder.path(), nullptr);
+        alarms =
+            std::make_unique<machine::Alarms>(panel.machine, panel.editor, *records, panel.settings, nullptr);
+        alarms->setWallClock([this] { return wall(); });
+        alarms->setPaceMs(0);
+        alarms->watch().setPatienceMs(3'600'000); // a test that connects nothing is not about that
+    }
+    void end()
+    {
+        alarms.reset();
+        records.reset();
+    }
+    void open() { records->open(); }
+
+    [[nodiscard]] QDateTime wall() const
+    {
+        const auto since = panel.now.time_since_epoch() - std::chrono::hours(1);
+        return day.addMSecs(std::chrono::duration_cast<std::chrono::milliseconds>(since).count());
+    }
+    void pass(std::chrono::milliseconds time) { panel.now += time; }
+
+    void setFaults(unsigned bits)
+    {
+        panel.link.status.faultBits = static_cast<std::uint16_t>(bits);
+        panel.link.sendStatus(panel.now);
+    }
+    void setWarnings(unsigned bits)
+    {
+        panel.link.status.warningBits = static_cast<std::uint16_t>(bits);
+        panel.link.sendStatus(panel.now);
+    }
+
+    // What is on the disk by now, the newest first.
+    [[nodiscard]] QList<store::AlarmRow> logged() const
+    {
+        QList<store::AlarmRow> rows;
+        QEventLoop untilRead;
+        records->store().run(
+            &untilRead,
+            [](store::Database& database) {
+                return store::AlarmLog::page(database, 0).value_or(QList<store::AlarmRow>());
+            },
+            [&](const QList<store::AlarmRow>& read) {
+                rows = read;
+                untilRead.quit();
+            });
+        untilRead.exec();
+        return rows;
+    }
+    // "C-01 active", ... of the list, once what has changed is shown.
+    [[nodiscard]] QStringList live() const
+    {
+        QCoreApplication::processEvents();
+        QStringList lines;
+        for (const machine::AlarmEntry& entry : alarms->live()->entries())
+            lines << entry.row.code +
+                         (entry.isActive() ? QStringLiteral(" active") : QStringLiteral(" gone")) +
+                         (entry.isShelved            ? QStringLiteral(" shelved")
+                          : entry.isUnacknowledged() ? QStringLiteral(" calls")
+                                                     : QString());
+        return lines;
+    }
+};
+
+} // namespace campanel::test

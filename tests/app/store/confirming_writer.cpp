@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writes recipes, audit rows, alarms, copies and the working copy for ever, and says after each what is
+// confirmed: to be killed at any moment.
+#include "app/store/alarm_log.h"
+#include "app/store/audit_log.h"
+#include "app/store/recipe_file.h"
+#include "app/store/recipe_library.h"
+
+#include <QCoreApplication>
+#include <QDir>
+
+#include <cstdio>
+
+using namespace campanel;
+
+namespace {
+
+void confirm(const char* what, qint64 number)
+{
+    std::printf("%s %lld\n", what, static_cast<long long>(number));
+    std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    QCoreApplication application(argc, argv);
+    const QString folder = QCoreApplication::arguments().value(1);
+    auto opened = store::Database::open(folder);
+    if (!opened)
+        return EXIT_FAILURE;
+    store::Database& database = **opened;
+    const auto start = store::AlarmLog::begin(database);
+    if (!start)
+        return EXIT_FAILURE;
+    qint64 alarm = start->lastId;
+    for (int round = 0;; ++round) {
+        program::Recipe recipe;
+        recipe.name = "Killed";
+        recipe.cutter().bagLengthMm = 200 + round % 97;
+        const auto saved = store::RecipeLibrary(database).save(recipe, QStringLiteral("writer"), round);
+        if (!saved)
+            return EXIT_FAILURE;
+        confirm("recipe", saved->version);
+        const auto row = store::appendAudit(database, {round,
+                                                       QStringLiteral("writer"),
+                                                       3,
+                                                       QStringLiteral("recipe.save"),
+                                                       QStringLiteral("Killed"),
+                                                       {},
+                                                       {},
+                                                       {},
+                                                       QStringLiteral("done")});
+        if (!row)
+            return EXIT_FAILURE;
+        confirm("audit", row->sequence);
+        store::AlarmRow raised;
+        raised.id = ++alarm;
+        raised.code = QStringLiteral("C-01");
+        raised.raisedMs = round;
+        if (!store::AlarmLog::write(database, {{raised}, {}, {}}))
+            return EXIT_FAILURE;
+        confirm("alarm", alarm);
+        recipe.version = saved->version;
+        if (!store::writeRecipe(recipe, QDir(folder).filePath(QStringLiteral("working_copy.json"))))
+            return EXIT_FAILURE;
+        confirm("file", saved->version);
+        if (round % 16 == 5) {
+            if (!database.makeCopy())
+                return EXIT_FAILURE;
+            confirm("copy", round);
+        }
+    }
+}

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+// The audit trail: a chain that tells of any change of any row, of rows missing anywhere, and stays bounded.
+#include "app/store/audit_log.h"
+
+#include <QCryptographicHash>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace campanel::store;
+using namespace Qt::StringLiterals;
+using Fault = ChainCheck::Fault;
+
+namespace {
+
+constexpr int rows = 8;
+
+AuditEntry entryNumber(int i)
+{
+    return {1'790'000'000'000 + i,
+            i % 2 == 0 ? u"Anna"_s : u"李伟"_s,
+            i % 4,
+            i % 3 == 0 ? u"parameter.write"_s : u"user.login"_s,
+            u"parameter.mark_distance"_s,
+            QString::number(900 + i),
+            QString::number(903 + i),
+            QString::number(903 + i),
+            u"done"_s};
+}
+
+struct Trail {
+    QTemporaryDir folder;
+    std::unique_ptr<Database> database;
+
+    explicit Trail(int count = rows, const AuditBounds& bounds = {})
+    {
+        open();
+        for (int i = 1; i <= count; ++i) {
+            if (!appendAudit(*database, entryNumber(i), bounds))
+                qFatal("a row was not taken");
+        }
+    }
+    void open()
+    {
+        database.reset();
+        database = *Database::open(folder.path());
+    }
+    void tamper(const QString& statement)
+    {
+        const auto done = database->execute(statement);
+        QVERIFY2(done && done->numRowsAffected() > 0, qPrintable(statement));
+    }
+    [[nodiscard]] ChainCheck check() const { return *verifyChain(*database); }
+    [[nodiscard]] QString anchorFile() const { return folder.filePath(u"campanel.sqlite.audit"_s); }
+};
+
+} // namespace
+
+class TestAuditLog : public QObject {
+    Q_OBJECT
+
+private slots:
+    void whatWasAppendedIsReadNewestFirst()
+    {
+        Trail trail;
+        trail.open();
+        const auto page = readAudit(*trail.database, {}, std::nullopt, 3);
+        QVERIFY(page);
+        QCOMPARE(page->size(), 3);
+        QCOMPARE(page->first().sequence, qint64{rows});
+        QCOMPARE(page->first().entry, entryNumber(rows));
+        const auto next = readAudit(*trail.database, {}, page->last().sequence, 100);
+        QCOMPARE(next->size(), rows - 3);
+        QCOMPARE(next->last().sequence, qint64{1});
+        QCOMPARE(readAudit(*trail.database, {u"Anna"_s, {}}, std::nullopt, 100)->size(), rows / 2);
+        QCOMPARE(readAudit(*trail.database, {{}, u"parameter"_s}, std::nullopt, 100)->size(), 2);
+        QCOMPARE(readAudit(*trail.database, {{}, u"para"_s}, std::nullopt, 100)->size(), 0);
+        QCOMPARE(*auditNames(*trail.database), QStringList({u"Anna"_s, u"李伟"_s}));
+    }
+
+    void anUntouchedChainIsUnbroken()
+    {
+        Trail empty(0);
+        QCOMPARE(empty.check().fault(), Fault::None);
+        Trail trail;
+        trail.open();
+        const ChainCheck check = trail.check();
+        QCOMPARE(check.fault(), Fault::None);
+        QCOMPARE(check.rows(), qint64{rows});
+        QCOMPARE(check.losses(), qint64{0});
+    }
+
+    void partsOfTheCheckAddUp()
+    {
+        Trail trail;
+        ChainCheck check;
+        int parts = 0;
+        for (; !check.isOver(); ++parts)
+            QVERIFY(check.advance(*trail.database, 3));
+        QCOMPARE(parts, 3);
+        QCOMPARE(check.fault(), Fault::None);
+        QCOMPARE(check.rows(), qint64{rows});
+    }
+
+    // Every column of every row, each with a value that another row may well have.
+    void anyChangeIsFound()
+    {
+        const QStringList texts{u"who"_s,   u"what"_s,      u"object"_s, u"before"_s,
+                                u"after"_s, u"read_back"_s, u"outcome"_s};
+        const QStringList numbers{u"sequence"_s, u"time_ms"_s, u"level"_s};
+        Trail trail;
+        for (int row = 1; row <= rows; ++row) {
+            QStringList changes;
+            for (const QString& column : texts)
+                changes << u"%1 = %1 || 'x'"_s.arg(column) << u"%1 = ''"_s.arg(column);
+            for (const QString& column : numbers)
+                changes << u"%1 = %1 + 100"_s.arg(column) << u"%1 = %1 - 100"_s.arg(column);
+            for (const QString& column : {u"previous"_s, u"hash"_s})
+                changes << u"%1 = randomblob(32)"_s.arg(column) << u"%1 = x''"_s.arg(column);
+            for (const QString& change : changes) {
+                QVERIFY(trail.database->execute(u"BEGIN"_s));
+                trail.tamper(u"UPDATE audit SET %1 WHERE sequence = %2"_s.arg(change).arg(row));
+                const ChainCheck check = trail.check();
+                QVERIFY(trail.database->execute(u"ROLLBACK"_s));
+                QVERIFY2(check.fault() != Fault::None, qPrintable(change));
+                const bool isMoved = change.startsWith(u"sequence = sequence - ");
+                QCOMPARE(check.brokenSequence(), isMoved ? row - 100 : row);
+            }
+        }
+        QCOMPARE(trail.check().fault(), Fault::None);
+    }
+
+    void textMovedBetweenColumnsIsFound()
+    {
+        Trail trail;
+        trail.tamper(u"UPDATE audit SET before = before || after, after = '' WHERE sequence = 4"_s);
+        QCOMPARE(trail.check().brokenSequence(), qint64{4});
+    }
+
+    void missingRowsAreFound()
+    {
+        for (int row = 1; row <= rows; ++row) {
+            Trail trail;
+            trail.tamper(u"DELETE FROM audit WHERE sequence = %1"_s.arg(row));
+            const ChainCheck check = trail.check();
+            QCOMPARE(check.fault(), row == rows ? Fault::MissingAtEnd : Fault::Missing);
+            QCOMPARE(check.brokenSequence(), qint64{row});
+        }
+    }
+
+    void exchangedRowsAreFound()
+    {
+        Trail trail;
+        trail.tamper(u"UPDATE audit SET sequence = 100 WHERE sequence = 3"_s);
+        trail.tamper(u"UPDATE audit SET sequence = 3 WHERE sequence = 4"_s);
+        trail.tamper(u"UPDATE audit SET sequence = 4 WHERE sequence = 100"_s);
+        QCOMPARE(trail.check().fault(), Fault::Altered);
+        QCOMPARE(trail.check().brokenSequence(), qint64{3});
+    }
+
+    void truncationIsFoundAndStaysTold()
+    {
+        Trail trail;
+        trail.tamper(u"DELETE FROM audit WHERE sequence > 5"_s);
+        QCOMPARE(trail.check().fault(), Fault::MissingAtEnd);
+        QCOMPARE(trail.check().brokenSequence(), qint64{6});
+        trail.open();
+        QVERIFY(appendAudit(*trail.database, entryNumber(9)));
+        const auto page = readAudit(*trail.database, {}, std::nullopt, 2);
+        QCOMPARE(page->first().sequence, qint64{7});
+        QCOMPARE(page->last().entry.what, u"audit.loss"_s);
+        QCOMPARE(page->last().entry.object, u"6..8"_s);
+        QCOMPARE(trail.check().fault(), Fault::None);
+        QCOMPARE(trail.check().losses(), qint64{1});
+    }
+
+    void emptiedTrailIsFound()
+    {
+        Trail trail;
+        trail.tamper(u"DELETE FROM audit"_s);
+        QCOMPARE(trail.check().fault(), Fault::MissingAtEnd);
+        QCOMPARE(trail.check().brokenSequence(), qint64{1});
+    }
+
+    // Rows computed anew, all of them: only the file beside knows.
+    void aRewrittenChainDiffersFromTheAnchor()
+    {
+        Trail trail;
+        const QString anchor = trail.anchorFile();
+        QVERIFY(QFile::rename(anchor, anchor + u".kept"_s));
+        trail.tamper(u"DELETE FROM audit"_s);
+        for (int i = 1; i <= rows; ++i)
+            QVERIFY(appendAudit(*trail.database, entryNumber(i == 4 ? 40 : i)));
+        QCOMPARE(trail.check().fault(), Fault::None);
+        QVERIFY(QFile::remove(anchor) && QFile::rename(anchor + u".kept"_s, anchor));
+        QCOMPARE(trail.check().fault(), Fault::Altered);
+        QCOMPARE(trail.check().brokenSequence(), qint64{rows});
+    }
+
+    // The database was written, the file beside not any more: as after a power cut in between.
+    void anOldAnchorIsNoFault()
+    {
+        Trail trail(5);
+        const QString anchor = trail.anchorFile();
+        QVERIFY(QFile::copy(anchor, anchor + u".old"_s));
+        QVERIFY(appendAudit(*trail.database, entryNumber(6)));
+        QVERIFY(QFile::remove(anchor) && QFile::rename(anchor + u".old"_s, anchor));
+        QCOMPARE(trail.check().fault(), Fault::None);
+        QVERIFY(appendAudit(*trail.database, entryNumber(7)));
+        QCOMPARE(trail.check().rows(), qint64{7});
+    }
+
+    void oldestRowsGiveWay()
+    {
+        Trail trail(57, {20, 5});
+        const auto kept = readAudit(*trail.database, {}, std::nullopt, 1000);
+        QVERIFY(kept->size() <= 21);
+        QVERIFY(kept->size() > 14);
+        QVERIFY(kept->last().sequence > 1);
+        QCOMPARE(kept->first().entry, entryNumber(57));
+        const ChainCheck check = trail.check();
+        QCOMPARE(check.fault(), Fault::None);
+        QCOMPARE(check.rows(), qint64{kept->size()});
+        int told = 0;
+        for (const AuditRow& row : *kept)
+            told += row.entry.what == u"audit.trimmed" ? 1 : 0;
+        QVERIFY(told > 0);
+        // The new beginning is part of the chain.
+        trail.tamper(u"UPDATE audit_start SET hash = randomblob(32)"_s);
+        QCOMPARE(trail.check().brokenSequence(), kept->last().sequence);
+    }
+
+    void theHashIsTheOneOfTheDescription()
+    {
+        // Computed by hand: three numbers of eight bytes, seven texts, 32 zeros.
+        AuditEntry entry{2, u"a"_s, 3, u"b"_s, {}, {}, {}, {}, u"ä"_s};
+        QByteArray bytes = QByteArray::fromHex("0000000000000001"
+                                               "0000000000000002"
+                                               "0000000000000003"
+                                               "00000001"
+                                               "61"
+                                               "00000001"
+                                               "62"
+                                               "00000000"
+                                               "00000000"
+                                               "00000000"
+                                               "00000000"
+                                               "00000002"
+                                               "c3a4") +
+                           QByteArray(32, '\0');
+        QCOMPARE(auditHash(1, entry, QByteArray(32, '\0')),
+                 QCryptographicHash::hash(bytes, QCryptographicHash::Sha256));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestAuditLog)
+#include "test_audit_log.moc"

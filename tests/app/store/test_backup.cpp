@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: Apache-2.0
+// Backup and restore: everything there and back; what is damaged, cut off, foreign or newer is refused and
+// nothing is changed; a restore that was interrupted anywhere ends whole.
+#include "app/store/archive.h"
+#include "app/store/recipe_json.h"
+#include "app/store/recipe_library.h"
+#include "app/store/restore.h"
+#include "app/store/user_store.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QDirIterator>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <map>
+#include <random>
+
+using namespace campanel::store;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr qint64 nowMs = 1'790'000'000'000;
+
+AuditEntry entryOf(const QString& what)
+{
+    return {nowMs, u"Anna"_s, 3, what, u"x"_s, {}, {}, {}, u"done"_s};
+}
+
+QByteArray bytesOf(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void put(const QString& path, const QByteArray& bytes)
+{
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QCOMPARE(file.write(bytes), bytes.size());
+}
+
+campanel::program::Recipe recipeOf(const char* name)
+{
+    campanel::program::Recipe recipe;
+    recipe.name = name;
+    return recipe;
+}
+
+// A panel's folder, with what it keeps and a backup of that.
+struct Home {
+    QTemporaryDir dir;
+    QTemporaryDir stick;
+    QString backup = stick.filePath(u"day.zip"_s);
+
+    [[nodiscard]] QString at(const char* name) const { return dir.filePath(QString::fromLatin1(name)); }
+
+    Home()
+    {
+        fill("Biscuit", "Anna", 3);
+        keepBackup();
+    }
+
+    void fill(const char* recipe, const char* user, int rows)
+    {
+        const auto database = Database::open(dir.path());
+        QVERIFY(RecipeLibrary(**database).save(recipeOf(recipe), QString::fromLatin1(user), nowMs));
+        QVERIFY(addUser(**database, QString::fromLatin1(user), UserLevel::Service, u"hash"_s));
+        for (int i = 0; i < rows; ++i)
+            QVERIFY(appendAudit(**database, entryOf(u"user.add"_s)));
+        put(at("recipe.json"), toJson(recipeOf(recipe)));
+        put(at("working_copy.json"), toJson(recipeOf(recipe)));
+        put(at("settings.ini"), QByteArray("theme=") + recipe);
+    }
+
+    void keepBackup()
+    {
+        const QTemporaryDir snapshot;
+        const auto database = Database::open(dir.path());
+        auto manifest = takeSnapshot(**database, snapshot.path());
+        QVERIFY(manifest);
+        manifest->program = u"1.2"_s;
+        manifest->made = QDateTime::fromMSecsSinceEpoch(nowMs, Qt::UTC);
+        manifest->madeBy = u"Anna"_s;
+        const BackupParts parts{bytesOf(at("settings.ini")), bytesOf(at("recipe.json")),
+                                bytesOf(at("working_copy.json"))};
+        QVERIFY(writeBackup(backup, *manifest, snapshot.path(), parts));
+    }
+
+    // The names of the recipes and users, and the rows of the trail, all of them linked.
+    [[nodiscard]] QString contents() const
+    {
+        const auto database = Database::open(dir.path());
+        QStringList words;
+        const QList<RecipeVersion> recipes =
+            RecipeLibrary(**database).newest().value_or(QList<RecipeVersion>());
+        for (const RecipeVersion& each : recipes)
+            words << QString::fromStdString(each.recipe.name);
+        const QList<User> people = users(**database).value_or(QList<User>());
+        for (const User& each : people)
+            words << each.name;
+        const auto check = verifyChain(**database);
+        words << QString::number(check->rows());
+        if (check->fault() != ChainCheck::Fault::None)
+            words << u"broken"_s;
+        const auto stored = fromJson(bytesOf(at("recipe.json")), {});
+        words << (stored ? QString::fromStdString(stored->name) : u"?"_s);
+        words << QString::fromUtf8(bytesOf(at("settings.ini")));
+        words.removeDuplicates();
+        return words.join(u' ');
+    }
+
+    [[nodiscard]] FinishedRestore finish() const { return finishRestore(dir.path(), at("settings.ini")); }
+
+    [[nodiscard]] std::map<QString, QByteArray> files() const
+    {
+        std::map<QString, QByteArray> found;
+        QDirIterator it(dir.path(), QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
+        while (it.hasNext()) {
+            const QString path = it.next();
+            found[path] = QCryptographicHash::hash(bytesOf(path), QCryptographicHash::Sha256);
+        }
+        return found;
+    }
+};
+
+// A backup with another manifest.
+void rewrite(const QString& path, const std::function<void(QJsonObject&)>& change)
+{
+    auto archive = ArchiveReader::open(path);
+    QJsonObject json = QJsonDocument::fromJson(*archive->read(u"manifest.json"_s, 100'000)).object();
+    change(json);
+    QList<ArchiveEntry> entries{{u"manifest.json"_s, QJsonDocument(json).toJson(), {}}};
+    for (const char* name :
+         {"campanel.sqlite", "campanel.sqlite.audit", "settings.ini", "recipe.json", "working_copy.json"})
+        entries << ArchiveEntry{
+            QString::fromLatin1(name), *archive->read(QString::fromLatin1(name), 100'000'000), {}};
+    QFile::remove(path);
+    QVERIFY(writeArchive(path, entries));
+}
+
+} // namespace
+
+class TestBackup : public QObject {
+    Q_OBJECT
+
+private slots:
+    void thereAndBack()
+    {
+        Home home;
+        home.fill("Noodles", "Bo", 7);
+        QVERIFY2(home.contents().endsWith(u"Anna Bo 10 theme=Noodles"_s), qPrintable(home.contents()));
+        const auto manifest = stageRestore(home.backup, home.dir.path());
+        QVERIFY(manifest);
+        QCOMPARE(manifest->recipes, 1);
+        QCOMPARE(manifest->users, 1);
+        QCOMPARE(manifest->program, u"1.2"_s);
+        QVERIFY(commitRestore(home.dir.path(), entryOf(u"backup.restored"_s)));
+        const FinishedRestore finished = home.finish();
+        QVERIFY2(finished.isDone && finished.problem.isEmpty(), qPrintable(finished.problem));
+        QCOMPARE(home.contents(), u"Biscuit Anna 4 theme=Biscuit"_s);
+        QVERIFY(!home.finish().isDone);
+        // What was there before still opens.
+        const auto before = Database::open(finished.keptIn);
+        QCOMPARE(users(**before)->size(), 2);
+        QCOMPARE(bytesOf(finished.keptIn + u"/settings.ini"_s), QByteArray("theme=Noodles"));
+    }
+
+    void anInterruptedRestoreEndsWhole()
+    {
+        const std::pair<const char*, const char*> steps[]{
+            {"settings.ini", "before-restore/settings.ini"},
+            {"restore-ready/settings.ini", "settings.ini"},
+            {"campanel.sqlite-wal", "before-restore/campanel.sqlite-wal"},
+            {"campanel.sqlite", "before-restore/campanel.sqlite"},
+            {"restore-ready/campanel.sqlite", "campanel.sqlite"},
+            {"campanel.sqlite.audit", "before-restore/campanel.sqlite.audit"},
+            {"restore-ready/campanel.sqlite.audit", "campanel.sqlite.audit"},
+            {"recipe.json", "before-restore/recipe.json"},
+            {"restore-ready/recipe.json", "recipe.json"},
+            {"working_copy.json", "before-restore/working_copy.json"},
+            {"restore-ready/working_copy.json", "working_copy.json"}};
+        for (std::size_t done = 0; done <= std::size(steps); ++done) {
+            Home home;
+            home.fill("Noodles", "Bo", 7);
+            QVERIFY(stageRestore(home.backup, home.dir.path()));
+            QVERIFY(commitRestore(home.dir.path(), entryOf(u"backup.restored"_s)));
+            put(home.at("campanel.sqlite-wal"), "a log that a killed panel has left");
+            for (std::size_t i = 0; i < done; ++i)
+                QVERIFY2(QFile::rename(home.at(steps[i].first), home.at(steps[i].second)), steps[i].first);
+            QVERIFY(home.finish().isDone);
+            QCOMPARE(home.contents(), u"Biscuit Anna 4 theme=Biscuit"_s);
+            QVERIFY(QFile::exists(home.at("before-restore/campanel.sqlite-wal")));
+            QVERIFY(!QFile::exists(home.at("restore-ready")));
+        }
+    }
+
+    void whatWasOnlyUnpackedIsForgotten()
+    {
+        Home home;
+        home.fill("Noodles", "Bo", 1);
+        const auto before = home.files();
+        QVERIFY(stageRestore(home.backup, home.dir.path()));
+        QVERIFY(!home.finish().isDone);
+        QVERIFY(home.files() == before);
+    }
+
+    void refused_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<QString>("how");
+        using Kind = BackupError::Kind;
+        QTest::newRow("not there") << static_cast<int>(Kind::NotReadable) << u"gone"_s;
+        QTest::newRow("empty") << static_cast<int>(Kind::NotABackup) << u"empty"_s;
+        QTest::newRow("text") << static_cast<int>(Kind::NotABackup) << u"text"_s;
+        QTest::newRow("another archive") << static_cast<int>(Kind::NotABackup) << u"zip"_s;
+        QTest::newRow("half of it") << static_cast<int>(Kind::Damaged) << u"half"_s;
+        QTest::newRow("without its last byte") << static_cast<int>(Kind::Damaged) << u"byte"_s;
+        QTest::newRow("another hash") << static_cast<int>(Kind::Damaged) << u"sha256"_s;
+        QTest::newRow("another count") << static_cast<int>(Kind::Damaged) << u"recipes"_s;
+        QTest::newRow("newer format") << static_cast<int>(Kind::Newer) << u"formatVersion"_s;
+        QTest::newRow("newer schema") << static_cast<int>(Kind::Newer) << u"schema"_s;
+    }
+
+    void refused()
+    {
+        QFETCH(int, kind);
+        QFETCH(QString, how);
+        Home home;
+        home.fill("Noodles", "Bo", 1);
+        const QByteArray whole = bytesOf(home.backup);
+        if (how == u"gone")
+            QVERIFY(QFile::remove(home.backup));
+        else if (how == u"empty")
+            put(home.backup, {});
+        else if (how == u"text")
+            put(home.backup, "angle,position\n0,0\n");
+        else if (how == u"half" || how == u"byte")
+            put(home.backup, whole.chopped(how == u"half" ? whole.size() / 2 : 1));
+        else if (how == u"zip") {
+            QVERIFY(QFile::remove(home.backup));
+            QVERIFY(writeArchive(home.backup, {{u"holiday.txt"_s, "sun", {}}}));
+        } else {
+            rewrite(home.backup, [&how](QJsonObject& json) {
+                if (how == u"sha256") {
+                    const QString text = QString::fromUtf8(QJsonDocument(json).toJson());
+                    const qsizetype at = text.indexOf(u"sha256"_s) + 12;
+                    QString changed = text;
+                    changed[at] = changed[at] == u'a' ? u'b' : u'a';
+                    json = QJsonDocument::fromJson(changed.toUtf8()).object();
+                } else {
+                    json[how] = json[how].toInt() + 1;
+                }
+            });
+        }
+        const auto before = home.files();
+        const auto staged = stageRestore(home.backup, home.dir.path());
+        QVERIFY(!staged);
+        QCOMPARE(static_cast<int>(staged.error().kind), kind);
+        const QString sentence = BackupErrorText::describe(staged.error());
+        QVERIFY2(sentence.contains(u"day.zip"_s) && sentence.endsWith(u"Nothing was changed."),
+                 qPrintable(sentence));
+        QVERIFY(home.files() == before);
+    }
+
+    // A byte that was turned over anywhere is found, or has changed nothing that is restored.
+    void damagedAnywhere()
+    {
+        const Home home;
+        const QByteArray whole = bytesOf(home.backup);
+        const QTemporaryDir sound;
+        QVERIFY(unpackBackup(home.backup, sound.path()));
+        const unsigned seed = std::random_device{}();
+        qInfo("seed %u", seed);
+        std::mt19937 random(seed);
+        int refusals = 0;
+        for (int i = 0; i < 60; ++i) {
+            QByteArray bytes = whole;
+            const auto at = static_cast<qsizetype>(random() % static_cast<unsigned>(bytes.size()));
+            bytes[at] = static_cast<char>(bytes[at] ^ (1 << random() % 8));
+            put(home.backup, bytes);
+            const QTemporaryDir target;
+            if (!unpackBackup(home.backup, target.path())) {
+                ++refusals;
+                continue;
+            }
+            for (const char* name :
+                 {"campanel.sqlite.audit", "settings.ini", "recipe.json", "working_copy.json"})
+                QCOMPARE(bytesOf(target.filePath(QLatin1String(name))),
+                         bytesOf(sound.filePath(QLatin1String(name))));
+        }
+        QVERIFY2(refusals > 45, qPrintable(QString::number(refusals)));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestBackup)
+#include "test_backup.moc"

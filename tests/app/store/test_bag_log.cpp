@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bags kept in a ring: what comes out is what went in, the oldest go, the clock may be set back, the file is
+// found again, one that is damaged gives way.
+#include "app/store/bag_log.h"
+#include "app/store/store_thread.h"
+#include "app/store/trend_export.h"
+#include "app/store/trend_schema.h"
+
+#include <QDir>
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace campanel::store;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr qint64 start = 1'800'000'000'000;
+
+Bag bagAt(qint64 timeMs, double deviationMm = 0.012)
+{
+    Bag bag;
+    bag.timeMs = timeMs;
+    bag.programName = u"Biscuit 250"_s;
+    bag.programVersion = 3;
+    bag.setLengthMm = 250;
+    bag.deviationMm = deviationMm;
+    bag.rateBagsPerMin = 300;
+    return bag;
+}
+
+QList<Bag> all(Database& database)
+{
+    QList<Bag> bags;
+    if (!BagLog(database).forEach(0, 2 * start, [&](const Bag& bag) { bags << bag; }))
+        bags.clear();
+    return bags;
+}
+
+bool add(Database& database, const QList<Bag>& bags, qint64 kept = BagLog::bagsKept)
+{
+    return database.transaction([&] { return BagLog(database, kept).add(bags); }).has_value();
+}
+
+int programs(Database& database)
+{
+    auto counted = database.execute(u"SELECT count(*) FROM program"_s);
+    return counted && counted->next() ? counted->value(0).toInt() : -1;
+}
+
+} // namespace
+
+class TestBagLog : public QObject {
+    Q_OBJECT
+
+private slots:
+    void comesOutAsItWentIn()
+    {
+        const auto database = Database::inMemory(trendDatabase());
+        Bag full = bagAt(start, -0.345);
+        full.lengths = 2;
+        full.markErrorMm = -0.07;
+        full.followingErrorMm = 0.512;
+        full.flags = Bag::Tracked | Bag::ProductAcross;
+        Bag bare = bagAt(start + 200, 1.5);
+        bare.rateBagsPerMin.reset();
+        QVERIFY(add(*database, {full, bare}));
+        QCOMPARE(all(*database), QList<Bag>({full, bare}));
+        QCOMPARE(full.lengthMm(), 499.655);
+        QCOMPARE(BagLog(*database).count().value_or(-1), 2);
+        QCOMPARE(BagLog(*database).countBetween(start, start + 200, 10).value_or(-1), 1);
+    }
+
+    void ringKeepsTheNewest()
+    {
+        const auto database = Database::inMemory(trendDatabase());
+        constexpr qint64 kept = 100;
+        for (int batch = 0; batch < 40; ++batch) {
+            QList<Bag> bags;
+            for (int i = 0; i < 7; ++i)
+                bags << bagAt(start + (batch * 7 + i) * 200, 0.001 * i);
+            if (batch < 10)
+                bags.first().programName = u"an old one"_s;
+            QVERIFY(add(*database, bags, kept));
+        }
+        const QList<Bag> left = all(*database);
+        QCOMPARE(left.size(), kept);
+        QCOMPARE(left.first().timeMs, start + (40 * 7 - kept) * 200);
+        QCOMPARE(left.last().timeMs, start + (40 * 7 - 1) * 200);
+        QCOMPARE(BagLog(*database, kept).count().value_or(-1), kept);
+        QCOMPARE(programs(*database), 1); // of the other one no bag is left
+    }
+
+    void clockThatIsSetBackLosesNoBag()
+    {
+        const auto database = Database::inMemory(trendDatabase());
+        QVERIFY(add(*database, {bagAt(start), bagAt(start + 1), bagAt(start + 1000)}));
+        QVERIFY(add(*database, {bagAt(start, 0.2), bagAt(start, 0.3)}));
+        const QList<Bag> bags = all(*database);
+        QCOMPARE(bags.size(), 5);
+        QCOMPARE(bags[2].timeMs, start + 2); // the next free milliseconds
+        QCOMPARE(bags[2].deviationMm, 0.2);
+        QCOMPARE(bags[3].timeMs, start + 3);
+    }
+
+    void isFoundAgain()
+    {
+        const QTemporaryDir folder;
+        for (int round = 0; round < 2; ++round) {
+            const auto database = Database::open(folder.path(), trendDatabase());
+            QVERIFY(database);
+            QCOMPARE(all(**database).size(), round);
+            QVERIFY(add(**database, {bagAt(start + round)}));
+        }
+        QVERIFY(QFile::exists(folder.filePath(u"trends.sqlite"_s)));
+        QVERIFY(!QFile::exists(folder.filePath(u"campanel.sqlite"_s)));
+    }
+
+    void fullDiskKeepsWhatWasThere()
+    {
+        const QTemporaryDir folder;
+        const auto database = Database::open(folder.path(), trendDatabase());
+        QVERIFY(database && add(**database, {bagAt(start)}));
+        auto pages = (*database)->execute(u"PRAGMA page_count"_s);
+        QVERIFY(pages && pages->next());
+        const QString limit = u"PRAGMA max_page_count = %1"_s.arg(pages->value(0).toInt());
+        pages->finish();
+        QVERIFY((*database)->execute(limit));
+        QList<Bag> many;
+        for (int i = 1; i < 3000; ++i)
+            many << bagAt(start + i);
+        const auto added = (*database)->transaction([&] { return BagLog(**database).add(many); });
+        QVERIFY(!added);
+        QCOMPARE(added.error().kind, StoreError::Kind::Full);
+        QCOMPARE(all(**database).size(), 1);
+        QCOMPARE(BagLog(**database).count().value_or(-1), 1);
+    }
+
+    // Only when it is read; then another one is begun, and one damaged file is kept.
+    void damagedFileGivesWay()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(u"trends.sqlite"_s);
+        for (int round = 0; round < 2; ++round) {
+            {
+                const auto database = Database::open(folder.path(), trendDatabase());
+                QList<Bag> many;
+                for (int i = 0; i < 3000; ++i)
+                    many << bagAt(start + i);
+                QVERIFY(database && add(**database, many));
+            }
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::ReadWrite));
+            for (qint64 at = 4096; at < file.size(); at += 4096) {
+                file.seek(at);
+                file.write(QByteArray(4096, '\x5A'));
+            }
+            file.close();
+            StoreThread store(folder.path(), trendDatabase());
+            QSignalSpy opened(&store, &StoreThread::opened);
+            store.open();
+            std::optional<StoreError> error;
+            store.run(
+                this,
+                [](Database& database) { return BagLog(database).forEach(0, 2 * start, [](const Bag&) {}); },
+                [&](const auto& read) { error = read ? std::nullopt : std::optional(read.error()); });
+            QTRY_VERIFY(error);
+            QCOMPARE(error->kind, StoreError::Kind::Damaged);
+            store.beginAnew();
+            QTRY_COMPARE(opened.size(), 2);
+            QVERIFY(!opened[1][0].value<StoreThread::Report>().opening.damagedKeptAs.isEmpty());
+            bool isKept = false;
+            store.run(
+                this, [](Database& database) { return add(database, {bagAt(start)}); },
+                [&](bool added) { isKept = added; });
+            QTRY_VERIFY(isKept);
+        }
+        const QStringList aside = QDir(folder.path())
+                                      .entryList({u"trends.sqlite.damaged-*"_s}, QDir::Files)
+                                      .filter(QRegularExpression(u"\\d$"_s));
+        QCOMPARE(aside.size(), 1);
+    }
+
+    void csvHasALineForEachBag()
+    {
+        const auto database = Database::inMemory(trendDatabase());
+        Bag bag = bagAt(start, -0.5);
+        bag.programName = u"a \"quoted\", name"_s;
+        bag.flags = Bag::Tracked | Bag::Empty;
+        QVERIFY(add(*database, {bag, bagAt(start + 1000)}));
+        const auto csv = bagsCsv(*database, start, start + 1000, 10);
+        QVERIFY(csv);
+        const QList<QByteArray> lines = csv->trimmed().split('\n');
+        QCOMPARE(lines.size(), 2);
+        QVERIFY(lines[0].startsWith("each_bag_utc,each_bag_local,"));
+        QVERIFY2(lines[1].startsWith("2027-01-15T08:00:00.000Z,"), lines[1].constData());
+        QVERIFY2(lines[1].endsWith(",\"a \"\"quoted\"\", name\",3,1,249.500,-0.500,,,300.000,tracked empty"),
+                 lines[1].constData());
+        QVERIFY(bagsCsv(*database, start, start + 2000, 1)->isEmpty()); // too many
+    }
+};
+
+QTEST_GUILESS_MAIN(TestBagLog)
+#include "test_bag_log.moc"

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// A process killed at random moments while it writes: nothing that it had confirmed is lost, the database
+// opens and is sound, and the audit chain verifies.
+#include "app/store/alarm_log.h"
+#include "app/store/audit_log.h"
+#include "app/store/recipe_file.h"
+#include "app/store/recipe_library.h"
+
+#include <QDir>
+#include <QMap>
+#include <QProcess>
+#include <QRandomGenerator>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <csignal>
+
+using namespace campanel;
+
+class TestKilled : public QObject {
+    Q_OBJECT
+
+    static constexpr int kills = 200;
+    static constexpr int longestMs = 200;
+
+    QTemporaryDir m_folder;
+    QMap<QByteArray, qint64> m_confirmed; // the last number of each kind
+    qint64 m_confirmations = 0;
+
+    // Runs the writer for a while and kills it as a power switch would.
+    void runAndKill(int lifeMs)
+    {
+        QProcess writer;
+        writer.start(QStringLiteral(CAMPANEL_WRITER), {m_folder.path()});
+        QVERIFY(writer.waitForStarted());
+        QVERIFY(writer.waitForReadyRead(20'000)); // it writes by now
+        (void)writer.waitForFinished(lifeMs);     // it does not: time passes
+        QCOMPARE(writer.state(), QProcess::Running);
+        ::kill(static_cast<pid_t>(writer.processId()), SIGKILL);
+        QVERIFY(writer.waitForFinished(20'000));
+        const QByteArrayList lines = writer.readAllStandardOutput().split('\n');
+        for (const QByteArray& line : lines) {
+            const qsizetype space = line.indexOf(' ');
+            if (space < 0 || line == lines.last()) // the last one may be half a line
+                continue;
+            m_confirmed[line.left(space)] = line.mid(space + 1).toLongLong();
+            ++m_confirmations;
+        }
+    }
+
+    void look()
+    {
+        auto opened = store::Database::open(m_folder.path());
+        QVERIFY2(opened, opened ? "" : qPrintable(store::StoreErrorText::describe(opened.error())));
+        store::Database& database = **opened;
+        QVERIFY2(database.opening().damagedKeptAs.isEmpty(), qPrintable(database.opening().damagedKeptAs));
+
+        const auto newest = store::RecipeLibrary(database).newest();
+        QVERIFY(newest && newest->size() == 1);
+        QVERIFY2(newest->first().version >= m_confirmed["recipe"],
+                 qPrintable(QStringLiteral("version %1").arg(newest->first().version)));
+        const auto versions = store::RecipeLibrary(database).versions(newest->first().recipeId);
+        QVERIFY(versions);
+        QCOMPARE(versions->size(), newest->first().version); // none is missing in between
+
+        const auto chain = store::verifyChain(database);
+        QVERIFY(chain);
+        QCOMPARE(chain->fault(), store::ChainCheck::Fault::None);
+        QCOMPARE(chain->losses(), 0);
+        QVERIFY(chain->rows() >= m_confirmed["audit"]);
+
+        const auto alarms = store::AlarmLog::page(database, 0, 1);
+        QVERIFY(alarms && alarms->size() == 1);
+        QVERIFY(alarms->first().id >= m_confirmed["alarm"]);
+
+        if (m_confirmed.contains("file")) {
+            const auto file =
+                store::readRecipe(QDir(m_folder.path()).filePath(QStringLiteral("working_copy.json")));
+            QVERIFY(file);
+            QVERIFY(file->version >= m_confirmed["file"]);
+        }
+    }
+
+private slots:
+    void nothingConfirmedIsLost()
+    {
+        const quint32 seed = QRandomGenerator::global()->generate();
+        QRandomGenerator random(seed);
+        for (int i = 0; i < kills; ++i) {
+            const int lifeMs = random.bounded(longestMs);
+            runAndKill(lifeMs);
+            if (!QTest::currentTestFailed())
+                look();
+            if (QTest::currentTestFailed()) {
+                qWarning("kill %d of seed %u, after %d ms", i, seed, lifeMs);
+                return;
+            }
+        }
+        qInfo("%d kills, %lld confirmations, none lost", kills, static_cast<long long>(m_confirmations));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestKilled)
+#include "test_killed.moc"

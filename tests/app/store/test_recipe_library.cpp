@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recipes in the database: versions are kept, numbered without gaps or repeats, and never changed.
+#include "app/store/recipe_library.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace campanel::store {
+
+namespace {
+
+program::Recipe recipe(const char* name, double lengthMm, int version = 1)
+{
+    program::Recipe made;
+    made.name = name;
+    made.version = version;
+    made.cutter().bagLengthMm = lengthMm;
+    return made;
+}
+
+} // namespace
+
+class TestRecipeLibrary : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<Database> m_database;
+
+    RecipeLibrary library() { return RecipeLibrary(*m_database); }
+    RecipeVersion save(const program::Recipe& made, qint64 nowMs = 1000)
+    {
+        const auto saved = library().save(made, QStringLiteral("Anna"), nowMs);
+        if (!saved)
+            qFatal("%s", qPrintable(StoreErrorText::describe(saved.error())));
+        return *saved;
+    }
+    QStringList names()
+    {
+        QStringList found;
+        const auto newest = library().newest();
+        for (const RecipeVersion& each : *newest)
+            found << QStringLiteral("%1 v%2").arg(QString::fromStdString(each.recipe.name)).arg(each.version);
+        return found;
+    }
+
+private slots:
+    void init() { m_database = Database::inMemory(); }
+
+    void keepsWhatWasSavedByWhomAndWhen()
+    {
+        const RecipeVersion saved = save(recipe("Rusk", 310, 4), 5000);
+        const auto newest = library().newest();
+        QVERIFY(newest);
+        QCOMPARE(newest->size(), 1);
+        QCOMPARE(newest->first().recipeId, saved.recipeId);
+        QCOMPARE(newest->first().version, 4);
+        QCOMPARE(newest->first().savedMs, 5000);
+        QCOMPARE(newest->first().savedBy, QStringLiteral("Anna"));
+        QCOMPARE(newest->first().recipe.cutter().bagLengthMm, 310.0);
+    }
+
+    void numbersVersionsOnward()
+    {
+        QCOMPARE(save(recipe("Rusk", 310)).version, 1);
+        QCOMPARE(save(recipe("Rusk", 315, 2)).version, 2);
+        QCOMPARE(save(recipe("Rusk", 320, 2)).version, 3); // 2 is another program
+        QCOMPARE(save(recipe("rusk", 330, 9)).version, 9); // letters count alike
+        QCOMPARE(names(), QStringList{QStringLiteral("rusk v9")});
+        const auto versions = library().versions(save(recipe("Rusk", 340)).recipeId);
+        QVERIFY(versions);
+        QList<std::pair<int, double>> all;
+        for (const RecipeVersion& each : *versions)
+            all << std::pair(each.version, each.recipe.cutter().bagLengthMm);
+        const QList<std::pair<int, double>> expected{{10, 340}, {9, 330}, {3, 320}, {2, 315}, {1, 310}};
+        QCOMPARE(all, expected);
+    }
+
+    void takesTheSameProgramForNoNewVersion()
+    {
+        save(recipe("Rusk", 310), 1000);
+        program::Recipe same = recipe("Rusk", 310);
+        same.machine.knifeRadiusMm = 75; // the machine is no part of the recipe
+        const RecipeVersion saved = save(same, 2000);
+        QCOMPARE(saved.version, 1);
+        QCOMPARE(saved.savedMs, 1000);
+        // A number that the controller has already is kept though.
+        QCOMPARE(save(recipe("Rusk", 310, 5)).version, 5);
+    }
+
+    void renamesDeletesAndBringsBack()
+    {
+        const qint64 rusk = save(recipe("Rusk", 310), 1000).recipeId;
+        const qint64 wafer = save(recipe("Wafer", 90), 2000).recipeId;
+        QVERIFY(library().rename(rusk, QStringLiteral("Rusk large")));
+        QCOMPARE(names(), QStringList({QStringLiteral("Wafer v1"), QStringLiteral("Rusk large v1")}));
+        const auto taken = library().rename(rusk, QStringLiteral("WAFER"));
+        QVERIFY(!taken);
+        QCOMPARE(taken.error().kind, StoreError::Kind::Refused);
+        QVERIFY(library().setDeleted(wafer, true));
+        QCOMPARE(names(), QStringList{QStringLiteral("Rusk large v1")});
+        QCOMPARE(save(recipe("Wafer", 95, 2), 3000).recipeId, wafer);
+        QCOMPARE(names(), QStringList({QStringLiteral("Wafer v2"), QStringLiteral("Rusk large v1")}));
+    }
+
+    void keepsOneMachineForEachKind()
+    {
+        program::Recipe cutter = recipe("Rusk", 310);
+        cutter.machine.knifeRadiusMm = 70;
+        const auto first = library().saveMachine(cutter, {}, 1);
+        QVERIFY2(first, first ? "" : qPrintable(StoreErrorText::describe(first.error())));
+        cutter.machine.knifeRadiusMm = 75;
+        QVERIFY(library().saveMachine(cutter, {}, 2));
+        QVERIFY(library().saveMachine(program::defaultRecipe(profile::ProgramKind::Press), {}, 3));
+        const auto machines = library().machines();
+        QVERIFY(machines);
+        QCOMPARE(machines->size(), 2);
+        double radiusMm = 0;
+        for (const program::Recipe& each : *machines) {
+            if (each.isCutter())
+                radiusMm = each.machine.knifeRadiusMm;
+        }
+        QCOMPARE(radiusMm, 75.0);
+    }
+};
+
+} // namespace campanel::store
+
+QTEST_GUILESS_MAIN(campanel::store::TestRecipeLibrary)
+#include "test_recipe_library.moc"

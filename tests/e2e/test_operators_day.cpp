@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+// What people do with the panel from its first start on, by touches alone, with campanel-controller at the
+// other end of the line.
+#include "app/main/fonts.h"
+#include "app/main/qml_modules.h"
+#include "panel_window.h"
+#include "tests/support/controller_process.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTest>
+
+using namespace campanel;
+using machine::Editor;
+using machine::Machine;
+using test::ControllerProcess;
+using test::PanelWindow;
+
+namespace {
+
+constexpr int timeoutMs = 20'000;
+
+void typeText(PanelWindow& panel, const QString& text)
+{
+    for (const QChar letter : text)
+        panel.tap(letter == u' ' ? "textSpace" : qPrintable(QStringLiteral("key_") + letter));
+}
+
+void typePin(PanelWindow& panel, const QString& digits)
+{
+    for (const QChar digit : digits)
+        panel.tap(qPrintable(QStringLiteral("pin") + digit));
+    panel.tap("pinAccept");
+}
+
+void enter(PanelWindow& panel, const char* field, const QString& digits)
+{
+    panel.tap(field);
+    panel.tapDigits(digits);
+    panel.tap("keypadAccept");
+}
+
+void waitForRecipes(PanelWindow& panel, int total)
+{
+    QTRY_COMPARE_WITH_TIMEOUT(panel.panel().recipes().total(), total, timeoutMs);
+    panel.finger().settle();
+}
+
+void download(PanelWindow& panel)
+{
+    QTRY_VERIFY_WITH_TIMEOUT(panel.editor().canDownload(), timeoutMs);
+    panel.tap("nextStep");
+    panel.tap("downloadStart");
+    QTRY_COMPARE_WITH_TIMEOUT(panel.editor().downloadState(), Editor::DownloadState::Applied, timeoutMs);
+    panel.finger().settle();
+    panel.tap("downloadCancel"); // "Close" by now
+    panel.finger().settle();
+}
+
+} // namespace
+
+class TestOperatorsDay : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { panel::applyFonts(); }
+
+    void firstStart()
+    {
+        const ControllerProcess controller;
+        PanelWindow panel(controller.port());
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        waitForRecipes(panel, 1);
+        panel.settings().beginFirstStart();
+        panel.finger().settle();
+        panel.tap("firstLanguage_zh_CN");
+        QVERIFY2(panel.texts().contains(QStringLiteral("首次启动")), qPrintable(panel.texts()));
+        panel.tap("firstLanguage_en");
+        panel.tap("firstNext");
+        QVERIFY2(panel.texts().contains(QStringLiteral("Search for the controller")),
+                 qPrintable(panel.texts()));
+        panel.tap("firstNext");
+
+        panel.tap("firstSetPin");
+        panel.tap("userPin");
+        typePin(panel, QStringLiteral("2580"));
+        typePin(panel, QStringLiteral("2580"));
+        QTRY_VERIFY_WITH_TIMEOUT(panel.panel().access().protectedByPins(), timeoutMs);
+        panel.finger().settle();
+        panel.tap("firstNext");
+
+        enter(panel, "first_knifeRadius", QStringLiteral("62"));
+        panel.tap("firstNext");
+        panel.tap("firstName");
+        typeText(panel, QStringLiteral("rusk large"));
+        panel.tap("textAccept");
+        QTRY_COMPARE_WITH_TIMEOUT(panel.editor().recipeName(), QStringLiteral("rusk large"), timeoutMs);
+        panel.finger().settle();
+        enter(panel, "first_bagLength", QStringLiteral("260"));
+        panel.tap("firstNext");
+        QVERIFY(!panel.settings().firstStart());
+        QTRY_VERIFY_WITH_TIMEOUT(!panel.editor().edited(), timeoutMs);
+        QCOMPARE(panel.editor().bagLength()->value(), 260.0);
+        QCOMPARE(panel.editor().recipe().machine.knifeRadiusMm, 62.0);
+        waitForRecipes(panel, 1);
+        QCOMPARE(panel.panel().recipes().chosenName(), QStringLiteral("rusk large"));
+        download(panel); // the page Motion is open
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().activeName(), QStringLiteral("rusk large"), timeoutMs);
+        QCOMPARE(panel.complaints(), QStringList());
+    }
+
+    void aNewRecipeRunsAndIsChanged()
+    {
+        const ControllerProcess controller;
+        PanelWindow panel(controller.port());
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        waitForRecipes(panel, 1);
+        panel.tap("nav4");
+        panel.tap("recipeNew");
+        panel.tap("choice_1");
+        typeText(panel, QStringLiteral("wafer"));
+        panel.tap("textAccept");
+        waitForRecipes(panel, 2);
+        QCOMPARE(panel.editor().recipeName(), QStringLiteral("wafer"));
+        panel.tap("nav1");
+        enter(panel, "field_bagLength", QStringLiteral("240"));
+        download(panel);
+        panel.tap("nav0");
+        QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
+        panel.tap("startKey");
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Running, timeoutMs);
+        panel.tap("nav1");
+        enter(panel, "field_bagLength", QStringLiteral("250"));
+        download(panel);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().activeBagLengthMm(), 250.0, timeoutMs);
+        QCOMPARE(panel.machine().state(), Machine::State::Running);
+        // Both downloads are versions of it.
+        QTRY_COMPARE_WITH_TIMEOUT(panel.panel().recipes().list()->rows().first().version, 3, timeoutMs);
+        panel.tap("stopKey");
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Ready, timeoutMs);
+        QCOMPARE(panel.complaints(), QStringList());
+    }
+
+    void anAlarmIsAcknowledged()
+    {
+        ControllerProcess controller;
+        PanelWindow panel(controller.port());
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        controller.kill();
+        QTRY_COMPARE_WITH_TIMEOUT(panel.panel().alarms().unacknowledged(), 1, timeoutMs);
+        panel.tap("nav6");
+        panel.finger().settle();
+        QVERIFY2(panel.texts().contains(QStringLiteral("Connection lost")), qPrintable(panel.texts()));
+        panel.tap("liveAlarm0");
+        panel.tap("alarmAcknowledge");
+        QTRY_COMPARE_WITH_TIMEOUT(panel.panel().alarms().unacknowledged(), 0, timeoutMs);
+        QVERIFY2(panel.texts().contains(QStringLiteral("Connection lost")), qPrintable(panel.texts()));
+        controller.start();
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().connection(), Machine::Connection::Connected, timeoutMs);
+        panel.finger().settle();
+        QTRY_VERIFY_WITH_TIMEOUT(!panel.texts().contains(QStringLiteral("Connection lost")), timeoutMs);
+        panel.tap("alarmsHistory");
+        QTRY_VERIFY_WITH_TIMEOUT(panel.texts().contains(QStringLiteral("Connection lost")), timeoutMs);
+        QCOMPARE(panel.complaints(), QStringList());
+    }
+
+    void aWrongPinIsRefused()
+    {
+        const ControllerProcess controller;
+        PanelWindow panel(controller.port());
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        waitForRecipes(panel, 1); // the database is open
+        machine::Access& access = panel.panel().access();
+        access.addUser(QStringLiteral("Anna"), machine::Access::Service, QStringLiteral("2580"));
+        QTRY_VERIFY_WITH_TIMEOUT(access.loggedIn(), timeoutMs);
+        access.logOut();
+        panel.tap("nav1");
+        panel.tap("field_baseSpeed");
+        panel.tap("login_Anna");
+        typePin(panel, QStringLiteral("1379"));
+        QTRY_VERIFY_WITH_TIMEOUT(access.waits(), timeoutMs);
+        QVERIFY(!access.loggedIn());
+        panel.finger().settle();
+        panel.tap("stopKey"); // never needs a login
+        QTRY_VERIFY_WITH_TIMEOUT(!access.waits(), timeoutMs);
+        panel.finger().settle();
+        QTRY_VERIFY_WITH_TIMEOUT(!panel.texts().contains(QStringLiteral("wait")), timeoutMs);
+        typePin(panel, QStringLiteral("2580"));
+        QTRY_VERIFY2_WITH_TIMEOUT(access.loggedIn(),
+                                  qPrintable(panel.complaints().join(u'|') + panel.texts()), timeoutMs);
+        panel.finger().settle();
+        const double before = panel.editor().baseSpeed()->value();
+        enter(panel, "field_baseSpeed", QStringLiteral("500"));
+        QVERIFY(before != panel.editor().baseSpeed()->value());
+        QCOMPARE(panel.complaints(), QStringList());
+    }
+
+    void aBadFileIsRefused()
+    {
+        const ControllerProcess controller;
+        PanelWindow panel(controller.port());
+        waitForRecipes(panel, 1);
+        QDir(panel.folder()).mkpath(QStringLiteral("recipes"));
+        QFile file(panel.folder() + QStringLiteral("/recipes/broken.json"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("{\"format\": \"campanel-recipe\", \"format_version\": 1, \"name\": ");
+        file.close();
+        panel.tap("nav4");
+        panel.tap("recipeImport");
+        QTRY_COMPARE_WITH_TIMEOUT(panel.panel().recipes().files()->files()->count(), 1, timeoutMs);
+        panel.finger().settle();
+        panel.tap("recipeFile0");
+        QVERIFY2(panel.texts().contains(QStringLiteral("broken.json is damaged")), qPrintable(panel.texts()));
+        panel.tap("recipeTake"); // has no effect
+        panel.finger().settle();
+        panel.tap("sheetClose");
+        QCOMPARE(panel.panel().recipes().total(), 1);
+        QVERIFY(panel.panel().recipes().message().isEmpty());
+        QCOMPARE(panel.complaints(), QStringList());
+    }
+
+    void theLanguageChangesInTheMiddleOfAnEdit()
+    {
+        const ControllerProcess controller;
+        PanelWindow panel(controller.port());
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        panel.tap("nav1");
+        enter(panel, "field_bagLength", QStringLiteral("270"));
+        panel.tap("field_rate");
+        panel.tapDigits(QStringLiteral("4"));
+        panel.settings().setLanguage(QStringLiteral("zh_CN")); // by another person, on another way
+        panel.finger().settle();
+        panel.tapDigits(QStringLiteral("5"));
+        panel.tap("keypadAccept");
+        QCOMPARE(panel.editor().rate()->value(), 45.0);
+        QCOMPARE(panel.editor().bagLength()->value(), 270.0);
+        QVERIFY(panel.editor().edited());
+        QVERIFY2(panel.texts().contains(QStringLiteral("已修改")), qPrintable(panel.texts()));
+        panel.tap("nav2");
+        panel.tap("section0");
+        panel.tap("language_en");
+        QVERIFY2(panel.texts().contains(QStringLiteral("Edited")), qPrintable(panel.texts()));
+        panel.tap("nav1");
+        panel.tap("undo");
+        panel.tap("undo");
+        QVERIFY(!panel.editor().edited());
+        QCOMPARE(panel.complaints(), QStringList());
+    }
+};
+
+QTEST_MAIN(TestOperatorsDay)
+#include "test_operators_day.moc"

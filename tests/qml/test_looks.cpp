@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the panel looks: colors of high contrast, keys for gloves, numbers that explain themselves, longer
+// texts, and what makes two pictures different.
+#include "app/main/contrast.h"
+#include "app/main/picture_difference.h"
+#include "panel_test.h"
+
+#include <QPainter>
+
+using namespace campanel;
+
+class TestLooks : public test::PanelTest {
+    Q_OBJECT
+
+private:
+    QObject* part(const char* name) { return m_stage->theme()->property(name).value<QObject*>(); }
+
+private slots:
+    // The plots paint their texts and curves themselves, where the self-test sees no item: the colors they
+    // are given.
+    void highContrastHoldsForEveryColorThatIsReadOrFollowed()
+    {
+        m_stage->panel().settings().setTheme(QStringLiteral("contrast"));
+        const QObject* colors = part("color");
+        for (const char* behind : {"ground", "surface", "inset", "touchTint"}) {
+            const auto below = colors->property(behind).value<QColor>();
+            QVERIFY(below.isValid());
+            for (const char* name : {"ink", "secondaryInk", "touch", "good", "warning", "fault", "target",
+                                     "disabledInk", "acceleration", "frequency", "position", "jerk"}) {
+                const double ratio = panel::contrastRatio(colors->property(name).value<QColor>(), below);
+                QVERIFY2(ratio >= (qstrcmp(behind, "touchTint") == 0 ? 6 : 7),
+                         qPrintable(QStringLiteral("%1 on %2: %3").arg(name, behind).arg(ratio)));
+            }
+        }
+        for (const auto& [ink, key] : {std::pair("stopInk", "stop"), std::pair("stopInk", "stopPressed"),
+                                       std::pair("touchInk", "touch"), std::pair("touchInk", "touchPressed")})
+            QVERIFY2(panel::contrastRatio(colors->property(ink).value<QColor>(),
+                                          colors->property(key).value<QColor>()) >= 7,
+                     key);
+    }
+
+    void glovesMakeKeysAQuarterLarger()
+    {
+        const double touch = part("size")->property("touch").toDouble();
+        const double command = part("size")->property("commandKey").toDouble();
+        const double stop = m_stage->find(QStringLiteral("stopKey"))->width();
+        tap("nav2");
+        tap("glovesOn");
+        QVERIFY(m_stage->panel().settings().gloves());
+        QVERIFY(std::abs(part("size")->property("touch").toDouble() / touch - 1.25) < 0.01);
+        QVERIFY(std::abs(part("size")->property("commandKey").toDouble() / command - 1.25) < 0.01);
+        QVERIFY(std::abs(m_stage->find(QStringLiteral("stopKey"))->width() / stop - 1.25) < 0.01);
+        tap("glovesOff");
+        QCOMPARE(part("size")->property("touch").toDouble(), touch);
+    }
+
+    void lastPagesAreBehindMoreWhereGlovesNeedTheRoom()
+    {
+        QVERIFY(!m_stage->find(QStringLiteral("navMore")));
+        m_stage->panel().settings().setGloves(true);
+        m_stage->settle();
+        QVERIFY(!m_stage->find(QStringLiteral("nav3")));
+        tap("navMore");
+        tap("choice_3");
+        QCOMPARE(m_stage->frame()->property("page").toInt(), 3);
+        QVERIFY(!m_stage->find(QStringLiteral("choice_3"))); // the chooser is gone
+        QVERIFY(m_stage->find(QStringLiteral("navMore"))->property("checked").toBool());
+        tap("nav1");
+        QCOMPARE(m_stage->frame()->property("page").toInt(), 1);
+    }
+
+    void heldNumbersSayHowTheyComeAbout()
+    {
+        m_stage->hold(QStringLiteral("packingRate"));
+        const QString text = textOf("explanationText");
+        QVERIFY2(text.contains(QStringLiteral("rate of the program × master speed")), qPrintable(text));
+        const auto& machine = m_stage->panel().machine();
+        const QString sum = QStringLiteral("= %1 × %2 %\n= %3 bags/min");
+        QVERIFY2(text.contains(sum.arg(machine.activeRateBagsPerMin(), 0, 'f', 1)
+                                   .arg(machine.masterSpeedPercent(), 0, 'f', 0)
+                                   .arg(machine.rateBagsPerMin(), 0, 'f', 1)),
+                 qPrintable(text));
+        tap("sheetClose");
+        tap("nav1");
+        m_stage->hold(QStringLiteral("verdictNumbers"));
+        QVERIFY2(textOf("explanationText").contains(QStringLiteral("rounded down")),
+                 qPrintable(textOf("explanationText")));
+    }
+
+    void unknownNumbersAreExplainedWithoutNumbers()
+    {
+        m_stage->link().show(panel::DemoLink::Situation::Empty);
+        m_stage->settle();
+        machine::Explanations explanations(m_stage->panel().machine(), editor(), nullptr);
+        for (int quantity = machine::Explanations::Rate; quantity <= machine::Explanations::GoodStrokes;
+             ++quantity) {
+            const machine::Explanation told = explanations.of(quantity);
+            QVERIFY(!told.title.isEmpty() && !told.meaning.isEmpty() && !told.formula.isEmpty());
+            QVERIFY2(told.numbers.isEmpty(), qPrintable(told.text()));
+            QVERIFY2(!told.text().contains(QStringLiteral("nan")), qPrintable(told.text()));
+        }
+    }
+
+    void longerTextsKeepTheirValues()
+    {
+        QCOMPARE(panel::longText(QStringLiteral("Run")), QStringLiteral("[Rüñ]"));
+        const QString text = QStringLiteral("%1 to %L2 of %n bags, now %3 %");
+        const QString longer = panel::longText(text);
+        for (const char* value : {"%1", "%L2", "%n", "%3 %"})
+            QVERIFY2(longer.contains(QLatin1String(value)), qPrintable(longer));
+        QCOMPARE(longer.size(), (7 * text.size() + 4) / 5);
+    }
+
+    void picturesDifferByWhatAPersonSees()
+    {
+        QImage wanted(200, 100, QImage::Format_RGB32);
+        wanted.fill(Qt::white);
+        QImage found = wanted;
+        found.setPixel(20, 20, qRgb(200, 200, 200)); // a glyph's rim
+        QVERIFY(panel::differenceOf(wanted, found).isNone());
+        QPainter(&found).fillRect(64, 32, 16, 8, Qt::black);
+        const panel::PictureDifference difference = panel::differenceOf(wanted, found);
+        QCOMPARE(difference.squares, 2);
+        QCOMPARE(difference.around, QRect(64, 32, 16, 8));
+        QCOMPARE(difference.picture.size(), found.size());
+        QVERIFY(panel::differenceOf(wanted, found.copy(0, 0, 100, 100)).isOtherSize);
+    }
+};
+
+QTEST_MAIN(TestLooks)
+#include "test_looks.moc"

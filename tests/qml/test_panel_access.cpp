@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Users and logging in under a finger: the first PIN, what is restricted then, a wrong PIN, the way back.
+#include "app/main/access_scenes.h"
+#include "panel_test.h"
+
+#include <QCoreApplication>
+
+using Access = campanel::machine::Access;
+using namespace Qt::StringLiterals;
+
+class TestPanelAccess : public campanel::test::PanelTest {
+    Q_OBJECT
+
+    auto& access() { return m_stage->panel().access(); }
+    void enter(const char* name)
+    {
+        for (const auto& scene : campanel::panel::allScenes()) {
+            if (scene.name == QLatin1String(name))
+                campanel::panel::enterScene(*m_stage, scene);
+        }
+    }
+    void typePin(const char* pin)
+    {
+        for (const char* digit = pin; *digit != '\0'; ++digit)
+            tap((QByteArray("pin") + *digit).constData());
+        tap("pinAccept");
+        while (access().busy())
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        m_stage->settle();
+    }
+    bool isOn(const char* name) { return m_stage->find(QString::fromLatin1(name)) != nullptr; }
+
+private slots:
+    void theFirstUserIsAddedByTaps()
+    {
+        enter("users-none");
+        access().open();
+        QTRY_COMPARE(access().level(), Access::Service);
+        QVERIFY(textOf("usersNobody").startsWith(u"No PIN is set"));
+        tap("userAdd");
+        QVERIFY(!isOn("level1")); // of Service, nothing to choose
+        tap("userPin");
+        typePin("1234");
+        QVERIFY2(textOf("pinHint").startsWith(u"Digits in a row"), qPrintable(textOf("pinHint")));
+        typePin("2580");
+        typePin("2581");
+        QVERIFY(textOf("pinHint").startsWith(u"The two were not the same"));
+        typePin("2580");
+        typePin("2580");
+        QTRY_VERIFY(access().protectedByPins());
+        QTRY_COMPARE(access().userName(), u"Service"_s);
+        m_stage->settle();
+        QVERIFY(!isOn("pinAccept"));
+        QCOMPARE(textOf("userName"), u"Service"_s);
+        QVERIFY(textOf("usersNow").startsWith(u"Service"));
+    }
+
+    void somethingRestrictedAsksWhoItIs()
+    {
+        enter("users-logged-out");
+        tap("nav1");
+        tap("field_bagLength"); // the operator's
+        QVERIFY(!isOn("loginUsers"));
+        tap("keypadCancel");
+        tap("field_baseSpeed");
+        QVERIFY(isOn("loginUsers"));
+        QVERIFY(isOn("login_Li Wei"));
+        QVERIFY(isOn("login_Anna"));
+        QVERIFY(!isOn("login_Tom")); // an operator may not either
+        QVERIFY(!m_stage->find(u"pinAccept"_s)->isEnabled());
+        const int stops = m_stage->link().stopRequests();
+        tap("stopKey");
+        QCOMPARE(m_stage->link().stopRequests(), stops + 1);
+        tap("login_Li Wei");
+        typePin("1111");
+        QVERIFY(!access().loggedIn());
+        QVERIFY2(textOf("pinHint").contains(u"wait"), qPrintable(textOf("pinHint")));
+        QVERIFY(!m_stage->find(u"pinAccept"_s)->isEnabled());
+        tap("pin2");
+        QVERIFY(!m_stage->find(u"pinAccept"_s)->isEnabled());
+        tap("pinBackspace");
+        QTRY_VERIFY(!textOf("pinHint").contains(u"wait"));
+        typePin("2580");
+        QCOMPARE(access().userName(), u"Li Wei"_s);
+        QVERIFY(!isOn("loginUsers"));
+        QCOMPARE(textOf("userLevel"), u"Technician"_s);
+        tap("field_baseSpeed");
+        QVERIFY(isOn("keypadAccept"));
+    }
+
+    void aRefusalKeepsWhatWasOpen()
+    {
+        enter("users-logged-out");
+        tap("nav1");
+        tap("lawButton");
+        const QString before = editor().lawName();
+        auto* list = m_stage->find(u"lawList"_s);
+        QVERIFY(list);
+        editor().setLaw(u"harmonic"_s);
+        m_stage->settle();
+        QCOMPARE(editor().lawName(), before);
+        QVERIFY(isOn("loginUsers"));
+        tap("pinCancel");
+        QVERIFY(isOn("lawList"));
+    }
+
+    void whoLeavesComesBackToRun()
+    {
+        enter("users");
+        QCOMPARE(access().userName(), u"Anna"_s);
+        tap("user_Anna");
+        QVERIFY(isOn("userRemove"));
+        m_stage->link().advance(std::chrono::minutes(5));
+        m_stage->lookAtClock();
+        access().lookAtClock();
+        m_stage->settle();
+        QVERIFY(!access().loggedIn());
+        QVERIFY(!isOn("userRemove"));
+        QCOMPARE(m_stage->frame()->property("page").toInt(), 0);
+        QCOMPARE(textOf("userLevel"), u"Operator"_s);
+    }
+
+    void aUserIsRemovedByTwoTaps()
+    {
+        enter("user-remove");
+        QVERIFY(isOn("userRemove"));
+        tap("userRemove");
+        while (access().busy())
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        m_stage->settle();
+        QVERIFY(!isOn("user_Li Wei"));
+        QVERIFY(isOn("user_Tom"));
+    }
+
+    void theTrailIsReadByTaps()
+    {
+        enter("audit");
+        QVERIFY2(textOf("auditChain").startsWith(u"Checked: unbroken, 9 rows"),
+                 qPrintable(textOf("auditChain")));
+        tap("auditArea");
+        tap("choice_parameter");
+        QTRY_VERIFY(!m_stage->panel().audit().busy());
+        m_stage->settle();
+        QCOMPARE(m_stage->panel().audit().count(), 2);
+        tap("audit1");
+        QCOMPARE(textOf("auditDetail3"), u"900"_s);
+        QCOMPARE(textOf("auditDetail5"), u"903.02"_s);
+        tap("auditBack");
+        QVERIFY(isOn("auditList"));
+        enter("audit-broken");
+        QVERIFY2(textOf("auditChain").startsWith(u"Row 4 is not"), qPrintable(textOf("auditChain")));
+    }
+};
+
+int main(int argc, char* argv[])
+{
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    QGuiApplication application(argc, argv);
+    TestPanelAccess test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "test_panel_access.moc"

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// An alarm as an operator meets it: it calls, is opened, acknowledged, gone and found again in the history.
+#include "panel_test.h"
+
+using Situation = campanel::panel::DemoLink::Situation;
+namespace machine = campanel::machine;
+
+class TestPanelAlarms : public campanel::test::PanelTest {
+    Q_OBJECT
+
+    machine::Alarms& alarms() { return m_stage->panel().alarms(); }
+    void show(Situation situation)
+    {
+        m_stage->link().show(situation);
+        m_stage->settle();
+    }
+    bool isShown(const char* name) { return m_stage->find(QString::fromLatin1(name)) != nullptr; }
+
+private slots:
+    void quietPanelSaysSo()
+    {
+        QVERIFY(!isShown("navCalls"));
+        QVERIFY(!isShown("urgentAlarm"));
+        tap("nav6");
+        QCOMPARE(textOf("alarmsEmpty"),
+                 QStringLiteral("No alarm is active and none waits to be acknowledged."));
+        QVERIFY(!isShown("alarmsAcknowledgeAll"));
+        tap("alarmsShelved");
+        QVERIFY(textOf("alarmsEmpty").startsWith(QStringLiteral("Nothing is shelved.")));
+    }
+
+    void fromTheFaultToTheHistory()
+    {
+        m_stage->panel().records().open();
+        show(Situation::Fault);
+        QCOMPARE(textOf("navCalls"), QStringLiteral("1"));
+        QCOMPARE(textOf("urgentAlarm"), QStringLiteral("Axis does not follow"));
+        QVERIFY(isShown("banner"));
+        tap("nav6");
+        QCOMPARE(textOf("alarmState"), QStringLiteral("C-01 · Active, not acknowledged"));
+        tap("liveAlarm0");
+        QCOMPARE(textOf("alarmCause"), QStringLiteral("The axis does not keep up with its command."));
+        QCOMPARE(textOf("alarmAction"), QStringLiteral("Look for a jam, then reset the fault and home."));
+        QCOMPARE(textOf("alarmReturned"), QStringLiteral("still active"));
+        QVERIFY2(!isShown("alarmShelve1"), "what stops the machine cannot be shelved");
+        tap("alarmAcknowledge");
+        QVERIFY(!isShown("sheetPanel"));
+        QVERIFY(!isShown("navCalls"));
+        QVERIFY2(!isShown("banner"), "who has acknowledged it has seen it");
+        QCOMPARE(textOf("alarmState"), QStringLiteral("C-01 · Active, acknowledged"));
+        QCOMPARE(textOf("urgentAlarm"), QStringLiteral("Axis does not follow"));
+        show(Situation::Running);
+        QVERIFY(!isShown("liveAlarm0"));
+        QVERIFY(!isShown("urgentAlarm"));
+        tap("alarmsHistory");
+        QTRY_COMPARE(textOf("alarmState"), QStringLiteral("C-01 · Gone, acknowledged"));
+        tap("pastAlarm0");
+        QCOMPARE(textOf("alarmReturned"), QStringLiteral("14:06:58"));
+        QVERIFY(!isShown("alarmAcknowledge"));
+        tap("sheetClose");
+        tap("nav0");
+        QVERIFY2(!alarms().history()->watched(), "nothing is read while nobody looks");
+    }
+
+    void bannerPutAsideStaysOnThePage()
+    {
+        show(Situation::Fault);
+        tap("bannerButton");
+        QVERIFY(!isShown("banner"));
+        QCOMPARE(textOf("navCalls"), QStringLiteral("1"));
+        tap("nav6");
+        tap("alarmsAcknowledgeAll");
+        QVERIFY(!isShown("navCalls"));
+        QVERIFY(!isShown("alarmsAcknowledgeAll"));
+        QVERIFY(isShown("liveAlarm0"));
+    }
+
+    void warningIsShelvedAndTakenBack()
+    {
+        show(Situation::Lost);
+        tap("nav6");
+        tap("liveAlarm0");
+        tap("alarmShelve8");
+        QVERIFY(!isShown("navCalls"));
+        QVERIFY2(!isShown("banner"), "nobody wants to be called for it");
+        QCOMPARE(textOf("alarmState"), QStringLiteral("L-03 · Active, shelved"));
+        tap("alarmsShelved");
+        QCOMPARE(textOf("shelvedState"), QStringLiteral("L-03 · until 22:06:58"));
+        tap("unshelve0");
+        QCOMPARE(textOf("navCalls"), QStringLiteral("1"));
+        QVERIFY(isShown("banner"));
+    }
+
+    void sheetFollowsWhatBecomesOfIt()
+    {
+        show(Situation::Lost);
+        tap("nav6");
+        tap("liveAlarm0");
+        QCOMPARE(textOf("alarmReturned"), QStringLiteral("still active"));
+        show(Situation::Running);
+        QCOMPARE(textOf("alarmReturned"), QStringLiteral("14:06:58"));
+        QVERIFY(isShown("alarmAcknowledge"));
+    }
+
+    void languageIsSwitchedInTheSheet()
+    {
+        show(Situation::Fault);
+        tap("nav6");
+        tap("liveAlarm0");
+        m_stage->panel().settings().setLanguage(QStringLiteral("zh_CN"));
+        m_stage->settle();
+        QCOMPARE(textOf("alarmAction"), QStringLiteral("请检查是否卡阻，然后复位故障并回零。"));
+        QCOMPARE(textOf("urgentAlarm"), QStringLiteral("跟随误差过大"));
+    }
+};
+
+int main(int argc, char* argv[])
+{
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    QGuiApplication application(argc, argv);
+    TestPanelAlarms test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "test_panel_alarms.moc"

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+// Backup and restore under a finger: everything is taken to a stick, everything is changed, everything is
+// back; a damaged file is refused; the report is written as a PDF.
+#include "panel_test.h"
+
+#include "app/store/audit_log.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QSignalSpy>
+
+using namespace campanel;
+using namespace Qt::StringLiterals;
+
+class TestPanelBackup : public test::PanelTest {
+    Q_OBJECT
+
+    QTemporaryDir m_stick;
+
+    auto& backup() { return m_stage->panel().backup(); }
+    bool isOn(const char* name) { return m_stage->find(QString::fromLatin1(name)) != nullptr; }
+    void waitForBackup()
+    {
+        m_stage->waitUntil(backup(), &machine::Backup::changed,
+                           [](const machine::Backup& each) { return !each.busy(); });
+    }
+    void openSection()
+    {
+        for (const QString& old : onStick(u"*"_s))
+            QFile::remove(m_stick.filePath(old));
+        const auto look = [this](const QString&) {
+            return QList<store::Place>{{m_stick.path(), u"STICK"_s, false, true}};
+        };
+        backup().setLooker(look);
+        m_stage->panel().service().files()->setLooker(look);
+        m_stage->link().show(panel::DemoLink::Situation::Stopped);
+        m_stage->lookAtClock();
+        m_stage->panel().access().open();
+        m_stage->panel().trail().open();
+        tap("nav3");
+        tap("servicePanel");
+        tap("serviceBackup");
+    }
+    QStringList onStick(const QString& pattern)
+    {
+        return QDir(m_stick.path()).entryList({pattern}, QDir::Files);
+    }
+    void makeBackup()
+    {
+        tap("backupMake");
+        waitForBackup();
+        m_stage->waitFor(*backup().places());
+        tap("place0");
+        tap("reportWrite");
+        m_stage->waitFor(*backup().places());
+        QCOMPARE(onStick(u"*.zip"_s).size(), 1);
+        tap("sheetClose");
+    }
+    template <typename Job> auto inStore(panel::Panel& panel, Job job)
+    {
+        std::optional<std::invoke_result_t<Job, store::Database&>> outcome;
+        panel.records().store().run(&panel.records(), job, [&](const auto& done) { outcome = done; });
+        while (!outcome)
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        return *outcome;
+    }
+
+private slots:
+    void thereAndBack()
+    {
+        openSection();
+        m_stage->panel().settings().setTheme(u"dark"_s);
+        const QString recipe = editor().recipeName();
+        makeBackup();
+        // Everything changes: recipe, a user, a setting.
+        m_stage->panel().settings().setTheme(u"light"_s);
+        editor().setRecipeName(u"Another"_s);
+        m_stage->panel().access().addUser(u"Anna"_s, machine::Access::Service, u"2580"_s);
+        QTRY_VERIFY(m_stage->panel().access().loggedIn());
+        m_stage->settle();
+        tap("backupRestore");
+        waitForBackup();
+        tap("backupFile0");
+        tap("backupCheck");
+        waitForBackup();
+        QVERIFY2(m_stage->complaints().isEmpty(), qPrintable(m_stage->complaints().join(u'\n')));
+        QVERIFY2(textOf("question").contains(u"Bags and trends stay"), qPrintable(textOf("question")));
+        QSignalSpy restart(&m_stage->panel(), &panel::Panel::restartWanted);
+        tap("confirm_restore");
+        QTRY_COMPARE(restart.count(), 1);
+        const QString folder = QFileInfo(backup().ownFolder()).path();
+        QCOMPARE(QDir(backup().ownFolder()).entryList({u"*.zip"_s}).size(), 1); // the present state
+
+        // The next panel, as after an end at any moment from here on.
+        QTemporaryDir copy;
+        QVERIFY(copyAll(folder, copy.path()));
+        panel::DemoLink link(nullptr);
+        panel::Panel next(link, {copy.filePath(u"settings.ini"_s), copy.path()});
+        next.records().open();
+        next.access().open();
+        QCOMPARE(next.settings().theme(), u"dark"_s);
+        QCOMPARE(next.editor().recipeName(), recipe);
+        QVERIFY2(next.records().notice().startsWith(u"The backup has been restored."),
+                 qPrintable(next.records().notice()));
+        QTRY_VERIFY(!next.access().protectedByPins());
+        const auto rows = inStore(
+            next, [](store::Database& database) { return store::readAudit(database, {}, std::nullopt, 1); });
+        QCOMPARE(rows->first().entry.what, u"backup.restored"_s);
+        QCOMPARE(rows->first().entry.who, u"Anna"_s);
+        QVERIFY(!rows->first().entry.before.isEmpty());
+        const auto chain =
+            inStore(next, [](store::Database& database) { return store::verifyChain(database); });
+        QVERIFY(chain->fault() == store::ChainCheck::Fault::None);
+    }
+
+    // As main() does it: the end of one panel's window does not end the next one's event loop.
+    void anotherPanelTakesItsPlace()
+    {
+        m_stage.reset();
+        const QTemporaryDir folder;
+        for (int round = 0; round < 3; ++round) {
+            constexpr int restartCode = 1000;
+            panel::DemoLink link(nullptr);
+            panel::Panel next(link, {folder.filePath(u"settings.ini"_s), folder.path()});
+            QVERIFY(next.load(QSize(800, 480)));
+            next.window().show();
+            QGuiApplication::setQuitOnLastWindowClosed(true);
+            connect(&next, &panel::Panel::restartWanted, [] {
+                QGuiApplication::setQuitOnLastWindowClosed(false);
+                QGuiApplication::exit(restartCode);
+            });
+            connect(
+                &next.window(), &QQuickWindow::frameSwapped, &next,
+                [&next] { emit next.backup().restartWanted(); }, Qt::SingleShotConnection);
+            QCOMPARE(QGuiApplication::exec(), restartCode);
+        }
+        m_stage = std::make_unique<panel::Stage>(panel::Look{u"en"_s, u"light"_s, QSize(1024, 600)});
+    }
+
+    void aDamagedFileIsRefused()
+    {
+        openSection();
+        makeBackup();
+        QFile file(m_stick.filePath(onStick(u"*.zip"_s).first()));
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        const QByteArray bytes = file.readAll();
+        const qsizetype at = bytes.size() / 2; // in the database
+        QVERIFY(file.seek(at));
+        QVERIFY(file.putChar(static_cast<char>(bytes[at] ^ 0x10)));
+        file.close();
+        tap("backupRestore");
+        waitForBackup();
+        tap("backupFile0");
+        tap("backupCheck");
+        waitForBackup();
+        QVERIFY2(textOf("backupDetail").contains(u"is damaged"), qPrintable(textOf("backupDetail")));
+        QVERIFY(!isOn("confirm_restore"));
+    }
+
+    void aRunningMachineIsNotRestored()
+    {
+        openSection();
+        makeBackup();
+        m_stage->link().show(panel::DemoLink::Situation::Running);
+        m_stage->lookAtClock();
+        tap("backupRestore");
+        waitForBackup();
+        tap("backupFile0");
+        tap("backupCheck");
+        waitForBackup();
+        QVERIFY2(textOf("backupDetail").startsWith(u"The machine moves."),
+                 qPrintable(textOf("backupDetail")));
+    }
+
+    void theReportIsAPdf_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::newRow("English") << u"en"_s;
+        QTest::newRow("Chinese") << u"zh_CN"_s;
+    }
+
+    void theReportIsAPdf()
+    {
+        QFETCH(QString, language);
+        m_stage->panel().settings().overrideLanguage(language);
+        m_stage->settle();
+        openSection();
+        m_stage->link().show(panel::DemoLink::Situation::Running);
+        tap("reportMake");
+        m_stage->waitFor(*m_stage->panel().service().files());
+        tap("place0");
+        tap("reportWrite");
+        m_stage->waitFor(*m_stage->panel().service().files());
+        QVERIFY2(m_stage->complaints().isEmpty(), qPrintable(m_stage->complaints().join(u'\n')));
+        QCOMPARE(onStick(u"*.pdf"_s).size(), 1);
+        QFile file(m_stick.filePath(onStick(u"*.pdf"_s).first()));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray pdf = file.readAll();
+        QVERIFY(pdf.startsWith("%PDF-1."));
+        QVERIFY(pdf.trimmed().endsWith("%%EOF"));
+        QCOMPARE(pdf.count("/Type /Page\n"), 2);
+        QVERIFY(pdf.contains("/FontFile2"));       // embedded
+        QVERIFY(!pdf.contains("/Subtype /Image")); // curves are lines
+        QVERIFY2(pdf.size() > 20'000 && pdf.size() < 1'000'000, qPrintable(QString::number(pdf.size())));
+    }
+
+private:
+    static bool copyAll(const QString& from, const QString& to)
+    {
+        bool isDone = true;
+        const QDir source(from);
+        for (const QFileInfo& each : source.entryInfoList(QDir::Files | QDir::Dirs | QDir::NoDotAndDotDot)) {
+            const QString target = to + u'/' + each.fileName();
+            isDone = isDone && (each.isDir() ? QDir().mkpath(target) && copyAll(each.filePath(), target)
+                                             : QFile::copy(each.filePath(), target));
+        }
+        return isDone;
+    }
+};
+
+int main(int argc, char* argv[])
+{
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    QGuiApplication application(argc, argv);
+    TestPanelBackup test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "test_panel_backup.moc"

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// The machine's sections of Service under a finger: a jog key that is held, what takes the finger's hold
+// away, and the dial of the dry run.
+#include "app/main/scenes.h"
+#include "panel_test.h"
+
+#include <cmath>
+
+using campanel::link::JogDirection;
+using Situation = campanel::panel::DemoLink::Situation;
+
+class TestPanelService : public campanel::test::PanelTest {
+    Q_OBJECT
+
+    auto& jog() { return *m_stage->panel().service().jog(); }
+    auto& link() { return m_stage->link(); }
+    void enter(const char* name)
+    {
+        for (const auto& scene : campanel::panel::allScenes()) {
+            if (scene.name == QLatin1String(name))
+                campanel::panel::enterScene(*m_stage, scene);
+        }
+    }
+    void touch(const char* name)
+    {
+        m_stage->touch(QString::fromLatin1(name));
+        m_stage->settle();
+    }
+
+private slots:
+    void theAxisIsAskedToMoveWhileTheFingerIsDown()
+    {
+        enter("jog");
+        QCOMPARE(link().jog(), JogDirection::None);
+        touch("jogForward");
+        QCOMPARE(link().jog(), JogDirection::Forward);
+        m_stage->lift();
+        QCOMPARE(link().jog(), JogDirection::None);
+        touch("jogReverse");
+        QCOMPARE(link().jog(), JogDirection::Reverse);
+        m_stage->lift();
+        QCOMPARE(link().jog(), JogDirection::None);
+    }
+
+    void slidingOffEndsItAndSlidingBackDoesNotBegin()
+    {
+        enter("jog");
+        const QPointF on = centerOf(QStringLiteral("jogForward"));
+        touch("jogForward");
+        m_stage->slide(on - QPointF(0, 400));
+        QCOMPARE(link().jog(), JogDirection::None);
+        m_stage->slide(on);
+        QCOMPARE(link().jog(), JogDirection::None);
+        m_stage->lift();
+    }
+
+    void whatTakesTheKeysAwayLetsGo_data()
+    {
+        QTest::addColumn<int>("what");
+        QTest::newRow("another page") << 0;
+        QTest::newRow("another section") << 1;
+        QTest::newRow("a sheet") << 2;
+        QTest::newRow("the login") << 3;
+        QTest::newRow("Stop") << 4;
+    }
+
+    void whatTakesTheKeysAwayLetsGo()
+    {
+        QFETCH(const int, what);
+        enter("jog");
+        touch("jogForward");
+        QCOMPARE(link().jog(), JogDirection::Forward);
+        if (what == 0)
+            QMetaObject::invokeMethod(m_stage->frame(), "openPage", Q_ARG(int, 0));
+        else if (what == 1)
+            QMetaObject::invokeMethod(m_stage->find(QStringLiteral("serviceHoming")), "clicked");
+        else if (what == 2)
+            QMetaObject::invokeMethod(m_stage->find(QStringLiteral("jogSpeed")), "clicked");
+        else if (what == 3)
+            emit m_stage->panel().access().loginRequested(campanel::machine::Access::Technician);
+        else
+            m_stage->panel().machine().stop();
+        m_stage->settle();
+        QCOMPARE(link().jog(), JogDirection::None);
+        QCOMPARE(jog().held(), 0);
+        m_stage->lift();
+        m_stage->closeDialogs();
+    }
+
+    void windowThatIsNotInFrontLetsGo()
+    {
+        enter("jog");
+        m_stage->window().show();
+        m_stage->window().requestActivate();
+        QVERIFY(QTest::qWaitForWindowActive(&m_stage->window()));
+        touch("jogForward");
+        QCOMPARE(link().jog(), JogDirection::Forward);
+        QQuickWindow other;
+        other.show();
+        other.requestActivate();
+        QTRY_COMPARE(link().jog(), JogDirection::None);
+        m_stage->lift();
+    }
+
+    void aRunningMachineDoesNotJogAndThePageSaysWhy()
+    {
+        enter("jog-blocked");
+        touch("jogForward");
+        m_stage->lift();
+        QCOMPARE(link().jog(), JogDirection::None);
+        QCOMPARE(textOf("jogText"), QStringLiteral("The machine is running. Stop it first."));
+    }
+
+    void theDialIsTurned()
+    {
+        enter("dry-run");
+        auto& run = *m_stage->panel().service().dryRun();
+        tap("dryRunStart");
+        QCOMPARE(run.masterDeg(), 0.0);
+        tap("dryRunOn");
+        tap("dryRunOn");
+        tap("dryRunBack");
+        QVERIFY(std::abs(run.masterDeg() - 1) < 1e-9);
+        QQuickItem* dial = m_stage->find(QStringLiteral("dryRunDial"));
+        QVERIFY(dial);
+        const QPointF center = dial->mapToScene(dial->boundingRect().center());
+        const double radius = dial->width() / 3;
+        touch("dryRunDial"); // its middle is as good as any place
+        m_stage->slide(center + QPointF(0, -radius));
+        const double before = run.masterDeg();
+        m_stage->slide(center + QPointF(radius, 0));
+        QVERIFY(std::abs(std::remainder(run.masterDeg() - before - 90, 360)) < 1.0);
+        m_stage->lift();
+        tap("dryRunPlay");
+        QVERIFY(run.playing());
+        tap("nav0");
+        QVERIFY(!run.playing());
+    }
+};
+
+int main(int argc, char* argv[])
+{
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    QGuiApplication application(argc, argv);
+    TestPanelService test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "test_panel_service.moc"

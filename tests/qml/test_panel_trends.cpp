@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page Trends under a finger: opened, span chosen, moved away and back, a place pointed at, curves
+// chosen, exported to a stick.
+#include "app/main/scenes.h"
+#include "panel_test.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <cmath>
+
+using campanel::machine::Trends;
+
+class TestPanelTrends : public campanel::test::PanelTest {
+    Q_OBJECT
+
+    Trends& trends() { return m_stage->panel().trends(); }
+    void enter(const char* name)
+    {
+        for (const auto& scene : campanel::panel::allScenes()) {
+            if (scene.name == QLatin1String(name))
+                campanel::panel::enterScene(*m_stage, scene);
+        }
+    }
+    void drag(int byPx)
+    {
+        const QPoint from = centerOf(QStringLiteral("trendPlot"));
+        QTest::mousePress(&m_stage->window(), Qt::LeftButton, {}, from);
+        for (int step = 1; step <= 4; ++step)
+            QTest::mouseMove(&m_stage->window(), from + QPoint(byPx * step / 4, 0));
+        QTest::mouseRelease(&m_stage->window(), Qt::LeftButton, {}, from + QPoint(byPx, 0));
+        m_stage->waitForTrends();
+    }
+
+private slots:
+    void emptyPageSaysWhatToDo()
+    {
+        enter("trends-empty");
+        QVERIFY2(textOf("trendEmpty").contains(QStringLiteral("Press Start")),
+                 qPrintable(textOf("trendEmpty")));
+        QVERIFY(!m_stage->find(QStringLiteral("trendExport"))->isEnabled());
+    }
+
+    void spanIsChosenByOneTap()
+    {
+        enter("trends");
+        QVERIFY(trends().watched());
+        QVERIFY2(textOf("trendFigures0").startsWith(QStringLiteral("n 531 · mean ")),
+                 qPrintable(textOf("trendFigures0")));
+        tap("span7d");
+        QCOMPARE(trends().spanMs(), 7 * 86400e3);
+        m_stage->waitForTrends();
+        QVERIFY(!textOf("trendFigures0").startsWith(QStringLiteral("n 531 ")));
+        tap("trendShorter");
+        QCOMPARE(trends().spanMs(), 3.5 * 86400e3);
+        tap("trendLonger");
+        QCOMPARE(trends().spanMs(), 7 * 86400e3);
+    }
+
+    void aDragGoesBackInTimeAndNowReturns()
+    {
+        enter("trends");
+        const double now = trends().toMs();
+        QVERIFY(!m_stage->find(QStringLiteral("trendNow"))->isEnabled());
+        drag(200);
+        QVERIFY(!trends().live());
+        QVERIFY2(trends().toMs() < now - 60'000, qPrintable(QString::number(now - trends().toMs())));
+        QCOMPARE(trends().spanMs(), 600'000.0);
+        tap("trendNow");
+        QVERIFY(trends().live());
+        QCOMPARE(trends().toMs(), now);
+        drag(-200); // not into the future
+        QVERIFY(trends().live());
+        QCOMPARE(trends().toMs(), now);
+    }
+
+    void aTapReadsAValueAndTheNextPutsItAway()
+    {
+        enter("trends-cursor");
+        QVERIFY2(textOf("trendFigures0").contains(QStringLiteral("15 Jan 14:0")),
+                 qPrintable(textOf("trendFigures0")));
+        tap("trendPlot");
+        QVERIFY(textOf("trendFigures0").startsWith(QStringLiteral("n ")));
+    }
+
+    void curvesAreChosen()
+    {
+        enter("trends-curves");
+        tap("curve4");
+        QCOMPARE(trends().chosen(), QList<int>({Trends::Deviation, Trends::MarkError, Trends::Rate}));
+        tap("curve1");
+        tap("sheetClose");
+        QCOMPARE(trends().chosen(), QList<int>({Trends::MarkError, Trends::Rate}));
+        QVERIFY(m_stage->find(QStringLiteral("trendFigures1")));
+        QVERIFY(!m_stage->find(QStringLiteral("trendFigures2")));
+    }
+
+    void whatIsShownIsExported()
+    {
+        const QTemporaryDir stick;
+        enter("trends");
+        auto& files = *m_stage->panel().service().files();
+        files.setLooker([&](const QString&) {
+            return QList<campanel::store::Place>{{stick.path(), QStringLiteral("stick"), false}};
+        });
+        tap("trendExport");
+        m_stage->waitForTrends();
+        m_stage->waitFor(files);
+        tap("place0");
+        tap("reportWrite");
+        m_stage->waitFor(files);
+        QVERIFY2(!files.failed(), qPrintable(files.message()));
+        QFile bags(stick.filePath(QStringLiteral("bags.csv")));
+        QVERIFY(bags.open(QIODevice::ReadOnly));
+        QCOMPARE(bags.readAll().count('\n'), 61); // sixty bags and the heading
+        QVERIFY(QFile::exists(stick.filePath(QStringLiteral("trends.csv"))));
+    }
+
+    void anotherPageAsksForNothing()
+    {
+        enter("trends");
+        tap("nav0");
+        QVERIFY(!trends().watched());
+    }
+};
+
+int main(int argc, char* argv[])
+{
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    QGuiApplication application(argc, argv);
+    TestPanelTrends test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "test_panel_trends.moc"
