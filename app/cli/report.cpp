@@ -2,6 +2,8 @@
 // Flattening of JSON objects, and CSV tables.
 #include "app/cli/report.h"
 
+#include "app/store/csv.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 
@@ -51,14 +53,6 @@ void flatten(const QString& prefix, const QJsonObject& object, Lines& lines)
     }
 }
 
-QString csvField(const QString& text)
-{
-    if (!text.contains(u',') && !text.contains(u'"') && !text.contains(u'\n'))
-        return text;
-    QString quoted = text;
-    return u'"' + quoted.replace(u'"', u"\"\""_s) + u'"';
-}
-
 } // namespace
 
 QByteArray number(double value)
@@ -98,7 +92,7 @@ QByteArray formatted(const QJsonObject& object, const QString& format)
         width = std::max(width, line.first.size());
     for (const auto& [key, value] : lines) {
         if (format == u"csv")
-            text += key + u',' + csvField(value) + u'\n';
+            text += key + u',' + store::csvField(value) + u'\n';
         else
             text += key.leftJustified(width) + u"  "_s + (value.isEmpty() ? u"none"_s : value) + u'\n';
     }

@@ -4,7 +4,7 @@
 #include "app/cli/invocation.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/report.h"
-#include "app/program/interval_speeds.h"
+#include "app/program/table_columns.h"
 
 #include <QJsonArray>
 
@@ -13,97 +13,14 @@ using namespace Qt::StringLiterals;
 namespace campanel::cli {
 namespace {
 
-// A table as columns of equal length.
-struct TableColumn {
-    const char* name = "";
-    int decimals = 0; // in text
-    std::vector<double> values;
-};
-using TableColumns = std::vector<TableColumn>;
-
-TableColumns columnsOf(const profile::StepTable& table, const program::ProgramImage& image)
-{
-    TableColumns columns{
-        {"row", 0, {}}, {"time_s", 7, {}}, {"frequency_hz", 3, {}}, {"pulses", 0, {}}, {"ticks", 0, {}}};
-    const double clockHz = image.recipe.machine.timerClockHz;
-    double startTicks = 0;
-    for (const profile::StepRow& row : table.rows) {
-        const std::array<double, 5> values{static_cast<double>(columns[0].values.size()),
-                                           startTicks / clockHz, row.pulses * clockHz / row.ticks,
-                                           static_cast<double>(row.pulses), static_cast<double>(row.ticks)};
-        for (std::size_t i = 0; i < values.size(); ++i)
-            columns[i].values.push_back(values[i]);
-        startTicks += row.ticks;
-    }
-    return columns;
-}
-
-TableColumns columnsOf(const profile::CamTable& table, const program::ProgramImage& image)
-{
-    TableColumns columns{{"row", 0, {}},
-                         {"time_s", 7, {}},
-                         {"position_mm", 6, {}},
-                         {"position_pulses", 4, {}},
-                         {"slope_pulses", 4, {}}};
-    const double stepS = image.solved.cycleS() / static_cast<double>(table.rows.size() - 1);
-    for (const profile::CamRow& row : table.rows) {
-        const auto at = static_cast<double>(columns[0].values.size());
-        const double pulses = row.position256 / profile::camUnitsPerPulse;
-        const std::array<double, 5> values{at, at * stepS, pulses / image.solved.pulsesPerMm, pulses,
-                                           row.slope256 / profile::camUnitsPerPulse};
-        for (std::size_t i = 0; i < values.size(); ++i)
-            columns[i].values.push_back(values[i]);
-    }
-    return columns;
-}
-
-TableColumns columnsOf(const profile::IntervalTable& table, const program::ProgramImage&)
-{
-    TableColumns columns{{"row", 0, {}},
-                         {"pulses", 0, {}},
-                         {"first_hz", 4, {}},
-                         {"last_hz", 4, {}},
-                         {"acceleration_hz_per_s", 3, {}}};
-    for (const profile::IntervalRow& row : table.rows) {
-        const program::IntervalSpeeds speeds = program::speedsOf(row, table.fractionBits);
-        const std::array<double, 5> values{static_cast<double>(columns[0].values.size()),
-                                           static_cast<double>(row.pulses), speeds.firstHz, speeds.lastHz,
-                                           speeds.accelerationHzPerS};
-        for (std::size_t i = 0; i < values.size(); ++i)
-            columns[i].values.push_back(values[i]);
-    }
-    return columns;
-}
-
-TableColumns columnsOf(const profile::PressTable& table, const program::ProgramImage&)
-{
-    TableColumns columns{
-        {"row", 0, {}}, {"speed_hz", 0, {}}, {"end_pulses", 0, {}}, {"force_n", 0, {}}, {"time_ms", 0, {}}};
-    for (const profile::PressRow& row : table.rows) {
-        const std::array<double, 5> values{static_cast<double>(columns[0].values.size()),
-                                           static_cast<double>(row.speedHz),
-                                           static_cast<double>(row.endPulses),
-                                           static_cast<double>(row.forceN), static_cast<double>(row.timeMs)};
-        for (std::size_t i = 0; i < values.size(); ++i)
-            columns[i].values.push_back(values[i]);
-    }
-    return columns;
-}
-
-QByteArray rowsCsv(const TableColumns& columns)
-{
-    std::vector<Column> views;
-    for (const TableColumn& column : columns)
-        views.push_back({column.name, &column.values});
-    return csvTable(views);
-}
+using TableColumns = std::vector<program::TableColumn>;
 
 QJsonArray rowsJson(const TableColumns& columns)
 {
     QJsonArray rows;
     for (std::size_t i = 0; i < columns[0].values.size(); ++i) {
         QJsonObject row;
-        for (const TableColumn& column : columns)
+        for (const program::TableColumn& column : columns)
             row[QString::fromLatin1(column.name)] = column.values[i];
         rows.append(row);
     }
@@ -114,11 +31,11 @@ QByteArray rowsText(const TableColumns& columns)
 {
     constexpr int width = 15;
     QString text = u"\n"_s;
-    for (const TableColumn& column : columns)
+    for (const program::TableColumn& column : columns)
         text += QString::fromLatin1(column.name).rightJustified(width) + u' ';
     text += u'\n';
     for (std::size_t i = 0; i < columns[0].values.size(); ++i) {
-        for (const TableColumn& column : columns)
+        for (const program::TableColumn& column : columns)
             text += u"%1 "_s.arg(column.values[i], width, 'f', column.decimals);
         text += u'\n';
     }
@@ -209,10 +126,9 @@ Outcome runTable(const Invocation& call)
     const auto image = program::buildProgram(*recipe);
     if (!image)
         return fail(ExitCode::Refused, program::describe(image.error()));
-    const TableColumns columns =
-        std::visit([&](const auto& table) { return columnsOf(table, *image); }, image->table);
+    const TableColumns columns = program::tableColumns(*image);
     if (call.format() == u"csv")
-        return call.deliver(rowsCsv(columns));
+        return call.deliver(QByteArray::fromStdString(program::tableCsv(columns)));
     QJsonObject object = figures(*image, columns[0].values.size());
     if (call.format() == u"json") {
         object[u"rows"_s] = rowsJson(columns);

@@ -7,6 +7,7 @@
 #include "app/machine/engine_instances.h"
 #include "app/machine/records.h"
 #include "app/machine/report_files.h"
+#include "app/store/log_export.h"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -22,30 +23,6 @@ namespace {
 
 constexpr int page = 100;
 constexpr int checkedAtOnce = 5000; // some ten milliseconds of the database's thread
-
-QByteArray quoted(const QString& text)
-{
-    QByteArray field = text.toUtf8();
-    field.replace('"', "\"\"");
-    return '"' + field + '"';
-}
-
-QByteArray csv(const QList<store::AuditRow>& rows)
-{
-    QByteArray text(
-        "sequence,time_utc,who,level,what,object,before,after,read_back,outcome,previous,hash\r\n");
-    for (const store::AuditRow& row : rows) {
-        const store::AuditEntry& entry = row.entry;
-        text += QByteArray::number(row.sequence) + ',' +
-                QDateTime::fromMSecsSinceEpoch(entry.timeMs, Qt::UTC).toString(Qt::ISODateWithMs).toUtf8() +
-                ',' + quoted(entry.who) + ',' + QByteArray::number(entry.level);
-        for (const QString& field :
-             {entry.what, entry.object, entry.before, entry.after, entry.readBack, entry.outcome})
-            text += ',' + quoted(field);
-        text += ',' + row.previous.toHex() + ',' + row.hash.toHex() + "\r\n";
-    }
-    return text;
-}
 
 QVariantMap choice(const QString& key, const QString& text)
 {
@@ -214,7 +191,8 @@ void Audit::exportCsv()
         [this](const Rows& rows) {
             m_isExporting = false;
             if (rows)
-                m_files.offer({{tr("audit trail"), u"csv"_s, [all = *rows] { return csv(all); }}});
+                m_files.offer(
+                    {{tr("audit trail"), u"csv"_s, [all = *rows] { return store::auditCsv(all); }}});
             else
                 m_records.complain(rows.error());
             emit changed();

@@ -33,8 +33,23 @@ void LineFigures::setWatched(bool isWatched)
     if (m_isWatched == isWatched)
         return;
     m_isWatched = isWatched;
-    m_link.watchFigures(isWatched);
+    if (m_readers == 0)
+        m_link.watchFigures(isWatched);
     emit watchedChanged();
+}
+
+void LineFigures::readOnce(QObject* context, const std::function<void(const link::FiguresReport&)>& take)
+{
+    ++m_readers;
+    connect(
+        &m_link, &link::Link::figuresReported, context,
+        [this, take](const link::FiguresReport& report) {
+            if (--m_readers == 0 && !m_isWatched)
+                m_link.watchFigures(false);
+            take(report);
+        },
+        Qt::SingleShotConnection);
+    m_link.watchFigures(true);
 }
 
 void LineFigures::reset()

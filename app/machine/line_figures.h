@@ -11,6 +11,7 @@
 #include <QObject>
 #include <QtQml/qqmlregistration.h>
 
+#include <functional>
 #include <optional>
 
 namespace campanel::machine {
@@ -45,6 +46,9 @@ public:
     [[nodiscard]] QList<double> stripP99Ms() const { return m_stripP99Ms; }
     [[nodiscard]] QDateTime stripEnd() const { return m_stripEnd; }
 
+    // Tells `context` of the next report, which comes within a second also when nobody watches.
+    void readOnce(QObject* context, const std::function<void(const link::FiguresReport&)>& take);
+
     // Counts from zero.
     Q_INVOKABLE void reset();
     // Offers figures and strip as two CSV files.
@@ -76,6 +80,7 @@ private:
     QList<double> m_stripP99Ms;
     QDateTime m_stripEnd;
     bool m_isWatched = false;
+    int m_readers = 0; // who waits for one report
 };
 
 } // namespace campanel::machine

@@ -20,14 +20,24 @@ namespace {
 constexpr auto distanceName = "parameter.mark_distance";
 constexpr auto offsetName = "parameter.mark_offset";
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr auto phaseLimitName = "parameter.phase_limit";
 constexpr int watchedBags = 5;
 constexpr double rightWithinMm = 0.3; // mean mark error of those
-constexpr double scatterMm = 1.0;     // measurements further apart are of other bags or marks
+// The controller takes a quarter of a mark's error for slip (parameter.phase_gain): 0.75^20 of it is left.
+constexpr int settlingBags = 20;
+constexpr double scatterMm = 1.0; // measurements further apart are of other bags or marks
 constexpr double umPerMm = 1000.0;
 
 QString millimeters(double value, int decimals)
 {
     return Format().number(value, decimals) + QStringLiteral(" mm");
+}
+
+double mean(const QList<double>& values)
+{
+    return values.isEmpty()
+               ? unknown
+               : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 } // namespace
@@ -39,10 +49,12 @@ MarkWizard::MarkWizard(Machine& machine, PackingFields& fields, QObject* parent)
 {
     connect(machine.packing(), &PackingLine::changed, this, &MarkWizard::followBags);
     connect(machine.packing(), &PackingLine::bagRecorded, this, [this](const modbus::BagRecord& bag) {
-        if (m_step != Step::Watch || !bag.isTracked || bagsSinceStep() <= bagsUnderWay())
+        if (m_step != Step::Watch || !m_firstBag || !bag.isTracked ||
+            bag.number <= *m_firstBag + static_cast<std::uint32_t>(bagsUnderWay()))
             return;
-        m_errorSumMm += bag.markErrorMm;
-        ++m_errors;
+        m_errorsMm << bag.markErrorMm;
+        if (m_errorsMm.size() > watchedBags)
+            m_errorsMm.removeFirst();
     });
     connect(&machine, &Machine::stateChanged, this, &MarkWizard::changed);
     connect(&machine, &Machine::connectionChanged, this, [this] {
@@ -58,10 +70,13 @@ MarkWizard::MarkWizard(Machine& machine, PackingFields& fields, QObject* parent)
 void MarkWizard::setStep(Step step)
 {
     m_step = step;
+    m_steppedAt = m_machine.now();
     const auto& status = m_machine.packing()->status();
-    m_firstBag = status ? status->bagNumber : 0;
-    m_errorSumMm = 0.0;
-    m_errors = 0;
+    // What was read before the new distance was written tells of bags cut with the old one.
+    m_firstBag.reset();
+    if (status && step != Step::Watch)
+        m_firstBag = status->bagNumber;
+    m_errorsMm.clear();
     emit changed();
 }
 
@@ -132,7 +147,9 @@ void MarkWizard::goOn()
 int MarkWizard::bagsSinceStep() const
 {
     const auto& status = m_machine.packing()->status();
-    return status && status->bagNumber >= m_firstBag ? static_cast<int>(status->bagNumber - m_firstBag) : 0;
+    return status && m_firstBag && status->bagNumber >= *m_firstBag
+               ? static_cast<int>(status->bagNumber - *m_firstBag)
+               : 0;
 }
 
 // Bags whose marks had passed the sensor before the new distance, and one for each end.
@@ -143,35 +160,45 @@ int MarkWizard::bagsUnderWay() const
     return bagMm > 0 ? static_cast<int>(std::ceil(distanceMm / bagMm)) + 2 : 0;
 }
 
+// At most: until the cuts have moved by the whole correction and have settled.
 int MarkWizard::bagsToWatch() const
 {
-    return bagsUnderWay() + watchedBags;
+    const double limitMm = m_fields.value(phaseLimitName);
+    const double correctionMm = std::isfinite(m_newMm) ? std::abs(m_newMm - m_oldMm) : 0.0;
+    const int moving = limitMm > 0 ? static_cast<int>(std::ceil(correctionMm / limitMm)) : 0;
+    return bagsUnderWay() + moving + settlingBags + watchedBags;
 }
 
 void MarkWizard::followBags()
 {
     const auto& status = m_machine.packing()->status();
-    if (status && status->bagNumber < m_firstBag)
+    if (status && m_firstBag && status->bagNumber < *m_firstBag)
         m_firstBag = status->bagNumber; // it counts anew
     // What is not tracked does not count.
     if (m_step == Step::Cutting && !blockedReason().isEmpty() && status)
         m_firstBag = status->bagNumber;
     if (m_step == Step::Cutting && bagsSinceStep() >= bagsToCut)
         setStep(Step::Measure);
-    if (m_step == Step::Watch && bagsSinceStep() >= bagsToWatch() && m_errors > 0) {
-        const double meanErrorMm = m_errorSumMm / m_errors;
-        const int errors = m_errors;
-        const bool isRight = std::abs(meanErrorMm) <= rightWithinMm;
-        setStep(isRight ? Step::Done : Step::Failed);
-        m_errorSumMm = meanErrorMm * errors;
-        m_errors = errors;
-        if (!isRight)
-            m_failure = tr("The distance is written, but the cuts of the last bags lay %1 from their marks "
-                           "on average. "
-                           "Look at gains and film before measuring again.")
-                            .arg(millimeters(meanErrorMm, 2));
-    }
+    if (m_step == Step::Watch && status && !m_firstBag && m_machine.packing()->receivedAt() >= m_steppedAt)
+        m_firstBag = status->bagNumber;
+    if (m_step == Step::Watch && m_errorsMm.size() == watchedBags)
+        judgeBags();
     emit changed();
+}
+
+// The last bags: right, or it is too late for them to become right.
+void MarkWizard::judgeBags()
+{
+    const double meanErrorMm = mean(m_errorsMm);
+    if (std::abs(meanErrorMm) <= rightWithinMm) {
+        setStep(Step::Done);
+    } else if (bagsSinceStep() >= bagsToWatch()) {
+        m_failure = tr("The distance is written, but the cuts of the last bags lay %1 from their marks "
+                       "on average. "
+                       "Look at gains and film before measuring again.")
+                        .arg(millimeters(meanErrorMm, 2));
+        setStep(Step::Failed);
+    }
 }
 
 double MarkWizard::mostMm() const
@@ -238,9 +265,7 @@ void MarkWizard::takeRuler(const link::RulerOutcome& outcome)
 
 double MarkWizard::meanMm() const
 {
-    return m_measuredMm.isEmpty() ? unknown
-                                  : std::accumulate(m_measuredMm.begin(), m_measuredMm.end(), 0.0) /
-                                        static_cast<double>(m_measuredMm.size());
+    return mean(m_measuredMm);
 }
 
 double MarkWizard::newDistanceMm() const
@@ -347,7 +372,9 @@ QString MarkWizard::text() const
     case Step::Writing:
         return tr("Writing, and reading back …");
     case Step::Watch:
-        return tr("Written and read back. The new distance reaches the knife with the film: bag %1 of %2.")
+        return tr("Written and read back. The new distance reaches the knife with the film: bag %1 of at "
+                  "most "
+                  "%2.")
             .arg(bagsSinceStep())
             .arg(bagsToWatch());
     case Step::Done:

@@ -83,6 +83,7 @@ signals:
 private:
     void setStep(Step step);
     void followBags();
+    void judgeBags();
     [[nodiscard]] int bagsSinceStep() const;
     [[nodiscard]] int bagsToWatch() const;
     [[nodiscard]] int bagsUnderWay() const;
@@ -95,14 +96,14 @@ private:
     Machine& m_machine;
     PackingFields& m_fields;
     Step m_step = Step::Explain;
-    std::uint32_t m_firstBag = 0; // when the step began
+    link::SteadyTime m_steppedAt;
+    std::optional<std::uint32_t> m_firstBag; // when the step began
     QList<double> m_measuredMm;
     double m_oldMm = std::numeric_limits<double>::quiet_NaN();
     double m_offsetMm = std::numeric_limits<double>::quiet_NaN();
     double m_newMm = std::numeric_limits<double>::quiet_NaN(); // when it was written
     QString m_failure;
-    double m_errorSumMm = 0.0; // of the bags watched
-    int m_errors = 0;
+    QList<double> m_errorsMm; // of the last bags watched
     bool m_isRulerAsked = false;
     std::optional<link::RulerOutcome> m_ruler; // last reading
     bool m_isSameBag = false;

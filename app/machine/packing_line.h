@@ -121,6 +121,8 @@ public:
 
     // For the Machine and for who shows single bags.
     [[nodiscard]] const std::optional<modbus::PackerStatus>& status() const { return m_status; }
+    // When status() was read.
+    [[nodiscard]] link::SteadyTime receivedAt() const { return m_receivedAt; }
     // The controller records its bags: they come by bagRecorded() and not with its status.
     [[nodiscard]] bool recordsBags() const;
     void noteConnection();

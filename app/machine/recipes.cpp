@@ -5,6 +5,7 @@
 #include "app/machine/engine_instances.h"
 #include "app/machine/format.h"
 #include "app/machine/machine.h"
+#include "app/machine/recipe_audit.h"
 #include "app/machine/recipe_comparison.h"
 #include "app/machine/recipe_edit.h"
 #include "app/machine/recipe_words.h"
@@ -129,6 +130,9 @@ void Recipes::keep(const Recipe& recipe, std::function<void(const RecipeVersion&
             RecipeVersion kept = saved;
             kept.recipe = recipe;
             kept.recipe.version = saved.version;
+            const RecipeVersion* before = named(nameOf(recipe));
+            if (!before || before->version != kept.version)
+                emit noted(recipeSaved(before ? std::optional(*before) : std::nullopt, kept));
             if (done)
                 done(kept);
             reload();
@@ -386,6 +390,7 @@ void Recipes::rename()
                     edited->name = stored.name;
                 m_editor.open(stored, edited);
             }
+            note(u"recipe.rename"_s, before, before, name);
             reload();
             say(tr("%1 is called %2 now.").arg(before, name));
         });
@@ -407,7 +412,9 @@ void Recipes::remove()
                 m_records.complain(removed.error());
                 return;
             }
+            note(u"recipe.delete"_s, name, {}, {});
             m_deletedId = id;
+            m_deletedName = name;
             m_message = tr("%1 was deleted. Its versions are kept.").arg(name);
             emit messageChanged();
             reload();
@@ -428,10 +435,22 @@ void Recipes::restore()
                 m_records.complain(restored.error());
                 return;
             }
+            note(u"recipe.restore"_s, m_deletedName, {}, {});
             m_chosenId = m_deletedId;
             dismissMessage();
             reload();
         });
+}
+
+void Recipes::note(const QString& what, const QString& name, const QString& before, const QString& after)
+{
+    store::AuditEntry entry;
+    entry.what = what;
+    entry.object = name;
+    entry.before = before;
+    entry.after = after;
+    entry.outcome = u"done"_s;
+    emit noted(entry);
 }
 
 void Recipes::say(const QString& text)

@@ -9,6 +9,7 @@
 #include "app/machine/recipe_files.h"
 #include "app/machine/recipe_list.h"
 #include "app/machine/report_files.h"
+#include "app/store/audit_log.h"
 #include "app/store/recipe_library.h"
 
 #include <QDateTime>
@@ -133,6 +134,8 @@ public:
     Q_INVOKABLE void offerExport(bool all);
 
 signals:
+    // For the audit trail.
+    void noted(const campanel::store::AuditEntry& entry);
     void listChanged();
     void wantedNameChanged();
     void comparisonChanged();
@@ -156,6 +159,7 @@ private:
     void clearComparison();
     void compare(const program::Recipe& before, const program::Recipe& after);
     void say(const QString& text);
+    void note(const QString& what, const QString& name, const QString& before, const QString& after);
     [[nodiscard]] const store::RecipeVersion* chosenRecipe() const;
     [[nodiscard]] const store::RecipeVersion* named(const QString& name) const;
     [[nodiscard]] program::Recipe onThisMachine(program::Recipe recipe) const;
@@ -186,6 +190,7 @@ private:
     QString m_message;
     qint64 m_chosenId = 0;
     qint64 m_deletedId = 0;
+    QString m_deletedName;
     bool m_isReady = false;
 };
 

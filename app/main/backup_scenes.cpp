@@ -77,6 +77,17 @@ QList<Scene> backupScenes()
                  waitUntilIdle(stage);
                  stage.waitFor(*stage.panel().backup().places());
              }},
+            {u"bundle-places"_s,
+             [](Stage& stage) {
+                 stage.panel().service().files()->setLooker([](const QString&) {
+                     return QList<store::Place>{{u"/media/panel/KINGSTON"_s, u"KINGSTON"_s, false}};
+                 });
+                 open(stage);
+                 stage.tap(u"bundleMake"_s);
+                 stage.waitUntil(stage.panel().bundle(), &machine::ServiceBundle::offered,
+                                 [](const machine::ServiceBundle& bundle) { return !bundle.busy(); });
+                 stage.waitFor(*stage.panel().service().files());
+             }},
             {u"restore-none"_s,
              [](Stage& stage) {
                  stage.panel().backup().setLooker([](const QString&) { return QList<store::Place>(); });

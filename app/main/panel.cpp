@@ -39,6 +39,8 @@ Panel::Panel(link::Link& link, const Storage& storage)
     , m_backup({m_machine, m_editor, m_records, m_settings, m_access, m_trail}, recipeFolder(storage),
                nullptr)
     , m_commissioning(m_machine, m_editor, m_access, *m_service.files(), nullptr)
+    , m_bundle({m_machine, m_editor, m_records, *m_service.figures(), *m_service.files()}, nullptr)
+    , m_display(m_machine, storage.settingsFile, nullptr)
     , m_explanations(m_machine, m_editor, nullptr)
 {
     m_commissioning.setPrinter(&report::commissioningPdf);
@@ -46,10 +48,12 @@ Panel::Panel(link::Link& link, const Storage& storage)
     connect(&m_backup, &machine::Backup::restartWanted, this, &Panel::restartWanted);
     m_service.dryRun()->follow(m_editor);
     m_recipes.setAuthor([this] { return m_access.userName(); });
+    connect(&m_recipes, &machine::Recipes::noted, &m_trail, &machine::AuditTrail::note);
     connect(&m_access, &machine::Access::changed, this, [this] { m_alarms.setPerson(m_access.userName()); });
     m_engine.addImportPath(QStringLiteral("qrc:/qt/qml"));
-    machine::attachToEngine(m_engine, m_access, m_alarms, m_audit, m_backup, m_commissioning, m_machine,
-                            m_editor, m_explanations, m_records, m_recipes, m_service, m_settings, m_trends);
+    machine::attachToEngine(m_engine, m_access, m_alarms, m_audit, m_backup, m_commissioning, m_display,
+                            m_machine, m_editor, m_explanations, m_records, m_recipes, m_service, m_bundle,
+                            m_settings, m_trends);
     connect(&m_settings, &machine::Settings::languageChanged, this, &Panel::translate);
     translate();
     m_component.loadUrl(QUrl(QStringLiteral("qrc:/qt/qml/CamPanel/Pages/Main.qml")),

@@ -10,12 +10,14 @@
 #include "app/machine/audit_trail.h"
 #include "app/machine/backup.h"
 #include "app/machine/commissioning.h"
+#include "app/machine/display.h"
 #include "app/machine/editor.h"
 #include "app/machine/explanations.h"
 #include "app/machine/machine.h"
 #include "app/machine/recipes.h"
 #include "app/machine/records.h"
 #include "app/machine/service.h"
+#include "app/machine/service_bundle.h"
 #include "app/machine/settings.h"
 #include "app/machine/trends.h"
 
@@ -57,6 +59,8 @@ public:
     [[nodiscard]] machine::Audit& audit() { return m_audit; }
     [[nodiscard]] machine::Backup& backup() { return m_backup; }
     [[nodiscard]] machine::Commissioning& commissioning() { return m_commissioning; }
+    [[nodiscard]] machine::Display& display() { return m_display; }
+    [[nodiscard]] machine::ServiceBundle& bundle() { return m_bundle; }
     [[nodiscard]] QQmlEngine& engine() { return m_engine; }
 
     // Connects to the controller and opens the databases. The first frame is to come first: line and disk can
@@ -89,6 +93,8 @@ private:
     machine::Audit m_audit;
     machine::Backup m_backup;
     machine::Commissioning m_commissioning;
+    machine::ServiceBundle m_bundle;
+    machine::Display m_display;
     machine::Explanations m_explanations;
     std::array<QTranslator, 3> m_translators; // the panel's QML, its C++, Qt itself
     QQmlEngine m_engine;

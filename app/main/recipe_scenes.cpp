@@ -135,6 +135,14 @@ QList<Scene> recipeScenes()
             page("recipes-new-kind", {QStringLiteral("recipeNew")}),
             page("recipes-name", {QStringLiteral("recipeRename")}),
             page("recipes-name-signs", {QStringLiteral("recipeCopy"), QStringLiteral("textSigns")}),
+            {QStringLiteral("recipes-name-pinyin"),
+             [](Stage& stage) {
+                 open(stage, {QStringLiteral("recipeRename")});
+                 if (QLocale().language() != QLocale::Chinese)
+                     stage.tap(QStringLiteral("textChinese"));
+                 for (const QChar letter : QStringLiteral("binggan"))
+                     stage.tap(QStringLiteral("key_") + letter);
+             }},
             page("recipes-search", {QStringLiteral("recipeSearch"), QStringLiteral("textCapital")}),
             versions("recipes-versions", QStringLiteral("candidate0")),
             page("recipes-compare", {QStringLiteral("recipeCompare"), QStringLiteral("candidate1")}),

@@ -11,7 +11,11 @@
 #include "app/main/service_scenes.h"
 #include "app/main/trend_scenes.h"
 
+#include <QDir>
+#include <QFile>
 #include <QRegularExpression>
+
+using namespace Qt::StringLiterals;
 
 namespace campanel::panel {
 namespace {
@@ -241,6 +245,27 @@ const QList<Scene>& allScenes()
         taps("settings-machine", {settings, QStringLiteral("section2")}),
         taps("keypad-machine",
              {settings, QStringLiteral("section2"), QStringLiteral("field_maxAcceleration")}),
+        {QStringLiteral("settings-system"),
+         [=](Stage& stage) {
+             const QString folder =
+                 QFileInfo(stage.panel().backup().ownFolder()).dir().filePath(u"backlight"_s);
+             QDir().mkpath(folder + u"/screen"_s);
+             for (const QString& name : {u"brightness"_s, u"max_brightness"_s}) {
+                 QFile file(folder + u"/screen/"_s + name);
+                 if (!file.open(QIODevice::WriteOnly) || file.write("100") < 0)
+                     qWarning("the demonstration's backlight cannot be written");
+             }
+             stage.panel().display().setBacklight(machine::Backlight::find(folder));
+             stage.tap(settings);
+             stage.tap(QStringLiteral("sectionSystem"));
+         }},
+        {QStringLiteral("settings-system-plain"),
+         [=](Stage& stage) {
+             stage.panel().display().setBacklight({});
+             stage.tap(settings);
+             stage.tap(QStringLiteral("sectionSystem"));
+         }},
+        taps("wipe", {settings, QStringLiteral("sectionSystem"), QStringLiteral("wipeScreen")}),
         taps("settings-about", {settings, QStringLiteral("section3")}),
         situation("run-stopped", Situation::Stopped, run),
         situation("run-empty", Situation::Empty, run),

@@ -2,6 +2,10 @@
 // A panel on the demonstration link; see stage.h.
 #include "app/main/stage.h"
 
+#include "app/machine/system_facts.h"
+
+#include <QTimeZone>
+
 namespace campanel::panel {
 
 namespace {
@@ -32,6 +36,8 @@ Stage::Stage(const Look& look)
     , m_longTexts(longTextsFor(look))
     , m_panel(m_link, {m_folder.filePath(QStringLiteral("settings.ini")), m_folder.path()})
 {
+    machine::SystemFacts::fix({QDateTime(QDate(2026, 1, 15), QTime(14, 7), QTimeZone::utc()),
+                               {QStringLiteral("eth0: 192.168.1.20, fe80::2e0:4cff:fe68:1")}});
     m_panel.settings().overrideLanguage(look.isLong() ? QStringLiteral("en") : look.language);
     m_panel.settings().overrideTheme(look.theme);
     m_panel.settings().overrideGloves(look.gloves);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Zip archives by libzip: written as a whole, read entry by entry. Names of entries are only ever compared
-// with names that are known, never taken as paths. Not for the GUI thread. Internal to app/store.
+// with names that are known, never taken as paths. Not for the GUI thread.
 #pragma once
 
 #include <QByteArray>

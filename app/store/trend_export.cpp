@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/trend_export.h"
 
+#include "app/store/csv.h"
+
 #include <QDateTime>
 
 using namespace Qt::StringLiterals;
@@ -20,11 +22,6 @@ QString times(qint64 timeMs)
 QString number(const std::optional<double>& value)
 {
     return value ? QString::number(*value, 'f', 3) : QString();
-}
-
-QString quoted(QString text)
-{
-    return u'"' + text.replace(u'"', u"\"\""_s) + u'"';
 }
 
 QString flags(quint8 flags)
@@ -75,7 +72,7 @@ tl::expected<QByteArray, StoreError> bagsCsv(Database& database, qint64 fromMs, 
         "following_error_mm,rate_bags_per_min,flags\n";
     const auto read = log.forEach(fromMs, toMs, [&](const Bag& bag) {
         const QStringList fields{times(bag.timeMs),
-                                 quoted(bag.programName),
+                                 csvField(bag.programName),
                                  QString::number(bag.programVersion),
                                  QString::number(bag.lengths),
                                  number(bag.lengthMm()),

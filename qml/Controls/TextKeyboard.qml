@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Letters, capitals, digits and signs for a text input that somebody else shows. A capital is for one letter; held, for all.
+// Small letters can be pinyin: `pinyin` then has the candidates, which somebody else shows too.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -15,6 +16,12 @@ Item {
     property int keySet: TextKeyboard.Small
     property bool capitalsStay
 
+    property bool chinese: Qt.locale().name.startsWith("zh")
+    readonly property PinyinInput pinyin: PinyinInput {
+        onCommitted: text => keyboard.put(text)
+    }
+    readonly property bool composing: pinyin.spelling.length > 0
+
     readonly property var rows: keySet === TextKeyboard.Signs ? ["1234567890", "-_/+*=%#&", "().,:;'\"!?"]
         : keySet === TextKeyboard.Capital ? ["QWERTYUIOP", "ASDFGHJKL", "ZXCVBNM"] : ["qwertyuiop", "asdfghjkl", "zxcvbnm"]
     readonly property int perRow: 10
@@ -27,8 +34,16 @@ Item {
         if (keyboard.keySet === TextKeyboard.Capital && !keyboard.capitalsStay)
             keyboard.keySet = TextKeyboard.Small
     }
+    function type(letter: string): void {
+        if (keyboard.chinese && keyboard.keySet === TextKeyboard.Small && letter !== "-")
+            keyboard.pinyin.add(letter)
+        else
+            keyboard.put(letter)
+    }
     function erase(): void {
-        if (keyboard.input.selectionStart !== keyboard.input.selectionEnd)
+        if (keyboard.composing)
+            keyboard.pinyin.erase()
+        else if (keyboard.input.selectionStart !== keyboard.input.selectionEnd)
             keyboard.input.remove(keyboard.input.selectionStart, keyboard.input.selectionEnd)
         else
             keyboard.input.remove(keyboard.input.cursorPosition - 1, keyboard.input.cursorPosition)
@@ -43,7 +58,7 @@ Item {
         required property string modelData
         objectName: "key_" + modelData
         text: modelData
-        onClicked: keyboard.put(modelData)
+        onClicked: keyboard.type(modelData)
     }
 
     Column {
@@ -65,9 +80,12 @@ Item {
                 objectName: "textBackspace"
                 quiet: true
                 glyph: Theme.icon.backspace
-                enabled: keyboard.input.length > 0
+                enabled: keyboard.input.length > 0 || keyboard.composing
                 onClicked: keyboard.erase()
-                onPressAndHold: keyboard.input.clear()
+                onPressAndHold: {
+                    keyboard.pinyin.clear()
+                    keyboard.input.clear()
+                }
             }
         }
         Row {
@@ -80,10 +98,12 @@ Item {
                 primary: keyboard.keySet === TextKeyboard.Capital && keyboard.capitalsStay
                 glyph: Theme.icon.capital
                 onClicked: {
+                    keyboard.pinyin.clear()
                     keyboard.capitalsStay = false
                     keyboard.keySet = keyboard.keySet === TextKeyboard.Capital ? TextKeyboard.Small : TextKeyboard.Capital
                 }
                 onPressAndHold: {
+                    keyboard.pinyin.clear()
                     keyboard.keySet = TextKeyboard.Capital
                     keyboard.capitalsStay = true
                 }
@@ -107,21 +127,35 @@ Item {
                 width: 2 * keyboard.keyWidth + Theme.size.outline
                 quiet: true
                 text: keyboard.keySet === TextKeyboard.Signs ? qsTr("abc") : qsTr("123")
-                onClicked: keyboard.keySet = keyboard.keySet === TextKeyboard.Signs ? TextKeyboard.Small : TextKeyboard.Signs
+                onClicked: {
+                    keyboard.pinyin.clear()
+                    keyboard.keySet = keyboard.keySet === TextKeyboard.Signs ? TextKeyboard.Small : TextKeyboard.Signs
+                }
+            }
+            Key {
+                objectName: "textChinese"
+                visible: keyboard.pinyin.available
+                width: 1.5 * keyboard.keyWidth + Theme.size.outline / 2
+                quiet: true
+                text: keyboard.chinese ? "中" : "EN"
+                onClicked: {
+                    keyboard.pinyin.clear()
+                    keyboard.chinese = !keyboard.chinese
+                }
             }
             Key {
                 objectName: "textSpace"
-                width: 6 * keyboard.keyWidth + 5 * Theme.size.outline
-                text: qsTr("Space")
-                onClicked: keyboard.put(" ")
+                width: (keyboard.pinyin.available ? 4.5 : 6) * keyboard.keyWidth + (keyboard.pinyin.available ? 3.5 : 5) * Theme.size.outline
+                text: keyboard.composing ? keyboard.pinyin.candidates[0] ?? "" : qsTr("Space")
+                onClicked: if (keyboard.composing) keyboard.pinyin.choose(0); else keyboard.put(" ")
             }
             Key {
                 objectName: "textAccept"
                 width: 2 * keyboard.keyWidth + Theme.size.outline
                 primary: true
                 glyph: Theme.icon.check
-                enabled: keyboard.acceptable
-                onClicked: keyboard.accepted()
+                enabled: keyboard.acceptable || keyboard.composing
+                onClicked: if (keyboard.composing) keyboard.pinyin.choose(0); else keyboard.accepted()
             }
         }
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is taken to a stick: everything that the panel keeps, and back; the report of a machine that runs.
+// What is taken to a stick: everything that the panel keeps, and back; the report of a machine that runs; what a
+// manufacturer needs who is asked for help.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -10,13 +11,18 @@ import CamPanel.Machine
 ServiceSection {
     id: section
 
-    readonly property real keyWidth: Math.max(backupRow.naturalKeyWidth, restoreRow.naturalKeyWidth, reportRow.naturalKeyWidth)
+    readonly property real keyWidth: Math.max(backupRow.naturalKeyWidth, restoreRow.naturalKeyWidth, reportRow.naturalKeyWidth, bundleRow.naturalKeyWidth)
 
     Connections {
         target: Backup
         enabled: section.visible
         function onOffered() { section.page.sheetRequested(backupPlaces) }
         function onChecked() { section.page.sheetRequested(restoreQuestion) }
+    }
+    Connections {
+        target: ServiceBundle
+        enabled: section.visible
+        function onOffered() { section.page.sheetRequested(bundlePlaces) }
     }
     Column {
         id: rows
@@ -60,6 +66,18 @@ ServiceSection {
                 section.page.sheetRequested(reportPlaces)
             }
         }
+        TaskRow {
+            id: bundleRow
+            width: rows.width
+            title: qsTr("Service bundle")
+            note: qsTr("For the manufacturer who helps: open recipe and table, what the controller runs, alarms and changes of 7 days, link figures, the last 10 seconds. No PINs.")
+            action: qsTr("Make a bundle")
+            name: "bundleMake"
+            glyph: Theme.icon.save
+            keyWidth: section.keyWidth
+            usable: !ServiceBundle.busy
+            onClicked: ServiceBundle.make()
+        }
     }
     Label {
         objectName: "backupMessage"
@@ -81,6 +99,10 @@ ServiceSection {
     Component {
         id: reportPlaces
         ReportFilesSheet { title: qsTr("Where to write the report") }
+    }
+    Component {
+        id: bundlePlaces
+        ReportFilesSheet { title: qsTr("Where to write the service bundle") }
     }
     Component {
         id: restoreSheet

@@ -18,6 +18,7 @@ Rectangle {
     readonly property url explanation: "../Widgets/ExplanationSheet.qml"
     readonly property url numbersExplained: "../Widgets/NumbersSheet.qml"
     readonly property url morePages: "../Widgets/PagesSheet.qml"
+    readonly property bool wiped: Display.wipeSeconds > 0
     property alias clockRuns: topBar.clockRuns
     property alias now: topBar.now
     property var sheet: null               // the open dialog
@@ -76,6 +77,7 @@ Rectangle {
 
     Item {
         id: pageArea
+        visible: !frame.wiped
         clip: true
         anchors { left: navigation.right; right: commands.left; top: topBar.bottom; bottom: parent.bottom }
 
@@ -124,6 +126,7 @@ Rectangle {
     }
     NavigationBar {
         id: navigation
+        visible: !frame.wiped
         anchors { left: parent.left; top: parent.top; bottom: parent.bottom }
         current: frame.page
         onChosen: page => frame.openPage(page)
@@ -131,6 +134,7 @@ Rectangle {
     }
     TopBar {
         id: topBar
+        visible: !frame.wiped
         anchors { left: navigation.right; right: parent.right; top: parent.top }
     }
     // What of the navigation stands above the sheets' region is dimmed with the rest of it.
@@ -147,6 +151,7 @@ Rectangle {
     Item {
         id: overlay
         objectName: "overlay"
+        visible: !frame.wiped
         anchors { left: parent.left; right: commands.left; rightMargin: Theme.size.spacing; top: topBar.bottom; bottom: parent.bottom }
 
         Loader {
@@ -204,6 +209,11 @@ Rectangle {
         id: commands
         anchors { right: parent.right; rightMargin: Theme.size.gap; top: topBar.bottom; bottom: parent.bottom; topMargin: Theme.size.gap; bottomMargin: Theme.size.gap }
         onStartRefused: reason => banner.refusal = reason
+    }
+    Loader {
+        anchors { left: parent.left; right: commands.left; top: parent.top; bottom: parent.bottom }
+        active: frame.wiped
+        source: "../Widgets/WipeCover.qml"
     }
     Behavior on shift { NumberAnimation { duration: Theme.shortTime; easing.type: Easing.OutCubic } }
 }

@@ -20,6 +20,11 @@ Window {
         id: frame
         anchors.fill: parent
     }
+    Rectangle {
+        anchors.fill: parent
+        visible: Display.dark
+        color: "black"
+    }
     Timer {
         id: nextTurn
         interval: 0

@@ -12,6 +12,7 @@ Item {
     signal startRefused(string reason)
 
     readonly property bool homes: Machine.canHome && !Machine.faulted && !Machine.canStart
+    readonly property bool wiping: Display.wipeSeconds > 0   // a cloth starts nothing
     readonly property bool between: Machine.faulted || homes
 
     implicitWidth: Theme.size.commandKey
@@ -21,15 +22,16 @@ Item {
         anchors { left: parent.left; right: parent.right; top: parent.top; bottom: middle.visible ? middle.top : stopKey.top; bottomMargin: Theme.size.gap }
         glyph: Theme.icon.start
         text: qsTr("Start")
-        ready: Machine.canStart
+        ready: Machine.canStart && !column.wiping
         note: Machine.connection === Machine.Connection.Connected ? "" : qsTr("no connection")
-        onClicked: ready ? Machine.start() : column.startRefused(Machine.startBlockedReason)
+        onClicked: if (ready) Machine.start(); else if (!column.wiping) column.startRefused(Machine.startBlockedReason)
     }
     CommandKey {
         id: middle
         objectName: "middleKey"
         anchors { left: parent.left; right: parent.right; bottom: stopKey.top; bottomMargin: Theme.size.gap }
         visible: column.between
+        enabled: !column.wiping
         small: true
         glyph: column.homes ? Theme.icon.home : Theme.icon.resetFault
         text: column.homes ? qsTr("Home") : qsTr("Reset")

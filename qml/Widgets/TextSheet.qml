@@ -27,8 +27,9 @@ Sheet {
 
     Rectangle {
         id: field
-        anchors { left: parent.left; right: parent.right; top: parent.top }
-        height: Math.round(1.5 * Theme.size.value)
+        anchors { left: parent.left; top: parent.top }
+        width: keyboard.composing ? Math.round(parent.width / 3) : parent.width
+        height: Math.max(Theme.size.touch, Math.round(1.5 * Theme.size.value))
         radius: Theme.size.radius
         color: Theme.color.inset
         border { width: Theme.size.outline; color: sheet.acceptable ? Theme.color.touch : Theme.color.warning }
@@ -48,6 +49,38 @@ Sheet {
             Keys.onEscapePressed: sheet.closed()
         }
     }
+    // What the letters of pinyin may mean, beside the field.
+    Item {
+        anchors { left: field.right; leftMargin: Theme.size.spacing; right: parent.right; top: field.top; bottom: field.bottom }
+        visible: keyboard.composing
+        Label {
+            id: spelling
+            objectName: "pinyinSpelling"
+            anchors { left: parent.left; top: parent.top; bottom: parent.bottom }
+            width: Math.min(implicitWidth, parent.width / 3)
+            verticalAlignment: Text.AlignVCenter
+            elide: Text.ElideLeft
+            text: keyboard.pinyin.spelling
+            color: Theme.color.touch
+        }
+        ListView {
+            anchors { left: spelling.right; leftMargin: Theme.size.spacing; right: parent.right; top: parent.top; bottom: parent.bottom }
+            orientation: ListView.Horizontal
+            boundsBehavior: Flickable.StopAtBounds
+            clip: true
+            model: keyboard.pinyin.candidates
+            delegate: KeypadKey {
+                required property string modelData
+                required property int index
+                objectName: "pinyinCandidate" + index
+                width: Math.max(Theme.size.touch, Theme.size.value * (modelData.length + 1))
+                height: ListView.view.height
+                focusPolicy: Qt.NoFocus
+                text: modelData
+                onClicked: keyboard.pinyin.choose(index)
+            }
+        }
+    }
     Label {
         id: problemLabel
         objectName: "textProblem"
@@ -60,6 +93,7 @@ Sheet {
         font.pixelSize: Theme.size.caption
     }
     TextKeyboard {
+        id: keyboard
         anchors { left: parent.left; right: parent.right; top: problemLabel.bottom; bottom: parent.bottom }
         input: input
         acceptable: sheet.acceptable

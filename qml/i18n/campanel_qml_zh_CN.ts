@@ -1,2556 +1,2638 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN">
-    <context>
-        <name>AboutSection</name>
-        <message>
-            <source>CamPanel %1</source>
-            <translation>CamPanel %1</translation>
-        </message>
-        <message>
-            <source>Stop on this panel is no safety function. The machine needs an emergency stop that is wired in hardware.</source>
-            <translation>本面板的“停止”不是安全功能。机器必须装有硬接线的急停装置。</translation>
-        </message>
-        <message>
-            <source>Touchscreen of an electronic-cam machine. It computes the cam, writes it to the motion controller and shows what the controller really does.</source>
-            <translation>电子凸轮机的触摸屏：计算凸轮，写入运动控制器，并显示控制器的实际运行。</translation>
-        </message>
-        <message>
-            <source>Licence: Apache 2.0. Made with Qt (LGPL 3), Qwt (Qwt licence 1.0), libmodbus (LGPL 2.1).</source>
-            <translation>许可证：Apache 2.0。使用 Qt（LGPL 3）、Qwt（Qwt 许可证 1.0）和 libmodbus（LGPL 2.1）。</translation>
-        </message>
-    </context>
-    <context>
-        <name>AlarmRow</name>
-        <message>
-            <source>%1 · %2</source>
-            <translation>%1 · %2</translation>
-        </message>
-        <message>
-            <source>%1 times</source>
-            <translation>%1 次</translation>
-        </message>
-    </context>
-    <context>
-        <name>AlarmSheet</name>
-        <message>
-            <source>%1 · %2</source>
-            <translation>%1 · %2</translation>
-        </message>
-        <message>
-            <source>Cause</source>
-            <translation>原因</translation>
-        </message>
-        <message>
-            <source>What to do</source>
-            <translation>处理方法</translation>
-        </message>
-        <message>
-            <source>Detail</source>
-            <translation>详情</translation>
-        </message>
-        <message>
-            <source>Came</source>
-            <translation>出现</translation>
-        </message>
-        <message>
-            <source>Gone</source>
-            <translation>恢复</translation>
-        </message>
-        <message>
-            <source>Acknowledged</source>
-            <translation>确认</translation>
-        </message>
-        <message>
-            <source>How often</source>
-            <translation>次数</translation>
-        </message>
-        <message>
-            <source>Take back from the shelf</source>
-            <translation>取消搁置</translation>
-        </message>
-        <message>
-            <source>Shelve 1 h</source>
-            <translation>搁置 1 小时</translation>
-        </message>
-        <message>
-            <source>Shelve 8 h</source>
-            <translation>搁置 8 小时</translation>
-        </message>
-        <message>
-            <source>Acknowledge</source>
-            <translation>确认</translation>
-        </message>
-    </context>
-    <context>
-        <name>AlarmsPage</name>
-        <message>
-            <source>Active: %1</source>
-            <translation>当前：%1</translation>
-        </message>
-        <message>
-            <source>Active</source>
-            <translation>当前</translation>
-        </message>
-        <message>
-            <source>History</source>
-            <translation>历史</translation>
-        </message>
-        <message>
-            <source>Shelved: %1</source>
-            <translation>搁置：%1</translation>
-        </message>
-        <message>
-            <source>Shelved</source>
-            <translation>搁置</translation>
-        </message>
-        <message>
-            <source>Acknowledge all</source>
-            <translation>全部确认</translation>
-        </message>
-        <message>
-            <source>No alarm is active and none waits to be acknowledged.</source>
-            <translation>当前没有报警，也没有待确认的报警。</translation>
-        </message>
-        <message>
-            <source>The log is being read …</source>
-            <translation>正在读取记录…</translation>
-        </message>
-        <message>
-            <source>No alarm has come yet since this log was begun.</source>
-            <translation>自记录开始以来尚无报警。</translation>
-        </message>
-    </context>
-    <context>
-        <name>AuditRow</name>
-        <message>
-            <source>%1 · %2</source>
-            <translation>%1 · %2</translation>
-        </message>
-    </context>
-    <context>
-        <name>AuditSheet</name>
-        <message>
-            <source>Audit trail</source>
-            <translation>审计记录</translation>
-        </message>
-        <message>
-            <source>Who</source>
-            <translation>人员</translation>
-        </message>
-        <message>
-            <source>Everybody</source>
-            <translation>所有人</translation>
-        </message>
-        <message>
-            <source>What</source>
-            <translation>内容</translation>
-        </message>
-        <message>
-            <source>Export CSV</source>
-            <translation>导出 CSV</translation>
-        </message>
-        <message>
-            <source>Nothing of this kind yet. Every command, download, parameter, setting and login is written down here.</source>
-            <translation>尚无此类记录。所有命令、下载、参数、设置和登录都会记录在此。</translation>
-        </message>
-        <message>
-            <source>Back to the list</source>
-            <translation>返回列表</translation>
-        </message>
-    </context>
-    <context>
-        <name>BackupSection</name>
-        <message>
-            <source>Backup</source>
-            <translation>备份</translation>
-        </message>
-        <message>
-            <source>All that this panel keeps in one file: recipes with their versions, machine data, users, alarms, audit trail, settings. Bags and trends are not in it.</source>
-            <translation>本面板保存的全部内容合为一个文件：配方及其版本、机器数据、用户、报警、审计记录、设置。不含袋子记录和趋势。</translation>
-        </message>
-        <message>
-            <source>Make a backup</source>
-            <translation>生成备份</translation>
-        </message>
-        <message>
-            <source>Restore</source>
-            <translation>恢复</translation>
-        </message>
-        <message>
-            <source>Puts a backup in the place of all that. The file is checked first, and what is here now is kept as a backup too.</source>
-            <translation>用备份替换上述全部内容。先检查文件，当前内容也保存为备份。</translation>
-        </message>
-        <message>
-            <source>Choose a file</source>
-            <translation>选择文件</translation>
-        </message>
-        <message>
-            <source>Commissioning report</source>
-            <translation>调试报告</translation>
-        </message>
-        <message>
-            <source>A PDF of the open recipe with its curves, limits and table, of the machine data, of what the controller runs and of the last bags.</source>
-            <translation>PDF 文件：当前配方及其曲线、极限和表，机器数据，控制器运行的程序，以及最近的袋子。</translation>
-        </message>
-        <message>
-            <source>Make a report</source>
-            <translation>生成报告</translation>
-        </message>
-        <message>
-            <source>Working …</source>
-            <translation>正在处理…</translation>
-        </message>
-        <message>
-            <source>Where to write the backup</source>
-            <translation>备份写到哪里</translation>
-        </message>
-        <message>
-            <source>Where to write the report</source>
-            <translation>报告写到哪里</translation>
-        </message>
-        <message>
-            <source>Restore this backup?</source>
-            <translation>恢复此备份？</translation>
-        </message>
-    </context>
-    <context>
-        <name>BagCard</name>
-        <message>
-            <source>Bag length</source>
-            <translation>袋长</translation>
-        </message>
-        <message>
-            <source>mean %1</source>
-            <translation>平均 %1</translation>
-        </message>
-        <message>
-            <source>scatter %1</source>
-            <translation>离散 %1</translation>
-        </message>
-        <message>
-            <source>No bag measured yet. Press Start.</source>
-            <translation>尚未测得袋长。请按“启动”。</translation>
-        </message>
-        <message>
-            <source>tolerance ±%1 mm</source>
-            <translation>允差 ±%1 mm</translation>
-        </message>
-        <message>
-            <source>last %1</source>
-            <translation>最近 %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>BagStrip</name>
-        <message>
-            <source>Bag of %1 lengths, cut left out</source>
-            <translation>%1 个袋长，有切断略过</translation>
-        </message>
-        <message>
-            <source>Bag length</source>
-            <translation>袋长</translation>
-        </message>
-        <message>
-            <source>mean %1, scatter %2</source>
-            <translation>平均 %1，离散 %2</translation>
-        </message>
-        <message>
-            <source>No bag measured yet. Press Start.</source>
-            <translation>尚未测得袋长。请按“启动”。</translation>
-        </message>
-        <message>
-            <source>±%1 mm</source>
-            <translation>±%1 mm</translation>
-        </message>
-        <message>
-            <source>%1 of %2 within</source>
-            <translation>%2 袋中 %1 袋合格</translation>
-        </message>
-    </context>
-    <context>
-        <name>BannerHost</name>
-        <message>
-            <source>OK</source>
-            <translation>确定</translation>
-        </message>
-        <message>
-            <source>Withdraw</source>
-            <translation>撤回</translation>
-        </message>
-    </context>
-    <context>
-        <name>CommandColumn</name>
-        <message>
-            <source>Start</source>
-            <translation>启动</translation>
-        </message>
-        <message>
-            <source>Home</source>
-            <translation>回零</translation>
-        </message>
-        <message>
-            <source>Reset</source>
-            <translation>复位</translation>
-        </message>
-        <message>
-            <source>Stop</source>
-            <translation>停止</translation>
-        </message>
-        <message>
-            <source>again: at once</source>
-            <translation>再按：立即</translation>
-        </message>
-        <message>
-            <source>no connection</source>
-            <translation>没有连接</translation>
-        </message>
-        <message>
-            <source>waits for the line</source>
-            <translation>等待连接</translation>
-        </message>
-    </context>
-    <context>
-        <name>ConfirmSheet</name>
-        <message>
-            <source>Cancel</source>
-            <translation>取消</translation>
-        </message>
-    </context>
-    <context>
-        <name>ConnectionSection</name>
-        <message>
-            <source>None</source>
-            <translation>无校验</translation>
-        </message>
-        <message>
-            <source>Even</source>
-            <translation>偶校验</translation>
-        </message>
-        <message>
-            <source>Odd</source>
-            <translation>奇校验</translation>
-        </message>
-        <message>
-            <source>Connection</source>
-            <translation>通信</translation>
-        </message>
-        <message>
-            <source>Simulated</source>
-            <translation>模拟</translation>
-        </message>
-        <message>
-            <source>Serial port</source>
-            <translation>串口</translation>
-        </message>
-        <message>
-            <source>Port</source>
-            <translation>端口</translation>
-        </message>
-        <message>
-            <source>Choose</source>
-            <translation>请选择</translation>
-        </message>
-        <message>
-            <source>Baud rate</source>
-            <translation>波特率</translation>
-        </message>
-        <message>
-            <source>Parity and stop bits</source>
-            <translation>校验位和停止位</translation>
-        </message>
-        <message>
-            <source>%1, %2</source>
-            <translation>%1，%2</translation>
-        </message>
-        <message>
-            <source>Unit</source>
-            <translation>站号</translation>
-        </message>
-        <message>
-            <source>The simulated controller runs inside this computer and moves no machine. Use it to learn and to try recipes.</source>
-            <translation>模拟控制器在本机内运行，不会带动任何机器。可用于学习和试验配方。</translation>
-        </message>
-        <message>
-            <source>Connect</source>
-            <translation>连接</translation>
-        </message>
-        <message>
-            <source>In use</source>
-            <translation>使用中</translation>
-        </message>
-    </context>
-    <context>
-        <name>CurveEditor</name>
-        <message>
-            <source>grey: %1</source>
-            <translation>灰色：%1</translation>
-        </message>
-        <message>
-            <source>limit</source>
-            <translation>限值</translation>
-        </message>
-        <message>
-            <source>Position mm</source>
-            <translation>位置 mm</translation>
-        </message>
-        <message>
-            <source>Velocity mm/s</source>
-            <translation>速度 mm/s</translation>
-        </message>
-        <message>
-            <source>Acceleration m/s²</source>
-            <translation>加速度 m/s²</translation>
-        </message>
-        <message>
-            <source>Jerk m/s³</source>
-            <translation>加加速度 m/s³</translation>
-        </message>
-        <message>
-            <source>Pulse frequency kHz</source>
-            <translation>脉冲频率 kHz</translation>
-        </message>
-    </context>
-    <context>
-        <name>CutterInputs</name>
-        <message>
-            <source>Speed law</source>
-            <translation>速度规律</translation>
-        </message>
-    </context>
-    <context>
-        <name>DialCard</name>
-        <message>
-            <source>Sync window</source>
-            <translation>同步区</translation>
-        </message>
-    </context>
-    <context>
-        <name>DirectionCard</name>
-        <message>
-            <source>Master direction</source>
-            <translation>主轴方向</translation>
-        </message>
-        <message>
-            <source>Forward</source>
-            <translation>正转</translation>
-        </message>
-        <message>
-            <source>Backward</source>
-            <translation>反转</translation>
-        </message>
-    </context>
-    <context>
-        <name>DisplaySection</name>
-        <message>
-            <source>Light</source>
-            <translation>浅色</translation>
-        </message>
-        <message>
-            <source>Dark</source>
-            <translation>深色</translation>
-        </message>
-        <message>
-            <source>Display</source>
-            <translation>显示</translation>
-        </message>
-        <message>
-            <source>Language</source>
-            <translation>语言</translation>
-        </message>
-        <message>
-            <source>Theme</source>
-            <translation>主题</translation>
-        </message>
-        <message>
-            <source>High contrast</source>
-            <translation>高对比度</translation>
-        </message>
-        <message>
-            <source>Keys for gloves</source>
-            <translation>手套按键</translation>
-        </message>
-        <message>
-            <source>Off</source>
-            <translation>关</translation>
-        </message>
-        <message>
-            <source>On</source>
-            <translation>开</translation>
-        </message>
-        <message>
-            <source>Light for a bright hall, dark for the night shift, high contrast for tired eyes or a dirty screen. For gloves all keys are a quarter larger. Numbers and units follow the language.</source>
-            <translation>明亮车间用浅色，夜班用深色，眼睛疲劳或屏幕脏污时用高对比度。戴手套时所有按键放大四分之一。数字和单位随语言而变。</translation>
-        </message>
-    </context>
-    <context>
-        <name>DoctorSection</name>
-        <message>
-            <source>Diagnose</source>
-            <translation>诊断</translation>
-        </message>
-        <message>
-            <source>Search</source>
-            <translation>搜索</translation>
-        </message>
-        <message>
-            <source>for the controller</source>
-            <translation>控制器</translation>
-        </message>
-        <message>
-            <source>Use this</source>
-            <translation>使用此</translation>
-        </message>
-        <message>
-            <source>connection</source>
-            <translation>连接</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>取消</translation>
-        </message>
-    </context>
-    <context>
-        <name>DownloadSheet</name>
-        <message>
-            <source>Download to the controller</source>
-            <translation>下载到控制器</translation>
-        </message>
-        <message>
-            <source>In the controller</source>
-            <translation>控制器中</translation>
-        </message>
-        <message>
-            <source>On this panel</source>
-            <translation>本面板</translation>
-        </message>
-        <message>
-            <source>The controller already runs exactly this recipe.</source>
-            <translation>控制器正在执行的就是此配方。</translation>
-        </message>
-        <message>
-            <source>The controller has no program yet; this recipe will be its first.</source>
-            <translation>控制器中还没有程序，此配方将是第一个。</translation>
-        </message>
-        <message>
-            <source>Cancel download</source>
-            <translation>取消下载</translation>
-        </message>
-        <message>
-            <source>Close</source>
-            <translation>关闭</translation>
-        </message>
-        <message>
-            <source>Save</source>
-            <translation>保存</translation>
-        </message>
-        <message>
-            <source>Try again</source>
-            <translation>重试</translation>
-        </message>
-        <message>
-            <source>Download</source>
-            <translation>下载</translation>
-        </message>
-        <message>
-            <source>The machine keeps running; the new program begins with the next cycle.</source>
-            <translation>机器继续运行，新程序从下一周期开始。</translation>
-        </message>
-        <message>
-            <source>The new program is used from the next start.</source>
-            <translation>新程序从下次启动起使用。</translation>
-        </message>
-        <message>
-            <source>Without a connection it is not known what the controller runs now.</source>
-            <translation>没有连接，不知道控制器现在运行什么。</translation>
-        </message>
-        <message>
-            <source>Compare</source>
-            <translation>比较</translation>
-        </message>
-    </context>
-    <context>
-        <name>DryRunSection</name>
-        <message>
-            <source>The edited recipe cannot be a motion. Mend it on the Motion page.</source>
-            <translation>正在编辑的配方无法构成运动。请在“运动”页面修正。</translation>
-        </message>
-        <message>
-            <source>Master %1°</source>
-            <translation>主轴 %1°</translation>
-        </message>
-        <message>
-            <source>Knife %1°</source>
-            <translation>刀 %1°</translation>
-        </message>
-        <message>
-            <source>%1, at full speed</source>
-            <translation>%1，全速时</translation>
-        </message>
-        <message>
-            <source>Knife</source>
-            <translation>刀</translation>
-        </message>
-        <message>
-            <source>Speed mm/s</source>
-            <translation>速度 mm/s</translation>
-        </message>
-        <message>
-            <source>Pause</source>
-            <translation>暂停</translation>
-        </message>
-        <message>
-            <source>Play</source>
-            <translation>播放</translation>
-        </message>
-        <message>
-            <source>Only on the screen: nothing moves and nothing is sent to the controller. Turn the left dial.</source>
-            <translation>仅在屏幕上演示：机器不动，也不向控制器发送任何内容。请转动左侧表盘。</translation>
-        </message>
-    </context>
-    <context>
-        <name>ExplanationSheet</name>
-        <message>
-            <source>This number is given, not derived. It may be from %1 to %2.</source>
-            <translation>此值为给定值，不是计算值。范围为 %1 至 %2。</translation>
-        </message>
-        <message>
-            <source>Give this number instead</source>
-            <translation>改为给定此值</translation>
-        </message>
-    </context>
-    <context>
-        <name>FiguresSection</name>
-        <message>
-            <source>Exchanges</source>
-            <translation>交换</translation>
-        </message>
-        <message>
-            <source>Errors</source>
-            <translation>错误</translation>
-        </message>
-        <message>
-            <source>Time of answers</source>
-            <translation>应答时间</translation>
-        </message>
-        <message>
-            <source>Controller:</source>
-            <translation>控制器：</translation>
-        </message>
-        <message>
-            <source>Answers, at most %1 a minute</source>
-            <translation>应答，每分钟最多 %1</translation>
-        </message>
-        <message>
-            <source>99 % answered within, at most %1 ms</source>
-            <translation>99 % 应答时间，最长 %1 毫秒</translation>
-        </message>
-        <message>
-            <source>Errors, at most %1 a minute</source>
-            <translation>错误，每分钟最多 %1</translation>
-        </message>
-        <message>
-            <source>Count from zero</source>
-            <translation>从零计数</translation>
-        </message>
-        <message>
-            <source>Export CSV</source>
-            <translation>导出 CSV</translation>
-        </message>
-        <message>
-            <source>Figures as CSV</source>
-            <translation>数据导出为 CSV</translation>
-        </message>
-    </context>
-    <context>
-        <name>FilmCard</name>
-        <message>
-            <source>mark error %1 mm</source>
-            <translation>色标误差 %1 mm</translation>
-        </message>
-        <message>
-            <source>Mark sensor</source>
-            <translation>色标传感器</translation>
-        </message>
-        <message>
-            <source>Knife</source>
-            <translation>切刀</translation>
-        </message>
-    </context>
-    <context>
-        <name>FilmLegend</name>
-        <message>
-            <source>mark seen</source>
-            <translation>已检出的色标</translation>
-        </message>
-        <message>
-            <source>mark not seen, reckoned</source>
-            <translation>未检出、推算的色标</translation>
-        </message>
-        <message>
-            <source>next mark expected here</source>
-            <translation>下一色标应在此处</translation>
-        </message>
-        <message>
-            <source>product</source>
-            <translation>产品</translation>
-        </message>
-        <message>
-            <source>next cut</source>
-            <translation>下一次切断</translation>
-        </message>
-        <message>
-            <source>cut left out</source>
-            <translation>略过的切断</translation>
-        </message>
-    </context>
-    <context>
-        <name>FirstController</name>
-        <message>
-            <source>Simulated controller</source>
-            <translation>模拟控制器</translation>
-        </message>
-        <message>
-            <source>to learn and to try things out; it can be changed in Settings at any time</source>
-            <translation>用于学习和试用；随时可在“设置”中更改</translation>
-        </message>
-        <message>
-            <source>Search for the controller</source>
-            <translation>搜索控制器</translation>
-        </message>
-        <message>
-            <source>on every serial port, with every setting; takes up to some minutes</source>
-            <translation>在所有串口上以各种设置搜索；最长需几分钟</translation>
-        </message>
-        <message>
-            <source>%1 · %2</source>
-            <translation>%1 · %2</translation>
-        </message>
-        <message>
-            <source>Use this connection</source>
-            <translation>使用此连接</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>取消</translation>
-        </message>
-    </context>
-    <context>
-        <name>FirstLanguage</name>
-        <message>
-            <source>Stop at the right always works. It is no emergency stop: that one is a switch of the machine.</source>
-            <translation>右侧的“停止”始终有效。它不是急停：急停是机器上的开关。</translation>
-        </message>
-    </context>
-    <context>
-        <name>FirstPin</name>
-        <message>
-            <source>%1 is set. Operators start, stop and change bag length and rate; the cam and the machine are for technicians. Add the others in Settings &gt; Users.</source>
-            <translation>%1 已设置。操作员可启停并更改袋长和速率；凸轮和机器由技术员设置。请在“设置 &gt; 用户”中添加其他人员。</translation>
-        </message>
-        <message>
-            <source>With a PIN only those who know one change the cam, the machine and the connection. Operators start, stop and change bag length and rate without one. There is no PIN from the factory; until one is set, everybody may do everything.</source>
-            <translation>设置PIN后，只有知道PIN的人才能更改凸轮、机器和通信。操作员无需PIN即可启停并更改袋长和速率。出厂没有PIN；设置之前，任何人都可进行任何操作。</translation>
-        </message>
-        <message>
-            <source>Set the first PIN</source>
-            <translation>设置第一个PIN</translation>
-        </message>
-        <message>
-            <source>Name of the user</source>
-            <translation>用户名</translation>
-        </message>
-        <message>
-            <source>PIN of %1</source>
-            <translation>%1 的PIN</translation>
-        </message>
-    </context>
-    <context>
-        <name>FirstRecipe</name>
-        <message>
-            <source>Name</source>
-            <translation>名称</translation>
-        </message>
-        <message>
-            <source>Then: Download on the page Motion, and Start.</source>
-            <translation>然后：在“运动”页下载，再启动。</translation>
-        </message>
-        <message>
-            <source>Name of the recipe</source>
-            <translation>配方名称</translation>
-        </message>
-    </context>
-    <context>
-        <name>FirstStart</name>
-        <message>
-            <source>Language</source>
-            <translation>语言</translation>
-        </message>
-        <message>
-            <source>Controller</source>
-            <translation>控制器</translation>
-        </message>
-        <message>
-            <source>Who may change things</source>
-            <translation>谁可以更改</translation>
-        </message>
-        <message>
-            <source>The machine</source>
-            <translation>机器</translation>
-        </message>
-        <message>
-            <source>A first recipe</source>
-            <translation>第一个配方</translation>
-        </message>
-        <message>
-            <source>First start · %1 of %2</source>
-            <translation>首次启动 · 第 %1 步，共 %2 步</translation>
-        </message>
-        <message>
-            <source>Back</source>
-            <translation>返回</translation>
-        </message>
-        <message>
-            <source>Finish</source>
-            <translation>完成</translation>
-        </message>
-        <message>
-            <source>Next</source>
-            <translation>下一步</translation>
-        </message>
-    </context>
-    <context>
-        <name>ForceCard</name>
-        <message>
-            <source>Force N over position</source>
-            <translation>力（N）随位置的变化</translation>
-        </message>
-        <message>
-            <source>No stroke yet. Press Start.</source>
-            <translation>尚无行程。请按“启动”。</translation>
-        </message>
-        <message>
-            <source>at the stop: %1 mm, %2 to %3 N</source>
-            <translation>终点要求：%1 mm，%2 至 %3 N</translation>
-        </message>
-    </context>
-    <context>
-        <name>FrameSheet</name>
-        <message>
-            <source>Earlier</source>
-            <translation>较早</translation>
-        </message>
-        <message>
-            <source>Later</source>
-            <translation>较晚</translation>
-        </message>
-    </context>
-    <context>
-        <name>FramesSection</name>
-        <message>
-            <source>All</source>
-            <translation>全部</translation>
-        </message>
-        <message>
-            <source>Errors</source>
-            <translation>错误</translation>
-        </message>
-        <message>
-            <source>Commands</source>
-            <translation>命令</translation>
-        </message>
-        <message>
-            <source>Writes</source>
-            <translation>写入</translation>
-        </message>
-        <message>
-            <source>Nothing of this kind has passed.</source>
-            <translation>没有这类帧经过。</translation>
-        </message>
-        <message>
-            <source>Frames as text</source>
-            <translation>帧导出为文本</translation>
-        </message>
-    </context>
-    <context>
-        <name>HomingSection</name>
-        <message>
-            <source>Position since then</source>
-            <translation>自回零起的位置</translation>
-        </message>
-        <message>
-            <source>%1 mm</source>
-            <translation>%1 mm</translation>
-        </message>
-    </context>
-    <context>
-        <name>IoSection</name>
-        <message>
-            <source>Inputs, as the controller counts them</source>
-            <translation>输入（控制器计数）</translation>
-        </message>
-        <message>
-            <source>Outputs</source>
-            <translation>输出</translation>
-        </message>
-        <message>
-            <source>Fault bits</source>
-            <translation>故障位</translation>
-        </message>
-        <message>
-            <source>Warning bits</source>
-            <translation>警告位</translation>
-        </message>
-        <message>
-            <source>Nothing comes from the controller: what is grey is how it was.</source>
-            <translation>没有收到控制器的数据：灰色显示的是之前的状态。</translation>
-        </message>
-        <message>
-            <source>The controller tells what it counts at its inputs, not the levels of its pins. A full lamp is on.</source>
-            <translation>控制器提供的是输入的计数，而不是引脚电平。实心灯表示接通。</translation>
-        </message>
-    </context>
-    <context>
-        <name>JogSection</name>
-        <message>
-            <source>State</source>
-            <translation>状态</translation>
-        </message>
-        <message>
-            <source>Knife angle</source>
-            <translation>刀角度</translation>
-        </message>
-        <message>
-            <source>Position</source>
-            <translation>位置</translation>
-        </message>
-        <message>
-            <source>%1 pulses</source>
-            <translation>%1 个脉冲</translation>
-        </message>
-        <message>
-            <source>%1 mm</source>
-            <translation>%1 mm</translation>
-        </message>
-        <message>
-            <source>%1 Hz now</source>
-            <translation>当前 %1 Hz</translation>
-        </message>
-        <message>
-            <source>Reverse</source>
-            <translation>反向</translation>
-        </message>
-        <message>
-            <source>Forward</source>
-            <translation>正向</translation>
-        </message>
-    </context>
-    <context>
-        <name>KindInputs</name>
-        <message>
-            <source>Knots</source>
-            <translation>型值点</translation>
-        </message>
-        <message>
-            <source>View and tools</source>
-            <translation>视图与工具</translation>
-        </message>
-    </context>
-    <context>
-        <name>KindSheet</name>
-        <message>
-            <source>A knife that follows the film while it seals</source>
-            <translation>切刀在封切时跟随薄膜</translation>
-        </message>
-        <message>
-            <source>A distance, from rest to rest</source>
-            <translation>从静止到静止走一段距离</translation>
-        </message>
-        <message>
-            <source>From one speed to another, which is then held</source>
-            <translation>从一个速度变到另一个速度并保持</translation>
-        </message>
-        <message>
-            <source>A curve through points, behind a master</source>
-            <translation>过型值点的曲线，从轴跟随主轴</translation>
-        </message>
-        <message>
-            <source>Approach, probe, press, hold, return</source>
-            <translation>快进、探测、压装、保压、返回</translation>
-        </message>
-        <message>
-            <source>New program</source>
-            <translation>新建程序</translation>
-        </message>
-        <message>
-            <source>Takes the place of the recipe on this page; Undo brings it back</source>
-            <translation>将取代本页的配方，可用“撤销”恢复</translation>
-        </message>
-    </context>
-    <context>
-        <name>KnotFilesSheet</name>
-        <message>
-            <source>Looking …</source>
-            <translation>正在查找…</translation>
-        </message>
-        <message>
-            <source>There is no CSV file on a USB stick or in %1. Plug in a stick and look again.</source>
-            <translation>U 盘和 %1 中都没有 CSV 文件。请插入 U 盘后重新查找。</translation>
-        </message>
-        <message>
-            <source>Choose the place of the new file.</source>
-            <translation>请选择新文件的位置。</translation>
-        </message>
-        <message>
-            <source>Choose a file to see what is in it.</source>
-            <translation>请选择文件以查看其内容。</translation>
-        </message>
-        <message>
-            <source>Knots as CSV</source>
-            <translation>型值点 CSV 文件</translation>
-        </message>
-        <message>
-            <source>Import CSV</source>
-            <translation>导入 CSV</translation>
-        </message>
-        <message>
-            <source>Export CSV</source>
-            <translation>导出 CSV</translation>
-        </message>
-        <message>
-            <source>Write file</source>
-            <translation>写入文件</translation>
-        </message>
-        <message>
-            <source>Take over</source>
-            <translation>采用</translation>
-        </message>
-    </context>
-    <context>
-        <name>KnotSheet</name>
-        <message>
-            <source>Knots</source>
-            <translation>型值点</translation>
-        </message>
-        <message>
-            <source>Add after</source>
-            <translation>在后面插入</translation>
-        </message>
-        <message>
-            <source>Remove</source>
-            <translation>删除</translation>
-        </message>
-        <message>
-            <source>Close smoothly</source>
-            <translation>平滑闭合</translation>
-        </message>
-        <message>
-            <source>CSV files</source>
-            <translation>CSV 文件</translation>
-        </message>
-    </context>
-    <context>
-        <name>LawPicker</name>
-        <message>
-            <source>Peak speed</source>
-            <translation>最高转速</translation>
-        </message>
-        <message>
-            <source>Acceleration</source>
-            <translation>加速度</translation>
-        </message>
-        <message>
-            <source>Jerk</source>
-            <translation>加加速度</translation>
-        </message>
-        <message>
-            <source>Frequency</source>
-            <translation>频率</translation>
-        </message>
-        <message>
-            <source>What each law asks of this recipe; hold one to draw its curves in grey behind</source>
-            <translation>各规律对本配方的要求；长按某一项，以灰色曲线衬在后面比较</translation>
-        </message>
-        <message>
-            <source>Torque</source>
-            <translation>转矩</translation>
-        </message>
-    </context>
-    <context>
-        <name>LawRow</name>
-        <message>
-            <source>Breaks a limit with this recipe: hold it to compare, it cannot be chosen.</source>
-            <translation>在此配方下超出限值：可长按比较，不能选用。</translation>
-        </message>
-        <message>
-            <source>Breaks a limit with this recipe.</source>
-            <translation>在此配方下超出限值。</translation>
-        </message>
-    </context>
-    <context>
-        <name>LeftOutCard</name>
-        <message>
-            <source>Cuts left out</source>
-            <translation>略过的切断</translation>
-        </message>
-        <message>
-            <source>Bags without product</source>
-            <translation>无产品的袋</translation>
-        </message>
-        <message>
-            <source>Film saved</source>
-            <translation>节省薄膜</translation>
-        </message>
-        <message>
-            <source>%1 m</source>
-            <translation>%1 m</translation>
-        </message>
-        <message>
-            <source>Last: %1</source>
-            <translation>最近一次：%1</translation>
-        </message>
-    </context>
-    <context>
-        <name>LineFaultsSection</name>
-        <message>
-            <source>Off</source>
-            <translation>关</translation>
-        </message>
-        <message>
-            <source>Sometimes</source>
-            <translation>偶尔</translation>
-        </message>
-        <message>
-            <source>Often</source>
-            <translation>经常</translation>
-        </message>
-        <message>
-            <source>All off</source>
-            <translation>全部关闭</translation>
-        </message>
-    </context>
-    <context>
-        <name>LoginSheet</name>
-        <message>
-            <source>Log in</source>
-            <translation>登录</translation>
-        </message>
-        <message>
-            <source>Choose who you are.</source>
-            <translation>请选择您的姓名。</translation>
-        </message>
-        <message>
-            <source>PIN</source>
-            <translation>PIN</translation>
-        </message>
-        <message>
-            <source>Choose who you are, then type your PIN.</source>
-            <translation>先选择姓名，再输入 PIN。</translation>
-        </message>
-        <message>
-            <source>One moment …</source>
-            <translation>请稍候…</translation>
-        </message>
-        <message>
-            <source>Type your PIN.</source>
-            <translation>请输入 PIN。</translation>
-        </message>
-    </context>
-    <context>
-        <name>MachineSection</name>
-        <message>
-            <source>Machine</source>
-            <translation>机器</translation>
-        </message>
-        <message>
-            <source>Bag tolerance</source>
-            <translation>袋长允差</translation>
-        </message>
-        <message>
-            <source>±%1 mm</source>
-            <translation>±%1 mm</translation>
-        </message>
-    </context>
-    <context>
-        <name>MarkWizardSheet</name>
-        <message>
-            <source>Mark sensor to knife</source>
-            <translation>色标传感器到切刀</translation>
-        </message>
-        <message>
-            <source>Step 1 of 5: what this does</source>
-            <translation>第 1 步，共 5 步：说明</translation>
-        </message>
-        <message>
-            <source>Step 2 of 5: cut bags</source>
-            <translation>第 2 步，共 5 步：切袋</translation>
-        </message>
-        <message>
-            <source>Step 3 of 5: measure</source>
-            <translation>第 3 步，共 5 步：测量</translation>
-        </message>
-        <message>
-            <source>Step 4 of 5: write</source>
-            <translation>第 4 步，共 5 步：写入</translation>
-        </message>
-        <message>
-            <source>Step 5 of 5: watch</source>
-            <translation>第 5 步，共 5 步：观察</translation>
-        </message>
-        <message>
-            <source>Distance before</source>
-            <translation>原距离</translation>
-        </message>
-        <message>
-            <source>New distance</source>
-            <translation>新距离</translation>
-        </message>
-        <message>
-            <source>Measured, mm</source>
-            <translation>测量值，mm</translation>
-        </message>
-        <message>
-            <source>Mean</source>
-            <translation>平均</translation>
-        </message>
-        <message>
-            <source>Close</source>
-            <translation>关闭</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>取消</translation>
-        </message>
-        <message>
-            <source>Read the ruler</source>
-            <translation>读尺</translation>
-        </message>
-        <message>
-            <source>Enter …</source>
-            <translation>输入…</translation>
-        </message>
-        <message>
-            <source>Measure again</source>
-            <translation>重新测量</translation>
-        </message>
-        <message>
-            <source>Write</source>
-            <translation>写入</translation>
-        </message>
-        <message>
-            <source>Next</source>
-            <translation>下一步</translation>
-        </message>
-        <message>
-            <source>Cut behind mark</source>
-            <translation>切断在色标后</translation>
-        </message>
-        <message>
-            <source>Wanted</source>
-            <translation>目标</translation>
-        </message>
-    </context>
-    <context>
-        <name>MasterDialCard</name>
-        <message>
-            <source>Master</source>
-            <translation>主轴</translation>
-        </message>
-    </context>
-    <context>
-        <name>MeasurementKeypad</name>
-        <message>
-            <source>Cut behind its mark</source>
-            <translation>切断在色标之后</translation>
-        </message>
-    </context>
-    <context>
-        <name>MoreSheet</name>
-        <message>
-            <source>View and tools</source>
-            <translation>视图与工具</translation>
-        </message>
-        <message>
-            <source>Position curve</source>
-            <translation>位置曲线</translation>
-        </message>
-        <message>
-            <source>shown</source>
-            <translation>显示</translation>
-        </message>
-        <message>
-            <source>hidden</source>
-            <translation>隐藏</translation>
-        </message>
-        <message>
-            <source>Jerk curve</source>
-            <translation>加加速度曲线</translation>
-        </message>
-        <message>
-            <source>Compare with controller</source>
-            <translation>与控制器比较</translation>
-        </message>
-        <message>
-            <source>Rows, pulses, errors</source>
-            <translation>行、脉冲、误差</translation>
-        </message>
-        <message>
-            <source>Back to the stored recipe</source>
-            <translation>恢复已存配方</translation>
-        </message>
-        <message>
-            <source>Table</source>
-            <translation>数据表</translation>
-        </message>
-        <message>
-            <source>Program</source>
-            <translation>程序</translation>
-        </message>
-        <message>
-            <source>controller in grey</source>
-            <translation>控制器的曲线为灰色</translation>
-        </message>
-        <message>
-            <source>Edited, active, saved</source>
-            <translation>编辑、运行、保存</translation>
-        </message>
-        <message>
-            <source>Compare</source>
-            <translation>比较</translation>
-        </message>
-    </context>
-    <context>
-        <name>NameKeypad</name>
-        <message>
-            <source>anything</source>
-            <translation>任意</translation>
-        </message>
-    </context>
-    <context>
-        <name>NavigationBar</name>
-        <message>
-            <source>Run</source>
-            <translation>运行</translation>
-        </message>
-        <message>
-            <source>Motion</source>
-            <translation>运动</translation>
-        </message>
-        <message>
-            <source>Settings</source>
-            <translation>设置</translation>
-        </message>
-        <message>
-            <source>Service</source>
-            <translation>维护</translation>
-        </message>
-        <message>
-            <source>Alarms</source>
-            <translation>报警</translation>
-        </message>
-        <message>
-            <source>Recipes</source>
-            <translation>配方</translation>
-        </message>
-        <message>
-            <source>Trends</source>
-            <translation>趋势</translation>
-        </message>
-        <message>
-            <source>More</source>
-            <translation>更多</translation>
-        </message>
-    </context>
-    <context>
-        <name>NewPinSheet</name>
-        <message>
-            <source>The two were not the same. Once more from the beginning.</source>
-            <translation>两次输入不同。请从头再输入。</translation>
-        </message>
-        <message>
-            <source>4 to 8 digits. Nobody can look it up later; somebody of the level Service can set a new one.</source>
-            <translation>4 至 8 位数字。以后无法查出；“维护”级用户可以设定新的 PIN。</translation>
-        </message>
-        <message>
-            <source>Again</source>
-            <translation>再次输入</translation>
-        </message>
-        <message>
-            <source>New PIN</source>
-            <translation>新 PIN</translation>
-        </message>
-        <message>
-            <source>Type the same PIN again.</source>
-            <translation>请再次输入同一 PIN。</translation>
-        </message>
-        <message>
-            <source>Type the new PIN.</source>
-            <translation>请输入新 PIN。</translation>
-        </message>
-    </context>
-    <context>
-        <name>NewUserSheet</name>
-        <message>
-            <source>New user</source>
-            <translation>新用户</translation>
-        </message>
-        <message>
-            <source>The first user is of the level Service: may do everything and adds the others. Keep this PIN where it can be found again; nobody can read it out of the panel.</source>
-            <translation>第一个用户为“维护”级：可进行所有操作，并添加其他用户。请妥善保存此 PIN；任何人都无法从面板中读出。</translation>
-        </message>
-        <message>
-            <source>Name</source>
-            <translation>名称</translation>
-        </message>
-        <message>
-            <source>On to the PIN</source>
-            <translation>下一步：PIN</translation>
-        </message>
-    </context>
-    <context>
-        <name>NextStepButton</name>
-        <message>
-            <source>Downloading</source>
-            <translation>正在下载</translation>
-        </message>
-        <message>
-            <source>Save</source>
-            <translation>保存</translation>
-        </message>
-        <message>
-            <source>Saved</source>
-            <translation>已保存</translation>
-        </message>
-        <message>
-            <source>Download</source>
-            <translation>下载</translation>
-        </message>
-        <message>
-            <source>keep over power loss</source>
-            <translation>断电保持</translation>
-        </message>
-        <message>
-            <source>in the controller</source>
-            <translation>在控制器中</translation>
-        </message>
-        <message>
-            <source>next cycle</source>
-            <translation>下一循环</translation>
-        </message>
-        <message>
-            <source>to the controller</source>
-            <translation>到控制器</translation>
-        </message>
-        <message>
-            <source>no connection</source>
-            <translation>没有连接</translation>
-        </message>
-    </context>
-    <context>
-        <name>NumbersSheet</name>
-        <message>
-            <source>How these numbers come about</source>
-            <translation>这些数字的由来</translation>
-        </message>
-    </context>
-    <context>
-        <name>NumericKeypad</name>
-        <message>
-            <source>%1 to %2 · now %3</source>
-            <translation>%1 至 %2 · 当前 %3</translation>
-        </message>
-        <message>
-            <source>Default</source>
-            <translation>默认</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>取消</translation>
-        </message>
-        <message>
-            <source>OK</source>
-            <translation>确定</translation>
-        </message>
-    </context>
-    <context>
-        <name>PackingRow</name>
-        <message>
-            <source>Take %1</source>
-            <translation>采用 %1</translation>
-        </message>
-        <message>
-            <source>Off</source>
-            <translation>关</translation>
-        </message>
-        <message>
-            <source>On</source>
-            <translation>开</translation>
-        </message>
-    </context>
-    <context>
-        <name>PackingSection</name>
-        <message>
-            <source>Measure the marks</source>
-            <translation>测量色标</translation>
-        </message>
-        <message>
-            <source>Sensor to knife …</source>
-            <translation>传感器到切刀…</translation>
-        </message>
-        <message>
-            <source>Values are used at once. The controller keeps them over a power-off only after Save.</source>
-            <translation>数值立即生效。只有保存后，控制器断电才不丢失。</translation>
-        </message>
-        <message>
-            <source>Save</source>
-            <translation>保存</translation>
-        </message>
-    </context>
-    <context>
-        <name>PackingSheet</name>
-        <message>
-            <source>Marks, cuts and film</source>
-            <translation>色标、切断与薄膜</translation>
-        </message>
-        <message>
-            <source>%1 mm</source>
-            <translation>%1 mm</translation>
-        </message>
-        <message>
-            <source>Mark error of the last cut</source>
-            <translation>上一次切断的色标误差</translation>
-        </message>
-        <message>
-            <source>Distance of the marks</source>
-            <translation>色标间距</translation>
-        </message>
-        <message>
-            <source>Shift of the next cut</source>
-            <translation>下一次切断的移动量</translation>
-        </message>
-        <message>
-            <source>Correction of the length</source>
-            <translation>袋长修正量</translation>
-        </message>
-        <message>
-            <source>Corrections at their limit</source>
-            <translation>达到限值的修正</translation>
-        </message>
-        <message>
-            <source>Marks followed</source>
-            <translation>已跟踪的色标</translation>
-        </message>
-        <message>
-            <source>Marks missing</source>
-            <translation>缺失的色标</translation>
-        </message>
-        <message>
-            <source>Marks where none belongs</source>
-            <translation>多余的色标</translation>
-        </message>
-        <message>
-            <source>Cuts and film</source>
-            <translation>切断与薄膜</translation>
-        </message>
-        <message>
-            <source>Products</source>
-            <translation>产品</translation>
-        </message>
-        <message>
-            <source>Cuts left out, product across</source>
-            <translation>因产品横在切刀处略过的切断</translation>
-        </message>
-        <message>
-            <source>Bags without product</source>
-            <translation>无产品的袋</translation>
-        </message>
-        <message>
-            <source>Film saved</source>
-            <translation>节省薄膜</translation>
-        </message>
-        <message>
-            <source>%1 m</source>
-            <translation>%1 m</translation>
-        </message>
-        <message>
-            <source>Following error of the knife</source>
-            <translation>切刀跟随误差</translation>
-        </message>
-        <message>
-            <source>Following error of the film</source>
-            <translation>薄膜跟随误差</translation>
-        </message>
-    </context>
-    <context>
-        <name>PagesSheet</name>
-        <message>
-            <source>More pages</source>
-            <translation>更多页面</translation>
-        </message>
-    </context>
-    <context>
-        <name>ParityPicker</name>
-        <message>
-            <source>Parity and stop bits</source>
-            <translation>校验位和停止位</translation>
-        </message>
-        <message>
-            <source>None</source>
-            <translation>无校验</translation>
-        </message>
-        <message>
-            <source>Even</source>
-            <translation>偶校验</translation>
-        </message>
-        <message>
-            <source>Odd</source>
-            <translation>奇校验</translation>
-        </message>
-        <message>
-            <source>1 stop bit</source>
-            <translation>1 位停止位</translation>
-        </message>
-        <message>
-            <source>2 stop bits</source>
-            <translation>2 位停止位</translation>
-        </message>
-    </context>
-    <context>
-        <name>PinPad</name>
-        <message>
-            <source>Cancel</source>
-            <translation>取消</translation>
-        </message>
-        <message>
-            <source>OK</source>
-            <translation>确定</translation>
-        </message>
-    </context>
-    <context>
-        <name>PinPanel</name>
-        <message>
-            <source>PIN</source>
-            <translation>PIN</translation>
-        </message>
-    </context>
-    <context>
-        <name>PortPicker</name>
-        <message>
-            <source>Serial port</source>
-            <translation>串口</translation>
-        </message>
-        <message>
-            <source>This computer has no serial port. Plug in the adapter and press Search again.</source>
-            <translation>本机没有串口。请插上转换器，再按“重新搜索”。</translation>
-        </message>
-        <message>
-            <source>Search again</source>
-            <translation>重新搜索</translation>
-        </message>
-    </context>
-    <context>
-        <name>ProofSheet</name>
-        <message>
-            <source>What the controller runs</source>
-            <translation>控制器运行的程序</translation>
-        </message>
-        <message>
-            <source>Edited on this panel</source>
-            <translation>本面板上编辑的</translation>
-        </message>
-        <message>
-            <source>%1 · v%2, values that differ from the active one: %3</source>
-            <translation>%1 · 第%2版，与运行中的有 %3 个值不同</translation>
-        </message>
-        <message>
-            <source>%1 · v%2</source>
-            <translation>%1 · 第%2版</translation>
-        </message>
-        <message>
-            <source>Active in the controller</source>
-            <translation>控制器中运行的</translation>
-        </message>
-        <message>
-            <source>Active in the controller when it was last heard</source>
-            <translation>最后一次收到时控制器中运行的</translation>
-        </message>
-        <message>
-            <source>Saved in the controller</source>
-            <translation>控制器中保存的</translation>
-        </message>
-        <message>
-            <source>Saved in the controller when it was last heard</source>
-            <translation>最后一次收到时控制器中保存的</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>取消</translation>
-        </message>
-        <message>
-            <source>Close</source>
-            <translation>关闭</translation>
-        </message>
-        <message>
-            <source>Compare with the controller</source>
-            <translation>与控制器比较</translation>
-        </message>
-    </context>
-    <context>
-        <name>RecipeCard</name>
-        <message>
-            <source>In the controller</source>
-            <translation>在控制器中</translation>
-        </message>
-        <message>
-            <source>Open on this panel</source>
-            <translation>已在面板上打开</translation>
-        </message>
-        <message>
-            <source>Stored on this panel</source>
-            <translation>已存于面板</translation>
-        </message>
-        <message>
-            <source>Rename …</source>
-            <translation>改名…</translation>
-        </message>
-        <message>
-            <source>Copy …</source>
-            <translation>复制…</translation>
-        </message>
-        <message>
-            <source>Versions</source>
-            <translation>版本</translation>
-        </message>
-        <message>
-            <source>Compare</source>
-            <translation>比较</translation>
-        </message>
-        <message>
-            <source>Delete …</source>
-            <translation>删除…</translation>
-        </message>
-        <message>
-            <source>Export …</source>
-            <translation>导出…</translation>
-        </message>
-        <message>
-            <source>Download …</source>
-            <translation>下载…</translation>
-        </message>
-        <message>
-            <source>Open</source>
-            <translation>打开</translation>
-        </message>
-    </context>
-    <context>
-        <name>RecipeComparisonSheet</name>
-        <message>
-            <source>Versions of %1</source>
-            <translation>%1 的版本</translation>
-        </message>
-        <message>
-            <source>Compare %1</source>
-            <translation>比较 %1</translation>
-        </message>
-        <message>
-            <source>What it changed</source>
-            <translation>此版改动</translation>
-        </message>
-        <message>
-            <source>To the newest</source>
-            <translation>与最新版</translation>
-        </message>
-        <message>
-            <source>There is no difference.</source>
-            <translation>没有差别。</translation>
-        </message>
-        <message>
-            <source>There is nothing to compare with yet.</source>
-            <translation>还没有可比较的配方。</translation>
-        </message>
-        <message>
-            <source>Choose at the left.</source>
-            <translation>请在左侧选择。</translation>
-        </message>
-        <message>
-            <source>This is the newest version.</source>
-            <translation>这是最新版本。</translation>
-        </message>
-        <message>
-            <source>This is the first version.</source>
-            <translation>这是第一个版本。</translation>
-        </message>
-        <message>
-            <source>Open this version</source>
-            <translation>打开此版本</translation>
-        </message>
-    </context>
-    <context>
-        <name>RecipeImportSheet</name>
-        <message>
-            <source>Import a recipe</source>
-            <translation>导入配方</translation>
-        </message>
-        <message>
-            <source>Looking …</source>
-            <translation>正在查找…</translation>
-        </message>
-        <message>
-            <source>Choose a file to see what is in it.</source>
-            <translation>选择文件以查看其内容。</translation>
-        </message>
-        <message>
-            <source>There is no recipe file on a USB stick or in %1. Plug in a stick: it is found by itself.</source>
-            <translation>U盘和 %1 中都没有配方文件。请插入U盘，系统会自动找到。</translation>
-        </message>
-        <message>
-            <source>Take over</source>
-            <translation>导入</translation>
-        </message>
-    </context>
-    <context>
-        <name>RecipeRow</name>
-        <message>
-            <source>v%1 · %2</source>
-            <translation>第%1版 · %2</translation>
-        </message>
-    </context>
-    <context>
-        <name>RecipesPage</name>
-        <message>
-            <source>Search</source>
-            <translation>搜索</translation>
-        </message>
-        <message>
-            <source>all %1 recipes</source>
-            <translation>全部 %1 个配方</translation>
-        </message>
-        <message>
-            <source>New …</source>
-            <translation>新建…</translation>
-        </message>
-        <message>
-            <source>Import …</source>
-            <translation>导入…</translation>
-        </message>
-        <message>
-            <source>Export all …</source>
-            <translation>全部导出…</translation>
-        </message>
-        <message>
-            <source>%1 was edited and is not saved.</source>
-            <translation>%1 已修改，尚未保存。</translation>
-        </message>
-        <message>
-            <source>Bring back</source>
-            <translation>恢复</translation>
-        </message>
-        <message>
-            <source>OK</source>
-            <translation>确定</translation>
-        </message>
-        <message>
-            <source>Save as …</source>
-            <translation>另存为…</translation>
-        </message>
-        <message>
-            <source>Save as version %1</source>
-            <translation>保存为第%1版</translation>
-        </message>
-        <message>
-            <source>The recipes are being read …</source>
-            <translation>正在读取配方…</translation>
-        </message>
-        <message>
-            <source>No recipe has "%1" in its name. Change or clear the search.</source>
-            <translation>没有名称含“%1”的配方。请更改或清除搜索。</translation>
-        </message>
-        <message>
-            <source>There is no recipe yet. Make a new one, or import one from a USB stick.</source>
-            <translation>还没有配方。请新建，或从U盘导入。</translation>
-        </message>
-        <message>
-            <source>%1 copy</source>
-            <translation>%1 副本</translation>
-        </message>
-        <message>
-            <source>Search for a recipe</source>
-            <translation>搜索配方</translation>
-        </message>
-        <message>
-            <source>1 recipe</source>
-            <translation>1 个配方</translation>
-        </message>
-        <message>
-            <source>%1 recipes</source>
-            <translation>%1 个配方</translation>
-        </message>
-        <message>
-            <source>A new recipe of this kind, with the data of this machine</source>
-            <translation>此类型的新配方，采用本机数据</translation>
-        </message>
-        <message>
-            <source>Name of the new recipe</source>
-            <translation>新配方的名称</translation>
-        </message>
-        <message>
-            <source>Name of the copy</source>
-            <translation>副本的名称</translation>
-        </message>
-        <message>
-            <source>Save under another name</source>
-            <translation>以其他名称保存</translation>
-        </message>
-        <message>
-            <source>New name of %1</source>
-            <translation>%1 的新名称</translation>
-        </message>
-        <message>
-            <source>Export as JSON</source>
-            <translation>导出为 JSON</translation>
-        </message>
-        <message>
-            <source>Delete %1?</source>
-            <translation>删除 %1？</translation>
-        </message>
-        <message>
-            <source>It leaves the list. Its versions are kept: it comes back when a recipe is saved under its name.</source>
-            <translation>它将从列表中移除，但各版本仍保留：以同名保存配方时会恢复。</translation>
-        </message>
-        <message>
-            <source>Delete</source>
-            <translation>删除</translation>
-        </message>
-        <message>
-            <source>%1 is not saved</source>
-            <translation>%1 尚未保存</translation>
-        </message>
-        <message>
-            <source>It was edited. If another recipe is opened without saving, the edits are gone.</source>
-            <translation>配方已修改。如不保存就打开其他配方，修改将丢失。</translation>
-        </message>
-        <message>
-            <source>Discard edits</source>
-            <translation>放弃修改</translation>
-        </message>
-    </context>
-    <context>
-        <name>RegistersSection</name>
-        <message>
-            <source>Group</source>
-            <translation>组</translation>
-        </message>
-        <message>
-            <source>Name contains</source>
-            <translation>名称包含</translation>
-        </message>
-        <message>
-            <source>anything</source>
-            <translation>任意</translation>
-        </message>
-        <message>
-            <source>No register has this in its name.</source>
-            <translation>没有名称包含此内容的寄存器。</translation>
-        </message>
-        <message>
-            <source>Write …</source>
-            <translation>写入…</translation>
-        </message>
-        <message>
-            <source>Group of registers</source>
-            <translation>寄存器组</translation>
-        </message>
-        <message>
-            <source>%1 registers</source>
-            <translation>%1 个寄存器</translation>
-        </message>
-    </context>
-    <context>
-        <name>ReportFilesSheet</name>
-        <message>
-            <source>Looking …</source>
-            <translation>正在查找…</translation>
-        </message>
-        <message>
-            <source>Choose the place of the new files.</source>
-            <translation>请选择新文件的位置。</translation>
-        </message>
-        <message>
-            <source>Write file</source>
-            <translation>写入文件</translation>
-        </message>
-    </context>
-    <context>
-        <name>RestoreSheet</name>
-        <message>
-            <source>Restore a backup</source>
-            <translation>恢复备份</translation>
-        </message>
-        <message>
-            <source>Checking …</source>
-            <translation>正在检查…</translation>
-        </message>
-        <message>
-            <source>Looking …</source>
-            <translation>正在查找…</translation>
-        </message>
-        <message>
-            <source>Choose a file to see what is in it.</source>
-            <translation>选择一个文件查看其内容。</translation>
-        </message>
-        <message>
-            <source>There is no backup on a USB stick or in %1. Plug in a stick: it is found by itself.</source>
-            <translation>U 盘和 %1 中都没有备份。插入 U 盘即可自动找到。</translation>
-        </message>
-        <message>
-            <source>Check and restore</source>
-            <translation>检查并恢复</translation>
-        </message>
-        <message>
-            <source>There is no backup on a USB stick or on this panel. Plug in a stick: it is found by itself.</source>
-            <translation>U 盘和本面板上都没有备份。插入 U 盘即可自动找到。</translation>
-        </message>
-    </context>
-    <context>
-        <name>RunAxis</name>
-        <message>
-            <source>Speed mm/s</source>
-            <translation>速度 mm/s</translation>
-        </message>
-        <message>
-            <source>Position mm</source>
-            <translation>位置 mm</translation>
-        </message>
-        <message>
-            <source>cycles</source>
-            <translation>周期数</translation>
-        </message>
-        <message>
-            <source>moves</source>
-            <translation>运动次数</translation>
-        </message>
-        <message>
-            <source>Master speed %</source>
-            <translation>主轴速度 %</translation>
-        </message>
-        <message>
-            <source>Axis speed mm/s</source>
-            <translation>轴速度 mm/s</translation>
-        </message>
-    </context>
-    <context>
-        <name>RunCutter</name>
-        <message>
-            <source>bags/min</source>
-            <translation>袋/分</translation>
-        </message>
-        <message>
-            <source>bags</source>
-            <translation>袋数</translation>
-        </message>
-        <message>
-            <source>Knife speed mm/s</source>
-            <translation>切刀速度 mm/s</translation>
-        </message>
-    </context>
-    <context>
-        <name>RunEmpty</name>
-        <message>
-            <source>The controller has no program yet. Open Motion and press Download.</source>
-            <translation>控制器中还没有程序。请打开“运动”并按“下载”。</translation>
-        </message>
-    </context>
-    <context>
-        <name>RunPacking</name>
-        <message>
-            <source>bags/min · %1 bags</source>
-            <translation>袋/分 · 共 %1 袋</translation>
-        </message>
-        <message>
-            <source>Knife speed mm/s</source>
-            <translation>切刀速度 mm/s</translation>
-        </message>
-    </context>
-    <context>
-        <name>RunPress</name>
-        <message>
-            <source>Force N</source>
-            <translation>力 N</translation>
-        </message>
-        <message>
-            <source>Position mm</source>
-            <translation>位置 mm</translation>
-        </message>
-        <message>
-            <source>good of the last strokes</source>
-            <translation>合格数 / 最近行程数</translation>
-        </message>
-    </context>
-    <context>
-        <name>ServicePage</name>
-        <message>
-            <source>Link doctor</source>
-            <translation>线路诊断</translation>
-        </message>
-        <message>
-            <source>Figures</source>
-            <translation>数据</translation>
-        </message>
-        <message>
-            <source>Registers</source>
-            <translation>寄存器</translation>
-        </message>
-        <message>
-            <source>Frames</source>
-            <translation>帧</translation>
-        </message>
-        <message>
-            <source>Faults</source>
-            <translation>故障模拟</translation>
-        </message>
-        <message>
-            <source>Packing</source>
-            <translation>包装</translation>
-        </message>
-        <message>
-            <source>Backup</source>
-            <translation>备份</translation>
-        </message>
-        <message>
-            <source>Jog</source>
-            <translation>点动</translation>
-        </message>
-        <message>
-            <source>Homing</source>
-            <translation>回零</translation>
-        </message>
-        <message>
-            <source>I/O</source>
-            <translation>输入输出</translation>
-        </message>
-        <message>
-            <source>Dry run</source>
-            <translation>空运行</translation>
-        </message>
-    </context>
-    <context>
-        <name>SettingsPage</name>
-        <message>
-            <source>Display</source>
-            <translation>显示</translation>
-        </message>
-        <message>
-            <source>Connection</source>
-            <translation>通信</translation>
-        </message>
-        <message>
-            <source>simulated or serial port</source>
-            <translation>模拟或串口</translation>
-        </message>
-        <message>
-            <source>Machine</source>
-            <translation>机器</translation>
-        </message>
-        <message>
-            <source>About</source>
-            <translation>关于</translation>
-        </message>
-        <message>
-            <source>version, safety</source>
-            <translation>版本、安全</translation>
-        </message>
-        <message>
-            <source>drive, gear, motor limits</source>
-            <translation>驱动、减速比、电机限值</translation>
-        </message>
-        <message>
-            <source>Users</source>
-            <translation>用户</translation>
-        </message>
-        <message>
-            <source>PINs, levels, audit</source>
-            <translation>PIN、级别、审计</translation>
-        </message>
-        <message>
-            <source>language, theme, gloves</source>
-            <translation>语言、主题、手套</translation>
-        </message>
-    </context>
-    <context>
-        <name>ShelvedList</name>
-        <message>
-            <source>%1 · %2 · by %3</source>
-            <translation>%1 · %2 · %3</translation>
-        </message>
-        <message>
-            <source>%1 · %2</source>
-            <translation>%1 · %2</translation>
-        </message>
-        <message>
-            <source>Take back</source>
-            <translation>取消搁置</translation>
-        </message>
-        <message>
-            <source>Nothing is shelved. A warning that is known about and does not stop the machine can be shelved for some hours: tap it in the list.</source>
-            <translation>没有搁置的报警。已知情且不会停机的警告可以搁置几小时：请在列表中点按它。</translation>
-        </message>
-    </context>
-    <context>
-        <name>SpeedCard</name>
-        <message>
-            <source>following error %1 mm</source>
-            <translation>跟随误差 %1 mm</translation>
-        </message>
-        <message>
-            <source>target</source>
-            <translation>目标</translation>
-        </message>
-        <message>
-            <source>actual</source>
-            <translation>实际</translation>
-        </message>
-        <message>
-            <source>error %1 mm</source>
-            <translation>误差 %1 mm</translation>
-        </message>
-    </context>
-    <context>
-        <name>SpeedKeypad</name>
-        <message>
-            <source>The frequency is from %1 to %2 Hz.</source>
-            <translation>频率范围为 %1 到 %2 Hz。</translation>
-        </message>
-    </context>
-    <context>
-        <name>StrokeCard</name>
-        <message>
-            <source>Stroke</source>
-            <translation>行程</translation>
-        </message>
-        <message>
-            <source>Error mm</source>
-            <translation>误差 mm</translation>
-        </message>
-        <message>
-            <source>Force N</source>
-            <translation>力 N</translation>
-        </message>
-        <message>
-            <source>Each stroke is listed here when it ends.</source>
-            <translation>每个行程结束后列在此处。</translation>
-        </message>
-    </context>
-    <context>
-        <name>TextKeyboard</name>
-        <message>
-            <source>abc</source>
-            <translation>abc</translation>
-        </message>
-        <message>
-            <source>123</source>
-            <translation>123</translation>
-        </message>
-        <message>
-            <source>Space</source>
-            <translation>空格</translation>
-        </message>
-    </context>
-    <context>
-        <name>ToleranceKeypad</name>
-        <message>
-            <source>Bag tolerance ±</source>
-            <translation>袋长允差 ±</translation>
-        </message>
-        <message>
-            <source>The tolerance is from %1 to %2 mm.</source>
-            <translation>允差范围为 %1 至 %2 mm。</translation>
-        </message>
-    </context>
-    <context>
-        <name>TopBar</name>
-        <message>
-            <source>%1 · v%2</source>
-            <translation>%1 · 第%2版</translation>
-        </message>
-        <message>
-            <source>Edited</source>
-            <translation>已修改</translation>
-        </message>
-        <message>
-            <source>%1 s ago</source>
-            <translation>%1 秒前</translation>
-        </message>
-        <message>
-            <source>Simulated</source>
-            <translation>模拟</translation>
-        </message>
-        <message>
-            <source>%1/s</source>
-            <translation>%1/秒</translation>
-        </message>
-        <message>
-            <source>in the controller: %1 · v%2</source>
-            <translation>控制器中：%1 · 第%2版</translation>
-        </message>
-    </context>
-    <context>
-        <name>TrendCard</name>
-        <message>
-            <source>nothing recorded in this time</source>
-            <translation>此时段无记录</translation>
-        </message>
-        <message>
-            <source>n %1 · mean %2 · scatter %3 · %4 … %5 · %6 % within</source>
-            <translation>n %1 · 平均 %2 · 离散 %3 · %4 … %5 · 合格 %6 %</translation>
-        </message>
-        <message>
-            <source>n %1 · mean %2 · scatter %3 · %4 … %5</source>
-            <translation>n %1 · 平均 %2 · 离散 %3 · %4 … %5</translation>
-        </message>
-        <message>
-            <source>%1 · nothing recorded</source>
-            <translation>%1 · 无记录</translation>
-        </message>
-        <message>
-            <source>%1 · mean %2 · %3 … %4</source>
-            <translation>%1 · 平均 %2 · %3 … %4</translation>
-        </message>
-        <message>
-            <source>Nothing of these curves has been recorded yet. Press Start, or choose others with Curves.</source>
-            <translation>这些曲线尚无记录。请按“启动”，或通过“曲线”选择其他曲线。</translation>
-        </message>
-        <message>
-            <source>Nothing was recorded in this time. Press Now, or − for a longer time.</source>
-            <translation>此时段无记录。请按“现在”，或按 − 查看更长时段。</translation>
-        </message>
-    </context>
-    <context>
-        <name>TrendCurvesSheet</name>
-        <message>
-            <source>Curves</source>
-            <translation>曲线</translation>
-        </message>
-        <message>
-            <source>Up to three; one more takes the place of the lowest.</source>
-            <translation>最多三条；再选一条将替换最下面的一条。</translation>
-        </message>
-    </context>
-    <context>
-        <name>TrendWords</name>
-        <message>
-            <source>Bag length mm</source>
-            <translation>袋长 mm</translation>
-        </message>
-        <message>
-            <source>Deviation mm</source>
-            <translation>偏差 mm</translation>
-        </message>
-        <message>
-            <source>Mark error mm</source>
-            <translation>色标误差 mm</translation>
-        </message>
-        <message>
-            <source>Following error mm</source>
-            <translation>跟随误差 mm</translation>
-        </message>
-        <message>
-            <source>Rate bags/min</source>
-            <translation>速率 袋/分</translation>
-        </message>
-        <message>
-            <source>Time of answers ms</source>
-            <translation>应答时间 ms</translation>
-        </message>
-        <message>
-            <source>of each bag, of one length of it</source>
-            <translation>每一袋，按单个袋长计</translation>
-        </message>
-        <message>
-            <source>of each bag from the length that was set</source>
-            <translation>每一袋与设定袋长之差</translation>
-        </message>
-        <message>
-            <source>of each cut from its printed mark</source>
-            <translation>每次切断与印刷色标之差</translation>
-        </message>
-        <message>
-            <source>of the knife, while it turns</source>
-            <translation>切刀转动时</translation>
-        </message>
-        <message>
-            <source>of the master, 0 at standstill</source>
-            <translation>主轴的速率，停止时为 0</translation>
-        </message>
-        <message>
-            <source>of the controller to the panel's questions</source>
-            <translation>控制器回答面板询问所需的时间</translation>
-        </message>
-    </context>
-    <context>
-        <name>TrendsPage</name>
-        <message>
-            <source>10 min</source>
-            <translation>10 分钟</translation>
-        </message>
-        <message>
-            <source>1 h</source>
-            <translation>1 小时</translation>
-        </message>
-        <message>
-            <source>8 h</source>
-            <translation>8 小时</translation>
-        </message>
-        <message>
-            <source>1 day</source>
-            <translation>1 天</translation>
-        </message>
-        <message>
-            <source>7 days</source>
-            <translation>7 天</translation>
-        </message>
-        <message>
-            <source>Curves</source>
-            <translation>曲线</translation>
-        </message>
-        <message>
-            <source>CSV</source>
-            <translation>CSV</translation>
-        </message>
-        <message>
-            <source>%1 –
+<context>
+    <name>AboutSection</name>
+    <message>
+        <source>CamPanel %1</source>
+        <translation>CamPanel %1</translation>
+    </message>
+    <message>
+        <source>Stop on this panel is no safety function. The machine needs an emergency stop that is wired in hardware.</source>
+        <translation>本面板的“停止”不是安全功能。机器必须装有硬接线的急停装置。</translation>
+    </message>
+    <message>
+        <source>Touchscreen of an electronic-cam machine. It computes the cam, writes it to the motion controller and shows what the controller really does.</source>
+        <translation>电子凸轮机的触摸屏：计算凸轮，写入运动控制器，并显示控制器的实际运行。</translation>
+    </message>
+    <message>
+        <source>Licence: Apache 2.0. Made with Qt (LGPL 3), Qwt (Qwt licence 1.0), libmodbus (LGPL 2.1).</source>
+        <translation>许可证：Apache 2.0。使用 Qt（LGPL 3）、Qwt（Qwt 许可证 1.0）和 libmodbus（LGPL 2.1）。</translation>
+    </message>
+</context>
+<context>
+    <name>AlarmRow</name>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1 次</translation>
+    </message>
+</context>
+<context>
+    <name>AlarmSheet</name>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>处理方法</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>详情</translation>
+    </message>
+    <message>
+        <source>Came</source>
+        <translation>出现</translation>
+    </message>
+    <message>
+        <source>Gone</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Acknowledged</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>How often</source>
+        <translation>次数</translation>
+    </message>
+    <message>
+        <source>Take back from the shelf</source>
+        <translation>取消搁置</translation>
+    </message>
+    <message>
+        <source>Shelve 1 h</source>
+        <translation>搁置 1 小时</translation>
+    </message>
+    <message>
+        <source>Shelve 8 h</source>
+        <translation>搁置 8 小时</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>确认</translation>
+    </message>
+</context>
+<context>
+    <name>AlarmsPage</name>
+    <message>
+        <source>Active: %1</source>
+        <translation>当前：%1</translation>
+    </message>
+    <message>
+        <source>Active</source>
+        <translation>当前</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>历史</translation>
+    </message>
+    <message>
+        <source>Shelved: %1</source>
+        <translation>搁置：%1</translation>
+    </message>
+    <message>
+        <source>Shelved</source>
+        <translation>搁置</translation>
+    </message>
+    <message>
+        <source>Acknowledge all</source>
+        <translation>全部确认</translation>
+    </message>
+    <message>
+        <source>No alarm is active and none waits to be acknowledged.</source>
+        <translation>当前没有报警，也没有待确认的报警。</translation>
+    </message>
+    <message>
+        <source>The log is being read …</source>
+        <translation>正在读取记录…</translation>
+    </message>
+    <message>
+        <source>No alarm has come yet since this log was begun.</source>
+        <translation>自记录开始以来尚无报警。</translation>
+    </message>
+</context>
+<context>
+    <name>AuditRow</name>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>AuditSheet</name>
+    <message>
+        <source>Audit trail</source>
+        <translation>审计记录</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>人员</translation>
+    </message>
+    <message>
+        <source>Everybody</source>
+        <translation>所有人</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>导出 CSV</translation>
+    </message>
+    <message>
+        <source>Nothing of this kind yet. Every command, download, parameter, setting and login is written down here.</source>
+        <translation>尚无此类记录。所有命令、下载、参数、设置和登录都会记录在此。</translation>
+    </message>
+    <message>
+        <source>Back to the list</source>
+        <translation>返回列表</translation>
+    </message>
+</context>
+<context>
+    <name>BackupSection</name>
+    <message>
+        <source>Backup</source>
+        <translation>备份</translation>
+    </message>
+    <message>
+        <source>All that this panel keeps in one file: recipes with their versions, machine data, users, alarms, audit trail, settings. Bags and trends are not in it.</source>
+        <translation>本面板保存的全部内容合为一个文件：配方及其版本、机器数据、用户、报警、审计记录、设置。不含袋子记录和趋势。</translation>
+    </message>
+    <message>
+        <source>Make a backup</source>
+        <translation>生成备份</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Puts a backup in the place of all that. The file is checked first, and what is here now is kept as a backup too.</source>
+        <translation>用备份替换上述全部内容。先检查文件，当前内容也保存为备份。</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>选择文件</translation>
+    </message>
+    <message>
+        <source>Commissioning report</source>
+        <translation>调试报告</translation>
+    </message>
+    <message>
+        <source>A PDF of the open recipe with its curves, limits and table, of the machine data, of what the controller runs and of the last bags.</source>
+        <translation>PDF 文件：当前配方及其曲线、极限和表，机器数据，控制器运行的程序，以及最近的袋子。</translation>
+    </message>
+    <message>
+        <source>Make a report</source>
+        <translation>生成报告</translation>
+    </message>
+    <message>
+        <source>Working …</source>
+        <translation>正在处理…</translation>
+    </message>
+    <message>
+        <source>Where to write the backup</source>
+        <translation>备份写到哪里</translation>
+    </message>
+    <message>
+        <source>Where to write the report</source>
+        <translation>报告写到哪里</translation>
+    </message>
+    <message>
+        <source>Restore this backup?</source>
+        <translation>恢复此备份？</translation>
+    </message>
+    <message>
+        <source>Service bundle</source>
+        <translation>服务包</translation>
+    </message>
+    <message>
+        <source>For the manufacturer who helps: open recipe and table, what the controller runs, alarms and changes of 7 days, link figures, the last 10 seconds. No PINs.</source>
+        <translation>供提供帮助的制造商使用：当前配方与数据表、控制器运行的内容、7 天的报警和更改、通信数据、最近 10 秒。不含 PIN。</translation>
+    </message>
+    <message>
+        <source>Make a bundle</source>
+        <translation>制作服务包</translation>
+    </message>
+    <message>
+        <source>Where to write the service bundle</source>
+        <translation>服务包写到哪里</translation>
+    </message>
+</context>
+<context>
+    <name>BagCard</name>
+    <message>
+        <source>Bag length</source>
+        <translation>袋长</translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation>平均 %1</translation>
+    </message>
+    <message>
+        <source>scatter %1</source>
+        <translation>离散 %1</translation>
+    </message>
+    <message>
+        <source>No bag measured yet. Press Start.</source>
+        <translation>尚未测得袋长。请按“启动”。</translation>
+    </message>
+    <message>
+        <source>tolerance ±%1 mm</source>
+        <translation>允差 ±%1 mm</translation>
+    </message>
+    <message>
+        <source>last %1</source>
+        <translation>最近 %1</translation>
+    </message>
+</context>
+<context>
+    <name>BagStrip</name>
+    <message>
+        <source>Bag of %1 lengths, cut left out</source>
+        <translation>%1 个袋长，有切断略过</translation>
+    </message>
+    <message>
+        <source>Bag length</source>
+        <translation>袋长</translation>
+    </message>
+    <message>
+        <source>mean %1, scatter %2</source>
+        <translation>平均 %1，离散 %2</translation>
+    </message>
+    <message>
+        <source>No bag measured yet. Press Start.</source>
+        <translation>尚未测得袋长。请按“启动”。</translation>
+    </message>
+    <message>
+        <source>±%1 mm</source>
+        <translation>±%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 of %2 within</source>
+        <translation>%2 袋中 %1 袋合格</translation>
+    </message>
+</context>
+<context>
+    <name>BannerHost</name>
+    <message>
+        <source>OK</source>
+        <translation>确定</translation>
+    </message>
+    <message>
+        <source>Withdraw</source>
+        <translation>撤回</translation>
+    </message>
+</context>
+<context>
+    <name>CommandColumn</name>
+    <message>
+        <source>Start</source>
+        <translation>启动</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>回零</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>复位</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>again: at once</source>
+        <translation>再按：立即</translation>
+    </message>
+    <message>
+        <source>no connection</source>
+        <translation>没有连接</translation>
+    </message>
+    <message>
+        <source>waits for the line</source>
+        <translation>等待连接</translation>
+    </message>
+</context>
+<context>
+    <name>ConfirmSheet</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>ConnectionSection</name>
+    <message>
+        <source>None</source>
+        <translation>无校验</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>偶校验</translation>
+    </message>
+    <message>
+        <source>Odd</source>
+        <translation>奇校验</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>通信</translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation>模拟</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>串口</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>端口</translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation>请选择</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>波特率</translation>
+    </message>
+    <message>
+        <source>Parity and stop bits</source>
+        <translation>校验位和停止位</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>站号</translation>
+    </message>
+    <message>
+        <source>The simulated controller runs inside this computer and moves no machine. Use it to learn and to try recipes.</source>
+        <translation>模拟控制器在本机内运行，不会带动任何机器。可用于学习和试验配方。</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>使用中</translation>
+    </message>
+</context>
+<context>
+    <name>CurveEditor</name>
+    <message>
+        <source>grey: %1</source>
+        <translation>灰色：%1</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>限值</translation>
+    </message>
+    <message>
+        <source>Position mm</source>
+        <translation>位置 mm</translation>
+    </message>
+    <message>
+        <source>Velocity mm/s</source>
+        <translation>速度 mm/s</translation>
+    </message>
+    <message>
+        <source>Acceleration m/s²</source>
+        <translation>加速度 m/s²</translation>
+    </message>
+    <message>
+        <source>Jerk m/s³</source>
+        <translation>加加速度 m/s³</translation>
+    </message>
+    <message>
+        <source>Pulse frequency kHz</source>
+        <translation>脉冲频率 kHz</translation>
+    </message>
+</context>
+<context>
+    <name>CutterInputs</name>
+    <message>
+        <source>Speed law</source>
+        <translation>速度规律</translation>
+    </message>
+</context>
+<context>
+    <name>DialCard</name>
+    <message>
+        <source>Sync window</source>
+        <translation>同步区</translation>
+    </message>
+</context>
+<context>
+    <name>DirectionCard</name>
+    <message>
+        <source>Master direction</source>
+        <translation>主轴方向</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>正转</translation>
+    </message>
+    <message>
+        <source>Backward</source>
+        <translation>反转</translation>
+    </message>
+</context>
+<context>
+    <name>DisplaySection</name>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>Display</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>高对比度</translation>
+    </message>
+    <message>
+        <source>Keys for gloves</source>
+        <translation>手套按键</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>Light for a bright hall, dark for the night shift, high contrast for tired eyes or a dirty screen. For gloves all keys are a quarter larger. Numbers and units follow the language.</source>
+        <translation>明亮车间用浅色，夜班用深色，眼睛疲劳或屏幕脏污时用高对比度。戴手套时所有按键放大四分之一。数字和单位随语言而变。</translation>
+    </message>
+</context>
+<context>
+    <name>DoctorSection</name>
+    <message>
+        <source>Diagnose</source>
+        <translation>诊断</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>for the controller</source>
+        <translation>控制器</translation>
+    </message>
+    <message>
+        <source>Use this</source>
+        <translation>使用此</translation>
+    </message>
+    <message>
+        <source>connection</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>DownloadSheet</name>
+    <message>
+        <source>Download to the controller</source>
+        <translation>下载到控制器</translation>
+    </message>
+    <message>
+        <source>In the controller</source>
+        <translation>控制器中</translation>
+    </message>
+    <message>
+        <source>On this panel</source>
+        <translation>本面板</translation>
+    </message>
+    <message>
+        <source>The controller already runs exactly this recipe.</source>
+        <translation>控制器正在执行的就是此配方。</translation>
+    </message>
+    <message>
+        <source>The controller has no program yet; this recipe will be its first.</source>
+        <translation>控制器中还没有程序，此配方将是第一个。</translation>
+    </message>
+    <message>
+        <source>Cancel download</source>
+        <translation>取消下载</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>重试</translation>
+    </message>
+    <message>
+        <source>Download</source>
+        <translation>下载</translation>
+    </message>
+    <message>
+        <source>The machine keeps running; the new program begins with the next cycle.</source>
+        <translation>机器继续运行，新程序从下一周期开始。</translation>
+    </message>
+    <message>
+        <source>The new program is used from the next start.</source>
+        <translation>新程序从下次启动起使用。</translation>
+    </message>
+    <message>
+        <source>Without a connection it is not known what the controller runs now.</source>
+        <translation>没有连接，不知道控制器现在运行什么。</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比较</translation>
+    </message>
+</context>
+<context>
+    <name>DryRunSection</name>
+    <message>
+        <source>The edited recipe cannot be a motion. Mend it on the Motion page.</source>
+        <translation>正在编辑的配方无法构成运动。请在“运动”页面修正。</translation>
+    </message>
+    <message>
+        <source>Master %1°</source>
+        <translation>主轴 %1°</translation>
+    </message>
+    <message>
+        <source>Knife %1°</source>
+        <translation>刀 %1°</translation>
+    </message>
+    <message>
+        <source>%1, at full speed</source>
+        <translation>%1，全速时</translation>
+    </message>
+    <message>
+        <source>Knife</source>
+        <translation>刀</translation>
+    </message>
+    <message>
+        <source>Speed mm/s</source>
+        <translation>速度 mm/s</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>播放</translation>
+    </message>
+    <message>
+        <source>Only on the screen: nothing moves and nothing is sent to the controller. Turn the left dial.</source>
+        <translation>仅在屏幕上演示：机器不动，也不向控制器发送任何内容。请转动左侧表盘。</translation>
+    </message>
+</context>
+<context>
+    <name>ExplanationSheet</name>
+    <message>
+        <source>This number is given, not derived. It may be from %1 to %2.</source>
+        <translation>此值为给定值，不是计算值。范围为 %1 至 %2。</translation>
+    </message>
+    <message>
+        <source>Give this number instead</source>
+        <translation>改为给定此值</translation>
+    </message>
+</context>
+<context>
+    <name>FiguresSection</name>
+    <message>
+        <source>Exchanges</source>
+        <translation>交换</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>Time of answers</source>
+        <translation>应答时间</translation>
+    </message>
+    <message>
+        <source>Controller:</source>
+        <translation>控制器：</translation>
+    </message>
+    <message>
+        <source>Answers, at most %1 a minute</source>
+        <translation>应答，每分钟最多 %1</translation>
+    </message>
+    <message>
+        <source>99 % answered within, at most %1 ms</source>
+        <translation>99 % 应答时间，最长 %1 毫秒</translation>
+    </message>
+    <message>
+        <source>Errors, at most %1 a minute</source>
+        <translation>错误，每分钟最多 %1</translation>
+    </message>
+    <message>
+        <source>Count from zero</source>
+        <translation>从零计数</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>导出 CSV</translation>
+    </message>
+    <message>
+        <source>Figures as CSV</source>
+        <translation>数据导出为 CSV</translation>
+    </message>
+</context>
+<context>
+    <name>FilmCard</name>
+    <message>
+        <source>mark error %1 mm</source>
+        <translation>色标误差 %1 mm</translation>
+    </message>
+    <message>
+        <source>Mark sensor</source>
+        <translation>色标传感器</translation>
+    </message>
+    <message>
+        <source>Knife</source>
+        <translation>切刀</translation>
+    </message>
+</context>
+<context>
+    <name>FilmLegend</name>
+    <message>
+        <source>mark seen</source>
+        <translation>已检出的色标</translation>
+    </message>
+    <message>
+        <source>mark not seen, reckoned</source>
+        <translation>未检出、推算的色标</translation>
+    </message>
+    <message>
+        <source>next mark expected here</source>
+        <translation>下一色标应在此处</translation>
+    </message>
+    <message>
+        <source>product</source>
+        <translation>产品</translation>
+    </message>
+    <message>
+        <source>next cut</source>
+        <translation>下一次切断</translation>
+    </message>
+    <message>
+        <source>cut left out</source>
+        <translation>略过的切断</translation>
+    </message>
+</context>
+<context>
+    <name>FirstController</name>
+    <message>
+        <source>Simulated controller</source>
+        <translation>模拟控制器</translation>
+    </message>
+    <message>
+        <source>to learn and to try things out; it can be changed in Settings at any time</source>
+        <translation>用于学习和试用；随时可在“设置”中更改</translation>
+    </message>
+    <message>
+        <source>Search for the controller</source>
+        <translation>搜索控制器</translation>
+    </message>
+    <message>
+        <source>on every serial port, with every setting; takes up to some minutes</source>
+        <translation>在所有串口上以各种设置搜索；最长需几分钟</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Use this connection</source>
+        <translation>使用此连接</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>FirstLanguage</name>
+    <message>
+        <source>Stop at the right always works. It is no emergency stop: that one is a switch of the machine.</source>
+        <translation>右侧的“停止”始终有效。它不是急停：急停是机器上的开关。</translation>
+    </message>
+</context>
+<context>
+    <name>FirstPin</name>
+    <message>
+        <source>%1 is set. Operators start, stop and change bag length and rate; the cam and the machine are for technicians. Add the others in Settings &gt; Users.</source>
+        <translation>%1 已设置。操作员可启停并更改袋长和速率；凸轮和机器由技术员设置。请在“设置 &gt; 用户”中添加其他人员。</translation>
+    </message>
+    <message>
+        <source>With a PIN only those who know one change the cam, the machine and the connection. Operators start, stop and change bag length and rate without one. There is no PIN from the factory; until one is set, everybody may do everything.</source>
+        <translation>设置PIN后，只有知道PIN的人才能更改凸轮、机器和通信。操作员无需PIN即可启停并更改袋长和速率。出厂没有PIN；设置之前，任何人都可进行任何操作。</translation>
+    </message>
+    <message>
+        <source>Set the first PIN</source>
+        <translation>设置第一个PIN</translation>
+    </message>
+    <message>
+        <source>Name of the user</source>
+        <translation>用户名</translation>
+    </message>
+    <message>
+        <source>PIN of %1</source>
+        <translation>%1 的PIN</translation>
+    </message>
+</context>
+<context>
+    <name>FirstRecipe</name>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Then: Download on the page Motion, and Start.</source>
+        <translation>然后：在“运动”页下载，再启动。</translation>
+    </message>
+    <message>
+        <source>Name of the recipe</source>
+        <translation>配方名称</translation>
+    </message>
+</context>
+<context>
+    <name>FirstStart</name>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>控制器</translation>
+    </message>
+    <message>
+        <source>Who may change things</source>
+        <translation>谁可以更改</translation>
+    </message>
+    <message>
+        <source>The machine</source>
+        <translation>机器</translation>
+    </message>
+    <message>
+        <source>A first recipe</source>
+        <translation>第一个配方</translation>
+    </message>
+    <message>
+        <source>First start · %1 of %2</source>
+        <translation>首次启动 · 第 %1 步，共 %2 步</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+</context>
+<context>
+    <name>ForceCard</name>
+    <message>
+        <source>Force N over position</source>
+        <translation>力（N）随位置的变化</translation>
+    </message>
+    <message>
+        <source>No stroke yet. Press Start.</source>
+        <translation>尚无行程。请按“启动”。</translation>
+    </message>
+    <message>
+        <source>at the stop: %1 mm, %2 to %3 N</source>
+        <translation>终点要求：%1 mm，%2 至 %3 N</translation>
+    </message>
+</context>
+<context>
+    <name>FrameSheet</name>
+    <message>
+        <source>Earlier</source>
+        <translation>较早</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>较晚</translation>
+    </message>
+</context>
+<context>
+    <name>FramesSection</name>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Writes</source>
+        <translation>写入</translation>
+    </message>
+    <message>
+        <source>Nothing of this kind has passed.</source>
+        <translation>没有这类帧经过。</translation>
+    </message>
+    <message>
+        <source>Frames as text</source>
+        <translation>帧导出为文本</translation>
+    </message>
+</context>
+<context>
+    <name>HomingSection</name>
+    <message>
+        <source>Position since then</source>
+        <translation>自回零起的位置</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>IoSection</name>
+    <message>
+        <source>Inputs, as the controller counts them</source>
+        <translation>输入（控制器计数）</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>输出</translation>
+    </message>
+    <message>
+        <source>Fault bits</source>
+        <translation>故障位</translation>
+    </message>
+    <message>
+        <source>Warning bits</source>
+        <translation>警告位</translation>
+    </message>
+    <message>
+        <source>Nothing comes from the controller: what is grey is how it was.</source>
+        <translation>没有收到控制器的数据：灰色显示的是之前的状态。</translation>
+    </message>
+    <message>
+        <source>The controller tells what it counts at its inputs, not the levels of its pins. A full lamp is on.</source>
+        <translation>控制器提供的是输入的计数，而不是引脚电平。实心灯表示接通。</translation>
+    </message>
+</context>
+<context>
+    <name>JogSection</name>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Knife angle</source>
+        <translation>刀角度</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>%1 pulses</source>
+        <translation>%1 个脉冲</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 Hz now</source>
+        <translation>当前 %1 Hz</translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <translation>反向</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>正向</translation>
+    </message>
+</context>
+<context>
+    <name>KindInputs</name>
+    <message>
+        <source>Knots</source>
+        <translation>型值点</translation>
+    </message>
+    <message>
+        <source>View and tools</source>
+        <translation>视图与工具</translation>
+    </message>
+</context>
+<context>
+    <name>KindSheet</name>
+    <message>
+        <source>A knife that follows the film while it seals</source>
+        <translation>切刀在封切时跟随薄膜</translation>
+    </message>
+    <message>
+        <source>A distance, from rest to rest</source>
+        <translation>从静止到静止走一段距离</translation>
+    </message>
+    <message>
+        <source>From one speed to another, which is then held</source>
+        <translation>从一个速度变到另一个速度并保持</translation>
+    </message>
+    <message>
+        <source>A curve through points, behind a master</source>
+        <translation>过型值点的曲线，从轴跟随主轴</translation>
+    </message>
+    <message>
+        <source>Approach, probe, press, hold, return</source>
+        <translation>快进、探测、压装、保压、返回</translation>
+    </message>
+    <message>
+        <source>New program</source>
+        <translation>新建程序</translation>
+    </message>
+    <message>
+        <source>Takes the place of the recipe on this page; Undo brings it back</source>
+        <translation>将取代本页的配方，可用“撤销”恢复</translation>
+    </message>
+</context>
+<context>
+    <name>KnotFilesSheet</name>
+    <message>
+        <source>Looking …</source>
+        <translation>正在查找…</translation>
+    </message>
+    <message>
+        <source>There is no CSV file on a USB stick or in %1. Plug in a stick and look again.</source>
+        <translation>U 盘和 %1 中都没有 CSV 文件。请插入 U 盘后重新查找。</translation>
+    </message>
+    <message>
+        <source>Choose the place of the new file.</source>
+        <translation>请选择新文件的位置。</translation>
+    </message>
+    <message>
+        <source>Choose a file to see what is in it.</source>
+        <translation>请选择文件以查看其内容。</translation>
+    </message>
+    <message>
+        <source>Knots as CSV</source>
+        <translation>型值点 CSV 文件</translation>
+    </message>
+    <message>
+        <source>Import CSV</source>
+        <translation>导入 CSV</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>导出 CSV</translation>
+    </message>
+    <message>
+        <source>Write file</source>
+        <translation>写入文件</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>采用</translation>
+    </message>
+</context>
+<context>
+    <name>KnotSheet</name>
+    <message>
+        <source>Knots</source>
+        <translation>型值点</translation>
+    </message>
+    <message>
+        <source>Add after</source>
+        <translation>在后面插入</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Close smoothly</source>
+        <translation>平滑闭合</translation>
+    </message>
+    <message>
+        <source>CSV files</source>
+        <translation>CSV 文件</translation>
+    </message>
+</context>
+<context>
+    <name>LawPicker</name>
+    <message>
+        <source>Peak speed</source>
+        <translation>最高转速</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>加加速度</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>频率</translation>
+    </message>
+    <message>
+        <source>What each law asks of this recipe; hold one to draw its curves in grey behind</source>
+        <translation>各规律对本配方的要求；长按某一项，以灰色曲线衬在后面比较</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>转矩</translation>
+    </message>
+</context>
+<context>
+    <name>LawRow</name>
+    <message>
+        <source>Breaks a limit with this recipe: hold it to compare, it cannot be chosen.</source>
+        <translation>在此配方下超出限值：可长按比较，不能选用。</translation>
+    </message>
+    <message>
+        <source>Breaks a limit with this recipe.</source>
+        <translation>在此配方下超出限值。</translation>
+    </message>
+</context>
+<context>
+    <name>LeftOutCard</name>
+    <message>
+        <source>Cuts left out</source>
+        <translation>略过的切断</translation>
+    </message>
+    <message>
+        <source>Bags without product</source>
+        <translation>无产品的袋</translation>
+    </message>
+    <message>
+        <source>Film saved</source>
+        <translation>节省薄膜</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Last: %1</source>
+        <translation>最近一次：%1</translation>
+    </message>
+</context>
+<context>
+    <name>LineFaultsSection</name>
+    <message>
+        <source>Off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>Sometimes</source>
+        <translation>偶尔</translation>
+    </message>
+    <message>
+        <source>Often</source>
+        <translation>经常</translation>
+    </message>
+    <message>
+        <source>All off</source>
+        <translation>全部关闭</translation>
+    </message>
+</context>
+<context>
+    <name>LoginSheet</name>
+    <message>
+        <source>Log in</source>
+        <translation>登录</translation>
+    </message>
+    <message>
+        <source>Choose who you are.</source>
+        <translation>请选择您的姓名。</translation>
+    </message>
+    <message>
+        <source>PIN</source>
+        <translation>PIN</translation>
+    </message>
+    <message>
+        <source>Choose who you are, then type your PIN.</source>
+        <translation>先选择姓名，再输入 PIN。</translation>
+    </message>
+    <message>
+        <source>One moment …</source>
+        <translation>请稍候…</translation>
+    </message>
+    <message>
+        <source>Type your PIN.</source>
+        <translation>请输入 PIN。</translation>
+    </message>
+</context>
+<context>
+    <name>MachineSection</name>
+    <message>
+        <source>Machine</source>
+        <translation>机器</translation>
+    </message>
+    <message>
+        <source>Bag tolerance</source>
+        <translation>袋长允差</translation>
+    </message>
+    <message>
+        <source>±%1 mm</source>
+        <translation>±%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>MarkWizardSheet</name>
+    <message>
+        <source>Mark sensor to knife</source>
+        <translation>色标传感器到切刀</translation>
+    </message>
+    <message>
+        <source>Step 1 of 5: what this does</source>
+        <translation>第 1 步，共 5 步：说明</translation>
+    </message>
+    <message>
+        <source>Step 2 of 5: cut bags</source>
+        <translation>第 2 步，共 5 步：切袋</translation>
+    </message>
+    <message>
+        <source>Step 3 of 5: measure</source>
+        <translation>第 3 步，共 5 步：测量</translation>
+    </message>
+    <message>
+        <source>Step 4 of 5: write</source>
+        <translation>第 4 步，共 5 步：写入</translation>
+    </message>
+    <message>
+        <source>Step 5 of 5: watch</source>
+        <translation>第 5 步，共 5 步：观察</translation>
+    </message>
+    <message>
+        <source>Distance before</source>
+        <translation>原距离</translation>
+    </message>
+    <message>
+        <source>New distance</source>
+        <translation>新距离</translation>
+    </message>
+    <message>
+        <source>Measured, mm</source>
+        <translation>测量值，mm</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Read the ruler</source>
+        <translation>读尺</translation>
+    </message>
+    <message>
+        <source>Enter …</source>
+        <translation>输入…</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>重新测量</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>写入</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Cut behind mark</source>
+        <translation>切断在色标后</translation>
+    </message>
+    <message>
+        <source>Wanted</source>
+        <translation>目标</translation>
+    </message>
+</context>
+<context>
+    <name>MasterDialCard</name>
+    <message>
+        <source>Master</source>
+        <translation>主轴</translation>
+    </message>
+</context>
+<context>
+    <name>MeasurementKeypad</name>
+    <message>
+        <source>Cut behind its mark</source>
+        <translation>切断在色标之后</translation>
+    </message>
+</context>
+<context>
+    <name>MoreSheet</name>
+    <message>
+        <source>View and tools</source>
+        <translation>视图与工具</translation>
+    </message>
+    <message>
+        <source>Position curve</source>
+        <translation>位置曲线</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>隐藏</translation>
+    </message>
+    <message>
+        <source>Jerk curve</source>
+        <translation>加加速度曲线</translation>
+    </message>
+    <message>
+        <source>Compare with controller</source>
+        <translation>与控制器比较</translation>
+    </message>
+    <message>
+        <source>Rows, pulses, errors</source>
+        <translation>行、脉冲、误差</translation>
+    </message>
+    <message>
+        <source>Back to the stored recipe</source>
+        <translation>恢复已存配方</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>数据表</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>controller in grey</source>
+        <translation>控制器的曲线为灰色</translation>
+    </message>
+    <message>
+        <source>Edited, active, saved</source>
+        <translation>编辑、运行、保存</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比较</translation>
+    </message>
+</context>
+<context>
+    <name>NameKeypad</name>
+    <message>
+        <source>anything</source>
+        <translation>任意</translation>
+    </message>
+</context>
+<context>
+    <name>NavigationBar</name>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>运动</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Service</source>
+        <translation>维护</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>配方</translation>
+    </message>
+    <message>
+        <source>Trends</source>
+        <translation>趋势</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>更多</translation>
+    </message>
+</context>
+<context>
+    <name>NewPinSheet</name>
+    <message>
+        <source>The two were not the same. Once more from the beginning.</source>
+        <translation>两次输入不同。请从头再输入。</translation>
+    </message>
+    <message>
+        <source>4 to 8 digits. Nobody can look it up later; somebody of the level Service can set a new one.</source>
+        <translation>4 至 8 位数字。以后无法查出；“维护”级用户可以设定新的 PIN。</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>再次输入</translation>
+    </message>
+    <message>
+        <source>New PIN</source>
+        <translation>新 PIN</translation>
+    </message>
+    <message>
+        <source>Type the same PIN again.</source>
+        <translation>请再次输入同一 PIN。</translation>
+    </message>
+    <message>
+        <source>Type the new PIN.</source>
+        <translation>请输入新 PIN。</translation>
+    </message>
+</context>
+<context>
+    <name>NewUserSheet</name>
+    <message>
+        <source>New user</source>
+        <translation>新用户</translation>
+    </message>
+    <message>
+        <source>The first user is of the level Service: may do everything and adds the others. Keep this PIN where it can be found again; nobody can read it out of the panel.</source>
+        <translation>第一个用户为“维护”级：可进行所有操作，并添加其他用户。请妥善保存此 PIN；任何人都无法从面板中读出。</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>On to the PIN</source>
+        <translation>下一步：PIN</translation>
+    </message>
+</context>
+<context>
+    <name>NextStepButton</name>
+    <message>
+        <source>Downloading</source>
+        <translation>正在下载</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation>已保存</translation>
+    </message>
+    <message>
+        <source>Download</source>
+        <translation>下载</translation>
+    </message>
+    <message>
+        <source>keep over power loss</source>
+        <translation>断电保持</translation>
+    </message>
+    <message>
+        <source>in the controller</source>
+        <translation>在控制器中</translation>
+    </message>
+    <message>
+        <source>next cycle</source>
+        <translation>下一循环</translation>
+    </message>
+    <message>
+        <source>to the controller</source>
+        <translation>到控制器</translation>
+    </message>
+    <message>
+        <source>no connection</source>
+        <translation>没有连接</translation>
+    </message>
+</context>
+<context>
+    <name>NumbersSheet</name>
+    <message>
+        <source>How these numbers come about</source>
+        <translation>这些数字的由来</translation>
+    </message>
+</context>
+<context>
+    <name>NumericKeypad</name>
+    <message>
+        <source>%1 to %2 · now %3</source>
+        <translation>%1 至 %2 · 当前 %3</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>默认</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>确定</translation>
+    </message>
+</context>
+<context>
+    <name>PackingRow</name>
+    <message>
+        <source>Take %1</source>
+        <translation>采用 %1</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>开</translation>
+    </message>
+</context>
+<context>
+    <name>PackingSection</name>
+    <message>
+        <source>Measure the marks</source>
+        <translation>测量色标</translation>
+    </message>
+    <message>
+        <source>Sensor to knife …</source>
+        <translation>传感器到切刀…</translation>
+    </message>
+    <message>
+        <source>Values are used at once. The controller keeps them over a power-off only after Save.</source>
+        <translation>数值立即生效。只有保存后，控制器断电才不丢失。</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+</context>
+<context>
+    <name>PackingSheet</name>
+    <message>
+        <source>Marks, cuts and film</source>
+        <translation>色标、切断与薄膜</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Mark error of the last cut</source>
+        <translation>上一次切断的色标误差</translation>
+    </message>
+    <message>
+        <source>Distance of the marks</source>
+        <translation>色标间距</translation>
+    </message>
+    <message>
+        <source>Shift of the next cut</source>
+        <translation>下一次切断的移动量</translation>
+    </message>
+    <message>
+        <source>Correction of the length</source>
+        <translation>袋长修正量</translation>
+    </message>
+    <message>
+        <source>Corrections at their limit</source>
+        <translation>达到限值的修正</translation>
+    </message>
+    <message>
+        <source>Marks followed</source>
+        <translation>已跟踪的色标</translation>
+    </message>
+    <message>
+        <source>Marks missing</source>
+        <translation>缺失的色标</translation>
+    </message>
+    <message>
+        <source>Marks where none belongs</source>
+        <translation>多余的色标</translation>
+    </message>
+    <message>
+        <source>Cuts and film</source>
+        <translation>切断与薄膜</translation>
+    </message>
+    <message>
+        <source>Products</source>
+        <translation>产品</translation>
+    </message>
+    <message>
+        <source>Cuts left out, product across</source>
+        <translation>因产品横在切刀处略过的切断</translation>
+    </message>
+    <message>
+        <source>Bags without product</source>
+        <translation>无产品的袋</translation>
+    </message>
+    <message>
+        <source>Film saved</source>
+        <translation>节省薄膜</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Following error of the knife</source>
+        <translation>切刀跟随误差</translation>
+    </message>
+    <message>
+        <source>Following error of the film</source>
+        <translation>薄膜跟随误差</translation>
+    </message>
+</context>
+<context>
+    <name>PagesSheet</name>
+    <message>
+        <source>More pages</source>
+        <translation>更多页面</translation>
+    </message>
+</context>
+<context>
+    <name>ParityPicker</name>
+    <message>
+        <source>Parity and stop bits</source>
+        <translation>校验位和停止位</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无校验</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>偶校验</translation>
+    </message>
+    <message>
+        <source>Odd</source>
+        <translation>奇校验</translation>
+    </message>
+    <message>
+        <source>1 stop bit</source>
+        <translation>1 位停止位</translation>
+    </message>
+    <message>
+        <source>2 stop bits</source>
+        <translation>2 位停止位</translation>
+    </message>
+</context>
+<context>
+    <name>PinPad</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>确定</translation>
+    </message>
+</context>
+<context>
+    <name>PinPanel</name>
+    <message>
+        <source>PIN</source>
+        <translation>PIN</translation>
+    </message>
+</context>
+<context>
+    <name>PortPicker</name>
+    <message>
+        <source>Serial port</source>
+        <translation>串口</translation>
+    </message>
+    <message>
+        <source>This computer has no serial port. Plug in the adapter and press Search again.</source>
+        <translation>本机没有串口。请插上转换器，再按“重新搜索”。</translation>
+    </message>
+    <message>
+        <source>Search again</source>
+        <translation>重新搜索</translation>
+    </message>
+</context>
+<context>
+    <name>ProofSheet</name>
+    <message>
+        <source>What the controller runs</source>
+        <translation>控制器运行的程序</translation>
+    </message>
+    <message>
+        <source>Edited on this panel</source>
+        <translation>本面板上编辑的</translation>
+    </message>
+    <message>
+        <source>%1 · v%2, values that differ from the active one: %3</source>
+        <translation>%1 · 第%2版，与运行中的有 %3 个值不同</translation>
+    </message>
+    <message>
+        <source>%1 · v%2</source>
+        <translation>%1 · 第%2版</translation>
+    </message>
+    <message>
+        <source>Active in the controller</source>
+        <translation>控制器中运行的</translation>
+    </message>
+    <message>
+        <source>Active in the controller when it was last heard</source>
+        <translation>最后一次收到时控制器中运行的</translation>
+    </message>
+    <message>
+        <source>Saved in the controller</source>
+        <translation>控制器中保存的</translation>
+    </message>
+    <message>
+        <source>Saved in the controller when it was last heard</source>
+        <translation>最后一次收到时控制器中保存的</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Compare with the controller</source>
+        <translation>与控制器比较</translation>
+    </message>
+</context>
+<context>
+    <name>RecipeCard</name>
+    <message>
+        <source>In the controller</source>
+        <translation>在控制器中</translation>
+    </message>
+    <message>
+        <source>Open on this panel</source>
+        <translation>已在面板上打开</translation>
+    </message>
+    <message>
+        <source>Stored on this panel</source>
+        <translation>已存于面板</translation>
+    </message>
+    <message>
+        <source>Rename …</source>
+        <translation>改名…</translation>
+    </message>
+    <message>
+        <source>Copy …</source>
+        <translation>复制…</translation>
+    </message>
+    <message>
+        <source>Versions</source>
+        <translation>版本</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>Delete …</source>
+        <translation>删除…</translation>
+    </message>
+    <message>
+        <source>Export …</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>Download …</source>
+        <translation>下载…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+</context>
+<context>
+    <name>RecipeComparisonSheet</name>
+    <message>
+        <source>Versions of %1</source>
+        <translation>%1 的版本</translation>
+    </message>
+    <message>
+        <source>Compare %1</source>
+        <translation>比较 %1</translation>
+    </message>
+    <message>
+        <source>What it changed</source>
+        <translation>此版改动</translation>
+    </message>
+    <message>
+        <source>To the newest</source>
+        <translation>与最新版</translation>
+    </message>
+    <message>
+        <source>There is no difference.</source>
+        <translation>没有差别。</translation>
+    </message>
+    <message>
+        <source>There is nothing to compare with yet.</source>
+        <translation>还没有可比较的配方。</translation>
+    </message>
+    <message>
+        <source>Choose at the left.</source>
+        <translation>请在左侧选择。</translation>
+    </message>
+    <message>
+        <source>This is the newest version.</source>
+        <translation>这是最新版本。</translation>
+    </message>
+    <message>
+        <source>This is the first version.</source>
+        <translation>这是第一个版本。</translation>
+    </message>
+    <message>
+        <source>Open this version</source>
+        <translation>打开此版本</translation>
+    </message>
+</context>
+<context>
+    <name>RecipeImportSheet</name>
+    <message>
+        <source>Import a recipe</source>
+        <translation>导入配方</translation>
+    </message>
+    <message>
+        <source>Looking …</source>
+        <translation>正在查找…</translation>
+    </message>
+    <message>
+        <source>Choose a file to see what is in it.</source>
+        <translation>选择文件以查看其内容。</translation>
+    </message>
+    <message>
+        <source>There is no recipe file on a USB stick or in %1. Plug in a stick: it is found by itself.</source>
+        <translation>U盘和 %1 中都没有配方文件。请插入U盘，系统会自动找到。</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>导入</translation>
+    </message>
+</context>
+<context>
+    <name>RecipeRow</name>
+    <message>
+        <source>v%1 · %2</source>
+        <translation>第%1版 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>RecipesPage</name>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>all %1 recipes</source>
+        <translation>全部 %1 个配方</translation>
+    </message>
+    <message>
+        <source>New …</source>
+        <translation>新建…</translation>
+    </message>
+    <message>
+        <source>Import …</source>
+        <translation>导入…</translation>
+    </message>
+    <message>
+        <source>Export all …</source>
+        <translation>全部导出…</translation>
+    </message>
+    <message>
+        <source>%1 was edited and is not saved.</source>
+        <translation>%1 已修改，尚未保存。</translation>
+    </message>
+    <message>
+        <source>Bring back</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>确定</translation>
+    </message>
+    <message>
+        <source>Save as …</source>
+        <translation>另存为…</translation>
+    </message>
+    <message>
+        <source>Save as version %1</source>
+        <translation>保存为第%1版</translation>
+    </message>
+    <message>
+        <source>The recipes are being read …</source>
+        <translation>正在读取配方…</translation>
+    </message>
+    <message>
+        <source>No recipe has &quot;%1&quot; in its name. Change or clear the search.</source>
+        <translation>没有名称含“%1”的配方。请更改或清除搜索。</translation>
+    </message>
+    <message>
+        <source>There is no recipe yet. Make a new one, or import one from a USB stick.</source>
+        <translation>还没有配方。请新建，或从U盘导入。</translation>
+    </message>
+    <message>
+        <source>%1 copy</source>
+        <translation>%1 副本</translation>
+    </message>
+    <message>
+        <source>Search for a recipe</source>
+        <translation>搜索配方</translation>
+    </message>
+    <message>
+        <source>1 recipe</source>
+        <translation>1 个配方</translation>
+    </message>
+    <message>
+        <source>%1 recipes</source>
+        <translation>%1 个配方</translation>
+    </message>
+    <message>
+        <source>A new recipe of this kind, with the data of this machine</source>
+        <translation>此类型的新配方，采用本机数据</translation>
+    </message>
+    <message>
+        <source>Name of the new recipe</source>
+        <translation>新配方的名称</translation>
+    </message>
+    <message>
+        <source>Name of the copy</source>
+        <translation>副本的名称</translation>
+    </message>
+    <message>
+        <source>Save under another name</source>
+        <translation>以其他名称保存</translation>
+    </message>
+    <message>
+        <source>New name of %1</source>
+        <translation>%1 的新名称</translation>
+    </message>
+    <message>
+        <source>Export as JSON</source>
+        <translation>导出为 JSON</translation>
+    </message>
+    <message>
+        <source>Delete %1?</source>
+        <translation>删除 %1？</translation>
+    </message>
+    <message>
+        <source>It leaves the list. Its versions are kept: it comes back when a recipe is saved under its name.</source>
+        <translation>它将从列表中移除，但各版本仍保留：以同名保存配方时会恢复。</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>%1 is not saved</source>
+        <translation>%1 尚未保存</translation>
+    </message>
+    <message>
+        <source>It was edited. If another recipe is opened without saving, the edits are gone.</source>
+        <translation>配方已修改。如不保存就打开其他配方，修改将丢失。</translation>
+    </message>
+    <message>
+        <source>Discard edits</source>
+        <translation>放弃修改</translation>
+    </message>
+</context>
+<context>
+    <name>RegistersSection</name>
+    <message>
+        <source>Group</source>
+        <translation>组</translation>
+    </message>
+    <message>
+        <source>Name contains</source>
+        <translation>名称包含</translation>
+    </message>
+    <message>
+        <source>anything</source>
+        <translation>任意</translation>
+    </message>
+    <message>
+        <source>No register has this in its name.</source>
+        <translation>没有名称包含此内容的寄存器。</translation>
+    </message>
+    <message>
+        <source>Write …</source>
+        <translation>写入…</translation>
+    </message>
+    <message>
+        <source>Group of registers</source>
+        <translation>寄存器组</translation>
+    </message>
+    <message>
+        <source>%1 registers</source>
+        <translation>%1 个寄存器</translation>
+    </message>
+</context>
+<context>
+    <name>ReportFilesSheet</name>
+    <message>
+        <source>Looking …</source>
+        <translation>正在查找…</translation>
+    </message>
+    <message>
+        <source>Choose the place of the new files.</source>
+        <translation>请选择新文件的位置。</translation>
+    </message>
+    <message>
+        <source>Write file</source>
+        <translation>写入文件</translation>
+    </message>
+</context>
+<context>
+    <name>RestoreSheet</name>
+    <message>
+        <source>Restore a backup</source>
+        <translation>恢复备份</translation>
+    </message>
+    <message>
+        <source>Checking …</source>
+        <translation>正在检查…</translation>
+    </message>
+    <message>
+        <source>Looking …</source>
+        <translation>正在查找…</translation>
+    </message>
+    <message>
+        <source>Choose a file to see what is in it.</source>
+        <translation>选择一个文件查看其内容。</translation>
+    </message>
+    <message>
+        <source>Check and restore</source>
+        <translation>检查并恢复</translation>
+    </message>
+    <message>
+        <source>There is no backup on a USB stick or on this panel. Plug in a stick: it is found by itself.</source>
+        <translation>U 盘和本面板上都没有备份。插入 U 盘即可自动找到。</translation>
+    </message>
+</context>
+<context>
+    <name>RunAxis</name>
+    <message>
+        <source>Speed mm/s</source>
+        <translation>速度 mm/s</translation>
+    </message>
+    <message>
+        <source>Position mm</source>
+        <translation>位置 mm</translation>
+    </message>
+    <message>
+        <source>cycles</source>
+        <translation>周期数</translation>
+    </message>
+    <message>
+        <source>moves</source>
+        <translation>运动次数</translation>
+    </message>
+    <message>
+        <source>Master speed %</source>
+        <translation>主轴速度 %</translation>
+    </message>
+    <message>
+        <source>Axis speed mm/s</source>
+        <translation>轴速度 mm/s</translation>
+    </message>
+</context>
+<context>
+    <name>RunCutter</name>
+    <message>
+        <source>bags/min</source>
+        <translation>袋/分</translation>
+    </message>
+    <message>
+        <source>bags</source>
+        <translation>袋数</translation>
+    </message>
+    <message>
+        <source>Knife speed mm/s</source>
+        <translation>切刀速度 mm/s</translation>
+    </message>
+</context>
+<context>
+    <name>RunEmpty</name>
+    <message>
+        <source>The controller has no program yet. Open Motion and press Download.</source>
+        <translation>控制器中还没有程序。请打开“运动”并按“下载”。</translation>
+    </message>
+</context>
+<context>
+    <name>RunPacking</name>
+    <message>
+        <source>bags/min · %1 bags</source>
+        <translation>袋/分 · 共 %1 袋</translation>
+    </message>
+    <message>
+        <source>Knife speed mm/s</source>
+        <translation>切刀速度 mm/s</translation>
+    </message>
+</context>
+<context>
+    <name>RunPress</name>
+    <message>
+        <source>Force N</source>
+        <translation>力 N</translation>
+    </message>
+    <message>
+        <source>Position mm</source>
+        <translation>位置 mm</translation>
+    </message>
+    <message>
+        <source>good of the last strokes</source>
+        <translation>合格数 / 最近行程数</translation>
+    </message>
+</context>
+<context>
+    <name>ServicePage</name>
+    <message>
+        <source>Link doctor</source>
+        <translation>线路诊断</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation>寄存器</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>故障模拟</translation>
+    </message>
+    <message>
+        <source>Packing</source>
+        <translation>包装</translation>
+    </message>
+    <message>
+        <source>Backup</source>
+        <translation>备份</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>点动</translation>
+    </message>
+    <message>
+        <source>Homing</source>
+        <translation>回零</translation>
+    </message>
+    <message>
+        <source>I/O</source>
+        <translation>输入输出</translation>
+    </message>
+    <message>
+        <source>Dry run</source>
+        <translation>空运行</translation>
+    </message>
+</context>
+<context>
+    <name>SettingsPage</name>
+    <message>
+        <source>Display</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>通信</translation>
+    </message>
+    <message>
+        <source>simulated or serial port</source>
+        <translation>模拟或串口</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>机器</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>关于</translation>
+    </message>
+    <message>
+        <source>version, safety</source>
+        <translation>版本、安全</translation>
+    </message>
+    <message>
+        <source>drive, gear, motor limits</source>
+        <translation>驱动、减速比、电机限值</translation>
+    </message>
+    <message>
+        <source>Users</source>
+        <translation>用户</translation>
+    </message>
+    <message>
+        <source>PINs, levels, audit</source>
+        <translation>PIN、级别、审计</translation>
+    </message>
+    <message>
+        <source>language, theme, gloves</source>
+        <translation>语言、主题、手套</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>系统</translation>
+    </message>
+    <message>
+        <source>brightness, clock, network</source>
+        <translation>亮度、时钟、网络</translation>
+    </message>
+</context>
+<context>
+    <name>ShelvedList</name>
+    <message>
+        <source>%1 · %2 · by %3</source>
+        <translation>%1 · %2 · %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>取消搁置</translation>
+    </message>
+    <message>
+        <source>Nothing is shelved. A warning that is known about and does not stop the machine can be shelved for some hours: tap it in the list.</source>
+        <translation>没有搁置的报警。已知情且不会停机的警告可以搁置几小时：请在列表中点按它。</translation>
+    </message>
+</context>
+<context>
+    <name>SpeedCard</name>
+    <message>
+        <source>following error %1 mm</source>
+        <translation>跟随误差 %1 mm</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>actual</source>
+        <translation>实际</translation>
+    </message>
+    <message>
+        <source>error %1 mm</source>
+        <translation>误差 %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>SpeedKeypad</name>
+    <message>
+        <source>The frequency is from %1 to %2 Hz.</source>
+        <translation>频率范围为 %1 到 %2 Hz。</translation>
+    </message>
+</context>
+<context>
+    <name>StrokeCard</name>
+    <message>
+        <source>Stroke</source>
+        <translation>行程</translation>
+    </message>
+    <message>
+        <source>Error mm</source>
+        <translation>误差 mm</translation>
+    </message>
+    <message>
+        <source>Force N</source>
+        <translation>力 N</translation>
+    </message>
+    <message>
+        <source>Each stroke is listed here when it ends.</source>
+        <translation>每个行程结束后列在此处。</translation>
+    </message>
+</context>
+<context>
+    <name>SystemSection</name>
+    <message>
+        <source>Screen and system</source>
+        <translation>屏幕与系统</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>亮度</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Dark after so many minutes without a touch, when nothing moves</source>
+        <translation>设备静止且无触摸达到该分钟数后熄屏</translation>
+    </message>
+    <message>
+        <source>Never</source>
+        <translation>从不</translation>
+    </message>
+    <message>
+        <source>Wipe the screen</source>
+        <translation>擦拭屏幕</translation>
+    </message>
+    <message>
+        <source>Clock</source>
+        <translation>时钟</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>Network</source>
+        <translation>网络</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>未连接</translation>
+    </message>
+    <message>
+        <source>Clock and network are set in the system.</source>
+        <translation>时钟和网络在系统中设置。</translation>
+    </message>
+    <message>
+        <source>Clock and network are set in the system. This screen has no brightness that could be set here.</source>
+        <translation>时钟和网络在系统中设置。此屏幕的亮度不能在这里调节。</translation>
+    </message>
+</context>
+<context>
+    <name>TextKeyboard</name>
+    <message>
+        <source>abc</source>
+        <translation>abc</translation>
+    </message>
+    <message>
+        <source>123</source>
+        <translation>123</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>空格</translation>
+    </message>
+</context>
+<context>
+    <name>ToleranceKeypad</name>
+    <message>
+        <source>Bag tolerance ±</source>
+        <translation>袋长允差 ±</translation>
+    </message>
+    <message>
+        <source>The tolerance is from %1 to %2 mm.</source>
+        <translation>允差范围为 %1 至 %2 mm。</translation>
+    </message>
+</context>
+<context>
+    <name>TopBar</name>
+    <message>
+        <source>%1 · v%2</source>
+        <translation>%1 · 第%2版</translation>
+    </message>
+    <message>
+        <source>Edited</source>
+        <translation>已修改</translation>
+    </message>
+    <message>
+        <source>%1 s ago</source>
+        <translation>%1 秒前</translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation>模拟</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/秒</translation>
+    </message>
+    <message>
+        <source>in the controller: %1 · v%2</source>
+        <translation>控制器中：%1 · 第%2版</translation>
+    </message>
+</context>
+<context>
+    <name>TrendCard</name>
+    <message>
+        <source>nothing recorded in this time</source>
+        <translation>此时段无记录</translation>
+    </message>
+    <message>
+        <source>n %1 · mean %2 · scatter %3 · %4 … %5 · %6 % within</source>
+        <translation>n %1 · 平均 %2 · 离散 %3 · %4 … %5 · 合格 %6 %</translation>
+    </message>
+    <message>
+        <source>n %1 · mean %2 · scatter %3 · %4 … %5</source>
+        <translation>n %1 · 平均 %2 · 离散 %3 · %4 … %5</translation>
+    </message>
+    <message>
+        <source>%1 · nothing recorded</source>
+        <translation>%1 · 无记录</translation>
+    </message>
+    <message>
+        <source>%1 · mean %2 · %3 … %4</source>
+        <translation>%1 · 平均 %2 · %3 … %4</translation>
+    </message>
+    <message>
+        <source>Nothing of these curves has been recorded yet. Press Start, or choose others with Curves.</source>
+        <translation>这些曲线尚无记录。请按“启动”，或通过“曲线”选择其他曲线。</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded in this time. Press Now, or − for a longer time.</source>
+        <translation>此时段无记录。请按“现在”，或按 − 查看更长时段。</translation>
+    </message>
+</context>
+<context>
+    <name>TrendCurvesSheet</name>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Up to three; one more takes the place of the lowest.</source>
+        <translation>最多三条；再选一条将替换最下面的一条。</translation>
+    </message>
+</context>
+<context>
+    <name>TrendWords</name>
+    <message>
+        <source>Bag length mm</source>
+        <translation>袋长 mm</translation>
+    </message>
+    <message>
+        <source>Deviation mm</source>
+        <translation>偏差 mm</translation>
+    </message>
+    <message>
+        <source>Mark error mm</source>
+        <translation>色标误差 mm</translation>
+    </message>
+    <message>
+        <source>Following error mm</source>
+        <translation>跟随误差 mm</translation>
+    </message>
+    <message>
+        <source>Rate bags/min</source>
+        <translation>速率 袋/分</translation>
+    </message>
+    <message>
+        <source>Time of answers ms</source>
+        <translation>应答时间 ms</translation>
+    </message>
+    <message>
+        <source>of each bag, of one length of it</source>
+        <translation>每一袋，按单个袋长计</translation>
+    </message>
+    <message>
+        <source>of each bag from the length that was set</source>
+        <translation>每一袋与设定袋长之差</translation>
+    </message>
+    <message>
+        <source>of each cut from its printed mark</source>
+        <translation>每次切断与印刷色标之差</translation>
+    </message>
+    <message>
+        <source>of the knife, while it turns</source>
+        <translation>切刀转动时</translation>
+    </message>
+    <message>
+        <source>of the master, 0 at standstill</source>
+        <translation>主轴的速率，停止时为 0</translation>
+    </message>
+    <message>
+        <source>of the controller to the panel&apos;s questions</source>
+        <translation>控制器回答面板询问所需的时间</translation>
+    </message>
+</context>
+<context>
+    <name>TrendsPage</name>
+    <message>
+        <source>10 min</source>
+        <translation>10 分钟</translation>
+    </message>
+    <message>
+        <source>1 h</source>
+        <translation>1 小时</translation>
+    </message>
+    <message>
+        <source>8 h</source>
+        <translation>8 小时</translation>
+    </message>
+    <message>
+        <source>1 day</source>
+        <translation>1 天</translation>
+    </message>
+    <message>
+        <source>7 days</source>
+        <translation>7 天</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation>CSV</translation>
+    </message>
+    <message>
+        <source>%1 –
 %2</source>
-            <comment>from, to</comment>
-            <translation>%1 –
+        <comment>from, to</comment>
+        <translation>%1 –
 %2</translation>
-        </message>
-        <message>
-            <source>Now</source>
-            <translation>现在</translation>
-        </message>
-        <message>
-            <source>Bags and trends as CSV</source>
-            <translation>袋记录和趋势 CSV</translation>
-        </message>
-    </context>
-    <context>
-        <name>UnitKeypad</name>
-        <message>
-            <source>Unit</source>
-            <translation>站号</translation>
-        </message>
-        <message>
-            <source>The unit is from %1 to %2.</source>
-            <translation>站号范围为 %1 至 %2。</translation>
-        </message>
-    </context>
-    <context>
-        <name>UserSheet</name>
-        <message>
-            <source>Yes, remove</source>
-            <translation>确认删除</translation>
-        </message>
-        <message>
-            <source>Remove</source>
-            <translation>删除</translation>
-        </message>
-        <message>
-            <source>New PIN</source>
-            <translation>新 PIN</translation>
-        </message>
-    </context>
-    <context>
-        <name>UsersSection</name>
-        <message>
-            <source>Users</source>
-            <translation>用户</translation>
-        </message>
-        <message>
-            <source>No PIN is set: everybody may do everything. With the first user that changes. Viewing and Stop never need a login.</source>
-            <translation>尚未设定 PIN：任何人都可进行所有操作。添加第一个用户后即有限制。查看和停止始终无需登录。</translation>
-        </message>
-        <message>
-            <source>%1 · %2</source>
-            <translation>%1 · %2</translation>
-        </message>
-        <message>
-            <source>Nobody logged in · %1</source>
-            <translation>无人登录 · %1</translation>
-        </message>
-        <message>
-            <source>Log out</source>
-            <translation>退出</translation>
-        </message>
-        <message>
-            <source>Log in</source>
-            <translation>登录</translation>
-        </message>
-        <message>
-            <source>Add a user</source>
-            <translation>添加用户</translation>
-        </message>
-        <message>
-            <source>Log out by itself after</source>
-            <translation>自动退出时间</translation>
-        </message>
-        <message>
-            <source>%1 min</source>
-            <translation>%1 分钟</translation>
-        </message>
-        <message>
-            <source>Without a login</source>
-            <translation>未登录时</translation>
-        </message>
-        <message>
-            <source>look and stop</source>
-            <translation>查看和停止</translation>
-        </message>
-        <message>
-            <source>operate</source>
-            <translation>操作</translation>
-        </message>
-        <message>
-            <source>Who changed what</source>
-            <translation>何人改动何项</translation>
-        </message>
-        <message>
-            <source>Audit trail</source>
-            <translation>审计记录</translation>
-        </message>
-        <message>
-            <source>New PIN</source>
-            <translation>新 PIN</translation>
-        </message>
-        <message>
-            <source>Name of the user</source>
-            <translation>用户名称</translation>
-        </message>
-        <message>
-            <source>PIN of %1</source>
-            <translation>%1 的 PIN</translation>
-        </message>
-        <message>
-            <source>Operate</source>
-            <translation>操作</translation>
-        </message>
-        <message>
-            <source>Look and stop</source>
-            <translation>查看和停止</translation>
-        </message>
-        <message>
-            <source>operators log in too</source>
-            <translation>操作员也须登录</translation>
-        </message>
-        <message>
-            <source>Audit trail as CSV</source>
-            <translation>审计记录 CSV</translation>
-        </message>
-        <message>
-            <source>First user</source>
-            <translation>第一个用户</translation>
-        </message>
-        <message>
-            <source>Log out without a touch after</source>
-            <translation>无触摸多久后退出</translation>
-        </message>
-    </context>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>现在</translation>
+    </message>
+    <message>
+        <source>Bags and trends as CSV</source>
+        <translation>袋记录和趋势 CSV</translation>
+    </message>
+</context>
+<context>
+    <name>UnitKeypad</name>
+    <message>
+        <source>Unit</source>
+        <translation>站号</translation>
+    </message>
+    <message>
+        <source>The unit is from %1 to %2.</source>
+        <translation>站号范围为 %1 至 %2。</translation>
+    </message>
+</context>
+<context>
+    <name>UserSheet</name>
+    <message>
+        <source>Yes, remove</source>
+        <translation>确认删除</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>New PIN</source>
+        <translation>新 PIN</translation>
+    </message>
+</context>
+<context>
+    <name>UsersSection</name>
+    <message>
+        <source>Users</source>
+        <translation>用户</translation>
+    </message>
+    <message>
+        <source>No PIN is set: everybody may do everything. With the first user that changes. Viewing and Stop never need a login.</source>
+        <translation>尚未设定 PIN：任何人都可进行所有操作。添加第一个用户后即有限制。查看和停止始终无需登录。</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Nobody logged in · %1</source>
+        <translation>无人登录 · %1</translation>
+    </message>
+    <message>
+        <source>Log out</source>
+        <translation>退出</translation>
+    </message>
+    <message>
+        <source>Log in</source>
+        <translation>登录</translation>
+    </message>
+    <message>
+        <source>Add a user</source>
+        <translation>添加用户</translation>
+    </message>
+    <message>
+        <source>Log out by itself after</source>
+        <translation>自动退出时间</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 分钟</translation>
+    </message>
+    <message>
+        <source>Without a login</source>
+        <translation>未登录时</translation>
+    </message>
+    <message>
+        <source>look and stop</source>
+        <translation>查看和停止</translation>
+    </message>
+    <message>
+        <source>operate</source>
+        <translation>操作</translation>
+    </message>
+    <message>
+        <source>Who changed what</source>
+        <translation>何人改动何项</translation>
+    </message>
+    <message>
+        <source>Audit trail</source>
+        <translation>审计记录</translation>
+    </message>
+    <message>
+        <source>New PIN</source>
+        <translation>新 PIN</translation>
+    </message>
+    <message>
+        <source>Name of the user</source>
+        <translation>用户名称</translation>
+    </message>
+    <message>
+        <source>PIN of %1</source>
+        <translation>%1 的 PIN</translation>
+    </message>
+    <message>
+        <source>Operate</source>
+        <translation>操作</translation>
+    </message>
+    <message>
+        <source>Look and stop</source>
+        <translation>查看和停止</translation>
+    </message>
+    <message>
+        <source>operators log in too</source>
+        <translation>操作员也须登录</translation>
+    </message>
+    <message>
+        <source>Audit trail as CSV</source>
+        <translation>审计记录 CSV</translation>
+    </message>
+    <message>
+        <source>First user</source>
+        <translation>第一个用户</translation>
+    </message>
+    <message>
+        <source>Log out without a touch after</source>
+        <translation>无触摸多久后退出</translation>
+    </message>
+</context>
+<context>
+    <name>WipeCover</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>Wipe the screen now. Touches do nothing until the time is over; only Stop works.</source>
+        <translation>现在请擦拭屏幕。计时结束前触摸无效，只有停止键有效。</translation>
+    </message>
+</context>
 </TS>

@@ -109,6 +109,24 @@ private slots:
         QCOMPARE(panel.complaints(), QStringList());
     }
 
+    void aRecipeHasAChineseName()
+    {
+        const ControllerProcess controller;
+        PanelWindow panel(controller.port());
+        waitForRecipes(panel, 1);
+        panel.tap("nav4");
+        panel.tap("recipeRename");
+        panel.tap("textChinese");
+        typeText(panel, QStringLiteral("binggan"));
+        QVERIFY2(panel.texts().contains(QStringLiteral("bing'gan")), qPrintable(panel.texts()));
+        panel.tap("textAccept"); // the likeliest
+        panel.tap("textChinese");
+        typeText(panel, QStringLiteral(" xl"));
+        panel.tap("textAccept");
+        QTRY_COMPARE_WITH_TIMEOUT(panel.editor().recipeName(), QStringLiteral("饼干 xl"), timeoutMs);
+        QCOMPARE(panel.complaints(), QStringList());
+    }
+
     void aNewRecipeRunsAndIsChanged()
     {
         const ControllerProcess controller;

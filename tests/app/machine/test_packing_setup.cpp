@@ -15,6 +15,7 @@ using machine::MarkWizard;
 using machine::PackingFields;
 using machine::PackingSetup;
 using Step = MarkWizard::Step;
+using namespace std::chrono_literals;
 
 namespace {
 
@@ -264,8 +265,16 @@ private slots:
         QCOMPARE(rig.link.parameters.last().value, 903.0);
         rig.answerParameters();
         QCOMPARE(rig.wizard().step(), Step::Watch);
-        rig.cutBags(6, 3.0); // their marks had passed the sensor before
-        rig.cutBags(5, 0.1);
+        // Read before the write, told after it: of the old distance.
+        rig.now -= 10ms;
+        rig.cutBags(7, 0.0);
+        rig.now += 10ms;
+        rig.tell();
+        rig.cutBags(6, 0.0); // their marks had passed the sensor before
+        rig.cutBags(4, 3.0); // on their way
+        rig.cutBags(4, 0.1);
+        QCOMPARE(rig.wizard().step(), Step::Watch);
+        rig.cutBags(1, 0.1);
         QCOMPARE(rig.wizard().step(), Step::Done);
         QCOMPARE(rig.wizard().newText(), "903.00 mm");
         QVERIFY(rig.fields().unsaved());
@@ -367,7 +376,10 @@ private slots:
         rig.wizard().goOn();
         rig.wizard().goOn();
         rig.answerParameters();
-        rig.cutBags(11, 0.9);
+        rig.tell();
+        rig.cutBags(6 + 1 + 20 + 5 - 1, 0.9);
+        QCOMPARE(rig.wizard().step(), Step::Watch);
+        rig.cutBags(1, 0.9);
         QCOMPARE(rig.wizard().step(), Step::Failed);
         QVERIFY2(rig.wizard().text().contains("0.90 mm"), qPrintable(rig.wizard().text()));
     }

@@ -82,6 +82,45 @@ private slots:
     }
 
     // While a finger drags, the list of all recipes is left alone.
+    void changesAreNotedForTheAuditTrail()
+    {
+        RecipesRig rig;
+        QSignalSpy noted(&rig.recipes, &Recipes::noted);
+        const auto last = [&] { return noted.last().first().value<store::AuditEntry>(); };
+        rig.editor.bagLength()->set(240);
+        rig.recipes.save();
+        QTRY_COMPARE(noted.count(), 1);
+        QCOMPARE(last().what, QStringLiteral("recipe.save"));
+        QCOMPARE(last().object, QStringLiteral("Biscuit 250"));
+        QVERIFY2(last().before.startsWith(QStringLiteral("version 1: ")) &&
+                     last().before.contains(QStringLiteral("bag_length_mm 250")),
+                 qPrintable(last().before));
+        QVERIFY2(last().after.startsWith(QStringLiteral("version 2: ")) &&
+                     last().after.contains(QStringLiteral("bag_length_mm 240")),
+                 qPrintable(last().after));
+        QVERIFY(!last().after.contains(QStringLiteral("law")));
+        QCOMPARE(last().readBack, QStringLiteral("version 2"));
+
+        rig.create(QStringLiteral("Soap"));
+        QCOMPARE(noted.count(), 2);
+        QCOMPARE(last().what, QStringLiteral("recipe.new"));
+        QCOMPARE(last().object, QStringLiteral("Soap"));
+        rig.recipes.setWantedName(QStringLiteral("Hand soap"));
+        rig.recipes.rename();
+        QTRY_COMPARE(noted.count(), 3);
+        QCOMPARE(last().what, QStringLiteral("recipe.rename"));
+        QCOMPARE(last().before, QStringLiteral("Soap"));
+        QCOMPARE(last().after, QStringLiteral("Hand soap"));
+        QTRY_COMPARE(rig.recipes.chosenName(), QStringLiteral("Hand soap"));
+        rig.recipes.remove();
+        QTRY_COMPARE(noted.count(), 4);
+        QCOMPARE(last().what, QStringLiteral("recipe.delete"));
+        rig.recipes.restore();
+        QTRY_COMPARE(noted.count(), 5);
+        QCOMPARE(last().what, QStringLiteral("recipe.restore"));
+        QCOMPARE(last().object, QStringLiteral("Hand soap"));
+    }
+
     void isNotMadeAnewByEachStepOfAnEdit()
     {
         RecipesRig rig;

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// One text as a field of a CSV line (RFC 4180).
+#pragma once
+
+#include <QString>
+
+namespace campanel::store {
+
+// Between quotation marks when it has to be.
+[[nodiscard]] inline QString csvField(const QString& text)
+{
+    if (!text.contains(u',') && !text.contains(u'"') && !text.contains(u'\n') && !text.contains(u'\r'))
+        return text;
+    QString doubled = text;
+    return u'"' + doubled.replace(u'"', QStringLiteral("\"\"")) + u'"';
+}
+
+} // namespace campanel::store

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// The screen itself, and the computer behind it: brightness, going dark, wiping; clock and network to look at.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+SettingsSection {
+    id: section
+
+    readonly property list<int> brightnesses: Display.brightnessChoices
+    readonly property list<int> waits: Display.darkChoices
+
+    title: qsTr("Screen and system")
+
+    component Caption: Label {
+        width: parent.width
+        fontSizeMode: Text.HorizontalFit
+        minimumPixelSize: Theme.size.caption - 2
+        color: Theme.color.secondaryInk
+    }
+    component Fact: Row {
+        id: fact
+        property string label
+        property string text
+        width: parent.width
+        spacing: Theme.size.spacing
+        Label {
+            id: name
+            width: Math.round(fact.width / 4)
+            elide: Text.ElideRight
+            text: fact.label
+            color: Theme.color.secondaryInk
+        }
+        Label {
+            width: fact.width - name.width - fact.spacing
+            wrapMode: Text.Wrap
+            maximumLineCount: 3
+            elide: Text.ElideRight
+            text: fact.text
+        }
+    }
+
+    SystemFacts { id: facts }
+    Column {
+        y: section.bodyTop
+        width: parent.width
+        spacing: Theme.size.spacing
+        Caption {
+            visible: Display.adjustable
+            text: qsTr("Brightness")
+        }
+        Segmented {
+            visible: Display.adjustable
+            objectName: "brightnessChoice"
+            width: parent.width
+            choices: section.brightnesses.map(percent => ({ key: percent, text: qsTr("%1 %").arg(percent), name: "brightness" + percent }))
+            current: Display.brightness
+            onChosen: key => Display.brightness = key
+        }
+        Caption { text: qsTr("Dark after so many minutes without a touch, when nothing moves") }
+        Row {
+            id: darkRow
+            width: parent.width
+            spacing: Theme.size.gap
+            Segmented {
+                objectName: "darkChoice"
+                width: darkRow.width - wipeKey.width - darkRow.spacing
+                choices: section.waits.map(minutes => ({ key: minutes, text: minutes === 0 ? qsTr("Never") : String(minutes), name: "dark" + minutes }))
+                current: Display.darkAfterMinutes
+                onChosen: key => Display.darkAfterMinutes = key
+            }
+            Button {
+                id: wipeKey
+                objectName: "wipeScreen"
+                text: qsTr("Wipe the screen")
+                onClicked: Display.wipe()
+            }
+        }
+        Item { width: 1; height: Theme.size.spacing }
+        Fact {
+            label: qsTr("Clock")
+            text: qsTr("%1, %2").arg(facts.clockText).arg(facts.zoneText)
+        }
+        Fact {
+            label: qsTr("Network")
+            text: facts.networks.length > 0 ? facts.networks.join("\n") : qsTr("not connected")
+        }
+        Caption {
+            wrapMode: Text.Wrap
+            fontSizeMode: Text.FixedSize
+            text: Display.adjustable ? qsTr("Clock and network are set in the system.")
+                : qsTr("Clock and network are set in the system. This screen has no brightness that could be set here.")
+        }
+    }
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Over all that a wiping cloth must not touch, for as long as Display says.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Machine
+
+Rectangle {
+    color: Theme.color.surface
+
+    MouseArea { anchors.fill: parent }
+    Column {
+        anchors.centerIn: parent
+        width: parent.width - 2 * Theme.size.gap
+        spacing: Theme.size.gap
+        Label {
+            objectName: "wipeCountdown"
+            width: parent.width
+            horizontalAlignment: Text.AlignHCenter
+            text: qsTr("%1 s").arg(Display.wipeSeconds)
+            font { pixelSize: Theme.size.hero; bold: true }
+        }
+        Label {
+            width: parent.width
+            horizontalAlignment: Text.AlignHCenter
+            wrapMode: Text.Wrap
+            text: qsTr("Wipe the screen now. Touches do nothing until the time is over; only Stop works.")
+        }
+    }
+}

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// The panel's own classes without its window, changing the bag length and downloading for ever, and saying
+// what is confirmed: to be killed at any moment. Arguments: folder, port.
+#include "app/link/threaded_link.h"
+#include "app/machine/access.h"
+#include "app/machine/audit_trail.h"
+#include "app/machine/editor.h"
+#include "app/machine/machine.h"
+#include "app/machine/recipes.h"
+#include "app/machine/records.h"
+#include "app/machine/service.h"
+#include "app/machine/settings.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QTimer>
+
+#include <cstdio>
+
+using namespace campanel;
+using machine::Editor;
+
+namespace {
+
+constexpr std::chrono::milliseconds rest{20};
+constexpr double shortestMm = 200;
+constexpr double longestMm = 230;
+constexpr double rateBagsPerMin = 180;
+
+void say(const char* what, const QString& value)
+{
+    std::printf("%s %s\n", what, qPrintable(value));
+    std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    QCoreApplication application(argc, argv);
+    const QString folder = QCoreApplication::arguments().value(1);
+    link::ThreadedLink link(nullptr);
+    machine::Settings settings(QDir(folder).filePath(QStringLiteral("settings.ini")), nullptr);
+    machine::Machine machine(link, settings, nullptr);
+    Editor editor(machine, folder, nullptr);
+    machine::Records records(folder, nullptr);
+    machine::Recipes recipes(machine, editor, records, folder, nullptr);
+    machine::Service service(machine, settings, folder, nullptr);
+    machine::Access access(records, machine, settings, nullptr);
+    machine::AuditTrail trail(records, {machine, editor, settings, service, access}, nullptr);
+
+    QObject::connect(&recipes, &machine::Recipes::noted, &trail, &machine::AuditTrail::note);
+    QObject::connect(&recipes, &machine::Recipes::noted,
+                     [](const store::AuditEntry& entry) { say("recipe", entry.readBack.section(u' ', 1)); });
+    QObject::connect(&trail, &machine::AuditTrail::appended, [](const store::AuditRow& row) {
+        say("audit", QString::number(row.sequence));
+        // "generation 7 · CRC-32 1A2B3C4D"
+        if (row.entry.what == u"program.download" && row.entry.outcome == u"done")
+            say("program",
+                row.entry.readBack.section(u' ', 1, 1) + u' ' + row.entry.readBack.section(u' ', -1));
+    });
+    bool isUnderWay = false;
+    QObject::connect(&editor, &Editor::downloadEnded, [&] { isUnderWay = false; });
+    QObject::connect(&editor, &Editor::downloadBegun, [&](const program::ProgramImage& image) {
+        isUnderWay = true;
+        say("begun", QString::number(image.crc, 16).toUpper().rightJustified(8, u'0'));
+    });
+    QTimer next;
+    next.callOnTimeout(&application, [&] {
+        if (!machine.isConnected() || isUnderWay)
+            return;
+        const double lengthMm = editor.bagLength()->value();
+        editor.bagLength()->set(lengthMm < shortestMm || lengthMm >= longestMm ? shortestMm : lengthMm + 1);
+        editor.rate()->set(rateBagsPerMin);
+        editor.download();
+    });
+    next.start(rest);
+    QObject::connect(&machine, &machine::Machine::commandsChanged, &application, [&] {
+        if (machine.canStart())
+            machine.start();
+    });
+
+    link::ConnectionSettings wanted;
+    wanted.simulated = false;
+    wanted.port = QCoreApplication::arguments().value(2);
+    records.open();
+    access.open();
+    trail.open();
+    link.connectTo(wanted);
+    return QCoreApplication::exec();
+}

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// A panel killed at random moments while it downloads to a machine that runs: the machine runs on with one
+// whole program, the confirmed one or one begun after it, and nothing that was confirmed is lost.
+#include "tests/support/controller_process.h"
+
+#include "app/link/threaded_link.h"
+#include "app/machine/controller_program.h"
+#include "app/machine/machine.h"
+#include "app/machine/settings.h"
+#include "app/store/audit_log.h"
+#include "app/store/recipe_library.h"
+
+#include <QProcess>
+#include <QRandomGenerator>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <csignal>
+
+using namespace campanel;
+using test::ControllerProcess;
+
+namespace {
+
+constexpr int kills = 40;
+constexpr int longestMs = 900;
+constexpr int timeoutMs = 20'000;
+
+} // namespace
+
+class TestKilledDownloads : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    ControllerProcess m_controller;
+    qint64 m_version = 0;
+    qint64 m_sequence = 0;
+    qint64 m_generation = 0;
+    QString m_crc;       // confirmed
+    QStringList m_begun; // after that
+    int m_confirmed = 0;
+
+    void take(const QByteArray& line)
+    {
+        const QStringList words = QString::fromLatin1(line).split(u' ');
+        if (words[0] == u"recipe") {
+            m_version = words[1].toLongLong();
+        } else if (words[0] == u"audit") {
+            m_sequence = words[1].toLongLong();
+        } else if (words[0] == u"begun") {
+            m_begun << words[1];
+        } else if (words[0] == u"program") {
+            m_generation = words[1].toLongLong();
+            m_crc = words[2];
+            m_begun = m_begun.mid(m_begun.lastIndexOf(m_crc) + 1);
+            ++m_confirmed;
+        }
+    }
+
+    void runAndKill(int lifeMs)
+    {
+        QProcess panel;
+        panel.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+        panel.start(QStringLiteral(CAMPANEL_DOWNLOADING_PANEL), {m_folder.path(), m_controller.port()});
+        QVERIFY(panel.waitForReadyRead(timeoutMs)); // it is at work
+        (void)panel.waitForFinished(lifeMs);
+        QCOMPARE(panel.state(), QProcess::Running);
+        ::kill(static_cast<pid_t>(panel.processId()), SIGKILL);
+        QVERIFY(panel.waitForFinished(timeoutMs));
+        QByteArrayList lines = panel.readAllStandardOutput().split('\n');
+        lines.removeLast(); // may be half a line
+        for (const QByteArray& line : lines)
+            take(line);
+    }
+
+    void lookAtController(bool mustRun)
+    {
+        link::ThreadedLink link(nullptr);
+        const QTemporaryDir folder;
+        machine::Settings settings(folder.filePath(QStringLiteral("settings.ini")), nullptr);
+        machine::Machine machine(link, settings, nullptr);
+        link::ConnectionSettings wanted;
+        wanted.simulated = false;
+        wanted.port = m_controller.port();
+        link.connectTo(wanted);
+        QTRY_VERIFY_WITH_TIMEOUT(machine.isConnected() && machine.status(), timeoutMs);
+        if (m_crc.isEmpty())
+            return;
+        QTRY_VERIFY_WITH_TIMEOUT(machine.hasActiveProgram(), timeoutMs);
+        const auto status = *machine.status();
+        QVERIFY(status.activeCrc.has_value());
+        const QString crc = QString::number(*status.activeCrc, 16).toUpper().rightJustified(8, u'0');
+        QVERIFY2(crc == m_crc || m_begun.contains(crc),
+                 qPrintable(crc + u' ' + m_crc + u' ' + m_begun.join(u' ')));
+        QVERIFY(qint64(status.generation) >= m_generation);
+        if (mustRun)
+            QCOMPARE(machine.state(), machine::Machine::State::Running);
+        // Until the next panel confirms, that one counts too.
+        m_begun << crc;
+    }
+
+    void lookAtDatabase()
+    {
+        auto opened = store::Database::open(m_folder.path());
+        QVERIFY2(opened, opened ? "" : qPrintable(store::StoreErrorText::describe(opened.error())));
+        store::Database& database = **opened;
+        const auto newest = store::RecipeLibrary(database).newest();
+        QVERIFY(newest);
+        QVERIFY(m_version == 0 || (newest->size() == 1 && newest->first().version >= m_version));
+        const auto chain = store::verifyChain(database);
+        QVERIFY(chain);
+        QCOMPARE(chain->fault(), store::ChainCheck::Fault::None);
+        QCOMPARE(chain->losses(), 0);
+        QVERIFY(chain->rows() >= m_sequence);
+    }
+
+private slots:
+    void theMachineRunsOnAndNothingConfirmedIsLost()
+    {
+        const quint32 seed = QRandomGenerator::global()->generate();
+        QRandomGenerator random(seed);
+        for (int i = 0; i < kills; ++i) {
+            // The first ones live until the machine runs.
+            const bool isFirst = m_confirmed == 0;
+            const int lifeMs = isFirst ? 3000 : random.bounded(longestMs);
+            runAndKill(lifeMs);
+            if (!QTest::currentTestFailed())
+                lookAtController(!isFirst);
+            if (!QTest::currentTestFailed())
+                lookAtDatabase();
+            if (QTest::currentTestFailed()) {
+                qWarning("kill %d of seed %u, after %d ms", i, seed, lifeMs);
+                return;
+            }
+        }
+        qInfo("%d kills, %d downloads confirmed, version %lld, %lld audit rows", kills, m_confirmed,
+              static_cast<long long>(m_version), static_cast<long long>(m_sequence));
+        QVERIFY(m_confirmed > 0);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestKilledDownloads)
+#include "test_killed_downloads.moc"
