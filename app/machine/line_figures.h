@@ -44,6 +44,8 @@ public:
     [[nodiscard]] QList<double> stripErrors() const { return m_stripErrors; }
     [[nodiscard]] QList<double> stripP99Ms() const { return m_stripP99Ms; }
     [[nodiscard]] QDateTime stripEnd() const { return m_stripEnd; }
+    // What came last; empty before the first.
+    [[nodiscard]] const std::optional<link::FiguresReport>& report() const { return m_report; }
 
     // Counts from zero.
     Q_INVOKABLE void reset();

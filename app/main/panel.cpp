@@ -39,7 +39,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     , m_backup({m_machine, m_editor, m_records, m_settings, m_access, m_trail}, recipeFolder(storage),
                nullptr)
     , m_commissioning(m_machine, m_editor, m_access, *m_service.files(), nullptr)
-    , m_explanations(m_machine, m_editor, nullptr)
+    , m_explanations({m_machine, m_editor, *m_service.figures(), m_trends}, nullptr)
 {
     m_commissioning.setPrinter(&report::commissioningPdf);
     m_records.noteRestore(m_restore);

@@ -57,6 +57,7 @@ public:
     [[nodiscard]] machine::Audit& audit() { return m_audit; }
     [[nodiscard]] machine::Backup& backup() { return m_backup; }
     [[nodiscard]] machine::Commissioning& commissioning() { return m_commissioning; }
+    [[nodiscard]] machine::Explanations& explanations() { return m_explanations; }
     [[nodiscard]] QQmlEngine& engine() { return m_engine; }
 
     // Connects to the controller and opens the databases. The first frame is to come first: line and disk can
