@@ -3522,6 +3522,151 @@ Recipes, machine data, users with their PINs, alarms, audit trail and settings o
             <source>What the controller has to put out where the knife is fastest.</source>
             <translation>切刀最快之处控制器须输出的频率。</translation>
         </message>
+        <message>
+            <source>Share of the wire's limit</source>
+            <translation>占线路极限的比例</translation>
+        </message>
+        <message>
+            <source>How much of the time that the exchanges took the frames themselves need at this baud rate, with the silences of the standard. At 100 % no master could ask faster; what is missing was spent waiting for the controller, the adapter or answers that never came.</source>
+            <translation>在此波特率下，帧本身连同标准规定的静默时间占通信所用时间的比例。达到 100 % 时，任何主站都不可能问得更快；不足的部分用于等待控制器、适配器或始终未到的应答。</translation>
+        </message>
+        <message>
+            <source>time of the frames on the wire / time of the exchanges</source>
+            <translation>帧在线路上的时间 / 通信所用时间</translation>
+        </message>
+        <message>
+            <source>%1 s / %2 s</source>
+            <translation>%1 s / %2 s</translation>
+        </message>
+        <message>
+            <source>ms</source>
+            <translation>ms</translation>
+        </message>
+        <message>
+            <source>Longest time of an answer</source>
+            <translation>最长应答时间</translation>
+        </message>
+        <message>
+            <source>From handing the question to the port to the last byte of its answer. One single answer, perhaps hours ago: the percentages say more about every day.</source>
+            <translation>从把询问交给端口到收到应答的最后一个字节。这只是一次应答，可能在数小时之前：各百分比更能说明日常情况。</translation>
+        </message>
+        <message>
+            <source>the longest since the count began</source>
+            <translation>计数开始以来的最长时间</translation>
+        </message>
+        <message>
+            <source>Half of the answers came within</source>
+            <translation>半数应答不超过</translation>
+        </message>
+        <message>
+            <source>%1 % of the answers came within</source>
+            <translation>%1 % 的应答不超过</translation>
+        </message>
+        <message>
+            <source>From handing the question to the port to the last byte of its answer, both frames on the wire included. Counted since the panel was started or Count from zero was pressed.</source>
+            <translation>从把询问交给端口到收到应答的最后一个字节，包括两帧在线路上的时间。自面板启动或按下“从零计数”起统计。</translation>
+        </message>
+        <message>
+            <source>all answers in the order of their times: the time of the one at %1 % of their number, at most 6.25 % too high, never too low</source>
+            <translation>所有应答按时间排序：取排在总数 %1 % 处的那一个的时间，最多偏高 6.25 %，绝不偏低</translation>
+        </message>
+        <message>
+            <source>time of number %1 of %2</source>
+            <translation>%2 个中第 %1 个的时间</translation>
+        </message>
+        <message>
+            <source>Allowed beyond wire time</source>
+            <translation>线路时间之外允许</translation>
+        </message>
+        <message>
+            <source>How long the panel waits for an answer, beyond what both frames need on the wire, before it counts as missing. It follows what this controller and adapter need, and doubles when nothing comes.</source>
+            <translation>除两帧在线路上所需的时间外，面板再等待多久才认定应答缺失。它随此控制器和适配器的实际需要而定，没有应答时加倍。</translation>
+        </message>
+        <message>
+            <source>%1 × the time within which 99 % of the last answers began, from %2 to %3 ms</source>
+            <translation>%1 × 最近应答的 99 % 开始前所用的时间，限于 %2 至 %3 ms</translation>
+        </message>
+        <message>
+            <source>Mean</source>
+            <translation>平均值</translation>
+        </message>
+        <message>
+            <source>Of all values recorded in the time that is shown (n = %1).</source>
+            <translation>所示时段内记录的全部数值（n = %1）的平均值。</translation>
+        </message>
+        <message>
+            <source>sum of the values / n</source>
+            <translation>数值之和 / n</translation>
+        </message>
+        <message>
+            <source>Scatter</source>
+            <translation>离散度</translation>
+        </message>
+        <message>
+            <source>Standard deviation: about two thirds of the values are closer to the mean than this.</source>
+            <translation>标准差：约三分之二的数值与平均值之差小于此值。</translation>
+        </message>
+        <message>
+            <source>√(sum of (value − mean)² / (n − 1))</source>
+            <translation>√((数值 − 平均值)² 之和 / (n − 1))</translation>
+        </message>
+        <message>
+            <source>Lowest and highest</source>
+            <translation>最低和最高</translation>
+        </message>
+        <message>
+            <source>%1 … %2</source>
+            <comment>lowest, highest</comment>
+            <translation>%1 … %2</translation>
+        </message>
+        <message>
+            <source>Single values. The curve is the mean of each column, the pale band around it goes from the lowest to the highest value of that column.</source>
+            <translation>均为单个数值。曲线是每一列的平均值，其周围的浅色带从该列的最低值到最高值。</translation>
+        </message>
+        <message>
+            <source>the lowest … the highest of the n values</source>
+            <translation>n 个数值中的最低值 … 最高值</translation>
+        </message>
+        <message>
+            <source>Within the tolerance</source>
+            <translation>公差内</translation>
+        </message>
+        <message>
+            <source>Each bag is judged by the tolerance that held when it was made.</source>
+            <translation>每个袋均按其生产时有效的公差判定。</translation>
+        </message>
+        <message>
+            <source>bags whose deviation is not above the tolerance / n</source>
+            <translation>偏差不超过公差的袋数 / n</translation>
+        </message>
+        <message>
+            <source>%1 h</source>
+            <translation>%1 小时</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1 分</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+        <message>
+            <source>Mean at the cursor</source>
+            <translation>光标处的平均值</translation>
+        </message>
+        <message>
+            <source>The curves are drawn in columns of %1 each. In the one at the cursor the lowest value was %2, the highest %3.</source>
+            <translation>曲线按每列 %1 绘制。光标所在一列的最低值为 %2，最高值为 %3。</translation>
+        </message>
+        <message>
+            <source>sum of the column's values / their number</source>
+            <translation>该列数值之和 / 个数</translation>
+        </message>
+        <message>
+            <source>%1 of 100 answers took no longer than this.</source>
+            <translation>每 100 个应答中有 %1 个不超过此时间。</translation>
+        </message>
     </context>
     <context>
         <name>campanel::machine::FrameList</name>

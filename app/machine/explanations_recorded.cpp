@@ -83,8 +83,10 @@ Explanation Explanations::answers(Quantity quantity) const
     told.title = quantity == AnswersHalf ? tr("Half of the answers came within")
                                          : tr("%1 % of the answers came within").arg(percent);
     told.meaning =
-        tr("From handing the question to the port to the last byte of its answer, both frames on "
-           "the wire included. Counted since the panel was started or Count from zero was pressed.");
+        quantity == AnswersHalf
+            ? tr("From handing the question to the port to the last byte of its answer, both frames on the "
+                 "wire included. Counted since the panel was started or Count from zero was pressed.")
+            : tr("%1 of 100 answers took no longer than this.").arg(percent);
     told.formula = tr("all answers in the order of their times: the time of the one at %1 % of their number, "
                       "at most 6.25 % too high, never too low")
                        .arg(percent);

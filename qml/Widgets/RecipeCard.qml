@@ -50,7 +50,7 @@ Card {
             font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
         }
     }
-    // The figures scroll above the keys; where there is no room for both, the keys scroll with them.
+    // The figures scroll above the keys; where there is no room for both, the keys come first and scroll with them.
     Flickable {
         id: list
         readonly property bool keysScroll: height < keys.height + card.figureHeight
@@ -61,6 +61,7 @@ Card {
         Flickable {
             id: upper
             anchors { left: parent.left; right: parent.right }
+            y: list.keysScroll ? keys.height + Theme.size.spacing : 0
             height: list.keysScroll ? figures.height : list.height - keys.height - Theme.size.spacing
             contentHeight: figures.height
             clip: true
@@ -99,7 +100,8 @@ Card {
         }
         Flow {
             id: keys
-            anchors { left: parent.left; right: parent.right; top: upper.bottom; topMargin: Theme.size.spacing }
+            anchors { left: parent.left; right: parent.right }
+            y: list.keysScroll ? 0 : upper.height + Theme.size.spacing
             spacing: Theme.size.spacing
             Key {
                 objectName: "recipeRename"

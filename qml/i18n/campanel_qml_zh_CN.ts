@@ -2132,6 +2132,22 @@
             <source>Dry run</source>
             <translation>空运行</translation>
         </message>
+        <message>
+            <source>The line to the controller</source>
+            <translation>与控制器的线路</translation>
+        </message>
+        <message>
+            <source>The machine</source>
+            <translation>机器</translation>
+        </message>
+        <message>
+            <source>What the panel keeps</source>
+            <translation>面板保存的内容</translation>
+        </message>
+        <message>
+            <source>Service</source>
+            <translation>维护</translation>
+        </message>
     </context>
     <context>
         <name>SettingsPage</name>

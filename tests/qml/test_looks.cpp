@@ -149,7 +149,7 @@ private slots:
     {
         for (const panel::Look& look : panel::allLooks()) {
             qsizetype tests = 0;
-            for (const QString& size : QStringLiteral(CAMPANEL_SELF_TESTED_SIZES).split(u';')) {
+            for (const QString& size : QStringLiteral(CAMPANEL_SELF_TESTED_SIZES).split(u' ')) {
                 const QList<panel::Look> tested = panel::looksOf({QStringLiteral("*-%1*").arg(size), {}});
                 tests += std::ranges::count(tested, look.name(), &panel::Look::name);
             }
