@@ -79,6 +79,8 @@ public:
     // Time that the frames need at this baud rate, with the silences of the standard, against the time that
     // the exchanges took: 1 is the wire's limit. Empty before the first exchange.
     [[nodiscard]] std::optional<double> wireShare() const;
+    [[nodiscard]] std::chrono::nanoseconds wireTime() const { return m_wireTime; }
+    [[nodiscard]] std::chrono::nanoseconds spentTime() const { return m_spentTime; }
     // Empty before the first status.
     [[nodiscard]] const std::optional<ControllerCounts>& controller() const { return m_controller; }
     // The last 24 hours up to the last minute in which anything was counted, oldest first: one entry a

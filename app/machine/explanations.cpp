@@ -44,10 +44,12 @@ QString Explanation::text() const
     return lines + u"\n= "_s + (unit.isEmpty() ? value : value + u' ' + unit);
 }
 
-Explanations::Explanations(Machine& machine, Editor& editor, QObject* parent)
+Explanations::Explanations(const Sources& sources, QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
-    , m_editor(editor)
+    , m_machine(sources.machine)
+    , m_editor(sources.editor)
+    , m_figures(sources.figures)
+    , m_trends(sources.trends)
 {
 }
 
@@ -80,6 +82,15 @@ Explanation Explanations::of(int quantity) const
     case PeakAcceleration:
     case PeakFrequency:
         return peak(wanted);
+    case WireShare:
+        return wireShare();
+    case AnswersHalf:
+    case Answers95:
+    case Answers99:
+    case AnswersLongest:
+        return answers(wanted);
+    case AnswerAllowance:
+        return answerAllowance();
     }
     return {};
 }

@@ -45,6 +45,8 @@ public:
     [[nodiscard]] QList<double> stripErrors() const { return m_stripErrors; }
     [[nodiscard]] QList<double> stripP99Ms() const { return m_stripP99Ms; }
     [[nodiscard]] QDateTime stripEnd() const { return m_stripEnd; }
+    // What came last; empty before the first.
+    [[nodiscard]] const std::optional<link::FiguresReport>& report() const { return m_report; }
 
     // Tells `context` of the next report, which comes within a second also when nobody watches.
     void readOnce(QObject* context, const std::function<void(const link::FiguresReport&)>& take);

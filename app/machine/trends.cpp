@@ -256,6 +256,7 @@ void Trends::show(const store::TrendWindow& window)
         isEmpty = isEmpty && curve.statistics.count() == 0;
     }
     m_curves = QVariant::fromValue(std::shared_ptr<const QList<QList<QPointF>>>(std::move(lines)));
+    m_columnMs = window.columnMs;
     m_content = !window.hasAny ? NothingYet : isEmpty ? NothingHere : Shown;
     emit shownChanged();
 }

@@ -81,6 +81,7 @@ public:
     [[nodiscard]] QVariant curves() const { return m_curves; }
     [[nodiscard]] QVariantList statistics() const { return m_statistics; }
     [[nodiscard]] Content content() const { return m_content; }
+    [[nodiscard]] qint64 columnMs() const { return m_columnMs; } // of the curves; 0 before the first answer
     [[nodiscard]] bool exporting() const { return m_isExporting; }
 
     // Takes the quantity in or out; the last one stays, a fourth one takes the place of the lowest.
@@ -132,6 +133,7 @@ private:
     QList<int> m_chosen{Deviation, MarkError};
     qint64 m_toMs = 0;
     qint64 m_spanMs = 600'000;
+    qint64 m_columnMs = 0;
     bool m_isLive = true;
     bool m_isWatched = false;
     bool m_isAsked = false;  // one answer is awaited

@@ -6,7 +6,8 @@
 
 namespace campanel::panel {
 
-// Files are named as pictureName() says. The exit code for main().
+// Without a pattern of looks: all but gloves and longer texts. Files are named as pictureName() says. The
+// exit code for main().
 [[nodiscard]] int capture(const QString& folder, const Selection& selection);
 
 // "run-light-en-800x480.png".

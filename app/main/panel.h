@@ -61,6 +61,7 @@ public:
     [[nodiscard]] machine::Commissioning& commissioning() { return m_commissioning; }
     [[nodiscard]] machine::Display& display() { return m_display; }
     [[nodiscard]] machine::ServiceBundle& bundle() { return m_bundle; }
+    [[nodiscard]] machine::Explanations& explanations() { return m_explanations; }
     [[nodiscard]] QQmlEngine& engine() { return m_engine; }
 
     // Connects to the controller and opens the databases. The first frame is to come first: line and disk can

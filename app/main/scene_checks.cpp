@@ -58,6 +58,16 @@ const QQuickItem* scrollerOf(const QQuickItem& item)
     return parent;
 }
 
+// All of it is painted: no list or flickable that it scrolls in, nor one around that, cuts it off.
+bool isInSight(const QQuickItem& item, const QRectF& rect)
+{
+    for (const QQuickItem* scroller = scrollerOf(item); scroller; scroller = scrollerOf(*scroller)) {
+        if (!scroller->mapRectToScene(scroller->boundingRect()).contains(rect))
+            return false;
+    }
+    return true;
+}
+
 // The button or surface that the text stands on.
 const QQuickItem* surfaceOf(const QQuickItem& text)
 {
@@ -127,10 +137,9 @@ private:
                             .arg(item.width())
                             .arg(item.height());
         const QRectF rect = item.mapRectToScene(painted);
-        const QQuickItem* scroller = scrollerOf(item);
-        if (!scroller || scroller->mapRectToScene(scroller->boundingRect()).contains(rect))
+        if (isInSight(item, rect))
             checkContrast(item, rect);
-        if (scroller)
+        if (scrollerOf(item))
             return;
         if (const QQuickItem* surface = surfaceOf(item)) {
             const QRectF limit = surface->mapRectToScene(surface->boundingRect())

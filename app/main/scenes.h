@@ -21,7 +21,7 @@ struct Scene {
 // their colors could change; gloves, and texts that are longer.
 [[nodiscard]] QList<Look> allLooks();
 
-// Patterns as of a shell ("run*"). Without one: all scenes, and all looks but gloves and longer texts.
+// Patterns as of a shell ("run*"). Without one: all.
 struct Selection {
     QString looks;
     QString scenes;

@@ -7,7 +7,7 @@
 
 namespace campanel::panel {
 
-// The exit code for main().
+// The exit code for main(); a selection that selects nothing is a fault.
 [[nodiscard]] int selfTest(const Selection& selection);
 
 } // namespace campanel::panel

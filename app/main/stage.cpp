@@ -67,6 +67,13 @@ Stage::Stage(const Look& look)
 
 void Stage::tap(const QString& name)
 {
+    const QStringList groups{QStringLiteral("serviceLine"), QStringLiteral("serviceMachine"),
+                             QStringLiteral("servicePanel")};
+    if (groups.contains(name) && !find(name)) {
+        Finger::tap(QStringLiteral("serviceGroup"));
+        Finger::tap(QStringLiteral("choice_%1").arg(groups.indexOf(name)));
+        return;
+    }
     const QString navigation = QStringLiteral("nav");
     if (!name.startsWith(navigation) || find(name)) {
         Finger::tap(name);

@@ -177,6 +177,17 @@ QList<Scene> trendScenes()
                  change(stage, clear);
              }},
             {QStringLiteral("trends"), [](Stage& stage) { openFilled(stage); }},
+            {QStringLiteral("trends-explained"),
+             [](Stage& stage) {
+                 openFilled(stage);
+                 stage.hold(QStringLiteral("trendFigures0"));
+             }},
+            {QStringLiteral("trends-cursor-explained"),
+             [](Stage& stage) {
+                 openFilled(stage);
+                 tapAll(stage, {"trendPlot"});
+                 stage.hold(QStringLiteral("trendFigures0"));
+             }},
             {QStringLiteral("trends-three"),
              [](Stage& stage) {
                  openFilled(stage, {machine::Trends::BagLength, machine::Trends::FollowingError,

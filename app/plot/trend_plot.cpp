@@ -33,7 +33,7 @@ TrendPlot::TrendPlot(QQuickItem* parent)
     connect(this, &TrendPlot::cursorChanged, this, [this] { update(boundingRect().toAlignedRect()); });
     m_holdTimer.setSingleShot(true);
     m_holdTimer.setInterval(holdMs);
-    connect(&m_holdTimer, &QTimer::timeout, this, &TrendPlot::pointCursor);
+    connect(&m_holdTimer, &QTimer::timeout, this, &TrendPlot::takeHold);
 }
 
 void TrendPlot::geometryChange(const QRectF& newGeometry, const QRectF& oldGeometry)

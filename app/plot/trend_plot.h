@@ -32,6 +32,8 @@ class TrendPlot : public QQuickPaintedItem {
     Q_PROPERTY(double cursorMs MEMBER m_cursorMs NOTIFY cursorChanged FINAL)
     // px above each lane, free for its title.
     Q_PROPERTY(double headerHeight MEMBER m_headerHeight NOTIFY styleChanged FINAL)
+    // px from a lane's top in which a finger that is held means the header and not a time; 0: nowhere.
+    Q_PROPERTY(double headerReach MEMBER m_headerReach NOTIFY styleChanged FINAL)
     Q_PROPERTY(QList<QColor> laneColors MEMBER m_laneColors NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor gridColor MEMBER m_gridColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor inkColor MEMBER m_inkColor NOTIFY styleChanged FINAL)
@@ -67,6 +69,8 @@ signals:
     void windowWanted(double fromMs, double toMs);
     // A finger has pointed at this time.
     void cursorWanted(double timeMs);
+    // A finger was held at the header of that lane.
+    void headerHeld(int lane);
 
 protected:
     void geometryChange(const QRectF& newGeometry, const QRectF& oldGeometry) override;
@@ -82,11 +86,13 @@ private:
 
     void invalidate();
     void ensureLayout();
-    void putFingers(const QList<double>& x);
+    void putFingers(const QList<double>& x, double y);
     void moveFingers(const QList<double>& x);
     void liftLast(double x);
     void endGesture();
+    void takeHold();
     void pointCursor();
+    [[nodiscard]] int headerAt(double y); // -1: none
     [[nodiscard]] PlotStyle style() const;
     [[nodiscard]] QwtScaleMap timeMap() const;
     void paintPicture(QPainter& painter);
@@ -100,6 +106,7 @@ private:
     QList<double> m_tolerances;
     double m_cursorMs = unknown;
     double m_headerHeight = 0;
+    double m_headerReach = 0;
     QList<QColor> m_laneColors;
     QColor m_gridColor{Qt::lightGray};
     QColor m_inkColor{Qt::black};
@@ -116,7 +123,9 @@ private:
     WindowGesture m_gesture;
     QTimer m_holdTimer;
     double m_pressX = 0;
-    bool m_isPointing = false;     // a held finger moves the cursor
+    double m_pressY = 0;
+    bool m_isPointing = false; // a held finger moves the cursor
+    bool m_isDone = false;     // it has asked for a header: what it does until it is lifted counts no more
     bool m_wereTwoFingers = false; // the one that is left of two does not point
 };
 

@@ -30,7 +30,7 @@ void TrendPlot::touchEvent(QTouchEvent* event)
     if (x.isEmpty())
         liftLast(m_pressX);
     else if (areOthers)
-        putFingers(x);
+        putFingers(x, event->points().first().position().y());
     else
         moveFingers(x);
     setKeepTouchGrab(true);
@@ -40,7 +40,7 @@ void TrendPlot::touchEvent(QTouchEvent* event)
 void TrendPlot::mousePressEvent(QMouseEvent* event)
 {
     setKeepMouseGrab(true);
-    putFingers({event->position().x() - plotArea().left()});
+    putFingers({event->position().x() - plotArea().left()}, event->position().y());
 }
 
 void TrendPlot::mouseMoveEvent(QMouseEvent* event)
@@ -53,12 +53,13 @@ void TrendPlot::mouseReleaseEvent(QMouseEvent* event)
     liftLast(event->position().x() - plotArea().left());
 }
 
-void TrendPlot::putFingers(const QList<double>& x)
+void TrendPlot::putFingers(const QList<double>& x, double y)
 {
     m_gesture.begin(x, {m_fromMs, m_toMs}, plotArea().width());
     m_pressX = x.first();
+    m_pressY = y;
     m_wereTwoFingers = m_wereTwoFingers || x.size() > 1;
-    if (!m_wereTwoFingers && !m_isPointing)
+    if (!m_wereTwoFingers && !m_isPointing && !m_isDone)
         m_holdTimer.start();
     else
         m_holdTimer.stop();
@@ -66,6 +67,8 @@ void TrendPlot::putFingers(const QList<double>& x)
 
 void TrendPlot::moveFingers(const QList<double>& x)
 {
+    if (m_isDone)
+        return;
     if (m_isPointing) {
         m_pressX = std::clamp(x.first(), 0.0, plotArea().width());
         pointCursor();
@@ -91,7 +94,28 @@ void TrendPlot::endGesture()
 {
     m_holdTimer.stop();
     m_isPointing = false;
+    m_isDone = false;
     m_wereTwoFingers = false;
+}
+
+void TrendPlot::takeHold()
+{
+    const int lane = headerAt(m_pressY);
+    if (lane < 0)
+        return pointCursor();
+    m_isDone = true;
+    emit headerHeld(lane);
+}
+
+int TrendPlot::headerAt(double y)
+{
+    ensureLayout();
+    for (std::size_t i = 0; i < m_lanes.size(); ++i) {
+        const double below = y - laneTop(static_cast<int>(i));
+        if (below >= 0 && below < m_headerReach)
+            return static_cast<int>(i);
+    }
+    return -1;
 }
 
 // A finger that was held still, and where it goes from there.

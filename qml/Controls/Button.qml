@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A push button: primary (the next step), normal, quiet (no frame) or chosen by color.
+// A push button: primary (the next step), normal, quiet (no frame) or chosen by color. A text that is wider than the button gets smaller.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T
@@ -17,7 +17,10 @@ T.AbstractButton {
     readonly property bool primary: kind === Button.Primary
     readonly property color inkColor: !enabled ? Theme.color.disabledInk : primary ? Theme.color.touchInk : Theme.color.touch
 
-    implicitWidth: Math.max(Theme.size.touch, content.implicitWidth + 2 * Theme.size.padding)
+    readonly property real signRoom: glyph.length === 0 ? 0 : sign.width + (text.length > 0 ? Theme.size.spacing : 0)
+    readonly property real textRoom: width - 2 * Theme.size.accent - signRoom
+
+    implicitWidth: Math.max(Theme.size.touch, signRoom + (text.length === 0 ? 0 : Math.max(title.implicitWidth, note.length > 0 ? remark.implicitWidth : 0)) + 2 * Theme.size.padding)
     implicitHeight: Theme.size.touch
 
     background: Rectangle {
@@ -31,10 +34,10 @@ T.AbstractButton {
     Item {
         anchors.fill: parent
         Row {
-            id: content
             anchors.centerIn: parent
             spacing: Theme.size.spacing
             IconLabel {
+                id: sign
                 anchors.verticalCenter: parent.verticalCenter
                 visible: button.glyph.length > 0
                 code: button.glyph
@@ -44,13 +47,21 @@ T.AbstractButton {
                 anchors.verticalCenter: parent.verticalCenter
                 visible: button.text.length > 0
                 Label {
+                    id: title
                     anchors.horizontalCenter: parent.horizontalCenter
+                    width: Math.min(implicitWidth, button.textRoom)
+                    fontSizeMode: Text.HorizontalFit
+                    minimumPixelSize: Theme.size.caption - 3
                     text: button.text
                     color: button.inkColor
                     font { pixelSize: button.primary ? Theme.size.title : Theme.size.body; weight: Font.DemiBold }
                 }
                 Label {
+                    id: remark
                     anchors.horizontalCenter: parent.horizontalCenter
+                    width: Math.min(implicitWidth, button.textRoom)
+                    fontSizeMode: Text.HorizontalFit
+                    minimumPixelSize: Theme.size.caption - 3
                     visible: button.note.length > 0
                     text: button.note
                     color: button.inkColor

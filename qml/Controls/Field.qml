@@ -21,6 +21,8 @@ T.AbstractButton {
     onPressAndHold: field.explain()
 
     readonly property bool below: compact && caption.lineCount < 2    // the unit; a long label takes its room
+    // Beside a unit that is not below there is still the mark.
+    readonly property real markRoom: compact && !below && mark.visible ? mark.width + Theme.size.accent : 0
     readonly property int inset: compact ? Theme.size.spacing + Theme.size.outline : Theme.size.padding
 
     background: Rectangle {
@@ -52,7 +54,7 @@ T.AbstractButton {
         Label {
             id: number
             x: field.inset
-            width: parent.width - 2 * field.inset - (field.below ? 0 : suffix.width + Theme.size.spacing)
+            width: parent.width - 2 * field.inset - (field.below ? 0 : suffix.width + Theme.size.spacing + field.markRoom)
             anchors.top: caption.bottom
             anchors.bottom: field.below ? suffix.top : parent.bottom
             anchors.topMargin: field.below ? 0 : -Theme.size.accent
@@ -60,13 +62,13 @@ T.AbstractButton {
             text: field.value
             color: field.derived ? Theme.color.secondaryInk : Theme.color.ink
             fontSizeMode: Text.Fit
-            minimumPixelSize: Theme.size.caption
+            minimumPixelSize: Theme.size.caption - (field.markRoom > 0 ? 2 : 0)
             horizontalAlignment: field.compact ? Text.AlignLeft : Text.AlignRight
             font { pixelSize: Theme.size.value; bold: true }
         }
         Label {
             id: suffix
-            x: field.below ? field.inset : parent.width - width - field.inset
+            x: field.below ? field.inset : parent.width - width - field.inset - field.markRoom
             y: field.below ? parent.height - height - field.inset + Theme.size.outline
                 : number.y + number.baselineOffset - baselineOffset
             text: field.unit

@@ -55,7 +55,7 @@ Card {
             anchors { left: parent.left; right: shown.left; rightMargin: Theme.size.spacing; top: parent.top }
             text: keypad.label
             fontSizeMode: Text.HorizontalFit
-            minimumPixelSize: Theme.size.caption - 2
+            minimumPixelSize: Theme.size.caption - 3
             font { weight: Font.DemiBold; pixelSize: Theme.size.body }
         }
         Label {

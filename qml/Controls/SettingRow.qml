@@ -37,7 +37,7 @@ T.AbstractButton {
                 width: parent.width
                 text: row.value
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption
+                minimumPixelSize: Theme.size.caption - 2
                 font { pixelSize: Theme.size.title; weight: Font.DemiBold }
             }
         }

@@ -22,8 +22,11 @@ ServiceSection {
         readonly property real columnWidth: (width - 2 * spacing) / 3
         FigureColumn {
             width: columns.columnWidth
+            objectName: "figuresExchanges"
             title: qsTr("Exchanges")
             figures: section.figures.exchanges
+            quantities: [Explanations.WireShare]
+            onExplainRequested: quantities => section.page.numbersExplainRequested(quantities)
         }
         FigureColumn {
             width: columns.columnWidth
@@ -32,11 +35,14 @@ ServiceSection {
         }
         FigureColumn {
             width: columns.columnWidth
+            objectName: "figuresTimes"
             title: qsTr("Time of answers")
             figures: section.figures.times
+            quantities: [Explanations.AnswersHalf, Explanations.Answers95, Explanations.Answers99, Explanations.AnswersLongest, Explanations.AnswerAllowance]
+            onExplainRequested: quantities => section.page.numbersExplainRequested(quantities)
         }
     }
-    Row {
+    Flow {
         id: counted
         anchors { left: parent.left; right: parent.right; top: columns.bottom }
         spacing: Theme.size.padding * 2

@@ -104,6 +104,7 @@ Rectangle {
                         function onEditRequested(fields: var, index: int, source: Item) { frame.edit(fields, index, source) }
                         function onExplainRequested(field: EditorField) { frame.openSheet(Qt.createComponent(frame.explanation), { field: field }) }
                         function onNumbersExplainRequested(quantities: var) { frame.openSheet(Qt.createComponent(frame.numbersExplained), { quantities: quantities }) }
+                        function onExplanationsRequested(title: string, explanations: var) { frame.openSheet(Qt.createComponent(frame.numbersExplained), { heading: title, told: explanations }) }
                         function onSheetRequested(sheet: Component) { frame.openSheet(sheet, {}) }
                     }
                     Binding {

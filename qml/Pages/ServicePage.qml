@@ -32,11 +32,14 @@ Page {
         { key: 1, name: "serviceMachine", text: "", glyph: Theme.icon.machine },
         { key: 2, name: "servicePanel", text: "", glyph: Theme.icon.save }
     ]
+    // With keys for gloves they do not fit beside the longest group: then one key opens the choice of them.
+    readonly property bool oneGroupKey: width < (groups.length + machine.length) * Theme.size.touch + Theme.size.spacing
     readonly property var all: [Machine.simulated ? page.simulatedLine : page.line, page.machine, page.memory]
     readonly property var shown: page.all[page.group][Math.min(page.chosen[page.group], page.all[page.group].length - 1)]
 
     Segmented {
         id: groupKeys
+        visible: !page.oneGroupKey
         anchors { left: parent.left; top: parent.top }
         width: page.groups.length * Theme.size.touch
         color: Theme.color.surface
@@ -44,9 +47,18 @@ Page {
         current: page.group
         onChosen: key => page.group = key
     }
+    Button {
+        id: groupKey
+        objectName: "serviceGroup"
+        visible: page.oneGroupKey
+        anchors { left: parent.left; top: parent.top }
+        width: Theme.size.touch
+        glyph: page.groups[page.group].glyph
+        onClicked: page.sheetRequested(groupSheet)
+    }
     Segmented {
         id: tabs
-        anchors { left: groupKeys.right; leftMargin: Theme.size.spacing; right: parent.right; top: parent.top }
+        anchors { left: page.oneGroupKey ? groupKey.right : groupKeys.right; leftMargin: Theme.size.spacing; right: parent.right; top: parent.top }
         color: Theme.color.surface
         choices: page.all[page.group]
         current: page.shown.key
@@ -58,6 +70,18 @@ Page {
             anchors { fill: parent; margins: Theme.size.padding }
             source: page.shown.source
             onLoaded: (item as ServiceSection).page = page
+        }
+    }
+    Component {
+        id: groupSheet
+        ListPicker {
+            title: qsTr("Service")
+            choices: [{ key: 0, text: qsTr("The line to the controller") }, { key: 1, text: qsTr("The machine") }, { key: 2, text: qsTr("What the panel keeps") }]
+            current: page.group
+            onChosen: key => {
+                page.group = key
+                closed()
+            }
         }
     }
 }

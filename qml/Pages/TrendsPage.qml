@@ -38,6 +38,7 @@ Page {
     TrendCard {
         id: card
         objectName: "trendCard"
+        onExplanationsRequested: (title, explanations) => page.explanationsRequested(title, explanations)
         anchors { left: parent.left; right: parent.right; top: spanRow.bottom; bottom: actions.top; topMargin: Theme.size.spacing; bottomMargin: Theme.size.spacing }
     }
     Row {

@@ -19,7 +19,8 @@ Column {
 
     Label {
         width: parent.width
-        height: column.rowHeight
+        height: Math.max(column.rowHeight, implicitHeight)
+        wrapMode: Text.WordWrap
         text: column.title
         color: Theme.color.secondaryInk
         font { pixelSize: Theme.size.caption; weight: Font.DemiBold }

@@ -53,6 +53,7 @@ T.AbstractButton {
                     horizontalAlignment: Text.AlignRight
                     fontSizeMode: Text.HorizontalFit
                     minimumPixelSize: Theme.size.caption - 5
+                    wrapMode: Text.WordWrap
                     text: modelData
                     color: row.header ? Theme.color.secondaryInk : row.usable ? Theme.color.ink : Theme.color.secondaryInk
                     font { pixelSize: Theme.size.caption; weight: row.header ? Font.Normal : Font.DemiBold }

@@ -19,44 +19,57 @@ Sheet {
     title: qsTr("New user")
     panelHeight: Theme.size.touch * (Access.protectedByPins ? 6.6 : 5)
 
-    Column {
+    Flickable {
+        id: list
         anchors.fill: parent
-        spacing: Theme.size.spacing
-        Repeater {
-            model: Access.protectedByPins ? sheet.levels : []
-            ChoiceRow {
-                required property var modelData
-                objectName: "level" + modelData.key
+        contentHeight: rows.height
+        clip: true
+        boundsBehavior: Flickable.StopAtBounds
+        Column {
+            id: rows
+            width: list.width - 2 * Theme.size.accent
+            spacing: Theme.size.spacing
+            Label {
+                visible: !Access.protectedByPins
                 width: parent.width
-                text: modelData.text
-                note: modelData.note
-                holds: sheet.level === modelData.key
-                onClicked: {
-                    const wasFree = sheet.name === Access.freeName(sheet.level)
-                    sheet.level = modelData.key
-                    if (wasFree)
-                        sheet.name = Access.freeName(modelData.key)
+                wrapMode: Text.WordWrap
+                text: qsTr("The first user is of the level Service: may do everything and adds the others. Keep this PIN where it can be found again; nobody can read it out of the panel.")
+            }
+            SettingRow {
+                objectName: "newUserName"
+                width: parent.width
+                label: qsTr("Name")
+                value: sheet.name.length > 0 ? sheet.name : Theme.unknownText
+                glyph: Theme.icon.edit
+                onClicked: sheet.nameRequested()
+            }
+            Repeater {
+                model: Access.protectedByPins ? sheet.levels : []
+                ChoiceRow {
+                    required property var modelData
+                    objectName: "level" + modelData.key
+                    width: parent.width
+                    text: modelData.text
+                    note: modelData.note
+                    holds: sheet.level === modelData.key
+                    onClicked: {
+                        const wasFree = sheet.name === Access.freeName(sheet.level)
+                        sheet.level = modelData.key
+                        if (wasFree)
+                            sheet.name = Access.freeName(modelData.key)
+                    }
                 }
             }
         }
-        Label {
-            visible: !Access.protectedByPins
-            width: parent.width
-            wrapMode: Text.WordWrap
-            text: qsTr("The first user is of the level Service: may do everything and adds the others. Keep this PIN where it can be found again; nobody can read it out of the panel.")
-        }
-        SettingRow {
-            objectName: "newUserName"
-            width: parent.width
-            label: qsTr("Name")
-            value: sheet.name.length > 0 ? sheet.name : Theme.unknownText
-            glyph: Theme.icon.edit
-            onClicked: sheet.nameRequested()
-        }
     }
+    ScrollMark { view: list }
     footer: [
         Label {
+            width: Math.min(implicitWidth, sheet.width / 2)
             height: Theme.size.touch
+            wrapMode: Text.WordWrap
+            fontSizeMode: Text.Fit
+            minimumPixelSize: Theme.size.caption - 2
             text: sheet.refusal
             color: Theme.color.fault
         },

@@ -9,14 +9,18 @@ import CamPanel.Machine
 Sheet {
     id: sheet
 
-    required property var quantities       // list of Explanations.Quantity
-    property var told: []
+    property var quantities: []            // list of Explanations.Quantity
+    property var told: []                  // or of Explanation
+    property string heading                // of numbers that have one in common
     readonly property bool single: told.length === 1
 
-    title: sheet.single ? told[0].title : qsTr("How these numbers come about")
+    title: sheet.heading.length > 0 ? sheet.heading : sheet.single ? told[0].title : qsTr("How these numbers come about")
     panelWidth: width * 0.85
     panelHeight: height * (sheet.single ? 0.75 : 0.95)
-    Component.onCompleted: told = quantities.map(quantity => Explanations.of(quantity))
+    Component.onCompleted: {
+        if (quantities.length > 0)
+            told = quantities.map(quantity => Explanations.of(quantity))
+    }
 
     Flickable {
         id: list
@@ -37,7 +41,7 @@ Sheet {
                     width: blocks.width
                     spacing: Theme.size.accent
                     Label {
-                        visible: !sheet.single
+                        visible: !sheet.single || sheet.heading.length > 0
                         width: parent.width
                         wrapMode: Text.WordWrap
                         text: block.modelData.title

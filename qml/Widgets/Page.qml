@@ -12,5 +12,7 @@ Item {
     signal explainRequested(EditorField field)
     // Some of Explanations, told in one sheet.
     signal numbersExplainRequested(var quantities)
+    // A list of Explanation, told in one sheet of that title.
+    signal explanationsRequested(string title, var explanations)
     signal sheetRequested(Component sheet)
 }

@@ -18,6 +18,7 @@ Card {
     signal removeRequested()
 
     readonly property real third: Math.floor((keys.width - 2 * keys.spacing) / 3)
+    readonly property int figureHeight: Math.round(1.5 * Theme.size.body)
 
     component Key: Button {
         width: card.third
@@ -49,78 +50,103 @@ Card {
             font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
         }
     }
-    ListView {
+    // The figures scroll above the keys; where there is no room for both, the keys come first and scroll with them.
+    Flickable {
         id: list
-        anchors { left: parent.left; right: parent.right; top: head.bottom; bottom: keys.top; margins: Theme.size.padding; topMargin: Theme.size.spacing }
+        readonly property bool keysScroll: height < keys.height + card.figureHeight
+        anchors { left: parent.left; right: parent.right; top: head.bottom; bottom: openKey.top; margins: Theme.size.spacing }
+        contentHeight: list.keysScroll ? figures.height + keys.height + Theme.size.spacing : list.height
         clip: true
         boundsBehavior: Flickable.StopAtBounds
-        model: Recipes.figures
-        delegate: Item {
-            id: figure
-            required property string label
-            required property string value
-            width: list.width - 2 * Theme.size.accent
-            height: Math.round(1.5 * Theme.size.body)
-            Label {
-                width: parent.width - amount.width - Theme.size.spacing
-                height: parent.height
-                fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 3
-                text: figure.label
-                color: Theme.color.secondaryInk
+        Flickable {
+            id: upper
+            anchors { left: parent.left; right: parent.right }
+            y: list.keysScroll ? keys.height + Theme.size.spacing : 0
+            height: list.keysScroll ? figures.height : list.height - keys.height - Theme.size.spacing
+            contentHeight: figures.height
+            clip: true
+            interactive: !list.keysScroll
+            boundsBehavior: Flickable.StopAtBounds
+            Column {
+                id: figures
+                x: Theme.size.padding - Theme.size.spacing
+                width: upper.width - 2 * x
+                Repeater {
+                    model: Recipes.figures
+                    Item {
+                        id: figure
+                        required property string label
+                        required property string value
+                        width: figures.width
+                        height: card.figureHeight
+                        Label {
+                            width: parent.width - amount.width - Theme.size.spacing
+                            height: parent.height
+                            fontSizeMode: Text.HorizontalFit
+                            minimumPixelSize: Theme.size.caption - 3
+                            text: figure.label
+                            color: Theme.color.secondaryInk
+                        }
+                        Label {
+                            id: amount
+                            anchors.right: parent.right
+                            height: parent.height
+                            text: figure.value
+                            font.weight: Font.DemiBold
+                        }
+                    }
+                }
             }
-            Label {
-                id: amount
-                anchors.right: parent.right
-                height: parent.height
-                text: figure.value
-                font.weight: Font.DemiBold
+        }
+        Flow {
+            id: keys
+            anchors { left: parent.left; right: parent.right }
+            y: list.keysScroll ? 0 : upper.height + Theme.size.spacing
+            spacing: Theme.size.spacing
+            Key {
+                objectName: "recipeRename"
+                text: qsTr("Rename …")
+                onClicked: card.renameRequested()
+            }
+            Key {
+                objectName: "recipeCopy"
+                text: qsTr("Copy …")
+                onClicked: card.copyRequested()
+            }
+            Key {
+                objectName: "recipeVersions"
+                text: qsTr("Versions")
+                onClicked: card.versionsRequested()
+            }
+            Key {
+                objectName: "recipeCompare"
+                text: qsTr("Compare")
+                enabled: Recipes.total > 1
+                onClicked: card.compareRequested()
+            }
+            Key {
+                objectName: "recipeRemove"
+                text: qsTr("Delete …")
+                enabled: !Recipes.chosenIsOpen
+                onClicked: card.removeRequested()
+            }
+            Key {
+                objectName: "recipeExport"
+                text: qsTr("Export …")
+                onClicked: card.exportRequested()
             }
         }
     }
-    ScrollMark { view: list }
-    Flow {
-        id: keys
+    ScrollMark {
+        view: list.keysScroll ? list : upper
+        y: list.y + view.visibleArea.yPosition * view.height
+    }
+    Button {
+        id: openKey
+        objectName: "recipeOpen"
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom; margins: Theme.size.spacing }
-        spacing: Theme.size.spacing
-        Key {
-            objectName: "recipeRename"
-            text: qsTr("Rename …")
-            onClicked: card.renameRequested()
-        }
-        Key {
-            objectName: "recipeCopy"
-            text: qsTr("Copy …")
-            onClicked: card.copyRequested()
-        }
-        Key {
-            objectName: "recipeVersions"
-            text: qsTr("Versions")
-            onClicked: card.versionsRequested()
-        }
-        Key {
-            objectName: "recipeCompare"
-            text: qsTr("Compare")
-            enabled: Recipes.total > 1
-            onClicked: card.compareRequested()
-        }
-        Key {
-            objectName: "recipeRemove"
-            text: qsTr("Delete …")
-            enabled: !Recipes.chosenIsOpen
-            onClicked: card.removeRequested()
-        }
-        Key {
-            objectName: "recipeExport"
-            text: qsTr("Export …")
-            onClicked: card.exportRequested()
-        }
-        Key {
-            objectName: "recipeOpen"
-            width: keys.width
-            kind: Button.Primary
-            text: Recipes.chosenIsOpen && !Editor.edited ? qsTr("Download …") : qsTr("Open")
-            onClicked: card.openRequested()
-        }
+        kind: Button.Primary
+        text: Recipes.chosenIsOpen && !Editor.edited ? qsTr("Download …") : qsTr("Open")
+        onClicked: card.openRequested()
     }
 }

@@ -14,6 +14,7 @@ Card {
     property int revision
     readonly property bool empty: Trends.content !== Trends.Shown
     readonly property TrendWords words: TrendWords {}
+    signal explanationsRequested(string title, var explanations)
 
     function momentOf(timeMs: real): string { return plot.momentText(timeMs) }
     function figure(quantity: int, value: real): string {
@@ -27,6 +28,11 @@ Card {
             .arg(Theme.count(found.count, 0)).arg(card.figure(quantity, found.mean)).arg(card.figure(quantity, found.scatter))
             .arg(card.figure(quantity, found.low)).arg(card.figure(quantity, found.high))
         return quantity <= Trends.Deviation ? figures.arg(Theme.number(100 * found.within, 1)) : figures
+    }
+    function explain(lane: int): void {
+        const told = isNaN(card.cursor) ? Explanations.ofTrend(lane) : Explanations.ofTrendCursor(lane, plot.valuesAt(lane, card.cursor))
+        if (told.length > 0)
+            card.explanationsRequested(card.words.titles[Trends.chosen[lane]], told)
     }
     // `at` is the revision of the curves that a binding depends on.
     function valuesOf(lane: int, quantity: int, at: int): string {
@@ -49,6 +55,7 @@ Card {
         laneColors: Array.from(Trends.chosen, quantity => card.words.colors[quantity])
         cursorMs: card.cursor
         headerHeight: Theme.size.caption * 1.7
+        headerReach: Theme.size.touch
         gridColor: Theme.color.line
         inkColor: Theme.color.ink
         secondaryInkColor: Theme.color.secondaryInk
@@ -58,6 +65,7 @@ Card {
         onWindowWanted: (fromMs, toMs) => Trends.showWindow(fromMs, toMs)
         onCursorWanted: timeMs => card.cursor = Math.abs(plot.xOfTime(timeMs) - plot.xOfTime(card.cursor)) < Theme.size.touch / 4 ? NaN : timeMs
         onLayoutChanged: ++card.revision
+        onHeaderHeld: lane => card.explain(lane)
 
         Binding {
             target: plot

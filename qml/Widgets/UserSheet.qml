@@ -20,22 +20,31 @@ Sheet {
     note: Access.message
     panelHeight: Theme.size.touch * 6
 
-    Column {
+    Flickable {
+        id: list
         anchors.fill: parent
-        spacing: Theme.size.spacing
-        Repeater {
-            model: sheet.levels
-            ChoiceRow {
-                required property var modelData
-                objectName: "level" + modelData.key
-                width: parent.width
-                text: modelData.text
-                note: modelData.note
-                holds: sheet.user.level === modelData.key
-                onClicked: Access.changeLevel(sheet.userId, modelData.key)
+        contentHeight: rows.height
+        clip: true
+        boundsBehavior: Flickable.StopAtBounds
+        Column {
+            id: rows
+            width: list.width - 2 * Theme.size.accent
+            spacing: Theme.size.spacing
+            Repeater {
+                model: sheet.levels
+                ChoiceRow {
+                    required property var modelData
+                    objectName: "level" + modelData.key
+                    width: rows.width
+                    text: modelData.text
+                    note: modelData.note
+                    holds: sheet.user.level === modelData.key
+                    onClicked: Access.changeLevel(sheet.userId, modelData.key)
+                }
             }
         }
     }
+    ScrollMark { view: list }
     footer: [
         Button {
             objectName: "userRemove"

@@ -3,9 +3,13 @@
 // texts, and what makes two pictures different.
 #include "app/main/contrast.h"
 #include "app/main/picture_difference.h"
+#include "app/main/scenes.h"
 #include "panel_test.h"
 
 #include <QPainter>
+
+#include <algorithm>
+#include <cmath>
 
 using namespace campanel;
 
@@ -69,6 +73,22 @@ private slots:
         QCOMPARE(m_stage->frame()->property("page").toInt(), 1);
     }
 
+    void groupsOfServiceAreBehindOneKeyWhereGlovesNeedTheRoom()
+    {
+        tap("nav3");
+        tap("serviceMachine");
+        m_stage->panel().settings().setGloves(true);
+        m_stage->settle();
+        QVERIFY(!m_stage->find(QStringLiteral("servicePanel")));
+        tap("serviceGroup");
+        tap("choice_2");
+        QVERIFY(m_stage->find(QStringLiteral("serviceBackup")));
+        m_stage->panel().settings().setGloves(false);
+        m_stage->settle();
+        QVERIFY(m_stage->find(QStringLiteral("servicePanel")));
+        QVERIFY(!m_stage->find(QStringLiteral("serviceGroup")));
+    }
+
     void heldNumbersSayHowTheyComeAbout()
     {
         m_stage->hold(QStringLiteral("packingRate"));
@@ -87,17 +107,53 @@ private slots:
                  qPrintable(textOf("explanationText")));
     }
 
+    void timesOfAnswersSayHowTheyComeAbout()
+    {
+        tap("nav3");
+        tap("serviceLine");
+        tap("service1");
+        m_stage->hold(QStringLiteral("figuresTimes"));
+        const auto& latency = m_stage->panel().service().figures()->report()->figures.latency();
+        const auto told = m_stage->panel().explanations().of(machine::Explanations::Answers99);
+        QCOMPARE(told.value.toDouble(), std::round(latency.percentile(0.99).count() / 100.0) / 10);
+        const auto rank = static_cast<qulonglong>(std::ceil(0.99 * static_cast<double>(latency.count())));
+        QString numbers = told.numbers;
+        QCOMPARE(numbers.remove(u','),
+                 QStringLiteral("time of number %1 of %2").arg(rank).arg(latency.count()));
+        QVERIFY2(textOf("explanationText").contains(QStringLiteral("at 50 % of their number")),
+                 qPrintable(textOf("explanationText")));
+        tap("sheetClose");
+        m_stage->hold(QStringLiteral("figuresExchanges"));
+        QVERIFY2(textOf("explanationText").contains(QStringLiteral(" s / ")),
+                 qPrintable(textOf("explanationText")));
+    }
+
     void unknownNumbersAreExplainedWithoutNumbers()
     {
         m_stage->link().show(panel::DemoLink::Situation::Empty);
         m_stage->settle();
-        machine::Explanations explanations(m_stage->panel().machine(), editor(), nullptr);
-        for (int quantity = machine::Explanations::Rate; quantity <= machine::Explanations::GoodStrokes;
+        const machine::Explanations& explanations = m_stage->panel().explanations();
+        for (int quantity = machine::Explanations::Rate; quantity <= machine::Explanations::AnswerAllowance;
              ++quantity) {
+            if (quantity >= machine::Explanations::FastestRate &&
+                quantity <= machine::Explanations::PeakFrequency)
+                continue; // of the recipe, which is known
             const machine::Explanation told = explanations.of(quantity);
             QVERIFY(!told.title.isEmpty() && !told.meaning.isEmpty() && !told.formula.isEmpty());
             QVERIFY2(told.numbers.isEmpty(), qPrintable(told.text()));
             QVERIFY2(!told.text().contains(QStringLiteral("nan")), qPrintable(told.text()));
+        }
+    }
+
+    void everyLookIsInOneSelfTest()
+    {
+        for (const panel::Look& look : panel::allLooks()) {
+            qsizetype tests = 0;
+            for (const QString& size : QStringLiteral(CAMPANEL_SELF_TESTED_SIZES).split(u' ')) {
+                const QList<panel::Look> tested = panel::looksOf({QStringLiteral("*-%1*").arg(size), {}});
+                tests += std::ranges::count(tested, look.name(), &panel::Look::name);
+            }
+            QVERIFY2(tests == 1, qPrintable(look.name()));
         }
     }
 

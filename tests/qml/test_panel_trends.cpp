@@ -83,6 +83,32 @@ private slots:
         QVERIFY(textOf("trendFigures0").startsWith(QStringLiteral("n ")));
     }
 
+    void aHeldHeadingSaysHowItsFiguresComeAbout()
+    {
+        enter("trends");
+        m_stage->hold(QStringLiteral("trendFigures0"));
+        const QQuickItem* sheet = m_stage->find(QStringLiteral("sheetPanel"));
+        QVERIFY(sheet);
+        const QString text = textOf("explanationText"); // of the mean, which comes first
+        QVERIFY2(text.contains(QStringLiteral("sum of the values / n")), qPrintable(text));
+        QVERIFY2(text.contains(QStringLiteral(" / 531\n= ")), qPrintable(text));
+        const QVariantMap found = trends().statistics().first().toMap();
+        QVERIFY2(text.endsWith(QStringLiteral("= %1 mm").arg(found.value(QStringLiteral("mean")).toDouble(),
+                                                             0, 'f', 2)),
+                 qPrintable(text));
+        QCOMPARE(m_stage->panel().explanations().ofTrend(0).size(), 4);
+        QCOMPARE(m_stage->panel().explanations().ofTrend(1).size(), 3); // marks are judged by nobody
+        QVERIFY(m_stage->panel().explanations().ofTrend(2).isEmpty());
+        tap("sheetClose");
+        QVERIFY(trends().live());
+        enter("trends-cursor");
+        m_stage->hold(QStringLiteral("trendFigures1"));
+        QVERIFY2(textOf("explanationText").contains(QStringLiteral("columns of 2 s")),
+                 qPrintable(textOf("explanationText")));
+        enter("trends-nothing-here");
+        QVERIFY(m_stage->panel().explanations().ofTrend(0).isEmpty());
+    }
+
     void curvesAreChosen()
     {
         enter("trends-curves");

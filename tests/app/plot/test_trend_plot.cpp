@@ -210,6 +210,34 @@ private slots:
         QVERIFY(moved.isEmpty());
     }
 
+    void aHeldHeaderAsksForItsLaneAndMovesNothing()
+    {
+        QQuickWindow window;
+        window.resize(600, 300);
+        const auto plot = plotOf(withAPause(100), 100'000);
+        plot->setProperty("lanes", 2);
+        plot->setProperty("headerReach", 40);
+        plot->setParentItem(window.contentItem());
+        window.show();
+        QSignalSpy held(plot.get(), &TrendPlot::headerHeld);
+        QSignalSpy cursor(plot.get(), &TrendPlot::cursorWanted);
+        QSignalSpy moved(plot.get(), &TrendPlot::windowWanted);
+        const int y = static_cast<int>(plot->laneTop(1)) + 10;
+        QTest::mousePress(&window, Qt::LeftButton, {}, {300, y});
+        QTRY_COMPARE(held.size(), 1);
+        QCOMPARE(held[0][0].toInt(), 1);
+        QTest::mouseMove(&window, {400, y});
+        QTest::mouseRelease(&window, Qt::LeftButton, {}, {400, y});
+        QVERIFY(cursor.isEmpty() && moved.isEmpty());
+        // A tap and a drag there are those of the plot, and so is a hold below.
+        QTest::mouseClick(&window, Qt::LeftButton, {}, {300, y});
+        QCOMPARE(cursor.size(), 1);
+        QTest::mousePress(&window, Qt::LeftButton, {}, {300, y + 40});
+        QTRY_COMPARE(cursor.size(), 2);
+        QTest::mouseRelease(&window, Qt::LeftButton, {}, {300, y + 40});
+        QCOMPARE(held.size(), 1);
+    }
+
     void twoFingersOnTheScreenZoom()
     {
         QQuickWindow window;
