@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/machine/status_trace.h"
 
-#include "modbus/protocol.h"
-
 #include <QStringList>
 
 using namespace Qt::StringLiterals;
