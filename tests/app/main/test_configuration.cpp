@@ -66,6 +66,22 @@ private slots:
         QCOMPARE(read.values.screen, fresh.screen);
     }
 
+    void theManPageNamesEveryKey()
+    {
+        QFile page(QStringLiteral(CAMPANEL_MAN_PAGE));
+        QVERIFY(page.open(QIODevice::ReadOnly));
+        QString section;
+        QStringList named;
+        while (!page.atEnd()) {
+            const QString line = QString::fromUtf8(page.readLine()).trimmed();
+            if (line.startsWith(u".Ss ["))
+                section = line.mid(5).chopped(1);
+            else if (line.startsWith(u".It Cm "))
+                named << section + u'.' + line.section(u' ', 2, 2);
+        }
+        QCOMPARE(named, panel::configurationKeys());
+    }
+
     void everyValueIsTaken()
     {
         const ReadConfiguration read = configurationFrom(R"(
