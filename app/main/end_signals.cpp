@@ -6,6 +6,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -36,10 +37,9 @@ EndSignals::EndSignals()
     g_readEnd = ends[0];
     g_writeEnd = ends[1];
     m_notifier = std::make_unique<QSocketNotifier>(g_readEnd, QSocketNotifier::Read);
-    QObject::connect(m_notifier.get(), &QSocketNotifier::activated, m_notifier.get(), [this] {
-        m_notifier->setEnabled(false);
-        QCoreApplication::exit(EXIT_SUCCESS);
-    });
+    // The byte stays in the pipe: should an event loop end that is not the outermost one, the next is ended too.
+    QObject::connect(m_notifier.get(), &QSocketNotifier::activated, m_notifier.get(),
+                     [] { QCoreApplication::exit(EXIT_SUCCESS); });
     struct sigaction action {};
     action.sa_handler = noteSignal;
     action.sa_flags = SA_RESTART;
