@@ -211,6 +211,10 @@ public:
 
     ReadConfiguration read()
     {
+        for (qsizetype i = 0; i < m_lines.size(); ++i) {
+            if (QString::fromUtf8(m_lines[i]).toUtf8() != m_lines[i])
+                dropLine(static_cast<toml::source_index>(i + 1), u"not UTF-8"_s);
+        }
         // A line that is no TOML would cost the whole file: without it the rest is tried again.
         for (qsizetype attempt = 0; attempt <= m_lines.size(); ++attempt) {
             const QByteArray text = m_lines.join('\n');
