@@ -60,6 +60,10 @@ public:
     // rulerRead(); a link that has no simulated machine says so at once.
     virtual void readRuler() { emit rulerRead({RulerEnd::NotSimulated}); }
 
+    // Ends in one pingAnswered() with that number when what serves the line comes round to it; until it does,
+    // in none.
+    virtual void ping(quint32 number) { emit pingAnswered(number); }
+
     // While watched: figuresReported() once a second, the first one at once.
     virtual void watchFigures(bool isWatched) = 0;
     virtual void resetFigures() = 0;
@@ -81,6 +85,7 @@ signals:
     void rulerRead(const campanel::link::RulerOutcome& outcome);
     void figuresReported(const campanel::link::FiguresReport& report);
     void framesRecorded(const QList<campanel::modbus::FrameRecord>& frames);
+    void pingAnswered(quint32 number);
 };
 
 } // namespace campanel::link

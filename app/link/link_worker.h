@@ -62,6 +62,7 @@ signals:
     void rulerRead(const campanel::link::RulerOutcome& outcome);
     void figuresReported(const campanel::link::FiguresReport& report);
     void framesRecorded(const QList<campanel::modbus::FrameRecord>& frames);
+    void pingAnswered(quint32 number); // as asked, from the worker's event loop
 
 private:
     using ProgramId = std::pair<std::uint32_t, std::uint32_t>; // generation and CRC-32

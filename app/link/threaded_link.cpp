@@ -25,6 +25,7 @@ ThreadedLink::ThreadedLink(QObject* parent)
     connect(this, &ThreadedLink::scanCancelWanted, worker, &LinkWorker::cancelScan);
     connect(this, &ThreadedLink::faultsWanted, worker, &LinkWorker::simulateFaults);
     connect(this, &ThreadedLink::rulerWanted, worker, &LinkWorker::readRuler);
+    connect(this, &ThreadedLink::pingWanted, worker, &LinkWorker::pingAnswered);
     connect(this, &ThreadedLink::figuresWatchWanted, worker, &LinkWorker::watchFigures);
     connect(this, &ThreadedLink::figuresResetWanted, worker, &LinkWorker::resetFigures);
     connect(this, &ThreadedLink::framesWatchWanted, worker, &LinkWorker::watchFrames);
@@ -41,6 +42,7 @@ ThreadedLink::ThreadedLink(QObject* parent)
     connect(worker, &LinkWorker::rulerRead, this, &Link::rulerRead);
     connect(worker, &LinkWorker::figuresReported, this, &Link::figuresReported);
     connect(worker, &LinkWorker::framesRecorded, this, &Link::framesRecorded);
+    connect(worker, &LinkWorker::pingAnswered, this, &Link::pingAnswered);
     connect(&m_thread, &QThread::finished, worker, &QObject::deleteLater);
     m_thread.start();
 }

@@ -41,6 +41,7 @@ public:
     void cancelScan() override { emit scanCancelWanted(); }
     void simulateFaults(const QStringList& rules) override { emit faultsWanted(rules); }
     void readRuler() override { emit rulerWanted(); }
+    void ping(quint32 number) override { emit pingWanted(number); }
     void watchFigures(bool isWatched) override { emit figuresWatchWanted(isWatched); }
     void resetFigures() override { emit figuresResetWanted(); }
     void watchFrames(bool isWatched) override { emit framesWatchWanted(isWatched); }
@@ -60,6 +61,7 @@ signals:
     void scanCancelWanted();
     void faultsWanted(const QStringList& rules);
     void rulerWanted();
+    void pingWanted(quint32 number);
     void figuresWatchWanted(bool isWatched);
     void figuresResetWanted();
     void framesWatchWanted(bool isWatched);

@@ -41,7 +41,7 @@ Alarms::Alarms(Machine& machine, Editor& editor, Records& records, Settings& set
     : QObject(parent)
     , m_machine(machine)
     , m_records(records)
-    , m_wallClock(&QDateTime::currentDateTime)
+    , m_wallClock([] { return QDateTime::currentDateTime(); })
     , m_watch(machine, editor, records, settings, this)
     , m_history(records, this)
     , m_publishTimer(this)

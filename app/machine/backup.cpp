@@ -56,7 +56,7 @@ Backup::Backup(const Parts& parts, const QString& folder, QObject* parent)
     , m_ownFolder(QDir(folder).filePath(u"backups"_s))
     , m_places(m_ownFolder, this)
     , m_looker(&store::exchangePlaces)
-    , m_wallClock(&QDateTime::currentDateTime)
+    , m_wallClock([] { return QDateTime::currentDateTime(); })
 {
     m_pool.setMaxThreadCount(1);
     connect(&m_places, &ReportFiles::written, this, [this](const QStringList& paths, const QString& problem) {

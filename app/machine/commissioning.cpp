@@ -39,7 +39,7 @@ Commissioning::Commissioning(Machine& machine, Editor& editor, Access& access, R
     , m_editor(editor)
     , m_access(access)
     , m_files(files)
-    , m_wallClock(&QDateTime::currentDateTime)
+    , m_wallClock([] { return QDateTime::currentDateTime(); })
     , m_printer([](const ReportData&) { return QByteArray(); })
 {
 }

@@ -38,7 +38,7 @@ Recipes::Recipes(Machine& machine, Editor& editor, Records& records, const QStri
     , m_machine(machine)
     , m_editor(editor)
     , m_records(records)
-    , m_wallClock(&QDateTime::currentDateTime)
+    , m_wallClock([] { return QDateTime::currentDateTime(); })
     , m_author([] { return QString(); })
     , m_files(
           QDir(folder).filePath(u"recipes"_s), [this](const Recipe& recipe) { return consequence(recipe); },

@@ -32,14 +32,9 @@ QString chosen(const QString& wanted, const QStringList& possible, const QString
     return possible.contains(wanted) ? wanted : otherwise;
 }
 
-const QList<int> possibleBauds{9600, 19200, 38400, 57600, 115200};
-const QList<int> possibleLogouts{1, 2, 5, 10, 30};
-const QStringList possibleParities{u"N"_s, u"E"_s, u"O"_s};
-
 // What was edited by hand into nonsense becomes the standard.
-ConnectionChoice storedConnection(const QSettings& storage)
+ConnectionChoice storedConnection(const QSettings& storage, const ConnectionChoice& standard)
 {
-    const ConnectionChoice standard;
     ConnectionChoice choice;
     choice.simulated = storage.value("connection/simulated"_L1, standard.simulated).toBool();
     choice.portName = storage.value("connection/port"_L1, standard.portName).toString();
@@ -47,9 +42,9 @@ ConnectionChoice storedConnection(const QSettings& storage)
     choice.parity = storage.value("connection/parity"_L1, standard.parity).toString();
     choice.stopBits = storage.value("connection/stop_bits"_L1, standard.stopBits).toInt();
     choice.unit = storage.value("connection/unit"_L1, standard.unit).toInt();
-    if (!possibleBauds.contains(choice.baud))
+    if (!Settings::possibleBauds().contains(choice.baud))
         choice.baud = standard.baud;
-    choice.parity = chosen(choice.parity, possibleParities, standard.parity);
+    choice.parity = chosen(choice.parity, Settings::possibleParities(), standard.parity);
     choice.stopBits = std::clamp(choice.stopBits, 1, 2);
     choice.unit = std::clamp(choice.unit, 1, 247);
     return choice;
@@ -81,25 +76,54 @@ void store(QSettings& storage, const ConnectionChoice& choice)
 
 } // namespace
 
-Settings::Settings(const QString& storage, QObject* parent)
+Settings::Settings(const QString& storage, QObject* parent, const StandardSettings& standard)
     : QObject(parent)
     , m_storage(fileName(storage), QSettings::IniFormat)
+    , m_gloves(m_storage.value(glovesKey, standard.gloves).toBool())
+    , m_standardToleranceMm(standard.bagToleranceMm)
+    , m_bagToleranceMm(standard.bagToleranceMm)
+    , m_autoLogoutMinutes(standard.autoLogoutMinutes)
+    , m_operatorsLogIn(m_storage.value(operatorsLogInKey, standard.operatorsLogIn).toBool())
 {
     const bool chineseSystem = QLocale::system().language() == QLocale::Chinese;
-    m_language =
-        chosen(m_storage.value(languageKey).toString(), languages(), chineseSystem ? u"zh_CN"_s : u"en"_s);
-    m_theme = chosen(m_storage.value(themeKey).toString(), themes(), u"light"_s);
-    m_gloves = m_storage.value(glovesKey, m_gloves).toBool();
-    const double stored = m_storage.value(bagToleranceKey, standardToleranceMm).toDouble();
+    const QString systemLanguage = chineseSystem ? u"zh_CN"_s : u"en"_s;
+    m_language = chosen(m_storage.value(languageKey).toString(), languages(),
+                        chosen(standard.language, languages(), systemLanguage));
+    m_theme = chosen(m_storage.value(themeKey).toString(), themes(), standard.theme);
+    const double stored = m_storage.value(bagToleranceKey, m_standardToleranceMm).toDouble();
     if (stored >= leastToleranceMm && stored <= mostToleranceMm)
         m_bagToleranceMm = stored;
     const int minutes = m_storage.value(autoLogoutKey, m_autoLogoutMinutes).toInt();
-    if (possibleLogouts.contains(minutes))
+    if (possibleLogouts().contains(minutes))
         m_autoLogoutMinutes = minutes;
-    m_operatorsLogIn = m_storage.value(operatorsLogInKey, m_operatorsLogIn).toBool();
-    m_applied = storedConnection(m_storage);
+    m_applied = storedConnection(m_storage, standard.connection);
     m_draft = m_applied;
     QLocale::setDefault(QLocale(m_language));
+}
+
+QList<int> Settings::possibleBauds()
+{
+    return {9600, 19200, 38400, 57600, 115200};
+}
+
+QStringList Settings::possibleParities()
+{
+    return {u"N"_s, u"E"_s, u"O"_s};
+}
+
+QStringList Settings::possibleLanguages()
+{
+    return {u"en"_s, u"zh_CN"_s};
+}
+
+QStringList Settings::possibleThemes()
+{
+    return {u"light"_s, u"dark"_s, u"contrast"_s};
+}
+
+QList<int> Settings::possibleLogouts()
+{
+    return {1, 2, 5, 10, 30};
 }
 
 QString Settings::fileName(const QString& storage)
@@ -140,24 +164,9 @@ Settings* Settings::create(QQmlEngine* qmlEngine, QJSEngine*)
     return attachedInstance<Settings>(qmlEngine);
 }
 
-QStringList Settings::languages() const
-{
-    return {u"en"_s, u"zh_CN"_s};
-}
-
 QStringList Settings::languageNames() const
 {
     return {u"English"_s, u"简体中文"_s};
-}
-
-QStringList Settings::themes() const
-{
-    return {u"light"_s, u"dark"_s, u"contrast"_s};
-}
-
-QList<int> Settings::bauds() const
-{
-    return possibleBauds;
 }
 
 void Settings::overrideLanguage(const QString& language)
@@ -213,14 +222,9 @@ void Settings::setBagToleranceMm(double toleranceMm)
     emit bagToleranceChanged();
 }
 
-QList<int> Settings::autoLogoutChoices() const
-{
-    return possibleLogouts;
-}
-
 void Settings::setAutoLogoutMinutes(int minutes)
 {
-    if (minutes == m_autoLogoutMinutes || !possibleLogouts.contains(minutes) || !admits(Level::Service))
+    if (minutes == m_autoLogoutMinutes || !possibleLogouts().contains(minutes) || !admits(Level::Service))
         return;
     m_autoLogoutMinutes = minutes;
     m_storage.setValue(autoLogoutKey, minutes);
@@ -268,7 +272,7 @@ void Settings::setBaud(int baud)
 void Settings::setParity(const QString& parity)
 {
     ConnectionChoice choice = m_draft;
-    choice.parity = chosen(parity, possibleParities, choice.parity);
+    choice.parity = chosen(parity, possibleParities(), choice.parity);
     edit(choice);
 }
 

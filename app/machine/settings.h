@@ -30,6 +30,17 @@ struct ConnectionChoice {
     bool operator==(const ConnectionChoice&) const = default;
 };
 
+// What holds until somebody sets another value on the panel.
+struct StandardSettings {
+    ConnectionChoice connection;
+    QString language; // empty: the system's, or English
+    QString theme = QStringLiteral("light");
+    bool gloves = false;
+    double bagToleranceMm = 0.5;
+    int autoLogoutMinutes = 5;
+    bool operatorsLogIn = false;
+};
+
 class Settings : public QObject {
     Q_OBJECT
     QML_ELEMENT
@@ -70,7 +81,16 @@ class Settings : public QObject {
 
 public:
     // `storage` as an ini file's path; empty for the user's usual place.
-    explicit Settings(const QString& storage, QObject* parent);
+    explicit Settings(const QString& storage, QObject* parent, const StandardSettings& standard = {});
+
+    // What can be chosen, and the limits of the tolerance.
+    [[nodiscard]] static QList<int> possibleBauds();
+    [[nodiscard]] static QStringList possibleParities();
+    [[nodiscard]] static QStringList possibleLanguages();
+    [[nodiscard]] static QStringList possibleThemes();
+    [[nodiscard]] static QList<int> possibleLogouts();
+    static constexpr double leastToleranceMm = 0.05;
+    static constexpr double mostToleranceMm = 5;
 
     // Where they are kept for that `storage`.
     [[nodiscard]] static QString fileName(const QString& storage);
@@ -85,18 +105,18 @@ public:
 
     [[nodiscard]] QString language() const { return m_language; }
     void setLanguage(const QString& language);
-    [[nodiscard]] QStringList languages() const;
+    [[nodiscard]] QStringList languages() const { return possibleLanguages(); }
     [[nodiscard]] QStringList languageNames() const; // each in its own language
     [[nodiscard]] QString theme() const { return m_theme; }
     void setTheme(const QString& theme);
-    [[nodiscard]] QStringList themes() const;
+    [[nodiscard]] QStringList themes() const { return possibleThemes(); }
     [[nodiscard]] bool gloves() const { return m_gloves; }
     void setGloves(bool gloves);
     [[nodiscard]] double bagToleranceMm() const { return m_bagToleranceMm; }
     void setBagToleranceMm(double toleranceMm); // what is beyond the limits becomes the limit
     [[nodiscard]] double leastBagToleranceMm() const { return leastToleranceMm; }
     [[nodiscard]] double mostBagToleranceMm() const { return mostToleranceMm; }
-    [[nodiscard]] double defaultBagToleranceMm() const { return standardToleranceMm; }
+    [[nodiscard]] double defaultBagToleranceMm() const { return m_standardToleranceMm; }
 
     [[nodiscard]] bool simulated() const { return m_draft.simulated; }
     void setSimulated(bool simulated);
@@ -111,12 +131,12 @@ public:
     [[nodiscard]] int unit() const { return m_draft.unit; }
     void setUnit(int unit);
     [[nodiscard]] bool connectionDirty() const { return m_draft != m_applied; }
-    [[nodiscard]] QList<int> bauds() const;
+    [[nodiscard]] QList<int> bauds() const { return possibleBauds(); }
     [[nodiscard]] PortModel* ports() { return &m_ports; }
 
     [[nodiscard]] int autoLogoutMinutes() const { return m_autoLogoutMinutes; }
     void setAutoLogoutMinutes(int minutes);
-    [[nodiscard]] QList<int> autoLogoutChoices() const;
+    [[nodiscard]] QList<int> autoLogoutChoices() const { return possibleLogouts(); }
     [[nodiscard]] bool operatorsLogIn() const { return m_operatorsLogIn; }
     void setOperatorsLogIn(bool logIn);
     // From now on it is asked before a change: connection and tolerance are for technicians, logging in and
@@ -157,20 +177,17 @@ signals:
     void firstStartChanged();
 
 private:
-    static constexpr double leastToleranceMm = 0.05;
-    static constexpr double mostToleranceMm = 5;
-    static constexpr double standardToleranceMm = 0.5;
-
     void edit(ConnectionChoice choice);
     [[nodiscard]] bool admits(Level needed) const { return !m_gate || m_gate->admits(needed); }
 
     QSettings m_storage;
     QString m_language;
     QString m_theme;
-    bool m_gloves = false;
-    double m_bagToleranceMm = standardToleranceMm;
-    int m_autoLogoutMinutes = 5;
-    bool m_operatorsLogIn = false;
+    bool m_gloves;
+    double m_standardToleranceMm;
+    double m_bagToleranceMm;
+    int m_autoLogoutMinutes;
+    bool m_operatorsLogIn;
     bool m_isFirstStart = false;
     QPointer<Gate> m_gate;
     ConnectionChoice m_draft;

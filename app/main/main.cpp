@@ -3,34 +3,92 @@
 #include "app/link/threaded_link.h"
 #include "app/main/baselines.h"
 #include "app/main/capture.h"
+#include "app/main/configuration.h"
+#include "app/main/end_signals.h"
 #include "app/main/fonts.h"
+#include "app/main/kiosk.h"
 #include "app/main/memory.h"
 #include "app/main/options.h"
 #include "app/main/panel.h"
 #include "app/main/qml_modules.h"
 #include "app/main/self_test.h"
+#include "app/main/service_watchdog.h"
 
+#include <QFile>
 #include <QGuiApplication>
+#include <QLoggingCategory>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace {
 
 using namespace campanel;
 
-// Captures and the self-test need no display. The platform is chosen before there is an application to ask.
-void chooseOffscreen(std::span<char*> arguments)
+using Arguments = std::span<char*>;
+
+// Some options count before there is an application to ask.
+bool isGiven(Arguments arguments, std::string_view option)
 {
-    const auto needsNoDisplay = [](std::string_view argument) {
+    return std::find(arguments.begin() + 1, arguments.end(), option) != arguments.end();
+}
+
+QString valueOf(Arguments arguments, const std::string& option)
+{
+    for (std::size_t i = 1; i < arguments.size(); ++i) {
+        const std::string_view argument = arguments[i];
+        if (argument == option && i + 1 < arguments.size())
+            return QFile::decodeName(arguments[i + 1]);
+        if (argument.starts_with(option + '='))
+            return QFile::decodeName(arguments[i] + option.size() + 1);
+    }
+    return {};
+}
+
+// Captures and the self-test need neither a display nor what is configured for this machine.
+bool isOffscreen(Arguments arguments)
+{
+    return std::any_of(arguments.begin() + 1, arguments.end(), [](std::string_view argument) {
         return argument == "--self-test" || argument.starts_with("--capture") || argument == "--help" ||
                argument == "-h" || argument == "--version" || argument == "-v";
-    };
-    if (std::any_of(arguments.begin() + 1, arguments.end(), needsNoDisplay))
-        qputenv("QT_QPA_PLATFORM", "offscreen");
+    });
+}
+
+panel::Configuration configurationOf(Arguments arguments)
+{
+    const QString named = valueOf(arguments, "--config");
+    const panel::ReadConfiguration read =
+        panel::readConfiguration(named.isEmpty() ? panel::configurationFile() : named);
+    for (const QString& complaint : read.complaints)
+        std::fprintf(stderr, "campanel: %s\n", qPrintable(complaint));
+    if (!named.isEmpty() && !QFile::exists(named))
+        std::fprintf(stderr, "campanel: %s: there is no such file.\n", qPrintable(named));
+    QLoggingCategory::setFilterRules(read.values.logRules.join(u'\n'));
+    return read.values;
+}
+
+constexpr std::chrono::seconds screenAwaited{30};
+
+// False: there is no screen. Who sets the platform from outside has chosen already.
+bool prepareScreen(panel::ScreenAccess wanted)
+{
+    if (!qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+        return true;
+    const panel::ScreenPlaces places;
+    const panel::ScreenChoice choice = panel::waitForScreen(wanted, places, screenAwaited);
+    std::fprintf(stderr, "campanel: %s\n", qPrintable(choice.reason));
+    if (choice.platform.isEmpty())
+        return false;
+    qputenv("QT_QPA_PLATFORM", choice.platform.toLatin1());
+    if (qEnvironmentVariableIsEmpty("QT_QPA_EGLFS_INTEGRATION"))
+        qputenv("QT_QPA_EGLFS_INTEGRATION", "eglfs_kms");
+    panel::noteScreenTried(choice.platform, places);
+    return true;
 }
 
 // Says which packages are missing.
@@ -53,10 +111,11 @@ int capture(const panel::Options& options)
                                              options.isUpdatingBaselines);
 }
 
-int runPanel(const panel::Options& options)
+int runPanel(const panel::Options& options, const panel::Configuration& configuration,
+             const panel::ServiceManager& manager)
 {
     link::ThreadedLink link(nullptr);
-    panel::Panel panel(link, {});
+    panel::Panel panel(link, {{}, {}, configuration.standard});
     hasFonts(); // reads all fonts while the QML is being loaded; without them the panel still works
     if (options.connection)
         panel.settings().overrideConnection(*options.connection);
@@ -64,9 +123,11 @@ int runPanel(const panel::Options& options)
         panel.settings().overrideLanguage(options.language);
     if (!options.theme.isEmpty())
         panel.settings().overrideTheme(options.theme);
-    if (!panel.load(options.size))
+    constexpr QSize usualSize(1024, 600);
+    if (!panel.load(options.size.value_or(configuration.windowSize.value_or(usualSize))))
         return EXIT_FAILURE;
-    if (options.isFullScreen)
+    const panel::ServiceWatchdog watchdog(manager, link, panel.window());
+    if (options.isFullScreen || options.isKiosk || configuration.isFullScreen)
         panel.window().showFullScreen();
     else
         panel.window().show();
@@ -77,8 +138,10 @@ int runPanel(const panel::Options& options)
     });
     QObject::connect(
         &panel.window(), &QQuickWindow::frameSwapped, &panel,
-        [&panel, isAnnounced = options.isFirstFrameAnnounced] {
-            if (isAnnounced) {
+        [&panel, &options] {
+            if (options.isKiosk)
+                panel::noteScreenWorks({});
+            if (options.isFirstFrameAnnounced) {
                 std::puts("first frame");
                 std::fflush(stdout);
             }
@@ -94,7 +157,15 @@ int runPanel(const panel::Options& options)
 int main(int argc, char* argv[])
 {
     panel::keepMemoryFlat();
-    chooseOffscreen({argv, static_cast<std::size_t>(argc)});
+    const Arguments arguments(argv, static_cast<std::size_t>(argc));
+    panel::Configuration configuration;
+    if (isOffscreen(arguments))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    else
+        configuration = configurationOf(arguments);
+    if (!isOffscreen(arguments) && isGiven(arguments, "--kiosk") && !prepareScreen(configuration.screen))
+        return EXIT_FAILURE;
+    const panel::ServiceManager manager;
     QGuiApplication application(argc, argv);
     QGuiApplication::setApplicationName(QStringLiteral("campanel"));
     QGuiApplication::setOrganizationName(QStringLiteral("campanel"));
@@ -106,8 +177,10 @@ int main(int argc, char* argv[])
         return hasFonts() ? capture(options) : EXIT_FAILURE;
     if (options.isSelfTest)
         return hasFonts() ? panel::selfTest(options.selection) : EXIT_FAILURE;
+    const panel::EndSignals endSignals;
     int code = restartCode;
     while (code == restartCode)
-        code = runPanel(options);
+        code = runPanel(options, configuration, manager);
+    manager.tell("STOPPING=1");
     return code;
 }

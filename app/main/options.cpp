@@ -2,6 +2,8 @@
 // The command line of the panel; see options.h.
 #include "app/main/options.h"
 
+#include "app/main/configuration.h"
+
 #include <QCommandLineParser>
 #include <QCoreApplication>
 #include <QRegularExpression>
@@ -108,8 +110,11 @@ Options readOptions(const QCoreApplication& application)
          QStringLiteral("language")},
         {QStringLiteral("theme"), QStringLiteral("light, dark or contrast, for this run."),
          QStringLiteral("theme")},
-        {QStringLiteral("size"), QStringLiteral("Size of the window (1024x600)."), QStringLiteral("WxH"),
-         QStringLiteral("1024x600")},
+        {QStringLiteral("config"), QStringLiteral("Configuration file (%1).").arg(configurationFile()),
+         QStringLiteral("file")},
+        {QStringLiteral("kiosk"),
+         QStringLiteral("Without a window system: wait for the screen, then fill it by eglfs or linuxfb.")},
+        {QStringLiteral("size"), QStringLiteral("Size of the window (1024x600)."), QStringLiteral("WxH")},
         {QStringLiteral("fullscreen"), QStringLiteral("Fill the screen; touch sizes follow its density.")},
         {QStringLiteral("capture"),
          QStringLiteral("Write every page and dialog in every language, theme and size as PNG, and end."),
@@ -145,7 +150,9 @@ Options readOptions(const QCoreApplication& application)
         oneOf(parser, QStringLiteral("language"), {QStringLiteral("en"), QStringLiteral("zh_CN")});
     options.theme = oneOf(parser, QStringLiteral("theme"),
                           {QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("contrast")});
-    options.size = sizeFrom(parser.value(QStringLiteral("size")));
+    if (parser.isSet(QStringLiteral("size")))
+        options.size = sizeFrom(parser.value(QStringLiteral("size")));
+    options.isKiosk = parser.isSet(QStringLiteral("kiosk"));
     options.isFullScreen = parser.isSet(QStringLiteral("fullscreen"));
     options.captureFolder = parser.value(QStringLiteral("capture"));
     options.baselineFolder = parser.value(QStringLiteral("compare"));

@@ -18,8 +18,9 @@ struct Options {
     std::optional<machine::ConnectionChoice> connection; // empty: as in the settings
     QString language;                                    // empty: as in the settings
     QString theme;
-    QSize size{1024, 600};
+    std::optional<QSize> size; // empty: as configured
     bool isFullScreen = false;
+    bool isKiosk = false;
     QString captureFolder;  // empty: no capture
     QString baselineFolder; // of the pictures that a capture is compared with; empty: nothing is compared
     bool isUpdatingBaselines = false;

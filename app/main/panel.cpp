@@ -9,10 +9,13 @@
 #include <QEventLoop>
 #include <QLibraryInfo>
 #include <QLocale>
+#include <QLoggingCategory>
 #include <QStandardPaths>
 
 namespace campanel::panel {
 namespace {
+
+Q_LOGGING_CATEGORY(uiLog, "campanel.ui")
 
 QString recipeFolder(const Storage& storage)
 {
@@ -25,7 +28,7 @@ QString recipeFolder(const Storage& storage)
 Panel::Panel(link::Link& link, const Storage& storage)
     : m_restore(
           store::finishRestore(recipeFolder(storage), machine::Settings::fileName(storage.settingsFile)))
-    , m_settings(storage.settingsFile, nullptr)
+    , m_settings(storage.settingsFile, nullptr, storage.standard)
     , m_machine(link, m_settings, nullptr)
     , m_editor(m_machine, recipeFolder(storage), nullptr)
     , m_records(recipeFolder(storage), nullptr)
@@ -42,6 +45,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     , m_bundle({m_machine, m_editor, m_records, *m_service.figures(), *m_service.files()}, nullptr)
     , m_display(m_machine, storage.settingsFile, nullptr)
     , m_explanations({m_machine, m_editor, *m_service.figures(), m_trends}, nullptr)
+    , m_pageMemory(recipeFolder(storage) + QStringLiteral("/open-page"))
 {
     m_commissioning.setPrinter(&report::commissioningPdf);
     m_records.noteRestore(m_restore);
@@ -82,10 +86,17 @@ bool Panel::load(QSize size)
     while (m_component.isLoading())
         untilLoaded.exec();
     m_window.reset(qobject_cast<QQuickWindow*>(m_component.createWithInitialProperties(
-        {{QStringLiteral("width"), size.width()}, {QStringLiteral("height"), size.height()}})));
-    if (!m_window)
+        {{QStringLiteral("width"), size.width()},
+         {QStringLiteral("height"), size.height()},
+         {QStringLiteral("page"), m_pageMemory.left().value_or(0)}})));
+    if (!m_window) {
         qCritical("%s", qPrintable(m_component.errorString()));
-    return m_window != nullptr;
+        return false;
+    }
+    if (m_pageMemory.left())
+        qCInfo(uiLog, "the last run was not ended in order; it had page %d open", *m_pageMemory.left());
+    m_pageMemory.follow(*m_window);
+    return true;
 }
 
 void Panel::translate()

@@ -20,6 +20,7 @@
 #include "app/machine/service_bundle.h"
 #include "app/machine/settings.h"
 #include "app/machine/trends.h"
+#include "app/main/page_memory.h"
 
 #include <QObject>
 #include <QQmlComponent>
@@ -36,6 +37,7 @@ namespace campanel::panel {
 struct Storage {
     QString settingsFile;
     QString recipeFolder;
+    machine::StandardSettings standard{}; // until something else is set on the panel
 };
 
 class Panel : public QObject {
@@ -69,7 +71,8 @@ public:
     void open();
 
     // Loads the window, hidden, at its size from the first binding on: a later resize lays all texts out
-    // again. False after QML errors, which went to the log.
+    // again. After a run that was not ended in order it opens at that run's page. False after QML errors,
+    // which went to the log.
     [[nodiscard]] bool load(QSize size);
     [[nodiscard]] QQuickWindow& window() { return *m_window; }
 
@@ -101,6 +104,7 @@ private:
     QQmlEngine m_engine;
     QQmlComponent m_component{&m_engine};
     std::unique_ptr<QQuickWindow> m_window;
+    PageMemory m_pageMemory; // after the window that it follows
 };
 
 } // namespace campanel::panel

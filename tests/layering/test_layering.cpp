@@ -44,7 +44,7 @@ const QList<Rule>& includeRules()
         {u"app/cli"_s,
          {standardCpp, posix, expected, qtAny, u"(profile|modbus)/.*"_s, u"app/(program|store|cli)/.*"_s,
           u"packing_run\\.h"_s}},
-        {u"app/main"_s, {standardCpp, qtAny, u"app/.*"_s, posix}},
+        {u"app/main"_s, {standardCpp, qtAny, u"app/.*"_s, posix, u"toml\\+\\+/toml\\.h"_s}},
     };
     return rules;
 }

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// A panel for test_after_a_crash: panel_to_be_killed FOLDER PORT [KEY]. Keeps everything in the folder, taps
+// the key once the machine is there, and prints "page N state S" whenever that changes. SIGTERM ends it in
+// order.
+#include "app/link/threaded_link.h"
+#include "app/main/end_signals.h"
+#include "app/main/finger.h"
+#include "app/main/fonts.h"
+#include "app/main/qml_modules.h"
+
+#include <QGuiApplication>
+#include <QTimer>
+
+#include <cstdio>
+
+using namespace campanel;
+
+int main(int argc, char* argv[])
+{
+    QGuiApplication application(argc, argv);
+    QGuiApplication::setQuitOnLastWindowClosed(false);
+    const QStringList arguments = QGuiApplication::arguments();
+    const QString& folder = arguments.at(1);
+    panel::applyFonts();
+    link::ThreadedLink link(nullptr);
+    panel::Panel panel(link, {folder + QStringLiteral("/settings.ini"), folder});
+    machine::ConnectionChoice choice;
+    choice.simulated = false;
+    choice.portName = arguments.at(2);
+    panel.settings().overrideConnection(choice);
+    if (!panel.load({1024, 600}))
+        return 1;
+    panel.window().show();
+    panel::Finger finger(panel);
+    finger.settle();
+    panel.open();
+
+    QString key = arguments.value(3);
+    QByteArray told;
+    QTimer timer;
+    QObject::connect(&timer, &QTimer::timeout, &panel, [&] {
+        if (!key.isEmpty() && panel.machine().connection() == machine::Machine::Connection::Connected)
+            finger.tap(std::exchange(key, QString()));
+        const QByteArray now = "page " + QByteArray::number(panel.window().property("page").toInt()) +
+                               " state " + QByteArray::number(static_cast<int>(panel.machine().state())) +
+                               '\n';
+        if (now == told)
+            return;
+        told = now;
+        std::fputs(now.constData(), stdout);
+        std::fflush(stdout);
+    });
+    timer.start(50);
+    const panel::EndSignals endSignals;
+    return QGuiApplication::exec();
+}

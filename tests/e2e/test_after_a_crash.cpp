@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// The panel's process is killed while the machine runs: the machine goes on, and the next panel shows it, on
+// the page that was open. After an orderly end it begins with the first page.
+#include "app/machine/machine.h"
+#include "tests/support/controller_process.h"
+
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <csignal>
+
+using namespace campanel;
+using machine::Machine;
+
+namespace {
+
+constexpr int timeoutMs = 30'000;
+
+class PanelProcess {
+public:
+    explicit PanelProcess(const QStringList& arguments)
+    {
+        m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+        m_process.start(QStringLiteral(PANEL_TO_BE_KILLED), arguments);
+    }
+    ~PanelProcess()
+    {
+        m_process.kill();
+        m_process.waitForFinished();
+    }
+    // The last that it said.
+    QByteArray said()
+    {
+        while (m_process.canReadLine())
+            m_said = m_process.readLine().trimmed();
+        return m_said;
+    }
+    void kill() { end(SIGKILL); }
+    void endInOrder() { end(SIGTERM); }
+    [[nodiscard]] bool hasEndedItself() const
+    {
+        return m_process.exitStatus() == QProcess::NormalExit && m_process.exitCode() == 0;
+    }
+
+private:
+    void end(int signal)
+    {
+        ::kill(static_cast<pid_t>(m_process.processId()), signal);
+        m_process.waitForFinished(timeoutMs);
+    }
+    QProcess m_process;
+    QByteArray m_said;
+};
+
+QByteArray shown(int page, Machine::State state)
+{
+    return "page " + QByteArray::number(page) + " state " + QByteArray::number(static_cast<int>(state));
+}
+
+int campanelctl(const QStringList& arguments)
+{
+    return QProcess::execute(QStringLiteral(CAMPANELCTL), arguments);
+}
+
+} // namespace
+
+class TestAfterACrash : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theMachineRunsOnAndThePageComesBack()
+    {
+        const test::ControllerProcess controller;
+        const QTemporaryDir folder;
+        QCOMPARE(campanelctl({"download", "--port", controller.port()}), 0);
+        QCOMPARE(campanelctl({"start", "--port", controller.port()}), 0);
+        const QStringList panel{folder.path(), controller.port()};
+        {
+            PanelProcess first(panel + QStringList{"nav4"});
+            QTRY_COMPARE_WITH_TIMEOUT(first.said(), shown(4, Machine::State::Running), timeoutMs);
+            first.kill();
+            QVERIFY(!first.hasEndedItself());
+        }
+        {
+            PanelProcess second(panel);
+            QTRY_COMPARE_WITH_TIMEOUT(second.said(), shown(4, Machine::State::Running), timeoutMs);
+            second.kill(); // again, without having touched anything
+        }
+        {
+            PanelProcess third(panel);
+            QTRY_COMPARE_WITH_TIMEOUT(third.said(), shown(4, Machine::State::Running), timeoutMs);
+            third.endInOrder();
+            QVERIFY(third.hasEndedItself());
+        }
+        PanelProcess last(panel);
+        QTRY_COMPARE_WITH_TIMEOUT(last.said(), shown(0, Machine::State::Running), timeoutMs);
+    }
+
+    void aDamagedMemoryOfThePageIsNoPage_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::newRow("empty") << QByteArray();
+        QTest::newRow("a word") << QByteArray("Trends\n");
+        QTest::newRow("no such page") << QByteArray("7\n");
+        QTest::newRow("negative") << QByteArray("-1\n");
+    }
+    void aDamagedMemoryOfThePageIsNoPage()
+    {
+        QFETCH(QByteArray, text);
+        const test::ControllerProcess controller;
+        const QTemporaryDir folder;
+        QFile file(folder.filePath(QStringLiteral("open-page")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(text);
+        file.close();
+        PanelProcess panel({folder.path(), controller.port()});
+        QTRY_COMPARE_WITH_TIMEOUT(panel.said(), shown(0, Machine::State::Idle), timeoutMs);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestAfterACrash)
+#include "test_after_a_crash.moc"
