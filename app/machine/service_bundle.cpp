@@ -58,7 +58,7 @@ QJsonValue checksum(const std::optional<std::uint32_t>& crc)
 ServiceBundle::ServiceBundle(const Parts& parts, QObject* parent)
     : QObject(parent)
     , m_parts(parts)
-    , m_wallClock(&QDateTime::currentDateTime)
+    , m_wallClock([] { return QDateTime::currentDateTime(); })
 {
     connect(&parts.machine.link(), &link::Link::statusReceived, this, [this](const link::StatusBatch& batch) {
         for (const link::StatusSample& sample : batch.samples)

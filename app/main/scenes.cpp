@@ -257,15 +257,18 @@ const QList<Scene>& allScenes()
              }
              stage.panel().display().setBacklight(machine::Backlight::find(folder));
              stage.tap(settings);
+             stage.tap(QStringLiteral("section0"));
              stage.tap(QStringLiteral("sectionSystem"));
          }},
         {QStringLiteral("settings-system-plain"),
          [=](Stage& stage) {
              stage.panel().display().setBacklight({});
              stage.tap(settings);
+             stage.tap(QStringLiteral("section0"));
              stage.tap(QStringLiteral("sectionSystem"));
          }},
-        taps("wipe", {settings, QStringLiteral("sectionSystem"), QStringLiteral("wipeScreen")}),
+        taps("wipe", {settings, QStringLiteral("section0"), QStringLiteral("sectionSystem"),
+                      QStringLiteral("wipeScreen")}),
         taps("settings-about", {settings, QStringLiteral("section3")}),
         situation("run-stopped", Situation::Stopped, run),
         situation("run-empty", Situation::Empty, run),

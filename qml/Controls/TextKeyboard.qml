@@ -4,6 +4,7 @@
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
+import CamPanel.Controls
 
 Item {
     id: keyboard

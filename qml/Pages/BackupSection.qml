@@ -70,7 +70,7 @@ ServiceSection {
             id: bundleRow
             width: rows.width
             title: qsTr("Service bundle")
-            note: qsTr("For the manufacturer who helps: open recipe and table, what the controller runs, alarms and changes of 7 days, link figures, the last 10 seconds. No PINs.")
+            note: qsTr("For a manufacturer who helps: open recipe, table, controller, alarms and changes of 7 days, link, the last 10 seconds. No PINs.")
             action: qsTr("Make a bundle")
             name: "bundleMake"
             glyph: Theme.icon.save

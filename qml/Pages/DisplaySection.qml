@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Language, theme and keys for gloves; all change at once, on every page.
+// Language, theme and keys for gloves; all change at once, on every page. Behind a key what belongs to the computer.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -82,6 +82,11 @@ SettingsSection {
             onChosen: key => Settings.theme = key
         }
         Item { width: 1; height: Theme.size.spacing }
+        Button {
+            objectName: "sectionSystem"
+            text: qsTr("Screen, clock, network")
+            onClicked: (section.page as SettingsPage).openSystem()
+        }
         Label {
             width: parent.width
             wrapMode: Text.WordWrap

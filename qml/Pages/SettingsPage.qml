@@ -9,15 +9,20 @@ import CamPanel.Widgets
 Page {
     id: page
 
+    function openSystem(): void {
+        page.section = page.inMenu
+    }
+
     property int section
     readonly property var sections: [
         { name: "section0", text: qsTr("Display"), note: qsTr("language, theme, gloves"), source: "DisplaySection.qml" },
-        { name: "sectionSystem", text: qsTr("System"), note: qsTr("brightness, clock, network"), source: "SystemSection.qml" },
         { name: "section1", text: qsTr("Connection"), note: qsTr("simulated or serial port"), source: "ConnectionSection.qml" },
         { name: "section2", text: qsTr("Machine"), note: qsTr("drive, gear, motor limits"), source: "MachineSection.qml" },
         { name: "sectionUsers", text: qsTr("Users"), note: qsTr("PINs, levels, audit"), source: "UsersSection.qml" },
-        { name: "section3", text: qsTr("About"), note: qsTr("version, safety"), source: "AboutSection.qml" }
+        { name: "section3", text: qsTr("About"), note: qsTr("version, safety"), source: "AboutSection.qml" },
+        { source: "SystemSection.qml" } // behind Display
     ]
+    readonly property int inMenu: sections.length - 1
 
     Card {
         id: side
@@ -28,16 +33,16 @@ Page {
             anchors { fill: parent; margins: Theme.size.spacing }
             spacing: Theme.size.spacing
             Repeater {
-                model: page.sections
+                model: page.sections.slice(0, page.inMenu)
                 ChoiceRow {
                     required property int index
                     required property var modelData
                     objectName: modelData.name
                     width: menu.width
-                    height: (menu.height - (page.sections.length - 1) * menu.spacing) / page.sections.length
+                    height: (menu.height - (page.inMenu - 1) * menu.spacing) / page.inMenu
                     text: modelData.text
                     note: modelData.note
-                    holds: page.section === index
+                    holds: page.section === index || (index === 0 && page.section === page.inMenu)
                     onClicked: page.section = index
                 }
             }

@@ -74,7 +74,7 @@ SettingsSection {
             Button {
                 id: wipeKey
                 objectName: "wipeScreen"
-                text: qsTr("Wipe the screen")
+                text: qsTr("Wipe")
                 onClicked: Display.wipe()
             }
         }

@@ -218,7 +218,7 @@
         <translation>服务包</translation>
     </message>
     <message>
-        <source>For the manufacturer who helps: open recipe and table, what the controller runs, alarms and changes of 7 days, link figures, the last 10 seconds. No PINs.</source>
+        <source>For a manufacturer who helps: open recipe, table, controller, alarms and changes of 7 days, link, the last 10 seconds. No PINs.</source>
         <translation>供提供帮助的制造商使用：当前配方与数据表、控制器运行的内容、7 天的报警和更改、通信数据、最近 10 秒。不含 PIN。</translation>
     </message>
     <message>
@@ -458,6 +458,10 @@
 </context>
 <context>
     <name>DisplaySection</name>
+    <message>
+        <source>Screen, clock, network</source>
+        <translation>屏幕、时钟、网络</translation>
+    </message>
     <message>
         <source>Light</source>
         <translation>浅色</translation>
@@ -2211,14 +2215,6 @@
         <source>language, theme, gloves</source>
         <translation>语言、主题、手套</translation>
     </message>
-    <message>
-        <source>System</source>
-        <translation>系统</translation>
-    </message>
-    <message>
-        <source>brightness, clock, network</source>
-        <translation>亮度、时钟、网络</translation>
-    </message>
 </context>
 <context>
     <name>ShelvedList</name>
@@ -2307,8 +2303,8 @@
         <translation>从不</translation>
     </message>
     <message>
-        <source>Wipe the screen</source>
-        <translation>擦拭屏幕</translation>
+        <source>Wipe</source>
+        <translation>擦屏</translation>
     </message>
     <message>
         <source>Clock</source>
