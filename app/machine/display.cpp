@@ -17,7 +17,7 @@ namespace {
 
 const QString brightnessKey = u"display/brightness"_s;
 const QString darkAfterKey = u"display/dark_after_minutes"_s;
-const QList<int> possibleBrightness{20, 40, 60, 80, 100};
+const QList<int> possibleBrightness{25, 50, 75, 100};
 const QList<int> possibleDarkAfter{0, 5, 30};
 
 } // namespace

@@ -29,7 +29,8 @@ Sheet {
         id: field
         anchors { left: parent.left; top: parent.top }
         width: keyboard.composing ? Math.round(parent.width / 3) : parent.width
-        height: Math.max(Theme.size.touch, Math.round(1.5 * Theme.size.value))
+        // Beside it, and over the problem below it, is a key for letters high.
+        height: Math.max(Math.round(1.5 * Theme.size.value), Math.ceil(Theme.size.touch / Theme.size.reach) - problemLabel.height)
         radius: Theme.size.radius
         color: Theme.color.inset
         border { width: Theme.size.outline; color: sheet.acceptable ? Theme.color.touch : Theme.color.warning }
@@ -51,7 +52,7 @@ Sheet {
     }
     // What the letters of pinyin may mean, beside the field.
     Item {
-        anchors { left: field.right; leftMargin: Theme.size.spacing; right: parent.right; top: field.top; bottom: field.bottom }
+        anchors { left: field.right; leftMargin: Theme.size.spacing; right: parent.right; top: field.top; bottom: problemLabel.bottom }
         visible: keyboard.composing
         Label {
             id: spelling
@@ -72,7 +73,7 @@ Sheet {
             delegate: KeypadKey {
                 required property string modelData
                 required property int index
-                objectName: "pinyinCandidate" + index
+                objectName: "key_candidate" + index
                 width: Math.max(Theme.size.touch, Theme.size.value * (modelData.length + 1))
                 height: ListView.view.height
                 focusPolicy: Qt.NoFocus
@@ -84,6 +85,7 @@ Sheet {
     Label {
         id: problemLabel
         objectName: "textProblem"
+        visible: !keyboard.composing
         anchors { left: parent.left; right: parent.right; top: field.bottom }
         height: Math.round(1.6 * Theme.size.caption)
         text: sheet.problem

@@ -115,7 +115,8 @@ private slots:
         m_stage->hold(QStringLiteral("figuresTimes"));
         const auto& latency = m_stage->panel().service().figures()->report()->figures.latency();
         const auto told = m_stage->panel().explanations().of(machine::Explanations::Answers99);
-        QCOMPARE(told.value.toDouble(), std::round(latency.percentile(0.99).count() / 100.0) / 10);
+        QCOMPARE(told.value.toDouble(),
+                 std::round(static_cast<double>(latency.percentile(0.99).count()) / 100.0) / 10);
         const auto rank = static_cast<qulonglong>(std::ceil(0.99 * static_cast<double>(latency.count())));
         QString numbers = told.numbers;
         QCOMPARE(numbers.remove(u','),

@@ -79,12 +79,12 @@ private slots:
     {
         DisplayRig rig;
         QVERIFY(rig.display.adjustable());
-        rig.display.setBrightness(40);
-        QCOMPARE(rig.level(), QByteArray("100"));
-        rig.display.setBrightness(41); // none of the choices
-        QCOMPARE(rig.display.brightness(), 40);
+        rig.display.setBrightness(50);
+        QCOMPARE(rig.level(), QByteArray("125"));
+        rig.display.setBrightness(51); // none of the choices
+        QCOMPARE(rig.display.brightness(), 50);
         const Display again(rig.machine, rig.folder.filePath(u"settings.ini"_s), nullptr);
-        QCOMPARE(again.brightness(), 40);
+        QCOMPARE(again.brightness(), 50);
     }
 
     void withoutABacklightItSaysSo()
@@ -94,7 +94,7 @@ private slots:
         rig.write(u"max_brightness"_s, "many");
         QVERIFY(!Backlight::find(rig.folder.filePath(u"backlight"_s)));
         QVERIFY(QDir(rig.device).removeRecursively());
-        rig.display.setBrightness(60); // it is gone while the panel runs
+        rig.display.setBrightness(75); // it is gone while the panel runs
         QVERIFY(!rig.display.adjustable());
     }
 
