@@ -4,7 +4,6 @@
 
 #include "app/machine/line_figures.h"
 #include "app/machine/trends.h"
-#include "modbus/answer_allowance.h"
 
 #include <cmath>
 
