@@ -434,6 +434,9 @@ QList<Scene> scenesOf(const Selection& selection)
 void enterScene(Stage& stage, const Scene& scene)
 {
     auto& editor = stage.panel().editor();
+    machine::Display& display = stage.panel().display();
+    while (display.wipeSeconds() > 0) // a wiped screen takes no taps
+        display.tick();
     stage.closeDialogs();
     stage.panel().settings().endFirstStart();
     forgetUsers(stage);
