@@ -88,6 +88,7 @@ SettingsSection {
             onClicked: (section.page as SettingsPage).openSystem()
         }
         Label {
+            visible: parent.y + y + implicitHeight <= section.height // said where there is room
             width: parent.width
             wrapMode: Text.WordWrap
             text: qsTr("Light for a bright hall, dark for the night shift, high contrast for tired eyes or a dirty screen. For gloves all keys are a quarter larger. Numbers and units follow the language.")
