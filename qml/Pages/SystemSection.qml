@@ -59,7 +59,11 @@ SettingsSection {
             current: Display.brightness
             onChosen: key => Display.brightness = key
         }
-        Caption { text: qsTr("Dark after so many minutes without a touch, when nothing moves") }
+        Caption {
+            wrapMode: Text.Wrap
+            fontSizeMode: Text.FixedSize
+            text: qsTr("Dark after so many minutes without a touch, when nothing moves")
+        }
         Row {
             id: darkRow
             width: parent.width
