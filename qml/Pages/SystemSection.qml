@@ -9,8 +9,8 @@ import CamPanel.Machine
 SettingsSection {
     id: section
 
-    readonly property list<int> brightnesses: Display.brightnessChoices
-    readonly property list<int> waits: Display.darkChoices
+    readonly property var brightnesses: Display.brightnessChoices
+    readonly property var waits: Display.darkChoices
 
     title: qsTr("Screen and system")
 
@@ -42,7 +42,10 @@ SettingsSection {
         }
     }
 
-    SystemFacts { id: facts }
+    SystemFacts {
+        id: facts
+        readonly property var lines: networks
+    }
     Column {
         y: section.bodyTop
         width: parent.width
@@ -89,7 +92,7 @@ SettingsSection {
         }
         Fact {
             label: qsTr("Network")
-            text: facts.networks.length > 0 ? facts.networks.join("\n") : qsTr("not connected")
+            text: facts.lines.length > 0 ? facts.lines.join("\n") : qsTr("not connected")
         }
         Caption {
             wrapMode: Text.Wrap
