@@ -40,14 +40,15 @@ T.AbstractButton {
             text: field.label
             color: Theme.color.secondaryInk
             font.pixelSize: Theme.size.caption
-            // In two lines before it gets too small to be read.
-            wrapMode: title.advanceWidth * (Theme.size.caption - 2) > width * Theme.size.caption ? Text.WordWrap : Text.NoWrap
+            // In two lines before it gets too small to be read. The small letters are measured themselves: whole pixels make them
+            // wider than their share of the large ones.
+            wrapMode: smallest.advanceWidth > width ? Text.WordWrap : Text.NoWrap
             fontSizeMode: Text.HorizontalFit
-            minimumPixelSize: Theme.size.caption - 2
+            minimumPixelSize: smallest.font.pixelSize
             lineHeight: lineCount > 1 ? 0.85 : 1
             TextMetrics {
-                id: title
-                font: Theme.captionFont
+                id: smallest
+                font.pixelSize: Theme.size.caption - 2
                 text: field.label
             }
         }
