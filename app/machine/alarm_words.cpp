@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/machine/alarm_words.h"
 
+#include "app/machine/format.h"
+
+#include <QDateTime>
+
 using namespace Qt::StringLiterals;
 
 namespace campanel::machine {
@@ -9,7 +13,7 @@ using store::AlarmRow;
 
 QHash<int, QByteArray> AlarmWords::roles()
 {
-    return {{CodeRole, "code"},   {TitleRole, "title"}, {SeverityRole, "severity"}, {TimeRole, "time"},
+    return {{CodeRole, "code"},       {TitleRole, "title"}, {SeverityRole, "severity"}, {TimeRole, "time"},
             {StateRole, "stateText"}, {CallsRole, "calls"}, {LiveRole, "live"},         {CountRole, "times"}};
 }
 
@@ -71,7 +75,7 @@ QString AlarmWords::state(const AlarmRow& row)
 QString AlarmWords::time(qint64 utcMs, const QDate& today)
 {
     const QDateTime local = QDateTime::fromMSecsSinceEpoch(utcMs);
-    return local.date() == today ? local.toString(u"HH:mm:ss"_s) : local.toString(u"yyyy-MM-dd HH:mm:ss"_s);
+    return local.date() == today ? local.toString(u"HH:mm:ss"_s) : Format::second(local);
 }
 
 } // namespace campanel::machine

@@ -2,6 +2,7 @@
 #include "app/machine/audit_words.h"
 
 #include "app/machine/access_sentences.h"
+#include "app/machine/format.h"
 #include "app/machine/recipe_words.h"
 #include "app/program/register_fields.h"
 
@@ -182,9 +183,7 @@ QString AuditWords::change(const store::AuditEntry& entry)
 
 QString AuditWords::time(qint64 timeMs)
 {
-    const QDateTime time = QDateTime::fromMSecsSinceEpoch(timeMs);
-    return u"%1 %2"_s.arg(QLocale().toString(time.date(), QLocale::ShortFormat),
-                          time.time().toString(u"HH:mm:ss"_s));
+    return Format::second(QDateTime::fromMSecsSinceEpoch(timeMs));
 }
 
 QString AuditWords::chain(const store::ChainCheck& check)

@@ -205,7 +205,7 @@ void Backup::takeFound(const QList<Found>& found)
 
 QString Backup::summary(const store::BackupManifest& manifest) const
 {
-    const QString date = Format().locale().toString(manifest.made.toLocalTime(), QLocale::ShortFormat);
+    const QString date = Format::minute(manifest.made);
     const QString maker =
         manifest.madeBy.isEmpty() ? date : tr("%1 by %2", "date, person").arg(date, manifest.madeBy);
     return tr("%1 · recipes: %2 · users: %3 · CamPanel %4", "when, how many, how many, version")

@@ -5,6 +5,15 @@
 
 namespace campanel::machine {
 
+namespace {
+// The minus sign is as wide as a digit and as long as a plus; the hyphen that locales write is easily
+// overlooked.
+QString withMinus(QString text, const QLocale& locale)
+{
+    return text.replace(locale.negativeSign(), QChar(0x2212));
+}
+} // namespace
+
 Format::Format(QLocale locale)
     : m_locale(std::move(locale))
 {
@@ -17,7 +26,7 @@ QString Format::number(double value, int decimals) const
         return unknownText();
     // A rounded negative zero would read as "-0.0".
     const double step = std::pow(10.0, -decimals);
-    return m_locale.toString(std::abs(value) < step / 2 ? 0.0 : value, 'f', decimals);
+    return withMinus(m_locale.toString(std::abs(value) < step / 2 ? 0.0 : value, 'f', decimals), m_locale);
 }
 
 QString Format::grouped(double value, int decimals) const
@@ -27,7 +36,7 @@ QString Format::grouped(double value, int decimals) const
         return number(value, decimals);
     QLocale locale = m_locale;
     locale.setNumberOptions(QLocale::DefaultNumberOptions);
-    return locale.toString(value, 'f', decimals);
+    return withMinus(locale.toString(value, 'f', decimals), locale);
 }
 
 QString Format::compact(double value, int minimumDecimals, int maximumDecimals) const
@@ -41,6 +50,16 @@ QString Format::compact(double value, int minimumDecimals, int maximumDecimals) 
     if (text.endsWith(m_locale.decimalPoint()))
         text.chop(m_locale.decimalPoint().size());
     return text;
+}
+
+QString Format::minute(const QDateTime& moment)
+{
+    return moment.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
+}
+
+QString Format::second(const QDateTime& moment)
+{
+    return moment.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
 }
 
 } // namespace campanel::machine

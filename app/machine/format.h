@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one place where numbers become text: decimals and marks of the current language, "--" for the unknown.
+// The one place where numbers and moments become text: decimals and marks of the current language, "--" for
+// the unknown; dates as ISO 8601 writes them, because 1/8/26 is January to one reader and August to another.
 #pragma once
 
+#include <QDateTime>
 #include <QLocale>
 #include <QString>
 
@@ -11,13 +13,17 @@ class Format {
 public:
     explicit Format(QLocale locale = QLocale()); // by default that of the language in use
 
-    // Exactly `decimals` digits after the mark, no group separators.
+    // Exactly `decimals` digits after the mark, no group separators; with a minus sign, not a hyphen.
     [[nodiscard]] QString number(double value, int decimals) const;
     // As number(), with group separators from five digits on: 50,000. For sentences, which nobody edits.
     [[nodiscard]] QString grouped(double value, int decimals) const;
     // Between the two numbers of decimals, without superfluous zeros: 2.50, 1.6667.
     [[nodiscard]] QString compact(double value, int minimumDecimals, int maximumDecimals) const;
     [[nodiscard]] const QLocale& locale() const { return m_locale; }
+
+    // 2026-11-22 07:38, and with the seconds, of the local time.
+    static QString minute(const QDateTime& moment);
+    static QString second(const QDateTime& moment);
 
     static QString unknownText() { return QStringLiteral("--"); }
 

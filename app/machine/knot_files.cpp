@@ -90,7 +90,7 @@ OfferRow KnotFiles::fileRow(const store::KnotsOffer& offer) const
     OfferRow row;
     row.title = QFileInfo(offer.path).fileName();
     row.usable = offer.isUsable();
-    const QString date = format.locale().toString(offer.changed, QLocale::ShortFormat);
+    const QString date = Format::minute(offer.changed);
     row.note = row.usable ? tr("%1 knots · %2 · %3", "number, date, place")
                                 .arg(offer.knots.size())
                                 .arg(date, offer.placeName)

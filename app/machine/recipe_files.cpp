@@ -57,7 +57,7 @@ void RecipeFiles::search(std::function<void()> done)
 
 OfferRow RecipeFiles::row(const store::RecipeOffer& offer) const
 {
-    const QString date = Format().locale().toString(offer.changed, QLocale::ShortFormat);
+    const QString date = Format::minute(offer.changed);
     OfferRow row;
     row.title = QFileInfo(offer.path).fileName();
     row.usable = offer.recipe.has_value();

@@ -171,8 +171,7 @@ Recipe Recipes::onThisMachine(Recipe recipe) const
 
 QString Recipes::savedText(const RecipeVersion& version) const
 {
-    const QString when =
-        Format().locale().toString(QDateTime::fromMSecsSinceEpoch(version.savedMs), QLocale::ShortFormat);
+    const QString when = Format::minute(QDateTime::fromMSecsSinceEpoch(version.savedMs));
     return version.savedBy.isEmpty() ? when : tr("%1 by %2", "date, person").arg(when, version.savedBy);
 }
 

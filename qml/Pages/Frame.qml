@@ -3,7 +3,6 @@
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
-import CamPanel.Controls
 import CamPanel.Widgets
 import CamPanel.Machine
 

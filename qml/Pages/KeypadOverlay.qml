@@ -2,9 +2,7 @@
 // Keypad over the page: a frame around the field, the keypad beside Stop; a touch elsewhere cancels.
 pragma ComponentBehavior: Bound
 import QtQuick
-import CamPanel.Theme
 import CamPanel.Widgets
-import CamPanel.Machine
 
 Overlay {
     id: overlay

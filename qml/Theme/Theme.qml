@@ -50,12 +50,15 @@ QtObject {
         value: theme.gloves ? 1.25 : 1
     }
 
-    // A number as text in the panel's language; a value that is not known is "--", never 0. Digits are grouped in counts only.
+    // A number as text in the panel's language, with a minus sign and not a hyphen; a value that is not known is "--", never 0. Digits are grouped in counts only.
     function number(value: real, decimals: int): string {
         return theme.count(value, decimals).split(theme.locale.groupSeparator).join("")
     }
     function count(value: real, decimals: int): string {
-        return isNaN(value) ? theme.unknownText : Number(value).toLocaleString(theme.locale, 'f', decimals)
+        if (isNaN(value))
+            return theme.unknownText
+        const shown = Math.abs(value) < Math.pow(10, -decimals) / 2 ? 0 : value    // a rounded -0 would read as "-0.0"
+        return Number(shown).toLocaleString(theme.locale, 'f', decimals).replace(theme.locale.negativeSign, "\u2212")
     }
     function signedNumber(value: real, decimals: int): string {
         return (value > 0 ? "+" : "") + theme.number(value, decimals)

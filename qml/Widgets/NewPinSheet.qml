@@ -2,8 +2,6 @@
 // A PIN to be set: typed twice, refused when it is easily guessed.
 pragma ComponentBehavior: Bound
 import QtQuick
-import CamPanel.Theme
-import CamPanel.Controls
 import CamPanel.Machine
 
 PinPanel {

@@ -67,12 +67,12 @@ private slots:
     void measurementsAreEnteredAndWritten()
     {
         enter("packing-wizard-measure");
-        QCOMPARE(packing().wizard()->measuredText(), QStringLiteral("-3.10 · -2.90 · -3.05"));
+        QCOMPARE(packing().wizard()->measuredText(), QStringLiteral("−3.10 · −2.90 · −3.05"));
         tap("wizardEnter");
         tap("keypadDefault");
         tap("keypadAccept");
         QVERIFY(!m_stage->find(QStringLiteral("keypad")));
-        QCOMPARE(packing().wizard()->measuredText(), QStringLiteral("-3.10 · -2.90 · -3.05 · 0.00"));
+        QCOMPARE(packing().wizard()->measuredText(), QStringLiteral("−3.10 · −2.90 · −3.05 · 0.00"));
         tap("wizardDrop");
         tap("wizardNext");
         QCOMPARE(packing().fields()->value("parameter.mark_distance"), 900.0);

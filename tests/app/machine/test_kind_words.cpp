@@ -217,7 +217,7 @@ private slots:
         QCOMPARE(text(0, StrokeModel::NumberRole), "9");
         QCOMPARE(text(0, StrokeModel::ResultTextRole), "Force too low");
         QCOMPARE(text(1, StrokeModel::ResultTextRole), "OK");
-        QCOMPARE(text(1, StrokeModel::StopErrorTextRole), "-0.01");
+        QCOMPARE(text(1, StrokeModel::StopErrorTextRole), "−0.01");
         QCOMPARE(text(1, StrokeModel::StopForceTextRole), "2000");
         QCOMPARE(text(1, StrokeModel::PeakForceTextRole), "2100");
         QCOMPARE(strokes.goodCount(), 1);

@@ -72,7 +72,7 @@ private slots:
         QVERIFY(files[0].usable);
         QVERIFY2(files[0].note.startsWith(u"6 knots"_s) && files[0].note.endsWith(u"STICK"_s),
                  qPrintable(files[0].note));
-        QVERIFY2(files[0].detail.contains(u"slave -1.25 to 9 mm"_s), qPrintable(files[0].detail));
+        QVERIFY2(files[0].detail.contains(u"slave −1.25 to 9 mm"_s), qPrintable(files[0].detail));
         QVERIFY(camOf(rig.editor).knots == before); // looking takes nothing
         rig.editor.knotFiles()->take(0);
         QCOMPARE(rig.editor.knots()->count(), 6);

@@ -252,7 +252,7 @@ private slots:
         rig.wizard().addMeasurement(300); // longer than a bag
         rig.wizard().addMeasurement(8);
         rig.wizard().dropMeasurement();
-        QCOMPARE(rig.wizard().measuredText(), "-2.90 · -3.10");
+        QCOMPARE(rig.wizard().measuredText(), "−2.90 · −3.10");
         rig.wizard().goOn();
         QCOMPARE(rig.wizard().step(), Step::Confirm);
         QCOMPARE(rig.wizard().oldText(), "900.00 mm");
@@ -396,17 +396,17 @@ private slots:
         rig.wizard().readRuler(); // one at a time
         QCOMPARE(rig.link.rulers, 1);
         emit rig.link.rulerRead({link::RulerEnd::Read, 250.1, -3.05});
-        QCOMPARE(rig.wizard().measuredText(), "-3.05");
+        QCOMPARE(rig.wizard().measuredText(), "−3.05");
         rig.wizard().readRuler();
         emit rig.link.rulerRead({link::RulerEnd::Read, 250.1, -3.05});
-        QCOMPARE(rig.wizard().measuredText(), "-3.05");
+        QCOMPARE(rig.wizard().measuredText(), "−3.05");
         QVERIFY(rig.wizard().text().startsWith("That bag has been measured already"));
         rig.wizard().readRuler();
         emit rig.link.rulerRead({link::RulerEnd::NoBag, 0, 0});
         QCOMPARE(rig.wizard().text(), "No bag has been cut yet.");
         rig.wizard().readRuler();
         emit rig.link.rulerRead({link::RulerEnd::Read, 249.9, -2.95});
-        QCOMPARE(rig.wizard().measuredText(), "-3.05 · -2.95");
+        QCOMPARE(rig.wizard().measuredText(), "−3.05 · −2.95");
     }
 };
 
