@@ -471,34 +471,6 @@
         <source>Check whether the disk is full or write-protected.</source>
         <translation>请检查磁盘是否已满或写保护。</translation>
     </message>
-    <message>
-            <source>Check the film's tension and whether it slips, then start again.</source>
-            <translation>请检查薄膜张力以及是否打滑，然后重新启动。</translation>
-        </message>
-    <message>
-            <source>Products lay across the knife's path several times in a row, so the run was ended.</source>
-            <translation>产品连续多次横在切刀处，运行已结束。</translation>
-        </message>
-    <message>
-            <source>Check the cable and the controller's power; the panel reconnects by itself.</source>
-            <translation>请检查电缆和控制器电源；面板会自动重新连接。</translation>
-        </message>
-    <message>
-            <source>The panel's memory was damaged. It goes on with its last good copy.</source>
-            <translation>面板的存储已损坏，现使用最近的完好副本。</translation>
-        </message>
-    <message>
-            <source>The panel's memory was damaged and there was no copy. It begins anew.</source>
-            <translation>面板的存储已损坏且没有副本，已重新开始。</translation>
-        </message>
-    <message>
-            <source>There is no room left on the panel's disk: nothing new is kept.</source>
-            <translation>面板磁盘已无空间：新内容无法保存。</translation>
-        </message>
-    <message>
-            <source>Something could not be kept in the panel's memory.</source>
-            <translation>有内容未能保存到面板的存储中。</translation>
-        </message>
 </context>
 <context>
     <name>AlarmWords</name>
@@ -581,10 +553,6 @@
     <message>
         <source>Row %1 and what followed it are missing at the end.</source>
         <translation>末尾缺少第 %1 行及其后的各行。</translation>
-    </message>
-    <message>
-        <source>Checked: unbroken, %1 rows; rows were lost once, see there.</source>
-        <translation>已检查：链完整，共 %1 行；曾丢失过若干行，见记录。</translation>
     </message>
     <message>
         <source>Checked: unbroken, %1 rows.</source>
@@ -850,6 +818,18 @@
         <source>Recipe brought back</source>
         <translation>配方已恢复</translation>
     </message>
+    <message>
+        <source>The newest row was not known</source>
+        <translation>最新一行曾无从得知</translation>
+    </message>
+    <message>
+        <source>Unbroken up to row %1, but the file that knows the newest row is gone: rows may be missing at the end.</source>
+        <translation>到第 %1 行为止完整，但记录最新一行的文件已不存在：末尾可能缺少记录。</translation>
+    </message>
+    <message>
+        <source>Checked: unbroken, %1 rows; rows may have been lost once, see there.</source>
+        <translation>已检查：链完整，共 %1 行；曾经可能丢失过记录，见相应行。</translation>
+    </message>
 </context>
 <context>
     <name>BackupErrorText</name>
@@ -1113,27 +1093,6 @@
         <source>Measure the marks</source>
         <translation>测量色标</translation>
     </message>
-    <message>
-            <source>This user may not use the port %1. Add the user to the group "%2" and log in again.</source>
-            <translation>当前用户无权使用端口 %1。请将用户加入“%2”组并重新登录。</translation>
-        </message>
-    <message>
-            <source>Canceled. The controller's program is unchanged.</source>
-            <translation>已取消。控制器的程序没有改变。</translation>
-        </message>
-    <message>
-            <source>The download failed and the controller's program is unchanged. %1</source>
-            <comment>%1: whole sentence</comment>
-            <translation>下载失败，控制器的程序没有改变。%1</translation>
-        </message>
-    <message>
-            <source>The change was withdrawn before it became active; the controller's program is unchanged.</source>
-            <translation>更改在生效前被撤回，控制器的程序没有改变。</translation>
-        </message>
-    <message>
-            <source>No connection since %1: nobody answers on %2. Check the cable and the controller's power; the panel keeps asking and reconnects by itself.</source>
-            <translation>自 %1 起没有连接：%2 上无人应答。请检查电缆和控制器电源；面板会不断询问并自动重新连接。</translation>
-        </message>
 </context>
 <context>
     <name>ControllerSentences</name>
@@ -1361,22 +1320,6 @@
         <source>The film or the infeed would have to run faster than the controller can drive it. Lower the rate.</source>
         <translation>薄膜或进料须快于控制器所能驱动的速度。请降低速率。</translation>
     </message>
-    <message>
-            <source>The controller's flash could not be written; what was saved before is unchanged.</source>
-            <translation>控制器闪存写入失败，之前保存的内容没有改变。</translation>
-        </message>
-    <message>
-            <source>Value %1 of the table's header is outside the controller's limits.</source>
-            <translation>数据表头的第 %1 个值超出控制器的范围。</translation>
-        </message>
-    <message>
-            <source>Row %1 of the table is outside the range of the controller's timer. Lower the rate.</source>
-            <translation>数据表第 %1 行超出控制器定时器的范围。请降低速率。</translation>
-        </message>
-    <message>
-            <source>A product lay across the knife's path</source>
-            <translation>有产品横在切刀处</translation>
-        </message>
 </context>
 <context>
     <name>DifferencesText</name>
@@ -1551,14 +1494,6 @@
         <source>%1 of %2, at most %3 s more</source>
         <translation>第 %1 个，共 %2 个，最多还需 %3 秒</translation>
     </message>
-    <message>
-            <source>%1 bytes came, but no answer could be read. Baud rate, parity or stop bits differ from the controller's, or the cable picks up noise. Search for the controller; check shield and ground.</source>
-            <translation>收到 %1 个字节，但无法读出应答。波特率、校验或停止位与控制器不同，或者电缆受到干扰。请搜索控制器；检查屏蔽和接地。</translation>
-        </message>
-    <message>
-            <source>This user may not use the port. Add the user to the group "%1" and log in again.</source>
-            <translation>此用户无权使用该端口。请把用户加入用户组“%1”并重新登录。</translation>
-        </message>
 </context>
 <context>
     <name>EditorViews</name>
@@ -1738,18 +1673,6 @@
         <comment>%1: whole sentence</comment>
         <translation>%1 请在该处腾出空间、解除 U 盘的写保护，或选择其他位置。</translation>
     </message>
-    <message>
-            <source>%1 is not a CamPanel recipe: the key "format" must be "campanel-recipe".</source>
-            <translation>%1 不是 CamPanel 配方：键 "format" 必须为 "campanel-recipe"。</translation>
-        </message>
-    <message>
-            <source>In the recipe file %1 %2 is "%3"; choose one of: %4.</source>
-            <translation>配方文件 %1 中的 %2 为“%3”，请从以下选择：%4。</translation>
-        </message>
-    <message>
-            <source>%1, line %2: expected %3, found "%4".</source>
-            <translation>%1 第 %2 行：应为%3，实际为“%4”。</translation>
-        </message>
 </context>
 <context>
     <name>FrameWords</name>
@@ -2455,18 +2378,6 @@
         <source>The torque that turns the axis slowly and steadily, seen from the motor.</source>
         <translation>使轴缓慢匀速转动的转矩，折算到电机。</translation>
     </message>
-    <message>
-            <source>Turns of the motor for the turns of the knife's shaft below, as the gear's plate says: 7 and 3 for a gear of 7:3.</source>
-            <translation>对应下方刀轴转数的电机转数，见减速机铭牌：7:3 的减速机填 7 和 3。</translation>
-        </message>
-    <message>
-            <source>Turns of the knife's shaft for the turns of the motor above.</source>
-            <translation>对应上方电机转数的刀轴转数。</translation>
-        </message>
-    <message>
-            <source>The largest pulse frequency of the drive's input, from its manual. The controller has a limit of its own.</source>
-            <translation>驱动器输入的最高脉冲频率，见其手册。控制器另有自身的限值。</translation>
-        </message>
 </context>
 <context>
     <name>RefusalSentences</name>
@@ -2650,10 +2561,6 @@
         <source>Following the master would take %1 at %3 s (%4°); the limit is %2.</source>
         <translation>在 %3 s（%4°）处跟随主轴将需要 %1，限制为 %2。</translation>
     </message>
-    <message>
-            <source>A bag of %1 takes more than the knife's stroke; with these ratios %2 is the longest.</source>
-            <translation>%1 的袋长超过切刀行程，按当前比例最长为 %2。</translation>
-        </message>
 </context>
 <context>
     <name>RegisterWords</name>
@@ -2780,26 +2687,6 @@
         <source>somebody of the level Service must be left</source>
         <translation>必须至少保留一名“维护”级用户</translation>
     </message>
-    <message>
-            <source>The panel's memory %1 cannot be opened: %2. Check the disk and its permissions.</source>
-            <translation>无法打开面板的存储 %1：%2。请检查磁盘及其权限。</translation>
-        </message>
-    <message>
-            <source>The panel's memory %1 was written by a newer version of CamPanel. Install that version.</source>
-            <translation>面板的存储 %1 由更新版本的 CamPanel 写入。请安装该版本。</translation>
-        </message>
-    <message>
-            <source>The panel's memory %1 is damaged. Restart the panel: it goes on with its last good copy.</source>
-            <translation>面板的存储 %1 已损坏。请重新启动面板：它将使用最后一份完好的副本继续工作。</translation>
-        </message>
-    <message>
-            <source>The panel's memory %1 is write-protected. Check the disk and its permissions.</source>
-            <translation>面板的存储 %1 被写保护。请检查磁盘及其权限。</translation>
-        </message>
-    <message>
-            <source>The panel's memory did not take this: %1.</source>
-            <translation>面板的存储未能接受：%1。</translation>
-        </message>
 </context>
 <context>
     <name>TableText</name>
@@ -2971,10 +2858,6 @@
         <source>%1 stages; the last stretch is counted in the pulse generator, %2 mm a pulse</source>
         <translation>%1 个阶段；最后一段由脉冲发生器计数，每脉冲 %2 mm</translation>
     </message>
-    <message>
-            <source>The paper's rule would be wrong by %1 pulses (%2 mm) in each bag</source>
-            <translation>按论文的取整方法，每袋将差 %1 个脉冲（%2 mm）</translation>
-        </message>
 </context>
 <context>
     <name>campanel::machine::Access</name>
@@ -3172,12 +3055,6 @@ Recipes, machine data, users with their PINs, alarms, audit trail and settings o
         <translation>文件完整：%1。
 本面板的配方、机器数据、用户及其 PIN、报警、审计记录和设置将被文件中的内容替换。袋子记录和趋势保留。当前状态在本面板上保存为备份。随后面板重新启动。</translation>
     </message>
-    <message>
-            <source>The file is whole: %1.
-Recipes, machine data, users with their PINs, alarms, audit trail and settings of this panel are replaced by those of the file. Bags and trends stay. A backup of the present state is kept in %2. The panel then starts anew.</source>
-            <translation>文件完整：%1。
-本面板的配方、机器数据、用户及其 PIN、报警、审计记录和设置将被文件中的内容替换。袋子记录和趋势保留。当前状态的备份保存在 %2。随后面板重新启动。</translation>
-        </message>
 </context>
 <context>
     <name>campanel::machine::Commissioning</name>
@@ -3672,150 +3549,150 @@ Recipes, machine data, users with their PINs, alarms, audit trail and settings o
         <translation>切刀最快之处控制器须输出的频率。</translation>
     </message>
     <message>
-            <source>Share of the wire's limit</source>
-            <translation>占线路极限的比例</translation>
-        </message>
+        <source>Share of the wire&apos;s limit</source>
+        <translation>占线路极限的比例</translation>
+    </message>
     <message>
-            <source>How much of the time that the exchanges took the frames themselves need at this baud rate, with the silences of the standard. At 100 % no master could ask faster; what is missing was spent waiting for the controller, the adapter or answers that never came.</source>
-            <translation>在此波特率下，帧本身连同标准规定的静默时间占通信所用时间的比例。达到 100 % 时，任何主站都不可能问得更快；不足的部分用于等待控制器、适配器或始终未到的应答。</translation>
-        </message>
+        <source>How much of the time that the exchanges took the frames themselves need at this baud rate, with the silences of the standard. At 100 % no master could ask faster; what is missing was spent waiting for the controller, the adapter or answers that never came.</source>
+        <translation>在此波特率下，帧本身连同标准规定的静默时间占通信所用时间的比例。达到 100 % 时，任何主站都不可能问得更快；不足的部分用于等待控制器、适配器或始终未到的应答。</translation>
+    </message>
     <message>
-            <source>time of the frames on the wire / time of the exchanges</source>
-            <translation>帧在线路上的时间 / 通信所用时间</translation>
-        </message>
+        <source>time of the frames on the wire / time of the exchanges</source>
+        <translation>帧在线路上的时间 / 通信所用时间</translation>
+    </message>
     <message>
-            <source>%1 s / %2 s</source>
-            <translation>%1 s / %2 s</translation>
-        </message>
+        <source>%1 s / %2 s</source>
+        <translation>%1 s / %2 s</translation>
+    </message>
     <message>
-            <source>ms</source>
-            <translation>ms</translation>
-        </message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
     <message>
-            <source>Longest time of an answer</source>
-            <translation>最长应答时间</translation>
-        </message>
+        <source>Longest time of an answer</source>
+        <translation>最长应答时间</translation>
+    </message>
     <message>
-            <source>From handing the question to the port to the last byte of its answer. One single answer, perhaps hours ago: the percentages say more about every day.</source>
-            <translation>从把询问交给端口到收到应答的最后一个字节。这只是一次应答，可能在数小时之前：各百分比更能说明日常情况。</translation>
-        </message>
+        <source>From handing the question to the port to the last byte of its answer. One single answer, perhaps hours ago: the percentages say more about every day.</source>
+        <translation>从把询问交给端口到收到应答的最后一个字节。这只是一次应答，可能在数小时之前：各百分比更能说明日常情况。</translation>
+    </message>
     <message>
-            <source>the longest since the count began</source>
-            <translation>计数开始以来的最长时间</translation>
-        </message>
+        <source>the longest since the count began</source>
+        <translation>计数开始以来的最长时间</translation>
+    </message>
     <message>
-            <source>Half of the answers came within</source>
-            <translation>半数应答不超过</translation>
-        </message>
+        <source>Half of the answers came within</source>
+        <translation>半数应答不超过</translation>
+    </message>
     <message>
-            <source>%1 % of the answers came within</source>
-            <translation>%1 % 的应答不超过</translation>
-        </message>
+        <source>%1 % of the answers came within</source>
+        <translation>%1 % 的应答不超过</translation>
+    </message>
     <message>
-            <source>From handing the question to the port to the last byte of its answer, both frames on the wire included. Counted since the panel was started or Count from zero was pressed.</source>
-            <translation>从把询问交给端口到收到应答的最后一个字节，包括两帧在线路上的时间。自面板启动或按下“从零计数”起统计。</translation>
-        </message>
+        <source>From handing the question to the port to the last byte of its answer, both frames on the wire included. Counted since the panel was started or Count from zero was pressed.</source>
+        <translation>从把询问交给端口到收到应答的最后一个字节，包括两帧在线路上的时间。自面板启动或按下“从零计数”起统计。</translation>
+    </message>
     <message>
-            <source>all answers in the order of their times: the time of the one at %1 % of their number, at most 6.25 % too high, never too low</source>
-            <translation>所有应答按时间排序：取排在总数 %1 % 处的那一个的时间，最多偏高 6.25 %，绝不偏低</translation>
-        </message>
+        <source>all answers in the order of their times: the time of the one at %1 % of their number, at most 6.25 % too high, never too low</source>
+        <translation>所有应答按时间排序：取排在总数 %1 % 处的那一个的时间，最多偏高 6.25 %，绝不偏低</translation>
+    </message>
     <message>
-            <source>time of number %1 of %2</source>
-            <translation>%2 个中第 %1 个的时间</translation>
-        </message>
+        <source>time of number %1 of %2</source>
+        <translation>%2 个中第 %1 个的时间</translation>
+    </message>
     <message>
-            <source>Allowed beyond wire time</source>
-            <translation>线路时间之外允许</translation>
-        </message>
+        <source>Allowed beyond wire time</source>
+        <translation>线路时间之外允许</translation>
+    </message>
     <message>
-            <source>How long the panel waits for an answer, beyond what both frames need on the wire, before it counts as missing. It follows what this controller and adapter need, and doubles when nothing comes.</source>
-            <translation>除两帧在线路上所需的时间外，面板再等待多久才认定应答缺失。它随此控制器和适配器的实际需要而定，没有应答时加倍。</translation>
-        </message>
+        <source>How long the panel waits for an answer, beyond what both frames need on the wire, before it counts as missing. It follows what this controller and adapter need, and doubles when nothing comes.</source>
+        <translation>除两帧在线路上所需的时间外，面板再等待多久才认定应答缺失。它随此控制器和适配器的实际需要而定，没有应答时加倍。</translation>
+    </message>
     <message>
-            <source>%1 × the time within which 99 % of the last answers began, from %2 to %3 ms</source>
-            <translation>%1 × 最近应答的 99 % 开始前所用的时间，限于 %2 至 %3 ms</translation>
-        </message>
+        <source>%1 × the time within which 99 % of the last answers began, from %2 to %3 ms</source>
+        <translation>%1 × 最近应答的 99 % 开始前所用的时间，限于 %2 至 %3 ms</translation>
+    </message>
     <message>
-            <source>Mean</source>
-            <translation>平均值</translation>
-        </message>
+        <source>Mean</source>
+        <translation>平均值</translation>
+    </message>
     <message>
-            <source>Of all values recorded in the time that is shown (n = %1).</source>
-            <translation>所示时段内记录的全部数值（n = %1）的平均值。</translation>
-        </message>
+        <source>Of all values recorded in the time that is shown (n = %1).</source>
+        <translation>所示时段内记录的全部数值（n = %1）的平均值。</translation>
+    </message>
     <message>
-            <source>sum of the values / n</source>
-            <translation>数值之和 / n</translation>
-        </message>
+        <source>sum of the values / n</source>
+        <translation>数值之和 / n</translation>
+    </message>
     <message>
-            <source>Scatter</source>
-            <translation>离散度</translation>
-        </message>
+        <source>Scatter</source>
+        <translation>离散度</translation>
+    </message>
     <message>
-            <source>Standard deviation: about two thirds of the values are closer to the mean than this.</source>
-            <translation>标准差：约三分之二的数值与平均值之差小于此值。</translation>
-        </message>
+        <source>Standard deviation: about two thirds of the values are closer to the mean than this.</source>
+        <translation>标准差：约三分之二的数值与平均值之差小于此值。</translation>
+    </message>
     <message>
-            <source>√(sum of (value − mean)² / (n − 1))</source>
-            <translation>√((数值 − 平均值)² 之和 / (n − 1))</translation>
-        </message>
+        <source>√(sum of (value − mean)² / (n − 1))</source>
+        <translation>√((数值 − 平均值)² 之和 / (n − 1))</translation>
+    </message>
     <message>
-            <source>Lowest and highest</source>
-            <translation>最低和最高</translation>
-        </message>
+        <source>Lowest and highest</source>
+        <translation>最低和最高</translation>
+    </message>
     <message>
-            <source>%1 … %2</source>
-            <comment>lowest, highest</comment>
-            <translation>%1 … %2</translation>
-        </message>
+        <source>%1 … %2</source>
+        <comment>lowest, highest</comment>
+        <translation>%1 … %2</translation>
+    </message>
     <message>
-            <source>Single values. The curve is the mean of each column, the pale band around it goes from the lowest to the highest value of that column.</source>
-            <translation>均为单个数值。曲线是每一列的平均值，其周围的浅色带从该列的最低值到最高值。</translation>
-        </message>
+        <source>Single values. The curve is the mean of each column, the pale band around it goes from the lowest to the highest value of that column.</source>
+        <translation>均为单个数值。曲线是每一列的平均值，其周围的浅色带从该列的最低值到最高值。</translation>
+    </message>
     <message>
-            <source>the lowest … the highest of the n values</source>
-            <translation>n 个数值中的最低值 … 最高值</translation>
-        </message>
+        <source>the lowest … the highest of the n values</source>
+        <translation>n 个数值中的最低值 … 最高值</translation>
+    </message>
     <message>
-            <source>Within the tolerance</source>
-            <translation>公差内</translation>
-        </message>
+        <source>Within the tolerance</source>
+        <translation>公差内</translation>
+    </message>
     <message>
-            <source>Each bag is judged by the tolerance that held when it was made.</source>
-            <translation>每个袋均按其生产时有效的公差判定。</translation>
-        </message>
+        <source>Each bag is judged by the tolerance that held when it was made.</source>
+        <translation>每个袋均按其生产时有效的公差判定。</translation>
+    </message>
     <message>
-            <source>bags whose deviation is not above the tolerance / n</source>
-            <translation>偏差不超过公差的袋数 / n</translation>
-        </message>
+        <source>bags whose deviation is not above the tolerance / n</source>
+        <translation>偏差不超过公差的袋数 / n</translation>
+    </message>
     <message>
-            <source>%1 h</source>
-            <translation>%1 小时</translation>
-        </message>
+        <source>%1 h</source>
+        <translation>%1 小时</translation>
+    </message>
     <message>
-            <source>%1 min</source>
-            <translation>%1 分</translation>
-        </message>
+        <source>%1 min</source>
+        <translation>%1 分</translation>
+    </message>
     <message>
-            <source>%1 s</source>
-            <translation>%1 s</translation>
-        </message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
     <message>
-            <source>Mean at the cursor</source>
-            <translation>光标处的平均值</translation>
-        </message>
+        <source>Mean at the cursor</source>
+        <translation>光标处的平均值</translation>
+    </message>
     <message>
-            <source>The curves are drawn in columns of %1 each. In the one at the cursor the lowest value was %2, the highest %3.</source>
-            <translation>曲线按每列 %1 绘制。光标所在一列的最低值为 %2，最高值为 %3。</translation>
-        </message>
+        <source>The curves are drawn in columns of %1 each. In the one at the cursor the lowest value was %2, the highest %3.</source>
+        <translation>曲线按每列 %1 绘制。光标所在一列的最低值为 %2，最高值为 %3。</translation>
+    </message>
     <message>
-            <source>sum of the column's values / their number</source>
-            <translation>该列数值之和 / 个数</translation>
-        </message>
+        <source>sum of the column&apos;s values / their number</source>
+        <translation>该列数值之和 / 个数</translation>
+    </message>
     <message>
-            <source>%1 of 100 answers took no longer than this.</source>
-            <translation>每 100 个应答中有 %1 个不超过此时间。</translation>
-        </message>
+        <source>%1 of 100 answers took no longer than this.</source>
+        <translation>每 100 个应答中有 %1 个不超过此时间。</translation>
+    </message>
 </context>
 <context>
     <name>campanel::machine::FrameList</name>
@@ -4303,10 +4180,6 @@ Recipes, machine data, users with their PINs, alarms, audit trail and settings o
         <source>The simulated controller is not running. Try again when it is connected.</source>
         <translation>模拟控制器未运行。请在连接后重试。</translation>
     </message>
-    <message>
-            <source>Its right answers stand where the panel's are expected.</source>
-            <translation>它的正确应答出现在面板等待应答的位置。</translation>
-        </message>
 </context>
 <context>
     <name>campanel::machine::LineFigures</name>
@@ -4398,10 +4271,6 @@ Recipes, machine data, users with their PINs, alarms, audit trail and settings o
         <source>Allowed beyond wire time</source>
         <translation>线路时间之外允许</translation>
     </message>
-    <message>
-            <source>Share of the wire's limit</source>
-            <translation>占线路极限的比例</translation>
-        </message>
 </context>
 <context>
     <name>campanel::machine::LinkDoctor</name>
@@ -4639,14 +4508,6 @@ Recipes, machine data, users with their PINs, alarms, audit trail and settings o
         <source>Measure from the printed mark to the cut: positive when the film passes the mark first and the cut comes behind it, negative when the cut comes before its mark. The mean of up to %1 bags counts.</source>
         <translation>从印刷色标量到切断处：先经过色标、切断在其后为正；切断在色标之前为负。最多取 %1 袋的平均值。</translation>
     </message>
-    <message>
-            <source>The controller does not run a packing machine's program.</source>
-            <translation>控制器没有运行包装机的程序。</translation>
-        </message>
-    <message>
-            <source>Written and read back. The new distance reaches the knife with the film: bag %1 of %2.</source>
-            <translation>已写入并回读。新距离随薄膜到达切刀：第 %1 袋，共 %2 袋。</translation>
-        </message>
 </context>
 <context>
     <name>campanel::machine::MasterDirection</name>
@@ -4813,6 +4674,10 @@ Recipes, machine data, users with their PINs, alarms, audit trail and settings o
         <source>%1 · film slips %2 mm a bag, sensor scatters %3 mm (%4 bags)</source>
         <translation>%1 · 薄膜每袋打滑 %2 mm，传感器离散 %3 mm（%4 袋）</translation>
     </message>
+    <message>
+        <source>%1 · no suggestion: the marks do not scatter (%2 bags)</source>
+        <translation>%1 · 无建议：色标位置没有离散（%2 袋）</translation>
+    </message>
 </context>
 <context>
     <name>campanel::machine::PackingLine</name>
@@ -4855,10 +4720,6 @@ Recipes, machine data, users with their PINs, alarms, audit trail and settings o
         <source>The marks are %1 mm apart (± %2 mm); the recipe cuts %3 mm.</source>
         <translation>色标间距 %1 mm（± %2 mm）；配方切 %3 mm。</translation>
     </message>
-    <message>
-            <source>The controller tells nothing of a packing machine: connect it and download a cutter's recipe.</source>
-            <translation>控制器没有包装机的数据：请连接并下载切刀配方。</translation>
-        </message>
 </context>
 <context>
     <name>campanel::machine::ProgramProof</name>
@@ -4970,24 +4831,6 @@ Recipes, machine data, users with their PINs, alarms, audit trail and settings o
         <source>another one, CRC-32 %1: it is back after a loss of power</source>
         <translation>另一个程序，CRC-32 %1：断电后恢复为它</translation>
     </message>
-    <message>
-            <source>the controller's own checksum</source>
-            <translation>控制器自己的校验和</translation>
-        </message>
-    <message>
-            <source>Equal: the table of generation %1, read back, has %2. CRC-32 %3.</source>
-            <comment>%2: "the controller's own checksum"</comment>
-            <translation>一致：读回的第 %1 代程序表与%2相符。CRC-32 %3。</translation>
-        </message>
-    <message>
-            <source>Equal: all %1 registers of generation %2 are %3. CRC-32 %4.</source>
-            <comment>%3: for example "what this panel downloaded"</comment>
-            <translation>一致：第 %2 代的全部 %1 个寄存器与%3相符。CRC-32 %4。</translation>
-        </message>
-    <message>
-            <source>The controller's program changed during the comparison. Compare again.</source>
-            <translation>比较期间控制器的程序已更换。请重新比较。</translation>
-        </message>
 </context>
 <context>
     <name>campanel::machine::RecipeFiles</name>
@@ -5108,14 +4951,6 @@ Recipes, machine data, users with their PINs, alarms, audit trail and settings o
         <source>The restore could not be finished: %1. It is tried again at the next start.</source>
         <translation>恢复未能完成：%1。下次启动时将再次尝试。</translation>
     </message>
-    <message>
-            <source>The panel's memory was damaged. It goes on with its last good copy; the damaged file is kept as %1.</source>
-            <translation>面板的存储曾损坏，现使用最后一份完好的副本继续工作；损坏的文件保留为 %1。</translation>
-        </message>
-    <message>
-            <source>The panel's memory was damaged and there was no copy. It begins anew; the damaged file is kept as %1.</source>
-            <translation>面板的存储已损坏且没有副本，现从空白开始；损坏的文件保留为 %1。</translation>
-        </message>
 </context>
 <context>
     <name>campanel::machine::RegisterInspector</name>
@@ -5192,10 +5027,6 @@ Recipes, machine data, users with their PINs, alarms, audit trail and settings o
         <source>Not permitted: add the user to the group &quot;%1&quot;.</source>
         <translation>无权限：请将用户加入“%1”组。</translation>
     </message>
-    <message>
-            <source>Not permitted: add the user to the group "%1".</source>
-            <translation>无权限：请将用户加入“%1”组。</translation>
-        </message>
 </context>
 <context>
     <name>campanel::machine::ShelvedAlarms</name>

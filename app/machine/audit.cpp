@@ -244,7 +244,9 @@ QVariantList Audit::detail() const
     add(tr("Who"),
         u"%1 · %2"_s.arg(AuditWords::who(entry),
                          AccessSentences::level(static_cast<Level>(std::clamp(entry.level, 0, 3)))));
-    add(tr("What"), AuditWords::object(entry));
+    // Words for who reads it, the key for who looks for it in the register document.
+    const QString words = AuditWords::object(entry);
+    add(tr("What"), words == entry.object ? words : u"%1 (%2)"_s.arg(words, entry.object));
     add(tr("Before"), entry.before);
     add(tr("Wanted"), entry.after);
     add(tr("Read back"), entry.readBack);

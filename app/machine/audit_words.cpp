@@ -3,6 +3,7 @@
 
 #include "app/machine/access_sentences.h"
 #include "app/machine/format.h"
+#include "app/machine/packing_fields.h"
 #include "app/machine/recipe_words.h"
 #include "app/program/register_fields.h"
 
@@ -68,6 +69,7 @@ constexpr std::array whatWords{
     Word{"user.level", QT_TRANSLATE_NOOP("AuditWords", "Level of a user")},
     Word{"user.remove", QT_TRANSLATE_NOOP("AuditWords", "User removed")},
     Word{"audit.loss", QT_TRANSLATE_NOOP("AuditWords", "Rows were lost")},
+    Word{"audit.end_unknown", QT_TRANSLATE_NOOP("AuditWords", "The newest row was not known")},
     Word{"audit.trimmed", QT_TRANSLATE_NOOP("AuditWords", "Oldest rows dropped")},
 };
 
@@ -149,6 +151,10 @@ QString AuditWords::object(const store::AuditEntry& entry)
                 return RecipeWords::fieldName(each.field);
         }
     }
+    if (entry.what == u"parameter.write") {
+        const QString words = PackingFields::words(entry.object);
+        return words.isEmpty() ? entry.object : words;
+    }
     const char* words = entry.what == u"setting.change" ? find(objectWords, entry.object) : nullptr;
     return words ? tr(words) : entry.object;
 }
@@ -196,11 +202,16 @@ QString AuditWords::chain(const store::ChainCheck& check)
         return tr("Row %1 is missing: the trail was altered there.").arg(sequence);
     case store::ChainCheck::Fault::MissingAtEnd:
         return tr("Row %1 and what followed it are missing at the end.").arg(sequence);
+    case store::ChainCheck::Fault::EndUnknown:
+        return tr("Unbroken up to row %1, but the file that knows the newest row is gone: rows may be "
+                  "missing "
+                  "at the end.")
+            .arg(check.brokenSequence() - 1);
     case store::ChainCheck::Fault::None:
         break;
     }
     const QString rows = QLocale().toString(check.rows());
-    return check.losses() > 0 ? tr("Checked: unbroken, %1 rows; rows were lost once, see there.").arg(rows)
+    return check.losses() > 0 ? tr("Checked: unbroken, %1 rows; rows may have been lost once, see there.").arg(rows)
                               : tr("Checked: unbroken, %1 rows.").arg(rows);
 }
 

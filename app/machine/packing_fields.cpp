@@ -103,6 +103,15 @@ void PackingFields::read()
     }
 }
 
+QString PackingFields::words(const QString& name)
+{
+    for (const Listed& field : listed) {
+        if (name == QLatin1String(field.name))
+            return tr(field.words);
+    }
+    return {};
+}
+
 // Reads under way end by themselves, as all that was asked without a connection.
 void PackingFields::forget()
 {
@@ -300,6 +309,8 @@ QString PackingFields::note(const Field& field) const
         field.info->name == "parameter.phase_gain" || field.info->name == "parameter.length_gain";
     if (!isGain)
         return range;
+    if (!m_gains && m_bags >= GainEstimate::fewestBags)
+        return tr("%1 · no suggestion: the marks do not scatter (%2 bags)").arg(range).arg(m_bags);
     if (!m_gains)
         return tr("%1 · suggestion after %2 bags that follow their marks, %3 so far")
             .arg(range)

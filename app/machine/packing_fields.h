@@ -53,6 +53,8 @@ public:
     // Asks the controller for every value; does nothing while some are on their way.
     void read();
     void forget();
+    // A parameter as this page calls it; empty for one that is not here. `name` as in the register table.
+    [[nodiscard]] static QString words(const QString& name);
     void suggest(const std::optional<GainSuggestion>& gains, int bags);
     // NaN while it is not known. `name` as in the register table.
     [[nodiscard]] double value(const char* name) const;

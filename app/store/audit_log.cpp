@@ -128,15 +128,26 @@ AuditEntry ownEntry(const AuditEntry& like, const QString& what)
     return entry;
 }
 
-// The file beside knows newer rows than there are.
+// The end of the trail cannot be told without the file beside. It is written after the first row: a process
+// that is killed in between leaves one row without it.
+bool mustKnowEnd(const Database& database, qint64 lastSequence)
+{
+    return isOnDisk(database) && lastSequence > 1;
+}
+
+// The file beside knows newer rows than there are, or is gone.
 tl::expected<Link, StoreError> noteLoss(Database& database, const Link& last, const AuditEntry& before)
 {
     const auto known = anchor(database);
-    if (!known || known->sequence <= last.sequence)
+    const bool isGone = !known && mustKnowEnd(database, last.sequence);
+    const bool isShort = known && known->sequence > last.sequence;
+    if (!isGone && !isShort)
         return last;
-    AuditEntry loss = ownEntry(before, u"audit.loss"_s);
-    loss.object = u"%1..%2"_s.arg(last.sequence + 1).arg(known->sequence);
-    loss.before = QString::fromLatin1(known->hash.toHex());
+    AuditEntry loss = ownEntry(before, isGone ? u"audit.end_unknown"_s : u"audit.loss"_s);
+    if (isShort) {
+        loss.object = u"%1..%2"_s.arg(last.sequence + 1).arg(known->sequence);
+        loss.before = QString::fromLatin1(known->hash.toHex());
+    }
     return add(database, last, loss).map([](const AuditRow& row) { return Link{row.sequence, row.hash}; });
 }
 
@@ -260,7 +271,7 @@ void ChainCheck::look(const AuditRow& row)
     if (m_isOver)
         return;
     m_previous = row.hash;
-    m_losses += row.entry.what == u"audit.loss" ? 1 : 0;
+    m_losses += row.entry.what == u"audit.loss" || row.entry.what == u"audit.end_unknown" ? 1 : 0;
     ++m_next;
     ++m_rows;
 }
@@ -287,8 +298,12 @@ tl::expected<void, StoreError> ChainCheck::advance(Database& database, int rows)
     }
     if (m_isOver || seen == rows)
         return {};
-    const bool isShort = known && known->sequence >= m_next;
-    end(isShort ? Fault::MissingAtEnd : Fault::None, isShort ? m_next : 0);
+    if (known && known->sequence >= m_next)
+        end(Fault::MissingAtEnd, m_next);
+    else if (!known && mustKnowEnd(database, m_next - 1))
+        end(Fault::EndUnknown, m_next);
+    else
+        end(Fault::None, 0);
     return {};
 }
 

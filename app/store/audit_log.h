@@ -50,7 +50,7 @@ struct AuditBounds {
 };
 
 // When it returns a row, that is on the disk. A row "audit.loss" goes before it when the file beside knows of
-// newer ones than the database has.
+// newer ones than the database has, "audit.end_unknown" when that file is gone or cannot be read.
 [[nodiscard]] tl::expected<AuditRow, StoreError> appendAudit(Database& database, const AuditEntry& entry,
                                                              const AuditBounds& bounds = {});
 
@@ -69,17 +69,19 @@ readAudit(Database& database, const AuditFilter& filter, std::optional<qint64> b
 // The check of the chain, a part at a time so that others get at the database in between.
 class ChainCheck {
 public:
-    enum class Fault { None, Altered, Missing, MissingAtEnd };
+    // EndUnknown: what is there is unbroken, but the file beside is gone, so that rows may be missing at the
+    // end.
+    enum class Fault { None, Altered, Missing, MissingAtEnd, EndUnknown };
 
     // Looks at up to `rows` more; over when isOver().
     [[nodiscard]] tl::expected<void, StoreError> advance(Database& database, int rows);
 
     [[nodiscard]] bool isOver() const { return m_isOver; }
     [[nodiscard]] Fault fault() const { return m_fault; }
-    // The first that is not as it was, or that is not there.
+    // The first that is not as it was, or that is not there, or that may have been there.
     [[nodiscard]] qint64 brokenSequence() const { return m_brokenSequence; }
     [[nodiscard]] qint64 rows() const { return m_rows; }
-    [[nodiscard]] qint64 losses() const { return m_losses; } // rows "audit.loss"
+    [[nodiscard]] qint64 losses() const { return m_losses; } // rows "audit.loss" and "audit.end_unknown"
     [[nodiscard]] const QByteArray& lastHash() const { return m_previous; }
 
 private:

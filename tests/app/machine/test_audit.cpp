@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the audit trail says of what was done at the panel, against the fake link, and how it is shown.
 #include "access_rig.h"
+#include "app/machine/audit_words.h"
 
 #include <QSignalSpy>
 
@@ -85,6 +86,7 @@ private slots:
         QCOMPARE(done->after, u"903.02"_s);
         QCOMPARE(done->readBack, u"903"_s);
         QCOMPARE(done->who, u"Bo"_s);
+        QCOMPARE(machine::AuditWords::object(*done), u"Mark sensor to knife"_s);
         const AuditEntry& last = entries.last();
         QCOMPARE(last.what, u"parameter.write"_s);
         QCOMPARE(last.before, QString());

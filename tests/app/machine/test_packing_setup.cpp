@@ -234,6 +234,23 @@ private slots:
         QVERIFY(rig.at(row, PackingFields::SuggestionRole).toString().isEmpty()); // it is taken
     }
 
+    void marksThatDoNotScatterSuggestNothing()
+    {
+        PackingRig rig;
+        rig.setup().open();
+        rig.answerParameters();
+        for (int mark = 1; mark <= GainEstimate::fewestBags + 1; ++mark) {
+            rig.packer.set("packer.marks", mark);
+            rig.packer.set("packer.mark_pitch", 250);
+            rig.set("packer.last_mark", 0.05);
+        }
+        const int row = rig.rowOf(QStringLiteral("Phase gain"));
+        QVERIFY(rig.at(row, PackingFields::SuggestionRole).toString().isEmpty());
+        QVERIFY(rig.at(row, PackingFields::NoteRole)
+                    .toString()
+                    .endsWith("no suggestion: the marks do not scatter (50 bags)"));
+    }
+
     void wizardCorrectsTheDistance()
     {
         PackingRig rig;

@@ -174,6 +174,30 @@ private slots:
         QCOMPARE(trail.check().losses(), qint64{1});
     }
 
+    // Whoever takes rows off the end and the file beside with them.
+    void aMissingFileBesideIsToldAndStaysTold()
+    {
+        for (const QByteArray& left : {QByteArray(), QByteArray("5 abc\n")}) {
+            Trail trail;
+            trail.tamper(u"DELETE FROM audit WHERE sequence > 5"_s);
+            QVERIFY(QFile::remove(trail.anchorFile()));
+            QFile unreadable(trail.anchorFile());
+            QVERIFY(left.isEmpty() || (unreadable.open(QIODevice::WriteOnly) && unreadable.write(left) > 0));
+            unreadable.close();
+            QCOMPARE(trail.check().fault(), Fault::EndUnknown);
+            QCOMPARE(trail.check().brokenSequence(), qint64{6});
+            QVERIFY(appendAudit(*trail.database, entryNumber(9)));
+            QCOMPARE(readAudit(*trail.database, {}, qint64{7}, 1)->first().entry.what,
+                     u"audit.end_unknown"_s);
+            QCOMPARE(trail.check().fault(), Fault::None);
+            QCOMPARE(trail.check().losses(), qint64{1});
+        }
+        // Killed between the first row and its file.
+        Trail young(1);
+        QVERIFY(QFile::remove(young.anchorFile()));
+        QCOMPARE(young.check().fault(), Fault::None);
+    }
+
     void emptiedTrailIsFound()
     {
         Trail trail;
