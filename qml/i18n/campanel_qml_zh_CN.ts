@@ -1953,10 +1953,6 @@
         <source>Discard edits</source>
         <translation>放弃修改</translation>
     </message>
-    <message>
-            <source>No recipe has "%1" in its name. Change or clear the search.</source>
-            <translation>没有名称含“%1”的配方。请更改或清除搜索。</translation>
-        </message>
 </context>
 <context>
     <name>RegistersSection</name>
@@ -2030,10 +2026,6 @@
         <source>There is no backup on a USB stick or on this panel. Plug in a stick: it is found by itself.</source>
         <translation>U 盘和本面板上都没有备份。插入 U 盘即可自动找到。</translation>
     </message>
-    <message>
-            <source>There is no backup on a USB stick or in %1. Plug in a stick: it is found by itself.</source>
-            <translation>U 盘和 %1 中都没有备份。插入 U 盘即可自动找到。</translation>
-        </message>
 </context>
 <context>
     <name>RunAxis</name>
@@ -2157,21 +2149,21 @@
         <translation>空运行</translation>
     </message>
     <message>
-            <source>The line to the controller</source>
-            <translation>与控制器的线路</translation>
-        </message>
+        <source>The line to the controller</source>
+        <translation>与控制器的线路</translation>
+    </message>
     <message>
-            <source>The machine</source>
-            <translation>机器</translation>
-        </message>
+        <source>The machine</source>
+        <translation>机器</translation>
+    </message>
     <message>
-            <source>What the panel keeps</source>
-            <translation>面板保存的内容</translation>
-        </message>
+        <source>What the panel keeps</source>
+        <translation>面板保存的内容</translation>
+    </message>
     <message>
-            <source>Service</source>
-            <translation>维护</translation>
-        </message>
+        <source>Service</source>
+        <translation>维护</translation>
+    </message>
 </context>
 <context>
     <name>SettingsPage</name>
@@ -2476,10 +2468,6 @@
         <source>of the controller to the panel&apos;s questions</source>
         <translation>控制器回答面板询问所需的时间</translation>
     </message>
-    <message>
-            <source>of the controller to the panel's questions</source>
-            <translation>控制器回答面板询问所需的时间</translation>
-        </message>
 </context>
 <context>
     <name>TrendsPage</name>
