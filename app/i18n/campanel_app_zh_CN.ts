@@ -3055,6 +3055,12 @@ Recipes, machine data, users with their PINs, alarms, audit trail and settings o
         <translation>文件完整：%1。
 本面板的配方、机器数据、用户及其 PIN、报警、审计记录和设置将被文件中的内容替换。袋子记录和趋势保留。当前状态在本面板上保存为备份。随后面板重新启动。</translation>
     </message>
+    <message>
+        <source>The file is whole: %1.
+Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends and settings of this panel are replaced by those of the file. The present state is kept as a backup on this panel. The panel then starts anew.</source>
+        <translation>文件完整：%1。
+本面板的配方、机器数据、用户及其 PIN、报警、审计记录、袋子记录、趋势和设置将被文件中的内容替换。当前状态在本面板上保存为备份。随后面板重新启动。</translation>
+    </message>
 </context>
 <context>
     <name>campanel::machine::Commissioning</name>

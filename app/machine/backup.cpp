@@ -9,6 +9,7 @@
 #include "app/machine/machine.h"
 #include "app/machine/records.h"
 #include "app/machine/settings.h"
+#include "app/machine/trends.h"
 #include "app/store/recipe_json.h"
 
 #include <QCoreApplication>
@@ -132,14 +133,32 @@ void Backup::snapshot(const std::function<void(const Snapshot&)>& then)
             return whole;
         },
         [this, then](const tl::expected<Snapshot, store::StoreError>& made) {
-            if (made) {
-                Snapshot whole = *made;
+            if (made)
+                addTrends(*made, then);
+            else
+                tell(store::StoreErrorText::describe(made.error()), true);
+            end();
+        });
+}
+
+void Backup::addTrends(const Snapshot& taken, const std::function<void(const Snapshot&)>& then)
+{
+    begin();
+    m_parts.trends.flush();
+    m_parts.trends.store().run(
+        this,
+        [folder = taken.folder](store::Database& database) {
+            return store::takeTrendSnapshot(database, folder->path());
+        },
+        [this, taken, then](const tl::expected<void, store::StoreError>& added) {
+            if (added) {
+                Snapshot whole = taken;
                 whole.manifest.program = QCoreApplication::applicationVersion();
                 whole.manifest.made = m_wallClock().toUTC();
                 whole.manifest.madeBy = m_parts.access.userName();
                 then(whole);
             } else {
-                tell(store::StoreErrorText::describe(made.error()), true);
+                tell(store::StoreErrorText::describe(added.error()), true);
             }
             end();
         });
@@ -255,9 +274,17 @@ QString Backup::question() const
 {
     if (!m_checked)
         return {};
-    return tr("The file is whole: %1.\nRecipes, machine data, users with their PINs, alarms, audit trail and "
-              "settings of this panel are replaced by those of the file. Bags and trends stay. The present "
-              "state is kept as a backup on this panel. The panel then starts anew.")
+    return (m_checked->manifest.hasTrends()
+                ? tr("The file is whole: %1.\nRecipes, machine data, users with their PINs, alarms, audit "
+                     "trail, "
+                     "bags, trends and settings of this panel are replaced by those of the file. The present "
+                     "state "
+                     "is kept as a backup on this panel. The panel then starts anew.")
+                : tr("The file is whole: %1.\nRecipes, machine data, users with their PINs, alarms, audit "
+                     "trail and "
+                     "settings of this panel are replaced by those of the file. Bags and trends stay. The "
+                     "present "
+                     "state is kept as a backup on this panel. The panel then starts anew."))
         .arg(summary(m_checked->manifest));
 }
 

@@ -27,6 +27,7 @@ class Editor;
 class Machine;
 class Records;
 class Settings;
+class Trends;
 
 class Backup : public QObject {
     Q_OBJECT
@@ -52,6 +53,7 @@ public:
         Machine& machine;
         Editor& editor;
         Records& records;
+        Trends& trends;
         Settings& settings;
         Access& access;
         AuditTrail& trail;
@@ -116,6 +118,7 @@ private:
 
     [[nodiscard]] bool admits();
     void snapshot(const std::function<void(const Snapshot& taken)>& then);
+    void addTrends(const Snapshot& taken, const std::function<void(const Snapshot& taken)>& then);
     void seal(const Snapshot& present);
     void search(const std::function<void()>& done);
     void takeFound(const QList<Found>& found);

@@ -263,8 +263,12 @@ void Trends::show(const store::TrendWindow& window)
 
 void Trends::write()
 {
-    if (m_isWriting)
-        return;
+    if (!m_isWriting)
+        flush();
+}
+
+void Trends::flush()
+{
     TrendRecorder::Batch batch = m_recorder.take();
     if (batch.isEmpty())
         return;

@@ -67,6 +67,9 @@ public:
     // The instance that attachToEngine() gave to this engine.
     static Trends* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
+    // What was measured and is not yet kept goes into the database before what store() is asked for next.
+    void flush();
+
     // For tests and captures: the time of day instead of the computer's.
     void setWallClock(const TrendRecorder::WallClock& clock);
     [[nodiscard]] store::StoreThread& store() { return m_store; }

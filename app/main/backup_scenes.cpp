@@ -14,6 +14,7 @@ namespace {
 
 void open(Stage& stage)
 {
+    stage.panel().trends().open(); // a backup waits for it
     stage.link().show(DemoLink::Situation::Stopped);
     stage.lookAtClock();
     for (const char* tapped : {"nav3", "servicePanel", "serviceBackup"})

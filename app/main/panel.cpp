@@ -39,8 +39,8 @@ Panel::Panel(link::Link& link, const Storage& storage)
     , m_access(m_records, m_machine, m_settings, nullptr)
     , m_trail(m_records, {m_machine, m_editor, m_settings, m_service, m_access}, nullptr)
     , m_audit(m_records, m_trail, *m_service.files(), nullptr)
-    , m_backup({m_machine, m_editor, m_records, m_settings, m_access, m_trail}, recipeFolder(storage),
-               nullptr)
+    , m_backup({m_machine, m_editor, m_records, m_trends, m_settings, m_access, m_trail},
+               recipeFolder(storage), nullptr)
     , m_commissioning(m_machine, m_editor, m_access, *m_service.files(), nullptr)
     , m_bundle({m_machine, m_editor, m_records, *m_service.figures(), *m_service.files()}, nullptr)
     , m_display(m_machine, storage.settingsFile, nullptr)

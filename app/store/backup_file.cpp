@@ -3,6 +3,7 @@
 
 #include "app/store/archive.h"
 #include "app/store/recipe_json.h"
+#include "app/store/trend_schema.h"
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -30,6 +31,7 @@ const QString settingsName = u"settings.ini"_s;
 const QString storedName = u"recipe.json"_s;
 const QString workingName = u"working_copy.json"_s;
 const QStringList partNames{databaseName, anchorName, settingsName, storedName, workingName};
+const QString& trendsName = trendDatabase().name; // where there are any, after the others
 
 using Kind = BackupError::Kind;
 
@@ -99,7 +101,7 @@ tl::expected<BackupManifest, BackupError> manifestOf(ArchiveReader& archive, con
             names.last(), part.value("bytes"_L1).toInteger(-1),
             QByteArray::fromHex(part.value("sha256"_L1).toString().toLatin1())};
     }
-    if (names != partNames || !manifest.made.isValid())
+    if ((names != partNames && names != partNames + QStringList{trendsName}) || !manifest.made.isValid())
         return tl::unexpected(BackupError{Kind::Damaged, path, manifestName});
     return manifest;
 }
@@ -120,25 +122,52 @@ tl::expected<void, BackupError> checkRecipe(const QDir& folder, const QString& n
     return {};
 }
 
-// Sound, of today's schema, and what the manifest says.
-tl::expected<void, BackupError> checkDatabase(const QString& folder, const BackupManifest& manifest,
-                                              const QString& path)
+// Sound and of today's schema.
+tl::expected<std::unique_ptr<Database>, BackupError>
+openPart(const QString& folder, const DatabaseFile& file, const BackupManifest& manifest, const QString& path)
 {
-    const auto database = Database::open(folder);
+    auto database = Database::open(folder, file);
     if (!database) {
         const bool isNewer = database.error().kind == StoreError::Kind::NewerSchema;
         return tl::unexpected(isNewer ? BackupError{Kind::Newer, path, manifest.program}
                                       : BackupError{Kind::NotWritable, path, database.error().detail});
     }
-    const bool isWhole = (*database)->opening().damagedKeptAs.isEmpty() &&
-                         count(**database, u"recipe"_s) == manifest.recipes &&
-                         count(**database, u"user"_s) == manifest.users;
-    if (!isWhole)
+    if (!(*database)->opening().damagedKeptAs.isEmpty())
+        return tl::unexpected(BackupError{Kind::Damaged, path, file.name});
+    return std::move(*database);
+}
+
+// What the manifest says, too.
+tl::expected<void, BackupError> checkDatabase(const QString& folder, const BackupManifest& manifest,
+                                              const QString& path)
+{
+    const auto database = openPart(folder, mainDatabase(), manifest, path);
+    if (!database)
+        return tl::unexpected(database.error());
+    if (count(**database, u"recipe"_s) != manifest.recipes || count(**database, u"user"_s) != manifest.users)
         return tl::unexpected(BackupError{Kind::Damaged, path, databaseName});
     return {};
 }
 
+tl::expected<void, BackupError> checkTrends(const QString& folder, const BackupManifest& manifest,
+                                            const QString& path)
+{
+    if (!manifest.hasTrends())
+        return {};
+    return openPart(folder, trendDatabase(), manifest, path).map([](const auto&) {});
+}
+
+tl::expected<void, StoreError> copyInto(Database& database, const QString& path)
+{
+    return database.execute(u"VACUUM INTO ?"_s, {path}).map([](const auto&) {});
+}
+
 } // namespace
+
+bool BackupManifest::hasTrends() const
+{
+    return std::ranges::any_of(parts, [](const Part& part) { return part.name == trendsName; });
+}
 
 QString BackupErrorText::describe(const BackupError& error)
 {
@@ -171,7 +200,7 @@ tl::expected<BackupManifest, StoreError> takeSnapshot(Database& database, const 
     manifest.recipes = *recipes;
     manifest.users = *users;
     const QDir target(folder);
-    if (const auto done = database.execute(u"VACUUM INTO ?"_s, {target.filePath(databaseName)}); !done)
+    if (const auto done = copyInto(database, target.filePath(databaseName)); !done)
         return tl::unexpected(done.error());
     // Not there before the first row.
     const QString anchor = database.path() + u".audit"_s;
@@ -179,6 +208,11 @@ tl::expected<BackupManifest, StoreError> takeSnapshot(Database& database, const 
     if (!QFile::copy(anchor, target.filePath(anchorName)) && !empty.open(QIODevice::WriteOnly))
         return tl::unexpected(StoreError{StoreError::Kind::Failed, anchor, empty.errorString()});
     return manifest;
+}
+
+tl::expected<void, StoreError> takeTrendSnapshot(Database& database, const QString& folder)
+{
+    return copyInto(database, QDir(folder).filePath(trendsName));
 }
 
 tl::expected<void, QString> writeBackup(const QString& path, BackupManifest manifest,
@@ -189,7 +223,8 @@ tl::expected<void, QString> writeBackup(const QString& path, BackupManifest mani
                                 {anchorName, {}, snapshot.filePath(anchorName)},
                                 {settingsName, parts.settings, {}},
                                 {storedName, parts.storedRecipe, {}},
-                                {workingName, parts.workingCopy, {}}};
+                                {workingName, parts.workingCopy, {}},
+                                {trendsName, {}, snapshot.filePath(trendsName)}};
     for (const ArchiveEntry& entry : entries) {
         BackupManifest::Part part{entry.name, entry.bytes.size(),
                                   QCryptographicHash::hash(entry.bytes, QCryptographicHash::Sha256)};
@@ -232,7 +267,8 @@ tl::expected<BackupManifest, BackupError> unpackBackup(const QString& path, cons
     }
     const auto checked = checkRecipe(target, storedName, path)
                              .and_then([&] { return checkRecipe(target, workingName, path); })
-                             .and_then([&] { return checkDatabase(folder, *manifest, path); });
+                             .and_then([&] { return checkDatabase(folder, *manifest, path); })
+                             .and_then([&] { return checkTrends(folder, *manifest, path); });
     if (!checked)
         return tl::unexpected(checked.error());
     return manifest;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything that the panel keeps in one file: a zip archive of the main database, the settings and both
-// recipes, with a manifest (JSON) that says what is in it and the SHA-256 of each part. Bags and trends are
-// not in it. Not for the GUI thread.
+// Everything that the panel keeps in one file: a zip archive of the main database, the settings, both recipes
+// and the database of bags and trends, with a manifest (JSON) that says what is in it and the SHA-256 of each
+// part. Not for the GUI thread.
 #pragma once
 
 #include "app/store/database.h"
@@ -13,9 +13,9 @@
 
 namespace campanel::store {
 
-inline constexpr int backupFormatVersion = 1;
+inline constexpr int backupFormatVersion = 2; // 1 had no bags and trends
 
-// What is put into a backup beside the database.
+// What is put into a backup beside the databases.
 struct BackupParts {
     QByteArray settings;     // the ini file
     QByteArray storedRecipe; // JSON
@@ -37,6 +37,8 @@ struct BackupManifest {
     int recipes = 0;
     int users = 0;
     QList<Part> parts;
+
+    [[nodiscard]] bool hasTrends() const;
 };
 
 struct BackupError {
@@ -66,8 +68,11 @@ public:
 [[nodiscard]] tl::expected<BackupManifest, StoreError> takeSnapshot(Database& database,
                                                                     const QString& folder);
 
-// A new file. `manifest` tells program, made and madeBy, and what takeSnapshot() said. The system's reason on
-// failure.
+// The same of bags and trends, in the thread of their database.
+[[nodiscard]] tl::expected<void, StoreError> takeTrendSnapshot(Database& database, const QString& folder);
+
+// A new file of both snapshots. `manifest` tells program, made and madeBy, and what takeSnapshot() said. The
+// system's reason on failure.
 [[nodiscard]] tl::expected<void, QString> writeBackup(const QString& path, BackupManifest manifest,
                                                       const QString& snapshotFolder,
                                                       const BackupParts& parts);
@@ -76,7 +81,7 @@ public:
 [[nodiscard]] tl::expected<BackupManifest, BackupError> readManifest(const QString& path);
 
 // All parts as files in `folder`, which is empty: each is as the manifest says, the recipes are recipes, the
-// database opens, is sound and has today's schema. Otherwise an error; what is in the folder then is to be
+// databases open, are sound and have today's schema. Otherwise an error; what is in the folder then is to be
 // thrown away.
 [[nodiscard]] tl::expected<BackupManifest, BackupError> unpackBackup(const QString& path,
                                                                      const QString& folder);

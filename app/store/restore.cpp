@@ -20,7 +20,7 @@ const QString stagingName = u"restore-unpacked"_s;
 const QString readyName = u"restore-ready"_s;
 const QString staleName = u"restore-stale"_s;
 const QString keptName = u"before-restore"_s;
-const QString databaseName = u"campanel.sqlite"_s;
+const QString databaseSuffix = u".sqlite"_s;
 const QString settingsName = u"settings.ini"_s;
 
 std::filesystem::path native(const QString& path)
@@ -69,7 +69,7 @@ tl::expected<void, QString> finishPart(const QDir& ready, const QDir& kept, cons
     if (!ready.exists(name))
         return {};
     tl::expected<void, QString> done;
-    if (name == databaseName)
+    if (name.endsWith(databaseSuffix))
         done = keepCompanions(path, kept.filePath(name));
     return done.and_then([&] { return moveIfThere(path, kept.filePath(name)); }).and_then([&] {
         QDir().mkpath(QFileInfo(path).path());

@@ -32,7 +32,7 @@ ServiceSection {
             id: backupRow
             width: rows.width
             title: qsTr("Backup")
-            note: qsTr("All that this panel keeps in one file: recipes with their versions, machine data, users, alarms, audit trail, settings. Bags and trends are not in it.")
+            note: qsTr("All that this panel keeps in one file: recipes with their versions, machine data, users, alarms, audit trail, bags, trends, settings.")
             action: qsTr("Make a backup")
             name: "backupMake"
             glyph: Theme.icon.save

@@ -166,10 +166,6 @@
         <translation>备份</translation>
     </message>
     <message>
-        <source>All that this panel keeps in one file: recipes with their versions, machine data, users, alarms, audit trail, settings. Bags and trends are not in it.</source>
-        <translation>本面板保存的全部内容合为一个文件：配方及其版本、机器数据、用户、报警、审计记录、设置。不含袋子记录和趋势。</translation>
-    </message>
-    <message>
         <source>Make a backup</source>
         <translation>生成备份</translation>
     </message>
@@ -228,6 +224,10 @@
     <message>
         <source>Where to write the service bundle</source>
         <translation>服务包写到哪里</translation>
+    </message>
+    <message>
+        <source>All that this panel keeps in one file: recipes with their versions, machine data, users, alarms, audit trail, bags, trends, settings.</source>
+        <translation>本面板保存的全部内容合为一个文件：配方及其版本、机器数据、用户、报警、审计记录、袋子记录、趋势、设置。</translation>
     </message>
 </context>
 <context>

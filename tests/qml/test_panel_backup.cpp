@@ -37,6 +37,7 @@ class TestPanelBackup : public test::PanelTest {
         m_stage->lookAtClock();
         m_stage->panel().access().open();
         m_stage->panel().trail().open();
+        m_stage->panel().trends().open();
         tap("nav3");
         tap("servicePanel");
         tap("serviceBackup");
@@ -84,12 +85,14 @@ private slots:
         tap("backupCheck");
         waitForBackup();
         QVERIFY2(m_stage->complaints().isEmpty(), qPrintable(m_stage->complaints().join(u'\n')));
-        QVERIFY2(textOf("question").contains(u"Bags and trends stay"), qPrintable(textOf("question")));
+        QVERIFY2(textOf("question").contains(u"bags, trends and settings"), qPrintable(textOf("question")));
         QSignalSpy restart(&m_stage->panel(), &panel::Panel::restartWanted);
         tap("confirm_restore");
         QTRY_COMPARE(restart.count(), 1);
         const QString folder = QFileInfo(backup().ownFolder()).path();
         QCOMPARE(QDir(backup().ownFolder()).entryList({u"*.zip"_s}).size(), 1); // the present state
+
+        QVERIFY(QFile::exists(folder + u"/restore-ready/trends.sqlite"_s));
 
         // The next panel, as after an end at any moment from here on.
         QTemporaryDir copy;

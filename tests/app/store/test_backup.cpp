@@ -5,11 +5,14 @@
 #include "app/store/recipe_json.h"
 #include "app/store/recipe_library.h"
 #include "app/store/restore.h"
+#include "app/store/trend_log.h"
+#include "app/store/trend_schema.h"
 #include "app/store/user_store.h"
 
 #include <QCryptographicHash>
 #include <QDir>
 #include <QDirIterator>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
@@ -66,6 +69,7 @@ struct Home {
 
     void fill(const char* recipe, const char* user, int rows)
     {
+        measure(rows);
         const auto database = Database::open(dir.path());
         QVERIFY(RecipeLibrary(**database).save(recipeOf(recipe), QString::fromLatin1(user), nowMs));
         QVERIFY(addUser(**database, QString::fromLatin1(user), UserLevel::Service, u"hash"_s));
@@ -76,9 +80,36 @@ struct Home {
         put(at("settings.ini"), QByteArray("theme=") + recipe);
     }
 
+    // So many more seconds in the trends.
+    void measure(int seconds)
+    {
+        const auto database = Database::open(dir.path(), trendDatabase());
+        const qint64 begin = nowMs / 1000 + measured();
+        TrendLog log(**database);
+        QVERIFY((*database)->transaction([&]() -> tl::expected<void, StoreError> {
+            QList<TrendPart> parts;
+            for (int i = 0; i < seconds; ++i) {
+                parts << TrendPart{begin + i, TrendQuantity::Rate, {}};
+                parts.last().bucket.add(60, true);
+            }
+            return log.add(parts);
+        }));
+    }
+
+    [[nodiscard]] int measured() const
+    {
+        const auto database = Database::open(dir.path(), trendDatabase());
+        int seconds = 0;
+        (void)TrendLog(**database)
+            .forEach(TrendLog::Level::Second, 0, 2 * nowMs, {TrendQuantity::Rate},
+                     [&](qint64, TrendQuantity, const TrendBucket&) { ++seconds; });
+        return seconds;
+    }
+
     void keepBackup()
     {
         const QTemporaryDir snapshot;
+        QVERIFY(takeTrendSnapshot(**Database::open(dir.path(), trendDatabase()), snapshot.path()));
         const auto database = Database::open(dir.path());
         auto manifest = takeSnapshot(**database, snapshot.path());
         QVERIFY(manifest);
@@ -134,8 +165,8 @@ void rewrite(const QString& path, const std::function<void(QJsonObject&)>& chang
     QJsonObject json = QJsonDocument::fromJson(*archive->read(u"manifest.json"_s, 100'000)).object();
     change(json);
     QList<ArchiveEntry> entries{{u"manifest.json"_s, QJsonDocument(json).toJson(), {}}};
-    for (const char* name :
-         {"campanel.sqlite", "campanel.sqlite.audit", "settings.ini", "recipe.json", "working_copy.json"})
+    for (const char* name : {"campanel.sqlite", "campanel.sqlite.audit", "settings.ini", "recipe.json",
+                             "working_copy.json", "trends.sqlite"})
         entries << ArchiveEntry{
             QString::fromLatin1(name), *archive->read(QString::fromLatin1(name), 100'000'000), {}};
     QFile::remove(path);
@@ -162,11 +193,32 @@ private slots:
         const FinishedRestore finished = home.finish();
         QVERIFY2(finished.isDone && finished.problem.isEmpty(), qPrintable(finished.problem));
         QCOMPARE(home.contents(), u"Biscuit Anna 4 theme=Biscuit"_s);
+        QCOMPARE(home.measured(), 3);
         QVERIFY(!home.finish().isDone);
         // What was there before still opens.
         const auto before = Database::open(finished.keptIn);
         QCOMPARE(users(**before)->size(), 2);
         QCOMPARE(bytesOf(finished.keptIn + u"/settings.ini"_s), QByteArray("theme=Noodles"));
+    }
+
+    // As CamPanel made them before there was format 2.
+    void aBackupWithoutTrendsLeavesThem()
+    {
+        Home home;
+        rewrite(home.backup, [](QJsonObject& json) {
+            json[u"formatVersion"] = 1;
+            QJsonArray parts = json[u"parts"].toArray();
+            parts.removeLast();
+            json[u"parts"] = parts;
+        });
+        home.fill("Noodles", "Bo", 7);
+        const auto manifest = stageRestore(home.backup, home.dir.path());
+        QVERIFY(manifest);
+        QVERIFY(!manifest->hasTrends());
+        QVERIFY(commitRestore(home.dir.path(), entryOf(u"backup.restored"_s)));
+        QVERIFY(home.finish().isDone);
+        QCOMPARE(home.contents(), u"Biscuit Anna 4 theme=Biscuit"_s);
+        QCOMPARE(home.measured(), 10);
     }
 
     void anInterruptedRestoreEndsWhole()
@@ -181,6 +233,8 @@ private slots:
             {"restore-ready/campanel.sqlite.audit", "campanel.sqlite.audit"},
             {"recipe.json", "before-restore/recipe.json"},
             {"restore-ready/recipe.json", "recipe.json"},
+            {"trends.sqlite", "before-restore/trends.sqlite"},
+            {"restore-ready/trends.sqlite", "trends.sqlite"},
             {"working_copy.json", "before-restore/working_copy.json"},
             {"restore-ready/working_copy.json", "working_copy.json"}};
         for (std::size_t done = 0; done <= std::size(steps); ++done) {
@@ -193,6 +247,7 @@ private slots:
                 QVERIFY2(QFile::rename(home.at(steps[i].first), home.at(steps[i].second)), steps[i].first);
             QVERIFY(home.finish().isDone);
             QCOMPARE(home.contents(), u"Biscuit Anna 4 theme=Biscuit"_s);
+            QCOMPARE(home.measured(), 3);
             QVERIFY(QFile::exists(home.at("before-restore/campanel.sqlite-wal")));
             QVERIFY(!QFile::exists(home.at("restore-ready")));
         }
