@@ -86,12 +86,12 @@ Rectangle {
             transform: Translate { x: frame.shift }
             Repeater {
                 id: pages
-                model: frame.sources
+                model: frame.showsPages ? frame.sources : []
                 Loader {
                     id: loader
                     required property int index
                     required property string modelData
-                    property bool wanted: frame.showsPages && frame.page === index
+                    property bool wanted: frame.page === index
                     property bool opened
                     anchors.fill: parent
                     onWantedChanged: opened = opened || wanted

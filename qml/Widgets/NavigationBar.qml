@@ -28,8 +28,9 @@ Rectangle {
     readonly property bool fits: Math.floor(height / pages.length) >= Theme.size.touch
     readonly property int inFront: 5
     readonly property var pagesBehind: fits ? [] : pages.slice(inFront)
-    readonly property var keys: fits ? pages : pages.slice(0, inFront).concat([{ page: -1, text: qsTr("More"), glyph: Theme.icon.more }])
-    readonly property real keyHeight: Math.min(Math.max(Theme.size.navigation, Theme.size.touch), Math.floor(height / keys.length))
+    // Without a height nothing is known yet: keys made for it would be made twice.
+    readonly property var keys: height === 0 ? [] : fits ? pages : pages.slice(0, inFront).concat([{ page: -1, text: qsTr("More"), glyph: Theme.icon.more }])
+    readonly property real keyHeight: Math.min(Math.max(Theme.size.navigation, Theme.size.touch), Math.floor(height / Math.max(1, keys.length)))
 
     implicitWidth: Math.max(Theme.size.navigation, Theme.size.touch + Theme.size.hairline)
     color: Theme.color.surface
