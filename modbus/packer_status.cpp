@@ -39,7 +39,7 @@ private:
 
 bool hasBit(std::uint16_t flags, BagBit bit)
 {
-    return (flags >> static_cast<unsigned>(bit) & 1u) != 0;
+    return (unsigned{flags} >> static_cast<unsigned>(bit) & 1u) != 0;
 }
 
 double signedUm(std::uint16_t value)

@@ -16,7 +16,7 @@ constexpr int smallestFile = 0; // as the PNG writer of Qt understands quality
 QList<Look> looksToShow(const Selection& selection)
 {
     QList<Look> looks = looksOf(selection);
-    if (selection.looks.isEmpty())
+    if (selection.looks.isEmpty() && !selection.isEveryLook)
         looks.removeIf([](const Look& look) { return look.gloves || look.isLong(); });
     return looks;
 }

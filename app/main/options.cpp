@@ -124,6 +124,9 @@ Options readOptions(const QCoreApplication& application)
         {QStringLiteral("looks"),
          QStringLiteral("Of --capture and --self-test: only these, such as \"dark-*\" or \"*-gloves\"."),
          QStringLiteral("pattern")},
+        {QStringLiteral("every-look"),
+         QStringLiteral("Of --capture and --self-test: every language in every theme at every size, with "
+                        "gloves and without, and not only what a theme or gloves could change.")},
         {QStringLiteral("scenes"),
          QStringLiteral("Of --capture and --self-test: only these, such as \"run*\"."),
          QStringLiteral("pattern")},
@@ -157,7 +160,8 @@ Options readOptions(const QCoreApplication& application)
     options.captureFolder = parser.value(QStringLiteral("capture"));
     options.baselineFolder = parser.value(QStringLiteral("compare"));
     options.isUpdatingBaselines = parser.isSet(QStringLiteral("update-golden"));
-    options.selection = {parser.value(QStringLiteral("looks")), parser.value(QStringLiteral("scenes"))};
+    options.selection = {parser.value(QStringLiteral("looks")), parser.value(QStringLiteral("scenes")),
+                         parser.isSet(QStringLiteral("every-look"))};
     refuseWithout(parser, QStringLiteral("compare"), QStringLiteral("capture"));
     refuseWithout(parser, QStringLiteral("update-golden"), QStringLiteral("compare"));
     options.isSelfTest = parser.isSet(QStringLiteral("self-test"));

@@ -15,6 +15,8 @@
 #include <QFile>
 #include <QRegularExpression>
 
+#include <array>
+
 using namespace Qt::StringLiterals;
 
 namespace campanel::panel {
@@ -397,13 +399,33 @@ const QList<Scene>& allScenes()
     return all;
 }
 
-QList<Look> allLooks()
+namespace {
+
+constexpr std::array lookSizes{QSize(800, 480), QSize(1024, 600), QSize(1280, 800)};
+
+QList<Look> everyLook()
+{
+    QList<Look> looks;
+    for (const QSize size : lookSizes) {
+        for (const char* theme : {"light", "dark", "contrast"}) {
+            for (const char* language : {"en", "zh_CN", "long"}) {
+                for (const bool gloves : {false, true})
+                    looks.append({QString::fromLatin1(language), QString::fromLatin1(theme), size, gloves});
+            }
+        }
+    }
+    return looks;
+}
+
+} // namespace
+
+QList<Look> usualLooks()
 {
     QList<Look> looks;
     const auto add = [&looks](const char* theme, const char* language, QSize size, bool gloves = false) {
         looks.append({QString::fromLatin1(language), QString::fromLatin1(theme), size, gloves});
     };
-    for (const QSize size : {QSize(800, 480), QSize(1024, 600), QSize(1280, 800)}) {
+    for (const QSize size : lookSizes) {
         // A color moves no text and all three lay out the same: of dark and high contrast one language each
         // at each size, in turn, is enough; so is one theme for gloves and for longer texts.
         const bool isMiddle = size.width() == 1024;
@@ -419,7 +441,7 @@ QList<Look> allLooks()
 
 QList<Look> looksOf(const Selection& selection)
 {
-    QList<Look> looks = allLooks();
+    QList<Look> looks = selection.isEveryLook ? everyLook() : usualLooks();
     looks.removeIf([&](const Look& look) { return !matches(selection.looks, look.name()); });
     return looks;
 }

@@ -19,12 +19,14 @@ struct Scene {
 
 // What the self-test and a capture look at: every language and size in the light theme, in the others what
 // their colors could change; gloves, and texts that are longer.
-[[nodiscard]] QList<Look> allLooks();
+[[nodiscard]] QList<Look> usualLooks();
 
-// Patterns as of a shell ("run*"). Without one: all.
+// Patterns as of a shell ("run*"). Without one: all; of the looks the usual ones unless it is to be every
+// one.
 struct Selection {
     QString looks;
     QString scenes;
+    bool isEveryLook = false; // every language in every theme at every size, with gloves and without
 };
 
 [[nodiscard]] QList<Look> looksOf(const Selection& selection);

@@ -26,7 +26,7 @@ Card {
         color: card.captionColor
         font.pixelSize: Theme.size.body
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 2
+        minimumPixelSize: Theme.size.caption - 3
     }
     Explained {
         enabled: card.quantities.length > 0

@@ -32,7 +32,7 @@ Card {
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
         minimumPixelSize: Theme.size.caption - 5
-        text: Editor.verdict
+        text: Editor.verdict.replace(/\//g, "/\u2060")      // no unit is broken at its slash
         font.weight: Font.DemiBold
     }
     Label {
