@@ -52,7 +52,7 @@ Rectangle {
                             visible: text.length > 0
                             width: Math.min(implicitWidth, choice.width - 2 * Theme.size.accent - (sign.visible ? sign.width + Theme.size.spacing : 0))
                             fontSizeMode: Text.HorizontalFit
-                            minimumPixelSize: Theme.size.caption - 4
+                            minimumPixelSize: Theme.size.caption - 5
                             text: choice.modelData.text
                             color: choice.ink
                             font.weight: choice.holds ? Font.Bold : Font.DemiBold
