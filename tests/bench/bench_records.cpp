@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ten million bags and full rings of trends: how long the page waits for its data, what a bag takes on the
 // disk, and that neither file nor process grows when more bags come.
-#include "bench_report.h"
+#include "bench_pages.h"
 
 #include "app/machine/machine.h"
 #include "app/machine/records.h"
@@ -174,6 +174,7 @@ Figures measureRecords()
         fillTrends(*database, nowMs);
     }
     const double fullMb = megabytes(path);
+    Figures figures = measurePages(folder.path());
 
     Panel panel(folder.path(), nowMs);
     panel.trends.showSpan(3'600'000);
@@ -208,7 +209,7 @@ Figures measureRecords()
     readMany(200);
     const double grownMb = residentMb(QCoreApplication::applicationPid()) - beforeMb;
     must(database->execute(u"PRAGMA wal_checkpoint(TRUNCATE)"_s));
-    return {
+    const Figures ofTheStore{
         {"Trends, file and last hour opened with 10 million bags", openMs, limitMs, "ms", "a page", true},
         {"Trends, last hour, three curves (median)", quantile(hours, 0.5), limitMs, "ms", "a page", true},
         {"Trends, 7 days, three curves (median)", quantile(weeks, 0.5), limitMs, "ms", "a page", true},
@@ -219,6 +220,8 @@ Figures measureRecords()
         {"file after 100 000 bags more", megabytes(path) - fullMb, 2, "MB", "bounded", true},
         {"25 bags of 5 s kept, the oldest gone", batchMs, 50, "ms", "1 % of the time", true},
         {"resident memory grown by 100 000 bags and 200 readings", grownMb, 2, "MB", "flat", true}};
+    figures.insert(figures.end(), ofTheStore.begin(), ofTheStore.end());
+    return figures;
 }
 
 } // namespace campanel::bench

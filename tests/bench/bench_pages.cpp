@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the finger on the key of a page to the painted page with its data, at 1024x600 on the software
+// renderer, with everything that the panel may have on its disk.
+#include "bench_pages.h"
+
+#include "app/main/demo_link.h"
+#include "app/main/finger.h"
+#include "app/store/database.h"
+#include "tests/support/alarm_fill.h"
+
+#include <QElapsedTimer>
+#include <QEventLoop>
+
+#include <stdexcept>
+
+namespace campanel::bench {
+namespace {
+
+using namespace Qt::StringLiterals;
+
+constexpr int openings = 20;
+constexpr double limitMs = 200;
+
+void fillAlarms(const QString& folder)
+{
+    const auto database = store::Database::open(folder);
+    if (!database || !test::fillAlarmLog(**database, store::AlarmLog::capacity))
+        throw std::runtime_error("the log of alarms cannot be filled");
+}
+
+class Pages {
+public:
+    explicit Pages(const QString& folder)
+        : m_panel(m_link, {folder + u"/pages.ini"_s, folder})
+    {
+        if (!m_panel.load(QSize(1024, 600)))
+            throw std::runtime_error("the panel's window cannot be loaded");
+        m_panel.window().show();
+        m_panel.open();
+        m_finger.settle();
+        awaitData([this] { return m_panel.alarms().history() != nullptr; });
+    }
+
+    // Leaves for Run first.
+    double openTrendsMs()
+    {
+        leave();
+        bool isShown = false;
+        const auto connection =
+            QObject::connect(&m_panel.trends(), &machine::Trends::shownChanged, [&] { isShown = true; });
+        const double ms = timedMs([&] {
+            m_finger.tap(u"nav5"_s);
+            awaitData([&] { return isShown; });
+        });
+        QObject::disconnect(connection);
+        return ms;
+    }
+
+    // The history is on the page's second sheet, which it shows again when it is opened again.
+    double openAlarmsMs()
+    {
+        leave();
+        return timedMs([&] {
+            m_finger.tap(u"nav6"_s);
+            if (!m_panel.alarms().history()->watched())
+                m_finger.tap(u"alarmsHistory"_s);
+            awaitData([this] { return m_panel.alarms().history()->count() > 0; });
+        });
+    }
+
+private:
+    void leave()
+    {
+        m_finger.tap(u"nav0"_s);
+        m_finger.settle();
+    }
+
+    double timedMs(const std::function<void()>& open)
+    {
+        QElapsedTimer timer;
+        timer.start();
+        open();
+        (void)m_finger.grab();
+        if (!m_finger.complaints().isEmpty())
+            throw std::runtime_error(m_finger.complaints().constFirst().toStdString());
+        return static_cast<double>(timer.nsecsElapsed()) / 1e6;
+    }
+
+    static void awaitData(const std::function<bool()>& isThere)
+    {
+        constexpr qint64 patienceMs = 10000;
+        QElapsedTimer timer;
+        timer.start();
+        QEventLoop loop;
+        while (!isThere()) {
+            if (timer.elapsed() > patienceMs)
+                throw std::runtime_error("a page got no data");
+            loop.processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
+        }
+    }
+
+    panel::DemoLink m_link{nullptr};
+    panel::Panel m_panel;
+    panel::Finger m_finger{m_panel};
+};
+
+Figures figuresOf(const std::string& page, double firstMs, const std::vector<double>& againMs)
+{
+    return {{page + ", opened for the first time", firstMs, limitMs, "ms", "a page", true},
+            {page + ", opened again (slowest of " + std::to_string(openings) + ")", quantile(againMs, 1.0),
+             limitMs, "ms", "a page", true}};
+}
+
+} // namespace
+
+Figures measurePages(const QString& folder)
+{
+    fillAlarms(folder);
+    Pages pages(folder);
+    const double firstTrendsMs = pages.openTrendsMs();
+    const double firstAlarmsMs = pages.openAlarmsMs();
+    std::vector<double> trendsMs;
+    std::vector<double> alarmsMs;
+    for (int opening = 0; opening < openings; ++opening) {
+        trendsMs.push_back(pages.openTrendsMs());
+        alarmsMs.push_back(pages.openAlarmsMs());
+    }
+    Figures figures = figuresOf("Trends with 10 million bags", firstTrendsMs, trendsMs);
+    for (const Figure& figure : figuresOf("Alarms with 100 000 in the history", firstAlarmsMs, alarmsMs))
+        figures.push_back(figure);
+    return figures;
+}
+
+} // namespace campanel::bench
