@@ -426,8 +426,9 @@ QList<Look> usualLooks()
         looks.append({QString::fromLatin1(language), QString::fromLatin1(theme), size, gloves});
     };
     for (const QSize size : lookSizes) {
-        // A color moves no text and all three lay out the same: of dark and high contrast one language each
-        // at each size, in turn, is enough; so is one theme for gloves and for longer texts.
+        // A color moves no text but the bold name of its theme, and all three lay out the same: of dark and
+        // high contrast one language each at each size, in turn, is enough; so is one theme for gloves and
+        // for longer texts.
         const bool isMiddle = size.width() == 1024;
         add("light", "en", size);
         add("light", "zh_CN", size);

@@ -11,6 +11,7 @@
 #include <QElapsedTimer>
 #include <QEventLoop>
 
+#include <functional>
 #include <stdexcept>
 
 namespace campanel::bench {
@@ -38,7 +39,6 @@ public:
         m_panel.window().show();
         m_panel.open();
         m_finger.settle();
-        awaitData([this] { return m_panel.alarms().history() != nullptr; });
     }
 
     // Leaves for Run first.
