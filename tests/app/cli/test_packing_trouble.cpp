@@ -153,7 +153,8 @@ private slots:
         const program::ProgramImage image = cutterAt(250, 60);
         int followed = 0;
         for (int part = 0; part < 20; ++part) {
-            for (const std::uint16_t windowUm : {std::uint16_t{2499}, std::uint16_t{2500}, std::uint16_t{2501}}) {
+            for (const std::uint16_t windowUm :
+                 {std::uint16_t{2499}, std::uint16_t{2500}, std::uint16_t{2501}}) {
                 const Packed packed = pack(image, 120, [&](PackingJob& job) {
                     job.machine.film.slipMm = 0;
                     job.machine.film.stretch = 0;

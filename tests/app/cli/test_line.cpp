@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// campanelctl doctor, link and frames, as a person calls them.
+#include "tests/support/controller_process.h"
+#include "tests/support/scripted_slave.h"
+
+#include <QtTest>
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+
+#include <memory>
+
+using namespace Qt::StringLiterals;
+using campanel::test::ControllerProcess;
+using campanel::test::Fault;
+using campanel::test::ScriptedSlave;
+
+namespace {
+
+struct Result {
+    int code = -1;
+    QByteArray out;
+    QByteArray complaint;
+};
+
+Result call(const QStringList& arguments)
+{
+    QProcess process;
+    process.start(QStringLiteral(CAMPANELCTL), arguments);
+    constexpr int longestMs = 60'000;
+    if (!process.waitForFinished(longestMs))
+        return {};
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+            process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+enum Code { Ok = 0, Usage = 2, Link = 3 };
+
+} // namespace
+
+class CliLineTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void complaints_data()
+    {
+        QTest::addColumn<QString>("words");
+        QTest::addColumn<int>("code");
+        QTest::addColumn<QByteArray>("complaint");
+        QTest::newRow("doctor without a port") << u"doctor"_s << int{Usage} << QByteArray("--port");
+        QTest::newRow("no time") << u"link --port /dev/null --seconds 0"_s << int{Usage}
+                                 << QByteArray("--seconds");
+        QTest::newRow("no exchanges")
+            << u"link --port /dev/null --exchanges none"_s << int{Usage} << QByteArray("--exchanges");
+        QTest::newRow("frames of no port")
+            << u"frames --port /dev/ttyNONE7"_s << int{Link} << QByteArray("does not exist");
+    }
+
+    void complaints()
+    {
+        QFETCH(QString, words);
+        QFETCH(int, code);
+        QFETCH(QByteArray, complaint);
+        const Result result = call(words.split(u' '));
+        QCOMPARE(result.code, code);
+        QVERIFY2(result.complaint.contains(complaint), result.complaint.constData());
+        QCOMPARE(result.complaint.count('\n'), 1);
+        QVERIFY(result.out.isEmpty());
+    }
+
+    void doctorOfAGoodLine()
+    {
+        ControllerProcess controller;
+        const Result result = call({u"doctor"_s, u"--port"_s, controller.port()});
+        QVERIFY2(result.code == Ok, result.complaint.constData());
+        QVERIFY2(result.out.contains("115200 baud 8N1, unit 1"), result.out.constData());
+    }
+
+    void doctorNamesTheWrongUnit()
+    {
+        ControllerProcess controller({u"--unit"_s, u"2"_s});
+        const Result result = call(
+            {u"doctor"_s, u"--port"_s, controller.port(), u"--unit"_s, u"9"_s, u"--format"_s, u"json"_s});
+        QCOMPARE(result.code, int{Link});
+        QVERIFY(result.complaint.contains("unit 9"));
+        const QJsonObject finding = QJsonDocument::fromJson(result.out).array().first().toObject();
+        QCOMPARE(finding[u"condition"_s].toString(), u"wrong_unit"_s);
+        QCOMPARE(finding[u"unit"_s].toInt(), 2);
+        QVERIFY(finding[u"sentence"_s].toString().contains(u"set the unit number to 2"_s));
+    }
+
+    void doctorFindsAControllerByScanning()
+    {
+        ControllerProcess controller({u"--unit"_s, u"5"_s});
+        const Result result = call({u"doctor"_s, u"--scan"_s, u"--port"_s, controller.port()});
+        QVERIFY2(result.code == Ok, result.complaint.constData());
+        QVERIFY2(result.out.contains("unit 5"), result.out.constData());
+        QVERIFY(result.complaint.isEmpty()); // progress is for terminals
+    }
+
+    void doctorWritesNothingToAForeignDevice()
+    {
+        ScriptedSlave slave;
+        slave.setRegister(0, 0x4711);
+        const Result result = call({u"doctor"_s, u"--port"_s, QString::fromStdString(slave.port())});
+        QCOMPARE(result.code, int{Link});
+        QVERIFY2(result.out.contains("no CamPanel controller"), result.out.constData());
+        QCOMPARE(slave.writes(), 0);
+    }
+
+    void linkCountsWhatHappens()
+    {
+        auto slave = std::make_unique<ScriptedSlave>();
+        // Identity is read twice before the first status.
+        slave->script(
+            {Fault::None, Fault::None, Fault::None, Fault::BadChecksum, Fault::None, Fault::LostAnswer});
+        const QStringList arguments{u"link"_s,        u"--port"_s, QString::fromStdString(slave->port()),
+                                    u"--exchanges"_s, u"20"_s,     u"--format"_s};
+        const Result json = call(arguments + QStringList{u"json"_s});
+        QVERIFY2(json.code == Ok, json.complaint.constData());
+        const QJsonObject figures = QJsonDocument::fromJson(json.out).object();
+        QCOMPARE(figures[u"requests"_s].toInt(), 22);
+        QCOMPARE(figures[u"answers"_s].toInt(), 20);
+        QCOMPARE(figures[u"errors"_s][u"bad_checksum"_s].toInt(), 1);
+        QCOMPARE(figures[u"errors"_s][u"no_answer"_s].toInt(), 1);
+        QCOMPARE(figures[u"retries"_s].toInt(), 2);
+        QVERIFY(figures[u"latency_ms"_s][u"p99"_s].toDouble() >=
+                figures[u"latency_ms"_s][u"p50"_s].toDouble());
+        const Result csv = call(arguments + QStringList{u"csv"_s});
+        QVERIFY2(csv.out.contains("errors.bad_checksum,0\n"), csv.out.constData());
+        QVERIFY(csv.out.contains("latency_ms.p99,"));
+    }
+
+    void linkOfAPacedLine()
+    {
+        ControllerProcess controller({u"--baud"_s, u"9600"_s});
+        const Result result = call({u"link"_s, u"--port"_s, controller.port(), u"--baud"_s, u"9600"_s,
+                                    u"--seconds"_s, u"2"_s, u"--format"_s, u"json"_s});
+        QVERIFY2(result.code == Ok, result.complaint.constData());
+        const QJsonObject figures = QJsonDocument::fromJson(result.out).object();
+        const double share = figures[u"wire_share"_s].toDouble();
+        QVERIFY2(share > 0.9 && share <= 1.01, qPrintable(QString::number(share)));
+        QVERIFY(figures[u"latency_ms"_s][u"p50"_s].toDouble() > 100);
+        QCOMPARE(figures[u"controller"_s][u"crc_errors"_s].toInt(), 0);
+        QVERIFY(figures[u"controller"_s][u"requests"_s].toInt() >= 10);
+    }
+
+    void framesReadInWords()
+    {
+        ScriptedSlave slave;
+        slave.script({Fault::None, Fault::None, Fault::LateAnswer});
+        const Result result =
+            call({u"frames"_s, u"--port"_s, QString::fromStdString(slave.port()), u"--seconds"_s, u"0.5"_s});
+        QVERIFY2(result.code == Ok, result.complaint.constData());
+        QVERIFY(result.out.contains("identity.device_type = 51773"));
+        QVERIFY(result.out.contains("no answer in time"));
+        QVERIFY(result.out.contains("dropped: answer to another question"));
+        QVERIFY(result.out.contains("exchange.heartbeat = "));
+        QVERIFY(result.out.contains("01 03 00 00 00 13 ")); // the bytes as they were
+    }
+};
+
+QTEST_GUILESS_MAIN(CliLineTest)
+#include "test_line.moc"

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+// campanelctl simulate as a person calls it: rows, summary, table, complaints and exit codes.
+#include <QtTest>
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+struct Result {
+    int code = -1;
+    QByteArray out;
+    QByteArray complaint;
+
+    [[nodiscard]] QJsonObject json() const { return QJsonDocument::fromJson(out).object(); }
+    [[nodiscard]] QList<QByteArray> lines() const { return out.trimmed().split('\n'); }
+};
+
+Result call(const QString& words)
+{
+    QProcess process;
+    process.start(QStringLiteral(CAMPANELCTL), words.split(u' ', Qt::SkipEmptyParts));
+    constexpr int longestMs = 60'000;
+    if (!process.waitForFinished(longestMs))
+        return {};
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+            process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+enum Code { Ok = 0, Refused = 1, Usage = 2, File = 4 };
+
+} // namespace
+
+class CliSimulateTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void complaints_data()
+    {
+        QTest::addColumn<QString>("words");
+        QTest::addColumn<int>("code");
+        QTest::addColumn<QByteArray>("complaint");
+        const auto row = [](const char* tag, const QString& words, Code code, const char* complaint) {
+            QTest::newRow(tag) << u"simulate "_s + words << static_cast<int>(code) << QByteArray(complaint);
+        };
+        row("no bags", u"--bags 0"_s, Usage, "--bags takes a number from 1 to");
+        row("half a bag", u"--bags 1.5"_s, Usage, "whole number");
+        row("seed", u"--seed x"_s, Usage, "--seed takes");
+        row("slip", u"--slip -1"_s, Usage, "--slip takes a number from 0 to 10");
+        row("share", u"--marks-missing 2"_s, Usage, "--marks-missing");
+        row("not a number", u"--stretch nan"_s, Usage, "--stretch");
+        row("no parameter", u"--set status.state=1"_s, Usage, "\"status.state\" is no parameter");
+        row("no value", u"--set parameter.anti_cut"_s, Usage, "--set takes a parameter and its value");
+        row("out of range", u"--set parameter.cut_clearance=99"_s, Usage, "0.5 .. 60 mm");
+        row("another kind", u"--kind press"_s, Usage, "rotary cutter");
+        row("lengths alone", u"--lengths 100"_s, Usage, "--lengths belongs to --table");
+        row("bad lengths", u"--table --lengths 100,x"_s, Usage, "--lengths takes numbers");
+        row("table without tracking", u"--table --no-tracking"_s, Usage, "does not go with --table");
+        row("table of what cannot be", u"--table --bags 20 --lengths 2000"_s, Refused,
+            "2000 mm at 60 bags/min");
+        row("too fast", u"--bag-length-mm 150 --rate 300"_s, Refused,
+            "Nearest that works: Rate 227.0 bags/min");
+        row("no marks", u"--marks-missing 1"_s, Refused, "Check film and mark sensor");
+        row("product too long", u"--product-length 260"_s, Refused, "longer bag");
+        row("sensor too far", u"--bag-length-mm 100 --set parameter.mark_distance=5000"_s, Refused,
+            "refuses to start");
+        row("no products", u"--products-missing 1 --save-film"_s, Refused, "film or knife stood");
+        row("absent recipe", u"/nowhere/r.json"_s, File, "/nowhere/r.json");
+        row("unwritable", u"--bags 10 -o /nowhere/bags.csv"_s, File, "/nowhere/bags.csv");
+    }
+    void complaints()
+    {
+        QFETCH(QString, words);
+        QFETCH(int, code);
+        QFETCH(QByteArray, complaint);
+        const Result result = call(words);
+        QCOMPARE(result.code, code);
+        QVERIFY2(result.complaint.contains(complaint), result.complaint.constData());
+        QVERIFY(result.complaint.startsWith("campanelctl: "));
+        QCOMPARE(result.complaint.count('\n'), 1);
+    }
+
+    // The bags alone on standard output, the summary on standard error.
+    void bagsAsCsv()
+    {
+        const Result result = call(u"simulate --bags 50 --format csv"_s);
+        QCOMPARE(result.code, int{Ok});
+        const QList<QByteArray> lines = result.lines();
+        QCOMPARE(lines.size(), 51);
+        QVERIFY(lines[0].startsWith("bag,time_s,length_mm,lengths,deviation_mm,"));
+        const qsizetype columns = lines[0].split(',').size();
+        for (qsizetype i = 1; i < lines.size(); ++i) {
+            const QList<QByteArray> cells = lines[i].split(',');
+            QCOMPARE(cells.size(), columns);
+            QCOMPARE(cells[0].toInt(), int(i));
+            QVERIFY(std::abs(cells[2].toDouble() - 250 * cells[3].toInt() - cells[4].toDouble()) < 1e-6);
+        }
+        QVERIFY(result.complaint.contains("deviation_mm.mean"));
+    }
+
+    void sameSeedSameBytes()
+    {
+        const QString words = u"simulate --bags 200 --products-misplaced 0.1 --format csv --seed "_s;
+        const QByteArray first = call(words + u'7').out;
+        QVERIFY(!first.isEmpty());
+        QCOMPARE(call(words + u'7').out, first);
+        QVERIFY(call(words + u'8').out != first);
+    }
+
+    void summary()
+    {
+        const Result result =
+            call(u"simulate --bags 2000 --products-misplaced 0.05 --format json --with-bags"_s);
+        QCOMPARE(result.code, int{Ok});
+        const QJsonObject object = result.json();
+        QCOMPARE(object[u"bags"_s].toInt(), 2000);
+        QCOMPARE(object[u"end"_s].toString(), u"all bags cut"_s);
+        QVERIFY(object[u"deviation_mm"_s][u"largest"_s].toDouble() < 0.2);
+        QCOMPARE(object[u"tolerance"_s][u"share_within"_s].toDouble(), 1.0);
+        const QJsonObject cuts = object[u"cuts"_s].toObject();
+        QVERIFY(cuts[u"skipped"_s].toInt() > 0);
+        QCOMPARE(cuts[u"skipped_product_across"_s].toInt(), cuts[u"skipped"_s].toInt());
+        QCOMPARE(cuts[u"skipped_unexplained"_s].toInt(-1), 0);
+        QCOMPARE(cuts[u"through_product"_s].toInt(-1), 0);
+        QCOMPARE(cuts[u"phase_lost"_s].toInt(-1), 0);
+        int skipped = 0;
+        for (const QJsonValue& bag : object[u"bag_list"_s].toArray())
+            skipped += bag[u"lengths"_s].toInt() - 1;
+        QCOMPARE(skipped, cuts[u"skipped"_s].toInt());
+    }
+
+    // What ended the run is said in the summary as well, which is printed all the same.
+    void alarmEndsTheRun()
+    {
+        const Result result = call(u"simulate --marks-missing 1 --format json"_s);
+        QCOMPARE(result.code, int{Refused});
+        QVERIFY(result.json()[u"end"_s].toString().contains(u"marks in a row did not come"_s));
+        QCOMPARE(result.json()[u"alarms"_s][u"MarksLost"_s].toInt(), 1);
+        QVERIFY(result.json()[u"bags"_s].toInt() < 20);
+        const Result goesOn = call(u"simulate --marks-missing 1 --format json --bags 100 --go-on"_s);
+        QCOMPARE(goesOn.code, int{Ok});
+        QCOMPARE(goesOn.json()[u"bags"_s].toInt(), 100);
+        QVERIFY(goesOn.json()[u"alarms"_s][u"MarksLost"_s].toInt() > 5);
+    }
+
+    void parametersTakeEffect()
+    {
+        const Result far = call(u"simulate --bags 100 --no-tracking --format json"_s);
+        QVERIFY(far.json()[u"deviation_mm"_s][u"mean"_s].toDouble() < -0.2);
+        const Result trimmed = call(u"simulate --bags 100 --format json --set parameter.mark_tracking=0 "
+                                    "--set parameter.length_trim=1"_s);
+        const double by = trimmed.json()[u"deviation_mm"_s][u"mean"_s].toDouble() -
+                          far.json()[u"deviation_mm"_s][u"mean"_s].toDouble();
+        QVERIFY2(std::abs(by - 1) < 0.02, qPrintable(QString::number(by)));
+        QVERIFY(call(u"simulate --bags 300 --products-missing 0.1 --save-film --format json"_s)
+                    .json()[u"film_saved_m"_s]
+                    .toDouble() > 2);
+    }
+
+    void table()
+    {
+        const Result result = call(u"simulate --table --bags 100 --lengths 100,249,260 --format csv"_s);
+        QCOMPARE(result.code, int{Ok});
+        const QList<QByteArray> lines = result.lines();
+        QCOMPARE(lines.size(), 1 + 3 * 2);
+        QVERIFY(lines[0].startsWith("set_length_mm,paper_deviation_mm,rate_bags_per_min,mean_mm,"));
+        QVERIFY(lines[1].startsWith("100,0.1,60,"));
+        QVERIFY(lines[2].startsWith("100,0.1,205,")); // 205.5 is the largest
+        QVERIFY(lines[4].startsWith("249,-0.2,300,"));
+        QVERIFY(lines[5].startsWith("260,,60,"));
+        for (qsizetype i = 1; i < lines.size(); ++i) {
+            QVERIFY(std::abs(lines[i].split(',')[5].toDouble()) <= 0.2); // largest
+            QVERIFY(std::abs(lines[i].split(',')[8].toDouble()) > 0.2);  // mean without tracking
+        }
+        const Result text = call(u"simulate --table --bags 50 --lengths 300"_s);
+        QCOMPARE(text.lines().size(), 2 + 2);
+    }
+
+    void outputFile()
+    {
+        const QTemporaryDir directory;
+        const QString path = directory.filePath(u"bags.csv"_s);
+        const Result result = call(u"simulate --bags 10 --format csv -o "_s + path);
+        QCOMPARE(result.code, int{Ok});
+        QVERIFY(result.out.isEmpty());
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll().count('\n'), 11);
+    }
+};
+
+QTEST_GUILESS_MAIN(CliSimulateTest)
+#include "test_simulate.moc"

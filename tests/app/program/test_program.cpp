@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recipe to registers and back.
+#include "app/program/differences.h"
+#include "app/program/program_image.h"
+#include "app/program/register_fields.h"
+
+#include "modbus/codec.h"
+#include "modbus/crc32.h"
+#include "profile/laws.h"
+#include "profile/limits.h"
+
+#include <QtTest>
+
+#include <numeric>
+#include <random>
+
+using namespace campanel;
+using namespace campanel::program;
+using profile::Field;
+
+class ProgramTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void defaultRecipe();
+    void randomRecipesTripIdentically();
+    void everyPairOfInputsIsKept();
+    void lawAndItsParametersAreKept();
+    void longNameIsCutBetweenCharacters();
+    void refusals_data();
+    void refusals();
+    void valueWithoutRoomInItsRegister();
+    void headersThatCannotBeShown_data();
+    void headersThatCannotBeShown();
+    void differencesAreByField();
+    void controllerLimitsTheMachine();
+    void everyRegisterFieldExists();
+};
+
+void ProgramTest::defaultRecipe()
+{
+    const auto image = buildProgram(Recipe{});
+    QVERIFY2(image.has_value(), image ? "" : describe(image.error()).c_str());
+    const modbus::BankHeader header = modbus::decodeBankHeader(image->registers);
+    QCOMPARE(header.cyclePulses, 10000u);
+    QCOMPARE(header.cycleTicks, 8'000'000u);
+    QCOMPARE(header.divisor, 1u);
+    QCOMPARE(header.remainder, 0u);
+    QCOMPARE(header.pinned, std::uint16_t{3});
+    QCOMPARE(header.bagLengthMm, 250.0);
+    QCOMPARE(header.filmSpeedMmPerS, 250.0);
+    QVERIFY(std::abs(header.baseSpeedMmPerS - 445.371) < 0.01);
+    QVERIFY(std::abs(header.syncStartDeg - 144.0) < 0.011);
+    QVERIFY(std::abs(header.syncEndDeg - 216.0) < 0.011);
+    QVERIFY(std::abs(header.cutAngleDeg - 180.0) < 0.011);
+    QCOMPARE(image->crc, modbus::crc32OfRegisters(image->registers));
+    const auto rows = modbus::decodeRows(image->registers);
+    QCOMPARE(rows.size(), image->stepTable().rows.size());
+    const auto pulses =
+        std::accumulate(rows.begin(), rows.end(), 0u,
+                        [](unsigned sum, const modbus::TableRow& row) { return sum + row.pulses; });
+    QCOMPARE(pulses, 10000u);
+}
+
+void ProgramTest::randomRecipesTripIdentically()
+{
+    const unsigned seed = 31;
+    qInfo("seed %u", seed);
+    std::mt19937 random(seed);
+    const auto between = [&random](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    int built = 0;
+    constexpr int recipes = 300;
+    for (int i = 0; i < recipes; ++i) {
+        Recipe recipe;
+        recipe.name = "Recipe " + std::to_string(i);
+        recipe.version = 1 + i;
+        recipe.cutter().bagLengthMm = between(100, 400);
+        recipe.cutter().rateBagsPerMin = between(10, 90);
+        recipe.cutter().k = {between(3.5, 5), between(2.2, 3), between(1.5, 1.9), between(1.1, 1.4)};
+        recipe.cutter().slicesPerRamp = 1 + static_cast<int>(random() % 100);
+        recipe.machine.knifeRadiusMm = between(55, 90);
+        recipe.machine.pulsesPerMotorRev = 2000 + static_cast<int>(random() % 20000);
+        const auto image = buildProgram(recipe);
+        if (!image)
+            continue;
+        ++built;
+        const auto shown =
+            decodeProgram(std::span(image->registers).first(modbus::bankHeaderRegisters), {}, recipe.machine);
+        QVERIFY(shown.has_value());
+        const auto again = buildProgram(*shown);
+        QVERIFY2(again.has_value(), again ? "" : describe(again.error()).c_str());
+        QVERIFY(again->registers == image->registers);
+        QVERIFY(differences(image->registers, again->registers).empty());
+    }
+    QVERIFY2(built > recipes / 2, qPrintable(QString::number(built)));
+}
+
+void ProgramTest::everyPairOfInputsIsKept()
+{
+    const auto reference = profile::solve(Recipe{}.cutter(), Recipe{}.machine);
+    QVERIFY(reference.has_value());
+    for (std::size_t first = 0; first < pinnableFields.size(); ++first) {
+        for (std::size_t second = first + 1; second < pinnableFields.size(); ++second) {
+            Recipe recipe;
+            // In descending order: which one was pinned first must not matter.
+            recipe.cutter().pinned = {pinnableFields[second], pinnableFields[first]};
+            recipe.cutter().baseSpeedMmPerS = reference->cycle.baseSpeedMmPerS;
+            const auto image = buildProgram(recipe);
+            QVERIFY2(image.has_value(), image ? "" : describe(image.error()).c_str());
+            const auto shown = decodeProgram(image->registers, {}, recipe.machine);
+            QVERIFY(shown.has_value());
+            QVERIFY(profile::isPinned(shown->cutter(), pinnableFields[first]));
+            QVERIFY(profile::isPinned(shown->cutter(), pinnableFields[second]));
+            QVERIFY(std::abs(shown->cutter().bagLengthMm - 250.0) < 0.01);
+            QVERIFY(buildProgram(*shown)->registers == image->registers);
+        }
+    }
+}
+
+void ProgramTest::lawAndItsParametersAreKept()
+{
+    for (const profile::Law& law : profile::laws()) {
+        if (!law.isSpeedLaw)
+            continue;
+        Recipe recipe;
+        recipe.cutter().speedLaw = law.id;
+        recipe.cutter().speedLawParameters = profile::defaultParameters(law);
+        const auto image = buildProgram(recipe);
+        QVERIFY2(image.has_value(), image ? "" : describe(image.error()).c_str());
+        const auto shown = decodeProgram(image->registers, {}, recipe.machine);
+        QVERIFY(shown.has_value());
+        QCOMPARE(shown->cutter().speedLaw, law.id);
+        QVERIFY(shown->cutter().speedLawParameters == image->recipe.cutter().speedLawParameters);
+        QVERIFY(buildProgram(*shown)->registers == image->registers);
+    }
+}
+
+void ProgramTest::longNameIsCutBetweenCharacters()
+{
+    Recipe recipe;
+    recipe.name = "饼干二百五十饼干二百五十";
+    const auto image = buildProgram(recipe);
+    QVERIFY(image.has_value());
+    QCOMPARE(decodeProgram(image->registers, {}, recipe.machine)->name, std::string("饼干二百五十饼干二百"));
+}
+
+void ProgramTest::refusals_data()
+{
+    QTest::addColumn<int>("field");
+    QTest::addColumn<double>("value");
+    QTest::addColumn<QString>("word");
+    const auto row = [](const char* tag, Field field, double value, const char* word) {
+        QTest::newRow(tag) << static_cast<int>(field) << value << word;
+    };
+    row("bag too long for the stroke", Field::BagLength, 1900, "stroke");
+    row("not a number", Field::BagLength, std::numeric_limits<double>::quiet_NaN(), "finite");
+    row("ratios do not descend", Field::K2, 4.5, "descend");
+    row("motor too slow", Field::MaxMotorRpm, 60, "Motor speed");
+    row("knife too heavy", Field::MaxKnifeAcceleration, 100, "acceleration");
+    row("output stage too slow", Field::MaxPulseFrequency, 5000, "frequency");
+}
+
+void ProgramTest::refusals()
+{
+    QFETCH(int, field);
+    QFETCH(double, value);
+    QFETCH(QString, word);
+    Recipe recipe;
+    setValue(recipe, static_cast<Field>(field), value);
+    const auto image = buildProgram(recipe);
+    QVERIFY(!image.has_value());
+    QVERIFY(!image.error().limits.empty());
+    const QString sentence = QString::fromStdString(describe(image.error()));
+    QVERIFY2(sentence.contains(word, Qt::CaseInsensitive), qPrintable(sentence));
+}
+
+void ProgramTest::valueWithoutRoomInItsRegister()
+{
+    Recipe recipe;
+    recipe.version = largestVersion + 1;
+    const auto image = buildProgram(recipe);
+    QVERIFY(!image.has_value());
+    QVERIFY(image.error().unstorable.has_value());
+    const QString sentence = QString::fromStdString(describe(image.error()));
+    QVERIFY2(sentence.contains("program.recipe_version: 65536 is outside 0 .. 65535"), qPrintable(sentence));
+}
+
+void ProgramTest::headersThatCannotBeShown_data()
+{
+    QTest::addColumn<int>("offset");
+    QTest::addColumn<int>("value");
+    QTest::addColumn<int>("kind");
+    QTest::newRow("layout of the future") << 0 << 2 << static_cast<int>(DecodeErrorKind::Layout);
+    QTest::newRow("empty bank") << 0 << 0 << static_cast<int>(DecodeErrorKind::Layout);
+    QTest::newRow("unknown kind") << 1 << 9 << static_cast<int>(DecodeErrorKind::Kind);
+    QTest::newRow("one pin") << 22 << 1 << static_cast<int>(DecodeErrorKind::Pinned);
+    QTest::newRow("three pins") << 22 << 7 << static_cast<int>(DecodeErrorKind::Pinned);
+    QTest::newRow("unknown law") << 41 << 999 << static_cast<int>(DecodeErrorKind::Law);
+}
+
+void ProgramTest::headersThatCannotBeShown()
+{
+    QFETCH(int, offset);
+    QFETCH(int, value);
+    QFETCH(int, kind);
+    auto registers = buildProgram(Recipe{})->registers;
+    registers[static_cast<std::size_t>(offset)] = static_cast<std::uint16_t>(value);
+    const auto shown = decodeProgram(registers, {}, profile::Machine{});
+    QVERIFY(!shown.has_value());
+    QCOMPARE(static_cast<int>(shown.error().kind), kind);
+    QVERIFY(QString::fromStdString(describe(shown.error())).contains(QString::number(value)));
+}
+
+void ProgramTest::differencesAreByField()
+{
+    Recipe other;
+    other.cutter().bagLengthMm = 260;
+    other.name = "Biscuit 260";
+    const auto found = differences(buildProgram(Recipe{})->registers, buildProgram(other)->registers);
+    const auto named = [&found](std::string_view name) {
+        return std::find_if(found.begin(), found.end(),
+                            [name](const Difference& d) { return d.info->name == name; });
+    };
+    // Base and film speed follow from the length.
+    QCOMPARE(found.size(), std::size_t{4});
+    QVERIFY(named("program.bag_length") != found.end());
+    QCOMPARE(named("program.bag_length")->field, Field::BagLength);
+    QCOMPARE(named("program.bag_length")->a, 250.0);
+    QCOMPARE(named("program.bag_length")->b, 260.0);
+    QCOMPARE(named("program.recipe_name")->textB, std::string("Biscuit 260"));
+    QVERIFY(!named("program.recipe_name")->field.has_value());
+}
+
+void ProgramTest::controllerLimitsTheMachine()
+{
+    modbus::Identity controller;
+    controller.timerClockHz = 4'000'000;
+    controller.timerBits = 16;
+    controller.rowCapacity = 64;
+    controller.maxPulseFrequencyHz = 100'000;
+    Recipe recipe;
+    recipe.machine = withController(recipe.machine, controller);
+    QCOMPARE(recipe.machine.maxPulseFrequencyHz, 100'000.0);
+    const auto image = buildProgram(recipe);
+    QVERIFY(!image.has_value());
+    QCOMPARE(image.error().limits.front().limit, profile::Limit::RowCapacity);
+    recipe.cutter().slicesPerRamp = 10;
+    QCOMPARE(buildProgram(recipe)->stepTable().cycleTicks, 4'000'000u);
+}
+
+void ProgramTest::everyRegisterFieldExists()
+{
+    for (const KindInfo& kind : kinds()) {
+        for (const RegisterField& entry : registerFields) {
+            const modbus::RegisterInfo* info = registerOf(kind, entry.suffix);
+            if (info == nullptr)
+                continue;
+            const double unit = registerUnits(entry.field);
+            const profile::FieldInfo& field = profile::info(entry.field);
+            // What a person can enter on the field's grid, the register holds exactly.
+            QVERIFY2(info->scale <= field.resolution() * unit * 1.000001, info->name.data());
+            QVERIFY2(modbus::toRaw(*info, field.max * unit).has_value(), info->name.data());
+            QVERIFY2(modbus::toRaw(*info, field.min * unit).has_value(), info->name.data());
+        }
+        // Every input is kept somewhere.
+        for (const Field field : kind.programFields) {
+            const bool isKept = std::ranges::any_of(registerFields, [&](const RegisterField& entry) {
+                return entry.field == field && registerOf(kind, entry.suffix) != nullptr;
+            });
+            QVERIFY2(isKept, profile::info(field).id.data());
+        }
+    }
+}
+
+QTEST_APPLESS_MAIN(ProgramTest)
+#include "test_program.moc"

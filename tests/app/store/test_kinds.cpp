@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recipe files of every kind of program, and knots as CSV files.
+#include "app/store/knots_file.h"
+#include "app/store/recipe_file.h"
+#include "tests/support/random_recipe.h"
+
+#include <QtTest>
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+
+using namespace campanel;
+using namespace campanel::store;
+using namespace Qt::StringLiterals;
+using profile::Field;
+using profile::ProgramKind;
+using Kind = FileError::Kind;
+
+Q_DECLARE_METATYPE(campanel::profile::ProgramKind)
+
+class StoreKindsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void defaultsTrip_data() { addKinds(); }
+    void defaultsTrip();
+    void randomRecipesTrip_data() { addKinds(); }
+    void randomRecipesTrip();
+    void everyChoiceTrips_data() { addKinds(); }
+    void everyChoiceTrips();
+    void whatIsAbsentHasTheDefaultsOfItsKind();
+    void fieldsOfOtherKindsAreUnknown();
+    void complaints_data();
+    void complaints();
+    void knotsTripAsCsv();
+    void wrongKnotFiles_data();
+    void wrongKnotFiles();
+    void knotFilesThatCannotBeOpened();
+
+private:
+    static void addKinds()
+    {
+        QTest::addColumn<ProgramKind>("kind");
+        for (const program::KindInfo& kind : program::kinds())
+            QTest::newRow(kind.key.data()) << kind.kind;
+    }
+    [[nodiscard]] QString put(const QString& name, const QByteArray& bytes) const;
+
+    QTemporaryDir m_directory;
+};
+
+QString StoreKindsTest::put(const QString& name, const QByteArray& bytes) const
+{
+    QFile file(m_directory.filePath(name));
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
+        qFatal("%s", qPrintable(file.errorString()));
+    return file.fileName();
+}
+
+void StoreKindsTest::defaultsTrip()
+{
+    QFETCH(ProgramKind, kind);
+    const program::Recipe recipe = program::defaultRecipe(kind);
+    const QString path = m_directory.filePath(u"default.json"_s);
+    QVERIFY(writeRecipe(recipe, path));
+    const auto read = readRecipe(path);
+    QVERIFY2(read, read ? "" : qPrintable(FileErrorText::describe(read.error())));
+    QCOMPARE(read->kind(), kind);
+    QCOMPARE(toJson(*read), toJson(recipe));
+    const QJsonObject program = QJsonDocument::fromJson(toJson(recipe)).object()[u"program"_s].toObject();
+    QCOMPARE(program[u"kind"_s].toString().toStdString(), std::string(program::kindInfo(kind).key));
+    for (const Field field : program::kindInfo(kind).programFields)
+        QVERIFY2(program.contains(QString::fromLatin1(profile::info(field).id.data())),
+                 profile::info(field).id.data());
+}
+
+// What is written is read again to the last digit.
+void StoreKindsTest::randomRecipesTrip()
+{
+    QFETCH(ProgramKind, kind);
+    constexpr unsigned seed = 12;
+    qInfo("seed %u", seed);
+    test::RandomRecipes random(seed);
+    for (int i = 0; i < 1000; ++i) {
+        const program::Recipe recipe = i % 2 == 0 ? random.around(kind) : random.anywhere(kind);
+        const auto read = fromJson(toJson(recipe), u"random"_s);
+        QVERIFY2(read, read ? "" : qPrintable(FileErrorText::describe(read.error())));
+        QCOMPARE(toJson(*read), toJson(recipe));
+        for (const Field field : program::kindInfo(kind).programFields) {
+            if (!recipe.isCutter() || program::isRead(recipe.program, field))
+                QCOMPARE(program::value(*read, field), program::value(recipe, field));
+        }
+        for (const Field field : program::kindInfo(kind).machineFields)
+            QCOMPARE(program::value(*read, field), program::value(recipe, field));
+        if (const auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
+            QVERIFY(std::get<profile::PointCamProgram>(read->program).knots == cam->knots);
+        if (const auto* parameters = program::lawParameters(recipe.program)) {
+            const auto law =
+                static_cast<profile::LawId>(program::choice(recipe.program, program::Choice::Law));
+            for (std::size_t at = 0; at < profile::findLaw(law)->parameters.size(); ++at)
+                QCOMPARE((*program::lawParameters(read->program))[at], (*parameters)[at]);
+        }
+    }
+}
+
+void StoreKindsTest::everyChoiceTrips()
+{
+    QFETCH(ProgramKind, kind);
+    int tried = 0;
+    for (const program::Choice each : program::kindInfo(kind).choices) {
+        std::vector<std::uint16_t> codes;
+        for (const program::ChoiceOption& option : program::choiceInfo(kind, each).options)
+            codes.push_back(option.code);
+        for (const profile::Law& law : profile::laws()) {
+            if (each == program::Choice::Law && program::isLawOf(kind, law))
+                codes.push_back(static_cast<std::uint16_t>(law.id));
+        }
+        for (const std::uint16_t code : codes) {
+            program::Recipe recipe = program::defaultRecipe(kind);
+            program::setChoice(recipe.program, each, code);
+            if (each == program::Choice::Law)
+                *program::lawParameters(recipe.program) =
+                    profile::defaultParameters(*profile::findLaw(static_cast<profile::LawId>(code)));
+            const auto read = fromJson(toJson(recipe), {});
+            QVERIFY2(read, read ? "" : qPrintable(FileErrorText::describe(read.error())));
+            QCOMPARE(program::choice(read->program, each), code);
+            ++tried;
+        }
+    }
+    QCOMPARE(tried > 0, kind != ProgramKind::Press);
+}
+
+void StoreKindsTest::whatIsAbsentHasTheDefaultsOfItsKind()
+{
+    for (const program::KindInfo& kind : program::kinds()) {
+        if (kind.kind == ProgramKind::RotaryCutter)
+            continue; // which two are given must be said
+        const QString law =
+            QString::fromLatin1(kind.kind == ProgramKind::PositionMove ? "quintic" : "half_modified_sine");
+        QJsonObject program{{u"kind"_s, QString::fromLatin1(kind.key.data())}};
+        program::Recipe expected = program::defaultRecipe(kind.kind);
+        if (program::lawParameters(expected.program))
+            program[u"law"_s] = law;
+        const QJsonObject root{{u"format"_s, u"campanel-recipe"_s},
+                               {u"format_version"_s, 1},
+                               {u"name"_s, QString::fromStdString(expected.name)},
+                               {u"program"_s, program}};
+        const auto read = fromJson(QJsonDocument(root).toJson(), {});
+        QVERIFY2(read, read ? "" : qPrintable(FileErrorText::describe(read.error())));
+        QCOMPARE(toJson(*read), toJson(expected));
+    }
+}
+
+void StoreKindsTest::fieldsOfOtherKindsAreUnknown()
+{
+    int refused = 0;
+    for (const program::KindInfo& kind : program::kinds()) {
+        for (const char* section : {"program", "machine"}) {
+            const bool isProgram = QByteArray(section) == "program";
+            const auto own = isProgram ? kind.programFields : kind.machineFields;
+            for (const profile::FieldInfo& field : profile::fields) {
+                if (std::ranges::find(own, field.field) != own.end())
+                    continue;
+                QJsonObject root =
+                    QJsonDocument::fromJson(toJson(program::defaultRecipe(kind.kind))).object();
+                QJsonObject inner = root[QLatin1String(section)].toObject();
+                inner[QString::fromLatin1(field.id.data())] = field.defaultValue;
+                root[QLatin1String(section)] = inner;
+                const auto read = fromJson(QJsonDocument(root).toJson(), {});
+                QVERIFY2(!read, field.id.data());
+                QCOMPARE(read.error().kind, Kind::UnknownKey);
+                QCOMPARE(read.error().key,
+                         QLatin1String(section) + u'.' + QString::fromLatin1(field.id.data()));
+                ++refused;
+            }
+        }
+    }
+    QVERIFY(refused > 100);
+}
+
+void StoreKindsTest::complaints_data()
+{
+    QTest::addColumn<ProgramKind>("kind");
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<QJsonValue>("value"); // undefined: removed
+    QTest::addColumn<Kind>("error");
+    QTest::addColumn<QString>("word");
+    const auto row = [](const char* tag, ProgramKind kind, const QString& key, const QJsonValue& value,
+                        Kind error,
+                        const QString& word) { QTest::newRow(tag) << kind << key << value << error << word; };
+    const auto position = ProgramKind::PositionMove;
+    const auto speed = ProgramKind::SpeedMove;
+    const auto cam = ProgramKind::PointCam;
+    row("a speed law for a position", position, u"law"_s, u"half_modified_sine"_s, Kind::NotAChoice,
+        u"modified_sine"_s);
+    row("an unknown law", speed, u"law"_s, u"spline"_s, Kind::NotAChoice, u"half_modified_sine"_s);
+    row("no law", speed, u"law"_s, QJsonValue(QJsonValue::Undefined), Kind::MissingKey, u"program.law"_s);
+    row("a law parameter of another law", position, u"law_parameters"_s, QJsonObject{{u"q"_s, 1}},
+        Kind::UnknownKey, u"program.law_parameters.q"_s);
+    row("a position over a distance", position, u"duration"_s, u"over_distance"_s, Kind::NotAChoice,
+        u"given_time, fastest"_s);
+    row("unknown execution", speed, u"execution"_s, u"steps"_s, Kind::NotAChoice, u"cam_points, intervals"_s);
+    row("execution is a number", speed, u"execution"_s, 1, Kind::WrongType, u"a text"_s);
+    row("unknown ends", cam, u"ends"_s, u"open"_s, Kind::NotAChoice, u"natural, clamped, periodic"_s);
+    row("unknown ramp", cam, u"master_ramp_shape"_s, u"linear"_s, Kind::NotAChoice, u"trapezoid, s_curve"_s);
+    row("a choice of another kind", cam, u"duration"_s, u"fastest"_s, Kind::UnknownKey,
+        u"program.duration"_s);
+    row("a press has no law", ProgramKind::Press, u"law"_s, u"cubic"_s, Kind::UnknownKey, u"program.law"_s);
+    row("the cutter's law", position, u"speed_law"_s, u"cubic"_s, Kind::UnknownKey, u"program.speed_law"_s);
+    row("knots of a move", position, u"knots"_s, QJsonArray{}, Kind::UnknownKey, u"program.knots"_s);
+    row("half a point", position, u"cam_points"_s, 100.5, Kind::WrongType, u"a whole number"_s);
+    row("knots are a number", cam, u"knots"_s, 5, Kind::WrongType, u"pairs of master angle"_s);
+    row("knots are triples", cam, u"knots"_s, QJsonArray{QJsonArray{0, 1, 2}}, Kind::WrongType,
+        u"pairs of master angle"_s);
+    row("knots are numbers", cam, u"knots"_s, QJsonArray{0, 90, 180, 270, 360}, Kind::WrongType,
+        u"pairs of master angle"_s);
+    row("a knot in words", cam, u"knots"_s, QJsonArray{QJsonArray{0, u"top"_s}}, Kind::WrongType,
+        u"pairs of master angle"_s);
+    row("too slow", ProgramKind::Press, u"probe_speed_mm_per_s"_s, 1, Kind::OutOfRange, u"2 to 5 mm/s"_s);
+}
+
+void StoreKindsTest::complaints()
+{
+    QFETCH(ProgramKind, kind);
+    QFETCH(QString, key);
+    QFETCH(QJsonValue, value);
+    QFETCH(Kind, error);
+    QFETCH(QString, word);
+    QJsonObject root = QJsonDocument::fromJson(toJson(program::defaultRecipe(kind))).object();
+    QJsonObject inner = root[u"program"_s].toObject();
+    inner[key] = value;
+    root[u"program"_s] = inner;
+    const QString path = put(u"wrong.json"_s, QJsonDocument(root).toJson());
+    const auto read = readRecipe(path);
+    QVERIFY(!read);
+    const QString sentence = FileErrorText::describe(read.error());
+    QVERIFY2(read.error().kind == error, qPrintable(sentence));
+    QVERIFY2(sentence.contains(word) && sentence.contains(path), qPrintable(sentence));
+}
+
+void StoreKindsTest::knotsTripAsCsv()
+{
+    constexpr unsigned seed = 4;
+    qInfo("seed %u", seed);
+    test::RandomRecipes random(seed);
+    const QString path = m_directory.filePath(u"knots.csv"_s);
+    for (int i = 0; i < 20; ++i) {
+        const auto recipe = random.around(ProgramKind::PointCam);
+        const auto& knots = std::get<profile::PointCamProgram>(recipe.program).knots;
+        QVERIFY(writeKnots(knots, path));
+        const auto read = readKnots(path);
+        QVERIFY2(read, read ? "" : qPrintable(read.error()));
+        QVERIFY(*read == knots);
+    }
+    const auto european = readKnots(put(u"de.csv"_s, "master_deg;slave_mm\r\n0;0\r\n90,5;12,25\r\n"));
+    QVERIFY2(european, european ? "" : qPrintable(european.error()));
+    QCOMPARE(european->size(), std::size_t{2});
+    QVERIFY((european->back() == profile::Knot{90.5, 12.25}));
+}
+
+void StoreKindsTest::wrongKnotFiles_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("empty") << QByteArray() << u"line 1: expected the header master_deg,slave_mm"_s;
+    QTest::newRow("no header") << QByteArray("0,0\n90,1\n") << u"line 1: expected the header"_s;
+    QTest::newRow("header only") << QByteArray("master_deg,slave_mm\n") << u"at least one line of values"_s;
+    QTest::newRow("three values") << QByteArray("master_deg,slave_mm\n0,0\n90,1,2\n")
+                                  << u"line 3: expected two values, as in the header, found \"90,1,2\""_s;
+    QTest::newRow("a word") << QByteArray("master_deg,slave_mm\n0,0\n\nninety,1\n")
+                            << u"line 4: expected a number, found \"ninety\""_s;
+    QTest::newRow("both decimal signs") << QByteArray("master_deg;slave_mm\n0,5;0\n1.5;1\n")
+                                        << u"line 3: expected a number with a decimal comma"_s;
+}
+
+void StoreKindsTest::wrongKnotFiles()
+{
+    QFETCH(QByteArray, text);
+    QFETCH(QString, words);
+    const QString path = put(u"wrong.csv"_s, text);
+    const auto read = readKnots(path);
+    QVERIFY(!read);
+    QVERIFY2(read.error().startsWith(path) && read.error().contains(words), qPrintable(read.error()));
+}
+
+void StoreKindsTest::knotFilesThatCannotBeOpened()
+{
+    const QString path = m_directory.filePath(u"absent.csv"_s);
+    const auto absent = readKnots(path);
+    QVERIFY(!absent);
+    QVERIFY2(absent.error().contains(path) && !absent.error().contains(u"recipe"_s),
+             qPrintable(absent.error()));
+    QVERIFY(QFile::exists(put(u"file"_s, "x")));
+    const QString below = m_directory.filePath(u"file/knots.csv"_s);
+    const auto written = writeKnots(profile::defaultKnots(), below);
+    QVERIFY(!written);
+    QVERIFY2(written.error().contains(below) && !written.error().contains(u"recipe"_s),
+             qPrintable(written.error()));
+}
+
+QTEST_APPLESS_MAIN(StoreKindsTest)
+#include "test_kinds.moc"

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the core's sources may contain: no floating point (an ARM7 has none), no heap, no globals, no foreign
+// headers.
+#include <QDirIterator>
+#include <QFile>
+#include <QRegularExpression>
+#include <QTest>
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+struct Source {
+    QString name;
+    QString code; // without comments
+};
+
+QString withoutComments(QString text)
+{
+    static const QRegularExpression comment(u"/\\*.*?\\*/|//[^\\n]*"_s,
+                                            QRegularExpression::DotMatchesEverythingOption);
+    return text.remove(comment);
+}
+
+QList<Source> coreSources()
+{
+    QList<Source> sources;
+    QDirIterator files(QStringLiteral(CAMPANEL_CORE_DIRECTORY), {u"*.c"_s, u"*.h"_s});
+    while (files.hasNext()) {
+        QFile file(files.next());
+        if (file.open(QIODevice::ReadOnly))
+            sources.append({files.fileName(), withoutComments(QString::fromUtf8(file.readAll()))});
+    }
+    return sources;
+}
+
+// Lines of the core that match, each with its file.
+QStringList findings(const QString& pattern)
+{
+    const QRegularExpression expression(pattern);
+    QStringList found;
+    for (const Source& source : coreSources()) {
+        for (const QString& line : source.code.split(u'\n')) {
+            if (line.contains(expression))
+                found << source.name + u": "_s + line.trimmed();
+        }
+    }
+    return found;
+}
+
+} // namespace
+
+class TestCoreSource : public QObject {
+    Q_OBJECT
+
+private slots:
+    void isFound();
+    void usesNoFloatingPoint();
+    void usesNoHeapOrInputOutput();
+    void hasNoGlobals();
+    void includesOnlyItselfAndTheLanguage();
+};
+
+void TestCoreSource::isFound()
+{
+    QVERIFY(coreSources().size() > 20);
+    QCOMPARE(withoutComments(u"a /* float\n */ b // double"_s), u"a  b "_s);
+}
+
+void TestCoreSource::usesNoFloatingPoint()
+{
+    QCOMPARE(findings(u"\\b(float|double|sqrtf?|math\\.h)\\b|\\b\\d+\\.\\d"_s), QStringList());
+}
+
+void TestCoreSource::usesNoHeapOrInputOutput()
+{
+    QCOMPARE(findings(u"\\b(malloc|calloc|realloc|free|printf|fprintf|fopen|stdio\\.h|stdlib\\.h)\\b"_s),
+             QStringList());
+}
+
+// A variable at file scope starts in the first column; static ones there must be const.
+void TestCoreSource::hasNoGlobals()
+{
+    QCOMPARE(
+        findings(
+            u"^(static )?(?!const\\b|static\\b|return\\b|typedef\\b|_Static_assert\\b|struct [a-z_]+;)[a-z_0-9]+\\*? [a-z_0-9]+(\\[.*\\])?( =.*)?;"_s),
+        QStringList());
+    QCOMPARE(findings(u"^\\s+static (?!const\\b)"_s), QStringList());
+}
+
+void TestCoreSource::includesOnlyItselfAndTheLanguage()
+{
+    QCOMPARE(findings(u"#\\s*include (?!\"ctl_[a-z_]+\\.h\"|<(stdint|stddef|stdbool|string)\\.h>)"_s),
+             QStringList());
+}
+
+QTEST_APPLESS_MAIN(TestCoreSource)
+#include "test_core_source.moc"

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+// What survives a power loss: program, parameters, generation; a power cut at any byte leaves the older slot.
+#include "rig.h"
+#include "support/cam_image.h"
+
+#include <QTest>
+
+using namespace campanel::test;
+
+namespace {
+
+BankImage bankNumber(std::uint32_t number)
+{
+    BankImage bank = camBank(10000, 1, 8'000'000, 8);
+    bank.bagLengthUm = 100'000 + number;
+    return bank;
+}
+
+std::uint16_t saveNumber(Rig& rig, std::uint32_t number)
+{
+    const BankImage bank = bankNumber(number);
+    rig.install(bank);
+    return rig.command(CTL_COMMAND_SAVE_TO_FLASH, 0, 0, crc32(bank.registers()));
+}
+
+} // namespace
+
+class TestFlash : public QObject {
+    Q_OBJECT
+
+private slots:
+    void blankFlash();
+    void savedProgramComesBack();
+    void unsavedProgramDoesNot();
+    void newestOfMany();
+    void powerCutAtEveryByte();
+    void everyDamagedByteIsNoticed();
+    void flashFailureIsReported();
+    void savingWhileRunning();
+    void largestCamThroughFlash();
+};
+
+void TestFlash::blankFlash()
+{
+    Rig rig;
+    QCOMPARE(rig.status(CTL_REG_STATUS_STATE), CTL_STATE_IDLE);
+    QCOMPARE(rig.statusWide(CTL_REG_STATUS_SAVED_CRC), 0u);
+    QVERIFY((rig.status(CTL_REG_STATUS_WARNING) & 1u << CTL_WARNING_BIT_FLASH_SLOT_INVALID) == 0);
+}
+
+void TestFlash::savedProgramComesBack()
+{
+    MemoryFlash flash;
+    const Registers image = bankNumber(1).registers();
+    {
+        Rig rig({}, &flash);
+        rig.setParameter(CTL_REG_PARAMETER_RAMP_TIME, 1234);
+        QCOMPARE(saveNumber(rig, 1), CTL_REFUSAL_NONE);
+        QCOMPARE(rig.statusWide(CTL_REG_STATUS_SAVED_CRC), crc32(image));
+    }
+    Rig rig({}, &flash);
+    QCOMPARE(rig.status(CTL_REG_STATUS_STATE), CTL_STATE_READY);
+    QCOMPARE(rig.statusWide(CTL_REG_STATUS_ACTIVE_CRC), crc32(image));
+    QCOMPARE(rig.statusWide(CTL_REG_STATUS_SAVED_CRC), crc32(image));
+    QCOMPARE(rig.statusWide(CTL_REG_STATUS_GENERATION), 1u);
+    QCOMPARE(rig.read(CTL_ACTIVE_BANK_BASE, 88), image);
+    QCOMPARE(rig.status(CTL_REG_PARAMETER_RAMP_TIME), 1234);
+    QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
+    QVERIFY(rig.runUntilState(CTL_STATE_RUNNING));
+}
+
+void TestFlash::unsavedProgramDoesNot()
+{
+    MemoryFlash flash;
+    {
+        Rig rig({}, &flash);
+        QCOMPARE(saveNumber(rig, 1), CTL_REFUSAL_NONE);
+        rig.install(bankNumber(2));
+        QVERIFY(rig.statusWide(CTL_REG_STATUS_SAVED_CRC) != rig.statusWide(CTL_REG_STATUS_ACTIVE_CRC));
+    }
+    Rig rig({}, &flash);
+    QCOMPARE(rig.statusWide(CTL_REG_STATUS_ACTIVE_CRC), crc32(bankNumber(1).registers()));
+}
+
+void TestFlash::newestOfMany()
+{
+    MemoryFlash flash;
+    for (std::uint32_t number = 1; number <= 5; ++number) {
+        Rig rig({}, &flash);
+        QCOMPARE(saveNumber(rig, number), CTL_REFUSAL_NONE);
+        QCOMPARE(rig.statusWide(CTL_REG_STATUS_GENERATION), number);
+    }
+    Rig rig({}, &flash);
+    QCOMPARE(rig.statusWide(CTL_REG_STATUS_ACTIVE_CRC), crc32(bankNumber(5).registers()));
+    QCOMPARE(rig.statusWide(CTL_REG_STATUS_GENERATION), 5u);
+}
+
+void TestFlash::powerCutAtEveryByte()
+{
+    MemoryFlash before;
+    std::size_t bytes = 0;
+    {
+        Rig rig({}, &before);
+        QCOMPARE(saveNumber(rig, 1), CTL_REFUSAL_NONE);
+        QCOMPARE(saveNumber(rig, 2), CTL_REFUSAL_NONE);
+        MemoryFlash measured = before;
+        measured.written = 0;
+        Rig again({}, &measured);
+        QCOMPARE(saveNumber(again, 3), CTL_REFUSAL_NONE);
+        bytes = measured.written;
+    }
+    QVERIFY(bytes > 170);
+    for (std::size_t cut = 0; cut <= bytes; ++cut) {
+        MemoryFlash flash = before;
+        {
+            Rig rig({}, &flash);
+            flash.bytesUntilPowerCut = cut;
+            const std::uint16_t refusal = saveNumber(rig, 3);
+            QCOMPARE(refusal, cut < bytes ? CTL_REFUSAL_FLASH_FAILED : CTL_REFUSAL_NONE);
+            flash.bytesUntilPowerCut.reset();
+        }
+        Rig rig({}, &flash);
+        const std::uint32_t expected = crc32(bankNumber(cut < bytes ? 2 : 3).registers());
+        QCOMPARE(rig.core().banks.active_crc, expected);
+        QCOMPARE(rig.core().flash.saved_crc, expected);
+        QVERIFY(ctl_active_bank_intact(&rig.core()));
+        // The next save goes to the broken slot and works.
+        QCOMPARE(saveNumber(rig, 4), CTL_REFUSAL_NONE);
+        Rig after({}, &flash);
+        QCOMPARE(after.core().banks.active_crc, crc32(bankNumber(4).registers()));
+    }
+}
+
+void TestFlash::everyDamagedByteIsNoticed()
+{
+    MemoryFlash saved;
+    {
+        Rig rig({}, &saved);
+        QCOMPARE(saveNumber(rig, 1), CTL_REFUSAL_NONE);
+    }
+    const std::size_t size = saved.contents[0].size();
+    QVERIFY(size > 170);
+    for (std::size_t i = 0; i < size; ++i) {
+        MemoryFlash flash = saved;
+        flash.contents[0][i] ^= 0x10;
+        Rig rig({}, &flash);
+        QVERIFY(!rig.core().banks.has_active);
+        QVERIFY((rig.status(CTL_REG_STATUS_WARNING) & 1u << CTL_WARNING_BIT_FLASH_SLOT_INVALID) != 0);
+    }
+}
+
+void TestFlash::flashFailureIsReported()
+{
+    MemoryFlash flash;
+    Rig rig({}, &flash);
+    QCOMPARE(saveNumber(rig, 1), CTL_REFUSAL_NONE);
+    const std::uint32_t saved = rig.statusWide(CTL_REG_STATUS_SAVED_CRC);
+    flash.bytesUntilPowerCut = 10;
+    QCOMPARE(saveNumber(rig, 2), CTL_REFUSAL_FLASH_FAILED);
+    QCOMPARE(rig.statusWide(CTL_REG_STATUS_SAVED_CRC), saved);
+}
+
+void TestFlash::savingWhileRunning()
+{
+    MemoryFlash flash;
+    Rig rig({}, &flash);
+    const BankImage bank = bankNumber(1);
+    rig.install(bank);
+    rig.command(CTL_COMMAND_START);
+    QVERIFY(rig.runUntilState(CTL_STATE_RUNNING));
+    QCOMPARE(rig.command(CTL_COMMAND_SAVE_TO_FLASH, 0, 0, crc32(bank.registers())), CTL_REFUSAL_NONE);
+    QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
+}
+
+void TestFlash::largestCamThroughFlash()
+{
+    CamImage cam = sineCam(5000.0, 1000.0, CTL_CAM_POINT_CAPACITY - 1, 8'000'000);
+    cam.knots = CTL_KNOT_CAPACITY;
+    const Registers image = cam.registers();
+    QCOMPARE(image.size(), std::size_t{CTL_BANK_REGISTERS});
+    MemoryFlash flash;
+    {
+        Rig rig({}, &flash);
+        QCOMPARE(rig.download(image), CTL_TRANSFER_RESULT_ACCEPTED);
+        QCOMPARE(rig.apply(image, CTL_APPLY_MODE_WHEN_STOPPED), CTL_REFUSAL_NONE);
+        QCOMPARE(rig.read(static_cast<std::uint16_t>(CTL_ACTIVE_BANK_BASE + CTL_BANK_REGISTERS - 100), 100),
+                 Registers(image.end() - 100, image.end()));
+        QCOMPARE(rig.command(CTL_COMMAND_SAVE_TO_FLASH, 0, 0, crc32(image)), CTL_REFUSAL_NONE);
+    }
+    Rig rig({}, &flash);
+    QCOMPARE(rig.statusWide(CTL_REG_STATUS_ACTIVE_CRC), crc32(image));
+    QCOMPARE(rig.statusWide(CTL_REG_STATUS_SAVED_CRC), crc32(image));
+    QCOMPARE(rig.read(CTL_ACTIVE_BANK_BASE, 100), Registers(image.begin(), image.begin() + 100));
+    rig.start();
+    rig.run(5'000'000);
+    QCOMPARE(rig.command(CTL_COMMAND_STOP_AT_CYCLE_END), CTL_REFUSAL_NONE);
+    QVERIFY(rig.runUntilState(CTL_STATE_READY));
+    QCOMPARE(rig.commanded(), std::int64_t{5000} * rig.core().motion.cycle_count);
+}
+
+QTEST_APPLESS_MAIN(TestFlash)
+#include "test_flash.moc"

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: Apache-2.0
+// The download: order, repetition, interruption, every check of the rows, apply and its refusals.
+#include "rig.h"
+
+#include <QTest>
+
+#include <functional>
+
+using namespace campanel::test;
+
+Q_DECLARE_METATYPE(BankImage)
+
+namespace {
+
+BankImage goodBank()
+{
+    return camBank(10000, 1, 8'000'000);
+}
+
+Registers begin(Rig& rig, std::uint16_t session, std::size_t length, std::uint16_t kind = 1,
+                std::uint16_t major = 1)
+{
+    return rig.transfer(session, CTL_TRANSFER_OPERATION_BEGIN, 0,
+                        {kind, static_cast<std::uint16_t>(length), major});
+}
+
+} // namespace
+
+class TestTransfer : public QObject {
+    Q_OBJECT
+
+private slots:
+    void wholeDownload();
+    void beginRefusals();
+    void blockRefusals();
+    void blocksInAnyOrderAndResumed();
+    void anotherSessionStartsAfresh();
+    void sealNamesWhatIsMissing();
+    void sealChecksEveryRow_data();
+    void sealChecksEveryRow();
+    void largestTable();
+    void applyRefusals();
+    void armedBankIsLockedUntilCancelled();
+    void commandIsCarriedOutOnce();
+    void breakLeavesTheActiveProgram();
+};
+
+void TestTransfer::wholeDownload()
+{
+    Rig rig;
+    const Registers image = goodBank().registers();
+    QCOMPARE(rig.status(CTL_REG_STATUS_STATE), CTL_STATE_IDLE);
+    QCOMPARE(rig.download(image), CTL_TRANSFER_RESULT_ACCEPTED);
+    const Registers result = rig.read(CTL_REG_TRANSFER_RESULT_SESSION, 8);
+    QCOMPARE(result[0], 1);
+    QCOMPARE(result[5], (image.size() + CTL_BLOCK_REGISTERS - 1) / CTL_BLOCK_REGISTERS);
+    QCOMPARE(static_cast<std::uint32_t>(result[6]) << 16 | result[7], crc32(image));
+    QCOMPARE(rig.status(CTL_REG_STATUS_STAGED_STATE), CTL_STAGED_STATE_SEALED);
+    QCOMPARE(rig.apply(image, CTL_APPLY_MODE_WHEN_STOPPED), CTL_REFUSAL_NONE);
+    QCOMPARE(rig.status(CTL_REG_STATUS_STATE), CTL_STATE_READY);
+    QCOMPARE(rig.status(CTL_REG_STATUS_STAGED_STATE), CTL_STAGED_STATE_EMPTY);
+    QCOMPARE(rig.statusWide(CTL_REG_STATUS_GENERATION), 1u);
+    QCOMPARE(rig.statusWide(CTL_REG_STATUS_ACTIVE_CRC), crc32(image));
+    QCOMPARE(rig.read(CTL_ACTIVE_BANK_BASE, 100), Registers(image.begin(), image.begin() + 100));
+}
+
+void TestTransfer::beginRefusals()
+{
+    Rig rig;
+    QCOMPARE(begin(rig, 0, 100)[3], CTL_TRANSFER_RESULT_WRONG_SESSION);
+    QCOMPARE(begin(rig, 1, 100, 0)[3], CTL_TRANSFER_RESULT_KIND_NOT_SUPPORTED);
+    QCOMPARE(begin(rig, 1, 100, CTL_PROGRAM_KIND_PRESS + 1)[3], CTL_TRANSFER_RESULT_KIND_NOT_SUPPORTED);
+    QCOMPARE(begin(rig, 1, 100, 1, 2)[3], CTL_TRANSFER_RESULT_WRONG_MAP_VERSION);
+    QCOMPARE(begin(rig, 1, 64)[3], CTL_TRANSFER_RESULT_BAD_LENGTH);
+    QCOMPARE(begin(rig, 1, CTL_BANK_REGISTERS + 1)[3], CTL_TRANSFER_RESULT_BAD_LENGTH);
+    QCOMPARE(rig.transfer(1, CTL_TRANSFER_OPERATION_BEGIN, 0, {1, 100}).at(3),
+             CTL_TRANSFER_RESULT_BAD_LENGTH);
+    QCOMPARE(rig.status(CTL_REG_STATUS_STAGED_STATE), CTL_STAGED_STATE_EMPTY);
+    QCOMPARE(begin(rig, 1, 67)[3], CTL_TRANSFER_RESULT_ACCEPTED);
+    QCOMPARE(rig.status(CTL_REG_STATUS_STAGED_STATE), CTL_STAGED_STATE_RECEIVING);
+}
+
+void TestTransfer::blockRefusals()
+{
+    Rig rig;
+    const Registers full(CTL_BLOCK_REGISTERS, 0);
+    QCOMPARE(rig.transfer(1, CTL_TRANSFER_OPERATION_BLOCK, 0, full).at(3), CTL_TRANSFER_RESULT_NOT_RECEIVING);
+    QCOMPARE(rig.transfer(1, CTL_TRANSFER_OPERATION_SEAL, 0, {}).at(3), CTL_TRANSFER_RESULT_NOT_RECEIVING);
+    begin(rig, 1, 184); // blocks of 116 and 68
+    QCOMPARE(rig.transfer(2, CTL_TRANSFER_OPERATION_BLOCK, 0, full).at(3), CTL_TRANSFER_RESULT_WRONG_SESSION);
+    QCOMPARE(rig.transfer(2, CTL_TRANSFER_OPERATION_SEAL, 0, {}).at(3), CTL_TRANSFER_RESULT_WRONG_SESSION);
+    QCOMPARE(rig.transfer(1, CTL_TRANSFER_OPERATION_BLOCK, 2, full).at(3), CTL_TRANSFER_RESULT_BAD_BLOCK);
+    QCOMPARE(rig.transfer(1, CTL_TRANSFER_OPERATION_BLOCK, 0xFFFF, full).at(3),
+             CTL_TRANSFER_RESULT_BAD_BLOCK);
+    QCOMPARE(rig.transfer(1, CTL_TRANSFER_OPERATION_BLOCK, 1, full).at(3), CTL_TRANSFER_RESULT_BAD_LENGTH);
+    QCOMPARE(rig.transfer(1, CTL_TRANSFER_OPERATION_BLOCK, 0, Registers(68, 0)).at(3),
+             CTL_TRANSFER_RESULT_BAD_LENGTH);
+    QCOMPARE(rig.transfer(1, CTL_TRANSFER_OPERATION_BLOCK, 1, Registers(68, 0)).at(3),
+             CTL_TRANSFER_RESULT_ACCEPTED);
+}
+
+void TestTransfer::blocksInAnyOrderAndResumed()
+{
+    Rig rig;
+    const Registers image = camBank(10000, 1, 8'000'000, 100).registers(); // 364 registers: 4 blocks
+    const auto send = [&](std::uint16_t block) {
+        const std::size_t first = block * std::size_t{CTL_BLOCK_REGISTERS};
+        const std::size_t last = std::min(image.size(), first + CTL_BLOCK_REGISTERS);
+        return rig.transfer(5, CTL_TRANSFER_OPERATION_BLOCK, block,
+                            Registers(image.begin() + static_cast<std::ptrdiff_t>(first),
+                                      image.begin() + static_cast<std::ptrdiff_t>(last)));
+    };
+    begin(rig, 5, image.size());
+    QCOMPARE(send(3).at(5), 0);
+    QCOMPARE(send(0).at(5), 1);
+    QCOMPARE(send(0).at(5), 1);
+    QCOMPARE(begin(rig, 5, image.size()).at(5), 1); // after a break the same transfer goes on
+    QCOMPARE(send(1).at(5), 2);
+    QCOMPARE(send(2).at(5), 4);
+    const Registers sealed = rig.transfer(5, CTL_TRANSFER_OPERATION_SEAL, 0, {});
+    QCOMPARE(sealed[3], CTL_TRANSFER_RESULT_ACCEPTED);
+    QCOMPARE(rig.transfer(5, CTL_TRANSFER_OPERATION_SEAL, 0, {}), sealed);
+    QCOMPARE(send(2).at(3), CTL_TRANSFER_RESULT_NOT_RECEIVING);
+}
+
+void TestTransfer::anotherSessionStartsAfresh()
+{
+    Rig rig;
+    const Registers image = goodBank().registers();
+    QCOMPARE(rig.download(image, 3), CTL_TRANSFER_RESULT_ACCEPTED);
+    QCOMPARE(begin(rig, 4, image.size()).at(5), 0);
+    QCOMPARE(rig.transfer(4, CTL_TRANSFER_OPERATION_SEAL, 0, {}).at(3), CTL_TRANSFER_RESULT_BLOCKS_MISSING);
+}
+
+void TestTransfer::sealNamesWhatIsMissing()
+{
+    Rig rig;
+    begin(rig, 1, 301); // three blocks
+    rig.transfer(1, CTL_TRANSFER_OPERATION_BLOCK, 0, Registers(CTL_BLOCK_REGISTERS, 0));
+    const Registers result = rig.transfer(1, CTL_TRANSFER_OPERATION_SEAL, 0, {});
+    QCOMPARE(result[3], CTL_TRANSFER_RESULT_BLOCKS_MISSING);
+    QCOMPARE(result[5], 1);
+}
+
+using Change = std::function<void(Registers&)>;
+Q_DECLARE_METATYPE(Change)
+
+void TestTransfer::sealChecksEveryRow_data()
+{
+    QTest::addColumn<Change>("change");
+    QTest::addColumn<int>("result");
+    QTest::addColumn<int>("detail");
+    const auto header = [](const char* tag, unsigned offset, std::uint16_t value, unsigned detail) {
+        QTest::newRow(tag) << Change([=](Registers& image) { image.at(offset) = value; })
+                           << int{CTL_TRANSFER_RESULT_BAD_HEADER} << static_cast<int>(detail);
+    };
+    // Row 20 (125 pulses at the least) gets other pulses and ticks.
+    const auto row = [](const char* tag, std::uint16_t pulses, std::uint32_t ticks, unsigned result,
+                        int detail) {
+        QTest::newRow(tag) << Change([=](Registers& image) {
+            image.at(64 + 60) = pulses;
+            image.at(64 + 61) = static_cast<std::uint16_t>(ticks >> 16);
+            image.at(64 + 62) = static_cast<std::uint16_t>(ticks & 0xFFFFu);
+        }) << static_cast<int>(result)
+                           << detail;
+    };
+    QTest::newRow("untouched") << Change([](Registers&) {}) << int{CTL_TRANSFER_RESULT_ACCEPTED} << 0;
+    header("layout", CTL_OFFSET_BANK_LAYOUT, 0, CTL_OFFSET_BANK_LAYOUT);
+    header("layout of other kinds", CTL_OFFSET_BANK_LAYOUT, CTL_TABLE_LAYOUT_CAM_POINTS,
+           CTL_OFFSET_BANK_KIND);
+    header("kind", CTL_OFFSET_BANK_KIND, 0, CTL_OFFSET_BANK_KIND);
+    header("fewer rows", CTL_OFFSET_BANK_ROW_COUNT, 39, CTL_OFFSET_BANK_ROW_COUNT);
+    header("more rows", CTL_OFFSET_BANK_ROW_COUNT, 41, CTL_OFFSET_BANK_ROW_COUNT);
+    header("no rows", CTL_OFFSET_BANK_ROW_COUNT, 0, CTL_OFFSET_BANK_ROW_COUNT);
+    header("divisor 0", CTL_OFFSET_BANK_DIVISOR + 1, 0, CTL_OFFSET_BANK_DIVISOR);
+    header("remainder = divisor", CTL_OFFSET_BANK_REMAINDER + 1, 1, CTL_OFFSET_BANK_REMAINDER);
+    header("carry row", CTL_OFFSET_BANK_CARRY_ROW, 40, CTL_OFFSET_BANK_CARRY_ROW);
+    header("cut angle", CTL_OFFSET_BANK_CUT_ANGLE, 36001, CTL_OFFSET_BANK_CUT_ANGLE);
+    header("sync start", CTL_OFFSET_BANK_SYNC_START, 36001, CTL_OFFSET_BANK_SYNC_START);
+    header("sync end", CTL_OFFSET_BANK_SYNC_END, 36001, CTL_OFFSET_BANK_SYNC_END);
+    header("no knives", CTL_OFFSET_PROGRAM_KNIVES, 0, CTL_OFFSET_PROGRAM_KNIVES);
+    header("no pulses", CTL_OFFSET_PROGRAM_PULSES_PER_MOTOR_REV + 1, 0,
+           CTL_OFFSET_PROGRAM_PULSES_PER_MOTOR_REV);
+    header("absurd pulses", CTL_OFFSET_PROGRAM_PULSES_PER_MOTOR_REV, 0xFFFF,
+           CTL_OFFSET_PROGRAM_PULSES_PER_MOTOR_REV);
+    header("no gear numerator", CTL_OFFSET_PROGRAM_GEAR_NUMERATOR, 0, CTL_OFFSET_PROGRAM_GEAR_NUMERATOR);
+    header("no gear denominator", CTL_OFFSET_PROGRAM_GEAR_DENOMINATOR, 0,
+           CTL_OFFSET_PROGRAM_GEAR_DENOMINATOR);
+    row("no time", 10, 0, CTL_TRANSFER_RESULT_BAD_ROW, 20);
+    row("pause without time", 0, 0, CTL_TRANSFER_RESULT_BAD_ROW, 20);
+    row("too fast", 10, 399, CTL_TRANSFER_RESULT_BAD_ROW, 20);
+    row("too slow", 2, 2 * 65535 + 1, CTL_TRANSFER_RESULT_BAD_ROW, 20);
+    row("just fast enough", 10, 400, CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_BANK_CYCLE_TICKS);
+    row("just slow enough", 4, 4 * 65535, CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_BANK_CYCLE_TICKS);
+    row("a pause", 0, 200'000, CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_BANK_CYCLE_PULSES);
+    QTest::newRow("carry leaves no room") << Change([](Registers& image) {
+        image.at(CTL_OFFSET_BANK_DIVISOR + 1) = 3;
+        image.at(CTL_OFFSET_BANK_REMAINDER + 1) = 1;
+        image.at(64 + 60) = 5000; // 40 ticks a pulse; one pulse more is too fast
+    }) << int{CTL_TRANSFER_RESULT_BAD_ROW} << 20;
+}
+
+void TestTransfer::sealChecksEveryRow()
+{
+    QFETCH(Change, change);
+    QFETCH(int, result);
+    QFETCH(int, detail);
+    Rig rig;
+    Registers image = goodBank().registers();
+    change(image);
+    QCOMPARE(rig.download(image, 1, CTL_PROGRAM_KIND_ROTARY_CUTTER), result);
+    const Registers answer = rig.read(CTL_REG_TRANSFER_RESULT_SESSION, 8);
+    QCOMPARE(answer[4], detail);
+    const bool accepted = result == CTL_TRANSFER_RESULT_ACCEPTED;
+    QCOMPARE(rig.status(CTL_REG_STATUS_STAGED_STATE),
+             accepted ? CTL_STAGED_STATE_SEALED : CTL_STAGED_STATE_RECEIVING);
+    QCOMPARE(answer[6] != 0 || answer[7] != 0, accepted);
+    if (!accepted)
+        QCOMPARE(rig.apply(image, CTL_APPLY_MODE_WHEN_STOPPED), CTL_REFUSAL_NOTHING_SEALED);
+}
+
+void TestTransfer::largestTable()
+{
+    Rig rig;
+    const Registers image = camBank(1'000'000, 1, 80'000'000, CTL_ROW_CAPACITY).registers();
+    QCOMPARE(rig.download(image), CTL_TRANSFER_RESULT_ACCEPTED);
+    QCOMPARE(rig.apply(image, CTL_APPLY_MODE_WHEN_STOPPED), CTL_REFUSAL_NONE);
+    QCOMPARE(rig.read(CTL_ACTIVE_BANK_BASE + static_cast<std::uint16_t>(image.size()) - 100, 100),
+             Registers(image.end() - 100, image.end()));
+}
+
+void TestTransfer::applyRefusals()
+{
+    Rig rig;
+    const Registers image = goodBank().registers();
+    QCOMPARE(rig.apply(image, CTL_APPLY_MODE_WHEN_STOPPED), CTL_REFUSAL_NOTHING_SEALED);
+    rig.download(image, 9);
+    QCOMPARE(rig.apply(image, 2, 9), CTL_REFUSAL_BAD_ARGUMENT);
+    QCOMPARE(rig.apply(image, CTL_APPLY_MODE_WHEN_STOPPED, 8), CTL_REFUSAL_WRONG_SESSION);
+    QCOMPARE(rig.command(CTL_COMMAND_APPLY_STAGED, 0, 9, crc32(image) ^ 1u), CTL_REFUSAL_WRONG_CHECKSUM);
+    QCOMPARE(rig.command(CTL_COMMAND_CANCEL_APPLY), CTL_REFUSAL_NOT_ARMED);
+    QCOMPARE(rig.statusWide(CTL_REG_STATUS_GENERATION), 0u);
+    QCOMPARE(rig.apply(image, CTL_APPLY_MODE_NEXT_CYCLE, 9), CTL_REFUSAL_NONE); // standing still: at once
+    QCOMPARE(rig.statusWide(CTL_REG_STATUS_GENERATION), 1u);
+}
+
+void TestTransfer::armedBankIsLockedUntilCancelled()
+{
+    Rig rig;
+    rig.install(camBank(10000, 1, 16'000'000));
+    rig.command(CTL_COMMAND_START);
+    QVERIFY(rig.runUntilState(CTL_STATE_RUNNING));
+    rig.run(300'000);
+    const Registers image = goodBank().registers();
+    QCOMPARE(rig.download(image, 2), CTL_TRANSFER_RESULT_ACCEPTED);
+    QCOMPARE(rig.apply(image, CTL_APPLY_MODE_WHEN_STOPPED, 2), CTL_REFUSAL_NOT_STANDSTILL);
+    QCOMPARE(rig.apply(image, CTL_APPLY_MODE_NEXT_CYCLE, 2), CTL_REFUSAL_NONE);
+    QCOMPARE(rig.status(CTL_REG_STATUS_STAGED_STATE), CTL_STAGED_STATE_ARMED);
+    QCOMPARE(begin(rig, 3, 100).at(3), CTL_TRANSFER_RESULT_STATE_REFUSES);
+    QCOMPARE(rig.command(CTL_COMMAND_CANCEL_APPLY), CTL_REFUSAL_NONE);
+    QCOMPARE(rig.status(CTL_REG_STATUS_STAGED_STATE), CTL_STAGED_STATE_SEALED);
+    rig.run(5'000'000);
+    QCOMPARE(rig.statusWide(CTL_REG_STATUS_GENERATION), 1u);
+    Registers other = image;
+    other[CTL_OFFSET_PROGRAM_KNIFE_RADIUS + 1] = 1;
+    QCOMPARE(rig.download(other, 4), CTL_TRANSFER_RESULT_ACCEPTED);
+    QCOMPARE(rig.apply(other, CTL_APPLY_MODE_NEXT_CYCLE, 4), CTL_REFUSAL_MACHINE_DATA_DIFFERS);
+}
+
+void TestTransfer::commandIsCarriedOutOnce()
+{
+    Rig rig;
+    const Registers command{42, CTL_COMMAND_SET_CLOCK, 0, 0, 1, 0};
+    QCOMPARE(rig.write(CTL_REG_COMMAND_COUNTER, command), 0);
+    rig.run(3'000'000);
+    QCOMPARE(rig.write(CTL_REG_COMMAND_COUNTER, command), 0);
+    QCOMPARE(rig.statusWide(CTL_REG_CLOCK_UNIX_TIME), 65536u + 3u);
+    QCOMPARE(rig.status(CTL_REG_STATUS_COMMAND_COUNTER), 42);
+    // Register by register, as a simple master does: the counter comes last.
+    rig.write(CTL_REG_COMMAND_CODE, {CTL_COMMAND_START});
+    QCOMPARE(rig.read(CTL_REG_RESULT_COUNTER, 2), (Registers{42, CTL_COMMAND_SET_CLOCK}));
+    rig.write(CTL_REG_COMMAND_COUNTER, {43});
+    QCOMPARE(rig.read(CTL_REG_RESULT_COUNTER, 4),
+             (Registers{43, CTL_COMMAND_START, CTL_COMMAND_STATUS_REFUSED, CTL_REFUSAL_NO_ACTIVE_PROGRAM}));
+    QCOMPARE(rig.command(CTL_COMMAND_NONE), CTL_REFUSAL_UNKNOWN_COMMAND);
+}
+
+void TestTransfer::breakLeavesTheActiveProgram()
+{
+    Rig rig;
+    rig.install(goodBank());
+    const std::uint32_t crc = rig.statusWide(CTL_REG_STATUS_ACTIVE_CRC);
+    const Registers active = rig.read(CTL_ACTIVE_BANK_BASE, 120);
+    begin(rig, 7, 184);
+    rig.transfer(7, CTL_TRANSFER_OPERATION_BLOCK, 0, Registers(CTL_BLOCK_REGISTERS, 0xFFFF));
+    rig.run(3'000'000);
+    QCOMPARE(rig.statusWide(CTL_REG_STATUS_ACTIVE_CRC), crc);
+    QCOMPARE(rig.read(CTL_ACTIVE_BANK_BASE, 120), active);
+    QCOMPARE(rig.status(CTL_REG_STATUS_FAULT), 0);
+}
+
+QTEST_APPLESS_MAIN(TestTransfer)
+#include "test_transfer.moc"

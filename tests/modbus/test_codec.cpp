@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+// Codec, CRC-32, blocks, bank header and wire times against known values.
+#include "modbus/bank_header.h"
+#include "modbus/blocks.h"
+#include "modbus/codec.h"
+#include "modbus/crc32.h"
+#include "modbus/wire_time.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+using namespace campanel::modbus;
+
+class CodecTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void crcCheckValue();
+    void numbers_data();
+    void numbers();
+    void refusedNumbers_data();
+    void refusedNumbers();
+    void text_data();
+    void text();
+    void everyRawValueSurvivesItsPhysicalForm();
+    void statusUnknownsAreEmpty();
+    void statusKnowns();
+    void bankTripIsIdentical();
+    void bankRefusesWhatDoesNotFit();
+    void wireTimes_data();
+    void wireTimes();
+};
+
+void CodecTest::crcCheckValue()
+{
+    const std::string digits = "123456789";
+    const std::vector<std::uint8_t> bytes(digits.begin(), digits.end());
+    QCOMPARE(crc32(bytes), 0xCBF43926u);
+    const std::vector<std::uint16_t> registers{0x3132, 0x3334, 0x3536, 0x3738};
+    const std::vector<std::uint8_t> same(digits.begin(), digits.begin() + 8);
+    QCOMPARE(crc32OfRegisters(registers), crc32(same));
+}
+
+void CodecTest::numbers_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<double>("value");
+    QTest::addColumn<QList<int>>("registers");
+    QTest::newRow("u16 plain") << "status.tag" << 65535.0 << QList<int>{0xFFFF};
+    QTest::newRow("u16 hundredths") << "status.master_angle" << 359.99 << QList<int>{35999};
+    QTest::newRow("i16 negative thousandths") << "status.bag_deviation" << -0.141 << QList<int>{0xFF73};
+    QTest::newRow("u32 high word first") << "status.bag_length" << 250.123 << QList<int>{0x0003, 0xD10B};
+    QTest::newRow("i32 negative") << "status.axis_position" << -2.0 << QList<int>{0xFFFF, 0xFFFE};
+    QTest::newRow("u32 largest") << "status.generation" << 4294967295.0 << QList<int>{0xFFFF, 0xFFFF};
+    QTest::newRow("rounds to nearest") << "program.k3" << 1.6666667 << QList<int>{0x0019, 0x6E6B};
+}
+
+void CodecTest::numbers()
+{
+    QFETCH(QString, name);
+    QFETCH(double, value);
+    QFETCH(QList<int>, registers);
+    const RegisterInfo& info = registerNamed(name.toStdString());
+    std::vector<std::uint16_t> held(info.count);
+    QVERIFY(RegisterWriter(held, info.address).physical(info, value).has_value());
+    for (int i = 0; i < registers.size(); ++i)
+        QCOMPARE(static_cast<int>(held[static_cast<std::size_t>(i)]), registers[i]);
+    const double readBack = RegisterReader(held, info.address).physical(info);
+    QVERIFY(std::abs(readBack - value) <= info.scale / 2);
+}
+
+void CodecTest::refusedNumbers_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<double>("value");
+    QTest::newRow("not a number") << "status.tag" << std::numeric_limits<double>::quiet_NaN();
+    QTest::newRow("infinite") << "program.bag_length" << std::numeric_limits<double>::infinity();
+    QTest::newRow("negative in u16") << "status.tag" << -1.0;
+    QTest::newRow("too large for u16") << "program.gear_numerator" << 65536.0;
+    QTest::newRow("too large for u32 thousandths") << "program.bag_length" << 4294967.297;
+    QTest::newRow("too small for i16 thousandths") << "status.bag_deviation" << -32.8;
+    QTest::newRow("above a writable limit") << "parameter.ramp_time" << 10001.0;
+    QTest::newRow("below a writable limit") << "parameter.ramp_time" << 49.0;
+}
+
+void CodecTest::refusedNumbers()
+{
+    QFETCH(QString, name);
+    QFETCH(double, value);
+    const auto raw = toRaw(registerNamed(name.toStdString()), value);
+    QVERIFY(!raw.has_value());
+    const QString sentence = QString::fromStdString(describe(raw.error()));
+    QVERIFY2(sentence.startsWith(name), qPrintable(sentence));
+    QVERIFY2(sentence.contains("outside"), qPrintable(sentence));
+}
+
+void CodecTest::text_data()
+{
+    QTest::addColumn<QString>("value");
+    QTest::addColumn<QString>("kept");
+    QTest::newRow("empty") << ""
+                           << "";
+    QTest::newRow("odd length") << "Biscuit"
+                                << "Biscuit";
+    QTest::newRow("exactly 32 bytes") << QString(32, 'x') << QString(32, 'x');
+    QTest::newRow("cut after 32 bytes") << QString(40, 'x') << QString(32, 'x');
+    QTest::newRow("cut between characters") << QString::fromUtf8("饼干二百五十饼干二百五十") // 36 bytes
+                                            << QString::fromUtf8("饼干二百五十饼干二百");
+}
+
+void CodecTest::text()
+{
+    QFETCH(QString, value);
+    QFETCH(QString, kept);
+    std::vector<std::uint16_t> bank(bankHeaderRegisters, 0xAAAA);
+    RegisterWriter(bank, 0).text("program.recipe_name", value.toStdString());
+    QCOMPARE(QString::fromStdString(RegisterReader(bank, 0).text("program.recipe_name")), kept);
+    QCOMPARE(static_cast<int>(bank[47]), 0xAAAA);
+}
+
+void CodecTest::everyRawValueSurvivesItsPhysicalForm()
+{
+    for (const auto rows : {registers(), bankFields()}) {
+        for (const RegisterInfo& info : rows) {
+            if (info.type == RegisterType::Text || info.type == RegisterType::Block)
+                continue;
+            const bool wide = info.count == 2;
+            const bool limited = info.access == Access::ReadWrite && info.maximum > info.minimum;
+            const auto rawLimit = [&info](double limit) {
+                return static_cast<std::int64_t>(std::llround(limit / info.scale));
+            };
+            const std::int64_t first = limited ? rawLimit(info.minimum) : 0;
+            const std::int64_t last = limited ? rawLimit(info.maximum) : (wide ? 0x7FFFFFFF : 0x7FFF);
+            for (std::int64_t raw = first; raw <= last; raw += 1 + (last / 997)) {
+                const auto again = toRaw(info, toPhysical(info, raw));
+                QVERIFY2(again.has_value(), info.name.data());
+                QCOMPARE(*again, raw);
+            }
+        }
+    }
+}
+
+void CodecTest::statusUnknownsAreEmpty()
+{
+    std::vector<std::uint16_t> block(statusRegisters, 0);
+    block[4] = 1u << static_cast<unsigned>(WarningBit::NotHomed);
+    block[2] = 99;
+    const StatusBlock status = decodeStatus(block);
+    QVERIFY(!status.state.has_value());
+    QVERIFY(!status.activeCrc.has_value());
+    QVERIFY(!status.savedCrc.has_value());
+    QVERIFY(!status.masterAngleDeg.has_value());
+    QVERIFY(!status.knifeAngleDeg.has_value());
+    QVERIFY(!status.bagLengthMm.has_value());
+    QVERIFY(!status.bagDeviationMm.has_value());
+    QVERIFY(status.has(WarningBit::NotHomed));
+    QVERIFY(!status.has(WarningBit::HeartbeatLost));
+}
+
+void CodecTest::statusKnowns()
+{
+    std::vector<std::uint16_t> block(statusRegisters, 0);
+    RegisterWriter writer(block, statusAddress);
+    const std::vector<std::pair<std::string_view, double>> values{{"status.state", 2},
+                                                                  {"status.generation", 70000},
+                                                                  {"status.active_crc", 0xDEADBEEF},
+                                                                  {"status.master_angle", 180},
+                                                                  {"status.bag_length", 250.05},
+                                                                  {"status.bag_deviation", -0.05},
+                                                                  {"status.following_error", -7},
+                                                                  {"status.axis_position", -123456},
+                                                                  {"status.knife_angle", 90.5}};
+    for (const auto& [name, value] : values)
+        QVERIFY2(writer.physical(name, value).has_value(), name.data());
+    const StatusBlock status = decodeStatus(block);
+    QCOMPARE(status.state, State::Running);
+    QCOMPARE(status.generation, 70000u);
+    QCOMPARE(status.activeCrc, 0xDEADBEEFu);
+    QCOMPARE(status.masterAngleDeg, 180.0);
+    QCOMPARE(status.bagLengthMm, 250.05);
+    QCOMPARE(status.bagDeviationMm, -0.05);
+    QCOMPARE(status.followingErrorPulses, std::int16_t{-7});
+    QCOMPARE(status.axisPositionPulses, -123456);
+    QCOMPARE(status.knifeAngleDeg, 90.5);
+}
+
+void CodecTest::bankTripIsIdentical()
+{
+    BankHeader header;
+    header.cycleTicks = 8'000'000;
+    header.cyclePulses = 10'000;
+    header.remainder = 1;
+    header.divisor = 3;
+    header.syncStartDeg = 144.0;
+    header.knifeRadiusMm = 60.001;
+    header.pulsesPerMotorRev = 10007;
+    header.pinned = 3;
+    header.bagLengthMm = 249.999;
+    header.rateBagsPerMin = 60.0001;
+    header.k = {4, 2.5, 1.666667, 1.333333};
+    header.law = 5;
+    header.lawParameters = {0.25, 0};
+    header.rampSlices = 60;
+    header.recipeVersion = 7;
+    header.recipeName = "Biscuit 250";
+    const std::vector<TableRow> rows{{100, 70'000}, {0, 5}, {65535, 0xFFFFFFFF}};
+    const auto bank = encodeBank(header, rows);
+    QVERIFY(bank.has_value());
+    QCOMPARE(bank->size(), std::size_t{bankHeaderRegisters + 9});
+    QVERIFY(decodeRows(*bank) == rows);
+    const BankHeader again = decodeBankHeader(*bank);
+    QCOMPARE(again.rowCount, std::uint16_t{3});
+    QCOMPARE(again.bagLengthMm, 249.999);
+    QCOMPARE(QString::fromStdString(again.recipeName), QString("Biscuit 250"));
+    QVERIFY(*encodeBank(again, rows) == *bank);
+    QVERIFY(decodeRows(std::span(*bank).first(bank->size() - 1)).empty());
+}
+
+void CodecTest::bankRefusesWhatDoesNotFit()
+{
+    BankHeader header;
+    header.gearNumerator = 65536;
+    const auto bank = encodeBank(header, {});
+    QVERIFY(!bank.has_value());
+    QCOMPARE(bank.error().registerName, std::string_view("program.gear_numerator"));
+    QVERIFY(!encodeBank(BankHeader{}, std::vector<TableRow>(rowCapacity + 1u)).has_value());
+    QVERIFY(encodeBank(BankHeader{}, std::vector<TableRow>(rowCapacity)).has_value());
+}
+
+void CodecTest::wireTimes_data()
+{
+    QTest::addColumn<unsigned>("baud");
+    QTest::addColumn<char>("parity");
+    QTest::addColumn<int>("stopBits");
+    QTest::addColumn<double>("silenceUs");
+    QTest::addColumn<double>("statusUs");
+    // 104 characters, and the silence twice.
+    QTest::newRow("115200 8N1") << 115200u << 'N' << 1 << 1750.0 << 12527.778;
+    QTest::newRow("9600 8N1") << 9600u << 'N' << 1 << 3645.833 << 115625.0;
+    QTest::newRow("19200 8E1") << 19200u << 'E' << 1 << 2005.208 << 63593.75;
+    QTest::newRow("38400 8N2") << 38400u << 'N' << 2 << 1750.0 << 33291.667;
+}
+
+void CodecTest::wireTimes()
+{
+    QFETCH(unsigned, baud);
+    QFETCH(char, parity);
+    QFETCH(int, stopBits);
+    QFETCH(double, silenceUs);
+    QFETCH(double, statusUs);
+    const LineSettings line{baud, static_cast<Parity>(parity), static_cast<std::uint8_t>(stopBits)};
+    const auto microseconds = [](std::chrono::nanoseconds time) {
+        return static_cast<double>(time.count()) / 1000.0;
+    };
+    QVERIFY(std::abs(microseconds(frameSilence(line)) - silenceUs) < 0.01);
+    QVERIFY(std::abs(microseconds(pairTime(line, statusFrames)) - statusUs) < 0.01);
+    // A download of one register more than a block needs a frame pair more.
+    QCOMPARE(downloadTime(line, blockRegisters + 1) - downloadTime(line, blockRegisters),
+             pairTime(line, transferFrames(1)));
+}
+
+QTEST_APPLESS_MAIN(CodecTest)
+#include "test_codec.moc"

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// Invariants of the register table and of the words; REGISTERS.md is what the table generates.
+// `modbus_register_map --update-golden` rewrites REGISTERS.md.
+#include "modbus/blocks.h"
+#include "modbus/register_document.h"
+#include "modbus/register_map.h"
+
+#include <QtTest>
+
+#include <QFile>
+#include <QSet>
+
+#include <cstring>
+
+using namespace campanel::modbus;
+
+class RegisterMapTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void committedDocumentIsCurrent();
+    void namesAreUnique();
+    void everyEnumNameIsListed();
+    void enumValuesAreUniqueAndExplained();
+    void everyDefaultIsInsideItsLimits();
+    void banksFitBetweenTheirBases();
+    void windowsFitOneFrame();
+    void blocksHaveTheLengthsThatTheClientReads();
+    void headerNamesEveryRegister();
+};
+
+void RegisterMapTest::committedDocumentIsCurrent()
+{
+    QFile file(CAMPANEL_REGISTERS_MD);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray generated = QByteArray::fromStdString(registersMarkdown());
+    QVERIFY2(file.readAll() == generated,
+             "modbus/REGISTERS.md is out of date; run this test with --update-golden and review the change");
+}
+
+void RegisterMapTest::namesAreUnique()
+{
+    QSet<QByteArray> seen;
+    for (const auto rows : {registers(), bankFields()}) {
+        for (const RegisterInfo& row : rows) {
+            const QByteArray name(row.name.data(), static_cast<qsizetype>(row.name.size()));
+            QVERIFY2(!seen.contains(name), name.constData());
+            QVERIFY2(!row.text.empty(), name.constData());
+            seen.insert(name);
+        }
+    }
+    QVERIFY(findRegister("status.no_such") == nullptr);
+}
+
+void RegisterMapTest::everyEnumNameIsListed()
+{
+    for (const auto rows : {registers(), bankFields()}) {
+        for (const RegisterInfo& row : rows) {
+            if (row.enumName.empty())
+                continue;
+            const auto all = enumerations();
+            const bool listed = std::any_of(
+                all.begin(), all.end(), [&row](const EnumInfo& info) { return info.name == row.enumName; });
+            QVERIFY2(listed, row.enumName.data());
+        }
+    }
+}
+
+void RegisterMapTest::enumValuesAreUniqueAndExplained()
+{
+    for (const EnumInfo& info : enumerations()) {
+        // Values count up from 0 without gaps: a decoder may compare with the last one.
+        std::uint16_t expected = 0;
+        for (const EnumValue& value : info.values) {
+            QVERIFY2(value.value == expected++, value.name.data());
+            QVERIFY2(value.text.ends_with('.') || info.name == "TransferOperation", value.name.data());
+            QCOMPARE(enumText(info.name, value.value), value.text);
+        }
+        QVERIFY(enumText(info.name, expected).empty());
+    }
+    QVERIFY(!enumText("Refusal", static_cast<std::uint16_t>(Refusal::HeartbeatLost)).empty());
+    QVERIFY(!enumText("TransferResult", static_cast<std::uint16_t>(TransferResult::StateRefuses)).empty());
+    QVERIFY(!enumText("Command", static_cast<std::uint16_t>(Command::SetClock)).empty());
+}
+
+void RegisterMapTest::everyDefaultIsInsideItsLimits()
+{
+    for (const RegisterInfo& row : registers()) {
+        if (row.access != Access::ReadWrite || row.type == RegisterType::Block)
+            continue;
+        QVERIFY2(row.minimum <= row.defaultValue && row.defaultValue <= row.maximum, row.name.data());
+        QVERIFY2(row.maximum > row.minimum, row.name.data());
+    }
+}
+
+void RegisterMapTest::banksFitBetweenTheirBases()
+{
+    QVERIFY(activeBankBase + bankRegisters <= stagedBankBase);
+    QVERIFY(stagedBankBase + bankRegisters <= 0x10000);
+    const RegisterInfo& lastField = bankFields()[bankFields().size() - 2];
+    QCOMPARE(lastField.address + lastField.count, int{bankHeaderRegisters});
+    QCOMPARE(int{bankFields().back().address}, int{bankHeaderRegisters});
+}
+
+void RegisterMapTest::windowsFitOneFrame()
+{
+    // Function 23 carries at most 121 written and 125 read registers.
+    const int transferWritten =
+        findRegister("transfer.data")->address + blockRegisters - findRegister("transfer.session")->address;
+    QVERIFY(transferWritten <= 121);
+    const int readbackRead = findRegister("readback_result.data")->address + readbackRegisters -
+                             findRegister("readback_result.tag")->address;
+    QCOMPARE(readbackRead, 125);
+}
+
+void RegisterMapTest::blocksHaveTheLengthsThatTheClientReads()
+{
+    const auto end = [](std::string_view name) {
+        return findRegister(name)->address + findRegister(name)->count;
+    };
+    QCOMPARE(end("identity.max_pulse_frequency") - identityAddress, int{identityRegisters});
+    QCOMPARE(end("status.sample_time") - statusAddress, 40);
+    QCOMPARE(end("result.reason") - findRegister("result.counter")->address, int{commandResultRegisters});
+    QCOMPARE(end("transfer_result.staged_crc") - findRegister("transfer_result.session")->address,
+             int{transferResultRegisters});
+    QCOMPARE(end("command.argument2") - findRegister("command.counter")->address, 6);
+}
+
+void RegisterMapTest::headerNamesEveryRegister()
+{
+    const QByteArray header = QByteArray::fromStdString(registersCHeader());
+    QVERIFY(header.contains("#define CTL_REG_STATUS_ACTIVE_CRC 0x0109u\n"));
+    QVERIFY(header.contains("#define CTL_COMMAND_STOP_AT_CYCLE_END 2u\n"));
+    QVERIFY(header.contains("#define CTL_MAX_PARAMETER_RAMP_TIME 10000u\n"));
+    for (const RegisterInfo& row : registers()) {
+        QByteArray name(row.name.data(), static_cast<qsizetype>(row.name.size()));
+        QVERIFY2(header.contains("#define CTL_REG_" + name.toUpper().replace('.', '_') + ' '),
+                 name.constData());
+    }
+}
+
+int main(int argc, char** argv)
+{
+    if (argc == 2 && std::strcmp(argv[1], "--update-golden") == 0) {
+        QFile file(CAMPANEL_REGISTERS_MD);
+        const QByteArray generated = QByteArray::fromStdString(registersMarkdown());
+        return file.open(QIODevice::WriteOnly) && file.write(generated) == generated.size() ? 0 : 1;
+    }
+    RegisterMapTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "test_register_map.moc"

@@ -1,0 +1,458 @@
+// SPDX-License-Identifier: Apache-2.0
+// The client against a scripted slave: every doubtful answer ends in an error, never in a wrong value, and
+// the line is usable afterwards.
+#include "modbus/codec.h"
+#include "modbus/rtu_client.h"
+#include "scripted_slave.h"
+
+#include <QtTest>
+
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+
+#include <random>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace campanel::modbus;
+using campanel::test::Fault;
+using campanel::test::ScriptedSlave;
+
+namespace {
+
+// Long enough that a busy machine does not turn a normal answer into a lost one.
+constexpr std::chrono::milliseconds allowance{400};
+
+LinkSettings settingsFor(const std::string& port)
+{
+    LinkSettings settings;
+    settings.port = port;
+    settings.answerAllowance = allowance;
+    return settings;
+}
+
+} // namespace
+
+class RtuClientTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void cleanup();
+    void identity();
+    void foreignDeviceIsLeftAlone();
+    void otherMapMajorIsRefused();
+    void status();
+    void doubtfulStatus_data();
+    void doubtfulStatus();
+    void lateAnswersNeverBecomeValues();
+    void exceptionIsNotWaitedOut();
+    void answerToNobodyIsDropped();
+    void provenRead();
+    void rangeThatCannotBeRead();
+    void doubtfulCommand_data();
+    void doubtfulCommand();
+    void commandWithoutAnyAnswerIsUnknown();
+    void commandBeforeARestartIsUnknown();
+    void counterOfARestartedControllerIsNotUsed();
+    void refusedCommandIsAResult();
+    void parameterIsProven();
+    void parameterOutsideItsLimitsIsNotSent();
+    void pulledAdapter();
+    void portsThatCannotBeOpened();
+    void busyPort();
+    void settingsThatCannotBeUsed_data();
+    void settingsThatCannotBeUsed();
+    void killedOwnerLeavesThePortFree();
+    void silenceIsKeptBetweenFrames();
+
+private:
+    std::unique_ptr<ScriptedSlave> m_slave;
+    std::unique_ptr<RtuClient> m_client;
+};
+
+void RtuClientTest::init()
+{
+    m_slave = std::make_unique<ScriptedSlave>();
+    m_client = std::make_unique<RtuClient>(settingsFor(m_slave->port()));
+    const auto opened = m_client->open();
+    QVERIFY2(opened.has_value(), opened ? "" : describe(opened.error()).c_str());
+}
+
+void RtuClientTest::cleanup()
+{
+    m_client.reset();
+    m_slave.reset();
+}
+
+void RtuClientTest::identity()
+{
+    const auto identity = m_client->identify();
+    QVERIFY2(identity.has_value(), identity ? "" : describe(identity.error()).c_str());
+    QCOMPARE(identity->firmwareVersion(), std::string("0.3.0"));
+    QVERIFY(identity->supports(ProgramKind::RotaryCutter));
+    QVERIFY(!identity->supports(ProgramKind::None));
+}
+
+void RtuClientTest::foreignDeviceIsLeftAlone()
+{
+    m_slave->setRegister(0, 0x1234);
+    const auto identity = m_client->identify();
+    QVERIFY(!identity.has_value());
+    QCOMPARE(identity.error().kind, LinkErrorKind::NotCamPanel);
+    QVERIFY(QString::fromStdString(describe(identity.error())).contains("0x1234"));
+    m_slave->script({Fault::Exception2});
+    QCOMPARE(m_client->identify().error().kind, LinkErrorKind::NotCamPanel);
+    m_slave->script({Fault::Busy}); // says nothing about which device it is
+    QCOMPARE(m_client->identify().error().kind, LinkErrorKind::Exception);
+    QCOMPARE(m_slave->writes(), 0);
+}
+
+void RtuClientTest::otherMapMajorIsRefused()
+{
+    m_slave->setRegister(1, mapMajor + 1);
+    const auto identity = m_client->identify();
+    QVERIFY(!identity.has_value());
+    QCOMPARE(identity.error().kind, LinkErrorKind::WrongMapMajor);
+    QVERIFY(QString::fromStdString(describe(identity.error())).contains("Update the panel"));
+    QCOMPARE(m_slave->writes(), 0);
+}
+
+void RtuClientTest::status()
+{
+    m_slave->setRegister(registerNamed("status.state").address, static_cast<std::uint16_t>(State::Ready));
+    const auto first = m_client->exchangeStatus(41, 1);
+    QVERIFY2(first.has_value(), first ? "" : describe(first.error()).c_str());
+    QCOMPARE(first->heartbeat, std::uint16_t{41});
+    QCOMPARE(first->state, State::Ready);
+    QCOMPARE(m_slave->getRegister(registerNamed("exchange.jog").address), std::uint16_t{1});
+    const auto second = m_client->exchangeStatus(42, 0);
+    QVERIFY(second.has_value());
+    QVERIFY(second->tag != first->tag);
+}
+
+void RtuClientTest::doubtfulStatus_data()
+{
+    QTest::addColumn<int>("fault");
+    QTest::addColumn<int>("kind");
+    const auto row = [](const char* tag, Fault fault, LinkErrorKind kind) {
+        QTest::newRow(tag) << static_cast<int>(fault) << static_cast<int>(kind);
+    };
+    row("request lost", Fault::LostRequest, LinkErrorKind::NoAnswer);
+    row("answer lost", Fault::LostAnswer, LinkErrorKind::NoAnswer);
+    row("answer truncated", Fault::Truncated, LinkErrorKind::NoAnswer);
+    row("wrong CRC", Fault::BadChecksum, LinkErrorKind::BadChecksum);
+    row("exception", Fault::Exception2, LinkErrorKind::Exception);
+}
+
+void RtuClientTest::doubtfulStatus()
+{
+    QFETCH(int, fault);
+    QFETCH(int, kind);
+    m_slave->script({static_cast<Fault>(fault)});
+    const auto doubtful = m_client->exchangeStatus(1, 0);
+    QVERIFY(!doubtful.has_value());
+    QCOMPARE(static_cast<int>(doubtful.error().kind), kind);
+    QVERIFY(!portIsLost(doubtful.error()));
+    QVERIFY(describe(doubtful.error()).size() > 20);
+    QVERIFY(m_client->exchangeStatus(2, 0).has_value());
+}
+
+void RtuClientTest::lateAnswersNeverBecomeValues()
+{
+    // Seeded; every second request on average is answered late, so that its answer meets the next question.
+    const unsigned seed = 20240517;
+    qInfo("seed %u", seed);
+    std::mt19937 random(seed);
+    constexpr int rounds = 12;
+    m_client = nullptr;
+    LinkSettings settings = settingsFor(m_slave->port());
+    settings.answerAllowance = std::chrono::milliseconds{120};
+    m_client = std::make_unique<RtuClient>(settings);
+    QVERIFY(m_client->open().has_value());
+    int right = 0;
+    for (int i = 0; i < rounds; ++i) {
+        const auto value = static_cast<std::uint16_t>(random());
+        m_slave->setRegister(0x0400, value);
+        m_slave->script({random() % 2 == 0 ? Fault::LateAnswer : Fault::None});
+        const auto read = m_client->readProven(0x0400, 1);
+        if (read) {
+            QCOMPARE((*read)[0], value);
+            ++right;
+        }
+        const auto status = m_client->exchangeStatus(static_cast<std::uint16_t>(i), 0);
+        if (status)
+            QCOMPARE(status->heartbeat, static_cast<std::uint16_t>(i));
+    }
+    QVERIFY(right > 0);
+    // Answered late, and then another question asked: the stale answer has another length.
+    m_slave->script({Fault::LateAnswer});
+    QCOMPARE(m_client->exchangeStatus(0, 0).error().kind, LinkErrorKind::NoAnswer);
+    QCOMPARE(m_client->readProven(0x0400, 1).error().kind, LinkErrorKind::ForeignAnswer);
+    // The same question answered late and asked again: the stale answer has the right length and address.
+    m_slave->setRegister(0x0400, 1);
+    m_slave->script({Fault::LateAnswer});
+    QCOMPARE(m_client->readProven(0x0400, 1).error().kind, LinkErrorKind::NoAnswer);
+    m_slave->setRegister(0x0400, 2);
+    QCOMPARE(m_client->readProven(0x0400, 1).error().kind, LinkErrorKind::ForeignAnswer);
+    QCOMPARE(m_client->readProven(0x0400, 1)->front(), std::uint16_t{2});
+}
+
+void RtuClientTest::exceptionIsNotWaitedOut()
+{
+    m_slave->script({Fault::Exception2});
+    QElapsedTimer timer;
+    timer.start();
+    const auto answer = m_client->exchangeStatus(1, 0);
+    QCOMPARE(answer.error().kind, LinkErrorKind::Exception);
+    QCOMPARE(answer.error().code, 2);
+    QVERIFY2(timer.elapsed() < allowance.count() / 2, qPrintable(QString::number(timer.elapsed())));
+}
+
+void RtuClientTest::answerToNobodyIsDropped()
+{
+    QVERIFY(m_client->exchangeStatus(1, 0).has_value());
+    // Bytes between the questions, as of an answer that came after its time: written from the slave's side.
+    m_slave->script({Fault::LateAnswer, Fault::LostAnswer});
+    QVERIFY(!m_client->exchangeStatus(2, 0).has_value());
+    QVERIFY(!m_client->exchangeStatus(3, 0).has_value());
+    const auto status = m_client->exchangeStatus(4, 0);
+    QVERIFY(status.has_value());
+    QCOMPARE(status->heartbeat, std::uint16_t{4});
+}
+
+void RtuClientTest::provenRead()
+{
+    for (std::uint16_t i = 0; i < readbackRegisters; ++i)
+        m_slave->setRegister(static_cast<std::uint16_t>(0x0400 + i), i);
+    const auto read = m_client->readProven(0x0400, readbackRegisters);
+    QVERIFY2(read.has_value(), read ? "" : describe(read.error()).c_str());
+    QCOMPARE(read->size(), std::size_t{readbackRegisters});
+    QCOMPARE(read->back(), static_cast<std::uint16_t>(readbackRegisters - 1));
+    QCOMPARE(m_client->readProven(0x0400, 0).error().kind, LinkErrorKind::ValueRefused);
+    QCOMPARE(m_client->readProven(0x0400, readbackRegisters + 1).error().kind, LinkErrorKind::ValueRefused);
+}
+
+void RtuClientTest::rangeThatCannotBeRead()
+{
+    QCOMPARE(m_client->readProven(0xF800, 4).error().kind, LinkErrorKind::RangeNotReadable);
+}
+
+void RtuClientTest::doubtfulCommand_data()
+{
+    QTest::addColumn<int>("fault");
+    QTest::addColumn<bool>("received");
+    QTest::newRow("clean") << static_cast<int>(Fault::None) << true;
+    QTest::newRow("answer lost") << static_cast<int>(Fault::LostAnswer) << true;
+    QTest::newRow("answer late") << static_cast<int>(Fault::LateAnswer) << true;
+    QTest::newRow("wrong CRC") << static_cast<int>(Fault::BadChecksum) << true;
+    QTest::newRow("truncated") << static_cast<int>(Fault::Truncated) << true;
+    QTest::newRow("request lost") << static_cast<int>(Fault::LostRequest) << false;
+}
+
+void RtuClientTest::doubtfulCommand()
+{
+    QFETCH(int, fault);
+    QFETCH(bool, received);
+    QVERIFY(m_client->exchangeStatus(1, 0).has_value());
+    m_slave->script({static_cast<Fault>(fault)});
+    const auto result = m_client->command(Command::Start);
+    if (received) {
+        QVERIFY2(result.has_value(), result ? "" : describe(result.error()).c_str());
+        QVERIFY(result->done());
+        QCOMPARE(result->code, Command::Start);
+        QCOMPARE(m_slave->commandsExecuted(), 1);
+    } else {
+        QVERIFY(!result.has_value());
+        QCOMPARE(result.error().kind, LinkErrorKind::CommandLost);
+        QCOMPARE(m_slave->commandsExecuted(), 0);
+    }
+    QVERIFY(m_client->command(Command::StopNow).has_value());
+    QCOMPARE(m_slave->commandsExecuted(), received ? 2 : 1);
+}
+
+void RtuClientTest::commandWithoutAnyAnswerIsUnknown()
+{
+    QVERIFY(m_client->exchangeStatus(1, 0).has_value());
+    m_slave->script({Fault::LostAnswer, Fault::LostRequest, Fault::LostRequest, Fault::LostRequest});
+    const auto result = m_client->command(Command::Start);
+    QVERIFY(!result.has_value());
+    QCOMPARE(result.error().kind, LinkErrorKind::OutcomeUnknown);
+    const auto found = m_client->findResult(static_cast<std::uint16_t>(result.error().code));
+    QVERIFY(found.has_value());
+    QVERIFY(found->has_value());
+    QVERIFY((*found)->done());
+    QCOMPARE(m_slave->commandsExecuted(), 1);
+}
+
+void RtuClientTest::commandBeforeARestartIsUnknown()
+{
+    QVERIFY(m_client->command(Command::Start).has_value());
+    m_slave->script({Fault::Restart}); // carried out, then nothing is known of it any more
+    const auto result = m_client->command(Command::SaveToFlash);
+    QVERIFY(!result.has_value());
+    QCOMPARE(result.error().kind, LinkErrorKind::OutcomeUnknown);
+    QCOMPARE(m_slave->commandsExecuted(), 2);
+    QVERIFY(m_client->command(Command::StopNow).has_value());
+    QCOMPARE(m_slave->commandsExecuted(), 3);
+}
+
+void RtuClientTest::counterOfARestartedControllerIsNotUsed()
+{
+    m_slave->setRegister(registerNamed("status.command_counter").address, 0xFFFF);
+    QVERIFY(m_client->exchangeStatus(1, 0).has_value());
+    m_slave->restart(); // its counter is 0, and the command after 0xFFFF is none that it has had
+    const auto result = m_client->command(Command::Start);
+    QVERIFY(result.has_value());
+    QVERIFY(result->done());
+    QCOMPARE(m_slave->commandsExecuted(), 1);
+}
+
+void RtuClientTest::refusedCommandIsAResult()
+{
+    const auto result = m_client->command(Command::Home);
+    QVERIFY(result.has_value());
+    QVERIFY(!result->done());
+    QCOMPARE(result->reason, Refusal::InFault);
+}
+
+void RtuClientTest::parameterIsProven()
+{
+    const RegisterInfo& info = registerNamed("parameter.following_error_limit");
+    QVERIFY(m_client->writeParameter(info, 70000).has_value());
+    QCOMPARE(m_slave->getRegister(info.address), std::uint16_t{1});
+    QCOMPARE(m_slave->getRegister(static_cast<std::uint16_t>(info.address + 1)), std::uint16_t{4464});
+    m_slave->script({Fault::LostAnswer});
+    QVERIFY(m_client->writeParameter(info, 80000).has_value());
+    m_slave->script({Fault::LostRequest});
+    const auto lost = m_client->writeParameter(info, 90000);
+    QVERIFY(!lost.has_value());
+    QCOMPARE(lost.error().kind, LinkErrorKind::ReadBackDiffers);
+    // An exception may be another question's: what the register holds decides.
+    m_slave->script({Fault::Exception2Done});
+    QVERIFY(m_client->writeParameter(info, 91000).has_value());
+    m_slave->script({Fault::Exception2});
+    QCOMPARE(m_client->writeParameter(info, 92000).error().kind, LinkErrorKind::Exception);
+}
+
+void RtuClientTest::parameterOutsideItsLimitsIsNotSent()
+{
+    const auto refused = m_client->writeParameter(registerNamed("parameter.ramp_time"), 5);
+    QVERIFY(!refused.has_value());
+    QCOMPARE(refused.error().kind, LinkErrorKind::ValueRefused);
+    QVERIFY(QString::fromStdString(describe(refused.error())).contains("50 ms .. 10000") ||
+            QString::fromStdString(describe(refused.error())).contains("50 .. 10000 ms"));
+    QCOMPARE(m_client->writeParameter(registerNamed("status.state"), 1).error().kind,
+             LinkErrorKind::ValueRefused);
+    QCOMPARE(m_slave->requests(), 0);
+}
+
+void RtuClientTest::pulledAdapter()
+{
+    QVERIFY(m_client->exchangeStatus(1, 0).has_value());
+    m_slave->unplug();
+    QElapsedTimer timer;
+    timer.start();
+    const auto gone = m_client->exchangeStatus(2, 0);
+    QVERIFY(!gone.has_value());
+    QCOMPARE(gone.error().kind, LinkErrorKind::PortGone);
+    QVERIFY(portIsLost(gone.error()));
+    QVERIFY(timer.elapsed() < 2 * allowance.count());
+    m_client->close();
+    QCOMPARE(m_client->exchangeStatus(3, 0).error().kind, LinkErrorKind::NotOpen);
+    QCOMPARE(m_client->open().error().kind, LinkErrorKind::PortAbsent);
+}
+
+void RtuClientTest::portsThatCannotBeOpened()
+{
+    const auto kindOf = [](const std::string& port) {
+        RtuClient client(settingsFor(port));
+        const auto opened = client.open();
+        return opened ? LinkErrorKind::NoAnswer : opened.error().kind;
+    };
+    QTemporaryDir directory;
+    const std::string folder = directory.path().toStdString();
+    QFile file(directory.filePath("file"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QCOMPARE(kindOf(folder + "/absent"), LinkErrorKind::PortAbsent);
+    QCOMPARE(kindOf(folder + "/file"), LinkErrorKind::PortNotSerial);
+    QCOMPARE(kindOf(folder), LinkErrorKind::PortNotSerial);
+    QCOMPARE(kindOf("/dev/null"), LinkErrorKind::PortNotSerial);
+    const LinkError notPermitted{LinkErrorKind::PortNotPermitted, "/dev/ttyUSB0", {}, "dialout", 0};
+    QVERIFY(QString::fromStdString(describe(notPermitted)).contains("group 'dialout'"));
+}
+
+void RtuClientTest::busyPort()
+{
+    RtuClient second(settingsFor(m_slave->port()));
+    const auto opened = second.open();
+    QVERIFY(!opened.has_value());
+    QCOMPARE(opened.error().kind, LinkErrorKind::PortBusy);
+    QVERIFY(m_client->exchangeStatus(1, 0).has_value());
+    m_client->close();
+    QVERIFY(second.open().has_value());
+}
+
+void RtuClientTest::settingsThatCannotBeUsed_data()
+{
+    QTest::addColumn<unsigned>("baud");
+    QTest::addColumn<int>("stopBits");
+    QTest::addColumn<int>("unit");
+    QTest::newRow("baud rate that libmodbus would replace") << 12345u << 1 << 1;
+    QTest::newRow("three stop bits") << 9600u << 3 << 1;
+    QTest::newRow("unit 0 is broadcast") << 9600u << 1 << 0;
+    QTest::newRow("unit 248") << 9600u << 1 << 248;
+}
+
+void RtuClientTest::settingsThatCannotBeUsed()
+{
+    QFETCH(unsigned, baud);
+    QFETCH(int, stopBits);
+    QFETCH(int, unit);
+    LinkSettings settings = settingsFor(m_slave->port());
+    settings.line.baud = baud;
+    settings.line.stopBits = static_cast<std::uint8_t>(stopBits);
+    settings.unit = unit;
+    m_client->close();
+    RtuClient client(settings);
+    const auto opened = client.open();
+    QVERIFY(!opened.has_value());
+    QCOMPARE(opened.error().kind, LinkErrorKind::PortSettings);
+}
+
+void RtuClientTest::killedOwnerLeavesThePortFree()
+{
+    m_client->close();
+    const pid_t child = fork();
+    QVERIFY(child >= 0);
+    if (child == 0) {
+        RtuClient owner(settingsFor(m_slave->port()));
+        _exit(owner.open().has_value() ? 0 : 1); // no destructor runs, as after a kill
+    }
+    int status = 0;
+    QCOMPARE(waitpid(child, &status, 0), child);
+    QCOMPARE(WEXITSTATUS(status), 0);
+    QVERIFY(m_client->open().has_value());
+}
+
+void RtuClientTest::silenceIsKeptBetweenFrames()
+{
+    LinkSettings settings = settingsFor(m_slave->port());
+    settings.line.baud = 9600;
+    m_client->close();
+    RtuClient slow(settings);
+    QVERIFY(slow.open().has_value());
+    QVERIFY(slow.exchangeStatus(0, 0).has_value());
+    constexpr int exchanges = 10;
+    QElapsedTimer timer;
+    timer.start();
+    for (std::uint16_t i = 1; i <= exchanges; ++i)
+        QVERIFY(slow.exchangeStatus(i, 0).has_value());
+    // The scripted slave answers at once, so the silences are all that takes time.
+    QVERIFY(std::chrono::nanoseconds(timer.nsecsElapsed()) >= exchanges * frameSilence(settings.line));
+}
+
+QTEST_APPLESS_MAIN(RtuClientTest)
+#include "test_rtu_client.moc"

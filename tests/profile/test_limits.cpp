@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+// Limits: what is broken, where, and that the value offered instead is feasible and the nearest.
+#include "recipes.h"
+
+#include "profile/limits.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using namespace campanel::profile;
+using namespace campanel::profile::test;
+
+namespace {
+
+bool near(double a, double b, double tolerance)
+{
+    return std::abs(a - b) <= tolerance;
+}
+
+// Walks the field's grid outwards from the present value until a value is feasible.
+std::optional<double> nearestByWalking(Recipe recipe, Field field)
+{
+    const double present = value(recipe.program, field);
+    const double step = info(field).resolution();
+    const double farthest = info(field).max - info(field).min;
+    for (int i = 0; i * step <= farthest; ++i) {
+        for (const int side : {-1, 1}) {
+            const double x = snapToGrid(field, present + side * i * step);
+            setValue(recipe.program, field, x);
+            if (isFeasible(recipe.program, recipe.machine))
+                return x;
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+class TestLimits : public QObject {
+    Q_OBJECT
+
+private slots:
+    void brokenLimit_data();
+    void brokenLimit();
+    void brokenSpansOfAnAsymmetricLaw();
+    void meetingALimitExactlyIsAllowed();
+    void severalLimitsAtOnce();
+    void peaksAgreeWithTheCurves_data();
+    void peaksAgreeWithTheCurves();
+    void nearestIsTheNearest();
+    void fastestRateIsTheFastest_data();
+    void fastestRateIsTheFastest();
+};
+
+void TestLimits::brokenLimit_data()
+{
+    QTest::addColumn<int>("field");
+    QTest::addColumn<double>("allowed");
+    QTest::addColumn<int>("limit");
+    QTest::addColumn<double>("actual");
+    QTest::addColumn<double>("timeS");   // of the peak
+    QTest::addColumn<double>("brokenS"); // in total
+    const auto row = [](const char* tag, Field field, double allowed, Limit limit, double actual,
+                        double timeS, double brokenS) {
+        QTest::newRow(tag) << static_cast<int>(field) << allowed << static_cast<int>(limit) << actual << timeS
+                           << brokenS;
+    };
+    // L = 250 at 60 bags/min: v_a = 445.371 on [0, 0.25] and [0.75, 1]. On a cubic ramp the speed falls to
+    // the mean (347.6855) in the middle, and |a| = peak 4x(1-x) is above 3/4 of the peak for x in (1/4, 3/4).
+    row("motor speed down to the middle of the ramps", Field::MaxMotorRpm, 347.68547531 / 376.99111843 * 60,
+        Limit::MotorSpeed, 70.883, 0, 0.65);
+    row("pulse frequency down to the middle of the ramps", Field::MaxPulseFrequency,
+        347.68547531 / 376.99111843 * 10000, Limit::PulseFrequency, 11813.83, 0, 0.65);
+    row("acceleration above three quarters of its peak", Field::MaxKnifeAcceleration, 1953.70951 * 0.75,
+        Limit::KnifeAcceleration, 1953.7095, 0.325, 0.15);
+    row("machine slower than the rate", Field::MaxRate, 50, Limit::MachineRate, 60, -1, 0);
+}
+
+void TestLimits::brokenLimit()
+{
+    QFETCH(int, field);
+    QFETCH(double, allowed);
+    QFETCH(int, limit);
+    QFETCH(double, actual);
+    QFETCH(double, timeS);
+    QFETCH(double, brokenS);
+    Recipe r = checkRecipe();
+    r.machine.timerClockHz = 60000000; // so that the timer rounds the allowed frequency little
+    setValue(r.machine, static_cast<Field>(field), allowed);
+    const auto cutter = solve(r.program, r.machine);
+    QVERIFY(cutter.has_value());
+    const std::vector<Refusal> broken = checkLimits(*cutter);
+    QCOMPARE(broken.size(), std::size_t{1});
+    QCOMPARE(static_cast<int>(broken[0].limit), limit);
+    QVERIFY(near(broken[0].actual, actual, 1e-4 * actual));
+    QVERIFY(near(broken[0].allowed, allowed, 2e-4 * allowed));
+    QCOMPARE(broken[0].timeS.has_value(), timeS >= 0);
+    if (broken[0].timeS) {
+        QVERIFY(near(*broken[0].timeS, timeS, 1e-9));
+        QVERIFY(near(*broken[0].angleDeg, 360 * timeS, 1e-6));
+    }
+    double total = 0;
+    for (const TimeSpan& span : broken[0].brokenDuring)
+        total += span.toS - span.fromS;
+    QVERIFY2(near(total, brokenS, 1e-4), std::to_string(total).c_str());
+    QCOMPARE(broken[0].brokenDuring.size(), brokenS > 0 ? std::size_t{2} : std::size_t{0}); // there and back
+    QVERIFY(!broken[0].nearest.empty());
+    for (const Suggestion& s : broken[0].nearest) {
+        Recipe mended = r;
+        setValue(mended.program, s.field, s.value);
+        QVERIFY(isFeasible(mended.program, mended.machine));
+    }
+}
+
+void TestLimits::brokenSpansOfAnAsymmetricLaw()
+{
+    Recipe r = checkRecipe();
+    r.program.speedLaw = LawId::HalfModifiedSine;
+    const double peak = peaks(*solve(r.program, r.machine)).accelerationMmPerS2;
+    r.machine.maxKnifeAccelerationMmPerS2 = 0.9 * peak;
+    const auto cutter = solve(r.program, r.machine);
+    QVERIFY(cutter.has_value());
+    const std::vector<Refusal> broken = checkLimits(*cutter);
+    QCOMPARE(broken.size(), std::size_t{1});
+    QCOMPARE(broken[0].brokenDuring.size(), std::size_t{2});
+    const TimeSpan there = broken[0].brokenDuring[0];
+    const TimeSpan back = broken[0].brokenDuring[1];
+    QVERIFY(near(there.fromS + back.toS, 1, 1e-9)); // the cycle is its own mirror image about T/2
+    QVERIFY(near(there.toS + back.fromS, 1, 1e-9));
+    for (const double edge : {there.fromS, there.toS, back.fromS, back.toS})
+        QVERIFY(near(std::abs(cutter->motion.at(edge).accelerationMmPerS2), 0.9 * peak, 1e-6 * peak));
+}
+
+void TestLimits::meetingALimitExactlyIsAllowed()
+{
+    Recipe r = checkRecipe();
+    const Peaks peak = peaks(*solve(r.program, r.machine));
+    r.machine.maxKnifeAccelerationMmPerS2 = peak.accelerationMmPerS2;
+    r.machine.maxMotorRpm = peak.motorRpm;
+    r.machine.maxRateBagsPerMin = 60;
+    QVERIFY(checkLimits(*solve(r.program, r.machine)).empty());
+    r.machine.maxKnifeAccelerationMmPerS2 *= 1 - 1e-6;
+    QCOMPARE(checkLimits(*solve(r.program, r.machine)).size(), std::size_t{1});
+}
+
+void TestLimits::severalLimitsAtOnce()
+{
+    Recipe r = checkRecipe(100, 300);
+    r.machine.maxMotorRpm = 400;
+    r.machine.maxRateBagsPerMin = 200;
+    const std::vector<Refusal> broken = checkLimits(*solve(r.program, r.machine));
+    QCOMPARE(broken.size(), std::size_t{3});
+    for (const Refusal& refusal : broken) {
+        QCOMPARE(refusal.nearest.size(), broken[0].nearest.size());
+        QVERIFY(refusal.actual > refusal.allowed);
+    }
+}
+
+void TestLimits::peaksAgreeWithTheCurves_data()
+{
+    QTest::addColumn<int>("row");
+    for (std::size_t i = 0; i < laws().size(); ++i)
+        QTest::newRow(std::string(laws()[i].key).c_str()) << static_cast<int>(i);
+}
+
+void TestLimits::peaksAgreeWithTheCurves()
+{
+    QFETCH(int, row);
+    const Law& law = laws()[static_cast<std::size_t>(row)];
+    Recipe r = checkRecipe(120, 90);
+    r.program.k = {5, 2.5, 1.6, 1.3}; // ramps of different length
+    r.program.speedLaw = law.id;
+    r.program.speedLawParameters = defaultParameters(law);
+    const auto cutter = solve(r.program, r.machine);
+    QVERIFY(cutter.has_value());
+    const Peaks peak = peaks(*cutter);
+    double acceleration = 0;
+    double jerk = 0;
+    double speed = 0;
+    for (const Segment& segment : cutter->motion.segments()) {
+        constexpr int steps = 20000;
+        for (int i = 0; i <= steps; ++i) {
+            const MotionPoint p = segment.at(segment.startS + segment.durationS * i / steps);
+            acceleration = std::max(acceleration, std::abs(p.accelerationMmPerS2));
+            jerk = std::max(jerk, std::abs(p.jerkMmPerS3));
+            speed = std::max(speed, p.velocityMmPerS);
+        }
+    }
+    QVERIFY(near(acceleration, peak.accelerationMmPerS2, 1e-6 * acceleration));
+    QVERIFY(near(speed, peak.speedMmPerS, 1e-9 * speed));
+    if (law.id == LawId::Exponential)
+        QVERIFY(std::isinf(peak.jerkMmPerS3));
+    else
+        QVERIFY(near(jerk, peak.jerkMmPerS3, 1e-6 * jerk));
+    const double justInside =
+        peak.accelerationTimeS - 1e-9; // the end of an exponential ramp belongs to the ramp
+    QVERIFY(
+        near(std::abs(cutter->motion.at(justInside).accelerationMmPerS2), acceleration, 1e-4 * acceleration));
+}
+
+void TestLimits::nearestIsTheNearest()
+{
+    constexpr unsigned seed = 20140704;
+    qInfo("seed %u", seed);
+    RandomRecipes random(seed);
+    int compared = 0;
+    int impossible = 0;
+    while (compared < 30) {
+        const Recipe r = random.next();
+        if (isFeasible(r.program, r.machine))
+            continue;
+        const auto cutter = solve(r.program, r.machine);
+        const std::vector<Refusal> broken = cutter ? checkLimits(*cutter) : std::vector{cutter.error()};
+        for (const Field field : r.program.pinned) {
+            const std::optional<double> walked = nearestByWalking(r, field);
+            const auto& nearest = broken.front().nearest;
+            const auto offered = std::find_if(nearest.begin(), nearest.end(),
+                                              [field](const Suggestion& s) { return s.field == field; });
+            QCOMPARE(offered != nearest.end(), walked.has_value());
+            if (walked) {
+                const double present = value(r.program, field);
+                QVERIFY2(near(std::abs(offered->value - present), std::abs(*walked - present), 1e-9),
+                         describe(broken.front()).c_str());
+            } else {
+                ++impossible;
+            }
+        }
+        ++compared;
+    }
+    QVERIFY(impossible > 0 && impossible < 2 * compared); // both outcomes were seen
+}
+
+void TestLimits::fastestRateIsTheFastest_data()
+{
+    QTest::addColumn<int>("field");
+    QTest::addColumn<double>("limitValue");
+    QTest::addColumn<double>("rate");
+    QTest::addColumn<int>("limit");
+    const auto row = [](const char* tag, Field field, double value, double rate, Limit limit) {
+        QTest::newRow(tag) << static_cast<int>(field) << value << rate << static_cast<int>(limit);
+    };
+    row("acceleration", Field::MaxKnifeAcceleration, 11100, 143.0, Limit::KnifeAcceleration);
+    row("motor speed", Field::MaxMotorRpm, 150, 126.9, Limit::MotorSpeed);
+    row("pulse frequency", Field::MaxPulseFrequency, 40000, 203.1, Limit::PulseFrequency);
+    row("machine", Field::MaxRate, 100, 100, Limit::MachineRate);
+}
+
+void TestLimits::fastestRateIsTheFastest()
+{
+    QFETCH(int, field);
+    QFETCH(double, limitValue);
+    QFETCH(double, rate);
+    QFETCH(int, limit);
+    Recipe r = checkRecipe();
+    setValue(r.machine, static_cast<Field>(field), limitValue);
+    for (const auto& pair : allPairs) { // whatever is pinned, and however fast it is now
+        Recipe same = r;
+        const CycleNumbers c = solve(checkRecipe(250, 170).program, r.machine)->cycle;
+        same.program.pinned = pair;
+        setValue(same.program, Field::BagLength, c.bagLengthMm);
+        setValue(same.program, Field::Rate, c.rateBagsPerMin);
+        setValue(same.program, Field::BaseSpeed, c.baseSpeedMmPerS);
+        setValue(same.program, Field::FilmSpeed, c.filmSpeedMmPerS);
+        const auto fastest = fastestRate(*solve(same.program, same.machine));
+        QVERIFY(fastest.has_value());
+        QVERIFY(near(fastest->rateBagsPerMin, rate, 1e-9));
+        QCOMPARE(static_cast<int>(fastest->limitedBy), limit);
+    }
+    r.program.rateBagsPerMin = rate;
+    QVERIFY(isFeasible(r.program, r.machine));
+    r.program.rateBagsPerMin = rate + 0.1;
+    QVERIFY(!isFeasible(r.program, r.machine));
+}
+
+QTEST_APPLESS_MAIN(TestLimits)
+#include "test_limits.moc"

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// The number under the keypad: what keys make of it, in which language, and when it is complete.
+#include "qml/Controls/number_entry.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using campanel::controls::NumberEntry;
+
+class TestNumberEntry : public QObject {
+    Q_OBJECT
+
+private slots:
+    void keysMakeANumber_data()
+    {
+        QTest::addColumn<QString>("keys");
+        QTest::addColumn<int>("decimals");
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<double>("value");
+        QTest::newRow("digits") << "250" << 1 << "250" << 250.0;
+        QTest::newRow("decimals") << "62.5" << 1 << "62.5" << 62.5;
+        QTest::newRow("no more decimals than allowed") << "62.57" << 1 << "62.5" << 62.5;
+        QTest::newRow("point first") << ".5" << 2 << "0.5" << 0.5;
+        QTest::newRow("second point is ignored") << "1.2.3" << 3 << "1.23" << 1.23;
+        QTest::newRow("point of an integer is ignored") << "4.2" << 0 << "42" << 42.0;
+        QTest::newRow("leading zero is replaced") << "07" << 0 << "7" << 7.0;
+        QTest::newRow("zero before a point stays") << "0.7" << 1 << "0.7" << 0.7;
+        QTest::newRow("sign toggles") << "5-" << 0 << QString(QChar(0x2212)) + "5" << -5.0;
+        QTest::newRow("sign twice") << "5--" << 0 << "5" << 5.0;
+        QTest::newRow("letters are ignored") << "1a2" << 0 << "12" << 12.0;
+        QTest::newRow("at most nine digits") << "12345678901" << 0 << "123456789" << 123456789.0;
+    }
+    void keysMakeANumber()
+    {
+        QFETCH(QString, keys);
+        QFETCH(int, decimals);
+        QFETCH(QString, text);
+        QFETCH(double, value);
+        NumberEntry entry;
+        entry.setDecimals(decimals);
+        for (const QChar key : keys)
+            entry.type(QString(key));
+        QCOMPARE(entry.text(), text);
+        QVERIFY(entry.isComplete());
+        QCOMPARE(entry.value(), value);
+    }
+
+    void showsThePointOfTheLanguage()
+    {
+        NumberEntry entry;
+        entry.setDecimals(2);
+        entry.setLocale(QStringLiteral("de"));
+        for (const char* key : {"1", ",", "5"})
+            entry.type(QString::fromLatin1(key));
+        QCOMPARE(entry.text(), QStringLiteral("1,5"));
+        QCOMPARE(entry.value(), 1.5);
+    }
+
+    void isUnknownUntilComplete()
+    {
+        NumberEntry entry;
+        QVERIFY(entry.isEmpty());
+        QVERIFY(!entry.isComplete());
+        QVERIFY(std::isnan(entry.value()));
+        entry.type(QStringLiteral("-"));
+        QVERIFY(!entry.isComplete());
+    }
+
+    void backspaceAndClear()
+    {
+        NumberEntry entry;
+        entry.setDecimals(1);
+        entry.setValue(62.5);
+        QCOMPARE(entry.text(), QStringLiteral("62.5"));
+        entry.backspace();
+        QCOMPARE(entry.value(), 62.0);
+        entry.clear();
+        QVERIFY(entry.isEmpty());
+        entry.backspace();
+        QVERIFY(entry.isEmpty());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestNumberEntry)
+#include "test_number_entry.moc"

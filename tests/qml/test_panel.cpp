@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: Apache-2.0
+// The whole panel in a window, touched as a finger would, on the demonstration link: keypad, pins, handles,
+// navigation, Stop, language.
+#include "panel_test.h"
+
+#include "app/main/scene_checks.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <cmath>
+
+using Kind = campanel::panel::DemoLink::Kind;
+namespace machine = campanel::machine;
+
+class TestPanel : public campanel::test::PanelTest {
+    Q_OBJECT
+
+    QList<double> knots(machine::KnotModel::Role role)
+    {
+        const machine::KnotModel* model = editor().knots();
+        QList<double> values;
+        for (int row = 0; row < model->rowCount(); ++row)
+            values << QLocale().toDouble(model->data(model->index(row), role).toString());
+        return values;
+    }
+
+private slots:
+    void paleTextIsFound()
+    {
+        const campanel::panel::SceneLimits anySize;
+        QCOMPARE(checkScene(m_stage->root(), anySize, m_stage->grab()), QStringList());
+        m_stage->find(QStringLiteral("stateText"))->setProperty("color", QColor(0x98, 0x98, 0x98));
+        const QStringList faults = checkScene(m_stage->root(), anySize, m_stage->grab());
+        QCOMPARE(faults.size(), 1);
+        QCOMPARE(
+            faults.constFirst(),
+            QStringLiteral("stateText \"Running\" in #989898 on #ffffff has a contrast of 2.88, it needs 3"));
+    }
+
+    void keypadTakesANumber()
+    {
+        tap("nav1");
+        tap("field_bagLength");
+        m_stage->type(QStringLiteral("262.5"));
+        QCOMPARE(textOf("keypadText"), QStringLiteral("262.5"));
+        tap("keypadAccept");
+        QCOMPARE(editor().bagLength()->value(), 262.5);
+        QVERIFY(!m_stage->find(QStringLiteral("keypad")));
+    }
+
+    void keypadRefusesWithTheLimit()
+    {
+        tap("nav1");
+        tap("field_bagLength");
+        m_stage->type(QStringLiteral("99999"));
+        QVERIFY2(textOf("keypadHint").contains(QStringLiteral("2000")), qPrintable(textOf("keypadHint")));
+        QVERIFY(!m_stage->find(QStringLiteral("keypadAccept"))->isEnabled());
+        tap("keypadCancel");
+        QCOMPARE(editor().bagLength()->value(), 250.0);
+    }
+
+    void keypadLeavesItsFieldAndStopFree_data()
+    {
+        QTest::addColumn<QStringList>("way");
+        QTest::newRow("bag length") << QStringList{"nav1", "field_bagLength"};
+        QTest::newRow("film speed") << QStringList{"nav1", "field_filmSpeed"};
+        QTest::newRow("machine parameter at the right")
+            << QStringList{"nav2", "section2", "field_maxAcceleration"};
+    }
+    void keypadLeavesItsFieldAndStopFree()
+    {
+        QFETCH(QStringList, way);
+        for (const QString& name : way)
+            m_stage->tap(name);
+        const auto rectOf = [this](const QString& name) {
+            const QQuickItem* item = m_stage->find(name);
+            return item->mapRectToScene(item->boundingRect());
+        };
+        const QRectF keypad = rectOf(QStringLiteral("keypad"));
+        QVERIFY(!keypad.intersects(rectOf(way.constLast())));
+        QVERIFY(!keypad.intersects(rectOf(QStringLiteral("stopKey"))));
+        QVERIFY(!keypad.intersects(rectOf(QStringLiteral("startKey"))));
+    }
+
+    void enteringADerivedValuePinsIt()
+    {
+        tap("nav1");
+        QVERIFY(editor().filmSpeed()->derived());
+        tap("field_filmSpeed");
+        m_stage->type(QStringLiteral("300"));
+        tap("keypadAccept");
+        QVERIFY(editor().filmSpeed()->pinned());
+        QCOMPARE(editor().filmSpeed()->value(), 300.0);
+        tap("undo");
+        QVERIFY(editor().filmSpeed()->derived());
+        tap("redo");
+        QVERIFY(editor().filmSpeed()->pinned());
+    }
+
+    void holdingADerivedValueExplainsIt()
+    {
+        tap("nav1");
+        m_stage->hold(QStringLiteral("field_baseSpeed"));
+        QVERIFY(m_stage->find(QStringLiteral("sheetPanel")));
+        tap("sheetClose");
+        QVERIFY(!m_stage->find(QStringLiteral("sheetPanel")));
+    }
+
+    void aHandleMovesItsRatio()
+    {
+        tap("nav1");
+        const double before = editor().k2()->value();
+        const double first = editor().k1()->value();
+        const QPoint handle = centerOf(QStringLiteral("handle1"));
+        QTest::mousePress(&m_stage->window(), Qt::LeftButton, {}, handle);
+        QTest::mouseMove(&m_stage->window(), handle - QPoint(15, 0));
+        QTest::mouseMove(&m_stage->window(), handle - QPoint(30, 0));
+        QTest::mouseRelease(&m_stage->window(), Qt::LeftButton, {}, handle - QPoint(30, 0));
+        QVERIFY2(editor().k2()->value() > before, "an earlier end of the ramp is a larger k");
+        QCOMPARE(editor().k1()->value(), first);
+        m_stage->settle();
+        QVERIFY((centerOf(QStringLiteral("handle1")) - handle).manhattanLength() > 20);
+        tap("undo");
+        QCOMPARE(editor().k2()->value(), before);
+    }
+
+    void aNewProgramOfEachKind_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<QString>("shown");
+        QTest::newRow("cutter") << 1 << QStringLiteral("field_bagLength");
+        QTest::newRow("position move") << 2 << QStringLiteral("field_distance_mm");
+        QTest::newRow("speed move") << 3 << QStringLiteral("field_end_speed_mm_per_s");
+        QTest::newRow("point cam") << 4 << QStringLiteral("knotsButton");
+        QTest::newRow("press") << 5 << QStringLiteral("field_approach_position_mm");
+    }
+    void aNewProgramOfEachKind()
+    {
+        QFETCH(int, kind);
+        QFETCH(QString, shown);
+        const int before = kind == 1 ? 2 : 1;
+        editor().newProgram(before);
+        tap("nav1");
+        tap("more");
+        tap("kindButton");
+        tap(qPrintable(QStringLiteral("choice_%1").arg(kind)));
+        QCOMPARE(static_cast<int>(editor().kind()), kind);
+        QVERIFY2(!m_stage->find(QStringLiteral("sheetPanel")), "the choice closes its sheet");
+        QVERIFY2(m_stage->find(shown), qPrintable(shown));
+        QVERIFY(editor().feasible());
+        tap("undo");
+        QCOMPARE(static_cast<int>(editor().kind()), before);
+    }
+
+    void aKnotFollowsTheFinger()
+    {
+        editor().newProgram(4);
+        tap("nav1");
+        const QList<double> before = knots(machine::KnotModel::SlaveTextRole);
+        const QPoint handle = centerOf(QStringLiteral("handle1"));
+        QTest::mousePress(&m_stage->window(), Qt::LeftButton, {}, handle);
+        QTest::mouseMove(&m_stage->window(), handle - QPoint(0, 8));
+        QTest::mouseMove(&m_stage->window(), handle - QPoint(0, 16));
+        QTest::mouseRelease(&m_stage->window(), Qt::LeftButton, {}, handle - QPoint(0, 16));
+        const QList<double> after = knots(machine::KnotModel::SlaveTextRole);
+        QVERIFY2(after[1] > before[1] + 1, "a finger that goes up lifts the knot");
+        QCOMPARE(after[2], before[2]);
+        tap("undo");
+        QCOMPARE(knots(machine::KnotModel::SlaveTextRole), before);
+    }
+
+    void knotsAreAddedRemovedAndRepaired()
+    {
+        editor().newProgram(4);
+        tap("nav1");
+        tap("knotsButton");
+        QCOMPARE(editor().knots()->count(), 5);
+        tap("knot1");
+        tap("knotInsert");
+        QCOMPARE(editor().knots()->count(), 6);
+        QCOMPARE(knots(machine::KnotModel::MasterTextRole)[2], 135.0);
+        tap("knotRemove");
+        QCOMPARE(editor().knots()->count(), 5);
+        QVERIFY(!m_stage->find(QStringLiteral("knotRemove"))->isEnabled());
+        QVERIFY2(!m_stage->find(QStringLiteral("knotRepair"))->isEnabled(), "nothing is broken yet");
+        editor().setChoice(0, 0); // natural ends: speed jumps where the cycle closes
+        m_stage->settle();
+        QVERIFY(editor().knots()->wrapText().contains(QStringLiteral("jumps")));
+        tap("knotRepair");
+        QVERIFY(!m_stage->find(QStringLiteral("knotRepair"))->isEnabled());
+    }
+
+    void knotsComeFromAFileAndGoIntoOne()
+    {
+        const QTemporaryDir stick;
+        QFile file(stick.filePath(QStringLiteral("cam.csv")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("master_deg,slave_mm\n0,0\n60,3\n120,9\n200,8\n300,1\n360,0\n");
+        file.close();
+        editor().newProgram(4);
+        machine::KnotFiles& files = *editor().knotFiles();
+        files.setLooker([path = stick.path()](const QString&) {
+            const QList<campanel::store::Place> places{{path, QStringLiteral("STICK"), false}};
+            return machine::KnotFiles::Found{places, campanel::store::offeredKnots(places)};
+        });
+        tap("nav1");
+        tap("knotsButton");
+        tap("knotFilesButton");
+        m_stage->waitFor(files);
+        QVERIFY(!m_stage->find(QStringLiteral("knotFilesGo"))->isEnabled());
+        tap("offer0");
+        QVERIFY2(textOf("offerDetail").startsWith(QStringLiteral("6 knots")),
+                 qPrintable(textOf("offerDetail")));
+        QCOMPARE(editor().knots()->count(), 5);
+        tap("knotFilesGo");
+        QCOMPARE(editor().knots()->count(), 6);
+        QVERIFY2(m_stage->find(QStringLiteral("knotList")), "back among the knots");
+        tap("knotFilesButton");
+        m_stage->waitFor(files);
+        tap("knotsExport");
+        m_stage->waitFor(files);
+        tap("offer0");
+        tap("knotFilesGo");
+        m_stage->waitFor(files);
+        const QString written = stick.filePath(editor().recipeName() + QStringLiteral(".csv"));
+        QCOMPARE(textOf("offerDetail"), QStringLiteral("Written: ") + written);
+        QVERIFY(QFile::exists(written));
+        tap("sheetClose");
+        tap("undo");
+        QCOMPARE(editor().knots()->count(), 5);
+    }
+
+    void aLawThatBreaksALimitCanBeHeldButNotChosen()
+    {
+        editor().rate()->set(390);
+        tap("nav1");
+        tap("lawButton");
+        const machine::LawModel& laws = *editor().laws();
+        QString lawId;
+        for (int row = 0; row < laws.count() && lawId.isEmpty(); ++row) {
+            const auto role = [&](machine::LawModel::Role wanted) {
+                return laws.data(laws.index(row), wanted);
+            };
+            if (!role(machine::LawModel::UsableRole).toBool() &&
+                !role(machine::LawModel::CurrentRole).toBool())
+                lawId = role(machine::LawModel::LawIdRole).toString();
+        }
+        QVERIFY2(!lawId.isEmpty(), "no law breaks a limit");
+        const QString before = editor().lawName();
+        tap(qPrintable(QStringLiteral("law_") + lawId));
+        QCOMPARE(editor().lawName(), before);
+        m_stage->hold(QStringLiteral("law_") + lawId);
+        QVERIFY(!editor().overlayName().isEmpty());
+        QCOMPARE(editor().lawName(), before);
+    }
+
+    void theRecipeOfTheControllerIsNamedWhenItIsAnother()
+    {
+        QVERIFY(!m_stage->find(QStringLiteral("activeTitle")));
+        show(Kind::Press);
+        QCOMPARE(textOf("activeTitle"), QStringLiteral("in the controller: Bearing 6204 · v1"));
+    }
+
+    void theMasterIsTurnedByATouch()
+    {
+        show(Kind::PointCam);
+        tap("nav0");
+        QCOMPARE(textOf("directionText"), QStringLiteral("runs forward"));
+        tap("directionBackward");
+        QCOMPARE(textOf("directionText"), QStringLiteral("Turning to backward …"));
+        m_stage->link().show(campanel::panel::DemoLink::Situation::Lost, Kind::PointCam);
+        m_stage->settle();
+        QVERIFY(!m_stage->find(QStringLiteral("directionChoice"))->isEnabled());
+        QCOMPARE(textOf("directionText"), QStringLiteral("There is no connection to the controller."));
+    }
+
+    void aHeldLawIsDrawnBehind()
+    {
+        editor().newProgram(2);
+        tap("nav1");
+        tap("lawButton");
+        m_stage->hold(QStringLiteral("law_cubic"));
+        QCOMPARE(editor().overlayName(), QStringLiteral("Cubic (paper)"));
+        m_stage->hold(QStringLiteral("law_cubic"));
+        QCOMPARE(editor().overlayName(), QString());
+    }
+
+    void runShowsThePress()
+    {
+        show(Kind::Press);
+        QCOMPARE(textOf("pressForce"), QStringLiteral("3,900"));
+        QCOMPARE(textOf("pressPosition"), QStringLiteral("100.00"));
+        QCOMPARE(textOf("goodStrokes"), QStringLiteral("23 / 24"));
+        QVERIFY(m_stage->find(QStringLiteral("stage3"))->property("current").toBool());
+        QVERIFY(!m_stage->find(QStringLiteral("stage2"))->property("current").toBool());
+        QVERIFY(m_stage->find(QStringLiteral("stroke0"))->property("good").toBool());
+        const QQuickItem* bad = m_stage->find(QStringLiteral("stroke3"));
+        QVERIFY(!bad->property("good").toBool());
+        QCOMPARE(bad->property("resultText").toString(), QStringLiteral("Force too low"));
+        const auto curve =
+            m_stage->find(QStringLiteral("forcePlot"))->property("curve").value<QList<QPointF>>();
+        QVERIFY(curve.size() > 100);
+        QVERIFY2(std::abs(curve.constLast().x() - 100) < 0.1, "it stands in its hold");
+        QVERIFY(!m_stage->find(QStringLiteral("axisSpeed")));
+    }
+
+    void runShowsWhatEachKindHas_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<QStringList>("shown");
+        QTest::addColumn<QStringList>("hidden");
+        const QStringList axis{"axisSpeed", "axisPosition", "axisCount"};
+        QTest::newRow("position move") << 2 << axis << QStringList{"masterSpeed", "pressForce", "bagChart"};
+        QTest::newRow("speed move") << 3 << axis << QStringList{"masterSpeed", "pressForce", "bagChart"};
+        QTest::newRow("point cam") << 4 << axis + QStringList{"masterSpeed"}
+                                   << QStringList{"pressForce", "bagChart"};
+        QTest::newRow("cutter") << 1 << QStringList{"bagChart"} << axis;
+    }
+    void runShowsWhatEachKindHas()
+    {
+        QFETCH(int, kind);
+        QFETCH(QStringList, shown);
+        QFETCH(QStringList, hidden);
+        show(static_cast<Kind>(kind));
+        for (const QString& name : shown)
+            QVERIFY2(m_stage->find(name), qPrintable(name));
+        for (const QString& name : hidden)
+            QVERIFY2(!m_stage->find(name), qPrintable(name));
+    }
+
+    void stopIsReachedOverDialogsAndKeypad_data()
+    {
+        QTest::addColumn<QStringList>("way");
+        QTest::newRow("run") << QStringList{"nav0"};
+        QTest::newRow("settings") << QStringList{"nav2"};
+        QTest::newRow("search") << QStringList{"nav3", "doctorSearch"};
+        QTest::newRow("keypad") << QStringList{"nav1", "field_rate"};
+        QTest::newRow("dialog") << QStringList{"nav1", "lawButton"};
+        QTest::newRow("dialog from a dialog") << QStringList{"nav1", "more", "tableButton"};
+    }
+    void stopIsReachedOverDialogsAndKeypad()
+    {
+        QFETCH(QStringList, way);
+        for (const QString& name : way)
+            m_stage->tap(name);
+        const int before = m_stage->link().stopRequests();
+        tap("stopKey");
+        QCOMPARE(m_stage->link().stopRequests(), before + 1);
+    }
+
+    void languageChangesAtOnce()
+    {
+        QCOMPARE(textOf("stopKey"), QStringLiteral("Stop"));
+        m_stage->panel().settings().setLanguage(QStringLiteral("zh_CN"));
+        m_stage->settle();
+        QCOMPARE(textOf("stopKey"), QString::fromUtf8("停止"));
+        QCOMPARE(textOf("stateText"), QString::fromUtf8("运行"));
+        m_stage->panel().settings().setLanguage(QStringLiteral("en"));
+        m_stage->settle();
+        QCOMPARE(textOf("stateText"), QStringLiteral("Running"));
+    }
+
+    void onlyTheRunPageIsMadeAtStart()
+    {
+        QVERIFY(!m_stage->root().findChild<QObject*>(QStringLiteral("motionPlot")));
+        tap("nav1");
+        QVERIFY(m_stage->find(QStringLiteral("motionPlot")));
+    }
+
+    void startRefusedSaysWhy()
+    {
+        tap("startKey");
+        const QQuickItem* banner = m_stage->find(QStringLiteral("banner"));
+        QVERIFY(banner);
+        QVERIFY(!banner->property("text").toString().isEmpty());
+    }
+};
+
+int main(int argc, char* argv[])
+{
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    QGuiApplication application(argc, argv);
+    TestPanel test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "test_panel.moc"

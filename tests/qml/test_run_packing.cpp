@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Run page of a packing machine under a finger: the film's picture, what it says in words, and the page
+// of a controller that tells nothing of film and marks.
+#include "panel_test.h"
+
+#include "app/plot/film_picture.h"
+
+using campanel::plot::FilmPicture;
+using Situation = campanel::panel::DemoLink::Situation;
+
+class TestPacking : public campanel::test::PanelTest {
+    Q_OBJECT
+
+    void enter(Situation situation)
+    {
+        m_stage->link().show(situation);
+        m_stage->lookAtClock();
+        m_stage->settle();
+        tap("nav0");
+    }
+    FilmPicture& picture()
+    {
+        auto* item = qobject_cast<FilmPicture*>(m_stage->find(QStringLiteral("filmPicture")));
+        if (!item)
+            qFatal("there is no picture of the film");
+        return *item;
+    }
+    qsizetype countOf(const char* list) { return picture().property(list).value<QList<QPointF>>().size(); }
+
+private slots:
+    void aRunningLineIsShown()
+    {
+        enter(Situation::Running);
+        QCOMPARE(countOf("cuts"), 6);
+        QVERIFY(countOf("marks") >= 3);
+        QVERIFY(countOf("products") >= 3);
+        QCOMPARE(picture().property("sensor").toDouble(), 900.0);
+        QCOMPARE(picture().property("window").toDouble(), 6.0);
+        QVERIFY(picture().property("nextMark").toDouble() > 800);
+        QVERIFY(!picture().property("stale").toBool());
+        QCOMPARE(textOf("markState"), QStringLiteral("Following the marks"));
+        QCOMPARE(textOf("markError"), QStringLiteral("mark error +0.04 mm"));
+        QVERIFY(textOf("bagFigures").startsWith(QStringLiteral("mean 250.0")));
+        QCOMPARE(textOf("bagsWithin"), QStringLiteral("60 of 60 within"));
+        QCOMPARE(textOf("lastSkip"), QStringLiteral("Last: A product was missing"));
+        QVERIFY(!m_stage->find(QStringLiteral("packingGate")));
+    }
+
+    void aWaitingKnifeSaysWhy()
+    {
+        enter(Situation::ProductAcross);
+        QCOMPARE(textOf("packingGate"), QStringLiteral("Knife stays open: product across"));
+        QCOMPARE(textOf("lastSkip"), QStringLiteral("Last: A product lay across the knife's path"));
+        QVERIFY(picture().property("knifeOpen").toBool());
+        QCOMPARE(picture().property("cuts").value<QList<QPointF>>().constFirst().y(), 1.0);
+    }
+
+    void lostMarksAreAnAlarm()
+    {
+        enter(Situation::MarksLost);
+        QCOMPARE(textOf("markState"), QStringLiteral("Looking for marks"));
+        QCOMPARE(countOf("marks"), 0);
+        QVERIFY(textOf("banner").startsWith(QStringLiteral("The marks on the film were lost")));
+        QVERIFY(!m_stage->find(QStringLiteral("markError")));
+    }
+
+    void theNumbersBehindItOpen_data()
+    {
+        QTest::addColumn<QString>("card");
+        QTest::newRow("film") << QStringLiteral("filmCard");
+        QTest::newRow("left out") << QStringLiteral("leftOutCard");
+    }
+    void theNumbersBehindItOpen()
+    {
+        QFETCH(QString, card);
+        enter(Situation::Running);
+        m_stage->tap(card);
+        QVERIFY(m_stage->find(QStringLiteral("sheetPanel")));
+        QVERIFY(m_stage->find(QStringLiteral("sheetMarkError")));
+        tap("sheetClose");
+        QVERIFY(!m_stage->find(QStringLiteral("sheetPanel")));
+    }
+
+    void anOldControllerHasThePageAsBefore()
+    {
+        m_stage->link().setOld(true);
+        m_stage->link().show(Situation::Stopped);
+        enter(Situation::Running);
+        QVERIFY(!m_stage->find(QStringLiteral("filmPicture")));
+        QVERIFY(m_stage->find(QStringLiteral("knifeDial")));
+        QCOMPARE(m_stage->panel().machine().bagSeries().size(), 60);
+        m_stage->link().setOld(false);
+        m_stage->link().show(Situation::Stopped);
+        enter(Situation::Running);
+        QVERIFY(m_stage->find(QStringLiteral("filmPicture")));
+        QCOMPARE(m_stage->panel().machine().bagSeries().size(), 60);
+    }
+
+    void thePictureMovesWhileItIsSeen()
+    {
+        m_stage->theme()->setProperty("animated", true);
+        enter(Situation::Running);
+        QTRY_VERIFY(picture().isMoving());
+        tap("nav1");
+        QVERIFY(!m_stage->find(QStringLiteral("filmPicture")));
+        enter(Situation::Lost);
+        QVERIFY(picture().property("stale").toBool());
+        QVERIFY(!picture().isMoving());
+    }
+
+    void theToleranceIsChosen()
+    {
+        tap("nav2");
+        tap("section2");
+        tap("bagTolerance");
+        m_stage->type(QStringLiteral("9"));
+        QVERIFY2(textOf("keypadHint").contains(QStringLiteral("5.00")), qPrintable(textOf("keypadHint")));
+        tap("keypadCancel");
+        QVERIFY(!m_stage->find(QStringLiteral("keypad")));
+        tap("bagTolerance");
+        m_stage->type(QStringLiteral("0.05"));
+        tap("keypadAccept");
+        QCOMPARE(m_stage->panel().settings().bagToleranceMm(), 0.05);
+        enter(Situation::Running);
+        QCOMPARE(textOf("toleranceText"), QStringLiteral("±0.05 mm"));
+        QVERIFY(m_stage->panel().machine().bagsWithin() < 60);
+    }
+};
+
+QTEST_MAIN(TestPacking)
+#include "test_run_packing.moc"
