@@ -200,6 +200,29 @@ bool isSection(std::string_view name)
     });
 }
 
+// What is no TOML and not left to toml++ 3.3: it takes for granted that a section's bracket is followed by a
+// name, that no brace ends a list, and that some letters are not where a space could be. Else a debug build
+// ends, and what a release does is undefined. Empty: nothing of that.
+QString whyUnreadable(const QByteArray& line)
+{
+    static const QRegularExpression namelessSection(
+        uR"(^\x{FEFF}?[ \t]*\[[ \t]*+\[?+[ \t]*+(?![A-Za-z0-9_"'-]))"_s);
+    static const QRegularExpression strangeOutsideQuotes(
+        uR"(^\x{FEFF}?(?:[^"'#\x{80}-\x{10FFFF}]|"(?:\\.|[^"\\])*+"|'[^']*+')*+[\x{80}-\x{10FFFF}])"_s);
+    static const QRegularExpression misplacedBrace(
+        uR"(^[ \t]*\}|^(?:[^"'#]|"(?:\\.|[^"\\])*+"|'[^']*+')*[\[,][ \t]*\})"_s);
+    const QString text = QString::fromUtf8(line);
+    if (text.toUtf8() != line)
+        return u"not UTF-8"_s;
+    if (namelessSection.match(text).hasMatch())
+        return u"a section without a name"_s;
+    if (strangeOutsideQuotes.match(text).hasMatch())
+        return u"letters other than a to z are for texts in quotes and for comments"_s;
+    if (misplacedBrace.match(text).hasMatch())
+        return u"a brace that ends nothing"_s;
+    return {};
+}
+
 // Reads one text; see configurationFrom().
 class Reader {
 public:
@@ -212,8 +235,8 @@ public:
     ReadConfiguration read()
     {
         for (qsizetype i = 0; i < m_lines.size(); ++i) {
-            if (QString::fromUtf8(m_lines[i]).toUtf8() != m_lines[i])
-                dropLine(static_cast<toml::source_index>(i + 1), u"not UTF-8"_s);
+            if (const QString why = whyUnreadable(m_lines[i]); !why.isEmpty())
+                dropLine(static_cast<toml::source_index>(i + 1), why);
         }
         // A line that is no TOML would cost the whole file: without it the rest is tried again.
         for (qsizetype attempt = 0; attempt <= m_lines.size(); ++attempt) {

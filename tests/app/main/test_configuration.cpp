@@ -192,20 +192,46 @@ screen = "linuxfb"
     void aBrokenLineCostsOnlyItself_data()
     {
         QTest::addColumn<QByteArray>("line");
-        for (const char* line :
-             {"baud = fast", "baud 9600", "= 9600", "port = \"/dev/ttyS1", "baud = 9600 9600", "\x01\x02",
-              "parity = 'E", "baud = 96__00", "\xff\xfe = 1", "unit = [1, 2"})
+        for (const char* line : {"baud = fast",
+                                 "baud 9600",
+                                 "= 9600",
+                                 "port = \"/dev/ttyS1",
+                                 "baud = 9600 9600",
+                                 "\x01\x02",
+                                 "parity = 'E",
+                                 "baud = 96__00",
+                                 "\xff\xfe = 1",
+                                 "unit = [1, 2",
+                                 "[=]",
+                                 "[[ = ]]",
+                                 "[",
+                                 "[ \xc2\xa0]",
+                                 "\xc3\xa9 = 1",
+                                 "parity = \"E\" \xc3\xa9",
+                                 "it's \xc3\xa9",
+                                 "unit = [}",
+                                 "unit = [1, }",
+                                 "}"})
             QTest::addRow("%s", line) << QByteArray(line);
     }
     void aBrokenLineCostsOnlyItself()
     {
         QFETCH(QByteArray, line);
         const ReadConfiguration read = configurationFrom(
-            "[connection]\nunit = 7\n" + line + "\n[access]\noperators_log_in = true\n", name);
+            "[connection]\nunit = 7\n" + line + "\n[ access ]\noperators_log_in = true\n", name);
         QVERIFY(!read.complaints.isEmpty());
         QVERIFY2(read.complaints.first().startsWith(u"c.toml:3: "), qPrintable(read.complaints.first()));
         QCOMPARE(read.values.standard.connection.unit, 7);
         QVERIFY(read.values.standard.operatorsLogIn);
+    }
+
+    void textsAndCommentsTakeEveryLetter()
+    {
+        const ReadConfiguration read = configurationFrom(
+            "[connection] # caf\xc3\xa9's\nport = \"/dev/\xc3\xa9\\\"#[}\" # [} \xe4\xb8\xb2\xe5\x8f\xa3\n",
+            name);
+        QCOMPARE(read.complaints, QStringList());
+        QCOMPARE(read.values.standard.connection.portName, u"/dev/\u00e9\"#[}"_s);
     }
 
     void aKeySetTwiceHoldsItsFirstValue()
@@ -227,7 +253,7 @@ screen = "linuxfb"
         const QByteArray whole = installedExamples();
         constexpr unsigned seed = 20261122;
         std::mt19937 random(seed);
-        for (int round = 0; round < 300; ++round) {
+        for (int round = 0; round < 5000; ++round) {
             QByteArray text = whole;
             const int changes = 1 + static_cast<int>(random() % 20);
             for (int i = 0; i < changes; ++i)
