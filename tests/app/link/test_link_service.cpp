@@ -368,7 +368,7 @@ private slots:
         panel.link.watchFigures(true);
         panel.link.watchFrames(true);
         QTRY_VERIFY_WITH_TIMEOUT(panel.figures.size() >= 3 && panel.frames.size() > 100, timeoutMs);
-        const modbus::LinkFigures& last = panel.figures.last().figures;
+        const modbus::LinkFigures last = panel.figures.last().figures; // more come, and move the list
         QVERIFY(last.answers() > panel.figures.first().figures.answers());
         QCOMPARE(last.requests(), last.answers());
         QVERIFY(last.controller() && last.controller()->requests > 0);
