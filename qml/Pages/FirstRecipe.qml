@@ -48,7 +48,7 @@ FirstStep {
             objectName: "firstVerdict"
             width: parent.width
             wrapMode: Text.WordWrap
-            text: Editor.verdict
+            text: Theme.unbroken(Editor.verdict)
             color: Editor.severity === Editor.Severity.Bad ? Theme.color.fault : Theme.color.ink
         }
         Button {

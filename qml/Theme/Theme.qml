@@ -63,4 +63,8 @@ QtObject {
     function signedNumber(value: real, decimals: int): string {
         return (value > 0 ? "+" : "") + theme.number(value, decimals)
     }
+    // A sentence whose lines end neither between a number and its unit nor within a unit, at its slash.
+    function unbroken(sentence: string): string {
+        return sentence.replace(/(\d) (?=[%°µA-Za-z])/g, "$1\u00a0").replace(/\//g, "/\u2060")
+    }
 }

@@ -76,7 +76,7 @@ Card {
         anchors { left: caption.left; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
         width: Math.min(implicitWidth, chart.width / 2)
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 4
+        minimumPixelSize: Theme.size.caption - 5
         text: qsTr("tolerance ±%1 mm").arg(Theme.number(Machine.bagToleranceMm, 2))
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption

@@ -41,7 +41,7 @@ Card {
             objectName: "bagFigures"
             anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
             fontSizeMode: Text.HorizontalFit
-            minimumPixelSize: Theme.size.caption - 2
+            minimumPixelSize: Theme.size.caption - 3
             text: qsTr("mean %1, scatter %2").arg(Theme.number(Machine.bagMeanMm, 2)).arg(Theme.number(Machine.bagScatterMm, 2))
             color: card.figureColor
             font.pixelSize: Theme.size.caption

@@ -146,7 +146,7 @@ Card {
         width: plot.width - 2 * Theme.size.padding
         horizontalAlignment: Text.AlignHCenter
         wrapMode: Text.WordWrap
-        text: Editor.verdict
+        text: Theme.unbroken(Editor.verdict)
         color: Theme.color.secondaryInk
     }
 }

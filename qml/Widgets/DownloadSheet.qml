@@ -57,7 +57,7 @@ Sheet {
             width: parent.width
             visible: text.length > 0
             wrapMode: Text.WordWrap
-            text: Editor.downloadText
+            text: Theme.unbroken(Editor.downloadText)
             color: sheet.failed ? Theme.color.fault : Theme.color.ink
         }
         ProgressBar {

@@ -54,7 +54,7 @@ Card {
             readonly property real room: 0.7 * card.width - 3 * Theme.size.padding - target.width - actual.width - 2 * keys.spacing
             width: Math.min(implicitWidth, room)
             fontSizeMode: Text.HorizontalFit
-            minimumPixelSize: Theme.size.caption - 4
+            minimumPixelSize: Theme.size.caption - 5
             readonly property string number: Theme.number(Machine.followingErrorMm, 2)
             text: card.compact || words.advanceWidth > followingError.room ? qsTr("error %1 mm").arg(number) : words.text
             TextMetrics {

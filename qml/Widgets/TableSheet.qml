@@ -46,7 +46,7 @@ Sheet {
         visible: list.count === 0
         horizontalAlignment: Text.AlignHCenter
         wrapMode: Text.WordWrap
-        text: Editor.verdict
+        text: Theme.unbroken(Editor.verdict)
         color: Theme.color.secondaryInk
     }
 }

@@ -32,7 +32,7 @@ Card {
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
         minimumPixelSize: Theme.size.caption - 5
-        text: Editor.verdict.replace(/\//g, "/\u2060")      // no unit is broken at its slash
+        text: Theme.unbroken(Editor.verdict)
         font.weight: Font.DemiBold
     }
     Label {
@@ -41,7 +41,7 @@ Card {
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
         minimumPixelSize: Theme.size.caption - 3
-        text: Editor.downloadState === Editor.DownloadState.Failed ? Editor.downloadText : Editor.controllerText
+        text: Theme.unbroken(Editor.downloadState === Editor.DownloadState.Failed ? Editor.downloadText : Editor.controllerText)
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }

@@ -7,6 +7,7 @@
 #include "panel_test.h"
 
 #include <QPainter>
+#include <QRegularExpression>
 #include <QSet>
 
 #include <algorithm>
@@ -108,6 +109,16 @@ private slots:
                  qPrintable(textOf("explanationText")));
     }
 
+    void linesEndNeitherBeforeNorWithinAUnit()
+    {
+        editor().rate()->set(390);
+        tap("nav1");
+        QVERIFY2(editor().verdict().contains(QStringLiteral(" m/s²")), qPrintable(editor().verdict()));
+        const QString told = textOf("verdict");
+        static const QRegularExpression breakable(QStringLiteral(R"(\d [%A-Za-z]|/[^\x{2060}])"));
+        QVERIFY2(!told.isEmpty() && !breakable.match(told).hasMatch(), qPrintable(told));
+    }
+
     void timesOfAnswersSayHowTheyComeAbout()
     {
         tap("nav3");
@@ -163,7 +174,8 @@ private slots:
         for (const panel::Look& look : panel::usualLooks()) {
             qsizetype tests = 0;
             for (const QString& size : QStringLiteral(CAMPANEL_SELF_TESTED_SIZES).split(u' ')) {
-                const QList<panel::Look> tested = panel::looksOf({QStringLiteral("*-%1*").arg(size), {}, false});
+                const QList<panel::Look> tested =
+                    panel::looksOf({QStringLiteral("*-%1*").arg(size), {}, false});
                 tests += std::ranges::count(tested, look.name(), &panel::Look::name);
             }
             QVERIFY2(tests == 1, qPrintable(look.name()));
