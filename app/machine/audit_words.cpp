@@ -211,8 +211,9 @@ QString AuditWords::chain(const store::ChainCheck& check)
         break;
     }
     const QString rows = QLocale().toString(check.rows());
-    return check.losses() > 0 ? tr("Checked: unbroken, %1 rows; rows may have been lost once, see there.").arg(rows)
-                              : tr("Checked: unbroken, %1 rows.").arg(rows);
+    return check.losses() > 0
+               ? tr("Checked: unbroken, %1 rows; rows may have been lost once, see there.").arg(rows)
+               : tr("Checked: unbroken, %1 rows.").arg(rows);
 }
 
 } // namespace campanel::machine

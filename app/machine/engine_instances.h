@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gives a QML engine the objects behind the singletons of this module (Machine, Editor ...). Each engine has its
-// own, so that tests run side by side and nothing is global.
+// Gives a QML engine the objects behind the singletons of this module (Machine, Editor ...). Each engine has
+// its own, so that tests run side by side and nothing is global.
 #pragma once
 
 #include <QJSEngine>

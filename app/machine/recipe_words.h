@@ -16,7 +16,8 @@ class RecipeWords {
 
 public:
     [[nodiscard]] static QString fieldName(profile::Field field);
-    // What a number of the machine means, where it stands and what a wrong one does; empty for the other fields.
+    // What a number of the machine means, where it stands and what a wrong one does; empty for the other
+    // fields.
     [[nodiscard]] static QString machineHelp(profile::Field field);
     [[nodiscard]] static QString unit(std::string_view unit); // "mm/s^2" -> "mm/s²"
     [[nodiscard]] static QString lawName(profile::LawId law);

@@ -37,7 +37,8 @@ EndSignals::EndSignals()
     g_readEnd = ends[0];
     g_writeEnd = ends[1];
     m_notifier = std::make_unique<QSocketNotifier>(g_readEnd, QSocketNotifier::Read);
-    // The byte stays in the pipe: should an event loop end that is not the outermost one, the next is ended too.
+    // The byte stays in the pipe: should an event loop end that is not the outermost one, the next is ended
+    // too.
     QObject::connect(m_notifier.get(), &QSocketNotifier::activated, m_notifier.get(),
                      [] { QCoreApplication::exit(EXIT_SUCCESS); });
     struct sigaction action {};

@@ -32,8 +32,8 @@ public:
     [[nodiscard]] Panel& panel() { return m_panel; }
 
     using Finger::tap;
-    // A page whose key is not in the navigation, as in glove mode on a small screen, is behind the key More; a
-    // group of Service that has no key of its own, behind that for all groups.
+    // A page whose key is not in the navigation, as in glove mode on a small screen, is behind the key More;
+    // a group of Service that has no key of its own, behind that for all groups.
     void tap(const QString& name);
     // The machine looks at the age of its data now; by itself it does so every tenth of a real second.
     void lookAtClock();

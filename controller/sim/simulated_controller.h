@@ -17,8 +17,8 @@ class SimulatedController {
 public:
     static constexpr std::uint64_t usualStepUs = CTL_SLICE_US;
 
-    // The flash must outlive the controller. Longer steps are quicker; the bags come out the same to a pulse of
-    // the film motor.
+    // The flash must outlive the controller. Longer steps are quicker; the bags come out the same to a pulse
+    // of the film motor.
     SimulatedController(const ctl_config& config, const MachineOptions& options, FlashDevice& flash,
                         std::uint64_t stepUs = usualStepUs);
     SimulatedController(const SimulatedController&) = delete;

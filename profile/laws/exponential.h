@@ -15,7 +15,8 @@ inline constexpr std::array exponentialParameters{
 
 inline LawPoint exponentialAt(double x, const LawParameters& parameters)
 {
-    // With k >= 0.1 the differences lose at most two of sixteen digits, and exp is three times faster than expm1.
+    // With k >= 0.1 the differences lose at most two of sixteen digits, and exp is three times faster than
+    // expm1.
     const double k = parameters[0];
     const double decayed = std::exp(-k * x);
     const double scale = 1 / (1 - std::exp(-k));

@@ -174,7 +174,8 @@ void TestKindsAndController::aSpeedIsHeldUntilTheStop()
     const auto end = panel.status();
     const double seconds = static_cast<std::uint16_t>(end.sampleTimeMs - begin.sampleTimeMs) / 1000.0;
     const double meanHz = (end.commandedPositionPulses - begin.commandedPositionPulses) / seconds;
-    QVERIFY2(std::abs(meanHz - expectedHz) < 0.005 * std::abs(expectedHz), // the status is some milliseconds old
+    // The status is some milliseconds old.
+    QVERIFY2(std::abs(meanHz - expectedHz) < 0.005 * std::abs(expectedHz),
              qPrintable(QString::number(meanHz)));
     QVERIFY(isHeld());
     panel.machine.stop();

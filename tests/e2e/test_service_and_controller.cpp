@@ -38,7 +38,8 @@ private slots:
         ControllerProcess controller;
         PanelWindow panel(controller.port());
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
-        for (const char* name : {"nav3", "serviceLine", "service2", "registerGroup", "choice_parameter", "register2"})
+        for (const char* name :
+             {"nav3", "serviceLine", "service2", "registerGroup", "choice_parameter", "register2"})
             panel.tap(name);
         QTRY_COMPARE_WITH_TIMEOUT(rampTime(panel), "800 ms", timeoutMs);
         panel.tap("registerWrite");
