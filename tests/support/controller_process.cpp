@@ -2,6 +2,8 @@
 // Starting, waiting for the port, killing.
 #include "tests/support/controller_process.h"
 
+#include <QFile>
+
 #include <stdexcept>
 
 namespace campanel::test {
@@ -39,6 +41,9 @@ void ControllerProcess::kill()
 {
     if (m_process.state() == QProcess::NotRunning)
         return;
+    // The name goes first, as with a pulled adapter: the system gives the terminal's number to whoever asks
+    // next, and the name would then lead to the controller of another test.
+    QFile::remove(port());
     m_process.kill();
     m_process.waitForFinished();
 }
