@@ -205,20 +205,21 @@ bool isSection(std::string_view name)
 // ends, and what a release does is undefined. Empty: nothing of that.
 QString whyUnreadable(const QByteArray& line)
 {
-    static const QRegularExpression namelessSection(
-        uR"(^\x{FEFF}?[ \t]*\[[ \t]*+\[?+[ \t]*+(?![A-Za-z0-9_"'-]))"_s);
-    static const QRegularExpression strangeOutsideQuotes(
-        uR"(^\x{FEFF}?(?:[^"'#\x{80}-\x{10FFFF}]|"(?:\\.|[^"\\])*+"|'[^']*+')*+[\x{80}-\x{10FFFF}])"_s);
-    static const QRegularExpression misplacedBrace(
-        uR"(^[ \t]*\}|^(?:[^"'#]|"(?:\\.|[^"\\])*+"|'[^']*+')*[\[,][ \t]*\})"_s);
-    const QString text = QString::fromUtf8(line);
-    if (text.toUtf8() != line)
+    // Of a text only its first quote is kept, of a comment nothing.
+    static const QRegularExpression textOrComment(uR"((")(?:\\.?|[^"\\])*+"?|(')[^']*+'?|#.*)"_s);
+    static const QRegularExpression namelessSection(uR"(^[ \t]*\[[ \t]*+\[?+[ \t]*+(?![A-Za-z0-9_"'-]))"_s);
+    static const QRegularExpression misplacedBrace(uR"((?:^|[\[,])[ \t]*\})"_s);
+    QString rest = QString::fromUtf8(line);
+    if (rest.toUtf8() != line)
         return u"not UTF-8"_s;
-    if (namelessSection.match(text).hasMatch())
+    rest.replace(textOrComment, u"\\1\\2"_s);
+    if (rest.startsWith(QChar::ByteOrderMark))
+        rest.remove(0, 1);
+    if (namelessSection.match(rest).hasMatch())
         return u"a section without a name"_s;
-    if (strangeOutsideQuotes.match(text).hasMatch())
+    if (std::any_of(rest.begin(), rest.end(), [](QChar letter) { return letter.unicode() >= 0x80; }))
         return u"letters other than a to z are for texts in quotes and for comments"_s;
-    if (misplacedBrace.match(text).hasMatch())
+    if (misplacedBrace.match(rest).hasMatch())
         return u"a brace that ends nothing"_s;
     return {};
 }
