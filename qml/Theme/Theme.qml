@@ -65,6 +65,6 @@ QtObject {
     }
     // A sentence whose lines end neither between a number and its unit nor within a unit, at its slash.
     function unbroken(sentence: string): string {
-        return sentence.replace(/(\d) (?=[%°µA-Za-z])/g, "$1\u00a0").replace(/\//g, "/\u2060")
+        return sentence.replace(/(\d) (?=[%°µA-Za-z\u4e00-\u9fff])/g, "$1\u00a0").replace(/\//g, "/\u2060")
     }
 }

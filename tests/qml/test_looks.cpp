@@ -109,13 +109,27 @@ private slots:
                  qPrintable(textOf("explanationText")));
     }
 
+    void linesEndNeitherBeforeNorWithinAUnit_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<double>("rate");
+        QTest::addColumn<QString>("unit");
+        QTest::newRow("English") << QStringLiteral("en") << 390.0 << QStringLiteral(" m/s²");
+        QTest::newRow("Chinese") << QStringLiteral("zh_CN") << 60.0 << QStringLiteral(" 袋/分");
+    }
     void linesEndNeitherBeforeNorWithinAUnit()
     {
-        editor().rate()->set(390);
+        QFETCH(QString, language);
+        QFETCH(double, rate);
+        QFETCH(QString, unit);
+        m_stage->panel().settings().overrideLanguage(language);
+        m_stage->settle();
+        editor().rate()->set(rate);
         tap("nav1");
-        QVERIFY2(editor().verdict().contains(QStringLiteral(" m/s²")), qPrintable(editor().verdict()));
+        QVERIFY2(editor().verdict().contains(unit), qPrintable(editor().verdict()));
         const QString told = textOf("verdict");
-        static const QRegularExpression breakable(QStringLiteral(R"(\d [%A-Za-z]|/[^\x{2060}])"));
+        static const QRegularExpression breakable(
+            QStringLiteral(R"(\d [%A-Za-z\x{4e00}-\x{9fff}]|/[^\x{2060}])"));
         QVERIFY2(!told.isEmpty() && !breakable.match(told).hasMatch(), qPrintable(told));
     }
 
