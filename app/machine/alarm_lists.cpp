@@ -6,20 +6,52 @@
 #include <algorithm>
 
 namespace campanel::machine {
+namespace {
+
+qint64 idOf(const AlarmEntry& entry)
+{
+    return entry.row.id;
+}
+
+} // namespace
 
 void LiveAlarms::setEntries(std::vector<AlarmEntry> entries, const QDate& today)
 {
     m_today = today;
-    const auto idOf = [](const AlarmEntry& entry) { return entry.row.id; };
-    if (std::ranges::equal(m_entries, entries, {}, idOf, idOf)) {
-        m_entries = std::move(entries); // the list stays where the finger left it
-        retranslate();
-        return;
+    const int before = count();
+    const auto isIn = [](const std::vector<AlarmEntry>& list, const AlarmEntry& entry) {
+        return std::ranges::find(list, entry.row.id, idOf) != list.end();
+    };
+    for (int at = count() - 1; at >= 0; --at) {
+        if (isIn(entries, m_entries[static_cast<std::size_t>(at)]))
+            continue;
+        beginRemoveRows({}, at, at);
+        m_entries.erase(m_entries.begin() + at);
+        endRemoveRows();
     }
-    beginResetModel();
+    for (int at = 0; at < static_cast<int>(entries.size()); ++at)
+        place(entries[static_cast<std::size_t>(at)], at);
     m_entries = std::move(entries);
-    endResetModel();
-    emit countChanged();
+    retranslate();
+    if (count() != before)
+        emit countChanged();
+}
+
+// What stands before it is in its place already.
+void LiveAlarms::place(const AlarmEntry& entry, int at)
+{
+    const auto there = m_entries.begin() + at;
+    const auto found = std::ranges::find(there, m_entries.end(), entry.row.id, idOf);
+    if (found == m_entries.end()) {
+        beginInsertRows({}, at, at);
+        m_entries.insert(there, entry);
+        endInsertRows();
+    } else if (found != there) {
+        const int from = static_cast<int>(found - m_entries.begin());
+        beginMoveRows({}, from, from, {}, at);
+        std::rotate(there, found, found + 1);
+        endMoveRows();
+    }
 }
 
 void LiveAlarms::retranslate()

@@ -19,6 +19,7 @@ class LiveAlarms : public QAbstractListModel {
 public:
     using QAbstractListModel::QAbstractListModel;
 
+    // Occurrences that stay keep their rows: the list stays where the finger left it.
     void setEntries(std::vector<AlarmEntry> entries, const QDate& today);
     [[nodiscard]] const std::vector<AlarmEntry>& entries() const { return m_entries; }
     [[nodiscard]] int count() const { return static_cast<int>(m_entries.size()); }
@@ -32,6 +33,8 @@ signals:
     void countChanged();
 
 private:
+    void place(const AlarmEntry& entry, int at);
+
     std::vector<AlarmEntry> m_entries;
     QDate m_today;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A row of choices of which one holds, or none yet; each choice is {key, text, glyph, name}, the name for who looks for it.
+// New words for the same number of choices leave the keys where they are, also under a finger that is down.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T
@@ -20,16 +21,17 @@ Rectangle {
     Row {
         anchors.fill: parent
         Repeater {
-            model: segmented.choices
+            model: segmented.choices.length
             T.AbstractButton {
                 id: choice
-                required property var modelData
-                readonly property bool holds: modelData.key === segmented.current
+                required property int index
+                readonly property var told: segmented.choices[index] ?? {}  // fewer choices: one that is about to go
+                readonly property bool holds: told.key === segmented.current
                 readonly property color ink: !enabled ? Theme.color.disabledInk : holds ? Theme.color.touch : Theme.color.secondaryInk
-                objectName: modelData.name ?? ""
+                objectName: told.name ?? ""
                 width: segmented.width / segmented.choices.length
                 height: segmented.height
-                onClicked: segmented.chosen(modelData.key)
+                onClicked: segmented.chosen(told.key)
                 background: Rectangle {
                     radius: Theme.size.radius
                     color: choice.holds || choice.down ? Theme.color.touchTint : "transparent"
@@ -44,7 +46,7 @@ Rectangle {
                             id: sign
                             anchors.verticalCenter: parent.verticalCenter
                             visible: code.length > 0
-                            code: choice.modelData.glyph ?? ""
+                            code: choice.told.glyph ?? ""
                             color: choice.ink
                         }
                         Label {
@@ -53,7 +55,7 @@ Rectangle {
                             width: Math.min(implicitWidth, choice.width - 2 * Theme.size.accent - (sign.visible ? sign.width + Theme.size.spacing : 0))
                             fontSizeMode: Text.HorizontalFit
                             minimumPixelSize: Theme.size.caption - 5
-                            text: choice.modelData.text
+                            text: choice.told.text ?? ""
                             color: choice.ink
                             font.weight: choice.holds ? Font.Bold : Font.DemiBold
                         }

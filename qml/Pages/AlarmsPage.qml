@@ -14,7 +14,8 @@ Page {
 
     Segmented {
         id: tabs
-        anchors { left: parent.left; right: acknowledgeAll.visible ? acknowledgeAll.left : parent.right; top: parent.top; rightMargin: acknowledgeAll.visible ? Theme.size.spacing : 0 }
+        // Beside the other key also while that is not there: an alarm that comes moves nothing under a finger.
+        anchors { left: parent.left; right: acknowledgeAll.left; top: parent.top; rightMargin: Theme.size.spacing }
         color: Theme.color.surface
         choices: [{ key: 0, name: "alarmsLive", text: Alarms.active > 0 ? qsTr("Active: %1").arg(Alarms.active) : qsTr("Active") },
             { key: 1, name: "alarmsHistory", text: qsTr("History") },

@@ -176,9 +176,11 @@ private slots:
         controller.start();
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().connection(), Machine::Connection::Connected, timeoutMs);
         panel.finger().settle();
-        QTRY_VERIFY_WITH_TIMEOUT(!panel.texts().contains(QStringLiteral("Connection lost")), timeoutMs);
+        QTRY_VERIFY2_WITH_TIMEOUT(!panel.texts().contains(QStringLiteral("Connection lost")),
+                                  qPrintable(panel.texts()), timeoutMs);
         panel.tap("alarmsHistory");
-        QTRY_VERIFY_WITH_TIMEOUT(panel.texts().contains(QStringLiteral("Connection lost")), timeoutMs);
+        QTRY_VERIFY2_WITH_TIMEOUT(panel.texts().contains(QStringLiteral("Connection lost")),
+                                  qPrintable(panel.complaints().join(u'|') + panel.texts()), timeoutMs);
         QCOMPARE(panel.complaints(), QStringList());
     }
 

@@ -75,6 +75,21 @@ private slots:
         QVERIFY(isShown("liveAlarm0"));
     }
 
+    void alarmUnderAFingerTakesNoKeyAway()
+    {
+        tap("nav6");
+        const double place = m_stage->find(QStringLiteral("alarmsShelved"))->mapToScene({}).x();
+        m_stage->touch(QStringLiteral("alarmsShelved"));
+        show(Situation::Fault);
+        QCOMPARE(alarms().active(), 1);
+        m_stage->lift();
+        m_stage->settle();
+        QVERIFY(textOf("alarmsEmpty").startsWith(QStringLiteral("Nothing is shelved.")));
+        tap("alarmsLive");
+        QVERIFY(isShown("alarmsAcknowledgeAll"));
+        QCOMPARE(m_stage->find(QStringLiteral("alarmsShelved"))->mapToScene({}).x(), place);
+    }
+
     void warningIsShelvedAndTakenBack()
     {
         show(Situation::Lost);

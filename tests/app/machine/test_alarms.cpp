@@ -3,6 +3,7 @@
 #include "alarm_fill.h"
 #include "alarm_rig.h"
 
+#include <QAbstractItemModelTester>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QSignalSpy>
@@ -78,14 +79,19 @@ private slots:
     void mostUrgentIsFirst()
     {
         AlarmRig rig;
+        const QAbstractItemModelTester rowsAreTold(rig.alarms->live());
+        const QSignalSpy reset(rig.alarms->live(), &QAbstractItemModel::modelReset);
         rig.panel.connectIdle();
         rig.setWarnings(notHomed | flash);
         QCOMPARE(rig.live(), (Lines{"W-03 active calls", "W-02 active"}));
+        const QPersistentModelIndex asked(rig.alarms->live()->index(0));
         rig.setFaults(tooFast);
         QCOMPARE(rig.live(), (Lines{"C-07 active calls", "W-03 active calls", "W-02 active"}));
+        QCOMPARE(asked.row(), 1);
         QCOMPARE(rig.alarms->urgentCode(), "C-07");
         rig.alarms->acknowledge(0);
         QCOMPARE(rig.live(), (Lines{"W-03 active calls", "C-07 active", "W-02 active"}));
+        QCOMPARE(asked.row(), 0);
         QCOMPARE(rig.alarms->callingSeverity(), machine::Alarms::Severity::Warning);
         QCOMPARE(rig.alarms->urgentCode(), "C-07");
         rig.setFaults(0);
@@ -93,6 +99,8 @@ private slots:
         rig.alarms->acknowledgeAll();
         QCOMPARE(rig.live(), Lines{"W-02 active"});
         QVERIFY2(rig.alarms->urgentCode().isEmpty(), "a notice is not urgent");
+        QVERIFY(!asked.isValid());
+        QVERIFY2(reset.isEmpty(), "a list that is made anew loses its place and what is pressed");
     }
 
     void comingAndGoingQuicklyIsOneOccurrence()
