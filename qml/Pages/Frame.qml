@@ -135,13 +135,14 @@ Rectangle {
     TopBar {
         id: topBar
         visible: !frame.wiped
-        anchors { left: navigation.right; right: parent.right; top: parent.top }
+        // At the first start there is no other page to go to.
+        anchors { left: firstStart.active ? parent.left : navigation.right; right: parent.right; top: parent.top }
     }
-    // What of the navigation stands above the sheets' region is dimmed with the rest of it.
+    // What of the navigation stands above the sheets' region is dimmed with the rest of it, and cannot be touched.
     Rectangle {
         anchors { left: navigation.left; right: navigation.right; top: parent.top; bottom: topBar.bottom }
         visible: frame.sheet !== null || loginLoader.active || firstStart.active
-        color: Theme.color.scrim
+        color: firstStart.active ? "transparent" : Theme.color.scrim
         MouseArea {
             anchors.fill: parent
             onClicked: frame.closeAll()
