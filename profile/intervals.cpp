@@ -94,21 +94,6 @@ PlanRules planRules(const SpeedCurve& curve, const Machine& machine, IntervalMod
     return rules;
 }
 
-// A speed error that can be kept, about the least.
-double keptSpeedErrorMmPerS(const SpeedCurve& curve, const Machine& machine, IntervalMode mode,
-                            double triedHz)
-{
-    constexpr double factor = 1.3;
-    const double pulsesPerMm = axisPulsesPerMm(machine);
-    const double mostHz = 2 * fastestHz(curve);
-    for (double error = std::max(triedHz, mostHz * 1e-6) * factor; error < mostHz; error *= factor) {
-        PlanRules rules = planRules(curve, machine, mode, error);
-        if (rules.toleranceHz > 0 && detail::planRows(curve, rules, intervalCapacity))
-            return error / pulsesPerMm;
-    }
-    return mostHz / pulsesPerMm;
-}
-
 void measure(IntervalTable& table, const MotionProfile& motion, double pulsesPerMm, double iterationS)
 {
     const int bits = detail::accumulatorBits + table.fractionBits;
@@ -154,6 +139,55 @@ void measure(IntervalTable& table, const MotionProfile& motion, double pulsesPer
     table.timeS = static_cast<double>(before) * detail::realIterationS;
 }
 
+// None where no table that keeps the error is found.
+std::optional<IntervalTable> tableWithin(double speedErrorMmPerS, const SpeedCurve& curve,
+                                         const MotionProfile& motion, const Machine& machine,
+                                         IntervalMode mode)
+{
+    const double pulsesPerMm = axisPulsesPerMm(machine);
+    const double duration = motion.durationS();
+    const double direction = motion.at(duration).positionMm < motion.at(0).positionMm ? -1 : 1;
+    PlanRules rules = planRules(curve, machine, mode, speedErrorMmPerS * pulsesPerMm);
+    // What lies between the samples of the search is measured afterwards; a plan beyond the error is made
+    // again.
+    constexpr int attempts = 4;
+    constexpr double tighter = 0.95;
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+        if (!(rules.toleranceHz > 0))
+            break;
+        auto plan = detail::planRows(curve, rules, intervalCapacity);
+        if (!plan)
+            break;
+        IntervalTable table;
+        table.rows = std::move(plan->rows);
+        table.fewestLinks = static_cast<int>(plan->fewestLinks);
+        table.fractionBits = rules.fractionBits;
+        table.advance = static_cast<std::int64_t>(direction) * curve.wholePulses();
+        table.profileTimeS = duration;
+        measure(table, motion, pulsesPerMm, rules.iterationS);
+        table.cycleTicks = static_cast<std::uint32_t>(std::ceil(table.timeS * machine.timerClockHz - 1e-6));
+        if (table.errors.speedMmPerS <= speedErrorMmPerS)
+            return table;
+        rules.toleranceHz *= tighter;
+    }
+    return std::nullopt;
+}
+
+// One that can be kept, about the least, and more than the one tried. Sought from above: where the error is
+// too small by little, a plan takes seconds.
+double keptSpeedErrorMmPerS(double triedMmPerS, const SpeedCurve& curve, const MotionProfile& motion,
+                            const Machine& machine, IntervalMode mode)
+{
+    constexpr double factor = 1.5;
+    constexpr double leastShare = 1e-6; // of the largest
+    const double largest = 2 * fastestHz(curve) / axisPulsesPerMm(machine);
+    const double least = std::max(triedMmPerS, largest * leastShare);
+    double kept = largest;
+    while (kept / factor > least && tableWithin(kept / factor, curve, motion, machine, mode))
+        kept /= factor;
+    return kept;
+}
+
 } // namespace
 
 tl::expected<IntervalTable, Refusal> compileIntervals(const MotionProfile& motion, const Machine& machine,
@@ -181,33 +215,11 @@ tl::expected<IntervalTable, Refusal> compileIntervals(const MotionProfile& motio
         return tl::unexpected(
             refusal(Limit::TableRange, duration * machine.timerClockHz, mostTicks, "ticks"));
 
-    const double errorHz = speedErrorMmPerS * pulsesPerMm;
-    PlanRules rules = planRules(curve, machine, mode, std::isfinite(errorHz) ? errorHz : 0);
-    // What lies between the samples of the search is measured afterwards; a plan beyond the error is made
-    // again.
-    constexpr int attempts = 4;
-    constexpr double tighter = 0.95;
-    for (int attempt = 0; attempt < attempts; ++attempt) {
-        if (!(rules.toleranceHz > 0))
-            break;
-        auto plan = detail::planRows(curve, rules, intervalCapacity);
-        if (!plan)
-            break;
-        IntervalTable table;
-        table.rows = std::move(plan->rows);
-        table.fewestLinks = static_cast<int>(plan->fewestLinks);
-        table.fractionBits = rules.fractionBits;
-        table.advance = static_cast<std::int64_t>(direction) * curve.wholePulses();
-        table.profileTimeS = duration;
-        measure(table, motion, pulsesPerMm, rules.iterationS);
-        table.cycleTicks = static_cast<std::uint32_t>(std::ceil(table.timeS * machine.timerClockHz - 1e-6));
-        if (table.errors.speedMmPerS <= speedErrorMmPerS)
-            return table;
-        rules.toleranceHz *= tighter;
-    }
-    const double triedHz = std::isfinite(errorHz) ? std::max(0.0, errorHz) : 0;
+    const double error = std::isfinite(speedErrorMmPerS) ? speedErrorMmPerS : 0;
+    if (auto table = tableWithin(error, curve, motion, machine, mode))
+        return *std::move(table);
     return tl::unexpected(refusal(Limit::SpeedError, speedErrorMmPerS,
-                                  keptSpeedErrorMmPerS(curve, machine, mode, triedHz), "mm/s"));
+                                  keptSpeedErrorMmPerS(error, curve, motion, machine, mode), "mm/s"));
 }
 
 } // namespace campanel::profile

@@ -126,6 +126,7 @@ private slots:
     void speedsAtTheEndsAreExact_data();
     void speedsAtTheEndsAreExact();
     void refusals();
+    void refusedErrorNamesOneThatIsKept();
     void randomMoves();
 };
 
@@ -279,11 +280,22 @@ void TestIntervals::refusals()
     QCOMPARE(limit(move(LawId::Quintic, 600, 1), -1), std::optional(Limit::SpeedError));
     QCOMPARE(limit(move(LawId::Quintic, 600, 1), std::nan("")), std::optional(Limit::SpeedError));
     QCOMPARE(limit(move(LawId::Quintic, 60000, 1), 10), std::optional(Limit::PulseFrequency));
-    const auto tight = compileIntervals(move(LawId::Quintic, 600, 1), machine, 0.01, IntervalMode::Corrected);
-    QVERIFY(!tight && tight.error().limit == Limit::SpeedError);
-    QVERIFY(compileIntervals(move(LawId::Quintic, 600, 1), machine, tight.error().allowed,
-                             IntervalMode::Corrected));
-    QVERIFY(!describe(tight.error()).empty());
+}
+
+void TestIntervals::refusedErrorNamesOneThatIsKept()
+{
+    const Machine machine;
+    for (const auto& motion : {move(LawId::Quintic, 600, 1), move(LawId::Cubic, 30, 0.1)}) {
+        for (const double error : {0.0, 0.004}) {
+            const auto tight = compileIntervals(motion, machine, error, IntervalMode::Corrected);
+            QVERIFY(!tight && tight.error().limit == Limit::SpeedError);
+            QVERIFY(!describe(tight.error()).empty());
+            const double allowed = tight.error().allowed;
+            QVERIFY(allowed > error);
+            QVERIFY2(compileIntervals(motion, machine, allowed, IntervalMode::Corrected),
+                     qPrintable(QStringLiteral("%1 mm/s, instead of %2").arg(allowed).arg(error)));
+        }
+    }
 }
 
 void TestIntervals::randomMoves()
