@@ -2,6 +2,7 @@
 // campanelctl as a person calls it: the real program, its output, its exit code and its one line of
 // complaint.
 #include "app/store/recipe_file.h"
+#include "campanelctl_call.h"
 #include "modbus/register_document.h"
 #include "modbus/rtu_client.h"
 #include "tests/support/controller_process.h"
@@ -10,39 +11,11 @@
 #include <QtTest>
 
 #include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QTemporaryDir>
 
 using namespace campanel;
 using namespace Qt::StringLiterals;
-using campanel::test::ControllerProcess;
-
-namespace {
-
-struct Result {
-    int code = -1;
-    QByteArray out;
-    QByteArray complaint;
-
-    [[nodiscard]] QJsonObject json() const { return QJsonDocument::fromJson(out).object(); }
-};
-
-Result call(const QStringList& arguments)
-{
-    QProcess process;
-    process.start(QStringLiteral(CAMPANELCTL), arguments);
-    constexpr int longestMs = 30'000;
-    if (!process.waitForFinished(longestMs))
-        return {};
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-            process.readAllStandardOutput(), process.readAllStandardError()};
-}
-
-// 0 ok, 1 refused, 2 usage, 3 link, 4 file.
-enum Code { Ok = 0, Refused = 1, Usage = 2, Link = 3, File = 4 };
-
-} // namespace
+using namespace campanel::test;
 
 class CliTest : public QObject {
     Q_OBJECT

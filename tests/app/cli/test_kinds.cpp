@@ -2,13 +2,11 @@
 // campanelctl with every kind of program: laws compared, intervals, knots, profiles and tables, and its
 // complaints about what does not fit together.
 #include "app/store/recipe_file.h"
+#include "campanelctl_call.h"
 
 #include <QtTest>
 
 #include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QProcess>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 
@@ -16,34 +14,9 @@
 
 using namespace campanel;
 using namespace Qt::StringLiterals;
+using namespace campanel::test;
 
 namespace {
-
-struct Result {
-    int code = -1;
-    QByteArray out;
-    QByteArray complaint;
-
-    [[nodiscard]] QJsonObject json() const { return QJsonDocument::fromJson(out).object(); }
-};
-
-Result call(const QString& words)
-{
-    QProcess process;
-    process.start(QStringLiteral(CAMPANELCTL), words.split(u' ', Qt::SkipEmptyParts));
-    constexpr int longestMs = 30'000;
-    if (!process.waitForFinished(longestMs))
-        return {};
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-            process.readAllStandardOutput(), process.readAllStandardError()};
-}
-
-enum Code { Ok = 0, Refused = 1, Usage = 2, File = 4 };
-
-QList<QByteArray> linesOf(const Result& result)
-{
-    return result.out.trimmed().split('\n');
-}
 
 bool isNear(double value, double expected, double within)
 {
@@ -123,7 +96,7 @@ void CliKindsTest::profileOfEachKind()
     QVERIFY(times.size() >= 50);
     QCOMPARE(times.last().toDouble(), object[u"cycle"_s][u"time_s"_s].toDouble());
     const Result csv = call(u"profile --format csv --points 50 "_s + words);
-    QCOMPARE(linesOf(csv).size(), times.size() + 1);
+    QCOMPARE(csv.lines().size(), times.size() + 1);
     QVERIFY(csv.out.startsWith("time_s,position_mm,"));
     QVERIFY(call(u"profile "_s + words).out.contains("kind "));
 }
@@ -184,9 +157,9 @@ void CliKindsTest::tableOfEachKind()
     QFETCH(double, last);
     const Result csv = call(u"table --format csv "_s + words);
     QVERIFY2(csv.code == Ok, csv.complaint.constData());
-    QCOMPARE(linesOf(csv).first(), header);
-    QCOMPARE(linesOf(csv).size(), rows + 1);
-    QCOMPARE(linesOf(csv).last().split(',')[column].toDouble(), last);
+    QCOMPARE(csv.lines().first(), header);
+    QCOMPARE(csv.lines().size(), rows + 1);
+    QCOMPARE(csv.lines().last().split(',')[column].toDouble(), last);
     const QJsonObject json = call(u"table --format json "_s + words).json();
     QCOMPARE(json[u"rows"_s].toArray().size(), rows);
     QCOMPARE(json[u"rows_used"_s].toInt(), rows);
@@ -248,12 +221,12 @@ void CliKindsTest::intervalsOfAMove()
                                "--speed-error-mm-per-s 20"_s);
     QVERIFY(isNear(slower.json()[u"time_s"_s].toDouble(), 1.00663296 * object[u"time_s"_s].toDouble(), 5e-3));
     const Result csv = call(u"intervals --kind speed_move --format csv --speed-error-mm-per-s 100"_s);
-    QCOMPARE(linesOf(csv).first(), QByteArray("pulses,first_hz,last_hz,acceleration_hz_per_s"));
+    QCOMPARE(csv.lines().first(), QByteArray("pulses,first_hz,last_hz,acceleration_hz_per_s"));
     // 9000 mm/s at 10 pulses a mm, by the clock that there is.
-    QVERIFY2(isNear(linesOf(csv).last().split(',')[2].toDouble(), 90'000, 0.01), csv.out.constData());
+    QVERIFY2(isNear(csv.lines().last().split(',')[2].toDouble(), 90'000, 0.01), csv.out.constData());
     const Result table = call(u"table --kind position_move --execution intervals --format csv"_s);
     double sum = 0;
-    for (const QByteArray& line : linesOf(table).mid(1))
+    for (const QByteArray& line : table.lines().mid(1))
         sum += line.split(',')[1].toDouble();
     QCOMPARE(sum, 60'000.0);
 }
@@ -262,7 +235,7 @@ void CliKindsTest::lawsCompared()
 {
     const Result text = call(u"compare --kind speed_move"_s);
     QVERIFY2(text.code == Ok, text.complaint.constData());
-    QCOMPARE(linesOf(text).size(), 13);
+    QCOMPARE(text.lines().size(), 13);
     QVERIFY(text.out.contains("\nhalf_modified_sine       1.000    5400.0"));
     const Result json = call(u"compare --kind position_move --max-motor-rpm 6000 --format json"_s);
     int feasible = 0;

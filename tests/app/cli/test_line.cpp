@@ -1,44 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // campanelctl doctor, link and frames, as a person calls them.
+#include "campanelctl_call.h"
 #include "tests/support/controller_process.h"
 #include "tests/support/scripted_slave.h"
 
 #include <QtTest>
 
 #include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QProcess>
 
 #include <memory>
 
 using namespace Qt::StringLiterals;
-using campanel::test::ControllerProcess;
-using campanel::test::Fault;
-using campanel::test::ScriptedSlave;
-
-namespace {
-
-struct Result {
-    int code = -1;
-    QByteArray out;
-    QByteArray complaint;
-};
-
-Result call(const QStringList& arguments)
-{
-    QProcess process;
-    process.start(QStringLiteral(CAMPANELCTL), arguments);
-    constexpr int longestMs = 60'000;
-    if (!process.waitForFinished(longestMs))
-        return {};
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-            process.readAllStandardOutput(), process.readAllStandardError()};
-}
-
-enum Code { Ok = 0, Usage = 2, Link = 3 };
-
-} // namespace
+using namespace campanel::test;
 
 class CliLineTest : public QObject {
     Q_OBJECT

@@ -1,40 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // campanelctl simulate as a person calls it: rows, summary, table, complaints and exit codes.
+#include "campanelctl_call.h"
+
 #include <QtTest>
 
 #include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
 
 using namespace Qt::StringLiterals;
-
-namespace {
-
-struct Result {
-    int code = -1;
-    QByteArray out;
-    QByteArray complaint;
-
-    [[nodiscard]] QJsonObject json() const { return QJsonDocument::fromJson(out).object(); }
-    [[nodiscard]] QList<QByteArray> lines() const { return out.trimmed().split('\n'); }
-};
-
-Result call(const QString& words)
-{
-    QProcess process;
-    process.start(QStringLiteral(CAMPANELCTL), words.split(u' ', Qt::SkipEmptyParts));
-    constexpr int longestMs = 60'000;
-    if (!process.waitForFinished(longestMs))
-        return {};
-    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
-            process.readAllStandardOutput(), process.readAllStandardError()};
-}
-
-enum Code { Ok = 0, Refused = 1, Usage = 2, File = 4 };
-
-} // namespace
+using namespace campanel::test;
 
 class CliSimulateTest : public QObject {
     Q_OBJECT
