@@ -173,8 +173,8 @@ std::optional<IntervalTable> tableWithin(double speedErrorMmPerS, const SpeedCur
     return std::nullopt;
 }
 
-// One that can be kept, about the least, and more than the one tried. Sought from above: where the error is
-// too small by little, a plan takes seconds.
+// One that can be kept, more than the one tried: from above the last before one that cannot. Smaller ones may
+// be kept again; but where the error is too small by little, each plan takes seconds.
 double keptSpeedErrorMmPerS(double triedMmPerS, const SpeedCurve& curve, const MotionProfile& motion,
                             const Machine& machine, IntervalMode mode)
 {
