@@ -14,11 +14,6 @@ constexpr RegisterInfo step(RegisterInfo row)
     return withLayout(row, Layout::StepTable);
 }
 
-constexpr RegisterInfo cutter(RegisterInfo row)
-{
-    return withKind(ProgramKind::RotaryCutter, row);
-}
-
 constexpr RegisterInfo positionMove(RegisterInfo row)
 {
     return withKind(ProgramKind::PositionMove, row);

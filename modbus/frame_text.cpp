@@ -2,6 +2,7 @@
 #include "modbus/frame_text.h"
 
 #include "modbus/crc16.h"
+#include "modbus/function_codes.h"
 #include "modbus/link_error.h"
 #include "modbus/register_document.h"
 
@@ -10,11 +11,6 @@
 
 namespace campanel::modbus {
 namespace {
-
-constexpr std::uint8_t readHolding = 3;
-constexpr std::uint8_t writeMultiple = 16;
-constexpr std::uint8_t writeAndRead = 23;
-constexpr unsigned exceptionFlag = 0x80;
 
 using Bytes = std::span<const std::uint8_t>;
 
@@ -31,7 +27,8 @@ std::vector<std::uint16_t> words(Bytes bytes)
     return result;
 }
 
-void append(std::vector<NamedValue>& values, std::uint16_t address, std::span<const std::uint16_t> registers)
+void appendValues(std::vector<NamedValue>& values, std::uint16_t address,
+                  std::span<const std::uint16_t> registers)
 {
     for (NamedValue& value : namedValues(address, registers))
         values.push_back(std::move(value));
@@ -49,25 +46,25 @@ void appendWindow(std::vector<NamedValue>& values, std::uint16_t address,
     const bool isBlock = address == transfer && registers.size() > transferHead &&
                          registers[1] == static_cast<std::uint16_t>(TransferOperation::Block);
     const std::size_t head = isReadback ? readbackEcho : isBlock ? transferHead : registers.size();
-    append(values, address, registers.first(head));
+    appendValues(values, address, registers.first(head));
     if (isReadback)
-        append(values, registers[1], registers.subspan(head));
+        appendValues(values, registers[1], registers.subspan(head));
     if (isBlock)
-        append(values, static_cast<std::uint16_t>(stagedBankBase + registers[2] * blockRegisters),
-               registers.subspan(head));
+        appendValues(values, static_cast<std::uint16_t>(stagedBankBase + registers[2] * blockRegisters),
+                     registers.subspan(head));
 }
 
 void decodeQuestion(Bytes data, DecodedFrame& frame)
 {
     constexpr std::size_t writeHead = 5;
     constexpr std::size_t writeAndReadHead = 9;
-    if (frame.function == readHolding && data.size() == 4)
+    if (frame.function == functionRead && data.size() == 4)
         frame.read = RegisterSpan{word(data, 0), word(data, 2)};
-    if (frame.function == writeMultiple && data.size() >= writeHead) {
+    if (frame.function == functionWrite && data.size() >= writeHead) {
         frame.written = RegisterSpan{word(data, 0), word(data, 2)};
         appendWindow(frame.values, frame.written->address, words(data.subspan(writeHead)));
     }
-    if (frame.function == writeAndRead && data.size() >= writeAndReadHead) {
+    if (frame.function == functionWriteAndRead && data.size() >= writeAndReadHead) {
         frame.read = RegisterSpan{word(data, 0), word(data, 2)};
         frame.written = RegisterSpan{word(data, 4), word(data, 6)};
         appendWindow(frame.values, frame.written->address, words(data.subspan(writeAndReadHead)));
@@ -114,11 +111,11 @@ DecodedFrame decodeFrame(const FrameRecord& record)
 std::string_view functionName(std::uint8_t function)
 {
     switch (function) {
-    case readHolding:
+    case functionRead:
         return "read";
-    case writeMultiple:
+    case functionWrite:
         return "write";
-    case writeAndRead:
+    case functionWriteAndRead:
         return "read and write";
     default:
         return {};

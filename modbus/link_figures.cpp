@@ -39,7 +39,7 @@ std::string fixed(double value, int digits)
     return text;
 }
 
-std::string milliseconds(std::int64_t us)
+std::string msText(std::int64_t us)
 {
     return fixed(static_cast<double>(us) / 1000.0, 3);
 }
@@ -166,12 +166,12 @@ std::string figuresCsv(const LinkFigures& figures)
     const LatencyHistogram& latency = figures.latency();
     const bool isMeasured = latency.count() > 0;
     const auto percentile = [&](double share) {
-        return isMeasured ? milliseconds(latency.percentile(share).count()) : std::string();
+        return isMeasured ? msText(latency.percentile(share).count()) : std::string();
     };
     line("latency_p50_ms", percentile(0.50));
     line("latency_p95_ms", percentile(0.95));
     line("latency_p99_ms", percentile(0.99));
-    line("latency_max_ms", isMeasured ? milliseconds(latency.maximum().count()) : std::string());
+    line("latency_max_ms", isMeasured ? msText(latency.maximum().count()) : std::string());
     line("wire_share", figures.wireShare() ? fixed(*figures.wireShare(), 4) : std::string());
     if (const auto& controller = figures.controller()) {
         line("controller_requests", std::to_string(controller->requests));
@@ -193,8 +193,8 @@ std::string stripCsv(const LinkFigures& figures)
         for (const std::uint32_t count : minute.errors)
             text.append(",").append(std::to_string(count));
         const bool isMeasured = minute.answers > 0;
-        text.append(",").append(isMeasured ? milliseconds(minute.latencyP99Us) : std::string());
-        text.append(",").append(isMeasured ? milliseconds(minute.latencyMaxUs) : std::string()).append("\n");
+        text.append(",").append(isMeasured ? msText(minute.latencyP99Us) : std::string());
+        text.append(",").append(isMeasured ? msText(minute.latencyMaxUs) : std::string()).append("\n");
     }
     return text;
 }

@@ -14,12 +14,7 @@ using namespace rows;
 
 constexpr double max32 = 4294967295.0;
 
-constexpr RegisterInfo cutter(RegisterInfo row)
-{
-    return withKind(ProgramKind::RotaryCutter, row);
-}
-
-constexpr std::array table{
+constexpr std::array registerTable{
     ro16("identity.device_type", 0x0000, "0xCA3D on every CamPanel controller"),
     ro16("identity.map_major", 0x0001,
          "register-map version; a panel of another major version refuses to work"),
@@ -231,13 +226,13 @@ constexpr std::array table{
     block("staged", stagedBankBase, bankRegisters, Access::ReadOnly, "the shadow bank; layout below"),
 };
 
-static_assert(isConsistent(table));
+static_assert(isConsistent(registerTable));
 
 } // namespace
 
 std::span<const RegisterInfo> registers()
 {
-    return table;
+    return registerTable;
 }
 
 const RegisterInfo* findRegister(std::string_view name)

@@ -75,6 +75,11 @@ constexpr RegisterInfo withKind(ProgramKind kind, RegisterInfo row)
     return row;
 }
 
+constexpr RegisterInfo cutter(RegisterInfo row)
+{
+    return withKind(ProgramKind::RotaryCutter, row);
+}
+
 template <typename... Layouts> constexpr RegisterInfo withLayout(RegisterInfo row, Layouts... layouts)
 {
     row.layouts = static_cast<std::uint16_t>((RegisterInfo::bitOf(layouts) | ...));

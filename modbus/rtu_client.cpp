@@ -3,6 +3,7 @@
 #include "modbus/rtu_client.h"
 
 #include "modbus/codec.h"
+#include "modbus/function_codes.h"
 
 #include <algorithm>
 #include <array>
@@ -14,9 +15,6 @@ namespace {
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint8_t functionRead = 3;
-constexpr std::uint8_t functionWrite = 16;
-constexpr std::uint8_t functionWriteAndRead = 23;
 // Writing flash or checking all rows takes the controller longer than answering a question. A lost answer
 // costs the panel that time too: sealing must leave room to find a restarted controller within two seconds.
 constexpr milliseconds flashAllowance{2000};
@@ -42,7 +40,7 @@ std::uint16_t counterAfter(std::uint16_t counter)
     return counter == 0xFFFF ? std::uint16_t{1} : static_cast<std::uint16_t>(counter + 1u);
 }
 
-void append(std::vector<std::uint8_t>& bytes, std::initializer_list<int> words)
+void appendWords(std::vector<std::uint8_t>& bytes, std::initializer_list<int> words)
 {
     for (const int word : words) {
         bytes.push_back(static_cast<std::uint8_t>(static_cast<unsigned>(word) >> 8));
@@ -100,10 +98,10 @@ RtuClient::writeAndRead(const std::string& request, const WindowRead& window, co
                       window.readCount,
                       window.extraAllowance,
                       window.isRepeatable};
-    append(question.pdu, {window.readAddress, window.readCount, window.writeAddress, written});
+    appendWords(question.pdu, {window.readAddress, window.readCount, window.writeAddress, written});
     question.pdu.push_back(static_cast<std::uint8_t>(2 * written));
     for (const std::uint16_t value : window.written)
-        append(question.pdu, {value});
+        appendWords(question.pdu, {value});
     Registers answer;
     return m_line
         .ask(question,
@@ -118,7 +116,7 @@ tl::expected<RtuClient::Registers, LinkError> RtuClient::readPlain(const std::st
                                                                    std::uint16_t address, std::uint16_t count)
 {
     Question question{request, {functionRead}, readFrames(count), address, count, milliseconds{0}, true};
-    append(question.pdu, {address, count});
+    appendWords(question.pdu, {address, count});
     Registers answer;
     return m_line
         .ask(question,
@@ -321,11 +319,11 @@ tl::expected<void, LinkError> RtuClient::writeParameter(const RegisterInfo& info
     RegisterWriter writer{std::span(registers).first(info.count), info.address};
     static_cast<void>(writer.physical(info, physical)); // fits: toRaw() said so
     Question question{request, {functionWrite}, writeFrames(info.count), 0, 0, milliseconds{0}, true};
-    append(question.pdu, {info.address, info.count});
+    appendWords(question.pdu, {info.address, info.count});
     const RtuLine::Bytes echo(question.pdu.begin() + 1, question.pdu.end());
     question.pdu.push_back(static_cast<std::uint8_t>(2 * info.count));
     for (const std::uint16_t value : std::span(registers).first(info.count))
-        append(question.pdu, {value});
+        appendWords(question.pdu, {value});
     const auto sent = m_line.ask(
         question, [&](std::span<const std::uint8_t> data) { return std::ranges::equal(data, echo); });
     std::optional<LinkError> refusal;

@@ -2,6 +2,7 @@
 #include "modbus/rtu_line.h"
 
 #include "modbus/crc16.h"
+#include "modbus/function_codes.h"
 
 #include <algorithm>
 #include <array>
@@ -22,7 +23,6 @@ using std::chrono::nanoseconds;
 constexpr milliseconds quietTime{25};
 constexpr milliseconds longestDrain{600};
 constexpr std::size_t exceptionBytes = 5;
-constexpr unsigned exceptionFlag = 0x80;
 
 enum class Readiness { Input, Nothing, Gone };
 

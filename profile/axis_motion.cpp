@@ -3,6 +3,8 @@
 // between the places where speed or acceleration turn.
 #include "profile/axis_motion.h"
 
+#include "profile/limit_tolerance.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,22 +14,20 @@ namespace campanel::profile {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
-// A value may pass a limit by this relative amount: the rounding of a value that meets it exactly.
-constexpr double limitTolerance = 1e-9;
 // Differences of acceleration or speed below this share of the peak are rounding.
 constexpr double stepTolerance = 1e-6;
 // Spans closer than this are one.
 constexpr double joinedS = 1e-9;
 
-bool exceeds(double actual, double limit)
+bool exceedsAllowance(double actual, double limit)
 {
-    return actual > limit + limitTolerance * std::abs(limit);
+    return actual > limit + detail::limitTolerance * std::abs(limit);
 }
 
 // Takes the place only of what is really smaller, so that the first of equal peaks is named.
 void takeLarger(double& peak, double& peakTimeS, double candidate, double timeS)
 {
-    if (std::abs(candidate) > peak * (1 + limitTolerance)) {
+    if (std::abs(candidate) > peak * (1 + detail::limitTolerance)) {
         peak = std::abs(candidate);
         peakTimeS = timeS;
     }
@@ -125,7 +125,7 @@ bool hasAccelerationStep(const MotionProfile& motion, const AxisPeaks& peaks)
            std::max(std::abs(first.accelerationMmPerS2), std::abs(last.accelerationMmPerS2)) > room;
 }
 
-struct Comparison {
+struct AxisComparison {
     Limit limit;
     Field field; // the machine's limit
     double actual;
@@ -145,12 +145,13 @@ double torqueAllowance(const Machine& machine)
 
 // Judged in the motion's own quantity, as the spans are: beside much friction a small torque would drown in
 // the tolerance.
-bool isBroken(const Comparison& c, const AxisPeaks& peaks)
+bool isBroken(const AxisComparison& c, const AxisPeaks& peaks)
 {
-    return exceeds(c.isAcceleration ? peaks.accelerationMmPerS2 : peaks.speedMmPerS, c.allowedInMotion);
+    return exceedsAllowance(c.isAcceleration ? peaks.accelerationMmPerS2 : peaks.speedMmPerS,
+                            c.allowedInMotion);
 }
 
-std::array<Comparison, 4> compare(const AxisPeaks& peaks, const Machine& m)
+std::array<AxisComparison, 4> compareAxis(const AxisPeaks& peaks, const Machine& m)
 {
     const double pulses = pulseFrequencyLimitHz(m);
     return {{{Limit::MotorSpeed, Field::MaxMotorRpm, peaks.motorRpm, m.maxMotorRpm, false,
@@ -175,9 +176,10 @@ template <typename Condition> double lastTrueS(double trueS, double falseS, Cond
 
 // Appends the part of [fromS, toS], in which |quantity| is monotone, where it is above the limit.
 template <typename Quantity>
-void appendBroken(std::vector<TimeSpan>& spans, double fromS, double toS, double limit, Quantity quantity)
+void appendBrokenAxisSpan(std::vector<TimeSpan>& spans, double fromS, double toS, double limit,
+                          Quantity quantity)
 {
-    const auto isOver = [&](double timeS) { return exceeds(std::abs(quantity(timeS)), limit); };
+    const auto isOver = [&](double timeS) { return exceedsAllowance(std::abs(quantity(timeS)), limit); };
     const bool startBroken = isOver(fromS);
     const bool endBroken = isOver(toS);
     if ((!startBroken && !endBroken) || !(toS > fromS))
@@ -193,7 +195,7 @@ void appendBroken(std::vector<TimeSpan>& spans, double fromS, double toS, double
         spans.push_back(span);
 }
 
-std::vector<TimeSpan> brokenSpans(const MotionProfile& motion, const Comparison& comparison)
+std::vector<TimeSpan> brokenAxisSpans(const MotionProfile& motion, const AxisComparison& comparison)
 {
     const double allowed = comparison.allowedInMotion;
     if (allowed < 0)
@@ -211,14 +213,14 @@ std::vector<TimeSpan> brokenSpans(const MotionProfile& motion, const Comparison&
             const double toS = turns[i + 1];
             const double sign = quantity(fromS) > 0 ? 1 : -1;
             if (quantity(fromS) * quantity(toS) >= 0) {
-                appendBroken(spans, fromS, toS, allowed, quantity);
+                appendBrokenAxisSpan(spans, fromS, toS, allowed, quantity);
                 continue;
             }
             // The magnitude turns where the quantity is zero, which may last.
             const auto hasFirstSign = [&](double timeS) { return sign * quantity(timeS) > 0; };
             const auto hasLastSign = [&](double timeS) { return sign * quantity(timeS) < 0; };
-            appendBroken(spans, fromS, lastTrueS(fromS, toS, hasFirstSign), allowed, quantity);
-            appendBroken(spans, lastTrueS(toS, fromS, hasLastSign), toS, allowed, quantity);
+            appendBrokenAxisSpan(spans, fromS, lastTrueS(fromS, toS, hasFirstSign), allowed, quantity);
+            appendBrokenAxisSpan(spans, lastTrueS(toS, fromS, hasLastSign), toS, allowed, quantity);
         }
     }
     return spans;
@@ -253,7 +255,7 @@ AxisPeaks axisPeaks(const MotionProfile& motion, const Machine& machine)
 std::vector<Refusal> checkAxis(const MotionProfile& motion, const AxisPeaks& peaks, const Machine& machine)
 {
     std::vector<Refusal> broken;
-    for (const Comparison& c : compare(peaks, machine)) {
+    for (const AxisComparison& c : compareAxis(peaks, machine)) {
         if (!isBroken(c, peaks))
             continue;
         Refusal refusal;
@@ -263,7 +265,7 @@ std::vector<Refusal> checkAxis(const MotionProfile& motion, const AxisPeaks& pea
         refusal.allowed = c.allowed;
         refusal.unit = info(c.field).unit;
         refusal.timeS = c.isAcceleration ? peaks.accelerationTimeS : peaks.speedTimeS;
-        refusal.brokenDuring = brokenSpans(motion, c);
+        refusal.brokenDuring = brokenAxisSpans(motion, c);
         broken.push_back(std::move(refusal));
     }
     return broken;
@@ -271,9 +273,9 @@ std::vector<Refusal> checkAxis(const MotionProfile& motion, const AxisPeaks& pea
 
 bool isWithinLimits(const AxisPeaks& peaks, const Machine& machine)
 {
-    const auto compared = compare(peaks, machine);
+    const auto compared = compareAxis(peaks, machine);
     return std::none_of(compared.begin(), compared.end(),
-                        [&peaks](const Comparison& c) { return isBroken(c, peaks); });
+                        [&peaks](const AxisComparison& c) { return isBroken(c, peaks); });
 }
 
 } // namespace campanel::profile

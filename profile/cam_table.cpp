@@ -2,6 +2,7 @@
 // One pass over the motion for the positions, one spline for the slopes, then rounding and range checks.
 #include "profile/cam_table.h"
 
+#include "profile/limit_tolerance.h"
 #include "profile/spline.h"
 #include "profile/validate.h"
 
@@ -14,8 +15,6 @@
 namespace campanel::profile {
 namespace {
 
-// A value may pass a limit by this relative amount: the rounding of a value that meets it exactly.
-constexpr double limitTolerance = 1e-9;
 // Speeds and accelerations at both ends of a cycle are the same to this share of the mean ones.
 constexpr double wrapTolerance = 1e-7;
 constexpr double advancePerMm = 1e6; // grid of the net advance
@@ -145,7 +144,7 @@ std::optional<Refusal> findTooFast(const CamTable& table, double durationS, cons
     // Both positions are rounded by up to half a unit.
     const double needed = static_cast<double>(most - 1) / camUnitsPerPulse / intervalS;
     const double allowed = pulseFrequencyLimitHz(machine);
-    if (needed <= allowed * (1 + limitTolerance))
+    if (needed <= allowed * (1 + detail::limitTolerance))
         return std::nullopt;
     Refusal refusal;
     refusal.limit = Limit::MasterTooFast;

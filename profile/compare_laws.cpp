@@ -18,8 +18,8 @@ std::vector<LawChoice> choicesOf(bool Law::*isSuitable, LawId own, const LawPara
 }
 
 template <typename Program>
-std::vector<LawComparison> compare(Program program, const Machine& machine,
-                                   std::span<const LawChoice> choices)
+std::vector<LawComparison> solveByEach(Program program, const Machine& machine,
+                                       std::span<const LawChoice> choices)
 {
     std::vector<LawComparison> compared;
     compared.reserve(choices.size());
@@ -46,13 +46,13 @@ std::vector<LawChoice> suitableLaws(const SpeedMoveProgram& program)
 std::vector<LawComparison> compareLaws(const PositionMoveProgram& program, const Machine& machine,
                                        std::span<const LawChoice> choices)
 {
-    return compare(program, machine, choices);
+    return solveByEach(program, machine, choices);
 }
 
 std::vector<LawComparison> compareLaws(const SpeedMoveProgram& program, const Machine& machine,
                                        std::span<const LawChoice> choices)
 {
-    return compare(program, machine, choices);
+    return solveByEach(program, machine, choices);
 }
 
 Curves sampleAxisCurves(const AxisMotion& motion, const Machine& machine, std::size_t points)

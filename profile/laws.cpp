@@ -24,7 +24,7 @@ namespace {
 using namespace detail;
 
 // code, key, name, speed law, displacement law, symmetric, parameters, functions, strength, weakness
-constexpr std::array table{
+constexpr std::array lawTable{
     Law{LawId::Cubic,
         "cubic",
         "Cubic (paper)",
@@ -150,21 +150,21 @@ constexpr std::array table{
 
 std::span<const Law> laws()
 {
-    return table;
+    return lawTable;
 }
 
 const Law* findLaw(std::string_view key)
 {
     const auto found =
-        std::find_if(table.begin(), table.end(), [key](const Law& law) { return law.key == key; });
-    return found == table.end() ? nullptr : &*found;
+        std::find_if(lawTable.begin(), lawTable.end(), [key](const Law& law) { return law.key == key; });
+    return found == lawTable.end() ? nullptr : &*found;
 }
 
 const Law* findLaw(LawId id)
 {
     const auto found =
-        std::find_if(table.begin(), table.end(), [id](const Law& law) { return law.id == id; });
-    return found == table.end() ? nullptr : &*found;
+        std::find_if(lawTable.begin(), lawTable.end(), [id](const Law& law) { return law.id == id; });
+    return found == lawTable.end() ? nullptr : &*found;
 }
 
 LawParameters defaultParameters(const Law& law)

@@ -3,6 +3,7 @@
 #include "profile/limits.h"
 
 #include "profile/laws.h"
+#include "profile/limit_tolerance.h"
 #include "profile/nearest.h"
 
 #include <algorithm>
@@ -13,22 +14,20 @@
 namespace campanel::profile {
 namespace {
 
-// A value may pass a limit by this relative amount: the rounding of a value that meets it exactly.
-constexpr double limitTolerance = 1e-9;
-
 bool exceeds(double actual, double limit)
 {
-    return actual > limit * (1 + limitTolerance);
+    return actual > limit * (1 + detail::limitTolerance);
 }
 
-struct Comparison {
+struct CutterComparison {
     Limit limit;
     Field field; // the machine's limit
     double actual;
     double allowed;
 };
 
-std::array<Comparison, 4> compare(const CycleNumbers& cycle, const Peaks& peak, const Machine& machine)
+std::array<CutterComparison, 4> compareCutter(const CycleNumbers& cycle, const Peaks& peak,
+                                              const Machine& machine)
 {
     return {{{Limit::MachineRate, Field::MaxRate, cycle.rateBagsPerMin, machine.maxRateBagsPerMin},
              {Limit::MotorSpeed, Field::MaxMotorRpm, peak.motorRpm, machine.maxMotorRpm},
@@ -40,7 +39,8 @@ std::array<Comparison, 4> compare(const CycleNumbers& cycle, const Peaks& peak, 
 
 // Appends the part of [fromS, toS], in which |quantity| is monotone, where it is above the limit.
 template <typename Quantity>
-void appendBroken(std::vector<TimeSpan>& spans, double fromS, double toS, double limit, Quantity quantity)
+void appendBrokenCutterSpan(std::vector<TimeSpan>& spans, double fromS, double toS, double limit,
+                            Quantity quantity)
 {
     const bool startBroken = exceeds(std::abs(quantity(fromS)), limit);
     const bool endBroken = exceeds(std::abs(quantity(toS)), limit);
@@ -63,7 +63,7 @@ void appendBroken(std::vector<TimeSpan>& spans, double fromS, double toS, double
         spans.push_back(span);
 }
 
-std::vector<TimeSpan> brokenSpans(const RotaryCutter& cutter, Limit limit, double allowed)
+std::vector<TimeSpan> brokenCutterSpans(const RotaryCutter& cutter, Limit limit, double allowed)
 {
     std::vector<TimeSpan> spans;
     if (limit == Limit::MachineRate)
@@ -81,17 +81,17 @@ std::vector<TimeSpan> brokenSpans(const RotaryCutter& cutter, Limit limit, doubl
             const double x = segment.law->peaks(segment.parameters).cvAt;
             peakAt += segment.durationS * (segment.isMirrored ? 1 - x : x);
         }
-        appendBroken(spans, segment.startS, peakAt, allowed, quantity);
-        appendBroken(spans, peakAt, segment.endS(), allowed, quantity);
+        appendBrokenCutterSpan(spans, segment.startS, peakAt, allowed, quantity);
+        appendBrokenCutterSpan(spans, peakAt, segment.endS(), allowed, quantity);
     }
     return spans;
 }
 
 bool holdsLimits(const CycleNumbers& cycle, const RotaryCutterProgram& program, const Machine& machine)
 {
-    const auto compared = compare(cycle, peaks(cycle, program, machine), machine);
+    const auto compared = compareCutter(cycle, peaks(cycle, program, machine), machine);
     return std::none_of(compared.begin(), compared.end(),
-                        [](const Comparison& c) { return exceeds(c.actual, c.allowed); });
+                        [](const CutterComparison& c) { return exceeds(c.actual, c.allowed); });
 }
 
 } // namespace
@@ -127,7 +127,7 @@ std::vector<Refusal> checkLimits(const RotaryCutter& cutter)
 {
     const Peaks peak = peaks(cutter);
     std::vector<Refusal> broken;
-    for (const Comparison& c : compare(cutter.cycle, peak, cutter.machine)) {
+    for (const CutterComparison& c : compareCutter(cutter.cycle, peak, cutter.machine)) {
         if (!exceeds(c.actual, c.allowed))
             continue;
         Refusal refusal;
@@ -141,7 +141,7 @@ std::vector<Refusal> checkLimits(const RotaryCutter& cutter)
             refusal.timeS = isAcceleration ? peak.accelerationTimeS : peak.speedTimeS;
             refusal.angleDeg = cutter.angleDegAt(*refusal.timeS);
         }
-        refusal.brokenDuring = brokenSpans(cutter, c.limit, c.allowed);
+        refusal.brokenDuring = brokenCutterSpans(cutter, c.limit, c.allowed);
         refusal.nearest = broken.empty() ? detail::nearestFeasible(cutter.program, cutter.machine, refusal)
                                          : broken.front().nearest;
         broken.push_back(std::move(refusal));
@@ -166,7 +166,7 @@ std::optional<FastestRate> fastestRate(const RotaryCutter& cutter)
         if (candidate < fastest.rateBagsPerMin)
             fastest = {candidate, limit};
     };
-    for (const Comparison& c : compare(cutter.cycle, peak, cutter.machine)) {
+    for (const CutterComparison& c : compareCutter(cutter.cycle, peak, cutter.machine)) {
         if (c.limit == Limit::MachineRate || !(c.actual > 0))
             continue;
         const double share = c.allowed / c.actual;

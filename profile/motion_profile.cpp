@@ -39,7 +39,7 @@ MotionPoint displacementAt(const Segment& segment, double elapsedS)
             segment.distanceMm / (duration * duration * duration) * p.g3};
 }
 
-MotionPoint cubicAt(const Segment& segment, double t)
+MotionPoint cubicPoint(const Segment& segment, double t)
 {
     const double v0 = segment.startVelocityMmPerS;
     const double a0 = segment.startAccelerationMmPerS2;
@@ -54,7 +54,7 @@ MotionPoint Segment::at(double timeS) const
 {
     const double elapsed = timeS - startS;
     if (form == SegmentForm::Cubic)
-        return cubicAt(*this, elapsed);
+        return cubicPoint(*this, elapsed);
     if (form == SegmentForm::Ramp && durationS > 0)
         return rampAt(*this, elapsed);
     if (form == SegmentForm::Displacement && durationS > 0)

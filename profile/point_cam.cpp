@@ -2,6 +2,7 @@
 // Checks of a point cam, its cycle in time, and the master rate at which the axis can follow it.
 #include "profile/point_cam.h"
 
+#include "profile/limit_tolerance.h"
 #include "profile/point_cam_validate.h"
 
 #include <algorithm>
@@ -13,9 +14,6 @@ namespace campanel::profile {
 namespace {
 
 constexpr double secondsPerMinute = 60;
-constexpr double angleToleranceDeg = 1e-9;
-// A value may pass a limit by this relative amount: the rounding of a value that meets it exactly.
-constexpr double limitTolerance = 1e-9;
 constexpr double overshootShare = 0.1; // of the knots' span
 
 double phaseWithinCycleDeg(const PointCamProgram& program)
@@ -29,7 +27,7 @@ void addPart(MotionProfile& motion, const SplinePiece& piece, double fromDeg, do
              double scale)
 {
     const double widthDeg = std::abs(toDeg - fromDeg);
-    if (widthDeg <= angleToleranceDeg)
+    if (widthDeg <= detail::angleToleranceDeg)
         return;
     const SplinePoint start = piece.at(fromDeg);
     motion.addCubic(widthDeg / std::abs(degPerS), scale * start.slope * degPerS,
@@ -38,7 +36,7 @@ void addPart(MotionProfile& motion, const SplinePiece& piece, double fromDeg, do
 }
 
 // One cycle of the curve from the phase on. degPerS, of the cam, is negative when it runs backwards.
-MotionProfile cycleMotion(const PointCamProgram& program, double degPerS)
+MotionProfile camCycleMotion(const PointCamProgram& program, double degPerS)
 {
     const Spline curve = camCurve(program);
     const auto pieces = curve.pieces();
@@ -142,7 +140,7 @@ std::optional<Refusal> findWrapJump(const PointCamProgram& program, const Machin
 {
     const double jump = std::abs(wrapJumpMmPerS(program));
     const double allowed = machine.maxAccelerationMmPerS2 * masterUpdateS;
-    if (jump <= allowed * (1 + limitTolerance))
+    if (jump <= allowed * (1 + detail::limitTolerance))
         return std::nullopt;
     Refusal refusal;
     refusal.limit = Limit::WrapJump;
@@ -169,7 +167,7 @@ std::optional<Suggestion> feasibleRate(const PointCamProgram& program, const Mac
                   share(machine.maxAccelerationMmPerS2 * masterUpdateS, std::abs(wrapJumpMmPerS(program)))});
     const double present = program.masterRateRevPerMin;
     const double step = info(Field::MasterRate).resolution();
-    const double steps = std::floor(std::abs(present) * factor / step * (1 + limitTolerance));
+    const double steps = std::floor(std::abs(present) * factor / step * (1 + detail::limitTolerance));
     if (steps < 1)
         return std::nullopt;
     return Suggestion{Field::MasterRate, snapToGrid(Field::MasterRate, std::copysign(steps * step, present))};
@@ -178,7 +176,7 @@ std::optional<Suggestion> feasibleRate(const PointCamProgram& program, const Mac
 AxisMotion solveValid(const PointCamProgram& program, const Machine& machine)
 {
     AxisMotion solved;
-    solved.motion = cycleMotion(program, camDegPerS(program));
+    solved.motion = camCycleMotion(program, camDegPerS(program));
     solved.peaks = axisPeaks(solved.motion, machine);
     solved.broken = checkAxis(solved.motion, solved.peaks, machine);
     for (Refusal& refusal : solved.broken) {
@@ -228,7 +226,7 @@ double camCycleS(const PointCamProgram& program)
 
 MotionProfile forwardMotion(const PointCamProgram& program)
 {
-    return cycleMotion(program, std::abs(camDegPerS(program)));
+    return camCycleMotion(program, std::abs(camDegPerS(program)));
 }
 
 tl::expected<AxisMotion, Refusal> solve(const PointCamProgram& program, const Machine& machine)

@@ -11,9 +11,8 @@
 namespace campanel::profile {
 namespace {
 
+using detail::angleToleranceDeg;
 using detail::knotRefusal;
-
-constexpr double angleToleranceDeg = 1e-9;
 
 constexpr std::array programFields{Field::MasterRate,  Field::MasterRamp, Field::MasterRatio,
                                    Field::MasterScale, Field::SlaveScale, Field::Phase,

@@ -9,6 +9,9 @@
 
 namespace campanel::profile::detail {
 
+// Angles this close are one.
+inline constexpr double angleToleranceDeg = 1e-9;
+
 // The first thing that is wrong with the inputs, without suggestions; nothing when all are in order.
 [[nodiscard]] std::optional<Refusal> findInvalid(const PointCamProgram& program, const Machine& machine);
 

@@ -25,7 +25,7 @@ bool isInput(Field field)
     return field == Field::Distance || field == Field::MoveTime || field == Field::CamPoints;
 }
 
-std::optional<Refusal> findInvalidInput(const PositionMoveProgram& program, const Machine& machine)
+std::optional<Refusal> findInvalidPositionInput(const PositionMoveProgram& program, const Machine& machine)
 {
     if (auto refusal = detail::findInvalidAxis(machine))
         return refusal;
@@ -42,7 +42,7 @@ std::optional<Refusal> findInvalidInput(const PositionMoveProgram& program, cons
     return std::nullopt;
 }
 
-double shortestTimeS(const PositionMoveProgram& program, const Machine& machine)
+double shortestPositionMoveS(const PositionMoveProgram& program, const Machine& machine)
 {
     const LawPeaks law = findLaw(program.law)->peaks(program.lawParameters);
     const AxisAllowance allowed = axisAllowance(machine);
@@ -60,33 +60,33 @@ double longestDistanceMm(const PositionMoveProgram& program, const Machine& mach
 }
 
 // The time of the move, without suggestions in the refusal.
-tl::expected<double, Refusal> moveTimeS(const PositionMoveProgram& program, const Machine& machine)
+tl::expected<double, Refusal> positionMoveTimeS(const PositionMoveProgram& program, const Machine& machine)
 {
-    if (auto refusal = findInvalidInput(program, machine))
+    if (auto refusal = findInvalidPositionInput(program, machine))
         return tl::unexpected(*std::move(refusal));
     if (!isFastest(program))
         return program.timeS;
     if (!(axisAllowance(machine).accelerationMmPerS2 > 0))
         return tl::unexpected(detail::noTorqueLeft(machine));
-    return detail::timeOnGrid(shortestTimeS(program, machine));
+    return detail::timeOnGrid(shortestPositionMoveS(program, machine));
 }
 
-MotionProfile motionOf(const PositionMoveProgram& program, double timeS)
+MotionProfile positionMotion(const PositionMoveProgram& program, double timeS)
 {
     MotionProfile motion;
     motion.addDisplacement(timeS, program.distanceMm, *findLaw(program.law), program.lawParameters);
     return motion;
 }
 
-std::optional<Suggestion> nearestValue(const PositionMoveProgram& program, const Machine& machine,
-                                       Field field)
+std::optional<Suggestion> nearestPositionInput(const PositionMoveProgram& program, const Machine& machine,
+                                               Field field)
 {
     detail::GridSearch search(program, machine, field);
     search.tryAround(search.present());
     search.tryAround(info(field).min);
     search.tryAround(info(field).max);
     if (field == Field::MoveTime)
-        search.tryAround(shortestTimeS(program, machine));
+        search.tryAround(shortestPositionMoveS(program, machine));
     if (field == Field::Distance) {
         const double timeS = isFastest(program) ? info(Field::MoveTime).max : program.timeS;
         const double longest = longestDistanceMm(program, machine, timeS);
@@ -96,8 +96,8 @@ std::optional<Suggestion> nearestValue(const PositionMoveProgram& program, const
     return search.best();
 }
 
-std::vector<Suggestion> nearestFeasible(const PositionMoveProgram& program, const Machine& machine,
-                                        const Refusal& refusal)
+std::vector<Suggestion> positionSuggestions(const PositionMoveProgram& program, const Machine& machine,
+                                            const Refusal& refusal)
 {
     if (refusal.limit == Limit::NoMotion ||
         detail::findInvalidLaw(program.law, program.lawParameters, detail::LawUse::Displacement))
@@ -109,7 +109,7 @@ std::vector<Suggestion> nearestFeasible(const PositionMoveProgram& program, cons
         mendable = {refusal.field};
     std::vector<Suggestion> found;
     for (const Field field : mendable) {
-        const auto suggestion = isInput(field) ? nearestValue(program, machine, field)
+        const auto suggestion = isInput(field) ? nearestPositionInput(program, machine, field)
                                                : detail::nearestInRange(program, machine, refusal);
         if (suggestion)
             found.push_back(*suggestion);
@@ -121,14 +121,14 @@ std::vector<Suggestion> nearestFeasible(const PositionMoveProgram& program, cons
 
 tl::expected<AxisMotion, Refusal> solve(const PositionMoveProgram& program, const Machine& machine)
 {
-    tl::expected<double, Refusal> timeS = moveTimeS(program, machine);
+    tl::expected<double, Refusal> timeS = positionMoveTimeS(program, machine);
     if (!timeS) {
-        timeS.error().nearest = nearestFeasible(program, machine, timeS.error());
+        timeS.error().nearest = positionSuggestions(program, machine, timeS.error());
         return tl::unexpected(std::move(timeS.error()));
     }
-    AxisMotion result = detail::checkedMotion(motionOf(program, *timeS), machine);
+    AxisMotion result = detail::checkedMotion(positionMotion(program, *timeS), machine);
     if (!result.broken.empty()) {
-        const auto nearest = nearestFeasible(program, machine, result.broken.front());
+        const auto nearest = positionSuggestions(program, machine, result.broken.front());
         for (Refusal& refusal : result.broken)
             refusal.nearest = nearest;
     }
@@ -137,8 +137,8 @@ tl::expected<AxisMotion, Refusal> solve(const PositionMoveProgram& program, cons
 
 bool isFeasible(const PositionMoveProgram& program, const Machine& machine)
 {
-    const tl::expected<double, Refusal> timeS = moveTimeS(program, machine);
-    return timeS && isWithinLimits(axisPeaks(motionOf(program, *timeS), machine), machine);
+    const tl::expected<double, Refusal> timeS = positionMoveTimeS(program, machine);
+    return timeS && isWithinLimits(axisPeaks(positionMotion(program, *timeS), machine), machine);
 }
 
 std::optional<PolynomialCoefficients> polynomialCoefficients(LawId law, double distanceMm, double timeS)

@@ -53,7 +53,7 @@ std::optional<Refusal> findWrongForce(const PressProgram& program)
     return check(Field::MinStopForce, program.maxStopForceN);
 }
 
-std::optional<Refusal> findInvalid(const PressProgram& program, const Machine& machine)
+std::optional<Refusal> findInvalidPress(const PressProgram& program, const Machine& machine)
 {
     if (auto refusal = detail::findInvalidAxis(machine))
         return refusal;
@@ -132,7 +132,7 @@ Refusal stageOrder(Field field, double actual, double allowed)
 
 tl::expected<PressStroke, Refusal> solveStroke(const PressProgram& program, const Machine& machine)
 {
-    if (auto refusal = findInvalid(program, machine))
+    if (auto refusal = findInvalidPress(program, machine))
         return tl::unexpected(*std::move(refusal));
     const double touchMm = (program.approachPositionMm + program.probeEndMm) / 2;
     MotionProfile motion;

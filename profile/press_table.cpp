@@ -23,9 +23,9 @@ Refusal beyondTable(Field field, double actual, double allowed)
     return refusal;
 }
 
-class Rounding {
+class PressRounding {
 public:
-    Rounding(const Machine& machine, PressTable& table)
+    PressRounding(const Machine& machine, PressTable& table)
         : m_machine(machine)
         , m_pulsesPerMm(axisPulsesPerMm(machine))
         , m_table(table)
@@ -77,7 +77,7 @@ tl::expected<PressTable, Refusal> buildPressTable(const PressProgram& program, c
     if (auto refusal = findUnfit(program, machine))
         return tl::unexpected(*std::move(refusal));
     PressTable table;
-    Rounding rounding(machine, table);
+    PressRounding rounding(machine, table);
     auto& rows = table.rows;
     rows[0] = rounding.row(program.approachSpeedMmPerS, program.approachPositionMm, program.probeForceN);
     rows[1] = rounding.row(program.probeSpeedMmPerS, program.probeEndMm, program.probeForceN);

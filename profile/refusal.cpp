@@ -21,7 +21,7 @@ std::string fieldValue(Field field, double value)
     return withUnit(fixedText(value, f.decimals), f.unit);
 }
 
-std::string outOfRange(const Refusal& r)
+std::string rangeReason(const Refusal& r)
 {
     const FieldInfo& f = info(r.field);
     if (!std::isfinite(r.actual)) {
@@ -77,7 +77,7 @@ std::string reason(const Refusal& r)
 {
     switch (r.limit) {
     case Limit::FieldRange:
-        return outOfRange(r);
+        return rangeReason(r);
     case Limit::PinnedPair:
         return "Pin two different ones of bag length, rate, base speed and film speed.";
     case Limit::LawUnknown:

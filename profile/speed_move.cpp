@@ -55,7 +55,7 @@ bool isRead(const SpeedMoveProgram& program, Field field)
     }
 }
 
-std::optional<Refusal> findInvalidInput(const SpeedMoveProgram& program, const Machine& machine)
+std::optional<Refusal> findInvalidSpeedInput(const SpeedMoveProgram& program, const Machine& machine)
 {
     if (auto refusal = detail::findInvalidAxis(machine))
         return refusal;
@@ -71,7 +71,7 @@ std::optional<Refusal> findInvalidInput(const SpeedMoveProgram& program, const M
     return std::nullopt;
 }
 
-double shortestTimeS(const SpeedMoveProgram& program, const Machine& machine)
+double shortestSpeedMoveS(const SpeedMoveProgram& program, const Machine& machine)
 {
     return std::abs(changeMmPerS(program)) * lawCv(program) / axisAllowance(machine).accelerationMmPerS2;
 }
@@ -109,9 +109,9 @@ tl::expected<double, Refusal> timeOverDistanceS(const SpeedMoveProgram& program)
 }
 
 // The time of the move, without suggestions in the refusal.
-tl::expected<double, Refusal> moveTimeS(const SpeedMoveProgram& program, const Machine& machine)
+tl::expected<double, Refusal> speedMoveTimeS(const SpeedMoveProgram& program, const Machine& machine)
 {
-    if (auto refusal = findInvalidInput(program, machine))
+    if (auto refusal = findInvalidSpeedInput(program, machine))
         return tl::unexpected(*std::move(refusal));
     if (program.duration == MoveDuration::GivenTime)
         return program.timeS;
@@ -119,10 +119,10 @@ tl::expected<double, Refusal> moveTimeS(const SpeedMoveProgram& program, const M
         return timeOverDistanceS(program);
     if (!(axisAllowance(machine).accelerationMmPerS2 > 0))
         return tl::unexpected(detail::noTorqueLeft(machine));
-    return detail::timeOnGrid(shortestTimeS(program, machine));
+    return detail::timeOnGrid(shortestSpeedMoveS(program, machine));
 }
 
-MotionProfile motionOf(const SpeedMoveProgram& program, double timeS)
+MotionProfile speedMotion(const SpeedMoveProgram& program, double timeS)
 {
     MotionProfile motion;
     motion.addRamp(timeS, program.startSpeedMmPerS, program.endSpeedMmPerS, *findLaw(program.law),
@@ -176,18 +176,19 @@ std::vector<double> speedCandidates(const SpeedMoveProgram& program, const Machi
 std::vector<double> distanceCandidates(const SpeedMoveProgram& program, const Machine& machine)
 {
     const double mean = meanSpeedMmPerS(program);
-    return {-program.distanceMm, mean * shortestTimeS(program, machine), mean * info(Field::MoveTime).min,
-            mean * info(Field::MoveTime).max};
+    return {-program.distanceMm, mean * shortestSpeedMoveS(program, machine),
+            mean * info(Field::MoveTime).min, mean * info(Field::MoveTime).max};
 }
 
-std::optional<Suggestion> nearestValue(const SpeedMoveProgram& program, const Machine& machine, Field field)
+std::optional<Suggestion> nearestSpeedInput(const SpeedMoveProgram& program, const Machine& machine,
+                                            Field field)
 {
     detail::GridSearch search(program, machine, field);
     search.tryAround(search.present());
     search.tryAround(info(field).min);
     search.tryAround(info(field).max);
     if (field == Field::MoveTime)
-        search.tryAround(shortestTimeS(program, machine));
+        search.tryAround(shortestSpeedMoveS(program, machine));
     if (field == Field::Distance) {
         for (const double candidate : distanceCandidates(program, machine))
             search.tryAround(candidate);
@@ -199,8 +200,8 @@ std::optional<Suggestion> nearestValue(const SpeedMoveProgram& program, const Ma
     return search.best();
 }
 
-std::vector<Suggestion> nearestFeasible(const SpeedMoveProgram& program, const Machine& machine,
-                                        const Refusal& refusal)
+std::vector<Suggestion> speedSuggestions(const SpeedMoveProgram& program, const Machine& machine,
+                                         const Refusal& refusal)
 {
     if (refusal.limit == Limit::NoMotion ||
         detail::findInvalidLaw(program.law, program.lawParameters, detail::LawUse::Speed))
@@ -211,7 +212,7 @@ std::vector<Suggestion> nearestFeasible(const SpeedMoveProgram& program, const M
             found.push_back(*suggestion);
     };
     if (refusal.limit == Limit::FieldRange && isRead(program, refusal.field)) {
-        keep(nearestValue(program, machine, refusal.field));
+        keep(nearestSpeedInput(program, machine, refusal.field));
         return found;
     }
     if (refusal.limit == Limit::FieldRange && refusal.field != Field::MoveTime) {
@@ -220,7 +221,7 @@ std::vector<Suggestion> nearestFeasible(const SpeedMoveProgram& program, const M
     }
     for (const Field field : {Field::MoveTime, Field::Distance, Field::EndSpeed, Field::StartSpeed}) {
         if (isRead(program, field))
-            keep(nearestValue(program, machine, field));
+            keep(nearestSpeedInput(program, machine, field));
     }
     return found;
 }
@@ -235,14 +236,14 @@ double meanSpeedMmPerS(const SpeedMoveProgram& program)
 
 tl::expected<AxisMotion, Refusal> solve(const SpeedMoveProgram& program, const Machine& machine)
 {
-    tl::expected<double, Refusal> timeS = moveTimeS(program, machine);
+    tl::expected<double, Refusal> timeS = speedMoveTimeS(program, machine);
     if (!timeS) {
-        timeS.error().nearest = nearestFeasible(program, machine, timeS.error());
+        timeS.error().nearest = speedSuggestions(program, machine, timeS.error());
         return tl::unexpected(std::move(timeS.error()));
     }
-    AxisMotion result = detail::checkedMotion(motionOf(program, *timeS), machine);
+    AxisMotion result = detail::checkedMotion(speedMotion(program, *timeS), machine);
     if (!result.broken.empty()) {
-        const auto nearest = nearestFeasible(program, machine, result.broken.front());
+        const auto nearest = speedSuggestions(program, machine, result.broken.front());
         for (Refusal& refusal : result.broken)
             refusal.nearest = nearest;
     }
@@ -251,8 +252,8 @@ tl::expected<AxisMotion, Refusal> solve(const SpeedMoveProgram& program, const M
 
 bool isFeasible(const SpeedMoveProgram& program, const Machine& machine)
 {
-    const tl::expected<double, Refusal> timeS = moveTimeS(program, machine);
-    return timeS && isWithinLimits(axisPeaks(motionOf(program, *timeS), machine), machine);
+    const tl::expected<double, Refusal> timeS = speedMoveTimeS(program, machine);
+    return timeS && isWithinLimits(axisPeaks(speedMotion(program, *timeS), machine), machine);
 }
 
 } // namespace campanel::profile

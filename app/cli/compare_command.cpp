@@ -20,7 +20,7 @@ std::vector<profile::LawComparison> compared(const P& program, const profile::Ma
     return profile::compareLaws(program, machine, profile::suitableLaws(program));
 }
 
-QJsonObject rowOf(const profile::LawComparison& each)
+QJsonObject comparisonRow(const profile::LawComparison& each)
 {
     QJsonObject row{{u"law"_s, fromView(profile::findLaw(each.choice.law)->key)}};
     if (!each.result) {
@@ -38,7 +38,7 @@ QJsonObject rowOf(const profile::LawComparison& each)
     return row;
 }
 
-QByteArray rowsText(const QJsonArray& rows)
+QByteArray comparisonText(const QJsonArray& rows)
 {
     QString text = u"%1 %2 %3 %4 %5 %6 %7\n"_s.arg(u"law"_s, -20)
                        .arg(u"time s"_s, 9)
@@ -82,10 +82,10 @@ Outcome runCompare(const Invocation& call)
                     u"Laws are compared for moves: --kind position_move or --kind speed_move."_s);
     QJsonArray rows;
     for (const profile::LawComparison& each : laws)
-        rows.append(rowOf(each));
+        rows.append(comparisonRow(each));
     if (call.format() == u"json")
         return call.deliver(formatted(QJsonObject{{u"laws"_s, rows}}, call.format()));
-    return call.deliver(rowsText(rows));
+    return call.deliver(comparisonText(rows));
 }
 
 } // namespace campanel::cli

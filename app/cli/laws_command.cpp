@@ -32,7 +32,7 @@ QString fixed(double value)
 }
 
 // "ramp_fraction = 0.25", of what the row was computed with.
-QString parametersOf(const profile::Law& law)
+QString parametersText(const profile::Law& law)
 {
     QStringList texts;
     for (const profile::LawParameterInfo& parameter : law.parameters)
@@ -79,7 +79,7 @@ QString asCsv(const Row& row)
     return QStringList{fromView(row.law.key),
                        quoted(fromView(row.law.name)),
                        quoted(usesOf(row.law).join(u"; "_s)),
-                       quoted(parametersOf(row.law)),
+                       quoted(parametersText(row.law)),
                        fixed(row.peaks.cv),
                        fixed(row.peaks.ca),
                        fixed(row.peaks.cj),
@@ -104,7 +104,7 @@ QString asText(const Row& row)
         textLine(fromView(row.law.key), fromView(row.law.name), usesOf(row.law).join(u", "_s),
                  {fixed(row.peaks.cv), fixed(row.peaks.ca), fixed(row.peaks.cj), fixed(row.travel)});
     if (!row.law.parameters.empty())
-        text += u"    with "_s + parametersOf(row.law) + u'\n';
+        text += u"    with "_s + parametersText(row.law) + u'\n';
     return text + u"    + "_s + fromView(row.law.strength) + u"\n    - "_s + fromView(row.law.weakness) +
            u'\n';
 }

@@ -17,7 +17,7 @@ namespace {
 
 using modbus::RegisterInfo;
 
-QJsonArray rowsJson(std::span<const RegisterInfo> rows)
+QJsonArray registersJson(std::span<const RegisterInfo> rows)
 {
     QJsonArray array;
     for (const RegisterInfo& row : rows) {
@@ -57,8 +57,8 @@ QByteArray mapJson()
                                      {u"device_type"_s, modbus::deviceType},
                                      {u"active_bank"_s, modbus::activeBankBase},
                                      {u"staged_bank"_s, modbus::stagedBankBase},
-                                     {u"registers"_s, rowsJson(modbus::registers())},
-                                     {u"bank_fields"_s, rowsJson(modbus::bankFields())},
+                                     {u"registers"_s, registersJson(modbus::registers())},
+                                     {u"bank_fields"_s, registersJson(modbus::bankFields())},
                                      {u"values"_s, values}})
         .toJson();
 }

@@ -73,7 +73,7 @@ tl::expected<controller::ParameterValue, Failure> settingOf(const QString& text)
     return parameterOf(text.left(sign).trimmed(), value);
 }
 
-tl::expected<std::vector<controller::ParameterValue>, Failure> parametersOf(const Invocation& call)
+tl::expected<std::vector<controller::ParameterValue>, Failure> parameterValues(const Invocation& call)
 {
     std::vector<controller::ParameterValue> parameters;
     QStringList settings = call.values(u"set"_s);
@@ -154,7 +154,7 @@ tl::expected<controller::PackingJob, Failure> jobOf(const Invocation& call)
     PackingJob job;
     const auto bags = wholeOf(call, u"bags"_s, job.bags, 1, mostBags);
     const auto seed = wholeOf(call, u"seed"_s, 1, 0, mostSeed);
-    auto parameters = parametersOf(call);
+    auto parameters = parameterValues(call);
     if (!bags || !seed || !parameters)
         return tl::unexpected(!bags ? bags.error() : !seed ? seed.error() : parameters.error());
     job.bags = static_cast<std::uint32_t>(*bags);

@@ -38,7 +38,7 @@ struct TableColumn {
     int width;
     int decimals;
 };
-constexpr std::array columns{
+constexpr std::array measuredColumns{
     TableColumn{"set_length_mm", "length", 7, 1},
     TableColumn{"paper_deviation_mm", "paper", 7, 1},
     TableColumn{"rate_bags_per_min", "rate", 6, 0},
@@ -98,8 +98,8 @@ Measured measure(const program::ProgramImage& image, controller::PackingJob job,
     return measured;
 }
 
-tl::expected<QJsonObject, Failure> rowOf(const program::ProgramImage& image,
-                                         const controller::PackingJob& job, double toleranceMm)
+tl::expected<QJsonObject, Failure> measuredRow(const program::ProgramImage& image,
+                                               const controller::PackingJob& job, double toleranceMm)
 {
     const double lengthMm = program::value(image.recipe, Field::BagLength);
     const double rate = program::value(image.recipe, Field::Rate);
@@ -142,7 +142,7 @@ Outcome addRows(const program::Recipe& recipe, double lengthMm, const controller
         images.push_back(std::move(*fast));
     }
     for (const program::ProgramImage& image : images) {
-        auto row = rowOf(image, job, toleranceMm);
+        auto row = measuredRow(image, job, toleranceMm);
         if (!row)
             return tl::unexpected(row.error());
         rows.append(*row);
@@ -156,11 +156,11 @@ QByteArray tableText(const QJsonArray& rows, const controller::PackingJob& job, 
         u"mm; %1 bags a row, seed %2; within %3 mm; paper: Table 2, its machine's deviation\n"_s.arg(job.bags)
             .arg(job.machine.seed)
             .arg(toleranceMm);
-    for (const TableColumn& column : columns)
+    for (const TableColumn& column : measuredColumns)
         text += QString::fromLatin1(column.heading).rightJustified(column.width);
     for (const QJsonValue& row : rows) {
         text += u'\n';
-        for (const TableColumn& column : columns) {
+        for (const TableColumn& column : measuredColumns) {
             const QJsonValue cell = row[QLatin1String(column.key)];
             text += (cell.isNull() ? u"--"_s : QString::number(cell.toDouble(), 'f', column.decimals))
                         .rightJustified(column.width);
@@ -173,12 +173,12 @@ QByteArray tableCsv(const QJsonArray& rows)
 {
     QByteArrayList lines;
     QByteArrayList heads;
-    for (const TableColumn& column : columns)
+    for (const TableColumn& column : measuredColumns)
         heads << column.key;
     lines << heads.join(',');
     for (const QJsonValue& row : rows) {
         QByteArrayList cells;
-        for (const TableColumn& column : columns) {
+        for (const TableColumn& column : measuredColumns) {
             const QJsonValue cell = row[QLatin1String(column.key)];
             cells << (cell.isNull() ? QByteArray() : number(cell.toDouble()));
         }

@@ -7,13 +7,6 @@
 
 namespace campanel::link {
 
-namespace {
-
-// More doubtful answers than this in a row are a broken line.
-constexpr int maxFailuresInARow = 5;
-
-} // namespace
-
 ComparisonJob::ComparisonJob(std::vector<std::uint16_t> expected)
     : m_expected(std::move(expected))
 {

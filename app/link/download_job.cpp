@@ -7,9 +7,6 @@ namespace {
 
 using Phase = modbus::Download::Phase;
 
-// Blocks and seal may be repeated without harm; more doubtful answers than this in a row are a broken line.
-constexpr int maxFailuresInARow = 5;
-
 DownloadStage stageOf(Phase phase)
 {
     switch (phase) {

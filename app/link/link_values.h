@@ -28,6 +28,9 @@ namespace campanel::link {
 
 using SteadyTime = std::chrono::steady_clock::time_point;
 
+// More doubtful answers than this in a row are a broken line. What a job asks may be repeated without harm.
+inline constexpr int maxFailuresInARow = 5;
+
 // How to reach the controller.
 struct ConnectionSettings {
     bool simulated = true;

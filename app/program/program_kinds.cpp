@@ -48,7 +48,7 @@ constexpr std::array pressFields{
 constexpr std::array pressMachine{Field::FeedPerMotorRev, Field::PulsesPerMotorRev, Field::MaxMotorRpm,
                                   Field::MaxAcceleration, Field::MaxPulseFrequency};
 
-constexpr std::array<KindInfo, 5> table{{
+constexpr std::array<KindInfo, 5> kindTable{{
     {ProgramKind::RotaryCutter, "rotary_cutter", cutterFields, cutterMachine, cutterChoices, "program."},
     {ProgramKind::PositionMove, "position_move", positionFields, axisMachine, moveChoices, "position_move."},
     {ProgramKind::SpeedMove, "speed_move", speedFields, axisMachine, moveChoices, "speed_move."},
@@ -111,18 +111,18 @@ template <typename Visitor> void visitChoices(PressProgram&, Visitor) {}
 
 std::span<const KindInfo> kinds()
 {
-    return table;
+    return kindTable;
 }
 
 const KindInfo& kindInfo(ProgramKind kind)
 {
-    return table[static_cast<std::size_t>(kind) - 1];
+    return kindTable[static_cast<std::size_t>(kind) - 1];
 }
 
 const KindInfo* findKind(std::string_view key)
 {
-    const auto found = std::ranges::find(table, key, &KindInfo::key);
-    return found == table.end() ? nullptr : &*found;
+    const auto found = std::ranges::find(kindTable, key, &KindInfo::key);
+    return found == kindTable.end() ? nullptr : &*found;
 }
 
 ChoiceInfo choiceInfo(ProgramKind kind, Choice choice)

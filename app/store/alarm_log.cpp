@@ -68,7 +68,7 @@ Done forgetOldest(Database& database)
     return done ? Done() : tl::unexpected(done.error());
 }
 
-AlarmRow rowOf(const QSqlQuery& query)
+AlarmRow alarmRowOf(const QSqlQuery& query)
 {
     AlarmRow row;
     row.id = query.value(0).toLongLong();
@@ -139,7 +139,7 @@ tl::expected<QList<AlarmRow>, StoreError> AlarmLog::page(Database& database, qin
         return tl::unexpected(found.error());
     QList<AlarmRow> page;
     while (found->next())
-        page.append(rowOf(*found));
+        page.append(alarmRowOf(*found));
     return page;
 }
 

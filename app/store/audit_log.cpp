@@ -45,7 +45,7 @@ QString stored(const QString& text)
     return text.isNull() ? u""_s : text;
 }
 
-AuditRow rowOf(const QSqlQuery& row)
+AuditRow auditRowOf(const QSqlQuery& row)
 {
     return {row.value(0).toLongLong(),
             {row.value(1).toLongLong(), row.value(2).toString(), row.value(3).toInt(),
@@ -229,7 +229,7 @@ tl::expected<QList<AuditRow>, StoreError> readAudit(Database& database, const Au
         return tl::unexpected(found.error());
     QList<AuditRow> rows;
     while (found->next())
-        rows << rowOf(*found);
+        rows << auditRowOf(*found);
     return rows;
 }
 
@@ -292,7 +292,7 @@ tl::expected<void, StoreError> ChainCheck::advance(Database& database, int rows)
     const auto known = anchor(database);
     int seen = 0;
     for (; !m_isOver && found->next(); ++seen) {
-        look(rowOf(*found));
+        look(auditRowOf(*found));
         if (!m_isOver && known && known->sequence == m_next - 1 && known->hash != m_previous)
             end(Fault::Altered, known->sequence);
     }

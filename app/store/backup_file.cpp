@@ -21,16 +21,15 @@ namespace campanel::store {
 namespace {
 
 const QString manifestName = u"manifest.json"_s;
-const QString formatName = u"campanel-backup"_s;
+const QString backupFormat = u"campanel-backup"_s;
 constexpr qint64 mostManifestBytes = 100'000;
 constexpr qint64 mostRecipeBytes = 1'000'000;
 
 const QString databaseName = u"campanel.sqlite"_s;
 const QString anchorName = u"campanel.sqlite.audit"_s;
-const QString settingsName = u"settings.ini"_s;
 const QString storedName = u"recipe.json"_s;
 const QString workingName = u"working_copy.json"_s;
-const QStringList partNames{databaseName, anchorName, settingsName, storedName, workingName};
+const QStringList partNames{databaseName, anchorName, backedUpSettings, storedName, workingName};
 const QString& trendsName = trendDatabase().name; // where there are any, after the others
 
 using Kind = BackupError::Kind;
@@ -59,14 +58,14 @@ tl::expected<QByteArray, QString> hashOf(const QString& path)
     return hash.result();
 }
 
-QByteArray toJson(const BackupManifest& manifest)
+QByteArray manifestJson(const BackupManifest& manifest)
 {
     QJsonArray parts;
     for (const BackupManifest::Part& part : manifest.parts)
         parts << QJsonObject{{u"name"_s, part.name},
                              {u"bytes"_s, part.bytes},
                              {u"sha256"_s, QString::fromLatin1(part.sha256.toHex())}};
-    return QJsonDocument(QJsonObject{{u"format"_s, formatName},
+    return QJsonDocument(QJsonObject{{u"format"_s, backupFormat},
                                      {u"formatVersion"_s, backupFormatVersion},
                                      {u"campanel"_s, manifest.program},
                                      {u"schema"_s, manifest.schema},
@@ -82,7 +81,7 @@ tl::expected<BackupManifest, BackupError> manifestOf(ArchiveReader& archive, con
 {
     const auto bytes = archive.read(manifestName, mostManifestBytes);
     const QJsonObject json = bytes ? QJsonDocument::fromJson(*bytes).object() : QJsonObject();
-    if (json.value("format"_L1).toString() != formatName)
+    if (json.value("format"_L1).toString() != backupFormat)
         return tl::unexpected(BackupError{Kind::NotABackup, path, {}});
     BackupManifest manifest;
     manifest.program = json.value("campanel"_L1).toString();
@@ -221,7 +220,7 @@ tl::expected<void, QString> writeBackup(const QString& path, BackupManifest mani
     const QDir snapshot(snapshotFolder);
     QList<ArchiveEntry> entries{{databaseName, {}, snapshot.filePath(databaseName)},
                                 {anchorName, {}, snapshot.filePath(anchorName)},
-                                {settingsName, parts.settings, {}},
+                                {backedUpSettings, parts.settings, {}},
                                 {storedName, parts.storedRecipe, {}},
                                 {workingName, parts.workingCopy, {}},
                                 {trendsName, {}, snapshot.filePath(trendsName)}};
@@ -237,7 +236,7 @@ tl::expected<void, QString> writeBackup(const QString& path, BackupManifest mani
         }
         manifest.parts << part;
     }
-    entries.prepend({manifestName, toJson(manifest), {}});
+    entries.prepend({manifestName, manifestJson(manifest), {}});
     return writeArchive(path, entries);
 }
 

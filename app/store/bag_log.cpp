@@ -2,6 +2,7 @@
 #include "app/store/bag_log.h"
 
 #include "app/store/ring.h"
+#include "app/store/trend_bucket.h"
 
 #include <cmath>
 
@@ -11,12 +12,11 @@ namespace campanel::store {
 
 namespace {
 
-constexpr double perUnit = 1000; // micrometers in a millimeter; thousandths of a bag per minute
 const QString bagTable = u"bag"_s;
 
 qint64 scaled(double value)
 {
-    return std::llround(value * perUnit);
+    return std::llround(value * thousandthsPerUnit);
 }
 
 QVariant scaled(const std::optional<double>& value)
@@ -26,7 +26,7 @@ QVariant scaled(const std::optional<double>& value)
 
 std::optional<double> unscaled(const QVariant& value)
 {
-    return value.isNull() ? std::nullopt : std::optional(value.toDouble() / perUnit);
+    return value.isNull() ? std::nullopt : std::optional(value.toDouble() / thousandthsPerUnit);
 }
 
 } // namespace
@@ -121,9 +121,9 @@ tl::expected<void, StoreError> BagLog::forEach(qint64 fromMs, qint64 toMs,
         bag.timeMs = rows->value(0).toLongLong();
         bag.programName = rows->value(1).toString();
         bag.programVersion = rows->value(2).toInt();
-        bag.setLengthMm = rows->value(3).toDouble() / perUnit;
+        bag.setLengthMm = rows->value(3).toDouble() / thousandthsPerUnit;
         bag.lengths = rows->value(4).toInt();
-        bag.deviationMm = rows->value(5).toDouble() / perUnit;
+        bag.deviationMm = rows->value(5).toDouble() / thousandthsPerUnit;
         bag.markErrorMm = unscaled(rows->value(6));
         bag.followingErrorMm = unscaled(rows->value(7));
         bag.rateBagsPerMin = unscaled(rows->value(8));

@@ -136,7 +136,7 @@ void readChoice(ObjectReader& reader, Recipe& recipe, Choice choice)
     reader.fail(id, FileError::Kind::NotAChoice, key, keys.join(u", "_s));
 }
 
-void readKnots(ObjectReader& reader, profile::PointCamProgram& cam)
+void readCamKnots(ObjectReader& reader, profile::PointCamProgram& cam)
 {
     const QString id = u"knots"_s;
     if (!reader.has(id))
@@ -221,7 +221,7 @@ void readProgram(const QJsonObject& object, Recipe& recipe, std::optional<FileEr
             readChoice(reader, recipe, choice);
     }
     if (auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
-        readKnots(reader, *cam);
+        readCamKnots(reader, *cam);
     reader.refuseUnknownKeys();
 }
 

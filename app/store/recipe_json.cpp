@@ -15,12 +15,12 @@ namespace {
 
 using program::Recipe;
 
-const QString formatName = u"campanel-recipe"_s;
+const QString recipeFormat = u"campanel-recipe"_s;
 
 std::optional<FileError> wrongFormat(const QJsonObject& root)
 {
-    if (root.value(u"format"_s).toString() != formatName)
-        return FileError{FileError::Kind::NotARecipe, {}, u"format"_s, {}, formatName, 0};
+    if (root.value(u"format"_s).toString() != recipeFormat)
+        return FileError{FileError::Kind::NotARecipe, {}, u"format"_s, {}, recipeFormat, 0};
     const int version = root.value(u"format_version"_s).toInt(0);
     if (version < 1)
         return FileError{FileError::Kind::WrongType,    {}, u"format_version"_s, {},
@@ -36,7 +36,7 @@ std::optional<FileError> wrongFormat(const QJsonObject& root)
 
 QByteArray toJson(const Recipe& recipe)
 {
-    return QJsonDocument(QJsonObject{{u"format"_s, formatName},
+    return QJsonDocument(QJsonObject{{u"format"_s, recipeFormat},
                                      {u"format_version"_s, recipeFormatVersion},
                                      {u"name"_s, QString::fromStdString(recipe.name)},
                                      {u"version"_s, recipe.version},

@@ -21,7 +21,6 @@ const QString readyName = u"restore-ready"_s;
 const QString staleName = u"restore-stale"_s;
 const QString keptName = u"before-restore"_s;
 const QString databaseSuffix = u".sqlite"_s;
-const QString settingsName = u"settings.ini"_s;
 
 std::filesystem::path native(const QString& path)
 {
@@ -130,9 +129,9 @@ FinishedRestore finishRestore(const QString& folder, const QString& settingsFile
     const QDir kept(home.filePath(keptName));
     home.mkpath(keptName);
     FinishedRestore finished{true, {}, kept.path()};
-    tl::expected<void, QString> done = finishPart(ready, kept, settingsName, settingsFile);
+    tl::expected<void, QString> done = finishPart(ready, kept, backedUpSettings, settingsFile);
     for (const QString& name : ready.entryList(QDir::Files)) {
-        if (name != settingsName)
+        if (name != backedUpSettings)
             done = done.and_then([&] { return finishPart(ready, kept, name, home.filePath(name)); });
     }
     if (done)

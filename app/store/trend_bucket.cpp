@@ -9,7 +9,6 @@ namespace campanel::store {
 
 namespace {
 
-constexpr double perUnit = 1000;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 // Ten meters in micrometers; what is beyond cannot be, and its square would not fit for long.
 constexpr qint64 largest = 10'000'000;
@@ -18,7 +17,7 @@ constexpr qint64 largest = 10'000'000;
 
 void TrendBucket::add(double value, bool isWithin)
 {
-    const qint64 whole = std::clamp<qint64>(std::llround(value * perUnit), -largest, largest);
+    const qint64 whole = std::clamp<qint64>(std::llround(value * thousandthsPerUnit), -largest, largest);
     merge({1, whole, whole * whole, whole, whole, isWithin ? 1 : 0});
 }
 
@@ -36,17 +35,17 @@ void TrendBucket::merge(const TrendBucket& other)
 
 double TrendBucket::mean() const
 {
-    return isEmpty() ? unknown : static_cast<double>(sum) / static_cast<double>(count) / perUnit;
+    return isEmpty() ? unknown : static_cast<double>(sum) / static_cast<double>(count) / thousandthsPerUnit;
 }
 
 double TrendBucket::lowest() const
 {
-    return isEmpty() ? unknown : static_cast<double>(low) / perUnit;
+    return isEmpty() ? unknown : static_cast<double>(low) / thousandthsPerUnit;
 }
 
 double TrendBucket::highest() const
 {
-    return isEmpty() ? unknown : static_cast<double>(high) / perUnit;
+    return isEmpty() ? unknown : static_cast<double>(high) / thousandthsPerUnit;
 }
 
 // Chan, Golub, LeVeque: two parts are joined by the difference of their means.
@@ -61,7 +60,7 @@ void TrendStatistics::add(const TrendBucket& bucket)
     const auto near =
         static_cast<double>(bucket.squares - 2 * shift * bucket.sum + bucket.count * shift * shift);
     const auto rest = static_cast<double>(bucket.sum - bucket.count * shift);
-    const double squares = (near - rest * rest / count) / (perUnit * perUnit);
+    const double squares = (near - rest * rest / count) / (thousandthsPerUnit * thousandthsPerUnit);
     const double apart = mean - m_mean;
     const double all = m_count + count;
     m_low = m_count > 0 ? std::min(m_low, bucket.lowest()) : bucket.lowest();

@@ -7,6 +7,9 @@
 
 namespace campanel::store {
 
+// Lengths and rates are kept as whole micrometers and thousandths of a bag per minute.
+inline constexpr double thousandthsPerUnit = 1000;
+
 // The numbers are kept in the database.
 enum class TrendQuantity { BagLength, Deviation, MarkError, FollowingError, Rate, Latency };
 inline constexpr int trendQuantities = 6;

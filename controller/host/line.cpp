@@ -6,7 +6,6 @@
 namespace campanel::controller {
 namespace {
 
-constexpr std::int64_t nsPerS = 1'000'000'000;
 // An answer reaches the panel in pieces of about this length: fine enough to be a slow line, few enough
 // wake-ups.
 constexpr std::int64_t pieceNs = 1'000'000;

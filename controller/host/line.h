@@ -13,6 +13,8 @@
 
 namespace campanel::controller {
 
+inline constexpr std::int64_t nsPerS = 1'000'000'000;
+
 struct LineSettings {
     std::uint32_t baud = 115200;
     char parity = 'N'; // N, E or O

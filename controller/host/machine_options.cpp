@@ -27,7 +27,7 @@ using Film = FilmOptions;
 using Products = ProductOptions;
 using Press = PressOptions;
 
-constexpr std::array table{
+constexpr std::array optionTable{
     MachineOption{"film-slip", "MM", "standard deviation of the film's slip per bag", 0, 10,
                   film<&Film::slipMm>},
     MachineOption{"film-stretch", "SHARE", "largest slow stretch of the film; half of it is always there", 0,
@@ -92,7 +92,7 @@ std::string numberText(double value)
 
 std::span<const MachineOption> machineOptions()
 {
-    return table;
+    return optionTable;
 }
 
 std::string machineHelp()
@@ -100,7 +100,7 @@ std::string machineHelp()
     constexpr std::size_t textColumn = 23;
     MachineOptions defaults;
     std::string help;
-    for (const MachineOption& option : table) {
+    for (const MachineOption& option : optionTable) {
         std::string line("  --");
         line.append(option.name).append(" ").append(option.unit);
         line.resize(std::max(line.size() + 2, textColumn), ' ');

@@ -14,9 +14,7 @@
 namespace campanel::controller {
 namespace {
 
-constexpr std::int64_t nsPerS = 1'000'000'000;
 constexpr double nsPerUs = 1000.0;
-constexpr double umPerMm = 1000.0;
 // Nothing can be seen of the machine between two requests, so that it need not be moved more often than this.
 constexpr std::int64_t longestSleepNs = 20'000'000;
 // Steps of one catching up; further behind than that, simulated time is late for good.

@@ -9,7 +9,7 @@ namespace campanel::controller {
 namespace {
 
 constexpr double mmPerM = 1000.0;
-constexpr double fullCircle = 2.0 * std::numbers::pi;
+constexpr double twoPi = 2.0 * std::numbers::pi;
 // Newton's steps from a guess that is off by the stretch: 0.5 %, then 1e-7, then nothing.
 constexpr int inversions = 3;
 
@@ -21,7 +21,7 @@ Film::Film(const FilmOptions& options, std::uint64_t seed)
     , m_slipRandom(seed)
     , m_markRandom(seed ^ 0x9E3779B97F4A7C15u)
 {
-    std::uniform_real_distribution<double> phase(0.0, fullCircle);
+    std::uniform_real_distribution<double> phase(0.0, twoPi);
     m_waves = {Wave{0.35 * options.stretch, 503'000.0, phase(m_markRandom)},
                Wave{0.15 * options.stretch, 191'000.0, phase(m_markRandom)}};
 }
@@ -30,8 +30,8 @@ double Film::stretched(double materialMm) const
 {
     double length = materialMm * (1.0 + 0.5 * m_options.stretch);
     for (const Wave& wave : m_waves)
-        length -= wave.share * wave.lengthMm / fullCircle *
-                  (std::cos(fullCircle * materialMm / wave.lengthMm + wave.phase) - std::cos(wave.phase));
+        length -= wave.share * wave.lengthMm / twoPi *
+                  (std::cos(twoPi * materialMm / wave.lengthMm + wave.phase) - std::cos(wave.phase));
     return length + m_options.stretchStep * std::max(0.0, materialMm - m_options.stretchStepM * mmPerM);
 }
 

@@ -15,7 +15,6 @@ namespace {
 
 constexpr double fullCircle = 36000.0;  // of the bank's angles, 0.01 degrees
 constexpr double sameRevolution = 1e-6; // pulses
-constexpr double umPerMm = 1000.0;
 
 double wide(const ctl_bank& bank, unsigned offset)
 {

@@ -17,6 +17,8 @@
 
 namespace campanel::controller {
 
+inline constexpr double umPerMm = 1000.0;
+
 struct MachineOptions {
     std::uint64_t seed = 1;
     FilmOptions film;

@@ -13,7 +13,6 @@ namespace campanel::controller {
 namespace {
 
 constexpr double usPerS = 1e6;
-constexpr double umPerMm = 1000.0;
 // Homing and the ramp, before the first bag must have come; and how long a bag may take.
 constexpr std::uint64_t longestStartUs = 120'000'000;
 constexpr unsigned longestBagCycles = 400;

@@ -17,8 +17,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using namespace Qt::StringLiterals;
 
-constexpr std::chrono::seconds statusTime{5};
-
 double secondsSince(Clock::time_point start)
 {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -48,7 +46,7 @@ void openAt(modbus::RtuClient& client)
         throw std::runtime_error(describe(opened.error()));
 }
 
-double statusPerSecond(modbus::RtuClient& client)
+double provenStatusPerSecond(modbus::RtuClient& client)
 {
     std::uint16_t heartbeat = 0;
     for (int i = 0; i < 5; ++i)
@@ -88,7 +86,7 @@ void measureAt(std::uint32_t baud, double statusFloor, Figures& figures)
     const std::string at = " at " + std::to_string(baud);
     const double wireStatus =
         1.0 / std::chrono::duration<double>(modbus::pairTime(settings.line, modbus::statusFrames)).count();
-    const double status = statusPerSecond(client);
+    const double status = provenStatusPerSecond(client);
     figures.push_back(
         {"status exchanges" + at, status, 0.95 * wireStatus, "/s", "95 % of the wire's limit", false});
     figures.push_back({"status exchanges" + at, status, statusFloor, "/s", "the least wanted", false});

@@ -8,6 +8,9 @@
 
 namespace campanel::bench {
 
+// Within this a page must show what it was asked for.
+inline constexpr double pageLimitMs = 200;
+
 // The panel of that folder, whose bags and trends are there already. The log of alarms in it is filled first.
 [[nodiscard]] Figures measurePages(const QString& folder);
 

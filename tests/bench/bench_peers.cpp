@@ -23,10 +23,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using namespace Qt::StringLiterals;
 
-constexpr std::uint32_t baud = 115200;
+constexpr std::uint32_t peersBaud = 115200;
 constexpr int registerCount = 1024;
 constexpr std::uint16_t session = 7;
-constexpr std::chrono::seconds statusTime{5};
 
 double seconds(std::chrono::nanoseconds time)
 {
@@ -148,11 +147,11 @@ double wireSeconds(const modbus::LineSettings& line)
 
 Figures measurePeers()
 {
-    const test::ControllerProcess controller({u"--baud"_s, QString::number(baud)});
+    const test::ControllerProcess controller({u"--baud"_s, QString::number(peersBaud)});
     const std::string port = controller.port().toStdString();
     modbus::LinkSettings settings;
     settings.port = port;
-    settings.line.baud = baud;
+    settings.line.baud = peersBaud;
     Figures figures;
     double ours = 0;
     double oursWritten = 0;
@@ -170,8 +169,8 @@ Figures measurePeers()
         figures.push_back({"1024 registers written and read back", oursWritten, writeAndVerifySeconds(master),
                            "s", name, true, true});
     };
-    beside("plain libmodbus", *plainMaster(port, baud));
-    if (const auto master = qtMaster(port, baud))
+    beside("plain libmodbus", *plainMaster(port, peersBaud));
+    if (const auto master = qtMaster(port, peersBaud))
         beside("QModbusRtuSerialClient", *master);
     else
         std::cerr << "campanel-bench: built without QModbusRtuSerialClient; install qt6-serialbus-dev and "

@@ -2,6 +2,7 @@
 // One line per figure: what was measured, against which limit or peer, and their ratio.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -24,6 +25,9 @@ struct Figure {
 };
 
 using Figures = std::vector<Figure>;
+
+// So long status exchanges are counted.
+inline constexpr std::chrono::seconds statusTime{5};
 
 // The parts; each returns its figures, or throws std::runtime_error when something could not be measured at
 // all.
