@@ -46,7 +46,7 @@ void inStore(Stage& stage, const std::function<void(store::Database&)>& job)
     waitUntil([&isDone] { return isDone; });
 }
 
-void clear(store::Database& database)
+void deleteUsersAndAudit(store::Database& database)
 {
     for (const char* table : {"user", "audit", "audit_start"})
         (void)database.execute(u"DELETE FROM %1"_s.arg(QLatin1String(table)));
@@ -55,7 +55,7 @@ void clear(store::Database& database)
 
 void emptyStore(Stage& stage)
 {
-    inStore(stage, clear);
+    inStore(stage, deleteUsersAndAudit);
 }
 
 void reloadUsers(Stage& stage)
@@ -203,7 +203,7 @@ void forgetUsers(Stage& stage)
     if (!stage.panel().access().protectedByPins())
         return;
     stage.panel().access().logOut();
-    inStore(stage, clear);
+    inStore(stage, deleteUsersAndAudit);
     reloadUsers(stage);
 }
 

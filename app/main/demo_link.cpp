@@ -23,7 +23,7 @@ constexpr int samplesPerCycle = 78; // as over 115200 baud at one bag a second
 constexpr int samplesPerBatch = 6;
 constexpr double shareShown = 0.62; // of the newest cycle
 constexpr double lagS = 0.0012;     // of the knife behind its target
-constexpr unsigned seed = 7;
+constexpr unsigned strokeSeed = 7;
 constexpr std::uint32_t firstGeneration = 12;
 constexpr double samplesPerS = 78;
 
@@ -353,7 +353,7 @@ void DemoLink::runCycles()
 // The strokes before by their ends alone, then one as it goes; while it runs it is shown in its hold.
 void DemoLink::runStrokes()
 {
-    std::mt19937 random(seed);
+    std::mt19937 random(strokeSeed);
     std::normal_distribution<double> force(0, forceScatterN);
     std::normal_distribution<double> stopMm(0, stopScatterMm);
     const std::vector<double>& joints = m_program.solved.marksS;

@@ -34,7 +34,7 @@ int number(const QCommandLineParser& parser, const QString& option, int lowest, 
     return value;
 }
 
-QString oneOf(const QCommandLineParser& parser, const QString& option, const QStringList& choices)
+QString valueAmong(const QCommandLineParser& parser, const QString& option, const QStringList& choices)
 {
     const QString value = parser.value(option);
     if (!value.isEmpty() && !choices.contains(value))
@@ -77,8 +77,8 @@ machine::ConnectionChoice connectionFrom(const QCommandLineParser& parser)
     choice.simulated = false;
     choice.portName = parser.value(QStringLiteral("port"));
     choice.baud = number(parser, QStringLiteral("baud"), 1200, 921600);
-    choice.parity = oneOf(parser, QStringLiteral("parity"),
-                          {QStringLiteral("N"), QStringLiteral("E"), QStringLiteral("O")});
+    choice.parity = valueAmong(parser, QStringLiteral("parity"),
+                               {QStringLiteral("N"), QStringLiteral("E"), QStringLiteral("O")});
     choice.stopBits = number(parser, QStringLiteral("stop-bits"), 1, 2);
     choice.unit = number(parser, QStringLiteral("unit"), 1, 247);
     return choice;
@@ -150,9 +150,9 @@ Options readOptions(const QCoreApplication& application)
     else
         refuseLineParametersWithoutPort(parser);
     options.language =
-        oneOf(parser, QStringLiteral("language"), {QStringLiteral("en"), QStringLiteral("zh_CN")});
-    options.theme = oneOf(parser, QStringLiteral("theme"),
-                          {QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("contrast")});
+        valueAmong(parser, QStringLiteral("language"), {QStringLiteral("en"), QStringLiteral("zh_CN")});
+    options.theme = valueAmong(parser, QStringLiteral("theme"),
+                               {QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("contrast")});
     if (parser.isSet(QStringLiteral("size")))
         options.size = sizeFrom(parser.value(QStringLiteral("size")));
     options.isKiosk = parser.isSet(QStringLiteral("kiosk"));

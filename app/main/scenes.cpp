@@ -94,7 +94,7 @@ Scene edited(const char* name, double bagLengthMm, const QStringList& names)
 }
 
 // Two files on a stick that nobody has to plug in, with their dates, and the panel's own folder.
-machine::KnotFiles::Found stick(const QString&)
+machine::KnotFiles::Found knotsOnStick(const QString&)
 {
     machine::KnotFiles::Found found;
     const QString path = QStringLiteral("/media/panel/KINGSTON");
@@ -123,7 +123,7 @@ Scene knotFiles(const char* name, const QStringList& names)
                 stage.link().show(Situation::Running, Kind::PointCam);
                 machine::Editor& editor = stage.panel().editor();
                 editor.newProgram(static_cast<int>(Kind::PointCam));
-                editor.knotFiles()->setLooker(&stick);
+                editor.knotFiles()->setLooker(&knotsOnStick);
                 for (const char* tapped : {"nav1", "knotsButton", "knotFilesButton"})
                     stage.tap(QString::fromLatin1(tapped));
                 for (const QString& tapped : names) {
