@@ -21,6 +21,7 @@ constexpr std::uint32_t firstBag = 12420;
 constexpr int bagsShown = 61;       // the first one was begun before the program and does not count
 constexpr int samplesPerCycle = 78; // as over 115200 baud at one bag a second
 constexpr int samplesPerBatch = 6;
+constexpr int bagsInBatches = 2;    // the newest: how often a status comes is that of the last second
 constexpr double shareShown = 0.62; // of the newest cycle
 constexpr double lagS = 0.0012;     // of the knife behind its target
 constexpr unsigned strokeSeed = 7;
@@ -325,7 +326,7 @@ void DemoLink::runBags()
             status.bagLengthMm = m_program.cutter().cycle.bagLengthMm + off;
             m_now += std::chrono::microseconds(1000000 / samplesPerCycle);
             batch.samples.append({m_now, status});
-            if (batch.samples.size() == samplesPerBatch)
+            if (bag > bagsShown - bagsInBatches && batch.samples.size() == samplesPerBatch)
                 emit statusReceived(std::exchange(batch, {}));
         }
         emit statusReceived(batch);
