@@ -145,7 +145,8 @@ void Finger::settle()
         QCoreApplication::sendPostedEvents(nullptr,
                                            QEvent::DeferredDelete); // closed dialogs; no event loop runs here
     }
-    (void)grab();
+    QEvent frame(QEvent::UpdateRequest); // drawn at once, and not copied as grab() does
+    QCoreApplication::sendEvent(&window(), &frame);
 }
 
 QImage Finger::grab()
