@@ -2,7 +2,6 @@
 #include "app/main/access_scenes.h"
 
 #include "app/store/audit_log.h"
-#include "app/store/pin_hash.h"
 #include "app/store/user_store.h"
 
 #include <QCoreApplication>
@@ -46,7 +45,7 @@ void inStore(Stage& stage, const std::function<void(store::Database&)>& job)
     waitUntil([&isDone] { return isDone; });
 }
 
-void clear(store::Database& database)
+void deleteUsersAndAudit(store::Database& database)
 {
     for (const char* table : {"user", "audit", "audit_start"})
         (void)database.execute(u"DELETE FROM %1"_s.arg(QLatin1String(table)));
@@ -55,7 +54,7 @@ void clear(store::Database& database)
 
 void emptyStore(Stage& stage)
 {
-    inStore(stage, clear);
+    inStore(stage, deleteUsersAndAudit);
 }
 
 void reloadUsers(Stage& stage)
@@ -67,7 +66,9 @@ void reloadUsers(Stage& stage)
 
 void addUsers(Stage& stage)
 {
-    static const QString hash = store::hashPin(QString::fromLatin1(scenePin)).value_or(QString());
+    // Of scenePin, by libsodium's least effort: a panel's own takes a noticeable time, by design.
+    static const QString hash =
+        u"$argon2id$v=19$m=8,t=1,p=1$j60sMhRxdeK52puJwcNf2A$ES7Z9hPeydA8OY/1DddHqFBVPNqkrbkXoAO2wqzhUIU"_s;
     emptyStore(stage);
     inStore(stage, [](store::Database& database) {
         (void)store::addUser(database, anna, UserLevel::Service, hash);
@@ -203,7 +204,7 @@ void forgetUsers(Stage& stage)
     if (!stage.panel().access().protectedByPins())
         return;
     stage.panel().access().logOut();
-    inStore(stage, clear);
+    inStore(stage, deleteUsersAndAudit);
     reloadUsers(stage);
 }
 

@@ -12,7 +12,7 @@ namespace campanel::panel {
 
 namespace {
 
-void open(Stage& stage)
+void openBackup(Stage& stage)
 {
     stage.panel().trends().open(); // a backup waits for it
     stage.link().show(DemoLink::Situation::Stopped);
@@ -51,7 +51,7 @@ void fillStick(Stage& stage)
 Scene restoring(const char* name, const QStringList& taps)
 {
     return {QString::fromLatin1(name), [taps](Stage& stage) {
-                open(stage);
+                openBackup(stage);
                 fillStick(stage);
                 stage.tap(u"backupRestore"_s);
                 waitUntilIdle(stage);
@@ -67,13 +67,13 @@ Scene restoring(const char* name, const QStringList& taps)
 QList<Scene> backupScenes()
 {
     // Of the two files the backup is the newer one.
-    return {{u"backup"_s, &open},
+    return {{u"backup"_s, &openBackup},
             {u"backup-places"_s,
              [](Stage& stage) {
                  stage.panel().backup().setLooker([](const QString&) {
                      return QList<store::Place>{{u"/media/panel/KINGSTON"_s, u"KINGSTON"_s, false}};
                  });
-                 open(stage);
+                 openBackup(stage);
                  stage.tap(u"backupMake"_s);
                  waitUntilIdle(stage);
                  stage.waitFor(*stage.panel().backup().places());
@@ -83,7 +83,7 @@ QList<Scene> backupScenes()
                  stage.panel().service().files()->setLooker([](const QString&) {
                      return QList<store::Place>{{u"/media/panel/KINGSTON"_s, u"KINGSTON"_s, false}};
                  });
-                 open(stage);
+                 openBackup(stage);
                  stage.tap(u"bundleMake"_s);
                  stage.waitUntil(stage.panel().bundle(), &machine::ServiceBundle::offered,
                                  [](const machine::ServiceBundle& bundle) { return !bundle.busy(); });
@@ -92,7 +92,7 @@ QList<Scene> backupScenes()
             {u"restore-none"_s,
              [](Stage& stage) {
                  stage.panel().backup().setLooker([](const QString&) { return QList<store::Place>(); });
-                 open(stage);
+                 openBackup(stage);
                  stage.tap(u"backupRestore"_s);
                  waitUntilIdle(stage);
              }},

@@ -55,7 +55,7 @@ int compareWithBaselines(const QString& folder, const QString& baselines, bool i
     }
     for (const QString& name : names)
         QFile::remove(QDir(folder).filePath(name)); // of another time
-    if (!captureThose(folder, usualLooks(), allScenes(),
+    if (!captureThose(folder, allLooks(), allScenes(),
                       [&](const QString& name) { return names.contains(name); }))
         return EXIT_FAILURE;
     const QDir captured(folder);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes every scene in every look; see capture.h.
+// Writes each scene in each look; see capture.h.
 #include "app/main/capture.h"
 
 #include <QDir>
@@ -11,15 +11,6 @@ namespace campanel::panel {
 namespace {
 
 constexpr int smallestFile = 0; // as the PNG writer of Qt understands quality
-
-// Without a pattern what people look at: gloves and longer texts are for the self-test.
-QList<Look> looksToShow(const Selection& selection)
-{
-    QList<Look> looks = looksOf(selection);
-    if (selection.looks.isEmpty() && !selection.isEveryLook)
-        looks.removeIf([](const Look& look) { return look.gloves || look.isLong(); });
-    return looks;
-}
 
 // In this look, into the folder. False after an error.
 bool captureLook(const QDir& target, const Look& look, const QList<Scene>& scenes)
@@ -71,10 +62,9 @@ std::optional<int> captureThose(const QString& folder, const QList<Look>& looks,
     return written;
 }
 
-int capture(const QString& folder, const Selection& selection)
+int capture(const QString& folder, const QList<Look>& looks, const QList<Scene>& scenes)
 {
-    const auto written = captureThose(folder, looksToShow(selection), scenesOf(selection),
-                                      [](const QString&) { return true; });
+    const auto written = captureThose(folder, looks, scenes, [](const QString&) { return true; });
     if (!written)
         return EXIT_FAILURE;
     std::printf("%d pictures in %s\n", *written, qPrintable(QDir(folder).absolutePath()));

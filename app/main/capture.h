@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes every scene in every look as a PNG file, always the same picture for the same program.
+// Writes each scene in each look as a PNG file, always the same picture for the same program.
 #pragma once
 
 #include "app/main/scenes.h"
 
 namespace campanel::panel {
 
-// Without a pattern of looks: all but gloves and longer texts. Files are named as pictureName() says. The
-// exit code for main().
-[[nodiscard]] int capture(const QString& folder, const Selection& selection);
+// Files are named as pictureName() says. The exit code for main().
+[[nodiscard]] int capture(const QString& folder, const QList<Look>& looks, const QList<Scene>& scenes);
 
 // "run-light-en-800x480.png".
 [[nodiscard]] QString pictureName(const Scene& scene, const Look& look);

@@ -17,7 +17,7 @@ namespace {
 
 using Verdict = modbus::FrameVerdict;
 
-constexpr unsigned seed = 11;
+constexpr unsigned answerSeed = 11;
 constexpr int answersPerMinute = 60; // fewer than a line has: they are made one by one
 constexpr int badHour = 9;           // of the day, when a welder stood beside the cable
 constexpr int nightEnds = 5;         // the panel was off before
@@ -77,7 +77,7 @@ modbus::FrameRecord recordOf(const Frame& frame, std::uint64_t number, link::Ste
 modbus::LinkFigures figuresOfADay()
 {
     modbus::LinkFigures figures;
-    std::mt19937 random(seed);
+    std::mt19937 random(answerSeed);
     std::gamma_distribution<double> delayMs(3.0, 1.1);
     const qint64 end = QDateTime(QDate(2026, 1, 15), QTime(14, 7)).toSecsSinceEpoch();
     for (qint64 at = end - 60 * (modbus::LinkFigures::stripMinutes - 1); at <= end; at += 60) {

@@ -21,9 +21,10 @@ constexpr std::uint32_t firstBag = 12420;
 constexpr int bagsShown = 61;       // the first one was begun before the program and does not count
 constexpr int samplesPerCycle = 78; // as over 115200 baud at one bag a second
 constexpr int samplesPerBatch = 6;
+constexpr int bagsInBatches = 2;    // the newest: how often a status comes is that of the last second
 constexpr double shareShown = 0.62; // of the newest cycle
 constexpr double lagS = 0.0012;     // of the knife behind its target
-constexpr unsigned seed = 7;
+constexpr unsigned strokeSeed = 7;
 constexpr std::uint32_t firstGeneration = 12;
 constexpr double samplesPerS = 78;
 
@@ -325,7 +326,7 @@ void DemoLink::runBags()
             status.bagLengthMm = m_program.cutter().cycle.bagLengthMm + off;
             m_now += std::chrono::microseconds(1000000 / samplesPerCycle);
             batch.samples.append({m_now, status});
-            if (batch.samples.size() == samplesPerBatch)
+            if (bag > bagsShown - bagsInBatches && batch.samples.size() == samplesPerBatch)
                 emit statusReceived(std::exchange(batch, {}));
         }
         emit statusReceived(batch);
@@ -353,7 +354,7 @@ void DemoLink::runCycles()
 // The strokes before by their ends alone, then one as it goes; while it runs it is shown in its hold.
 void DemoLink::runStrokes()
 {
-    std::mt19937 random(seed);
+    std::mt19937 random(strokeSeed);
     std::normal_distribution<double> force(0, forceScatterN);
     std::normal_distribution<double> stopMm(0, stopScatterMm);
     const std::vector<double>& joints = m_program.solved.marksS;

@@ -4,13 +4,16 @@
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
+#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QStyleHints>
 
 namespace campanel::panel {
 namespace {
 
-constexpr int holdTimeMs = 1000; // longer than a long press
+constexpr int longPressMs = 1; // while something is held: nobody waits for it in real time
+constexpr int holdTimeMs = 20; // longer than that
 
 QQuickItem* visibleItem(QQuickItem& below, const QString& name)
 {
@@ -69,6 +72,8 @@ void Finger::press(QQuickItem& item, int holdMs)
     held.start();
     while (held.elapsed() < holdMs)
         QCoreApplication::processEvents(QEventLoop::AllEvents, holdMs);
+    if (holdMs > 0)
+        QCoreApplication::processEvents(); // a timer that ended just now
     sendMouse(window(), QEvent::MouseButtonRelease, at);
     settle();
 }
@@ -85,7 +90,14 @@ void Finger::tap(QQuickItem& item)
 
 void Finger::hold(const QString& name)
 {
+    QStyleHints& hints = *QGuiApplication::styleHints(); // of keys; of other items it is the theme's
+    const int usualMs = hints.mousePressAndHoldInterval();
+    const QVariant usualTime = theme()->property("longPressTime");
+    hints.setMousePressAndHoldInterval(longPressMs);
+    theme()->setProperty("longPressTime", longPressMs);
     press(name, holdTimeMs);
+    hints.setMousePressAndHoldInterval(usualMs);
+    theme()->setProperty("longPressTime", usualTime);
 }
 
 void Finger::touch(const QString& name)
@@ -133,7 +145,8 @@ void Finger::settle()
         QCoreApplication::sendPostedEvents(nullptr,
                                            QEvent::DeferredDelete); // closed dialogs; no event loop runs here
     }
-    (void)grab();
+    QEvent frame(QEvent::UpdateRequest); // drawn at once, and not copied as grab() does
+    QCoreApplication::sendEvent(&window(), &frame);
 }
 
 QImage Finger::grab()

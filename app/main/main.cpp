@@ -106,7 +106,7 @@ constexpr int restartCode = 1000;
 int capture(const panel::Options& options)
 {
     return options.baselineFolder.isEmpty()
-               ? panel::capture(options.captureFolder, options.selection)
+               ? panel::capture(options.captureFolder, options.looks, options.scenes)
                : panel::compareWithBaselines(options.captureFolder, options.baselineFolder,
                                              options.isUpdatingBaselines);
 }
@@ -176,7 +176,7 @@ int main(int argc, char* argv[])
     if (!options.captureFolder.isEmpty())
         return hasFonts() ? capture(options) : EXIT_FAILURE;
     if (options.isSelfTest)
-        return hasFonts() ? panel::selfTest(options.selection) : EXIT_FAILURE;
+        return hasFonts() ? panel::selfTest(options.looks, options.scenes) : EXIT_FAILURE;
     const panel::EndSignals endSignals;
     int code = restartCode;
     while (code == restartCode)

@@ -15,6 +15,7 @@ namespace campanel::panel {
 namespace {
 
 constexpr int usageError = 2;
+const QString defaultLook = QStringLiteral("light-en-1024x600");
 
 [[noreturn]] void refuse(const QString& sentence)
 {
@@ -34,7 +35,7 @@ int number(const QCommandLineParser& parser, const QString& option, int lowest, 
     return value;
 }
 
-QString oneOf(const QCommandLineParser& parser, const QString& option, const QStringList& choices)
+QString valueAmong(const QCommandLineParser& parser, const QString& option, const QStringList& choices)
 {
     const QString value = parser.value(option);
     if (!value.isEmpty() && !choices.contains(value))
@@ -71,14 +72,27 @@ void refuseWithout(const QCommandLineParser& parser, const QString& option, cons
         refuse(QStringLiteral("--%1 says nothing without --%2 FOLDER.").arg(option, needed));
 }
 
+// `named` finds what the patterns of the option name; one that names nothing would look like a test passed.
+template <typename Named>
+auto selected(const QCommandLineParser& parser, const QString& option, const QString& example, Named named)
+{
+    const QString patterns = parser.value(option);
+    for (const QString& pattern : patterns.split(u',')) {
+        if (named(pattern).isEmpty())
+            refuse(
+                QStringLiteral("--%1 \"%2\" names none of the %1; one is %3.").arg(option, pattern, example));
+    }
+    return named(patterns);
+}
+
 machine::ConnectionChoice connectionFrom(const QCommandLineParser& parser)
 {
     machine::ConnectionChoice choice;
     choice.simulated = false;
     choice.portName = parser.value(QStringLiteral("port"));
     choice.baud = number(parser, QStringLiteral("baud"), 1200, 921600);
-    choice.parity = oneOf(parser, QStringLiteral("parity"),
-                          {QStringLiteral("N"), QStringLiteral("E"), QStringLiteral("O")});
+    choice.parity = valueAmong(parser, QStringLiteral("parity"),
+                               {QStringLiteral("N"), QStringLiteral("E"), QStringLiteral("O")});
     choice.stopBits = number(parser, QStringLiteral("stop-bits"), 1, 2);
     choice.unit = number(parser, QStringLiteral("unit"), 1, 247);
     return choice;
@@ -116,20 +130,20 @@ Options readOptions(const QCoreApplication& application)
          QStringLiteral("Without a window system: wait for the screen, then fill it by eglfs or linuxfb.")},
         {QStringLiteral("size"), QStringLiteral("Size of the window (1024x600)."), QStringLiteral("WxH")},
         {QStringLiteral("fullscreen"), QStringLiteral("Fill the screen; touch sizes follow its density.")},
-        {QStringLiteral("capture"),
-         QStringLiteral("Write every page and dialog in every language, theme and size as PNG, and end."),
+        {QStringLiteral("capture"), QStringLiteral("Write every page and dialog as PNG, and end."),
          QStringLiteral("folder")},
         {QStringLiteral("self-test"),
          QStringLiteral("Load every page and dialog and check texts, contrast and touch targets, and end.")},
         {QStringLiteral("looks"),
-         QStringLiteral("Of --capture and --self-test: only these, such as \"dark-*\" or \"*-gloves\"."),
-         QStringLiteral("pattern")},
-        {QStringLiteral("every-look"),
-         QStringLiteral("Of --capture and --self-test: every language in every theme at every size, with "
-                        "gloves and without, and not only what a theme or gloves could change.")},
+         QStringLiteral(
+             "Of --capture and --self-test: theme, language, size and gloves, such as \"dark-*\" or "
+             "\"light-en-*,*-gloves\" (%1). \"*\" is each of the 54; \"usual\" is 18 of them: themes, "
+             "longer texts and gloves only for what they could change.")
+             .arg(defaultLook),
+         QStringLiteral("patterns"), defaultLook},
         {QStringLiteral("scenes"),
-         QStringLiteral("Of --capture and --self-test: only these, such as \"run*\"."),
-         QStringLiteral("pattern")},
+         QStringLiteral("Of --capture and --self-test: only these, such as \"run*,motion\"."),
+         QStringLiteral("patterns"), QStringLiteral("*")},
         {QStringLiteral("compare"),
          QStringLiteral(
              "Of --capture: only the pictures in that folder, compared with them; fails when one differs."),
@@ -150,9 +164,9 @@ Options readOptions(const QCoreApplication& application)
     else
         refuseLineParametersWithoutPort(parser);
     options.language =
-        oneOf(parser, QStringLiteral("language"), {QStringLiteral("en"), QStringLiteral("zh_CN")});
-    options.theme = oneOf(parser, QStringLiteral("theme"),
-                          {QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("contrast")});
+        valueAmong(parser, QStringLiteral("language"), {QStringLiteral("en"), QStringLiteral("zh_CN")});
+    options.theme = valueAmong(parser, QStringLiteral("theme"),
+                               {QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("contrast")});
     if (parser.isSet(QStringLiteral("size")))
         options.size = sizeFrom(parser.value(QStringLiteral("size")));
     options.isKiosk = parser.isSet(QStringLiteral("kiosk"));
@@ -160,11 +174,13 @@ Options readOptions(const QCoreApplication& application)
     options.captureFolder = parser.value(QStringLiteral("capture"));
     options.baselineFolder = parser.value(QStringLiteral("compare"));
     options.isUpdatingBaselines = parser.isSet(QStringLiteral("update-golden"));
-    options.selection = {parser.value(QStringLiteral("looks")), parser.value(QStringLiteral("scenes")),
-                         parser.isSet(QStringLiteral("every-look"))};
     refuseWithout(parser, QStringLiteral("compare"), QStringLiteral("capture"));
     refuseWithout(parser, QStringLiteral("update-golden"), QStringLiteral("compare"));
     options.isSelfTest = parser.isSet(QStringLiteral("self-test"));
+    if (options.isSelfTest || !options.captureFolder.isEmpty()) {
+        options.looks = selected(parser, QStringLiteral("looks"), defaultLook, &looksNamed);
+        options.scenes = selected(parser, QStringLiteral("scenes"), QStringLiteral("run"), &scenesNamed);
+    }
     options.isFirstFrameAnnounced = parser.isSet(QStringLiteral("announce-first-frame"));
     return options;
 }

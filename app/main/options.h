@@ -24,8 +24,9 @@ struct Options {
     QString captureFolder;  // empty: no capture
     QString baselineFolder; // of the pictures that a capture is compared with; empty: nothing is compared
     bool isUpdatingBaselines = false;
-    Selection selection; // of what a capture or the self-test looks at
     bool isSelfTest = false;
+    QList<Look> looks; // of a capture or the self-test
+    QList<Scene> scenes;
     bool isFirstFrameAnnounced = false; // a line on stdout, for measuring the start
 };
 

@@ -27,7 +27,7 @@ constexpr std::array kept{Kept{"Chocolate bar 120", 120, 180, "Anna", 5},
                           Kept{"Wafer 90", 90, 190, "Anna", 11},
                           Kept{"\xE8\x8B\x8F\xE6\x89\x93\xE9\xA5\xBC\xE5\xB9\xB2 200", 200, 90, "Li Wei", 12},
                           Kept{"Crispbread 160", 160, 120, "Anna", 13}};
-constexpr int names = 7; // the one that is open among them
+constexpr int keptNames = 7; // the one that is open among them
 
 tl::expected<void, store::StoreError> saveAll(store::Database& database)
 {
@@ -46,16 +46,16 @@ tl::expected<void, store::StoreError> saveAll(store::Database& database)
 }
 
 // The page with a library, and taps from there.
-void open(Stage& stage, const QStringList& tapped = {})
+void openLibrary(Stage& stage, const QStringList& tapped = {})
 {
     Recipes& recipes = stage.panel().recipes();
     recipes.setSearch({});
     recipes.dismissMessage();
-    if (recipes.total() < names) {
+    if (recipes.total() < keptNames) {
         stage.panel().records().store().run(&recipes, &saveAll,
                                             [&recipes](const auto& /*saved*/) { recipes.reload(); });
         stage.waitUntil(recipes, &Recipes::listChanged,
-                        [](const Recipes& each) { return each.total() >= names; });
+                        [](const Recipes& each) { return each.total() >= keptNames; });
     }
     stage.tap(QStringLiteral("nav4"));
     stage.tap(QStringLiteral("recipe0"));
@@ -65,11 +65,11 @@ void open(Stage& stage, const QStringList& tapped = {})
 
 Scene page(const char* name, const QStringList& tapped = {})
 {
-    return {QString::fromLatin1(name), [tapped](Stage& stage) { open(stage, tapped); }};
+    return {QString::fromLatin1(name), [tapped](Stage& stage) { openLibrary(stage, tapped); }};
 }
 
 // One file that can be taken over and one that cannot.
-QList<store::RecipeOffer> stick(const QString& /*ownFolder*/)
+QList<store::RecipeOffer> recipesOnStick(const QString& /*ownFolder*/)
 {
     const QString path = QStringLiteral("/media/panel/KINGSTON/");
     const QString place = QStringLiteral("KINGSTON");
@@ -88,8 +88,8 @@ Scene importing(const char* name, const QString& tapped)
 {
     return {QString::fromLatin1(name), [tapped](Stage& stage) {
                 machine::RecipeFiles& files = *stage.panel().recipes().files();
-                files.setLooker(&stick);
-                open(stage, {QStringLiteral("recipeImport")});
+                files.setLooker(&recipesOnStick);
+                openLibrary(stage, {QStringLiteral("recipeImport")});
                 stage.waitFor(files);
                 stage.tap(tapped);
             }};
@@ -99,7 +99,7 @@ Scene importing(const char* name, const QString& tapped)
 Scene versions(const char* name, const QString& tapped)
 {
     return {QString::fromLatin1(name), [tapped](Stage& stage) {
-                open(stage);
+                openLibrary(stage);
                 const auto& rows = stage.panel().recipes().list()->rows();
                 const auto row =
                     std::ranges::find(rows, QStringLiteral("Chocolate bar 120"), &machine::RecipeRow::name);
@@ -119,25 +119,25 @@ QList<Scene> recipeScenes()
     return {page("recipes"),
             {QStringLiteral("recipes-nothing-found"),
              [](Stage& stage) {
-                 open(stage);
+                 openLibrary(stage);
                  stage.panel().recipes().setSearch(QStringLiteral("pretzel"));
              }},
             {QStringLiteral("recipes-edited"),
              [](Stage& stage) {
                  stage.panel().editor().bagLength()->set(240);
-                 open(stage);
+                 openLibrary(stage);
              }},
             {QStringLiteral("recipes-unsaved"),
              [](Stage& stage) {
                  stage.panel().editor().bagLength()->set(240);
-                 open(stage, {QStringLiteral("recipe1"), QStringLiteral("recipeOpen")});
+                 openLibrary(stage, {QStringLiteral("recipe1"), QStringLiteral("recipeOpen")});
              }},
             page("recipes-new-kind", {QStringLiteral("recipeNew")}),
             page("recipes-name", {QStringLiteral("recipeRename")}),
             page("recipes-name-signs", {QStringLiteral("recipeCopy"), QStringLiteral("textSigns")}),
             {QStringLiteral("recipes-name-pinyin"),
              [](Stage& stage) {
-                 open(stage, {QStringLiteral("recipeRename")});
+                 openLibrary(stage, {QStringLiteral("recipeRename")});
                  if (QLocale().language() != QLocale::Chinese)
                      stage.tap(QStringLiteral("textChinese"));
                  for (const QChar letter : QStringLiteral("binggan"))

@@ -15,6 +15,7 @@
 #include <QFile>
 #include <QRegularExpression>
 
+#include <algorithm>
 #include <array>
 
 using namespace Qt::StringLiterals;
@@ -94,7 +95,7 @@ Scene edited(const char* name, double bagLengthMm, const QStringList& names)
 }
 
 // Two files on a stick that nobody has to plug in, with their dates, and the panel's own folder.
-machine::KnotFiles::Found stick(const QString&)
+machine::KnotFiles::Found knotsOnStick(const QString&)
 {
     machine::KnotFiles::Found found;
     const QString path = QStringLiteral("/media/panel/KINGSTON");
@@ -123,7 +124,7 @@ Scene knotFiles(const char* name, const QStringList& names)
                 stage.link().show(Situation::Running, Kind::PointCam);
                 machine::Editor& editor = stage.panel().editor();
                 editor.newProgram(static_cast<int>(Kind::PointCam));
-                editor.knotFiles()->setLooker(&stick);
+                editor.knotFiles()->setLooker(&knotsOnStick);
                 for (const char* tapped : {"nav1", "knotsButton", "knotFilesButton"})
                     stage.tap(QString::fromLatin1(tapped));
                 for (const QString& tapped : names) {
@@ -172,11 +173,6 @@ Scene reportPlaces(const char* name)
                 stage.waitFor(files);
                 stage.tap(QStringLiteral("place0"));
             }};
-}
-
-bool matches(const QString& pattern, const QString& name)
-{
-    return pattern.isEmpty() || QRegularExpression::fromWildcard(pattern).match(name).hasMatch();
 }
 
 } // namespace
@@ -403,7 +399,36 @@ namespace {
 
 constexpr std::array lookSizes{QSize(800, 480), QSize(1024, 600), QSize(1280, 800)};
 
-QList<Look> everyLook()
+QStringList usualLooks()
+{
+    QStringList names;
+    for (const QSize size : lookSizes) {
+        // A color moves no text but the bold name of its theme, and all three lay out the same: of dark and
+        // high contrast one language each at each size, in turn, is enough; so is one theme for gloves and
+        // for longer texts.
+        const bool isMiddle = size.width() == 1024;
+        const QString light = u"light"_s;
+        const QString english = u"en"_s;
+        const QString chinese = u"zh_CN"_s;
+        for (const Look& look : {Look{english, light, size}, Look{chinese, light, size},
+                                 Look{isMiddle ? chinese : english, u"dark"_s, size},
+                                 Look{isMiddle ? english : chinese, u"contrast"_s, size},
+                                 Look{u"long"_s, light, size}, Look{english, light, size, true}})
+            names += look.name();
+    }
+    return names;
+}
+
+bool isNamed(const QStringList& patterns, const QString& name)
+{
+    return std::ranges::any_of(patterns, [&name](const QString& pattern) {
+        return QRegularExpression::fromWildcard(pattern).match(name).hasMatch();
+    });
+}
+
+} // namespace
+
+QList<Look> allLooks()
 {
     QList<Look> looks;
     for (const QSize size : lookSizes) {
@@ -417,40 +442,20 @@ QList<Look> everyLook()
     return looks;
 }
 
-} // namespace
-
-QList<Look> usualLooks()
+QList<Look> looksNamed(const QString& patterns)
 {
-    QList<Look> looks;
-    const auto add = [&looks](const char* theme, const char* language, QSize size, bool gloves = false) {
-        looks.append({QString::fromLatin1(language), QString::fromLatin1(theme), size, gloves});
-    };
-    for (const QSize size : lookSizes) {
-        // A color moves no text but the bold name of its theme, and all three lay out the same: of dark and
-        // high contrast one language each at each size, in turn, is enough; so is one theme for gloves and
-        // for longer texts.
-        const bool isMiddle = size.width() == 1024;
-        add("light", "en", size);
-        add("light", "zh_CN", size);
-        add("dark", isMiddle ? "zh_CN" : "en", size);
-        add("contrast", isMiddle ? "en" : "zh_CN", size);
-        add("light", "long", size);
-        add("light", "en", size, true);
-    }
+    QStringList each = patterns.split(u',');
+    if (each.removeAll(u"usual"_s) > 0)
+        each += usualLooks();
+    QList<Look> looks = allLooks();
+    looks.removeIf([&each](const Look& look) { return !isNamed(each, look.name()); });
     return looks;
 }
 
-QList<Look> looksOf(const Selection& selection)
-{
-    QList<Look> looks = selection.isEveryLook ? everyLook() : usualLooks();
-    looks.removeIf([&](const Look& look) { return !matches(selection.looks, look.name()); });
-    return looks;
-}
-
-QList<Scene> scenesOf(const Selection& selection)
+QList<Scene> scenesNamed(const QString& patterns)
 {
     QList<Scene> scenes = allScenes();
-    scenes.removeIf([&](const Scene& scene) { return !matches(selection.scenes, scene.name); });
+    scenes.removeIf([each = patterns.split(u',')](const Scene& scene) { return !isNamed(each, scene.name); });
     return scenes;
 }
 

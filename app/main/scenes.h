@@ -17,20 +17,14 @@ struct Scene {
 
 [[nodiscard]] const QList<Scene>& allScenes();
 
-// What the self-test and a capture look at: every language and size in the light theme, in the others what
-// their colors could change; gloves, and texts that are longer.
-[[nodiscard]] QList<Look> usualLooks();
+// Every language in every theme at every size, with gloves and without.
+[[nodiscard]] QList<Look> allLooks();
 
-// Patterns as of a shell ("run*"). Without one: all; of the looks the usual ones unless it is to be every
-// one.
-struct Selection {
-    QString looks;
-    QString scenes;
-    bool isEveryLook = false; // every language in every theme at every size, with gloves and without
-};
-
-[[nodiscard]] QList<Look> looksOf(const Selection& selection);
-[[nodiscard]] QList<Scene> scenesOf(const Selection& selection);
+// Those that one of the patterns names, as of a shell and with commas between them ("run*,motion"). Of looks
+// the word "usual" names every language and size in the light theme, in the others what their colors could
+// change, gloves, and texts that are longer.
+[[nodiscard]] QList<Look> looksNamed(const QString& patterns);
+[[nodiscard]] QList<Scene> scenesNamed(const QString& patterns);
 
 // From wherever the stage is to the scene.
 void enterScene(Stage& stage, const Scene& scene);

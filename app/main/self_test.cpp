@@ -54,15 +54,8 @@ QStringList checkLook(const Look& look, const QList<Scene>& scenes)
 
 } // namespace
 
-int selfTest(const Selection& selection)
+int selfTest(const QList<Look>& looks, const QList<Scene>& scenes)
 {
-    const QList<Look> looks = looksOf(selection);
-    const QList<Scene> scenes = scenesOf(selection);
-    if (looks.isEmpty() || scenes.isEmpty()) {
-        std::fprintf(stderr, "campanel: no %s is called so; nothing was looked at.\n",
-                     looks.isEmpty() ? "look" : "page or dialog");
-        return EXIT_FAILURE;
-    }
     const QtMessageHandler before = qInstallMessageHandler(noteMessage);
     qsizetype faults = 0;
     for (const Look& look : looks) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loads every page and dialog in every language, theme and size, and fails on any warning, clipped text,
-// small target or unreachable Stop.
+// Loads pages and dialogs in each look and fails on any warning, clipped text, small target or unreachable
+// Stop.
 #pragma once
 
 #include "app/main/scenes.h"
 
 namespace campanel::panel {
 
-// The exit code for main(); a selection that selects nothing is a fault.
-[[nodiscard]] int selfTest(const Selection& selection);
+// The exit code for main().
+[[nodiscard]] int selfTest(const QList<Look>& looks, const QList<Scene>& scenes);
 
 } // namespace campanel::panel

@@ -10,7 +10,8 @@ namespace {
 using Situation = DemoLink::Situation;
 using Kind = DemoLink::Kind;
 
-void open(Stage& stage, const char* section, Situation situation, Kind kind = Kind::RotaryCutter)
+void openMachineSection(Stage& stage, const char* section, Situation situation,
+                        Kind kind = Kind::RotaryCutter)
 {
     stage.link().show(situation, kind);
     stage.lookAtClock();
@@ -20,15 +21,16 @@ void open(Stage& stage, const char* section, Situation situation, Kind kind = Ki
 
 Scene scene(const char* name, const char* section, Situation situation, Kind kind = Kind::RotaryCutter)
 {
-    return {QString::fromLatin1(name),
-            [section, situation, kind](Stage& stage) { open(stage, section, situation, kind); }};
+    return {QString::fromLatin1(name), [section, situation, kind](Stage& stage) {
+                openMachineSection(stage, section, situation, kind);
+            }};
 }
 
 // With values that were there before the line was lost.
-Scene lost(const char* name, const char* section)
+Scene oldValues(const char* name, const char* section)
 {
     return {QString::fromLatin1(name), [section](Stage& stage) {
-                open(stage, section, Situation::Running);
+                openMachineSection(stage, section, Situation::Running);
                 stage.link().show(Situation::Lost);
                 stage.lookAtClock();
             }};
@@ -48,7 +50,7 @@ void tell(Stage& stage, modbus::State state, std::uint16_t warningBits = 0)
 Scene dryRun(const char* name, Kind kind, double turnedDeg)
 {
     return {QString::fromLatin1(name), [kind, turnedDeg](Stage& stage) {
-                open(stage, "serviceDryRun", Situation::Stopped);
+                openMachineSection(stage, "serviceDryRun", Situation::Stopped);
                 stage.panel().editor().newProgram(static_cast<int>(kind));
                 machine::DryRun& run = *stage.panel().service().dryRun();
                 run.toStart();
@@ -65,33 +67,33 @@ QList<Scene> serviceScenes()
     return {scene("jog", "serviceJog", Situation::Stopped),
             {QStringLiteral("jog-held"),
              [](Stage& stage) {
-                 open(stage, "serviceJog", Situation::Stopped);
+                 openMachineSection(stage, "serviceJog", Situation::Stopped);
                  stage.panel().service().jog()->press(1);
                  tell(stage, modbus::State::Jogging);
              }},
             scene("jog-press", "serviceJog", Situation::Stopped, Kind::Press),
             scene("jog-blocked", "serviceJog", Situation::Running),
             scene("jog-empty", "serviceJog", Situation::Empty),
-            lost("jog-lost", "serviceJog"),
+            oldValues("jog-lost", "serviceJog"),
             {QStringLiteral("jog-speed"),
              [](Stage& stage) {
-                 open(stage, "serviceJog", Situation::Stopped);
+                 openMachineSection(stage, "serviceJog", Situation::Stopped);
                  stage.tap(QStringLiteral("jogSpeed"));
              }},
             scene("homing", "serviceHoming", Situation::Stopped),
             {QStringLiteral("homing-needed"),
              [=](Stage& stage) {
-                 open(stage, "serviceHoming", Situation::Stopped);
+                 openMachineSection(stage, "serviceHoming", Situation::Stopped);
                  tell(stage, modbus::State::Ready, notHomed);
              }},
             {QStringLiteral("homing-under-way"),
              [=](Stage& stage) {
-                 open(stage, "serviceHoming", Situation::Stopped);
+                 openMachineSection(stage, "serviceHoming", Situation::Stopped);
                  tell(stage, modbus::State::Homing, notHomed);
              }},
             {QStringLiteral("homing-failed"),
              [=](Stage& stage) {
-                 open(stage, "serviceHoming", Situation::Stopped);
+                 openMachineSection(stage, "serviceHoming", Situation::Stopped);
                  tell(stage, modbus::State::Homing, notHomed);
                  tell(stage, modbus::State::Fault, notHomed);
              }},
@@ -101,7 +103,7 @@ QList<Scene> serviceScenes()
             scene("io", "serviceIo", Situation::Running),
             scene("io-fault", "serviceIo", Situation::Fault),
             scene("io-press", "serviceIo", Situation::Stopped, Kind::Press),
-            lost("io-lost", "serviceIo"),
+            oldValues("io-lost", "serviceIo"),
             scene("io-empty", "serviceIo", Situation::Absent),
             dryRun("dry-run", Kind::RotaryCutter, 200),
             dryRun("dry-run-apart", Kind::RotaryCutter, 62.5),

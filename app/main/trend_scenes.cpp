@@ -15,7 +15,7 @@ namespace {
 using store::TrendPart;
 using store::TrendQuantity;
 
-constexpr unsigned seed = 11;
+constexpr unsigned trendSeed = 11;
 constexpr qint64 msPerSecond = 1000;
 constexpr qint64 secondsOfNow = 600;
 constexpr qint64 secondsOfPause = 70; // in these
@@ -54,7 +54,7 @@ void addSecond(QList<TrendPart>& parts, qint64 second, std::mt19937& random)
 // shifts: enough for a picture of the week.
 QList<TrendPart> demoTrends()
 {
-    std::mt19937 random(seed);
+    std::mt19937 random(trendSeed);
     QList<TrendPart> parts;
     const qint64 now = nowMs() / msPerSecond;
     for (qint64 back = tenMinutesOfAWeek; back > 0; --back) {
@@ -86,7 +86,7 @@ QList<store::Bag> demoBags()
 }
 
 // What the demonstration's machine has recorded goes: it depends on the scenes before.
-tl::expected<void, store::StoreError> clear(store::Database& database)
+tl::expected<void, store::StoreError> deleteTrends(store::Database& database)
 {
     for (const char* table : {"bag", "program", "trend_second", "trend_minute", "trend_hour"}) {
         if (const auto done = database.execute(QStringLiteral("DELETE FROM %1").arg(QLatin1String(table)));
@@ -104,7 +104,7 @@ tl::expected<void, store::StoreError> fill(store::Database& database)
     const auto found = bags.countBetween(wanted.first().timeMs, nowMs(), wanted.size());
     if (found == wanted.size()) // by a scene before
         return {};
-    if (const auto cleared = clear(database); !cleared)
+    if (const auto cleared = deleteTrends(database); !cleared)
         return cleared;
     if (const auto added = bags.add(wanted); !added)
         return added;
@@ -174,7 +174,7 @@ QList<Scene> trendScenes()
     return {{QStringLiteral("trends-empty"),
              [](Stage& stage) {
                  openPage(stage);
-                 change(stage, clear);
+                 change(stage, deleteTrends);
              }},
             {QStringLiteral("trends"), [](Stage& stage) { openFilled(stage); }},
             {QStringLiteral("trends-explained"),

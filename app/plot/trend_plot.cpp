@@ -14,7 +14,6 @@ namespace campanel::plot {
 
 namespace {
 
-constexpr int holdMs = 500;
 constexpr double axisGap = 3;       // px between the canvas and the times below it
 constexpr double tickSpacing = 1.5; // widths of a label from one tick to the next, at least
 constexpr double cursorWidth = 1.5;
@@ -32,7 +31,6 @@ TrendPlot::TrendPlot(QQuickItem* parent)
     connect(this, &TrendPlot::styleChanged, this, &TrendPlot::invalidate);
     connect(this, &TrendPlot::cursorChanged, this, [this] { update(boundingRect().toAlignedRect()); });
     m_holdTimer.setSingleShot(true);
-    m_holdTimer.setInterval(holdMs);
     connect(&m_holdTimer, &QTimer::timeout, this, &TrendPlot::takeHold);
 }
 

@@ -2,7 +2,9 @@
 // What fingers do on a TrendPlot; a mouse is a finger.
 #include "app/plot/trend_plot.h"
 
+#include <QGuiApplication>
 #include <QMouseEvent>
+#include <QStyleHints>
 #include <QTouchEvent>
 
 #include <algorithm>
@@ -10,6 +12,8 @@
 namespace campanel::plot {
 
 namespace {
+
+constexpr int holdMs = 500; // unless the platform wants less
 
 QList<double> placesOf(const QTouchEvent& event, double left)
 {
@@ -60,7 +64,7 @@ void TrendPlot::putFingers(const QList<double>& x, double y)
     m_pressY = y;
     m_wereTwoFingers = m_wereTwoFingers || x.size() > 1;
     if (!m_wereTwoFingers && !m_isPointing && !m_isDone)
-        m_holdTimer.start();
+        m_holdTimer.start(std::min(holdMs, QGuiApplication::styleHints()->mousePressAndHoldInterval()));
     else
         m_holdTimer.stop();
 }

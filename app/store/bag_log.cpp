@@ -33,12 +33,17 @@ std::optional<double> unscaled(const QVariant& value)
 
 tl::expected<void, StoreError> BagLog::add(const QList<Bag>& bags)
 {
+    qint64 askedMs = 0;
+    qint64 givenMs = 0; // all from the one to the other are taken
     for (const Bag& bag : bags) {
         const auto program = programOf(bag);
         if (!program)
             return tl::unexpected(program.error());
-        if (const auto inserted = insert(bag, *program); !inserted)
-            return inserted;
+        const auto inserted = insert(bag, *program, bag.timeMs == askedMs ? givenMs : bag.timeMs);
+        if (!inserted)
+            return tl::unexpected(inserted.error());
+        askedMs = bag.timeMs;
+        givenMs = *inserted;
     }
     if (bags.isEmpty())
         return {};
@@ -61,9 +66,8 @@ tl::expected<qint64, StoreError> BagLog::programOf(const Bag& bag)
     return noted->value(0).toLongLong();
 }
 
-tl::expected<void, StoreError> BagLog::insert(const Bag& bag, qint64 program)
+tl::expected<qint64, StoreError> BagLog::insert(const Bag& bag, qint64 program, qint64 timeMs)
 {
-    qint64 timeMs = bag.timeMs;
     auto taken = m_database.execute(u"SELECT 1 FROM bag WHERE time_ms = ?"_s, {timeMs});
     if (!taken)
         return tl::unexpected(taken.error());
@@ -79,7 +83,9 @@ tl::expected<void, StoreError> BagLog::insert(const Bag& bag, qint64 program)
                                              {timeMs, program, scaled(bag.deviationMm), bag.lengths,
                                               scaled(bag.markErrorMm), scaled(bag.followingErrorMm),
                                               scaled(bag.rateBagsPerMin), static_cast<int>(bag.flags)});
-    return inserted ? tl::expected<void, StoreError>() : tl::unexpected(inserted.error());
+    if (!inserted)
+        return tl::unexpected(inserted.error());
+    return timeMs;
 }
 
 // Of which no bag is left.

@@ -53,7 +53,8 @@ public:
 
 private:
     [[nodiscard]] tl::expected<qint64, StoreError> programOf(const Bag& bag);
-    [[nodiscard]] tl::expected<void, StoreError> insert(const Bag& bag, qint64 program);
+    // At `timeMs` or the next free millisecond, which it tells.
+    [[nodiscard]] tl::expected<qint64, StoreError> insert(const Bag& bag, qint64 program, qint64 timeMs);
     [[nodiscard]] tl::expected<void, StoreError> forgetPrograms();
 
     Database& m_database;

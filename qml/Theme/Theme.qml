@@ -26,7 +26,7 @@ QtObject {
     readonly property string unknownText: "--"
 
     readonly property int shortTime: theme.animated ? 120 : 0
-    readonly property int longPressTime: 600
+    property int longPressTime: 600
     readonly property int clockTime: 1000
     readonly property int lookAgainTime: 2000
 

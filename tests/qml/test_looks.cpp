@@ -19,6 +19,16 @@ class TestLooks : public test::PanelTest {
     Q_OBJECT
 
 private:
+    // Of the looks that patterns with commas or spaces between them name.
+    static QSet<QString> namesOf(QString patterns)
+    {
+        QSet<QString> names;
+        for (const panel::Look& look : panel::looksNamed(patterns.replace(u' ', u',')))
+            names += look.name();
+        return names;
+    }
+    static QSet<QString> namesOf(const char* patterns) { return namesOf(QString::fromLatin1(patterns)); }
+
     QObject* part(const char* name) { return m_stage->theme()->property(name).value<QObject*>(); }
 
 private slots:
@@ -174,25 +184,38 @@ private slots:
 
     void everyLookIsEachOfThemTogether()
     {
-        QSet<QString> names;
-        for (const panel::Look& look : panel::looksOf({{}, {}, true}))
-            names += look.name();
         constexpr qsizetype languagesThemesSizesGloves = 3 * 3 * 3 * 2;
-        QCOMPARE(names.size(), languagesThemesSizesGloves);
-        for (const panel::Look& usual : panel::usualLooks())
-            QVERIFY2(names.contains(usual.name()), qPrintable(usual.name()));
+        QCOMPARE(namesOf("*").size(), languagesThemesSizesGloves);
     }
 
-    void everyLookIsInOneSelfTest()
+    void looksAreNamedByPatterns()
     {
-        for (const panel::Look& look : panel::usualLooks()) {
-            qsizetype tests = 0;
-            for (const QString& size : QStringLiteral(CAMPANEL_SELF_TESTED_SIZES).split(u' ')) {
-                const QList<panel::Look> tested =
-                    panel::looksOf({QStringLiteral("*-%1*").arg(size), {}, false});
-                tests += std::ranges::count(tested, look.name(), &panel::Look::name);
-            }
-            QVERIFY2(tests == 1, qPrintable(look.name()));
+        QCOMPARE(namesOf("light-en-1024x600"), QSet{QStringLiteral("light-en-1024x600")});
+        QCOMPARE(namesOf("light-en-*,light-zh_CN-*").size(), 12);
+        QCOMPARE(namesOf("*-800x480,dark-*").size(), 9 + 18 - 3);
+        QCOMPARE(namesOf("light-fr-*"), QSet<QString>());
+        constexpr qsizetype usualInEachSize = 6;
+        QCOMPARE(namesOf("usual").size(), 3 * usualInEachSize);
+        QCOMPARE(namesOf("usual,light-zh_CN-1024x600-gloves").size(), 3 * usualInEachSize + 1);
+        QCOMPARE(panel::scenesNamed(QStringLiteral("run,motion")).size(), 2);
+    }
+
+    void everyLanguageAndSizeIsInASelfTest()
+    {
+        const QSet<QString> tested = namesOf(CAMPANEL_SELF_TESTS);
+        for (const panel::Look& look : panel::looksNamed(QStringLiteral("*"))) {
+            const panel::Look plain{look.language, QStringLiteral("light"), look.size};
+            QVERIFY2(look.isLong() || tested.contains(plain.name()), qPrintable(plain.name()));
+        }
+    }
+
+    void everyLookIsInOneTest()
+    {
+        const QStringList tests = QStringLiteral(CAMPANEL_EVERY_LOOK_TESTS).split(u' ');
+        for (const QString& name : namesOf("*")) {
+            const auto times = std::ranges::count_if(
+                tests, [&name](const QString& test) { return namesOf(test).contains(name); });
+            QVERIFY2(times == 1, qPrintable(name));
         }
     }
 
