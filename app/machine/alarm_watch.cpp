@@ -27,12 +27,12 @@ bool isComing(link::LinkState state)
 
 template <typename Bit> QSet<const AlarmKind*> kindsOf(unsigned bits)
 {
-    QSet<const AlarmKind*> kinds;
+    QSet<const AlarmKind*> active;
     for (unsigned bit = 0; bit < statusBits; ++bit) {
         if ((bits & (1U << bit)) != 0)
-            kinds.insert(&AlarmCatalogue::of(static_cast<Bit>(bit)));
+            active.insert(&AlarmCatalogue::of(static_cast<Bit>(bit)));
     }
-    return kinds;
+    return active;
 }
 
 } // namespace

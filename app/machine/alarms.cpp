@@ -25,7 +25,7 @@ namespace {
 constexpr auto publishDelay = 100ms;
 constexpr auto writeDelay = 300ms;
 constexpr auto writeAgainDelay = 5s; // after a failure
-constexpr auto lookPeriod = 10s;
+constexpr auto alarmLookPeriod = 10s;
 constexpr qint64 msPerHour = 3'600'000;
 
 Alarms::Severity severityOf(const AlarmKind* kind)
@@ -55,7 +55,7 @@ Alarms::Alarms(Machine& machine, Editor& editor, Records& records, Settings& set
     connect(&m_publishTimer, &QTimer::timeout, this, &Alarms::publish);
     connect(&m_writeTimer, &QTimer::timeout, this, &Alarms::write);
     connect(&m_lookTimer, &QTimer::timeout, this, &Alarms::look);
-    m_lookTimer.start(lookPeriod);
+    m_lookTimer.start(alarmLookPeriod);
     connect(&m_watch, &AlarmWatch::raised, this, &Alarms::raise);
     connect(&m_watch, &AlarmWatch::cleared, this, &Alarms::clear);
     m_watch.begin();

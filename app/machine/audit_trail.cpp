@@ -2,6 +2,7 @@
 #include "app/machine/audit_trail.h"
 
 #include "app/machine/editor.h"
+#include "app/machine/format.h"
 #include "app/machine/machine.h"
 #include "app/machine/records.h"
 #include "app/machine/service.h"
@@ -79,14 +80,14 @@ QString outcomeKey(link::ParameterEnd end)
 }
 
 // The same in every language: it is hashed.
-QString text(double value)
+QString numberText(double value)
 {
     return QLocale::c().toString(value, 'g', 10);
 }
 
 QString crcText(std::uint32_t crc)
 {
-    return u"CRC-32 %1"_s.arg(QString::number(crc, 16).toUpper().rightJustified(8, u'0'));
+    return u"CRC-32 %1"_s.arg(Format::hexDigits(crc, 8));
 }
 
 QString programText(const program::Recipe& recipe, std::uint32_t crc)
@@ -140,7 +141,7 @@ QString outcomeKey(Homing::Result result)
 // Of an axis; empty while it is not known.
 QString pulsesText(double pulses)
 {
-    return std::isnan(pulses) ? QString() : u"%1 pulses"_s.arg(text(pulses));
+    return std::isnan(pulses) ? QString() : u"%1 pulses"_s.arg(numberText(pulses));
 }
 
 } // namespace
@@ -266,7 +267,7 @@ void AuditTrail::watchParameters()
 void AuditTrail::noteWriting(const QString& name, quint32 id, double value)
 {
     store::AuditEntry writing = entry(u"parameter.write"_s, name);
-    writing.after = text(value);
+    writing.after = numberText(value);
     m_writes.insert(id, writing);
     m_readsBefore.insert(m_watched.machine.readParameter(name.toLatin1().constData()), id);
 }
@@ -276,7 +277,7 @@ void AuditTrail::takeParameter(const link::ParameterOutcome& outcome)
     const quint32 write = m_readsBefore.take(outcome.id);
     if (write != 0) {
         if (outcome.value && m_writes.contains(write))
-            m_writes[write].before = text(*outcome.value);
+            m_writes[write].before = numberText(*outcome.value);
         return;
     }
     const auto written = m_writes.find(outcome.id);
@@ -286,7 +287,7 @@ void AuditTrail::takeParameter(const link::ParameterOutcome& outcome)
     m_writes.erase(written);
     ended.outcome = outcomeKey(outcome.end);
     if (outcome.value)
-        ended.readBack = text(*outcome.value);
+        ended.readBack = numberText(*outcome.value);
     append(ended);
 }
 
@@ -333,8 +334,8 @@ void AuditTrail::beginDownload(const program::ProgramImage& image)
             store::AuditEntry value = entry(
                 u"program.value"_s, QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size())));
             const bool isText = !difference.textA.empty() || !difference.textB.empty();
-            value.before = isText ? QString::fromStdString(difference.textA) : text(difference.a);
-            value.after = isText ? QString::fromStdString(difference.textB) : text(difference.b);
+            value.before = isText ? QString::fromStdString(difference.textA) : numberText(difference.a);
+            value.after = isText ? QString::fromStdString(difference.textB) : numberText(difference.b);
             download.entries << value;
         }
     }
@@ -391,7 +392,7 @@ AuditTrail::SettingsSeen AuditTrail::settingsNow() const
     return {settings.language(),
             settings.theme(),
             settings.gloves() ? u"1"_s : u"0"_s,
-            text(settings.bagToleranceMm()),
+            numberText(settings.bagToleranceMm()),
             connectionText(settings.connection()),
             QString::number(settings.autoLogoutMinutes()),
             settings.operatorsLogIn() ? u"1"_s : u"0"_s};

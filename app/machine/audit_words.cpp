@@ -111,7 +111,7 @@ QString unitOf(const store::AuditEntry& entry)
                : QString();
 }
 
-template <typename Words> const char* find(const Words& words, const QString& key)
+template <typename Words> const char* wordsFor(const Words& words, const QString& key)
 {
     for (const Word& word : words) {
         if (key == QLatin1String(word.key))
@@ -132,13 +132,13 @@ QStringList AuditWords::areas()
 
 QString AuditWords::area(const QString& area)
 {
-    const char* words = find(areaWords, area);
+    const char* words = wordsFor(areaWords, area);
     return words ? tr(words) : tr("Everything");
 }
 
 QString AuditWords::what(const QString& what)
 {
-    const char* words = find(whatWords, what);
+    const char* words = wordsFor(whatWords, what);
     return words ? tr(words) : what;
 }
 
@@ -155,7 +155,7 @@ QString AuditWords::object(const store::AuditEntry& entry)
         const QString words = PackingFields::words(entry.object);
         return words.isEmpty() ? entry.object : words;
     }
-    const char* words = entry.what == u"setting.change" ? find(objectWords, entry.object) : nullptr;
+    const char* words = entry.what == u"setting.change" ? wordsFor(objectWords, entry.object) : nullptr;
     return words ? tr(words) : entry.object;
 }
 
@@ -163,7 +163,7 @@ QString AuditWords::outcome(const QString& outcome)
 {
     // "refused 7": the controller's number of the reason.
     const QString key = outcome.section(u' ', 0, 0);
-    const char* words = find(outcomeWords, key);
+    const char* words = wordsFor(outcomeWords, key);
     const QString number = outcome.section(u' ', 1);
     if (!words)
         return outcome;

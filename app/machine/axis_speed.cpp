@@ -11,7 +11,7 @@ namespace campanel::machine {
 
 namespace {
 
-const char* nameOf(AxisSpeed::Use use)
+const char* parameterOf(AxisSpeed::Use use)
 {
     return use == AxisSpeed::Use::Jog ? "parameter.jog_frequency" : "parameter.home_frequency";
 }
@@ -22,7 +22,7 @@ AxisSpeed::AxisSpeed(Machine& machine, Use use, QObject* parent)
     : QObject(parent)
     , m_machine(machine)
     , m_use(use)
-    , m_info(*modbus::findRegister(nameOf(use)))
+    , m_info(*modbus::findRegister(parameterOf(use)))
 {
     connect(&machine, &Machine::parameterEnded, this, &AxisSpeed::takeOutcome);
     connect(&machine, &Machine::connectionChanged, this, &AxisSpeed::noteConnection);
@@ -55,20 +55,20 @@ QString AxisSpeed::text() const
 void AxisSpeed::read()
 {
     if (m_machine.isConnected() && !m_frequencyHz && m_readId == 0)
-        m_readId = m_machine.readParameter(nameOf(m_use));
+        m_readId = m_machine.readParameter(parameterOf(m_use));
 }
 
 void AxisSpeed::write(double frequencyHz)
 {
     m_failure.clear();
-    m_writeId = m_machine.writeParameter(nameOf(m_use), frequencyHz);
+    m_writeId = m_machine.writeParameter(parameterOf(m_use), frequencyHz);
     emit changed();
 }
 
 // Also of what others read and write: every value that comes with one is proven by reading.
 void AxisSpeed::takeOutcome(const link::ParameterOutcome& outcome)
 {
-    if (outcome.name != nameOf(m_use))
+    if (outcome.name != parameterOf(m_use))
         return;
     if (outcome.id == m_readId)
         m_readId = 0;

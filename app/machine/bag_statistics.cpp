@@ -8,15 +8,6 @@
 
 namespace campanel::machine {
 
-namespace {
-
-double mean(const QList<double>& values)
-{
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-} // namespace
-
 bool BagStatistics::note(std::uint32_t bagCount, std::optional<double> lengthMm,
                          std::optional<double> deviationMm)
 {
@@ -71,7 +62,7 @@ double BagStatistics::meanMm() const
 
 double BagStatistics::meanDeviationMm() const
 {
-    return m_deviationsMm.isEmpty() ? unknown : mean(m_deviationsMm);
+    return mean(m_deviationsMm);
 }
 
 double BagStatistics::scatterMm() const

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "app/link/link_values.h"
+#include "app/machine/numbers.h"
 
 #include <QList>
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 
 namespace campanel::machine {
@@ -41,8 +41,6 @@ public:
     [[nodiscard]] const QList<double>& deviationsMm() const { return m_deviationsMm; }
 
 private:
-    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
     // Counts a bag, unless it is the one that was begun under another set length.
     void count(double deviationMm, double setLengthMm);
 

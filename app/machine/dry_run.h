@@ -4,13 +4,12 @@
 #pragma once
 
 #include "app/machine/figure_model.h"
+#include "app/machine/numbers.h"
 
 #include <QObject>
 #include <QPointF>
 #include <QTimer>
 #include <QtQml/qqmlregistration.h>
-
-#include <limits>
 
 namespace campanel::machine {
 
@@ -82,8 +81,6 @@ signals:
     void playingChanged();
 
 private:
-    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
     [[nodiscard]] const Solution* solution() const;
     [[nodiscard]] double knifeDegAt(double masterDeg) const;
     void tell();

@@ -17,7 +17,7 @@ namespace campanel::machine {
 namespace {
 
 // "a + b" of numbers that are all known, else nothing.
-QString known(std::initializer_list<double> numbers, const QString& text)
+QString ifKnown(std::initializer_list<double> numbers, const QString& text)
 {
     for (const double number : numbers) {
         if (!std::isfinite(number))
@@ -120,8 +120,8 @@ Explanation Explanations::rate() const
         tr("How many bags a minute the knife cuts at the speed that the master has now. Nobody counts "
            "them for this number.");
     told.formula = tr("rate of the program × master speed");
-    told.numbers = known({rate, program, master},
-                         u"%1 × %2 %"_s.arg(format.compact(program, 1, 4), format.compact(master, 0, 1)));
+    told.numbers = ifKnown({rate, program, master},
+                           u"%1 × %2 %"_s.arg(format.compact(program, 1, 4), format.compact(master, 0, 1)));
     return told;
 }
 
@@ -142,10 +142,10 @@ Explanation Explanations::bags(Quantity quantity) const
         told.meaning =
             tr("Mean of the last bags (%1, at most 60) since the set length was changed.").arg(count);
         told.formula = tr("set length + sum of their deviations / bags");
-        told.numbers =
-            known({length, mean},
-                  u"%1 + %2 / %3"_s.arg(format.compact(length - mean, 1, 2),
-                                        format.number(mean * static_cast<double>(series.size()), 2), count));
+        told.numbers = ifKnown(
+            {length, mean},
+            u"%1 + %2 / %3"_s.arg(format.compact(length - mean, 1, 2),
+                                  format.number(mean * static_cast<double>(series.size()), 2), count));
         break;
     }
     case BagScatter: {
@@ -158,7 +158,7 @@ Explanation Explanations::bags(Quantity quantity) const
                "mean than this.")
                 .arg(count);
         told.formula = tr("√(sum of (deviation − mean deviation)² / (bags − 1))");
-        told.numbers = known({scatter}, u"√(%1 / (%2 − 1))"_s.arg(format.compact(squares, 2, 4), count));
+        told.numbers = ifKnown({scatter}, u"√(%1 / (%2 − 1))"_s.arg(format.compact(squares, 2, 4), count));
         break;
     }
     case BagsWithin:
@@ -179,8 +179,8 @@ Explanation Explanations::bags(Quantity quantity) const
             tr("Positive: the bag is too long. Where cuts were left out, the set length is that of all its "
                "lengths.");
         told.formula = tr("measured length − set length");
-        told.numbers = known({deviation, length}, u"%1 − %2"_s.arg(format.number(length, 2),
-                                                                   format.number(length - deviation, 2)));
+        told.numbers = ifKnown({deviation, length}, u"%1 − %2"_s.arg(format.number(length, 2),
+                                                                     format.number(length - deviation, 2)));
         break;
     }
     }
@@ -212,8 +212,8 @@ Explanation Explanations::packing(Quantity quantity) const
            "the controller was switched on.");
     told.formula = tr("bags left out × their mean length");
     told.numbers = bags > 0
-                       ? known({saved, bags},
-                               tr("%1 × %2 m").arg(format.number(bags, 0), format.number(saved / bags, 3)))
+                       ? ifKnown({saved, bags},
+                                 tr("%1 × %2 m").arg(format.number(bags, 0), format.number(saved / bags, 3)))
                        : QString();
     return told;
 }
@@ -231,9 +231,9 @@ Explanation Explanations::followingError() const
         tr("How far the axis was from where the program wanted it, when the controller told last.");
     told.formula = tr("error in pulses / pulses per mm");
     if (m_machine.program())
-        told.numbers =
-            known({error, pulses}, u"%1 / %2"_s.arg(format.number(pulses, 0),
-                                                    format.compact(m_machine.program()->pulsesPerMm, 1, 3)));
+        told.numbers = ifKnown({error, pulses},
+                               u"%1 / %2"_s.arg(format.number(pulses, 0),
+                                                format.compact(m_machine.program()->pulsesPerMm, 1, 3)));
     return told;
 }
 

@@ -62,4 +62,9 @@ QString Format::second(const QDateTime& moment)
     return moment.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
 }
 
+QString Format::hexDigits(quint64 value, int digits)
+{
+    return QString::number(value, 16).toUpper().rightJustified(digits, u'0');
+}
+
 } // namespace campanel::machine

@@ -25,6 +25,10 @@ public:
     static QString minute(const QDateTime& moment);
     static QString second(const QDateTime& moment);
 
+    // As many digits or more: 00FF; and with what tells that they are no decimal ones: 0x00FF.
+    static QString hexDigits(quint64 value, int digits);
+    static QString hex(quint64 value, int digits) { return QStringLiteral("0x") + hexDigits(value, digits); }
+
     static QString unknownText() { return QStringLiteral("--"); }
 
 private:

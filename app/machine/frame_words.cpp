@@ -16,7 +16,7 @@ using modbus::FrameVerdict;
 
 namespace {
 
-const modbus::NamedValue* find(const DecodedFrame& frame, std::string_view name)
+const modbus::NamedValue* valueNamed(const DecodedFrame& frame, std::string_view name)
 {
     const auto found = std::ranges::find_if(frame.values, [name](const modbus::NamedValue& value) {
         return value.info != nullptr && value.info->name == name;
@@ -26,13 +26,13 @@ const modbus::NamedValue* find(const DecodedFrame& frame, std::string_view name)
 
 QString valueOf(const DecodedFrame& frame, std::string_view name)
 {
-    const modbus::NamedValue* value = find(frame, name);
+    const modbus::NamedValue* value = valueNamed(frame, name);
     return value ? RegisterWords::value(*value) : QString();
 }
 
 QString state(const DecodedFrame& frame)
 {
-    const modbus::NamedValue* value = find(frame, "status.state");
+    const modbus::NamedValue* value = valueNamed(frame, "status.state");
     const bool isKnown = value && value->raw <= static_cast<int>(modbus::State::Fault);
     return isKnown ? ControllerSentences::state(static_cast<modbus::State>(value->raw))
                    : valueOf(frame, "status.state");
@@ -53,8 +53,7 @@ QString registerAt(quint16 address)
 {
     const auto rows = modbus::registers();
     const auto row = std::ranges::find(rows, address, &modbus::RegisterInfo::address);
-    return row == rows.end() ? RegisterWords::address(address)
-                             : QString::fromUtf8(row->name.data(), static_cast<qsizetype>(row->name.size()));
+    return row == rows.end() ? RegisterWords::address(address) : RegisterWords::name(*row);
 }
 
 } // namespace
@@ -116,7 +115,7 @@ QString FrameWords::question(const DecodedFrame& frame)
     if (starts(frame.written, "transfer.session"))
         return tr("Transfer %1, block %2", "operation, number")
             .arg(valueOf(frame, "transfer.operation"), valueOf(frame, "transfer.block"));
-    if (const modbus::NamedValue* from = find(frame, "readback.address"))
+    if (const modbus::NamedValue* from = valueNamed(frame, "readback.address"))
         return tr("Read %1, count %2")
             .arg(registerAt(static_cast<quint16>(from->raw)), valueOf(frame, "readback.count"));
     if (frame.written && !frame.values.empty())
@@ -129,7 +128,7 @@ QString FrameWords::question(const DecodedFrame& frame)
 QString FrameWords::answer(const DecodedFrame& frame)
 {
     if (starts(frame.read, "status.tag")) {
-        const modbus::NamedValue* angle = find(frame, "status.master_angle");
+        const modbus::NamedValue* angle = valueNamed(frame, "status.master_angle");
         const QString degrees =
             angle && angle->physical ? Format().number(*angle->physical, 2) + u'°' : Format::unknownText();
         return tr("Status: %1, %2", "state, angle").arg(state(frame), degrees);

@@ -16,7 +16,7 @@ namespace campanel::machine {
 namespace {
 
 // A lamp that shows something that came since the last look must be seen.
-constexpr auto lookPeriod = 300ms;
+constexpr auto lampLookPeriod = 300ms;
 
 using modbus::FaultBit;
 using modbus::WarningBit;
@@ -42,7 +42,7 @@ IoList::IoList(Machine& machine, QObject* parent)
     , m_machine(machine)
     , m_timer(this)
 {
-    m_timer.setInterval(lookPeriod);
+    m_timer.setInterval(lampLookPeriod);
     connect(&m_timer, &QTimer::timeout, this, &IoList::look);
     for (const auto told : {&Machine::freshChanged, &Machine::connectionChanged})
         connect(&machine, told, this, [this] {

@@ -2,15 +2,13 @@
 #include "app/machine/line_figures.h"
 
 #include "app/machine/format.h"
+#include "app/machine/numbers.h"
 
-#include <limits>
 #include <numeric>
 
 namespace campanel::machine {
 
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 QString count(std::uint64_t number)
 {

@@ -17,8 +17,6 @@ namespace campanel::machine {
 
 namespace {
 
-// Older data is grey on the screen.
-constexpr auto freshFor = 1000ms;
 constexpr auto agePeriod = 100ms;
 constexpr auto qualityPeriod = 500ms; // figures that change faster cannot be read
 

@@ -10,6 +10,7 @@
 #include "app/machine/gate.h"
 #include "app/machine/line_faults.h"
 #include "app/machine/master_direction.h"
+#include "app/machine/numbers.h"
 #include "app/machine/packing_line.h"
 #include "app/machine/status_rate.h"
 #include "app/machine/stroke_model.h"
@@ -23,8 +24,8 @@
 #include <QVariant>
 #include <QtQml/qqmlregistration.h>
 
+#include <chrono>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -125,6 +126,9 @@ public:
     Q_ENUM(Connection)
     enum class State { Unknown, Idle, Ready, Running, Stopping, Jogging, Homing, Fault };
     Q_ENUM(State)
+
+    // Older data is grey on the screen.
+    static constexpr std::chrono::milliseconds freshFor{1000};
 
     using Clock = std::function<link::SteadyTime()>;
     using WallClock = std::function<QDateTime()>;
@@ -253,8 +257,6 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
     void takeReport(const link::LinkReport& report);
     void takeStatus(const link::StatusBatch& batch);
     void takeProgram(const link::ActiveProgram& program);

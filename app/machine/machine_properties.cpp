@@ -11,7 +11,7 @@ namespace {
 
 double orUnknown(const std::optional<double>& value)
 {
-    return value.value_or(std::numeric_limits<double>::quiet_NaN());
+    return value.value_or(unknown);
 }
 
 } // namespace

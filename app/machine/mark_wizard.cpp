@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace campanel::machine {
 
@@ -19,7 +18,6 @@ namespace {
 
 constexpr auto distanceName = "parameter.mark_distance";
 constexpr auto offsetName = "parameter.mark_offset";
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr auto phaseLimitName = "parameter.phase_limit";
 constexpr int watchedBags = 5;
 constexpr double rightWithinMm = 0.3; // mean mark error of those
@@ -31,13 +29,6 @@ constexpr double umPerMm = 1000.0;
 QString millimeters(double value, int decimals)
 {
     return Format().number(value, decimals) + QStringLiteral(" mm");
-}
-
-double mean(const QList<double>& values)
-{
-    return values.isEmpty()
-               ? unknown
-               : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 } // namespace

@@ -5,12 +5,12 @@
 #pragma once
 
 #include "app/link/link_values.h"
+#include "app/machine/numbers.h"
 
 #include <QList>
 #include <QObject>
 #include <QtQml/qqmlregistration.h>
 
-#include <limits>
 #include <optional>
 
 namespace campanel::machine {
@@ -99,9 +99,9 @@ private:
     link::SteadyTime m_steppedAt;
     std::optional<std::uint32_t> m_firstBag; // when the step began
     QList<double> m_measuredMm;
-    double m_oldMm = std::numeric_limits<double>::quiet_NaN();
-    double m_offsetMm = std::numeric_limits<double>::quiet_NaN();
-    double m_newMm = std::numeric_limits<double>::quiet_NaN(); // when it was written
+    double m_oldMm = unknown;
+    double m_offsetMm = unknown;
+    double m_newMm = unknown; // when it was written
     QString m_failure;
     QList<double> m_errorsMm; // of the last bags watched
     bool m_isRulerAsked = false;

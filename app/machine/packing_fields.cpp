@@ -4,6 +4,7 @@
 #include "app/machine/connection_sentences.h"
 #include "app/machine/format.h"
 #include "app/machine/machine.h"
+#include "app/machine/numbers.h"
 #include "app/machine/register_words.h"
 
 #include <algorithm>
@@ -13,8 +14,6 @@
 namespace campanel::machine {
 
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 struct Listed {
     const char* name;
@@ -69,11 +68,6 @@ constexpr std::array listed{
            QT_TRANSLATE_NOOP("campanel::machine::PackingFields", "Film motor: pulses per revolution"), false},
 };
 
-QString nameOf(const modbus::RegisterInfo& info)
-{
-    return QString::fromLatin1(info.name.data(), static_cast<qsizetype>(info.name.size()));
-}
-
 } // namespace
 
 PackingFields::PackingFields(Machine& machine, QObject* parent)
@@ -98,7 +92,7 @@ void PackingFields::read()
     if (!m_machine.isConnected() || !m_reads.isEmpty())
         return;
     for (const Field& field : m_fields) {
-        const QString name = nameOf(*field.info);
+        const QString name = RegisterWords::name(*field.info);
         m_reads.insert(m_machine.readParameter(name.toLatin1().constData()));
     }
 }
@@ -130,8 +124,8 @@ double PackingFields::value(const char* name) const
 
 PackingFields::Field* PackingFields::find(const QString& name)
 {
-    const auto found =
-        std::ranges::find_if(m_fields, [&name](const Field& field) { return nameOf(*field.info) == name; });
+    const auto found = std::ranges::find_if(
+        m_fields, [&name](const Field& field) { return RegisterWords::name(*field.info) == name; });
     return found == m_fields.end() ? nullptr : &*found;
 }
 
@@ -225,21 +219,21 @@ const PackingFields::Field* PackingFields::selected() const
 void PackingFields::writeSelected(double value)
 {
     if (selected() && check(value).isEmpty())
-        write(nameOf(*selected()->info).toLatin1().constData(), value);
+        write(RegisterWords::name(*selected()->info).toLatin1().constData(), value);
 }
 
 void PackingFields::setOn(int row, bool on)
 {
     const Field& field = m_fields.at(static_cast<std::size_t>(row));
     if (field.isSwitch)
-        write(nameOf(*field.info).toLatin1().constData(), on ? 1 : 0);
+        write(RegisterWords::name(*field.info).toLatin1().constData(), on ? 1 : 0);
 }
 
 void PackingFields::takeSuggestion(int row)
 {
     const Field& field = m_fields.at(static_cast<std::size_t>(row));
     if (field.suggestion)
-        write(nameOf(*field.info).toLatin1().constData(), *field.suggestion);
+        write(RegisterWords::name(*field.info).toLatin1().constData(), *field.suggestion);
 }
 
 QString PackingFields::check(double value) const

@@ -13,10 +13,8 @@ namespace campanel::machine {
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr quint32 readId = 1; // of all that this object asks
 constexpr auto shortestPeriod = 150ms;
-constexpr auto freshFor = 1000ms;
 // On a slow line: at most this share of its time.
 constexpr int shareOfTheLine = 5;
 constexpr double mmPerUm = 0.001;
@@ -132,7 +130,7 @@ void PackingLine::tellBags()
 
 bool PackingLine::fresh() const
 {
-    return m_status && m_machine.now() - m_receivedAt < freshFor;
+    return m_status && m_machine.now() - m_receivedAt < Machine::freshFor;
 }
 
 PackingLine::MarkState PackingLine::markState() const

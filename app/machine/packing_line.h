@@ -5,6 +5,7 @@
 
 #include "app/link/link.h"
 #include "app/machine/mark_setup.h"
+#include "app/machine/numbers.h"
 
 #include <QList>
 #include <QObject>
@@ -12,7 +13,6 @@
 #include <QTimer>
 #include <QtQml/qqmlregistration.h>
 
-#include <limits>
 #include <optional>
 
 namespace campanel::machine {
@@ -142,7 +142,7 @@ private:
     void forget();
     template <typename T> [[nodiscard]] double number(T modbus::PackerStatus::*member) const
     {
-        return m_status ? static_cast<double>((*m_status).*member) : std::numeric_limits<double>::quiet_NaN();
+        return m_status ? static_cast<double>((*m_status).*member) : unknown;
     }
 
     Machine& m_machine;

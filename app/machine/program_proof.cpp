@@ -2,6 +2,7 @@
 #include "app/machine/program_proof.h"
 
 #include "app/machine/connection_sentences.h"
+#include "app/machine/format.h"
 #include "app/machine/machine.h"
 
 #include <algorithm>
@@ -17,11 +18,6 @@ using link::ComparisonStage;
 namespace {
 
 const auto unknownText = u"--"_s;
-
-QString hex(std::uint32_t value, int digits)
-{
-    return u"0x"_s + QString::number(value, 16).toUpper().rightJustified(digits, u'0');
-}
 
 // What runs was within the limits of whoever downloaded it; they are not in the bank and do not shape the
 // table.
@@ -170,12 +166,12 @@ QString ProgramProof::resultText() const
         return m_expected.empty() ? tr("Equal: the table of generation %1, read back, has %2. CRC-32 %3.",
                                        "%2: \"the controller's own checksum\"")
                                         .arg(m_report.generation)
-                                        .arg(basisText(), hex(m_report.readCrc, 8))
+                                        .arg(basisText(), Format::hex(m_report.readCrc, 8))
                                   : tr("Equal: all %1 registers of generation %2 are %3. CRC-32 %4.",
                                        "%3: for example \"what this panel downloaded\"")
                                         .arg(m_expected.size())
                                         .arg(m_report.generation)
-                                        .arg(basisText(), hex(m_report.readCrc, 8));
+                                        .arg(basisText(), Format::hex(m_report.readCrc, 8));
     case ComparisonStage::Different:
         return differentText();
     case ComparisonStage::ProgramChanged:
@@ -197,10 +193,11 @@ QString ProgramProof::differentText() const
     if (!m_report.firstDifference)
         return tr("Different: read back the table has CRC-32 %1, the controller says %2. Download the recipe "
                   "again.")
-            .arg(hex(m_report.readCrc, 8), hex(m_report.controllerCrc, 8));
+            .arg(Format::hex(m_report.readCrc, 8), Format::hex(m_report.controllerCrc, 8));
     const auto& first = *m_report.firstDifference;
-    const QString values = tr("first %1: %2 instead of %3", "register: its value, expected value")
-                               .arg(nameOf(first.offset), hex(first.actual, 4), hex(first.expected, 4));
+    const QString values =
+        tr("first %1: %2 instead of %3", "register: its value, expected value")
+            .arg(nameOf(first.offset), Format::hex(first.actual, 4), Format::hex(first.expected, 4));
     return m_report.differingRegisters == 1
                ? tr("Different: 1 of %1 registers is not %2, %3. Download the recipe again.")
                      .arg(m_expected.size())
@@ -234,7 +231,7 @@ QString ProgramProof::nameOf(quint16 offset) const
         if (offset >= first && offset < first + value.count)
             return QString::fromStdString(value.name());
     }
-    return hex(modbus::activeBankBase + offset, 4);
+    return Format::hex(modbus::activeBankBase + offset, 4);
 }
 
 QString ProgramProof::activeText() const
@@ -246,12 +243,12 @@ QString ProgramProof::activeText() const
     if (!status->activeCrc)
         return tr("no program");
     if (!program)
-        return tr("generation %1, CRC-32 %2").arg(status->generation).arg(hex(*status->activeCrc, 8));
+        return tr("generation %1, CRC-32 %2").arg(status->generation).arg(Format::hex(*status->activeCrc, 8));
     return tr("%1 · v%2, generation %3, CRC-32 %4")
         .arg(m_machine.activeName())
         .arg(m_machine.activeVersion())
         .arg(status->generation)
-        .arg(hex(*status->activeCrc, 8));
+        .arg(Format::hex(*status->activeCrc, 8));
 }
 
 QString ProgramProof::savedText() const
@@ -264,7 +261,7 @@ QString ProgramProof::savedText() const
     return status->savedCrc == status->activeCrc
                ? tr("the same: it is there after a loss of power")
                : tr("another one, CRC-32 %1: it is back after a loss of power")
-                     .arg(hex(*status->savedCrc, 8));
+                     .arg(Format::hex(*status->savedCrc, 8));
 }
 
 } // namespace campanel::machine

@@ -15,7 +15,7 @@ namespace campanel::machine {
 
 namespace {
 
-QString text(const QJsonValue& value)
+QString valueText(const QJsonValue& value)
 {
     if (value.isString())
         return value.toString();
@@ -30,7 +30,7 @@ void flatten(const QString& prefix, const QJsonObject& object, QMap<QString, QSt
         if (each->isObject())
             flatten(prefix + each.key() + u'.', each->toObject(), values);
         else
-            values[prefix + each.key()] = text(*each);
+            values[prefix + each.key()] = valueText(*each);
     }
 }
 

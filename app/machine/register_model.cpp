@@ -10,15 +10,6 @@ using namespace Qt::StringLiterals;
 
 namespace campanel::machine {
 
-namespace {
-
-QString nameOf(const modbus::RegisterInfo& info)
-{
-    return QString::fromUtf8(info.name.data(), static_cast<qsizetype>(info.name.size()));
-}
-
-} // namespace
-
 RegisterModel::RegisterModel(QObject* parent)
     : QAbstractListModel(parent)
 {
@@ -30,13 +21,15 @@ QList<RegisterRow> RegisterModel::allRows() const
     QList<RegisterRow> rows;
     for (const modbus::RegisterInfo& info : modbus::registers()) {
         if (info.type != modbus::RegisterType::Block && info.appliesTo(m_kind, m_layout))
-            rows << RegisterRow{&info, info.address, nameOf(info).section(u'.', 0, 0), nameOf(info)};
+            rows << RegisterRow{&info, info.address, RegisterWords::name(info).section(u'.', 0, 0),
+                                RegisterWords::name(info)};
     }
     const auto addBank = [&rows](const QString& group, quint16 base, modbus::ProgramKind kind,
                                  modbus::TableLayout layout) {
         for (const modbus::RegisterInfo& info : modbus::bankFields()) {
             if (info.type != modbus::RegisterType::Block && info.appliesTo(kind, layout))
-                rows << RegisterRow{&info, static_cast<quint16>(base + info.address), group, nameOf(info)};
+                rows << RegisterRow{&info, static_cast<quint16>(base + info.address), group,
+                                    RegisterWords::name(info)};
         }
     };
     addBank(u"active"_s, modbus::activeBankBase, m_kind, m_layout);

@@ -9,20 +9,6 @@ using namespace Qt::StringLiterals;
 
 namespace campanel::machine {
 
-namespace {
-
-QString text(std::string_view words)
-{
-    return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
-}
-
-QString hex(quint32 value, int digits)
-{
-    return u"0x"_s + QString::number(value, 16).toUpper().rightJustified(digits, u'0');
-}
-
-} // namespace
-
 QString RegisterWords::group(const QString& group)
 {
     if (group == u"identity")
@@ -76,13 +62,13 @@ QString RegisterWords::readOnlyReason(const QString& group)
 QString RegisterWords::value(const modbus::NamedValue& value)
 {
     if (!value.info)
-        return text(value.text());
+        return QString::fromUtf8(value.text());
     if (value.info->type == modbus::RegisterType::Text)
-        return text(value.words);
+        return QString::fromUtf8(value.words);
     if (!value.physical)
-        return text(value.text());
+        return QString::fromUtf8(value.text());
     const QString number = Format().number(*value.physical, decimals(*value.info));
-    return value.info->unit.empty() ? number : number + u' ' + text(value.info->unit);
+    return value.info->unit.empty() ? number : number + u' ' + QString::fromUtf8(value.info->unit);
 }
 
 QString RegisterWords::raw(const modbus::NamedValue& value)
@@ -91,13 +77,14 @@ QString RegisterWords::raw(const modbus::NamedValue& value)
     if (value.info && value.info->type == modbus::RegisterType::Text)
         return {};
     const auto bits = static_cast<quint32>(value.raw);
-    return value.count > 1 ? hex(bits, 2 * digitsOfRegister) : hex(bits & 0xFFFFU, digitsOfRegister);
+    return value.count > 1 ? Format::hex(bits, 2 * digitsOfRegister)
+                           : Format::hex(bits & 0xFFFFU, digitsOfRegister);
 }
 
 QString RegisterWords::address(quint16 address)
 {
     constexpr int digitsOfRegister = 4;
-    return hex(address, digitsOfRegister);
+    return Format::hex(address, digitsOfRegister);
 }
 
 int RegisterWords::decimals(const modbus::RegisterInfo& info)

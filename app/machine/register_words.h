@@ -16,6 +16,11 @@ public:
     [[nodiscard]] static QString group(const QString& group);
     // Why a register of that group is only shown; empty when it may be written.
     [[nodiscard]] static QString readOnlyReason(const QString& group);
+    // "status.state", as in the register document.
+    [[nodiscard]] static QString name(const modbus::RegisterInfo& info)
+    {
+        return QString::fromUtf8(info.name);
+    }
     // "12.34 deg", "Running", "0x04D2"; names of states as in the register document.
     [[nodiscard]] static QString value(const modbus::NamedValue& value);
     // "0x0320"; empty for a text.

@@ -3,6 +3,7 @@
 
 #include "app/machine/editor.h"
 #include "app/machine/engine_instances.h"
+#include "app/machine/format.h"
 #include "app/machine/line_figures.h"
 #include "app/machine/machine.h"
 #include "app/machine/records.h"
@@ -43,14 +44,9 @@ All times are UTC. The texts in controller.json are in the language of the panel
 )");
 }
 
-QString hex(quint64 value, int digits)
-{
-    return QString::number(value, 16).toUpper().rightJustified(digits, u'0');
-}
-
 QJsonValue checksum(const std::optional<std::uint32_t>& crc)
 {
-    return crc ? QJsonValue(hex(*crc, 8)) : QJsonValue(QJsonValue::Null);
+    return crc ? QJsonValue(Format::hexDigits(*crc, 8)) : QJsonValue(QJsonValue::Null);
 }
 
 } // namespace
@@ -105,7 +101,7 @@ QByteArray ServiceBundle::controller() const
                        {u"state"_s, machine.stateText()},
                        {u"alarm"_s, machine.alarmText()}};
     if (const auto& identity = machine.identity()) {
-        object[u"serial_number"_s] = hex(identity->uniqueId, 16);
+        object[u"serial_number"_s] = Format::hexDigits(identity->uniqueId, 16);
         object[u"firmware"_s] = QString::fromStdString(identity->firmwareVersion());
         object[u"register_map"_s] = u"%1.%2"_s.arg(identity->mapMajor).arg(identity->mapMinor);
         object[u"row_capacity"_s] = identity->rowCapacity;

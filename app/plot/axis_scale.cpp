@@ -10,7 +10,7 @@ namespace campanel::plot {
 
 namespace {
 
-constexpr int steps = 3;
+constexpr int mostSteps = 3;
 // Data may overshoot a tick by this share of the scale (rounding noise) without needing another one.
 constexpr double overshoot = 1e-6;
 
@@ -18,8 +18,8 @@ QwtScaleDiv roundScale(double minimum, double maximum)
 {
     const QwtLinearScaleEngine engine;
     double step = 0;
-    engine.autoScale(steps, minimum, maximum, step);
-    QwtScaleDiv division = engine.divideScale(minimum, maximum, steps, 0, step);
+    engine.autoScale(mostSteps, minimum, maximum, step);
+    QwtScaleDiv division = engine.divideScale(minimum, maximum, mostSteps, 0, step);
     QList<double> ticks = division.ticks(QwtScaleDiv::MajorTick);
     // Alignment to round numbers can give four steps; every second tick is then enough.
     if (ticks.size() == 5) {

@@ -18,7 +18,7 @@ namespace {
 constexpr double toleranceShare =
     0.8; // of half the height, where the tolerance lines are if no bag is beyond them
 constexpr double defaultReachMm = 1.0; // without tolerance and without larger values
-constexpr double headroom = 1.05;      // above the largest deviation
+constexpr double deviationHeadroom = 1.05; // above the largest deviation
 constexpr double levelFactor = 1.5;    // between two levels of zoom
 constexpr double scatterOpacity = 0.25;
 constexpr double leastBand = 2;        // px, of the scatter
@@ -75,7 +75,7 @@ double BagChart::halfRange(const Points& points) const
     double needed = normal;
     for (const QPolygonF* part : {&points.good, &points.bad}) {
         for (const QPointF& point : *part) {
-            needed = std::max(needed, std::abs(point.y()) * headroom);
+            needed = std::max(needed, std::abs(point.y()) * deviationHeadroom);
         }
     }
     // In a few fixed levels, so that the picture does not breathe with every bag.

@@ -2,6 +2,8 @@
 // Properties and layout; the painting is in curve_plot_paint.cpp.
 #include "app/plot/curve_plot.h"
 
+#include "app/plot/same_number.h"
+
 #include <QFontMetricsF>
 
 #include <qwt_painter.h>
@@ -17,15 +19,9 @@ namespace {
 
 constexpr double timeTickSpacing = 80; // px, at least, between the ticks of the time axis
 constexpr int maximumTimeSteps = 8;
-constexpr double labelGap = 8;        // px between canvas and labels
 constexpr double panelGap = 10;       // px between a canvas and the title below it
 constexpr double cursorReach = 6;     // px left and right of the cursor that its dots need
 constexpr double noTimeMaximum = 1.0; // s, the axis of an empty plot
-
-bool sameNumber(double a, double b)
-{
-    return a == b || (std::isnan(a) && std::isnan(b));
-}
 
 } // namespace
 

@@ -15,8 +15,6 @@ namespace campanel::plot {
 
 namespace {
 
-constexpr double cursorWidth = 1.5; // px
-constexpr double dotRadius = 4;     // px
 constexpr double dotHalo = 1.5;     // px of surface around a dot
 constexpr int timeDigits = 3;       // of the cycle time at the end of the axis
 

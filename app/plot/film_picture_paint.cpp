@@ -22,7 +22,7 @@ constexpr double markWidth = 7;      // px
 constexpr double lineWidth = 2;      // px
 constexpr double knifeShare = 0.6;   // of a line of text: half of the knife's width
 constexpr double tickLength = 4;     // px
-constexpr double tickSpacing = 64;   // px at least between two numbers
+constexpr double numberSpacing = 64; // px at least between two numbers
 constexpr double textGap = 4;        // px between two texts
 constexpr double windowOpacity = 0.25;
 constexpr double cutFilmOpacity = 0.45; // of what the knife has cut off
@@ -38,7 +38,7 @@ double tickStepMm(double pxPerMm)
     double decade = 10;
     while (true) {
         for (const double factor : {1.0, 2.0, 5.0}) {
-            if (factor * decade * pxPerMm >= tickSpacing)
+            if (factor * decade * pxPerMm >= numberSpacing)
                 return factor * decade;
         }
         decade *= 10;

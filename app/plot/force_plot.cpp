@@ -3,6 +3,7 @@
 
 #include "app/plot/label_draw.h"
 #include "app/plot/plot_panel.h"
+#include "app/plot/plot_style.h"
 
 #include <QFontMetricsF>
 #include <QPainter>
@@ -19,7 +20,6 @@ namespace campanel::plot {
 
 namespace {
 
-constexpr double labelGap = 8;       // px between canvas and labels
 constexpr double gateArm = 9;        // px that the ends of the gate reach to each side
 constexpr double gateWidth = 2.5;    // px
 constexpr double gateHeadroom = 1.1; // above the gate

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/plot/knife_dial.h"
 
+#include "app/plot/same_number.h"
+
 #include <QPainter>
 
 #include <algorithm>
@@ -18,11 +20,6 @@ constexpr double hubShare = 0.075;
 constexpr double handShare = 0.047;
 constexpr double cutShare = 0.03;
 constexpr double haloShare = 0.025; // surface left free around tip and cut mark
-
-bool sameNumber(double a, double b)
-{
-    return a == b || (std::isnan(a) && std::isnan(b));
-}
 
 } // namespace
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a curve plot looks, as plain values: what the painting code needs to know of the item's properties.
+// How a curve plot looks, as plain values: what all have in common, and what the painting code needs to know
+// of the item's properties.
 #pragma once
 
 #include <QColor>
@@ -7,6 +8,10 @@
 #include <QLocale>
 
 namespace campanel::plot {
+
+inline constexpr double cursorWidth = 1.5; // px
+inline constexpr double dotRadius = 4;     // px, where the cursor meets a curve
+inline constexpr double labelGap = 8;      // px between canvas and labels
 
 struct PlotStyle {
     QColor grid;

@@ -22,12 +22,12 @@ namespace campanel::plot {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double headroom = 1.1; // above the largest value of a lane
+constexpr double laneHeadroom = 1.1; // above the largest value of a lane
 constexpr double laneGap = 4;    // px between two lanes
 constexpr double areaOpacity = 0.35;
-constexpr double lineWidth = 1.5; // px
+constexpr double laneLineWidth = 1.5; // px
 constexpr double barWidth = 2;    // px; a single bad minute must be seen
-constexpr double labelGap = 6;    // px beside a title
+constexpr double titleGap = 6;    // px beside a title
 constexpr int clockStepHours = 3;
 constexpr int secondsOfHour = 3600;
 
@@ -136,7 +136,7 @@ void StripChart::paintLane(QPainter& painter, const Lane& lane, const QRectF& re
     xMap.setScaleInterval(0, columns);
     xMap.setPaintInterval(rect.left(), rect.right());
     QwtScaleMap yMap;
-    yMap.setScaleInterval(0, largest > 0 ? headroom * largest : 1);
+    yMap.setScaleInterval(0, largest > 0 ? laneHeadroom * largest : 1);
     yMap.setPaintInterval(rect.bottom(), rect.top() + textHeight);
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
@@ -146,11 +146,11 @@ void StripChart::paintLane(QPainter& painter, const Lane& lane, const QRectF& re
         if (lane.shape == Shape::Bars)
             paintSticks(painter, run, lane.color, xMap, yMap);
         else
-            paintLine(painter, run, {lane.color, lineWidth}, xMap, yMap);
+            paintLine(painter, run, {lane.color, laneLineWidth}, xMap, yMap);
     }
     painter.restore();
     const QString title = lane.title.arg(number);
-    const QRectF place(rect.left(), rect.top(), metrics.horizontalAdvance(title) + labelGap, textHeight);
+    const QRectF place(rect.left(), rect.top(), metrics.horizontalAdvance(title) + titleGap, textHeight);
     painter.fillRect(place, m_backgroundColor); // the clock's lines would run through it
     painter.setPen(m_textColor);
     painter.drawText(QRectF(place.topLeft(), QSizeF(place.width(), metrics.height())),

@@ -16,17 +16,17 @@ namespace {
 constexpr qint64 minute = 60;
 constexpr qint64 hour = 3600;
 constexpr qint64 day = 24 * hour;
-constexpr std::array<qint64, 20> steps{1,           2,           5,          10,         15,
-                                       30,          minute,      2 * minute, 5 * minute, 10 * minute,
-                                       15 * minute, 30 * minute, hour,       2 * hour,   3 * hour,
-                                       6 * hour,    12 * hour,   day,        2 * day,    5 * day};
+constexpr std::array<qint64, 20> roundSteps{1,           2,           5,          10,         15,
+                                            30,          minute,      2 * minute, 5 * minute, 10 * minute,
+                                            15 * minute, 30 * minute, hour,       2 * hour,   3 * hour,
+                                            6 * hour,    12 * hour,   day,        2 * day,    5 * day};
 constexpr double msPerSecond = 1000;
 
 qint64 stepFor(double spanMs, int most)
 {
     const auto fits = std::ranges::find_if(
-        steps, [&](qint64 step) { return spanMs / (msPerSecond * static_cast<double>(step)) < most; });
-    return fits == steps.end() ? steps.back() : *fits;
+        roundSteps, [&](qint64 step) { return spanMs / (msPerSecond * static_cast<double>(step)) < most; });
+    return fits == roundSteps.end() ? roundSteps.back() : *fits;
 }
 
 // The last round time before `time`, counted from local midnight or, from days on, from a fixed day.

@@ -16,8 +16,6 @@ namespace {
 
 constexpr double axisGap = 3;       // px between the canvas and the times below it
 constexpr double tickSpacing = 1.5; // widths of a label from one tick to the next, at least
-constexpr double cursorWidth = 1.5;
-constexpr double dotRadius = 4;
 constexpr double rightMargin = 8;
 
 } // namespace

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// The number that stands for one that is not known, and the mean of numbers.
+#pragma once
+
+#include <QList>
+
+#include <limits>
+#include <numeric>
+
+namespace campanel::machine {
+
+inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+// Unknown of none.
+[[nodiscard]] inline double mean(const QList<double>& values)
+{
+    return values.isEmpty()
+               ? unknown
+               : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+} // namespace campanel::machine
