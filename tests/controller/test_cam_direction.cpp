@@ -3,11 +3,14 @@
 // parameter. Backwards the same rows give the same curve, without drift.
 #include "rig.h"
 #include "support/cam_image.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <cmath>
 #include <numbers>
+
+namespace test_cam_direction {
 
 using namespace campanel::test;
 
@@ -131,5 +134,8 @@ void TestCamDirection::changeOfSignWhileRunning()
     QCOMPARE(rig.commanded() % 10'000, std::int64_t{0});
 }
 
-QTEST_APPLESS_MAIN(TestCamDirection)
+CAMPANEL_TEST(TestCamDirection)
+
+} // namespace test_cam_direction
+
 #include "test_cam_direction.moc"

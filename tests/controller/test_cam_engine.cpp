@@ -4,6 +4,7 @@
 #include "ctl_table.h"
 #include "rig.h"
 #include "support/cam_image.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -12,6 +13,8 @@
 #include <memory>
 #include <numbers>
 #include <random>
+
+namespace test_cam_engine {
 
 using namespace campanel::test;
 
@@ -377,5 +380,8 @@ void TestCamEngine::checkRefuses()
     QCOMPARE(verdict.detail, detail);
 }
 
-QTEST_APPLESS_MAIN(TestCamEngine)
+CAMPANEL_TEST(TestCamEngine)
+
+} // namespace test_cam_engine
+
 #include "test_cam_engine.moc"

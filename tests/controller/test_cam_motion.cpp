@@ -3,12 +3,15 @@
 // start, a speed that is held, faults.
 #include "rig.h"
 #include "support/cam_image.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
+
+namespace test_cam_motion {
 
 using namespace campanel::test;
 
@@ -359,5 +362,8 @@ void TestCamMotion::callsMayComeAtAnyTime()
     }
 }
 
-QTEST_APPLESS_MAIN(TestCamMotion)
+CAMPANEL_TEST(TestCamMotion)
+
+} // namespace test_cam_motion
+
 #include "test_cam_motion.moc"

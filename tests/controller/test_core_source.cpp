@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the core's sources may contain: no floating point (an ARM7 has none), no heap, no globals, no foreign
 // headers.
+#include "tests/support/places.h"
+#include "tests/support/test_program.h"
+
 #include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
 #include <QTest>
+
+namespace test_core_source {
 
 using namespace Qt::StringLiterals;
 
@@ -25,7 +30,7 @@ QString withoutComments(QString text)
 QList<Source> coreSources()
 {
     QList<Source> sources;
-    QDirIterator files(QStringLiteral(CAMPANEL_CORE_DIRECTORY), {u"*.c"_s, u"*.h"_s});
+    QDirIterator files(campanel::test::sourcePath("controller/core"), {u"*.c"_s, u"*.h"_s});
     while (files.hasNext()) {
         QFile file(files.next());
         if (file.open(QIODevice::ReadOnly))
@@ -94,5 +99,8 @@ void TestCoreSource::includesOnlyItselfAndTheLanguage()
              QStringList());
 }
 
-QTEST_APPLESS_MAIN(TestCoreSource)
+CAMPANEL_TEST(TestCoreSource)
+
+} // namespace test_core_source
+
 #include "test_core_source.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // campanel-controller as a process: its port, its options, its end, its flash; and what it costs when idle.
 #include "rig.h"
+#include "tests/support/places.h"
+#include "tests/support/test_program.h"
 
 #include <QElapsedTimer>
 #include <QFile>
@@ -16,6 +18,8 @@
 #include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
+
+namespace test_executable {
 
 using namespace campanel::test;
 using namespace Qt::StringLiterals;
@@ -33,7 +37,7 @@ public:
         if (!arguments.contains(u"--state"_s))
             arguments << u"--state"_s << m_state.path();
         m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-        m_process.start(QStringLiteral(CAMPANEL_CONTROLLER), arguments);
+        m_process.start(campanel::test::programPath("campanel-controller"), arguments);
         while (!m_process.canReadLine()) {
             if (!m_process.waitForReadyRead(startTimeoutMs))
                 qFatal("campanel-controller printed no port");
@@ -120,7 +124,7 @@ const Bytes readStatus{1, 3, 1, 0, 0, 40};
 std::pair<int, QByteArray> runToEnd(const QStringList& arguments)
 {
     QProcess process;
-    process.start(QStringLiteral(CAMPANEL_CONTROLLER), arguments);
+    process.start(campanel::test::programPath("campanel-controller"), arguments);
     if (!process.waitForFinished(5000))
         return {-1, {}};
     return {process.exitCode(), process.readAllStandardError() + process.readAllStandardOutput()};
@@ -354,7 +358,7 @@ void TestExecutable::endsWithItsParent()
     const QTemporaryDir state;
     QProcess shell;
     shell.start(u"/bin/sh"_s,
-                {u"-c"_s, QStringLiteral(CAMPANEL_CONTROLLER) + u" --exit-with-parent --state "_s +
+                {u"-c"_s, campanel::test::programPath("campanel-controller") + u" --exit-with-parent --state "_s +
                               state.path() + u" & echo $!; read line"_s});
     QVERIFY(shell.waitForStarted());
     QByteArray lines;
@@ -393,5 +397,8 @@ void TestExecutable::idlesCheaply()
     QVERIFY(usedMs <= idleMs * 3 / 100);
 }
 
-QTEST_GUILESS_MAIN(TestExecutable)
+CAMPANEL_TEST(TestExecutable)
+
+} // namespace test_executable
+
 #include "test_executable.moc"

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The language of fault scripts: what it says, and the sentence for what is wrong in it.
 #include "fault_rules.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
+
+namespace test_fault_rules {
 
 using namespace campanel::controller;
 
@@ -121,5 +124,8 @@ void TestFaultRules::wrongLinesAreNamed()
     QVERIFY2(QByteArray::fromStdString(script.error()).contains(sentence), script.error().c_str());
 }
 
-QTEST_APPLESS_MAIN(TestFaultRules)
+CAMPANEL_TEST(TestFaultRules)
+
+} // namespace test_fault_rules
+
 #include "test_fault_rules.moc"

@@ -2,10 +2,13 @@
 // Every fault of the line on made-up time, with a controller that answers at once: what it hears and what the
 // panel hears, byte by byte.
 #include "fault_bench.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <bit>
+
+namespace test_faulty_line {
 
 using namespace campanel::controller;
 using namespace campanel::test;
@@ -376,5 +379,8 @@ void TestFaultyLine::sameSeedSameFaults()
     QVERIFY2(lost > 10 && lost < 50, qPrintable(QString::number(lost))); // 0.8 * 0.1 of 300
 }
 
-QTEST_APPLESS_MAIN(TestFaultyLine)
+CAMPANEL_TEST(TestFaultyLine)
+
+} // namespace test_faulty_line
+
 #include "test_faulty_line.moc"

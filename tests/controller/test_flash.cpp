@@ -2,8 +2,11 @@
 // What survives a power loss: program, parameters, generation; a power cut at any byte leaves the older slot.
 #include "rig.h"
 #include "support/cam_image.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
+
+namespace test_flash {
 
 using namespace campanel::test;
 
@@ -198,5 +201,8 @@ void TestFlash::largestCamThroughFlash()
     QCOMPARE(rig.commanded(), std::int64_t{5000} * rig.core().motion.cycle_count);
 }
 
-QTEST_APPLESS_MAIN(TestFlash)
+CAMPANEL_TEST(TestFlash)
+
+} // namespace test_flash
+
 #include "test_flash.moc"

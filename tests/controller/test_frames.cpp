@@ -2,11 +2,14 @@
 // The RTU slave: known frames, exceptions, broadcast, damaged and random frames.
 #include "ctl_crc.h"
 #include "rig.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <cstring>
 #include <random>
+
+namespace test_frames {
 
 using namespace campanel::test;
 
@@ -282,5 +285,8 @@ void TestFrames::randomRequestsKeepTheParametersValid()
     QCOMPARE(answered, 100'000);
 }
 
-QTEST_APPLESS_MAIN(TestFrames)
+CAMPANEL_TEST(TestFrames)
+
+} // namespace test_frames
+
 #include "test_frames.moc"

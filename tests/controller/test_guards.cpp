@@ -2,8 +2,11 @@
 // What stops the machine by itself: jog without a heartbeat, a lost panel, a drive that does not follow, a
 // damaged table.
 #include "rig.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
+
+namespace test_guards {
 
 using namespace campanel::test;
 
@@ -193,5 +196,8 @@ void TestGuards::homingWithoutMarkIsAFault()
     rig.start();
 }
 
-QTEST_APPLESS_MAIN(TestGuards)
+CAMPANEL_TEST(TestGuards)
+
+} // namespace test_guards
+
 #include "test_guards.moc"

@@ -4,6 +4,7 @@
 #include "ctl_interval.h"
 #include "ctl_words.h"
 #include "rig.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -11,6 +12,8 @@
 #include <random>
 #include <span>
 #include <vector>
+
+namespace test_interval_engine {
 
 using namespace campanel::test;
 
@@ -406,5 +409,8 @@ void TestIntervalEngine::check()
         QCOMPARE(unsigned{verdict.detail}, 1u);
 }
 
-QTEST_APPLESS_MAIN(TestIntervalEngine)
+CAMPANEL_TEST(TestIntervalEngine)
+
+} // namespace test_interval_engine
+
 #include "test_interval_engine.moc"

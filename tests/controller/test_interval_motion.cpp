@@ -4,12 +4,15 @@
 #include "rig.h"
 #include "support/cam_image.h"
 #include "support/interval_image.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+
+namespace test_interval_motion {
 
 using namespace campanel::test;
 
@@ -312,5 +315,8 @@ void TestIntervalMotion::refusals()
     QCOMPARE(unsigned{verdict.detail}, detail);
 }
 
-QTEST_APPLESS_MAIN(TestIntervalMotion)
+CAMPANEL_TEST(TestIntervalMotion)
+
+} // namespace test_interval_motion
+
 #include "test_interval_motion.moc"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The paced line on made-up time: bytes take as long as on the wire, in both directions.
 #include "line.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <numeric>
+
+namespace test_line {
 
 using namespace campanel::controller;
 
@@ -124,5 +127,8 @@ void TestLine::unpacedTakesNoTime()
     QCOMPARE(line.takeForPanel(7).size(), std::size_t{200});
 }
 
-QTEST_APPLESS_MAIN(TestLine)
+CAMPANEL_TEST(TestLine)
+
+} // namespace test_line
+
 #include "test_line.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fault rules given to the running program: what it answers, and what happens to its port.
 #include "rig.h"
+#include "tests/support/places.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -11,6 +13,8 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
+
+namespace test_live_faults {
 
 using namespace campanel::test;
 using namespace Qt::StringLiterals;
@@ -24,7 +28,7 @@ public:
     explicit Program(const QStringList& arguments = {})
     {
         m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-        m_process.start(QStringLiteral(CAMPANEL_CONTROLLER),
+        m_process.start(campanel::test::programPath("campanel-controller"),
                         QStringList{u"--control"_s, u"--no-pacing"_s, u"--state"_s, path(u"state"_s),
                                     u"--link"_s, path(u"port"_s)} +
                             arguments);
@@ -186,12 +190,12 @@ void TestLiveFaults::fileOfRules()
     file.write("late times=often\n");
     file.close();
     QProcess wrong;
-    wrong.start(QStringLiteral(CAMPANEL_CONTROLLER), {u"--faults"_s, file.fileName()});
+    wrong.start(campanel::test::programPath("campanel-controller"), {u"--faults"_s, file.fileName()});
     QVERIFY(wrong.waitForFinished(waitMs));
     QCOMPARE(wrong.exitCode(), 2);
     const QByteArray sentence = wrong.readAllStandardError();
     QVERIFY2(sentence.contains("line 3: 'times=often' is wrong"), sentence.constData());
-    wrong.start(QStringLiteral(CAMPANEL_CONTROLLER), {u"--faults"_s, folder.filePath(u"none"_s)});
+    wrong.start(campanel::test::programPath("campanel-controller"), {u"--faults"_s, folder.filePath(u"none"_s)});
     QVERIFY(wrong.waitForFinished(waitMs));
     QCOMPARE(wrong.exitCode(), 2);
     QVERIFY(wrong.readAllStandardError().contains("cannot read"));
@@ -210,7 +214,7 @@ void TestLiveFaults::endOfInputIsNotTheEnd()
 {
     QProcess process;
     const QTemporaryDir state;
-    process.start(QStringLiteral(CAMPANEL_CONTROLLER), {u"--control"_s, u"--state"_s, state.path()});
+    process.start(campanel::test::programPath("campanel-controller"), {u"--control"_s, u"--state"_s, state.path()});
     QVERIFY(process.waitForReadyRead(waitMs));
     const QString port = QString::fromLocal8Bit(process.readLine()).trimmed();
     process.closeWriteChannel();
@@ -220,5 +224,8 @@ void TestLiveFaults::endOfInputIsNotTheEnd()
     QCOMPARE(process.exitCode(), 0);
 }
 
-QTEST_GUILESS_MAIN(TestLiveFaults)
+CAMPANEL_TEST(TestLiveFaults)
+
+} // namespace test_live_faults
+
 #include "test_live_faults.moc"

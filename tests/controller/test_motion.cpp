@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // States and motion: homing, start, both stops, change while running, the cut bags.
 #include "rig.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
+
+namespace test_motion {
 
 using namespace campanel::test;
 
@@ -392,5 +395,8 @@ void TestMotion::knivesCutEachStroke()
     QVERIFY(std::abs(turned - 1'000'700) <= 2);
 }
 
-QTEST_APPLESS_MAIN(TestMotion)
+CAMPANEL_TEST(TestMotion)
+
+} // namespace test_motion
+
 #include "test_motion.moc"

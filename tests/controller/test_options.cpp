@@ -3,6 +3,7 @@
 // within its range, and is in the help.
 #include "machine_options.h"
 #include "options.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -10,6 +11,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+namespace test_options {
 
 using namespace campanel::controller;
 
@@ -149,5 +152,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestOptions)
+CAMPANEL_TEST(TestOptions)
+
+} // namespace test_options
+
 #include "test_options.moc"

@@ -3,11 +3,14 @@
 #include "rig.h"
 
 #include "ctl_packer.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <cmath>
 #include <cstdlib>
+
+namespace test_packing_line {
 
 using namespace campanel::test;
 using campanel::controller::MachineOptions;
@@ -438,5 +441,8 @@ void TestPackingLine::registersTellWhatHappens()
     QVERIFY2(std::abs(off) < 60 || std::abs(off) > 2440, qPrintable(QString::number(off)));
 }
 
-QTEST_APPLESS_MAIN(TestPackingLine)
+CAMPANEL_TEST(TestPackingLine)
+
+} // namespace test_packing_line
+
 #include "test_packing_line.moc"

@@ -5,11 +5,14 @@
 #include "ctl_marks.h"
 #include "ctl_products.h"
 #include "ctl_registers.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <cstdlib>
 #include <random>
+
+namespace test_packing_parts {
 
 namespace {
 
@@ -387,5 +390,8 @@ void TestPackingParts::acrossMeansWithClearance()
     QVERIFY(ctl_products_across(&products, middle - 104'999, 5000));
 }
 
-QTEST_APPLESS_MAIN(TestPackingParts)
+CAMPANEL_TEST(TestPackingParts)
+
+} // namespace test_packing_parts
+
 #include "test_packing_parts.moc"

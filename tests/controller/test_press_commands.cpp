@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // A press among the states of the controller: download, commands in every stage, what the status block says.
 #include "press_bench.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <cmath>
+
+namespace test_press_commands {
 
 using namespace campanel::test;
 using campanel::controller::MachineOptions;
@@ -262,5 +265,8 @@ void TestPressCommands::cutterAfterPressAndBack()
     QCOMPARE(rig.status(CTL_REG_STATUS_FAULT), std::uint16_t{0});
 }
 
-QTEST_APPLESS_MAIN(TestPressCommands)
+CAMPANEL_TEST(TestPressCommands)
+
+} // namespace test_press_commands
+
 #include "test_press_commands.moc"

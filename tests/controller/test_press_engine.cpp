@@ -3,12 +3,15 @@
 // there), and what happens when the work piece is not where it should be.
 #include "ctl_count.h"
 #include "press_bench.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+namespace test_press_engine {
 
 using namespace campanel::test;
 using campanel::controller::MachineOptions;
@@ -365,5 +368,8 @@ void TestPressEngine::badBanksAreRefused()
     QCOMPARE(int{verdict.detail}, detail);
 }
 
-QTEST_APPLESS_MAIN(TestPressEngine)
+CAMPANEL_TEST(TestPressEngine)
+
+} // namespace test_press_engine
+
 #include "test_press_engine.moc"

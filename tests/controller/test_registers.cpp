@@ -3,11 +3,14 @@
 // can be written, limits hold, read-back tells the truth.
 #include "modbus/register_map.h"
 #include "rig.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
+
+namespace test_registers {
 
 using namespace campanel;
 using namespace campanel::test;
@@ -157,5 +160,8 @@ void TestRegisters::uptimeAndSampleTime()
              static_cast<std::uint16_t>(70'001)); // 1.75 ms of silence before it was taken, wraps at 65536
 }
 
-QTEST_APPLESS_MAIN(TestRegisters)
+CAMPANEL_TEST(TestRegisters)
+
+} // namespace test_registers
+
 #include "test_registers.moc"

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The simulated machine: the same seed gives the same run however time is portioned; how fast it goes.
 #include "rig.h"
+#include "tests/support/test_program.h"
 
 #include <QElapsedTimer>
 #include <QTest>
+
+namespace test_simulation {
 
 using namespace campanel::test;
 
@@ -63,5 +66,8 @@ void TestSimulation::fasterThanRealTime()
     QVERIFY(factor > 20.0);
 }
 
-QTEST_APPLESS_MAIN(TestSimulation)
+CAMPANEL_TEST(TestSimulation)
+
+} // namespace test_simulation
+
 #include "test_simulation.moc"

@@ -4,12 +4,15 @@
 #include "ctl_ramp.h"
 #include "ctl_step.h"
 #include "rig.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <memory>
 #include <random>
+
+namespace test_step_engine {
 
 using namespace campanel::test;
 
@@ -355,5 +358,8 @@ void TestStepEngine::sCurveLandsExactly()
     }
 }
 
-QTEST_APPLESS_MAIN(TestStepEngine)
+CAMPANEL_TEST(TestStepEngine)
+
+} // namespace test_step_engine
+
 #include "test_step_engine.moc"

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The download: order, repetition, interruption, every check of the rows, apply and its refusals.
 #include "rig.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <functional>
 
-using namespace campanel::test;
+namespace test_transfer {
 
-Q_DECLARE_METATYPE(BankImage)
+using namespace campanel::test;
 
 namespace {
 
@@ -143,8 +144,6 @@ void TestTransfer::sealNamesWhatIsMissing()
 }
 
 using Change = std::function<void(Registers&)>;
-Q_DECLARE_METATYPE(Change)
-
 void TestTransfer::sealChecksEveryRow_data()
 {
     QTest::addColumn<Change>("change");
@@ -299,5 +298,8 @@ void TestTransfer::breakLeavesTheActiveProgram()
     QCOMPARE(rig.status(CTL_REG_STATUS_FAULT), 0);
 }
 
-QTEST_APPLESS_MAIN(TestTransfer)
+CAMPANEL_TEST(TestTransfer)
+
+} // namespace test_transfer
+
 #include "test_transfer.moc"

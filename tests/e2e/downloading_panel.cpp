@@ -10,12 +10,15 @@
 #include "app/machine/records.h"
 #include "app/machine/service.h"
 #include "app/machine/settings.h"
+#include "tests/support/test_program.h"
 
 #include <QCoreApplication>
 #include <QDir>
 #include <QTimer>
 
 #include <cstdio>
+
+namespace downloading_panel {
 
 using namespace campanel;
 using machine::Editor;
@@ -35,7 +38,7 @@ void say(const char* what, const QString& value)
 
 } // namespace
 
-int main(int argc, char* argv[])
+static int downloadingPanel(int argc, char** argv)
 {
     QCoreApplication application(argc, argv);
     const QString folder = QCoreApplication::arguments().value(1);
@@ -89,3 +92,7 @@ int main(int argc, char* argv[])
     link.connectTo(wanted);
     return QCoreApplication::exec();
 }
+
+CAMPANEL_PROCESS("downloading_panel", downloadingPanel)
+
+} // namespace downloading_panel

@@ -6,16 +6,18 @@
 #include "app/main/end_signals.h"
 #include "app/main/finger.h"
 #include "app/main/fonts.h"
-#include "app/main/qml_modules.h"
+#include "tests/support/test_program.h"
 
 #include <QGuiApplication>
 #include <QTimer>
 
 #include <cstdio>
 
+namespace panel_to_be_killed {
+
 using namespace campanel;
 
-int main(int argc, char* argv[])
+static int panelToBeKilled(int argc, char** argv)
 {
     QGuiApplication application(argc, argv);
     QGuiApplication::setQuitOnLastWindowClosed(false);
@@ -54,3 +56,7 @@ int main(int argc, char* argv[])
     const panel::EndSignals endSignals;
     return QGuiApplication::exec();
 }
+
+CAMPANEL_PROCESS("panel_to_be_killed", panelToBeKilled)
+
+} // namespace panel_to_be_killed

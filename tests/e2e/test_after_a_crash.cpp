@@ -3,6 +3,8 @@
 // the page that was open. After an orderly end it begins with the first page.
 #include "app/machine/machine.h"
 #include "tests/support/controller_process.h"
+#include "tests/support/places.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QProcess>
@@ -10,6 +12,8 @@
 #include <QTest>
 
 #include <csignal>
+
+namespace test_after_a_crash {
 
 using namespace campanel;
 using machine::Machine;
@@ -23,7 +27,7 @@ public:
     explicit PanelProcess(const QStringList& arguments)
     {
         m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-        m_process.start(QStringLiteral(PANEL_TO_BE_KILLED), arguments);
+        m_process.start(QCoreApplication::applicationFilePath(), QStringList{QStringLiteral("panel_to_be_killed")} + arguments);
     }
     ~PanelProcess()
     {
@@ -61,7 +65,7 @@ QByteArray shown(int page, Machine::State state)
 
 int campanelctl(const QStringList& arguments)
 {
-    return QProcess::execute(QStringLiteral(CAMPANELCTL), arguments);
+    return QProcess::execute(campanel::test::programPath("campanelctl"), arguments);
 }
 
 } // namespace
@@ -120,5 +124,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAfterACrash)
+CAMPANEL_TEST(TestAfterACrash)
+
+} // namespace test_after_a_crash
+
 #include "test_after_a_crash.moc"

@@ -9,6 +9,7 @@
 #include "app/machine/settings.h"
 #include "app/store/audit_log.h"
 #include "app/store/recipe_library.h"
+#include "tests/support/test_program.h"
 
 #include <QProcess>
 #include <QRandomGenerator>
@@ -16,6 +17,8 @@
 #include <QTest>
 
 #include <csignal>
+
+namespace test_killed_downloads {
 
 using namespace campanel;
 using test::ControllerProcess;
@@ -61,7 +64,7 @@ class TestKilledDownloads : public QObject {
     {
         QProcess panel;
         panel.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-        panel.start(QStringLiteral(CAMPANEL_DOWNLOADING_PANEL), {m_folder.path(), m_controller.port()});
+        panel.start(QCoreApplication::applicationFilePath(), {QStringLiteral("downloading_panel"), m_folder.path(), m_controller.port()});
         QVERIFY(panel.waitForReadyRead(timeoutMs)); // it is at work
         (void)panel.waitForFinished(lifeMs);
         QCOMPARE(panel.state(), QProcess::Running);
@@ -139,5 +142,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestKilledDownloads)
+CAMPANEL_TEST(TestKilledDownloads)
+
+} // namespace test_killed_downloads
+
 #include "test_killed_downloads.moc"

@@ -6,6 +6,8 @@
 #include "app/machine/machine.h"
 #include "app/machine/settings.h"
 #include "tests/support/controller_process.h"
+#include "tests/support/places.h"
+#include "tests/support/test_program.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -16,6 +18,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+
+namespace test_kinds_and_controller {
 
 using namespace campanel;
 using machine::Editor;
@@ -53,7 +57,7 @@ struct Panel {
 QByteArray ctl(const QStringList& words, const QString& port)
 {
     QProcess process;
-    process.start(QStringLiteral(CAMPANELCTL), words + QStringList{"--port", port});
+    process.start(campanel::test::programPath("campanelctl"), words + QStringList{"--port", port});
     if (!process.waitForFinished(timeoutMs) || process.exitCode() != 0)
         return process.readAllStandardError();
     return process.readAllStandardOutput();
@@ -284,5 +288,8 @@ void TestKindsAndController::aMissingWorkPieceIsAFault()
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Ready, timeoutMs);
 }
 
-QTEST_GUILESS_MAIN(TestKindsAndController)
+CAMPANEL_TEST(TestKindsAndController)
+
+} // namespace test_kinds_and_controller
+
 #include "test_kinds_and_controller.moc"

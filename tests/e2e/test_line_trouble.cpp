@@ -8,6 +8,8 @@
 #include "app/machine/settings.h"
 #include "modbus/codec.h"
 #include "tests/support/controller_process.h"
+#include "tests/support/places.h"
+#include "tests/support/test_program.h"
 
 #include <QElapsedTimer>
 #include <QFileInfo>
@@ -20,6 +22,8 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <unistd.h>
+
+namespace test_line_trouble {
 
 using namespace campanel;
 using machine::Editor;
@@ -51,7 +55,7 @@ struct Panel {
     void openSimulated(std::uint32_t baud)
     {
         link::ConnectionSettings wanted;
-        wanted.simulatorProgram = QStringLiteral(CAMPANEL_CONTROLLER);
+        wanted.simulatorProgram = campanel::test::programPath("campanel-controller");
         wanted.simulatorStateDir = folder.filePath(QStringLiteral("state"));
         wanted.line.baud = baud;
         link.connectTo(wanted);
@@ -92,9 +96,12 @@ modbus::LinkSettings lineTo(const char* port)
 }
 
 // A panel that does nothing but hold the jog key, until it is killed.
-int jog(const char* port)
+// Jogs on the port that is its argument, until it is killed.
+int jog(int argc, char** argv)
 {
-    modbus::RtuClient client(lineTo(port));
+    if (argc != 2)
+        return 1;
+    modbus::RtuClient client(lineTo(argv[1]));
     if (!client.open() || !client.identify())
         return 1;
     bool isTold = false;
@@ -266,7 +273,7 @@ void TestLineTrouble::jogDiesWithItsPanel()
 {
     const ControllerProcess controller;
     QProcess panel;
-    panel.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--jog"), controller.port()});
+    panel.start(QCoreApplication::applicationFilePath(), {QStringLiteral("jog"), controller.port()});
     QVERIFY(panel.waitForReadyRead(timeoutMs));
     QCOMPARE(panel.readLine().trimmed(), QByteArray("jogging"));
     QElapsedTimer sinceKill;
@@ -291,12 +298,9 @@ void TestLineTrouble::jogDiesWithItsPanel()
     QVERIFY(endedMs < jogLimitMs);
 }
 
-int main(int argc, char** argv)
-{
-    if (argc == 3 && QByteArray(argv[1]) == "--jog")
-        return jog(argv[2]);
-    QCoreApplication app(argc, argv);
-    TestLineTrouble test;
-    return QTest::qExec(&test, argc, argv);
-}
+CAMPANEL_TEST(TestLineTrouble)
+CAMPANEL_PROCESS("jog", jog)
+
+} // namespace test_line_trouble
+
 #include "test_line_trouble.moc"

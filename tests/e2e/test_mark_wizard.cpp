@@ -7,6 +7,8 @@
 #include "app/machine/machine.h"
 #include "app/machine/service.h"
 #include "app/machine/settings.h"
+#include "tests/support/places.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -14,6 +16,8 @@
 
 #include <cmath>
 #include <utility>
+
+namespace test_mark_wizard {
 
 using namespace campanel;
 using machine::Editor;
@@ -34,7 +38,7 @@ struct Panel {
         QFile script(folder.filePath(QStringLiteral("controller.sh")));
         if (!script.open(QIODevice::WriteOnly))
             qFatal("no script");
-        script.write("#!/bin/sh\nexec '" CAMPANEL_CONTROLLER "' \"$@\" --mark-distance 903 --speed 5\n");
+        script.write("#!/bin/sh\nexec '" + campanel::test::programPath("campanel-controller").toUtf8() + "' \"$@\" --mark-distance 903 --speed 5\n");
         script.close();
         script.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
         link::ConnectionSettings wanted;
@@ -146,10 +150,8 @@ private slots:
     }
 };
 
-int main(int argc, char* argv[])
-{
-    QCoreApplication application(argc, argv);
-    TestMarkWizard test;
-    return QTest::qExec(&test, argc, argv);
-}
+CAMPANEL_TEST(TestMarkWizard)
+
+} // namespace test_mark_wizard
+
 #include "test_mark_wizard.moc"

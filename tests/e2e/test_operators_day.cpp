@@ -2,13 +2,15 @@
 // What people do with the panel from its first start on, by touches alone, with campanel-controller at the
 // other end of the line.
 #include "app/main/fonts.h"
-#include "app/main/qml_modules.h"
 #include "panel_window.h"
 #include "tests/support/controller_process.h"
+#include "tests/support/test_program.h"
 
 #include <QDir>
 #include <QFile>
 #include <QTest>
+
+namespace test_operators_day {
 
 using namespace campanel;
 using machine::Editor;
@@ -268,5 +270,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestOperatorsDay)
+CAMPANEL_TEST(TestOperatorsDay)
+
+} // namespace test_operators_day
+
 #include "test_operators_day.moc"

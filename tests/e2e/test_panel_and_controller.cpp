@@ -2,11 +2,12 @@
 // The panel's window touched as an operator does, campanel-controller at the other end of the line, and
 // campanelctl as the witness of what the controller runs.
 #include "app/main/fonts.h"
-#include "app/main/qml_modules.h"
 #include "app/program/program_image.h"
 #include "panel_window.h"
 #include "tests/support/controller_process.h"
 #include "tests/support/scripted_slave.h"
+#include "tests/support/places.h"
+#include "tests/support/test_program.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -15,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+
+namespace test_panel_and_controller {
 
 using namespace campanel;
 using machine::Editor;
@@ -33,7 +36,7 @@ constexpr std::int32_t pulsesPerCycle = 10000;
 QJsonObject statusFromOutside(const QString& port)
 {
     QProcess process;
-    process.start(QStringLiteral(CAMPANELCTL), {"status", "--format", "json", "--port", port});
+    process.start(campanel::test::programPath("campanelctl"), {"status", "--format", "json", "--port", port});
     if (!process.waitForFinished() || process.exitCode() != 0)
         qWarning("%s", process.readAllStandardError().constData());
     return QJsonDocument::fromJson(process.readAllStandardOutput()).object();
@@ -339,5 +342,8 @@ void TestPanelAndController::otherDevices()
     QCOMPARE(device.writes(), 0);
 }
 
-QTEST_MAIN(TestPanelAndController)
+CAMPANEL_TEST(TestPanelAndController)
+
+} // namespace test_panel_and_controller
+
 #include "test_panel_and_controller.moc"

@@ -2,13 +2,15 @@
 // The Service page touched as a technician does, campanel-controller at the other end of the line: a register
 // written and read back, figures and frames of it, a diagnosis, and a wrong unit number found and mended.
 #include "app/main/fonts.h"
-#include "app/main/qml_modules.h"
 #include "panel_window.h"
 #include "tests/support/controller_process.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <cmath>
+
+namespace test_service_and_controller {
 
 using namespace campanel;
 using machine::Machine;
@@ -114,11 +116,8 @@ private slots:
     }
 };
 
-int main(int argc, char* argv[])
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QGuiApplication application(argc, argv);
-    TestServiceAndController test;
-    return QTest::qExec(&test, argc, argv);
-}
+CAMPANEL_TEST(TestServiceAndController)
+
+} // namespace test_service_and_controller
+
 #include "test_service_and_controller.moc"

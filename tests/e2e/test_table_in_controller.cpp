@@ -3,11 +3,14 @@
 // What is counted is compared with K Z / N as an exact fraction, computed here.
 #include "app/program/program_image.h"
 #include "rig.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
+
+namespace test_table_in_controller {
 
 using namespace campanel;
 using test::Rig;
@@ -59,8 +62,6 @@ void install(Rig& rig, const program::ProgramImage& image)
 }
 
 } // namespace
-
-Q_DECLARE_METATYPE(Case)
 
 class TestTableInController : public QObject {
     Q_OBJECT
@@ -178,5 +179,8 @@ void TestTableInController::theShaftStandsWhereItShould()
     QCOMPARE(rig.core().motion.actual - rig.core().motion.origin, exactPulses(values, cycles));
 }
 
-QTEST_GUILESS_MAIN(TestTableInController)
+CAMPANEL_TEST(TestTableInController)
+
+} // namespace test_table_in_controller
+
 #include "test_table_in_controller.moc"

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The allowed directions between the layers, read from every #include and every QML import.
 // A folder without a rule, a file in no folder with a rule, or an include that no rule allows fails the test.
+#include "tests/support/places.h"
+#include "tests/support/test_program.h"
+
 #include <QDirIterator>
 #include <QRegularExpression>
 #include <QTest>
+
+namespace test_layering {
 
 using namespace Qt::StringLiterals;
 
@@ -74,7 +79,7 @@ const Rule* ruleFor(const QList<Rule>& rules, const QString& relativePath)
 
 QStringList filesBelow(const QStringList& folders, const QStringList& patterns)
 {
-    const QDir root(QStringLiteral(CAMPANEL_SOURCE_DIR));
+    const QDir root(campanel::test::sourcePath("."));
     QStringList result;
     for (const QString& folder : folders) {
         QDirIterator it(root.filePath(folder), patterns, QDir::Files, QDirIterator::Subdirectories);
@@ -92,7 +97,7 @@ QStringList violations(const QString& relativePath, const QList<Rule>& rules,
     const Rule* rule = ruleFor(rules, relativePath);
     if (!rule)
         return {relativePath + u": lies in a folder that no rule names"_s};
-    QFile file(QDir(QStringLiteral(CAMPANEL_SOURCE_DIR)).filePath(relativePath));
+    QFile file(QDir(campanel::test::sourcePath(".")).filePath(relativePath));
     if (!file.open(QIODevice::ReadOnly))
         return {relativePath + u": cannot be read"_s};
     const QString text = QString::fromUtf8(file.readAll());
@@ -147,12 +152,15 @@ private slots:
                                              {u"*.h"_s, u"*.cpp"_s, u"*.c"_s, u"*.qml"_s, u"CMakeLists.txt"_s,
                                               u"*.cmake"_s, u"*.py"_s, u"*.sh"_s});
         for (const QString& name : files) {
-            QFile file(QDir(QStringLiteral(CAMPANEL_SOURCE_DIR)).filePath(name));
+            QFile file(QDir(campanel::test::sourcePath(".")).filePath(name));
             QVERIFY(file.open(QIODevice::ReadOnly));
             QVERIFY2(file.read(200).contains("SPDX-License-Identifier: Apache-2.0"), qPrintable(name));
         }
     }
 };
 
-QTEST_APPLESS_MAIN(TestLayering)
+CAMPANEL_TEST(TestLayering)
+
+} // namespace test_layering
+
 #include "test_layering.moc"

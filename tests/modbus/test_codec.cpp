@@ -5,6 +5,7 @@
 #include "modbus/codec.h"
 #include "modbus/crc32.h"
 #include "modbus/wire_time.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -12,6 +13,8 @@
 #include <limits>
 #include <string>
 #include <vector>
+
+namespace test_codec {
 
 using namespace campanel::modbus;
 
@@ -263,5 +266,8 @@ void CodecTest::wireTimes()
              pairTime(line, transferFrames(1)));
 }
 
-QTEST_APPLESS_MAIN(CodecTest)
+CAMPANEL_TEST(CodecTest)
+
+} // namespace test_codec
+
 #include "test_codec.moc"

@@ -3,10 +3,13 @@
 #include "modbus/crc32.h"
 #include "modbus/download.h"
 #include "scripted_slave.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
 #include <random>
+
+namespace test_download {
 
 using namespace campanel::modbus;
 using campanel::test::Fault;
@@ -330,5 +333,8 @@ void DownloadTest::withdrawnElsewhere()
     QCOMPARE(phase.error().kind, DownloadErrorKind::Withdrawn);
 }
 
-QTEST_APPLESS_MAIN(DownloadTest)
+CAMPANEL_TEST(DownloadTest)
+
+} // namespace test_download
+
 #include "test_download.moc"

@@ -5,10 +5,13 @@
 #include "modbus/frame_text.h"
 #include "modbus/rtu_client.h"
 #include "scripted_slave.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
 #include <algorithm>
+
+namespace test_frames {
 
 using namespace campanel::modbus;
 using campanel::test::Fault;
@@ -224,5 +227,8 @@ private:
     std::unique_ptr<RtuClient> m_client;
 };
 
-QTEST_APPLESS_MAIN(FramesTest)
+CAMPANEL_TEST(FramesTest)
+
+} // namespace test_frames
+
 #include "test_frames.moc"

@@ -4,6 +4,7 @@
 #include "modbus/crc16.h"
 #include "modbus/line_scan.h"
 #include "scripted_slave.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -20,6 +21,8 @@
 #include <poll.h>
 #include <termios.h>
 #include <unistd.h>
+
+namespace test_line_scan {
 
 using namespace campanel::modbus;
 using campanel::test::Fault;
@@ -293,5 +296,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(LineScanTest)
+CAMPANEL_TEST(LineScanTest)
+
+} // namespace test_line_scan
+
 #include "test_line_scan.moc"

@@ -2,11 +2,14 @@
 // The figures of the line: percentiles, the strip of 24 hours, the allowance that follows what is measured.
 #include "modbus/answer_allowance.h"
 #include "modbus/link_figures.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
 #include <algorithm>
 #include <random>
+
+namespace test_link_figures {
 
 using namespace campanel::modbus;
 using namespace std::chrono_literals;
@@ -193,5 +196,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(LinkFiguresTest)
+CAMPANEL_TEST(LinkFiguresTest)
+
+} // namespace test_link_figures
+
 #include "test_link_figures.moc"

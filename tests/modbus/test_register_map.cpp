@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Invariants of the register table and of the words; REGISTERS.md is what the table generates.
-// `modbus_register_map --update-golden` rewrites REGISTERS.md.
+// `campanel-generate-registers --markdown` writes it.
 #include "modbus/blocks.h"
 #include "modbus/register_document.h"
 #include "modbus/register_map.h"
+#include "tests/support/places.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -11,6 +13,8 @@
 #include <QSet>
 
 #include <cstring>
+
+namespace test_register_map {
 
 using namespace campanel::modbus;
 
@@ -31,11 +35,11 @@ private slots:
 
 void RegisterMapTest::committedDocumentIsCurrent()
 {
-    QFile file(CAMPANEL_REGISTERS_MD);
+    QFile file(campanel::test::sourcePath("modbus/REGISTERS.md"));
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray generated = QByteArray::fromStdString(registersMarkdown());
     QVERIFY2(file.readAll() == generated,
-             "modbus/REGISTERS.md is out of date; run this test with --update-golden and review the change");
+             "modbus/REGISTERS.md is out of date: write it anew by campanel-generate-registers --markdown");
 }
 
 void RegisterMapTest::namesAreUnique()
@@ -139,15 +143,8 @@ void RegisterMapTest::headerNamesEveryRegister()
     }
 }
 
-int main(int argc, char** argv)
-{
-    if (argc == 2 && std::strcmp(argv[1], "--update-golden") == 0) {
-        QFile file(CAMPANEL_REGISTERS_MD);
-        const QByteArray generated = QByteArray::fromStdString(registersMarkdown());
-        return file.open(QIODevice::WriteOnly) && file.write(generated) == generated.size() ? 0 : 1;
-    }
-    RegisterMapTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+CAMPANEL_TEST(RegisterMapTest)
+
+} // namespace test_register_map
 
 #include "test_register_map.moc"

@@ -4,6 +4,7 @@
 #include "modbus/codec.h"
 #include "modbus/rtu_client.h"
 #include "scripted_slave.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -15,6 +16,8 @@
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+namespace test_rtu_client {
 
 using namespace campanel::modbus;
 using campanel::test::Fault;
@@ -454,5 +457,8 @@ void RtuClientTest::silenceIsKeptBetweenFrames()
     QVERIFY(std::chrono::nanoseconds(timer.nsecsElapsed()) >= exchanges * frameSilence(settings.line));
 }
 
-QTEST_APPLESS_MAIN(RtuClientTest)
+CAMPANEL_TEST(RtuClientTest)
+
+} // namespace test_rtu_client
+
 #include "test_rtu_client.moc"

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many seeded random programs a test tries: ten thousand, or what CAMPANEL_RANDOM_CASES says
-// (tests/random-programs).
+// How many seeded random programs a test tries: ten thousand unless it says otherwise, or what
+// CAMPANEL_RANDOM_CASES says (a million, in the nightly tier).
 #pragma once
 
 #include <QtGlobal>
 
 namespace campanel::test {
 
-inline int randomCases()
+inline int randomCases(int usual = 10'000)
 {
-    constexpr int usual = 10'000;
     const int asked = qEnvironmentVariableIntValue("CAMPANEL_RANDOM_CASES");
     return asked > 0 ? asked : usual;
 }

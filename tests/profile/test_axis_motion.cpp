@@ -4,6 +4,9 @@
 #include "move_checks.h"
 
 #include "profile/sampling.h"
+#include "tests/support/test_program.h"
+
+namespace test_axis_motion {
 
 using namespace campanel::profile;
 using namespace campanel::profile::test;
@@ -327,5 +330,8 @@ void TestAxisMotion::curvesKeepBothSidesOfAJoint()
     QCOMPARE(curves.frequencyHz[i - 1], -10000.0);
 }
 
-QTEST_APPLESS_MAIN(TestAxisMotion)
+CAMPANEL_TEST(TestAxisMotion)
+
+} // namespace test_axis_motion
+
 #include "test_axis_motion.moc"

@@ -7,6 +7,7 @@
 #include "profile/cam_table.h"
 #include "profile/laws.h"
 #include "profile/point_cam_edit.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -14,6 +15,8 @@
 #include <cstdlib>
 #include <limits>
 #include <string_view>
+
+namespace test_cam_table {
 
 using namespace campanel::profile;
 using namespace campanel::profile::test;
@@ -377,5 +380,8 @@ void TestCamTable::randomCams()
     QVERIFY(refused > camCount / 50 && broken > camCount / 50 && tables > camCount / 50);
 }
 
-QTEST_APPLESS_MAIN(TestCamTable)
+CAMPANEL_TEST(TestCamTable)
+
+} // namespace test_cam_table
+
 #include "test_cam_table.moc"

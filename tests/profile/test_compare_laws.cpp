@@ -2,11 +2,14 @@
 // One move by many laws: peaks side by side, and their curves.
 #include "profile/compare_laws.h"
 #include "profile/laws.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
+
+namespace test_compare_laws {
 
 using namespace campanel::profile;
 
@@ -117,5 +120,8 @@ void TestCompareLaws::curvesForTheOverlay()
     }
 }
 
-QTEST_APPLESS_MAIN(TestCompareLaws)
+CAMPANEL_TEST(TestCompareLaws)
+
+} // namespace test_compare_laws
+
 #include "test_compare_laws.moc"

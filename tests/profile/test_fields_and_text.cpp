@@ -9,6 +9,7 @@
 #include "profile/position_move.h"
 #include "profile/press.h"
 #include "profile/speed_move.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -17,6 +18,8 @@
 #include <set>
 #include <tuple>
 #include <type_traits>
+
+namespace test_fields_and_text {
 
 using namespace campanel::profile;
 using namespace campanel::profile::test;
@@ -280,5 +283,8 @@ void TestFieldsAndText::explanationsAddUp()
     }
 }
 
-QTEST_APPLESS_MAIN(TestFieldsAndText)
+CAMPANEL_TEST(TestFieldsAndText)
+
+} // namespace test_fields_and_text
+
 #include "test_fields_and_text.moc"

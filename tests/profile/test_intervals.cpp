@@ -6,6 +6,7 @@
 #include "profile/laws.h"
 #include "random_cases.h"
 #include "recipes.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -13,6 +14,8 @@
 #include <numbers>
 #include <random>
 #include <vector>
+
+namespace test_intervals {
 
 using namespace campanel::profile;
 
@@ -301,7 +304,7 @@ void TestIntervals::refusedErrorNamesOneThatIsKept()
 void TestIntervals::randomMoves()
 {
     constexpr unsigned seed = 31;
-    const int cases = campanel::test::randomCases();
+    const int cases = campanel::test::randomCases(2000);
     qInfo("seed %u", seed);
     std::mt19937 random(seed);
     const auto uniform = [&random](double low, double high) {
@@ -357,5 +360,8 @@ void TestIntervals::randomMoves()
     QVERIFY(refused * 50 < cases);
 }
 
-QTEST_APPLESS_MAIN(TestIntervals)
+CAMPANEL_TEST(TestIntervals)
+
+} // namespace test_intervals
+
 #include "test_intervals.moc"

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Knots as CSV: what is read, what is refused and how exactly, and that writing and reading are inverse.
 #include "profile/knots_csv.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <random>
 
-using namespace campanel::profile;
+namespace test_knots_csv {
 
-Q_DECLARE_METATYPE(campanel::profile::CsvExpectation)
+using namespace campanel::profile;
 
 class TestKnotsCsv : public QObject {
     Q_OBJECT
@@ -131,5 +132,8 @@ void TestKnotsCsv::readsWhatItWrote()
     QVERIFY(*again == knots);
 }
 
-QTEST_APPLESS_MAIN(TestKnotsCsv)
+CAMPANEL_TEST(TestKnotsCsv)
+
+} // namespace test_knots_csv
+
 #include "test_knots_csv.moc"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The laws against published values, against their own derivatives and integrals, and against dense sampling.
 #include "profile/laws.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <cmath>
 #include <set>
+
+namespace test_laws {
 
 using namespace campanel::profile;
 
@@ -342,5 +345,8 @@ void TestLaws::keysAndCodesAreUnique()
     QVERIFY(findLaw("no such law") == nullptr);
 }
 
-QTEST_APPLESS_MAIN(TestLaws)
+CAMPANEL_TEST(TestLaws)
+
+} // namespace test_laws
+
 #include "test_laws.moc"

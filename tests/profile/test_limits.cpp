@@ -3,10 +3,13 @@
 #include "recipes.h"
 
 #include "profile/limits.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <cmath>
+
+namespace test_limits {
 
 using namespace campanel::profile;
 using namespace campanel::profile::test;
@@ -273,5 +276,8 @@ void TestLimits::fastestRateIsTheFastest()
     QVERIFY(!isFeasible(r.program, r.machine));
 }
 
-QTEST_APPLESS_MAIN(TestLimits)
+CAMPANEL_TEST(TestLimits)
+
+} // namespace test_limits
+
 #include "test_limits.moc"

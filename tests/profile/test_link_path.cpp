@@ -3,11 +3,14 @@
 // gates; random channels against a search over a grid of knots, which may not find fewer.
 #include "profile/link_path.h"
 #include "random_cases.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <cmath>
 #include <random>
+
+namespace test_link_path {
 
 using namespace campanel::profile::detail;
 
@@ -194,5 +197,8 @@ void TestLinkPath::randomChannels()
     QVERIFY(equal * 2 > cases);
 }
 
-QTEST_APPLESS_MAIN(TestLinkPath)
+CAMPANEL_TEST(TestLinkPath)
+
+} // namespace test_link_path
+
 #include "test_link_path.moc"

@@ -2,11 +2,14 @@
 // Point cams: bad knots, the cycle in time (scales, phase, direction, wrap), limits and the rate that mends
 // them, the wrap check and its repair, and the edits of a panel.
 #include "profile/point_cam_edit.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <cmath>
 #include <limits>
+
+namespace test_point_cam {
 
 using namespace campanel::profile;
 
@@ -352,5 +355,8 @@ void TestPointCam::removesAndMoves()
     QCOMPARE(closed.knots.front().slaveMm, 5.0);
 }
 
-QTEST_APPLESS_MAIN(TestPointCam)
+CAMPANEL_TEST(TestPointCam)
+
+} // namespace test_point_cam
+
 #include "test_point_cam.moc"

@@ -4,6 +4,9 @@
 #include "random_cases.h"
 
 #include "profile/position_move.h"
+#include "tests/support/test_program.h"
+
+namespace test_position_move {
 
 using namespace campanel::profile;
 using namespace campanel::profile::test;
@@ -269,5 +272,8 @@ void TestPositionMove::randomMoves()
         QVERIFY(refused > count / 20 && broken > count / 20 && suggestions > broken);
 }
 
-QTEST_APPLESS_MAIN(TestPositionMove)
+CAMPANEL_TEST(TestPositionMove)
+
+} // namespace test_position_move
+
 #include "test_position_move.moc"

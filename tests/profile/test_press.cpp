@@ -3,12 +3,15 @@
 // orders of positions and forces, the limits of the machine, the table.
 #include "profile/press.h"
 #include "random_cases.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
+
+namespace test_press {
 
 using namespace campanel::profile;
 
@@ -332,5 +335,8 @@ void TestPress::randomProgramsEndWhereTheyShould()
     QVERIFY(solved > cases / 10 * 7 && solved < cases / 10 * 9);
 }
 
-QTEST_APPLESS_MAIN(TestPress)
+CAMPANEL_TEST(TestPress)
+
+} // namespace test_press
+
 #include "test_press.moc"

@@ -7,10 +7,13 @@
 
 #include "profile/limits.h"
 #include "profile/sampling.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <cmath>
+
+namespace test_random_recipes {
 
 using namespace campanel::profile;
 using namespace campanel::profile::test;
@@ -154,5 +157,8 @@ void TestRandomRecipes::solvedWithinLimitsOrRefused()
     QVERIFY(refused > recipeCount / 20 && broken > recipeCount / 20 && tables > recipeCount / 20);
 }
 
-QTEST_APPLESS_MAIN(TestRandomRecipes)
+CAMPANEL_TEST(TestRandomRecipes)
+
+} // namespace test_random_recipes
+
 #include "test_random_recipes.moc"

@@ -6,10 +6,13 @@
 #include "profile/limits.h"
 #include "profile/paper_table.h"
 #include "profile/sampling.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <cmath>
+
+namespace test_rotary_cutter {
 
 using namespace campanel::profile;
 using namespace campanel::profile::test;
@@ -297,5 +300,8 @@ void TestRotaryCutter::refusalOfALawParameter()
              static_cast<int>(Limit::PinnedPair));
 }
 
-QTEST_APPLESS_MAIN(TestRotaryCutter)
+CAMPANEL_TEST(TestRotaryCutter)
+
+} // namespace test_rotary_cutter
+
 #include "test_rotary_cutter.moc"

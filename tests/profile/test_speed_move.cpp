@@ -5,6 +5,9 @@
 #include "random_cases.h"
 
 #include "profile/speed_move.h"
+#include "tests/support/test_program.h"
+
+namespace test_speed_move {
 
 using namespace campanel::profile;
 using namespace campanel::profile::test;
@@ -307,5 +310,8 @@ void TestSpeedMove::randomMoves()
         QVERIFY(refused > count / 20 && broken > count / 20 && sound > count / 20 && suggestions > count / 5);
 }
 
-QTEST_APPLESS_MAIN(TestSpeedMove)
+CAMPANEL_TEST(TestSpeedMove)
+
+} // namespace test_speed_move
+
 #include "test_speed_move.moc"

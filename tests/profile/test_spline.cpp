@@ -2,6 +2,8 @@
 // Splines against scipy's CubicSpline (spline_golden.txt, made by make_spline_golden.py), and the properties
 // that make a spline: through its knots, twice continuously differentiable, right at its ends.
 #include "profile/spline.h"
+#include "tests/support/places.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QTest>
@@ -9,6 +11,8 @@
 
 #include <cmath>
 #include <random>
+
+namespace test_spline {
 
 using namespace campanel::profile;
 
@@ -39,7 +43,7 @@ std::vector<double> numbers(QTextStream& in)
 std::vector<GoldenCase> goldenCases()
 {
     std::vector<GoldenCase> cases;
-    QFile file(QFINDTESTDATA("spline_golden.txt"));
+    QFile file(campanel::test::sourcePath("tests/profile/spline_golden.txt"));
     if (!file.open(QIODevice::ReadOnly | QIODevice::Text))
         return cases;
     QTextStream in(&file);
@@ -214,5 +218,8 @@ void TestSpline::continuesOutside()
     QVERIFY(near(cube.at(3).value, 27, 1e-12));
 }
 
-QTEST_APPLESS_MAIN(TestSpline)
+CAMPANEL_TEST(TestSpline)
+
+} // namespace test_spline
+
 #include "test_spline.moc"

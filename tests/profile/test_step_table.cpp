@@ -4,10 +4,13 @@
 #include "table_replay.h"
 
 #include "profile/limits.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <cmath>
+
+namespace test_step_table {
 
 using namespace campanel::profile;
 using namespace campanel::profile::test;
@@ -356,5 +359,8 @@ void TestStepTable::refusesLessThanAPulse()
     QCOMPARE(table.error().nearest.at(0).value, 3.0);
 }
 
-QTEST_APPLESS_MAIN(TestStepTable)
+CAMPANEL_TEST(TestStepTable)
+
+} // namespace test_step_table
+
 #include "test_step_table.moc"

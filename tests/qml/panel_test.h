@@ -3,7 +3,6 @@
 #pragma once
 
 #include "app/main/fonts.h"
-#include "app/main/qml_modules.h"
 #include "app/main/stage.h"
 
 #include <QTest>

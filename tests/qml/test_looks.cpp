@@ -5,6 +5,7 @@
 #include "app/main/picture_difference.h"
 #include "app/main/scenes.h"
 #include "panel_test.h"
+#include "tests/support/test_program.h"
 
 #include <QPainter>
 #include <QRegularExpression>
@@ -12,6 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+
+namespace test_looks {
 
 using namespace campanel;
 
@@ -245,5 +248,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestLooks)
+CAMPANEL_TEST(TestLooks)
+
+} // namespace test_looks
+
 #include "test_looks.moc"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The number under the keypad: what keys make of it, in which language, and when it is complete.
 #include "qml/Controls/number_entry.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <cmath>
+
+namespace test_number_entry {
 
 using campanel::controls::NumberEntry;
 
@@ -82,5 +85,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestNumberEntry)
+CAMPANEL_TEST(TestNumberEntry)
+
+} // namespace test_number_entry
+
 #include "test_number_entry.moc"

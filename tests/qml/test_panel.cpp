@@ -4,11 +4,14 @@
 #include "panel_test.h"
 
 #include "app/main/scene_checks.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QTemporaryDir>
 
 #include <cmath>
+
+namespace test_panel {
 
 using Kind = campanel::panel::DemoLink::Kind;
 namespace machine = campanel::machine;
@@ -377,11 +380,8 @@ private slots:
     }
 };
 
-int main(int argc, char* argv[])
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QGuiApplication application(argc, argv);
-    TestPanel test;
-    return QTest::qExec(&test, argc, argv);
-}
+CAMPANEL_TEST(TestPanel)
+
+} // namespace test_panel
+
 #include "test_panel.moc"

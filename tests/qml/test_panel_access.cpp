@@ -2,8 +2,11 @@
 // Users and logging in under a finger: the first PIN, what is restricted then, a wrong PIN, the way back.
 #include "app/main/access_scenes.h"
 #include "panel_test.h"
+#include "tests/support/test_program.h"
 
 #include <QCoreApplication>
+
+namespace test_panel_access {
 
 using Access = campanel::machine::Access;
 using namespace Qt::StringLiterals;
@@ -152,11 +155,8 @@ private slots:
     }
 };
 
-int main(int argc, char* argv[])
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QGuiApplication application(argc, argv);
-    TestPanelAccess test;
-    return QTest::qExec(&test, argc, argv);
-}
+CAMPANEL_TEST(TestPanelAccess)
+
+} // namespace test_panel_access
+
 #include "test_panel_access.moc"

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // An alarm as an operator meets it: it calls, is opened, acknowledged, gone and found again in the history.
 #include "panel_test.h"
+#include "tests/support/test_program.h"
+
+namespace test_panel_alarms {
 
 using Situation = campanel::panel::DemoLink::Situation;
 namespace machine = campanel::machine;
@@ -129,11 +132,8 @@ private slots:
     }
 };
 
-int main(int argc, char* argv[])
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QGuiApplication application(argc, argv);
-    TestPanelAlarms test;
-    return QTest::qExec(&test, argc, argv);
-}
+CAMPANEL_TEST(TestPanelAlarms)
+
+} // namespace test_panel_alarms
+
 #include "test_panel_alarms.moc"

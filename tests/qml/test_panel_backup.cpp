@@ -4,10 +4,13 @@
 #include "panel_test.h"
 
 #include "app/store/audit_log.h"
+#include "tests/support/test_program.h"
 
 #include <QCoreApplication>
 #include <QDir>
 #include <QSignalSpy>
+
+namespace test_panel_backup {
 
 using namespace campanel;
 using namespace Qt::StringLiterals;
@@ -221,11 +224,8 @@ private:
     }
 };
 
-int main(int argc, char* argv[])
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QGuiApplication application(argc, argv);
-    TestPanelBackup test;
-    return QTest::qExec(&test, argc, argv);
-}
+CAMPANEL_TEST(TestPanelBackup)
+
+} // namespace test_panel_backup
+
 #include "test_panel_backup.moc"

@@ -2,8 +2,11 @@
 // What the panel says of its line, touched as a finger would: link doctor, frames, a silent line, a waiting
 // Stop, the proof, simulated faults.
 #include "panel_test.h"
+#include "tests/support/test_program.h"
 
 #include <QRegularExpression>
+
+namespace test_panel_line {
 
 using Kind = campanel::panel::DemoLink::Kind;
 namespace machine = campanel::machine;
@@ -187,11 +190,8 @@ private slots:
     }
 };
 
-int main(int argc, char* argv[])
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QGuiApplication application(argc, argv);
-    TestPanelLine test;
-    return QTest::qExec(&test, argc, argv);
-}
+CAMPANEL_TEST(TestPanelLine)
+
+} // namespace test_panel_line
+
 #include "test_panel_line.moc"

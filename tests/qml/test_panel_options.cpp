@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the panel's command line refuses: one sentence, exit code 2, and no window. What the self-test looks
 // at.
+#include "tests/support/places.h"
+#include "tests/support/test_program.h"
+
 #include <QDir>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+
+namespace test_panel_options {
 
 class TestOptions : public QObject {
     Q_OBJECT
@@ -47,7 +52,7 @@ private slots:
         QFETCH(QStringList, arguments);
         QFETCH(QString, sentence);
         QProcess panel;
-        panel.start(QStringLiteral(CAMPANEL_EXECUTABLE), arguments);
+        panel.start(campanel::test::programPath("campanel"), arguments);
         QVERIFY2(panel.waitForFinished(), "it runs instead of refusing");
         QCOMPARE(panel.exitStatus(), QProcess::NormalExit);
         QCOMPARE(panel.exitCode(), 2);
@@ -71,7 +76,7 @@ private slots:
         QFETCH(QStringList, arguments);
         QFETCH(QString, told);
         QProcess panel;
-        panel.start(QStringLiteral(CAMPANEL_EXECUTABLE),
+        panel.start(campanel::test::programPath("campanel"),
                     QStringList{QStringLiteral("--self-test")} + arguments);
         QVERIFY(panel.waitForFinished());
         QCOMPARE(QString::fromUtf8(panel.readAllStandardOutput()), told);
@@ -82,7 +87,7 @@ private slots:
     {
         const QTemporaryDir folder;
         QProcess panel;
-        panel.start(QStringLiteral(CAMPANEL_EXECUTABLE),
+        panel.start(campanel::test::programPath("campanel"),
                     {QStringLiteral("--capture"), folder.path(), QStringLiteral("--scenes"),
                      QStringLiteral("run,motion")});
         QVERIFY(panel.waitForFinished());
@@ -93,5 +98,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestOptions)
+CAMPANEL_TEST(TestOptions)
+
+} // namespace test_panel_options
+
 #include "test_panel_options.moc"

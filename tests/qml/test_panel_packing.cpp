@@ -3,8 +3,11 @@
 // end.
 #include "app/main/scenes.h"
 #include "panel_test.h"
+#include "tests/support/test_program.h"
 
 #include <cmath>
+
+namespace test_panel_packing {
 
 using Step = campanel::machine::MarkWizard::Step;
 
@@ -93,11 +96,8 @@ private slots:
     }
 };
 
-int main(int argc, char* argv[])
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QGuiApplication application(argc, argv);
-    TestPanelPacking test;
-    return QTest::qExec(&test, argc, argv);
-}
+CAMPANEL_TEST(TestPanelPacking)
+
+} // namespace test_panel_packing
+
 #include "test_panel_packing.moc"

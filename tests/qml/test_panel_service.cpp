@@ -3,8 +3,11 @@
 // away, and the dial of the dry run.
 #include "app/main/scenes.h"
 #include "panel_test.h"
+#include "tests/support/test_program.h"
 
 #include <cmath>
+
+namespace test_panel_service {
 
 using campanel::link::JogDirection;
 using Situation = campanel::panel::DemoLink::Situation;
@@ -138,11 +141,8 @@ private slots:
     }
 };
 
-int main(int argc, char* argv[])
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QGuiApplication application(argc, argv);
-    TestPanelService test;
-    return QTest::qExec(&test, argc, argv);
-}
+CAMPANEL_TEST(TestPanelService)
+
+} // namespace test_panel_service
+
 #include "test_panel_service.moc"

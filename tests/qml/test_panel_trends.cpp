@@ -3,11 +3,14 @@
 // chosen, exported to a stick.
 #include "app/main/scenes.h"
 #include "panel_test.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QTemporaryDir>
 
 #include <cmath>
+
+namespace test_panel_trends {
 
 using campanel::machine::Trends;
 
@@ -150,11 +153,8 @@ private slots:
     }
 };
 
-int main(int argc, char* argv[])
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QGuiApplication application(argc, argv);
-    TestPanelTrends test;
-    return QTest::qExec(&test, argc, argv);
-}
+CAMPANEL_TEST(TestPanelTrends)
+
+} // namespace test_panel_trends
+
 #include "test_panel_trends.moc"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Letters of pinyin become Chinese text by the dictionary that is installed.
 #include "qml/Controls/pinyin_input.h"
+#include "tests/support/test_program.h"
 
 #include <QRandomGenerator>
 #include <QSignalSpy>
 #include <QTest>
+
+namespace test_pinyin_input {
 
 using campanel::controls::PinyinInput;
 
@@ -122,5 +125,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPinyinInput)
+CAMPANEL_TEST(TestPinyinInput)
+
+} // namespace test_pinyin_input
+
 #include "test_pinyin_input.moc"

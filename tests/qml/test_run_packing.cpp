@@ -4,6 +4,9 @@
 #include "panel_test.h"
 
 #include "app/plot/film_picture.h"
+#include "tests/support/test_program.h"
+
+namespace test_run_packing {
 
 using campanel::plot::FilmPicture;
 using Situation = campanel::panel::DemoLink::Situation;
@@ -127,5 +130,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPacking)
+CAMPANEL_TEST(TestPacking)
+
+} // namespace test_run_packing
+
 #include "test_run_packing.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Starting, waiting for the port, killing.
 #include "tests/support/controller_process.h"
+#include "tests/support/places.h"
 
 #include <QFile>
 
@@ -26,7 +27,7 @@ ControllerProcess::~ControllerProcess()
 
 void ControllerProcess::start()
 {
-    m_process.start(QStringLiteral(CAMPANEL_CONTROLLER),
+    m_process.start(campanel::test::programPath("campanel-controller"),
                     QStringList{u"--link"_s, port(), u"--state"_s, m_folder.filePath(u"state"_s)} +
                         m_arguments);
     while (!m_process.canReadLine()) {

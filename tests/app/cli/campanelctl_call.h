@@ -3,6 +3,8 @@
 // code.
 #pragma once
 
+#include "tests/support/places.h"
+
 #include <QByteArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -27,7 +29,7 @@ struct Result {
 inline Result call(const QStringList& arguments)
 {
     QProcess process;
-    process.start(QStringLiteral(CAMPANELCTL), arguments);
+    process.start(campanel::test::programPath("campanelctl"), arguments);
     constexpr int longestMs = 60'000;
     if (!process.waitForFinished(longestMs))
         return {};

@@ -7,11 +7,15 @@
 #include "modbus/rtu_client.h"
 #include "tests/support/controller_process.h"
 #include "tests/support/scripted_slave.h"
+#include "tests/support/places.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
 #include <QJsonArray>
 #include <QTemporaryDir>
+
+namespace test_cli {
 
 using namespace campanel;
 using namespace Qt::StringLiterals;
@@ -326,7 +330,7 @@ void CliTest::otherLocale()
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(u"LC_ALL"_s, u"C"_s);
     process.setProcessEnvironment(environment);
-    process.start(QStringLiteral(CAMPANELCTL), {u"profile"_s});
+    process.start(campanel::test::programPath("campanelctl"), {u"profile"_s});
     QVERIFY(process.waitForFinished());
     QCOMPARE(process.exitCode(), int{Ok});
     QVERIFY(process.readAllStandardOutput().contains("cycle.base_speed_mm_per_s     445.37"));
@@ -417,5 +421,8 @@ void CliTest::busyPort()
     QVERIFY2(result.complaint.contains("in use by another program"), result.complaint.constData());
 }
 
-QTEST_GUILESS_MAIN(CliTest)
+CAMPANEL_TEST(CliTest)
+
+} // namespace test_cli
+
 #include "test_cli.moc"

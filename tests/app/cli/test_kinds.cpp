@@ -3,6 +3,7 @@
 // complaints about what does not fit together.
 #include "app/store/recipe_file.h"
 #include "campanelctl_call.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -11,6 +12,8 @@
 #include <QTemporaryDir>
 
 #include <cmath>
+
+namespace test_kinds {
 
 using namespace campanel;
 using namespace Qt::StringLiterals;
@@ -352,5 +355,8 @@ void CliKindsTest::complaints()
     QVERIFY(result.out.isEmpty());
 }
 
-QTEST_GUILESS_MAIN(CliKindsTest)
+CAMPANEL_TEST(CliKindsTest)
+
+} // namespace test_kinds
+
 #include "test_kinds.moc"

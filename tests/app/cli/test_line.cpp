@@ -3,12 +3,15 @@
 #include "campanelctl_call.h"
 #include "tests/support/controller_process.h"
 #include "tests/support/scripted_slave.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
 #include <QJsonArray>
 
 #include <memory>
+
+namespace test_line {
 
 using namespace Qt::StringLiterals;
 using namespace campanel::test;
@@ -135,5 +138,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CliLineTest)
+CAMPANEL_TEST(CliLineTest)
+
+} // namespace test_line
+
 #include "test_line.moc"

@@ -4,8 +4,11 @@
 #include "packing_bench.h"
 
 #include "ctl_registers.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
+
+namespace test_packing {
 
 using namespace campanel;
 using namespace campanel::test;
@@ -262,5 +265,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPacking)
+CAMPANEL_TEST(TestPacking)
+
+} // namespace test_packing
+
 #include "test_packing.moc"

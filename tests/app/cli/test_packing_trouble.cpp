@@ -5,8 +5,11 @@
 #include "packing_bench.h"
 
 #include "ctl_registers.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
+
+namespace test_packing_trouble {
 
 using namespace campanel;
 using namespace campanel::test;
@@ -203,5 +206,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPackingTrouble)
+CAMPANEL_TEST(TestPackingTrouble)
+
+} // namespace test_packing_trouble
+
 #include "test_packing_trouble.moc"

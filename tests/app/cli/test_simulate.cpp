@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // campanelctl simulate as a person calls it: rows, summary, table, complaints and exit codes.
 #include "campanelctl_call.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
 #include <QJsonArray>
 #include <QTemporaryDir>
+
+namespace test_simulate {
 
 using namespace Qt::StringLiterals;
 using namespace campanel::test;
@@ -168,5 +171,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(CliSimulateTest)
+CAMPANEL_TEST(CliSimulateTest)
+
+} // namespace test_simulate
+
 #include "test_simulate.moc"

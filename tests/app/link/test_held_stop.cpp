@@ -4,9 +4,12 @@
 #include "link_panel.h"
 #include "tests/support/controller_process.h"
 #include "tests/support/scripted_slave.h"
+#include "tests/support/test_program.h"
 
 #include <QElapsedTimer>
 #include <QTest>
+
+namespace test_held_stop {
 
 using namespace campanel;
 using link::CommandEnd;
@@ -143,5 +146,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestHeldStop)
+CAMPANEL_TEST(TestHeldStop)
+
+} // namespace test_held_stop
+
 #include "test_held_stop.moc"

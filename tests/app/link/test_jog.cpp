@@ -4,10 +4,13 @@
 #include "app/link/held_jog.h"
 #include "link_panel.h"
 #include "tests/support/controller_process.h"
+#include "tests/support/test_program.h"
 
 #include <QElapsedTimer>
 #include <QTest>
 #include <QTimer>
+
+namespace test_jog {
 
 using namespace campanel;
 using namespace std::chrono_literals;
@@ -202,5 +205,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestJog)
+CAMPANEL_TEST(TestJog)
+
+} // namespace test_jog
+
 #include "test_jog.moc"

@@ -4,6 +4,8 @@
 #include "app/link/threaded_link.h"
 #include "app/program/program_image.h"
 #include "tests/support/controller_process.h"
+#include "tests/support/places.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QSignalSpy>
@@ -11,6 +13,8 @@
 
 #include <csignal>
 #include <memory>
+
+namespace test_link {
 
 using namespace campanel;
 using link::DownloadStage;
@@ -98,7 +102,7 @@ private slots:
         link::ThreadedLink link(nullptr);
         Listener listener(link);
         link::ConnectionSettings settings;
-        settings.simulatorProgram = QStringLiteral(CAMPANEL_CONTROLLER);
+        settings.simulatorProgram = campanel::test::programPath("campanel-controller");
         settings.simulatorStateDir = state.path();
         link.connectTo(settings);
         QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
@@ -127,7 +131,7 @@ private slots:
         QFile script(folder.filePath(QStringLiteral("controller.sh")));
         QVERIFY(script.open(QIODevice::WriteOnly));
         script.write("#!/bin/sh\necho $$ > '" + folder.path().toUtf8() +
-                     "/pid'\nexec '" CAMPANEL_CONTROLLER "' \"$@\"\n");
+                     "/pid'\nexec '" + campanel::test::programPath("campanel-controller").toUtf8() + "' \"$@\"\n");
         script.close();
         script.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
 
@@ -491,5 +495,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLink)
+CAMPANEL_TEST(TestLink)
+
+} // namespace test_link
+
 #include "test_link.moc"

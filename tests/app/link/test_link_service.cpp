@@ -2,6 +2,8 @@
 // What the link does for the service pages, against the real controller program over a pseudo-terminal.
 #include "link_panel.h"
 #include "tests/support/controller_process.h"
+#include "tests/support/places.h"
+#include "tests/support/test_program.h"
 
 #include <QElapsedTimer>
 #include <QFile>
@@ -10,6 +12,8 @@
 
 #include <algorithm>
 #include <signal.h>
+
+namespace test_link_service {
 
 using namespace campanel;
 using link::ComparisonStage;
@@ -228,7 +232,7 @@ private slots:
         QFile script(folder.filePath(QStringLiteral("controller.sh")));
         QVERIFY(script.open(QIODevice::WriteOnly));
         script.write("#!/bin/sh\necho $$ > '" + folder.path().toUtf8() +
-                     "/pid'\nexec '" CAMPANEL_CONTROLLER "' \"$@\"\n");
+                     "/pid'\nexec '" + campanel::test::programPath("campanel-controller").toUtf8() + "' \"$@\"\n");
         script.close();
         script.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
         link::ConnectionSettings settings;
@@ -271,7 +275,7 @@ private slots:
     {
         const QTemporaryDir folder;
         link::ConnectionSettings settings;
-        settings.simulatorProgram = QStringLiteral(CAMPANEL_CONTROLLER);
+        settings.simulatorProgram = campanel::test::programPath("campanel-controller");
         settings.simulatorStateDir = folder.filePath(QStringLiteral("state"));
         Panel panel(settings);
         QList<link::RulerEnd> ends;
@@ -397,5 +401,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLinkService)
+CAMPANEL_TEST(TestLinkService)
+
+} // namespace test_link_service
+
 #include "test_link_service.moc"

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The order in which requests get the line.
 #include "app/link/request_queue.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
+
+namespace test_request_queue {
 
 using namespace campanel;
 using modbus::Command;
@@ -62,5 +65,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRequestQueue)
+CAMPANEL_TEST(TestRequestQueue)
+
+} // namespace test_request_queue
+
 #include "test_request_queue.moc"

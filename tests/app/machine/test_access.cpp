@@ -2,8 +2,11 @@
 // Who may do what: nothing is restricted without PINs, wrong PINs cost time, who leaves is logged out, and
 // what somebody may not is refused where it would be done.
 #include "access_rig.h"
+#include "tests/support/test_program.h"
 
 #include <QSignalSpy>
+
+namespace test_access {
 
 using namespace campanel;
 using machine::Access;
@@ -284,5 +287,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAccess)
+CAMPANEL_TEST(TestAccess)
+
+} // namespace test_access
+
 #include "test_access.moc"

@@ -3,11 +3,14 @@
 #include "app/machine/alarm_catalogue.h"
 
 #include "modbus/protocol.h"
+#include "tests/support/test_program.h"
 
 #include <QRegularExpression>
 #include <QSet>
 #include <QTest>
 #include <QTranslator>
+
+namespace test_alarm_catalogue {
 
 using namespace campanel;
 using machine::AlarmCatalogue;
@@ -98,5 +101,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAlarmCatalogue)
+CAMPANEL_TEST(TestAlarmCatalogue)
+
+} // namespace test_alarm_catalogue
+
 #include "test_alarm_catalogue.moc"

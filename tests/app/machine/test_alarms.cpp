@@ -2,12 +2,15 @@
 // Alarms come, are acknowledged, go, come again, flood, are shelved, and outlive the panel.
 #include "alarm_fill.h"
 #include "alarm_rig.h"
+#include "tests/support/test_program.h"
 
 #include <QAbstractItemModelTester>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QSignalSpy>
 #include <QTranslator>
+
+namespace test_alarms {
 
 using namespace campanel;
 using namespace std::chrono_literals;
@@ -477,5 +480,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAlarms)
+CAMPANEL_TEST(TestAlarms)
+
+} // namespace test_alarms
+
 #include "test_alarms.moc"

@@ -2,8 +2,11 @@
 // What the audit trail says of what was done at the panel, against the fake link, and how it is shown.
 #include "access_rig.h"
 #include "app/machine/audit_words.h"
+#include "tests/support/test_program.h"
 
 #include <QSignalSpy>
+
+namespace test_audit {
 
 using namespace campanel;
 using machine::Access;
@@ -291,5 +294,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAudit)
+CAMPANEL_TEST(TestAudit)
+
+} // namespace test_audit
+
 #include "test_audit.moc"

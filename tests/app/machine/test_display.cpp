@@ -3,11 +3,14 @@
 #include "panel_rig.h"
 
 #include "app/machine/display.h"
+#include "tests/support/test_program.h"
 
 #include <QDir>
 #include <QEvent>
 #include <QFile>
 #include <QTest>
+
+namespace test_display {
 
 using namespace campanel;
 using namespace std::chrono_literals;
@@ -157,5 +160,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDisplay)
+CAMPANEL_TEST(TestDisplay)
+
+} // namespace test_display
+
 #include "test_display.moc"

@@ -4,6 +4,7 @@
 #include "panel_rig.h"
 #include "profile/laws.h"
 #include "profile/limits.h"
+#include "tests/support/test_program.h"
 
 #include <QRandomGenerator>
 #include <QSignalSpy>
@@ -11,12 +12,12 @@
 
 #include <cmath>
 
+namespace test_editor {
+
 using namespace campanel;
 using machine::Editor;
 using machine::EditorField;
 using test::PanelRig;
-
-Q_DECLARE_METATYPE(std::shared_ptr<const profile::Curves>)
 
 namespace {
 
@@ -464,5 +465,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestEditor)
+CAMPANEL_TEST(TestEditor)
+
+} // namespace test_editor
+
 #include "test_editor.moc"

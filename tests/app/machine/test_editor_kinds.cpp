@@ -2,11 +2,14 @@
 // The editor with the kinds other than the rotary cutter: what it shows, choices, undo, laws laid behind.
 #include "kind_steps.h"
 #include "profile/laws.h"
+#include "tests/support/test_program.h"
 
 #include <QSignalSpy>
 #include <QTest>
 
 #include <cmath>
+
+namespace test_editor_kinds {
 
 using namespace campanel;
 using namespace campanel::test;
@@ -194,5 +197,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestEditorKinds)
+CAMPANEL_TEST(TestEditorKinds)
+
+} // namespace test_editor_kinds
+
 #include "test_editor_kinds.moc"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers and moments as text, in both languages.
 #include "app/machine/format.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <limits>
+
+namespace test_format {
 
 using campanel::machine::Format;
 using namespace Qt::StringLiterals;
@@ -71,5 +74,8 @@ void FormatTest::momentsAreOfTheLocalTime()
     QCOMPARE(Format::second(local.toUTC()), u"2026-08-01 09:05:07"_s);
 }
 
-QTEST_GUILESS_MAIN(FormatTest)
+CAMPANEL_TEST(FormatTest)
+
+} // namespace test_format
+
 #include "test_format.moc"

@@ -2,11 +2,14 @@
 // The frame log on a fake link: words, filters, ring, pause, export.
 #include "modbus/crc16.h"
 #include "panel_rig.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QTest>
 
 #include <algorithm>
+
+namespace test_frame_list {
 
 using namespace campanel;
 using machine::FrameList;
@@ -174,5 +177,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFrameList)
+CAMPANEL_TEST(TestFrameList)
+
+} // namespace test_frame_list
+
 #include "test_frame_list.moc"

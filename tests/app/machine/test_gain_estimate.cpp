@@ -4,12 +4,15 @@
 #include "app/machine/gain_estimate.h"
 #include "ctl_marks.h"
 #include "ctl_registers.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
+
+namespace test_gain_estimate {
 
 using campanel::machine::GainEstimate;
 using campanel::machine::GainSuggestion;
@@ -166,5 +169,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestGainEstimate)
+CAMPANEL_TEST(TestGainEstimate)
+
+} // namespace test_gain_estimate
+
 #include "test_gain_estimate.moc"

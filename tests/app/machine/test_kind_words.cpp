@@ -3,10 +3,13 @@
 #include "app/machine/table_text.h"
 #include "app/program/interval_speeds.h"
 #include "kind_steps.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <cmath>
+
+namespace test_kind_words {
 
 using namespace campanel;
 using namespace campanel::test;
@@ -231,5 +234,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestKindWords)
+CAMPANEL_TEST(TestKindWords)
+
+} // namespace test_kind_words
+
 #include "test_kind_words.moc"

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // CSV files of knots as the panel offers them: looked at, refused, taken as one edit, written to a place.
 #include "kind_steps.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QTest>
+
+namespace test_knot_files {
 
 using namespace campanel;
 using namespace campanel::test;
@@ -168,5 +171,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestKnotFiles)
+CAMPANEL_TEST(TestKnotFiles)
+
+} // namespace test_knot_files
+
 #include "test_knot_files.moc"

@@ -2,10 +2,13 @@
 // The knots of a point cam: entered, inserted, dragged, removed, repaired; and what is said when they are
 // wrong.
 #include "kind_steps.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <cmath>
+
+namespace test_knots {
 
 using namespace campanel;
 using namespace campanel::test;
@@ -217,5 +220,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestKnots)
+CAMPANEL_TEST(TestKnots)
+
+} // namespace test_knots
+
 #include "test_knots.moc"

@@ -2,11 +2,14 @@
 // What the panel says about the line: lost and back, a Stop that waits, the proof of the active program, and
 // the faults of a simulated line.
 #include "panel_rig.h"
+#include "tests/support/test_program.h"
 
 #include <QSignalSpy>
 #include <QTest>
 
 #include <cmath>
+
+namespace test_line_honesty {
 
 using namespace campanel;
 using link::CommandEnd;
@@ -370,5 +373,8 @@ void TestLineHonesty::faultsEndWithTheirController()
     QCOMPARE(faults.activeCount(), 0);
 }
 
-QTEST_MAIN(TestLineHonesty)
+CAMPANEL_TEST(TestLineHonesty)
+
+} // namespace test_line_honesty
+
 #include "test_line_honesty.moc"

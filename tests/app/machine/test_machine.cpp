@@ -3,12 +3,15 @@
 // commands.
 #include "app/machine/engine_instances.h"
 #include "panel_rig.h"
+#include "tests/support/test_program.h"
 
 #include <QQmlComponent>
 #include <QSignalSpy>
 #include <QTest>
 
 #include <cmath>
+
+namespace test_machine {
 
 using namespace campanel;
 using machine::Machine;
@@ -332,5 +335,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMachine)
+CAMPANEL_TEST(TestMachine)
+
+} // namespace test_machine
+
 #include "test_machine.moc"

@@ -2,11 +2,14 @@
 // What a technician does by hand: jog, homing, inputs and outputs, dry run, and what of it is in the audit
 // trail.
 #include "access_rig.h"
+#include "tests/support/test_program.h"
 
 #include <QSignalSpy>
 
 #include <algorithm>
 #include <cmath>
+
+namespace test_manual {
 
 using namespace campanel;
 using namespace std::chrono_literals;
@@ -385,5 +388,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestManual)
+CAMPANEL_TEST(TestManual)
+
+} // namespace test_manual
+
 #include "test_manual.moc"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The direction of a point cam's master: shown as the controller reports it, never as it was wished.
 #include "kind_steps.h"
+#include "tests/support/test_program.h"
 
 #include <QSignalSpy>
 #include <QTest>
 
 #include <cmath>
+
+namespace test_master_direction {
 
 using namespace campanel;
 using namespace campanel::test;
@@ -232,5 +235,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMasterDirection)
+CAMPANEL_TEST(TestMasterDirection)
+
+} // namespace test_master_direction
+
 #include "test_master_direction.moc"

@@ -2,11 +2,14 @@
 // The packing line as its controller tells it: asked only where there is one, each bag told once, and what it
 // makes of bags of several lengths.
 #include "kind_steps.h"
+#include "tests/support/test_program.h"
 
 #include <QSignalSpy>
 #include <QTest>
 
 #include <cmath>
+
+namespace test_packing_line {
 
 using namespace campanel;
 using namespace campanel::test;
@@ -291,5 +294,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPackingLine)
+CAMPANEL_TEST(TestPackingLine)
+
+} // namespace test_packing_line
+
 #include "test_packing_line.moc"

@@ -3,11 +3,14 @@
 // wizard.
 #include "packer_image.h"
 #include "panel_rig.h"
+#include "tests/support/test_program.h"
 
 #include <QSignalSpy>
 #include <QTest>
 
 #include <cmath>
+
+namespace test_packing_setup {
 
 using namespace campanel;
 using machine::GainEstimate;
@@ -427,5 +430,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestPackingSetup)
+CAMPANEL_TEST(TestPackingSetup)
+
+} // namespace test_packing_setup
+
 #include "test_packing_setup.moc"

@@ -4,12 +4,13 @@
 #include "panel_rig.h"
 
 #include "app/store/recipe_json.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QSignalSpy>
 #include <QTest>
 
-namespace campanel::machine {
+namespace campanel::machine::test_recipes {
 
 using test::PanelRig;
 
@@ -350,7 +351,8 @@ private slots:
     }
 };
 
-} // namespace campanel::machine
+CAMPANEL_TEST(TestRecipes)
 
-QTEST_MAIN(campanel::machine::TestRecipes)
+} // namespace campanel::machine::test_recipes
+
 #include "test_recipes.moc"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // What an operator is told of the panel's memory when it was damaged or cannot be opened.
 #include "app/machine/records.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+
+namespace test_records {
 
 using campanel::machine::Records;
 
@@ -45,5 +48,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRecords)
+CAMPANEL_TEST(TestRecords)
+
+} // namespace test_records
+
 #include "test_records.moc"

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The register inspector on a fake link: what is read and when, what it says, what can be written.
 #include "panel_rig.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
+
+namespace test_register_inspector {
 
 using namespace campanel;
 using namespace std::chrono_literals;
@@ -170,5 +173,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRegisterInspector)
+CAMPANEL_TEST(TestRegisterInspector)
+
+} // namespace test_register_inspector
+
 #include "test_register_inspector.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Link doctor, figures and reports of the Service page, on a fake link.
 #include "panel_rig.h"
+#include "tests/support/test_program.h"
 
 #include <QDir>
 #include <QFile>
@@ -8,6 +9,8 @@
 #include <QTest>
 
 #include <cmath>
+
+namespace test_service {
 
 using namespace campanel;
 using namespace std::chrono_literals;
@@ -267,5 +270,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestService)
+CAMPANEL_TEST(TestService)
+
+} // namespace test_service
+
 #include "test_service.moc"

@@ -6,11 +6,14 @@
 #include "app/machine/service_bundle.h"
 #include "app/program/table_columns.h"
 #include "app/store/recipe_json.h"
+#include "tests/support/test_program.h"
 
 #include <QDir>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QSignalSpy>
+
+namespace test_service_bundle {
 
 using namespace campanel;
 using namespace std::chrono_literals;
@@ -173,5 +176,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestServiceBundle)
+CAMPANEL_TEST(TestServiceBundle)
+
+} // namespace test_service_bundle
+
 #include "test_service_bundle.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Chinese texts of app/: complete, with the same places for values, and switched at run time.
 #include "panel_rig.h"
+#include "tests/support/places.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QRegularExpression>
@@ -8,6 +10,8 @@
 #include <QTest>
 #include <QTranslator>
 #include <QXmlStreamReader>
+
+namespace test_translation {
 
 using namespace campanel;
 using test::PanelRig;
@@ -32,7 +36,7 @@ class TestTranslation : public QObject {
 private slots:
     void everyTextIsTranslatedWithItsPlaces()
     {
-        QFile file(QStringLiteral(CAMPANEL_TS));
+        QFile file(campanel::test::sourcePath("app/i18n/campanel_app_zh_CN.ts"));
         QVERIFY(file.open(QIODevice::ReadOnly));
         QXmlStreamReader xml(&file);
         QString source;
@@ -77,5 +81,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTranslation)
+CAMPANEL_TEST(TestTranslation)
+
+} // namespace test_translation
+
 #include "test_translation.moc"

@@ -3,6 +3,7 @@
 // and zoomed, tells what lies in it; what goes wrong with the file is told once.
 #include "app/store/bag_log.h"
 #include "panel_rig.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QPointF>
@@ -11,6 +12,8 @@
 
 #include <cmath>
 #include <memory>
+
+namespace test_trends {
 
 using namespace campanel;
 using machine::Trends;
@@ -324,5 +327,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTrends)
+CAMPANEL_TEST(TestTrends)
+
+} // namespace test_trends
+
 #include "test_trends.moc"

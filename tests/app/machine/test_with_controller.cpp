@@ -5,11 +5,15 @@
 #include "app/machine/editor.h"
 #include "app/machine/machine.h"
 #include "app/machine/settings.h"
+#include "tests/support/places.h"
+#include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
+
+namespace test_with_controller {
 
 using namespace campanel;
 using machine::Editor;
@@ -25,7 +29,7 @@ struct Panel {
         , machine(link, settings, nullptr)
         , editor(machine, folder.path(), nullptr)
     {
-        settings.overrideSimulator(QStringLiteral(CAMPANEL_CONTROLLER), folder.filePath("flash"));
+        settings.overrideSimulator(campanel::test::programPath("campanel-controller"), folder.filePath("flash"));
         machine.open();
     }
 
@@ -113,5 +117,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWithController)
+CAMPANEL_TEST(TestWithController)
+
+} // namespace test_with_controller
+
 #include "test_with_controller.moc"

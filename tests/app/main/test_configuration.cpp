@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The configuration file: what it takes, what it names with its line, and that nothing in it is fatal.
 #include "app/main/configuration.h"
+#include "tests/support/places.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QRegularExpression>
@@ -8,6 +10,8 @@
 #include <QTest>
 
 #include <random>
+
+namespace test_configuration {
 
 using namespace campanel;
 using namespace Qt::StringLiterals;
@@ -23,7 +27,7 @@ const QString name = u"c.toml"_s;
 // The installed file with its examples in force.
 QByteArray installedExamples()
 {
-    QFile file(QStringLiteral(CAMPANEL_INSTALLED_FILE));
+    QFile file(campanel::test::sourcePath("packaging/kiosk/campanel.toml"));
     if (!file.open(QIODevice::ReadOnly))
         qFatal("%s cannot be read", qPrintable(file.fileName()));
     QString text = QString::fromUtf8(file.readAll());
@@ -68,7 +72,7 @@ private slots:
 
     void theManPageNamesEveryKey()
     {
-        QFile page(QStringLiteral(CAMPANEL_MAN_PAGE));
+        QFile page(campanel::test::sourcePath("packaging/man/campanel.toml.5"));
         QVERIFY(page.open(QIODevice::ReadOnly));
         QString section;
         QStringList named;
@@ -315,5 +319,8 @@ screen = "linuxfb"
     }
 };
 
-QTEST_GUILESS_MAIN(TestConfiguration)
+CAMPANEL_TEST(TestConfiguration)
+
+} // namespace test_configuration
+
 #include "test_configuration.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How the kiosk draws on what the machine has.
 #include "app/main/kiosk.h"
+#include "tests/support/test_program.h"
 
 #include <QDir>
 #include <QFile>
@@ -9,6 +10,8 @@
 
 #include <chrono>
 #include <thread>
+
+namespace test_screen_choice {
 
 using namespace campanel::panel;
 using namespace Qt::StringLiterals;
@@ -152,5 +155,8 @@ private slots:
     void cleanup() { qputenv("QT_QPA_PLATFORM", "offscreen"); }
 };
 
-QTEST_GUILESS_MAIN(TestScreenChoice)
+CAMPANEL_TEST(TestScreenChoice)
+
+} // namespace test_screen_choice
+
 #include "test_screen_choice.moc"

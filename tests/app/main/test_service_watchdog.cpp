@@ -5,6 +5,7 @@
 #include "app/main/service_manager.h"
 #include "app/main/service_watchdog.h"
 #include "tests/support/fake_link.h"
+#include "tests/support/test_program.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -16,6 +17,8 @@
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
+
+namespace test_service_watchdog {
 
 using namespace campanel;
 using panel::ServiceManager;
@@ -231,5 +234,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestServiceWatchdog)
+CAMPANEL_TEST(TestServiceWatchdog)
+
+} // namespace test_service_watchdog
+
 #include "test_service_watchdog.moc"

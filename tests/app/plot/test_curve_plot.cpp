@@ -3,6 +3,7 @@
 #include "samples.h"
 
 #include "app/plot/curve_plot.h"
+#include "tests/support/test_program.h"
 
 #include <QQuickWindow>
 #include <QSignalSpy>
@@ -10,7 +11,7 @@
 
 #include <limits>
 
-namespace campanel::plot {
+namespace campanel::plot::test_curve_plot {
 
 namespace {
 
@@ -374,7 +375,8 @@ void TestCurvePlot::labelsFollowTheLocale()
     QCOMPARE(chinese, english);
 }
 
-} // namespace campanel::plot
+CAMPANEL_TEST(TestCurvePlot)
 
-QTEST_MAIN(campanel::plot::TestCurvePlot)
+} // namespace campanel::plot::test_curve_plot
+
 #include "test_curve_plot.moc"

@@ -4,12 +4,13 @@
 
 #include "app/plot/bag_chart.h"
 #include "app/plot/knife_dial.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <limits>
 
-namespace campanel::plot {
+namespace campanel::plot::test_dial_and_bags {
 
 namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -135,7 +136,8 @@ void TestDialAndBags::chartOfNothing()
     QVERIFY(test::inkIn(image, QRect(0, 49, 300, 3), red) >= 300);
 }
 
-} // namespace campanel::plot
+CAMPANEL_TEST(TestDialAndBags)
 
-QTEST_MAIN(campanel::plot::TestDialAndBags)
+} // namespace campanel::plot::test_dial_and_bags
+
 #include "test_dial_and_bags.moc"

@@ -3,13 +3,14 @@
 #include "samples.h"
 
 #include "app/plot/film_picture.h"
+#include "tests/support/test_program.h"
 
 #include <QFontMetricsF>
 #include <QTest>
 
 #include <limits>
 
-namespace campanel::plot {
+namespace campanel::plot::test_film_picture {
 
 namespace {
 
@@ -257,7 +258,8 @@ private slots:
     }
 };
 
-} // namespace campanel::plot
+CAMPANEL_TEST(TestFilmPicture)
 
-QTEST_MAIN(campanel::plot::TestFilmPicture)
+} // namespace campanel::plot::test_film_picture
+
 #include "test_film_picture.moc"

@@ -3,13 +3,14 @@
 #include "samples.h"
 
 #include "app/plot/force_plot.h"
+#include "tests/support/test_program.h"
 
 #include <QRegularExpression>
 #include <QTest>
 
 #include <limits>
 
-namespace campanel::plot {
+namespace campanel::plot::test_force_plot {
 
 namespace {
 
@@ -134,7 +135,8 @@ void TestForcePlot::nothingIsKnown()
     QVERIFY(test::inkIn(image, image.rect(), Qt::green) > 300);
 }
 
-} // namespace campanel::plot
+CAMPANEL_TEST(TestForcePlot)
 
-QTEST_MAIN(campanel::plot::TestForcePlot)
+} // namespace campanel::plot::test_force_plot
+
 #include "test_force_plot.moc"

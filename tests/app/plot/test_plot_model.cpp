@@ -5,6 +5,7 @@
 #include "app/plot/axis_scale.h"
 #include "app/plot/decimation.h"
 #include "app/plot/label_draw.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -13,7 +14,7 @@
 #include <random>
 #include <vector>
 
-namespace campanel::plot {
+namespace campanel::plot::test_plot_model {
 
 class TestPlotModel : public QObject {
     Q_OBJECT
@@ -232,7 +233,8 @@ void TestPlotModel::valuesAreInterpolatedInTheUnitOnScreen()
     QVERIFY(std::isnan(valueAt(set, Quantity::Velocity, std::numeric_limits<double>::quiet_NaN())));
 }
 
-} // namespace campanel::plot
+CAMPANEL_TEST(TestPlotModel)
 
-QTEST_GUILESS_MAIN(campanel::plot::TestPlotModel)
+} // namespace campanel::plot::test_plot_model
+
 #include "test_plot_model.moc"

@@ -3,18 +3,16 @@
 #include "samples.h"
 
 #include "app/plot/curve_plot.h"
+#include "tests/support/test_program.h"
 
 #include <QQmlComponent>
 #include <QQmlContext>
 #include <QQmlEngine>
 #include <QTest>
-#include <QtQml/QQmlExtensionPlugin>
 
 #include <memory>
 
-Q_IMPORT_QML_PLUGIN(CamPanel_PlotPlugin)
-
-namespace campanel::plot {
+namespace campanel::plot::test_plot_module {
 
 // Stands for the panel's objects that hand curves to QML.
 class CurveSource : public QObject {
@@ -79,7 +77,8 @@ void TestPlotModule::typesLoadAndTakeValues()
     QCOMPARE(root->property("handleX").toDouble(), plot->xOfTime(0.5));
 }
 
-} // namespace campanel::plot
+CAMPANEL_TEST(TestPlotModule)
 
-QTEST_MAIN(campanel::plot::TestPlotModule)
+} // namespace campanel::plot::test_plot_module
+
 #include "test_plot_module.moc"

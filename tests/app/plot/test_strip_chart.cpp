@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where StripChart puts its ink: the worst of the minutes that share a column, the newest at the right.
 #include "app/plot/strip_chart.h"
+#include "tests/support/test_program.h"
 
 #include <QPainter>
 #include <QTest>
 
 #include <cmath>
 #include <limits>
+
+namespace test_strip_chart {
 
 using namespace campanel;
 
@@ -78,11 +81,8 @@ private slots:
     }
 };
 
-int main(int argc, char* argv[])
-{
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QGuiApplication application(argc, argv);
-    TestStripChart test;
-    return QTest::qExec(&test, argc, argv);
-}
+CAMPANEL_TEST(TestStripChart)
+
+} // namespace test_strip_chart
+
 #include "test_strip_chart.moc"

@@ -2,6 +2,7 @@
 // The plot of trends: ticks of local time, what fingers ask for, what is drawn and what is not, the cursor.
 #include "app/plot/time_axis.h"
 #include "app/plot/trend_plot.h"
+#include "tests/support/test_program.h"
 
 #include <QGuiApplication>
 #include <QImage>
@@ -12,6 +13,8 @@
 
 #include <cmath>
 #include <memory>
+
+namespace test_trend_plot {
 
 using namespace campanel::plot;
 using namespace Qt::StringLiterals;
@@ -261,5 +264,8 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestTrendPlot)
+CAMPANEL_TEST(TestTrendPlot)
+
+} // namespace test_trend_plot
+
 #include "test_trend_plot.moc"

@@ -3,10 +3,13 @@
 #include "app/program/program_image.h"
 #include "modbus/download.h"
 #include "tests/support/controller_process.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
 #include <QElapsedTimer>
+
+namespace test_controller {
 
 using namespace campanel;
 using namespace campanel::modbus;
@@ -218,5 +221,8 @@ void ControllerTest::machineDataChangesOnlyAtStandstill()
     QVERIFY(m_client->command(Command::StopNow)->done());
 }
 
-QTEST_APPLESS_MAIN(ControllerTest)
+CAMPANEL_TEST(ControllerTest)
+
+} // namespace test_controller
+
 #include "test_controller.moc"

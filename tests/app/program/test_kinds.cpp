@@ -9,6 +9,7 @@
 
 #include "ctl_bank.h"
 #include "modbus/codec.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -16,6 +17,8 @@
 #include <array>
 #include <cmath>
 #include <set>
+
+namespace test_kinds {
 
 using namespace campanel;
 using namespace campanel::program;
@@ -113,8 +116,6 @@ private:
             QTest::newRow(kind.key.data()) << kind.kind;
     }
 };
-
-Q_DECLARE_METATYPE(campanel::profile::ProgramKind)
 
 void KindsTest::everyDefaultCanBeDownloaded()
 {
@@ -398,5 +399,8 @@ void KindsTest::damagedHeadersDoNoHarm()
     QVERIFY(refused > 0 && refused < 5000);
 }
 
-QTEST_APPLESS_MAIN(KindsTest)
+CAMPANEL_TEST(KindsTest)
+
+} // namespace test_kinds
+
 #include "test_kinds.moc"

@@ -8,11 +8,14 @@
 #include "modbus/crc32.h"
 #include "profile/laws.h"
 #include "profile/limits.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
 #include <numeric>
 #include <random>
+
+namespace test_program {
 
 using namespace campanel;
 using namespace campanel::program;
@@ -274,5 +277,8 @@ void ProgramTest::everyRegisterFieldExists()
     }
 }
 
-QTEST_APPLESS_MAIN(ProgramTest)
+CAMPANEL_TEST(ProgramTest)
+
+} // namespace test_program
+
 #include "test_program.moc"

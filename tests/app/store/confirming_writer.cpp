@@ -5,11 +5,14 @@
 #include "app/store/audit_log.h"
 #include "app/store/recipe_file.h"
 #include "app/store/recipe_library.h"
+#include "tests/support/test_program.h"
 
 #include <QCoreApplication>
 #include <QDir>
 
 #include <cstdio>
+
+namespace confirming_writer {
 
 using namespace campanel;
 
@@ -23,7 +26,7 @@ void confirm(const char* what, qint64 number)
 
 } // namespace
 
-int main(int argc, char* argv[])
+static int confirmingWriter(int argc, char** argv)
 {
     QCoreApplication application(argc, argv);
     const QString folder = QCoreApplication::arguments().value(1);
@@ -73,3 +76,7 @@ int main(int argc, char* argv[])
         }
     }
 }
+
+CAMPANEL_PROCESS("confirming_writer", confirmingWriter)
+
+} // namespace confirming_writer

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The log of alarms: written, changed, read by pages, bounded, found after a crash; with 100 000 rows.
 #include "alarm_fill.h"
+#include "tests/support/test_program.h"
 
 #include <QElapsedTimer>
 #include <QFileInfo>
@@ -8,6 +9,8 @@
 #include <QTest>
 
 #include <algorithm>
+
+namespace test_alarm_log {
 
 using namespace campanel::store;
 using namespace Qt::StringLiterals;
@@ -231,5 +234,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAlarmLog)
+CAMPANEL_TEST(TestAlarmLog)
+
+} // namespace test_alarm_log
+
 #include "test_alarm_log.moc"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The audit trail: a chain that tells of any change of any row, of rows missing anywhere, and stays bounded.
 #include "app/store/audit_log.h"
+#include "tests/support/test_program.h"
 
 #include <QCryptographicHash>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+
+namespace test_audit_log {
 
 using namespace campanel::store;
 using namespace Qt::StringLiterals;
@@ -277,5 +280,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAuditLog)
+CAMPANEL_TEST(TestAuditLog)
+
+} // namespace test_audit_log
+
 #include "test_audit_log.moc"

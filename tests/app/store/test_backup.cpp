@@ -8,6 +8,7 @@
 #include "app/store/trend_log.h"
 #include "app/store/trend_schema.h"
 #include "app/store/user_store.h"
+#include "tests/support/test_program.h"
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -20,6 +21,8 @@
 
 #include <map>
 #include <random>
+
+namespace test_backup {
 
 using namespace campanel::store;
 using namespace Qt::StringLiterals;
@@ -351,5 +354,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBackup)
+CAMPANEL_TEST(TestBackup)
+
+} // namespace test_backup
+
 #include "test_backup.moc"

@@ -5,12 +5,15 @@
 #include "app/store/store_thread.h"
 #include "app/store/trend_export.h"
 #include "app/store/trend_schema.h"
+#include "tests/support/test_program.h"
 
 #include <QDir>
 #include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+
+namespace test_bag_log {
 
 using namespace campanel::store;
 using namespace Qt::StringLiterals;
@@ -202,5 +205,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBagLog)
+CAMPANEL_TEST(TestBagLog)
+
+} // namespace test_bag_log
+
 #include "test_bag_log.moc"

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The database: made, opened again, damaged, full, written by a newer version; the thread that owns it.
 #include "app/store/store_thread.h"
+#include "tests/support/test_program.h"
 
 #include <QDir>
 #include <QFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+
+namespace test_database {
 
 using namespace campanel::store;
 using namespace Qt::StringLiterals;
@@ -239,5 +242,8 @@ void TestDatabase::unopenedStoreStillWorksUntilTheEnd()
     QVERIFY(spy.first().first().value<StoreThread::Report>().error);
 }
 
-QTEST_GUILESS_MAIN(TestDatabase)
+CAMPANEL_TEST(TestDatabase)
+
+} // namespace test_database
+
 #include "test_database.moc"

@@ -2,6 +2,7 @@
 // Knots from and to the places where files are exchanged: what is offered, what is refused, names that are
 // never taken twice, disks that fail.
 #include "app/store/knots_file.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -9,6 +10,8 @@
 
 #include <csignal>
 #include <sys/resource.h>
+
+namespace test_exchange {
 
 using namespace campanel;
 using namespace campanel::store;
@@ -230,5 +233,8 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestExchange)
+CAMPANEL_TEST(TestExchange)
+
+} // namespace test_exchange
+
 #include "test_exchange.moc"

@@ -5,6 +5,7 @@
 #include "app/store/audit_log.h"
 #include "app/store/recipe_file.h"
 #include "app/store/recipe_library.h"
+#include "tests/support/test_program.h"
 
 #include <QDir>
 #include <QMap>
@@ -14,6 +15,8 @@
 #include <QTest>
 
 #include <csignal>
+
+namespace test_killed {
 
 using namespace campanel;
 
@@ -31,7 +34,7 @@ class TestKilled : public QObject {
     void runAndKill(int lifeMs)
     {
         QProcess writer;
-        writer.start(QStringLiteral(CAMPANEL_WRITER), {m_folder.path()});
+        writer.start(QCoreApplication::applicationFilePath(), {QStringLiteral("confirming_writer"), m_folder.path()});
         QVERIFY(writer.waitForStarted());
         QVERIFY(writer.waitForReadyRead(20'000)); // it writes by now
         (void)writer.waitForFinished(lifeMs);     // it does not: time passes
@@ -100,5 +103,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestKilled)
+CAMPANEL_TEST(TestKilled)
+
+} // namespace test_killed
+
 #include "test_killed.moc"

@@ -3,6 +3,7 @@
 #include "app/store/knots_file.h"
 #include "app/store/recipe_file.h"
 #include "tests/support/random_recipe.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -11,14 +12,14 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 
+namespace test_kinds {
+
 using namespace campanel;
 using namespace campanel::store;
 using namespace Qt::StringLiterals;
 using profile::Field;
 using profile::ProgramKind;
 using Kind = FileError::Kind;
-
-Q_DECLARE_METATYPE(campanel::profile::ProgramKind)
 
 class StoreKindsTest : public QObject {
     Q_OBJECT
@@ -300,5 +301,8 @@ void StoreKindsTest::knotFilesThatCannotBeOpened()
              qPrintable(written.error()));
 }
 
-QTEST_APPLESS_MAIN(StoreKindsTest)
+CAMPANEL_TEST(StoreKindsTest)
+
+} // namespace test_kinds
+
 #include "test_kinds.moc"

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recipes in the database: versions are kept, numbered without gaps or repeats, and never changed.
 #include "app/store/recipe_library.h"
+#include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
 #include <QTest>
 
-namespace campanel::store {
+namespace campanel::store::test_recipe_library {
 
 namespace {
 
@@ -122,7 +123,8 @@ private slots:
     }
 };
 
-} // namespace campanel::store
+CAMPANEL_TEST(TestRecipeLibrary)
 
-QTEST_GUILESS_MAIN(campanel::store::TestRecipeLibrary)
+} // namespace campanel::store::test_recipe_library
+
 #include "test_recipe_library.moc"

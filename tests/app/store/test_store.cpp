@@ -4,6 +4,7 @@
 #include "app/store/recipe_file.h"
 
 #include "profile/laws.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -12,6 +13,8 @@
 #include <QTemporaryDir>
 
 #include <unistd.h>
+
+namespace test_store {
 
 using namespace campanel;
 using namespace campanel::store;
@@ -286,5 +289,8 @@ void StoreTest::bothDamaged()
     QCOMPARE(loaded.recipe.cutter().bagLengthMm, 250.0);
 }
 
-QTEST_APPLESS_MAIN(StoreTest)
+CAMPANEL_TEST(StoreTest)
+
+} // namespace test_store
+
 #include "test_store.moc"

@@ -5,6 +5,7 @@
 #include "app/store/trend_export.h"
 #include "app/store/trend_schema.h"
 #include "app/store/trend_window.h"
+#include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -12,6 +13,8 @@
 #include <cmath>
 #include <map>
 #include <random>
+
+namespace test_trend_log {
 
 using namespace campanel::store;
 using Level = TrendLog::Level;
@@ -251,5 +254,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTrendLog)
+CAMPANEL_TEST(TestTrendLog)
+
+} // namespace test_trend_log
+
 #include "test_trend_log.moc"

@@ -2,10 +2,13 @@
 // Users in the database: the rules for adding and removing, wrong PINs that count over a restart, hashes.
 #include "app/store/pin_hash.h"
 #include "app/store/user_store.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+
+namespace test_user_store {
 
 using namespace campanel::store;
 using namespace Qt::StringLiterals;
@@ -140,5 +143,8 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestUserStore)
+CAMPANEL_TEST(TestUserStore)
+
+} // namespace test_user_store
+
 #include "test_user_store.moc"
