@@ -32,7 +32,7 @@ set(CAMPANEL_QT_HEADERS ${CAMPANEL_STANDARD_HEADERS}
     QAbstractListModel QByteArray QCoreApplication QDateTime QDir QFile QHash QJsonArray QJsonDocument QJsonObject QList QLocale QMap
     QObject QPointF QSettings QString QStringList QThread QTimer QVariant tl/expected.hpp)
 
-# ccache, where it is installed, serves every clone: paths below the source folder do not count.
+# ccache, where it is installed. Paths below the source folder do not count, but for those that CMake writes into unity files.
 find_program(CAMPANEL_CCACHE ccache)
 mark_as_advanced(CAMPANEL_CCACHE)
 if(CAMPANEL_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
