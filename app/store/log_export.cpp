@@ -4,6 +4,7 @@
 #include "app/store/csv.h"
 
 #include <QDateTime>
+#include <QTimeZone>
 
 using namespace Qt::StringLiterals;
 
@@ -14,7 +15,7 @@ namespace {
 QString time(qint64 utcMs)
 {
     return utcMs == 0 ? QString()
-                      : QDateTime::fromMSecsSinceEpoch(utcMs, Qt::UTC).toString(Qt::ISODateWithMs);
+                      : QDateTime::fromMSecsSinceEpoch(utcMs, QTimeZone::utc()).toString(Qt::ISODateWithMs);
 }
 
 QByteArray line(QStringList fields)

@@ -12,6 +12,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QSignalSpy>
+#include <QTimeZone>
 
 namespace test_service_bundle {
 
@@ -31,7 +32,7 @@ struct BundleRig : AccessRig {
 
     BundleRig()
     {
-        bundle.setWallClock([this] { return QDateTime::fromMSecsSinceEpoch(wallMs, Qt::UTC); });
+        bundle.setWallClock([this] { return QDateTime::fromMSecsSinceEpoch(wallMs, QTimeZone::utc()); });
         const QString stick = folder.filePath(u"stick"_s);
         service.files()->setLooker([stick](const QString&) {
             return QList<store::Place>{{stick, u"stick"_s, false}};
@@ -151,7 +152,7 @@ private slots:
         QCOMPARE(trace.beforeFault().size(), std::size_t(1001));
         QCOMPARE(trace.beforeFault().back().status.cycleCount, 1500u);
 
-        const QDateTime timeOfDay(QDate(2026, 1, 2), QTime(3, 4, 5), Qt::UTC);
+        const QDateTime timeOfDay(QDate(2026, 1, 2), QTime(3, 4, 5), QTimeZone::utc());
         const auto csv = lines(StatusTrace::csv(trace.latest(), sample.receivedAt, timeOfDay));
         QCOMPARE(csv.size(), 1002);
         QVERIFY(csv.last().startsWith("2026-01-02T03:04:05.000Z,"));

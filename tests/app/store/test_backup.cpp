@@ -18,6 +18,7 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimeZone>
 
 #include <map>
 #include <random>
@@ -117,7 +118,7 @@ struct Home {
         auto manifest = takeSnapshot(**database, snapshot.path());
         QVERIFY(manifest);
         manifest->program = u"1.2"_s;
-        manifest->made = QDateTime::fromMSecsSinceEpoch(nowMs, Qt::UTC);
+        manifest->made = QDateTime::fromMSecsSinceEpoch(nowMs, QTimeZone::utc());
         manifest->madeBy = u"Anna"_s;
         const BackupParts parts{bytesOf(at("settings.ini")), bytesOf(at("recipe.json")),
                                 bytesOf(at("working_copy.json"))};
