@@ -28,23 +28,31 @@ void addLaws()
         QTest::newRow(std::string(laws()[i].key).c_str()) << static_cast<int>(i);
 }
 
-// Places where a derivative may step: the joints of piecewise laws.
+// Returns the joints of a piecewise law in the first half of the motion.
+std::vector<double> firstJoints(const Law& law, const LawParameters& p)
+{
+    switch (law.id) {
+    case LawId::ModifiedSine:
+        return {0.125};
+    case LawId::ModifiedTrapezoid:
+        return {0.125, 0.375};
+    case LawId::Trapezoid:
+        return {p[0]};
+    case LawId::SCurve:
+        return {p[0] * p[1], p[0] * (1 - p[1]), p[0]};
+    default:
+        return {0.5};
+    }
+}
+
+// Returns the places where a derivative may step.
 std::vector<double> joints(const Law& law, const LawParameters& p)
 {
-    std::vector<double> half{0.5};
-    if (law.id == LawId::ModifiedSine)
-        half = {0.125};
     if (law.id == LawId::HalfModifiedSine)
         return {0.25};
-    if (law.id == LawId::ModifiedTrapezoid)
-        half = {0.125, 0.375};
-    if (law.id == LawId::Trapezoid)
-        half = {p[0]};
-    if (law.id == LawId::SCurve)
-        half = {p[0] * p[1], p[0] * (1 - p[1]), p[0]};
-    std::vector<double> all = half;
-    for (const double x : half)
-        all.push_back(1 - x);
+    std::vector<double> all = firstJoints(law, p);
+    for (std::size_t i = all.size(); i-- > 0;)
+        all.push_back(1 - all[i]);
     return all;
 }
 
