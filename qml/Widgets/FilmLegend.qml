@@ -5,10 +5,10 @@ import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 
-Grid {
+Item {
     id: legend
 
-    columns: 2
+    implicitHeight: grid.implicitHeight
 
     component Key: Item {
         id: key
@@ -40,47 +40,52 @@ Grid {
         height: parent ? parent.height : 0
     }
 
-    Key {
-        text: qsTr("mark seen")
-        Sign { color: Theme.color.ink }
-    }
-    Key {
-        text: qsTr("mark not seen, reckoned")
-        Sign {
-            color: Theme.color.touchTint
-            border { width: Theme.size.hairline; color: Theme.color.ink }
+    Grid {
+        id: grid
+        columns: 2
+
+        Key {
+            text: qsTr("mark seen")
+            Sign { color: Theme.color.ink }
         }
-    }
-    Key {
-        text: qsTr("next mark expected here")
-        Sign {
-            width: Theme.size.mark
-            color: Theme.color.touchTint
-            border { width: Theme.size.outline; color: Theme.color.touch }
+        Key {
+            text: qsTr("mark not seen, reckoned")
+            Sign {
+                color: Theme.color.touchTint
+                border { width: Theme.size.hairline; color: Theme.color.ink }
+            }
         }
-    }
-    Key {
-        text: qsTr("product")
-        Sign {
-            width: parent.width
-            radius: Theme.size.accent
-            color: Theme.color.sync
+        Key {
+            text: qsTr("next mark expected here")
+            Sign {
+                width: Theme.size.mark
+                color: Theme.color.touchTint
+                border { width: Theme.size.outline; color: Theme.color.touch }
+            }
         }
-    }
-    Key {
-        text: qsTr("next cut")
-        Sign {
-            width: Theme.size.outline
-            color: Theme.color.ink
+        Key {
+            text: qsTr("product")
+            Sign {
+                width: parent.width
+                radius: Theme.size.accent
+                color: Theme.color.sync
+            }
         }
-    }
-    Key {
-        text: qsTr("cut left out")
-        IconLabel {
-            anchors.centerIn: parent
-            code: Theme.icon.close
-            color: Theme.color.warning
-            font.pixelSize: Theme.size.body
+        Key {
+            text: qsTr("next cut")
+            Sign {
+                width: Theme.size.outline
+                color: Theme.color.ink
+            }
+        }
+        Key {
+            text: qsTr("cut left out")
+            IconLabel {
+                anchors.centerIn: parent
+                code: Theme.icon.close
+                color: Theme.color.warning
+                font.pixelSize: Theme.size.body
+            }
         }
     }
 }
