@@ -10,17 +10,15 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-// Longer than the 16 ms of a USB adapter and the work of a slow device; draining takes 25 ms more.
-constexpr milliseconds scanAllowance{60};
 constexpr milliseconds drainTime{25};
 // A damaged answer may have been an accident.
 constexpr int attemptsWhenDamaged = 2;
 // Units that a diagnosis asks besides the configured one.
 constexpr std::array likelyUnits{1, 2, 3};
 
-nanoseconds longestTime(const LineSettings& line)
+nanoseconds longestTime(const LineSettings& line, milliseconds allowance)
 {
-    return pairTime(line, readFrames(identityRegisters)) + scanAllowance + drainTime;
+    return pairTime(line, readFrames(identityRegisters)) + allowance + drainTime;
 }
 
 bool isSame(const LineSettings& a, const LineSettings& b)
@@ -101,9 +99,10 @@ LineScan::LineScan(ScanPlan plan)
             if (unit != m_plan.unit)
                 m_candidates.push_back({0, static_cast<std::uint8_t>(unit), m_plan.line});
         }
+        m_allowance = AnswerAllowance::longest;
     }
     for (const Candidate& candidate : m_candidates)
-        m_remaining += longestTime(candidate.line);
+        m_remaining += longestTime(candidate.line, m_allowance);
     m_ended = m_candidates.empty();
 }
 
@@ -153,7 +152,7 @@ bool LineScan::openFor(const Candidate& candidate)
     if (m_client && m_openPort == candidate.port && isSame(m_client->settings().line, candidate.line))
         return true;
     m_client.reset(); // before the next one takes the port
-    LinkSettings settings{port.path, candidate.line, candidate.unit, scanAllowance, false};
+    LinkSettings settings{port.path, candidate.line, candidate.unit, m_allowance, false};
     auto client = std::make_unique<RtuClient>(std::move(settings));
     if (const auto opened = client->open(); !opened) {
         LineFinding finding = findingAt(candidate, conditionOf(opened.error()));
@@ -180,6 +179,7 @@ void LineScan::ask(const Candidate& candidate)
     const auto identity = m_client->probe(candidate.unit);
     const std::uint64_t bytes = m_client->record().figures.receivedBytes() - before;
     port.bytesSeen += bytes;
+    port.isEchoing = port.isEchoing || m_client->isEchoing();
     const LineCondition condition = identity ? LineCondition::Controller : conditionOf(identity.error());
     if (!isAnswer(condition) && condition != LineCondition::PortGone) {
         if (bytes > 0 && ++m_attempt < attemptsWhenDamaged)
@@ -204,7 +204,7 @@ void LineScan::ask(const Candidate& candidate)
         port.isDone = condition == LineCondition::PortGone;
     }
     m_attempt = 0;
-    m_remaining -= longestTime(candidate.line);
+    m_remaining -= longestTime(candidate.line, m_allowance);
     ++m_next;
 }
 
@@ -224,7 +224,7 @@ LineFinding LineScan::findingAt(const Candidate& candidate, LineCondition condit
 void LineScan::skipDone()
 {
     while (m_next < m_candidates.size() && m_ports[m_candidates[m_next].port].isDone) {
-        m_remaining -= longestTime(m_candidates[m_next].line);
+        m_remaining -= longestTime(m_candidates[m_next].line, m_allowance);
         ++m_next;
         m_attempt = 0;
     }
@@ -244,7 +244,9 @@ void LineScan::finish()
             continue;
         const Candidate configured{i, static_cast<std::uint8_t>(m_plan.unit), m_plan.line};
         m_findings.push_back(
-            findingAt(configured, port.bytesSeen > 0 ? LineCondition::Garbage : LineCondition::NoBytes));
+            findingAt(configured, port.bytesSeen > 0 ? LineCondition::Garbage
+                                  : port.isEchoing   ? LineCondition::EchoOnly
+                                                     : LineCondition::NoBytes));
     }
 }
 

@@ -23,6 +23,7 @@ enum class LineCondition : std::uint8_t {
     OtherDevice,      // something else answers; `code` is its identity.device_type, 0 when it has none
     Garbage,          // bytes came, but no frame: wrong baud rate or parity, or noise
     NoBytes,          // nothing came at all
+    EchoOnly,         // what was sent came back, and nothing else
     PortAbsent,       // no such device node
     PortNotPermitted, // see `group`
     PortBusy,         // see `holders`
@@ -101,6 +102,7 @@ private:
         std::uint64_t bytesSeen = 0;
         bool isDone = false; // has a finding of its own
         bool isTried = false;
+        bool isEchoing = false;
     };
 
     void planSearch();
@@ -117,6 +119,9 @@ private:
     std::size_t m_next = 0;
     int m_attempt = 0; // at the next candidate
     int m_skipped = 0;
+    // Of a search: longer than the 16 ms of a USB adapter and the work of a slow device; draining takes 25 ms more. A
+    // diagnosis waits as long as is promised.
+    std::chrono::milliseconds m_allowance{60};
     std::chrono::nanoseconds m_remaining{0};
     std::unique_ptr<RtuClient> m_client;
     std::size_t m_openPort = 0;

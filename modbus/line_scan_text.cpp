@@ -58,6 +58,10 @@ std::string silenceText(const LineFinding& finding)
                "), but no valid frame: baud rate or parity differ, or the cable picks up noise. Search for "
                "the "
                "settings.";
+    if (finding.condition == LineCondition::EchoOnly)
+        return "Only the program's own questions come back at " + finding.port +
+               ": the adapter echoes them, and no controller answers. Check that the controller has power, that the "
+               "cable is in, and that A and B are not swapped.";
     return "Nothing at all comes in at " + finding.port +
            ". Check that the controller has power, that the cable is in, and that transmit and receive are "
            "crossed.";
@@ -77,6 +81,7 @@ std::string describe(const LineFinding& finding)
         break;
     case LineCondition::Garbage:
     case LineCondition::NoBytes:
+    case LineCondition::EchoOnly:
         text = silenceText(finding);
         break;
     case LineCondition::PortBusy:

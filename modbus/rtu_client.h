@@ -47,6 +47,7 @@ public:
     void close();
     [[nodiscard]] const LinkSettings& settings() const { return m_line.settings(); }
     [[nodiscard]] const LinkRecord& record() const { return *m_record; }
+    [[nodiscard]] bool isEchoing() const { return m_line.isEchoing(); }
     // What the next answer is allowed beyond wire time: follows what is measured.
     [[nodiscard]] std::chrono::milliseconds allowance() const { return m_line.allowance(); }
 

@@ -42,10 +42,10 @@ Readiness waitForInput(int descriptor, std::chrono::steady_clock::time_point dea
     return Readiness::Input; // or interrupted: the read tells
 }
 
-// Length of the answer that begins with these bytes (at least three); 0 when no answer begins so.
+// Returns the length of the answer that begins with these bytes; 0 when no answer begins so.
 std::size_t answerLength(std::span<const std::uint8_t> begin)
 {
-    if ((begin[1] & exceptionFlag) != 0)
+    if (begin.size() < 2 || (begin[1] & exceptionFlag) != 0 || begin.size() < 3)
         return exceptionBytes;
     switch (begin[1]) {
     case 1:
@@ -64,6 +64,14 @@ std::size_t answerLength(std::span<const std::uint8_t> begin)
     default:
         return 0;
     }
+}
+
+// Returns true when the bytes are the beginning of the question itself, or all of it. An answer that begins as its
+// question does has its checksum where the question has other bytes.
+bool mayBeEcho(std::span<const std::uint8_t> bytes, std::span<const std::uint8_t> sent)
+{
+    return bytes.size() <= sent.size() && std::ranges::equal(bytes, sent.first(bytes.size())) &&
+           (bytes.size() == sent.size() || !endsWithCrc16(bytes));
 }
 
 LinkErrorKind kindOf(FrameVerdict verdict)
@@ -179,7 +187,7 @@ void RtuLine::close()
     m_record.allowance = milliseconds{0};
 }
 
-tl::expected<void, LinkError> RtuLine::send(const Question& question)
+tl::expected<RtuLine::Bytes, LinkError> RtuLine::send(const Question& question)
 {
     Bytes frame;
     frame.reserve(question.pdu.size() + 3);
@@ -193,7 +201,7 @@ tl::expected<void, LinkError> RtuLine::send(const Question& question)
     if (sent == static_cast<int>(frame.size())) {
         m_record.frames.add(FrameVerdict::Sent, frame, question.readAddress, question.readCount);
         m_record.figures.noteRequest(sent, question.isRepeatable && m_failedRequest == question.name);
-        return {};
+        return frame;
     }
     const bool gone = sent < 0 && isGone(errorNumber);
     const auto kind = gone ? LinkErrorKind::PortGone : LinkErrorKind::BadFrame;
@@ -202,10 +210,11 @@ tl::expected<void, LinkError> RtuLine::send(const Question& question)
     return tl::unexpected(error(kind, question.name, gone ? std::string() : modbus_strerror(errorNumber)));
 }
 
-RtuLine::Received RtuLine::receive(Clock::time_point deadline)
+RtuLine::Received RtuLine::receive(std::span<const std::uint8_t> sent, Clock::time_point deadline)
 {
     Received received;
     const int descriptor = modbus_get_socket(m_context.get());
+    m_isEchoing = false;
     // No answer is shorter; how long this one is its first bytes tell. What follows it is none of it.
     std::size_t wanted = exceptionBytes;
     while (received.count < wanted) {
@@ -222,8 +231,13 @@ RtuLine::Received RtuLine::receive(Clock::time_point deadline)
             return received;
         }
         received.count += static_cast<std::size_t>(count);
-        if (received.count >= 3 || (received.count == 2 && (received.data[1] & exceptionFlag) != 0))
-            wanted = answerLength(received.bytes());
+        wanted = answerLength(received.bytes());
+        if (m_isEchoing || received.count < wanted || !mayBeEcho(received.bytes(), sent))
+            continue;
+        m_isEchoing = received.count == sent.size();
+        wanted = m_isEchoing ? exceptionBytes : sent.size();
+        if (m_isEchoing)
+            received.count = 0;
     }
     received.end = wanted == 0 ? Received::End::Malformed : Received::End::Complete;
     return received;
@@ -263,14 +277,30 @@ tl::expected<RtuLine::Bytes, LinkError> RtuLine::ask(const Question& question, c
     if (hasInput(modbus_get_socket(m_context.get())))
         drainLine();
     const auto startedAt = Clock::now();
-    if (const auto sent = send(question); !sent)
+    const auto sent = send(question);
+    if (!sent)
         return tl::unexpected(sent.error());
     const auto wire = pairTime(m_settings.line, question.frames);
-    const Received received = receive(startedAt + wire + m_allowance.value() + question.extraAllowance);
+    const auto deadline = startedAt + wire + m_allowance.value() + question.extraAllowance;
+    Received received;
+    FrameVerdict verdict = FrameVerdict::Silence;
+    // A whole answer of this unit that is not this question's is the late one to an earlier question. This one's is still
+    // to come: giving up here would keep the panel one answer behind for good.
+    bool isLate = false;
+    do {
+        Received next = receive(*sent, deadline);
+        const FrameVerdict nextVerdict = judge(question, next, isMine);
+        m_record.figures.noteReceived(static_cast<int>(next.count));
+        if (isLate && nextVerdict == FrameVerdict::Silence)
+            break;
+        m_record.frames.add(nextVerdict, next.bytes(), question.readAddress, question.readCount);
+        verdict = nextVerdict;
+        received = next;
+        isLate = isLate || (verdict == FrameVerdict::Foreign && received.data[0] == m_settings.unit);
+    } while (verdict == FrameVerdict::Foreign && isLate);
     const auto completeAt = Clock::now();
-    const FrameVerdict verdict = judge(question, received, isMine);
-    m_record.frames.add(verdict, received.bytes(), question.readAddress, question.readCount);
-    m_record.figures.noteReceived(static_cast<int>(received.count));
+    if (isLate && m_settings.isAllowanceMeasured)
+        m_allowance.noteSilence();
     if (verdict != FrameVerdict::Answer)
         return tl::unexpected(fail(question, verdict, received, startedAt));
 

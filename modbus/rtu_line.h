@@ -30,8 +30,9 @@ struct LinkSettings {
     std::string port; // device path
     LineSettings line;
     int unit = 1; // 1..247
-    // Beyond the wire time, to begin with: work, adapters, scheduling.
-    std::chrono::milliseconds answerAllowance{100};
+    // Beyond the wire time, until enough answers were measured: work, adapters, scheduling. As long as is promised,
+    // or a controller that is always late would never be connected to.
+    std::chrono::milliseconds answerAllowance = AnswerAllowance::longest;
     bool isAllowanceMeasured = true; // follows the turnaround, see AnswerAllowance
 };
 
@@ -75,6 +76,9 @@ public:
     // does not take, is dropped, and the error is ForeignAnswer.
     [[nodiscard]] tl::expected<Bytes, LinkError> ask(const Question& question, const Proof& isMine);
 
+    // The adapter returns what the panel sends, as some for RS-485 do. The echo is taken off the answers.
+    [[nodiscard]] bool isEchoing() const { return m_isEchoing; }
+
     // What the next answer is allowed beyond wire time.
     [[nodiscard]] std::chrono::milliseconds allowance() const { return m_allowance.value(); }
 
@@ -87,8 +91,9 @@ private:
 
     [[nodiscard]] LinkError error(LinkErrorKind kind, std::string request = {}, std::string detail = {},
                                   int code = 0) const;
-    [[nodiscard]] tl::expected<void, LinkError> send(const Question& question);
-    [[nodiscard]] Received receive(Clock::time_point deadline);
+    // Returns the frame that was sent.
+    [[nodiscard]] tl::expected<Bytes, LinkError> send(const Question& question);
+    [[nodiscard]] Received receive(std::span<const std::uint8_t> sent, Clock::time_point deadline);
     [[nodiscard]] FrameVerdict judge(const Question& question, const Received& received,
                                      const Proof& isMine) const;
     [[nodiscard]] LinkError fail(const Question& question, FrameVerdict verdict, const Received& received,
@@ -102,6 +107,7 @@ private:
     PortClaim m_claim;
     std::unique_ptr<modbus_t, ContextDeleter> m_context;
     Clock::time_point m_lineFreeAt;
+    bool m_isEchoing = false;
     std::optional<std::string> m_failedRequest; // the last one, when it failed and may be repeated
 };
 

@@ -33,6 +33,8 @@ QString DoctorSentences::condition(LineCondition condition)
         return tr("Only garbage");
     case LineCondition::NoBytes:
         return tr("No answer");
+    case LineCondition::EchoOnly:
+        return tr("Echo only");
     case LineCondition::PortAbsent:
         return tr("No such port");
     case LineCondition::PortNotPermitted:
@@ -82,6 +84,10 @@ QString DoctorSentences::finding(const modbus::LineFinding& finding)
         text = tr("Not a single byte comes. Check that the controller has power and that the cable is "
                   "plugged in at both ends; on RS-232 the transmit and receive wires must be crossed, on "
                   "RS-485 A and B may be swapped.");
+        break;
+    case LineCondition::EchoOnly:
+        text = tr("The adapter returns what the panel sends, and no controller answers. Check that the controller "
+                  "has power, that the cable is plugged in at both ends, and that A and B are not swapped.");
         break;
     default:
         text = portFinding(finding);

@@ -35,8 +35,9 @@ namespace {
 // takes everything in silence.
 class NoisyPort {
 public:
-    explicit NoisyPort(std::vector<std::uint8_t> noise)
+    explicit NoisyPort(std::vector<std::uint8_t> noise, bool isEchoing = false)
         : m_noise(std::move(noise))
+        , m_isEchoing(isEchoing)
     {
         m_master = posix_openpt(O_RDWR | O_NOCTTY);
         if (m_master < 0 || grantpt(m_master) != 0 || unlockpt(m_master) != 0)
@@ -74,12 +75,15 @@ private:
                 continue;
             const ssize_t count = ::read(m_master, request.data(), request.size());
             m_bytes += static_cast<int>(count);
+            if (m_isEchoing && ::write(m_master, request.data(), static_cast<std::size_t>(count)) < 0)
+                return;
             if (!m_noise.empty() && ::write(m_master, m_noise.data(), m_noise.size()) < 0)
                 return;
         }
     }
 
     std::vector<std::uint8_t> m_noise;
+    bool m_isEchoing;
     std::string m_port;
     int m_master = -1;
     int m_keptSlave = -1;
@@ -144,6 +148,24 @@ private slots:
         slave.script({Fault::BadChecksum});
         QCOMPARE(diagnose(slave.port()).condition, LineCondition::Controller);
         QCOMPARE(slave.requests(), 2);
+    }
+
+    void lateAnswersAreNoOtherDevice()
+    {
+        ScriptedSlave slave;
+        slave.delayAnswers(std::chrono::milliseconds{200});
+        QCOMPARE(diagnose(slave.port()).condition, LineCondition::Controller);
+    }
+
+    void echoIsNoGarbage()
+    {
+        ScriptedSlave slave;
+        slave.setEchoing(true);
+        QCOMPARE(diagnose(slave.port()).condition, LineCondition::Controller);
+        NoisyPort echo({}, true);
+        const LineFinding finding = diagnose(echo.port());
+        QCOMPARE(finding.condition, LineCondition::EchoOnly);
+        QVERIFY(sentence(finding).contains("echoes"));
     }
 
     void garbageAndSilence()

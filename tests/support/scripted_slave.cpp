@@ -154,8 +154,13 @@ void ScriptedSlave::serve()
     std::array<std::uint8_t, MODBUS_RTU_MAX_ADU_LENGTH> buffer{};
     while (!m_stop) {
         const int length = modbus_receive(context, buffer.data());
-        if (length > 0)
-            answer(Bytes(buffer.begin(), buffer.begin() + length));
+        if (length <= 0)
+            continue;
+        const Bytes request(buffer.begin(), buffer.begin() + length);
+        if (m_isEchoing)
+            send(request);
+        std::this_thread::sleep_for(std::chrono::milliseconds(m_delayMs));
+        answer(request);
     }
     modbus_free(context);
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <deque>
 #include <mutex>
@@ -51,6 +52,10 @@ public:
     // Makes an armed change active, as at the cycle boundary.
     void reachCycleBoundary();
     void refuseRow(std::uint16_t row);
+    // Every answer comes so much later.
+    void delayAnswers(std::chrono::milliseconds delay) { m_delayMs = static_cast<int>(delay.count()); }
+    // The adapter returns every request before its answer.
+    void setEchoing(bool isEchoing) { m_isEchoing = isEchoing; }
 
 private:
     using Bytes = std::vector<std::uint8_t>;
@@ -81,6 +86,8 @@ private:
     std::atomic<int> m_commands = 0;
     std::atomic<int> m_requests = 0;
     std::atomic<int> m_writes = 0;
+    std::atomic<int> m_delayMs = 0;
+    std::atomic<bool> m_isEchoing = false;
     std::atomic<bool> m_stop = false;
     std::thread m_thread;
 };
