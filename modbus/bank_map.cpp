@@ -78,14 +78,14 @@ constexpr std::array bankTable{
     cutter(ro32("program.k2", 35, "T / t_b", 0.000001)),
     cutter(ro32("program.k3", 37, "T / t_c", 0.000001)),
     cutter(ro32("program.k4", 39, "T / t_d", 0.000001)),
-    cutter(ro16("program.law", 41, "speed law, numbered as in the law table")),
+    cutter(ro16("program.law", 41, "speed law", "Law")),
     cutter(ro32("program.law_parameter1", 42, "first parameter of the law, 0 when it has none", 0.000001)),
     cutter(ro32("program.law_parameter2", 44, "second parameter of the law, 0 when it has none", 0.000001)),
     cutter(ro16("program.ramp_slices", 46, "slices per ramp of the step table")),
     positionMove(roScaled32("position_move.distance", 15, "distance, negative: backwards", 0.001, "mm")),
     positionMove(ro16("position_move.duration", 17, "which input is given", "MoveDuration")),
     positionMove(ro32("position_move.time", 18, "given time", 0.000001, "s")),
-    positionMove(ro16("position_move.law", 20, "displacement law, numbered as in the law table")),
+    positionMove(ro16("position_move.law", 20, "displacement law", "Law")),
     positionMove(
         ro32("position_move.law_parameter1", 21, "first parameter of the law, 0 when it has none", 0.000001)),
     positionMove(ro32("position_move.law_parameter2", 23, "second parameter of the law, 0 when it has none",
@@ -101,7 +101,7 @@ constexpr std::array bankTable{
     speedMove(ro16("speed_move.duration", 19, "which input is given", "MoveDuration")),
     speedMove(ro32("speed_move.time", 20, "given time", 0.000001, "s")),
     speedMove(roScaled32("speed_move.distance", 22, "given distance", 0.001, "mm")),
-    speedMove(ro16("speed_move.law", 24, "speed law, numbered as in the law table")),
+    speedMove(ro16("speed_move.law", 24, "speed law", "Law")),
     speedMove(
         ro32("speed_move.law_parameter1", 25, "first parameter of the law, 0 when it has none", 0.000001)),
     speedMove(

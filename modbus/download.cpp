@@ -75,7 +75,8 @@ Download::Download(std::vector<std::uint16_t> image, const Identity& controller,
     , m_options(options)
     , m_blockRegisters(std::min(controller.blockRegisters, blockRegisters))
     , m_bankRegisters(controller.bankRegisters)
-    , m_kindSupported(controller.supports(options.kind))
+    , m_kind(RegisterReader(m_image, 0).u16("bank.kind"))
+    , m_kindSupported(controller.supports(static_cast<ProgramKind>(m_kind)))
     , m_crc(crc32OfRegisters(m_image))
 {
 }
@@ -196,8 +197,7 @@ Download::Step Download::begin(RtuClient& client)
                      0,
                      m_bankRegisters,
                      static_cast<std::uint32_t>(m_image.size())});
-    const std::array<std::uint16_t, 3> announced{static_cast<std::uint16_t>(m_options.kind),
-                                                 static_cast<std::uint16_t>(m_image.size()), mapMajor};
+    const std::array<std::uint16_t, 3> announced{m_kind, static_cast<std::uint16_t>(m_image.size()), mapMajor};
     const auto answer = client.transfer({m_options.session, TransferOperation::Begin, 0, announced});
     if (!answer)
         return linkFailed(answer.error());

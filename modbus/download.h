@@ -55,13 +55,12 @@ public:
     };
 
     struct Options {
-        ProgramKind kind = ProgramKind::RotaryCutter;
         ApplyMode mode = ApplyMode::NextCycle;
         std::uint16_t session = 1; // not 0, and not that of the last download
         bool verify = false;       // read every staged register back before applying
     };
 
-    // `image`: header and rows of the bank.
+    // `image`: header and rows of the bank. The kind of program is announced as its header names it.
     Download(std::vector<std::uint16_t> image, const Identity& controller, Options options);
 
     // One exchange, none while waiting in AwaitActive or when ended. A Link error leaves the phase: the step
@@ -104,6 +103,7 @@ private:
     Options m_options;
     std::uint16_t m_blockRegisters = 0;
     std::uint16_t m_bankRegisters = 0;
+    std::uint16_t m_kind = 0; // of the image
     bool m_kindSupported = false;
     std::uint32_t m_crc = 0;
     Phase m_phase = Phase::Begin;

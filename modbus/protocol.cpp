@@ -79,6 +79,22 @@ constexpr std::array moveDurations{
     entry(MoveDuration::OverDistance, "OverDistance", "The distance of a change of speed is given."),
 };
 
+constexpr std::array laws{
+    entry(Law::Cubic, "Cubic", "Cubic, 3 x^2 - 2 x^3."),
+    entry(Law::Quintic, "Quintic", "Quintic 3-4-5."),
+    entry(Law::Polynomial4567, "Polynomial4567", "Polynomial 4-5-6-7."),
+    entry(Law::Harmonic, "Harmonic", "Harmonic."),
+    entry(Law::Cycloidal, "Cycloidal", "Cycloidal."),
+    entry(Law::ModifiedSine, "ModifiedSine", "Modified sine."),
+    entry(Law::ModifiedTrapezoid, "ModifiedTrapezoid", "Modified trapezoid."),
+    entry(Law::Parabolic, "Parabolic", "Parabolic: constant acceleration, then constant deceleration."),
+    entry(Law::Trapezoid, "Trapezoid", "Trapezoid; parameter 1: share of the time of each ramp."),
+    entry(Law::SCurve, "SCurve",
+          "Seven segments; parameter 1: share of the time of each ramp, 2: of the ramp with jerk."),
+    entry(Law::Exponential, "Exponential", "Exponential; parameter 1: its exponent."),
+    entry(Law::HalfModifiedSine, "HalfModifiedSine", "First half of the modified sine."),
+};
+
 constexpr std::array splineEnds{
     entry(SplineEnds::Natural, "Natural", "No curvature at the ends."),
     entry(SplineEnds::Clamped, "Clamped", "No speed at the ends."),
@@ -183,6 +199,8 @@ constexpr std::array refusals{
     entry(Refusal::FeedTooFast, "FeedTooFast",
           "Film or infeed would need more pulses a second, corrections included, than the output stage "
           "gives."),
+    entry(Refusal::CodeNotWritten, "CodeNotWritten",
+          "The command's code was not written since the last command. Write the counter last."),
 };
 
 constexpr std::array transferOperations{
@@ -285,7 +303,7 @@ constexpr std::array bagBits{
     entry(BagBit::Empty, "Empty", "Cut without a product."),
 };
 
-constexpr std::array<EnumInfo, 24> infos{{
+constexpr std::array<EnumInfo, 25> infos{{
     {"State", states},
     {"ProgramKind", programKinds},
     {"StagedState", stagedStates},
@@ -303,6 +321,7 @@ constexpr std::array<EnumInfo, 24> infos{{
     {"EndBehavior", endBehaviors},
     {"RampShape", rampShapes},
     {"MoveDuration", moveDurations},
+    {"Law", laws},
     {"SplineEnds", splineEnds},
     {"PressStage", pressStages},
     {"StrokeResult", strokeResults},

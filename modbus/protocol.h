@@ -44,6 +44,21 @@ enum class RampShape : std::uint16_t { Trapezoid = 0, SCurve = 1 };
 // Which input of a move is given.
 enum class MoveDuration : std::uint16_t { GivenTime = 0, Fastest = 1, OverDistance = 2 };
 
+enum class Law : std::uint16_t {
+    Cubic = 1,
+    Quintic,
+    Polynomial4567,
+    Harmonic,
+    Cycloidal,
+    ModifiedSine,
+    ModifiedTrapezoid,
+    Parabolic,
+    Trapezoid,
+    SCurve,
+    Exponential,
+    HalfModifiedSine,
+};
+
 enum class SplineEnds : std::uint16_t { Natural = 0, Clamped = 1, Periodic = 2 };
 
 enum class PressStage : std::uint16_t { Standing = 0, Approach, Probe, Press, Hold, Return };
@@ -104,6 +119,7 @@ enum class Refusal : std::uint16_t {
     NoRoomToCorrect,
     EyeTooNear,
     FeedTooFast,
+    CodeNotWritten,
 };
 
 enum class TransferOperation : std::uint16_t { None = 0, Begin, Block, Seal };

@@ -7,6 +7,7 @@
 #include <iomanip>
 #include <ostream>
 #include <sstream>
+#include <vector>
 
 namespace campanel::modbus {
 
@@ -51,6 +52,57 @@ std::string upperSnake(std::string_view name)
         afterLower = std::islower(byte) != 0 || std::isdigit(byte) != 0;
     }
     return result;
+}
+
+// A register group: what stands before the dot of its registers' names.
+struct Group {
+    std::string_view name;
+    unsigned base = 0;
+    unsigned count = 0;
+};
+
+std::vector<Group> groups()
+{
+    std::vector<Group> result;
+    for (const RegisterInfo& row : registers()) {
+        const std::string_view name = row.name.substr(0, row.name.find('.'));
+        if (result.empty() || result.back().name != name)
+            result.push_back({name, row.address, 0});
+        result.back().count = static_cast<unsigned>(row.address) + row.count - result.back().base;
+    }
+    return result;
+}
+
+// Returns true when the limits are narrower than the register.
+bool isNarrower(const RegisterInfo& row)
+{
+    if (row.type == RegisterType::I16)
+        return true;
+    const double most = row.count == 2 ? 4294967295.0 : 65535.0;
+    return row.minimum > 0 || std::llround(row.maximum / row.scale) < std::llround(most);
+}
+
+// X macros, so that the core has no list of its own: groups with base and count; limits in raw units of every
+// parameter and of the other registers that are narrower than their type.
+void printLists(std::ostream& out)
+{
+    out << "\n/* GROUP(name, base, registers); CTL_GROUP_name is the number of registers. */\n#define CTL_GROUPS(GROUP)";
+    for (const Group& group : groups())
+        out << " \\\n    GROUP(" << upperSnake(group.name) << ", " << hexAddress(group.base) << "u, "
+            << group.count << "u)";
+    out << "\n";
+    for (const Group& group : groups())
+        out << "#define CTL_GROUP_" << upperSnake(group.name) << ' ' << group.count << "u\n";
+    out << "\n/* LIMIT(register, words, 0 for one signed; min, max and default are CTL_MIN_..., ...) */\n"
+           "#define CTL_LIMITS(LIMIT)";
+    for (const RegisterInfo& row : registers()) {
+        if (row.access != Access::ReadWrite || row.type == RegisterType::Block ||
+            (!row.name.starts_with("parameter.") && !isNarrower(row)))
+            continue;
+        const unsigned words = row.type == RegisterType::I16 ? 0 : row.count;
+        out << " \\\n    LIMIT(" << upperSnake(row.name) << ", " << words << "u)";
+    }
+    out << "\n";
 }
 
 void printCHeader(std::ostream& out)
@@ -98,6 +150,7 @@ void printCHeader(std::ostream& out)
             define("DEFAULT_" + upperSnake(row.name), raw(row.defaultValue));
         }
     }
+    printLists(out);
     out << "\n/* Offsets in a bank. */\n";
     for (const RegisterInfo& row : bankFields())
         define("OFFSET_" + upperSnake(row.name), std::to_string(row.address) + "u");
@@ -144,6 +197,62 @@ void printRow(std::ostream& out, const RegisterInfo& row, const std::string& add
     out << " |\n";
 }
 
+// What the columns of the tables cannot say. The controller's core carries it out, tests/controller proves it.
+void printRules(std::ostream& out)
+{
+    out << "## Rules for a master\n\n"
+           "**Frames.** A request reads at most 125 registers (function 3), writes at most 123 (16), or writes at "
+           "most 121 and\nreads at most 125 (23). A write lies within one group: the registers whose names begin with "
+           "the same word. Exceptions: 1 for\nanother function; 2 for an address that is not in this table, is "
+           "read-only, or leaves the group; 3 for a count or a value outside\nits range. A write that is refused "
+           "has changed nothing. A broadcast (unit 0) is carried out and never answered.\n\n"
+           "**What sets a group off.** Writing `exchange.heartbeat` counts as a heartbeat when the value differs from "
+           "the last one. Writing\n`command.counter` carries out the command, `transfer.operation` the step of the "
+           "transfer, `readback.tag` the reading. A master that\nwrites single registers writes these last. Writing "
+           "a parameter takes effect at once.\n\n"
+           "**Commands.** A counter that equals `result.counter` is not carried out again: after a lost answer, read "
+           "`result` first. The\ncode must be written in the same frame as the counter, or since the last command; "
+           "else the command is refused with\nCodeNotWritten. Start homes first when the axis has not been homed "
+           "since power-up and the program needs it; a stop ends that\nas well.\n\n"
+           "**Jog.** One key at a time; both are none. The axis turns while the bit is set and the heartbeat advances. "
+           "After 200 ms without a\nheartbeat it ramps down, and turns again only once all keys have been "
+           "released.\n\n"
+           "**Transfer.** Begin carries kind, length in registers and map major version in `transfer.data`; Block one "
+           "block of "
+        << blockRegisters
+        << " registers,\nthe last one shorter; Seal checks the whole bank. Blocks may come in any order and be "
+           "repeated; `transfer_result.next_missing`\nsays where to go on after a break. Begin with the same session, "
+           "kind and length goes on, another one begins anew. ApplyStaged needs\nthe session and the CRC-32 of the "
+           "sealed bytes.\n\n"
+           "**Header.** `bank.kind` is the kind that Begin announced. A cycle takes at least 2 ms. The divisor is not 0, "
+           "the remainder below it.\nPulses per motor revolution: 1 to 10 000 000. Knife radius or feed: above 0.\n\n"
+           "| layout | kinds | rows | a row | rules |\n|---|---|---|---|---|\n"
+           "| StepTable | RotaryCutter | 1 to "
+        << rowCapacity
+        << " | pulses u16, ticks u32 | pulses leave at even distances of at most 2^timer_bits - 1 ticks and at most at "
+           "max_pulse_frequency; 0 pulses: a pause; ticks and pulses add up to cycle_ticks and cycle_pulses; "
+           "cycle_pulses + remainder / divisor = K Z / N exactly |\n"
+           "| CamPoints | PositionMove, SpeedMove, PointCam | 2 to "
+        << camPointCapacity
+        << " | position i32 in 1/256 pulse from the first row, slope i32 in 1/256 pulse per interval | the first position "
+           "is 0; the last one is advance + remainder / divisor, to 1/256 pulse; neither a step nor a slope is faster "
+           "than max_pulse_frequency; up to "
+        << knotCapacity
+        << " knots follow: master u32 in 0.0001 deg, slave i32 in 0.001 mm |\n"
+           "| Intervals | PositionMove, SpeedMove | 1 to "
+        << intervalCapacity
+        << " | distance, first speed, last speed, acceleration, u32 each | speeds in 2^-fraction_bits of an accumulator's "
+           "unit; the distance is long enough for its change of speed: 2 acceleration distance >= difference of the "
+           "squares of the speeds; distances add up to advance |\n"
+           "| PressStages | Press | "
+        << stageCount
+        << " | frequency u32 in Hz, end i32 in pulses, force u32 in N, time u32 in ms | approach, probe, press, hold, "
+           "return; ends ascend; ramps take at most 1000 ms; the ends are the positions of the header, to one "
+           "pulse |\n\n"
+           "A position move's advance is its distance, to one pulse. Seal answers BadHeader or BadSum with the offset of "
+           "the header register in\n`transfer_result.detail`, BadRow with the number of the row, from 0.\n\n";
+}
+
 void printMarkdown(std::ostream& out)
 {
     out << "# Register map " << mapMajor << '.' << mapMinor
@@ -155,7 +264,9 @@ void printMarkdown(std::ostream& out)
            "Addresses are those of the frame, counted from 0. Values of two registers have the high word "
            "first; text is UTF-8, two\n"
            "bytes a register, the first in the upper half, padded with zeros. Physical value = raw value x "
-           "scale.\n\n"
+           "scale.\n\n";
+    printRules(out);
+    out << "## Registers\n\n"
            "| address | name | type | access | scale, unit | range (default) | meaning "
            "|\n|---|---|---|---|---|---|---|\n";
     out << std::setprecision(10);

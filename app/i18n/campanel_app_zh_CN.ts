@@ -1320,6 +1320,10 @@
         <source>The film or the infeed would have to run faster than the controller can drive it. Lower the rate.</source>
         <translation>薄膜或进料须快于控制器所能驱动的速度。请降低速率。</translation>
     </message>
+    <message>
+        <source>Another device on the line writes commands in the wrong order. Check what is connected.</source>
+        <translation>线路上另有设备以错误的顺序写入命令。请检查所连接的设备。</translation>
+    </message>
 </context>
 <context>
     <name>DifferencesText</name>
@@ -1394,6 +1398,10 @@
         <translation>无应答</translation>
     </message>
     <message>
+        <source>Echo only</source>
+        <translation>仅有回波</translation>
+    </message>
+    <message>
         <source>No such port</source>
         <translation>没有此端口</translation>
     </message>
@@ -1440,6 +1448,10 @@
     <message>
         <source>Not a single byte comes. Check that the controller has power and that the cable is plugged in at both ends; on RS-232 the transmit and receive wires must be crossed, on RS-485 A and B may be swapped.</source>
         <translation>一个字节也没有收到。请检查控制器是否通电、电缆两端是否插好；RS-232 的收发线必须交叉，RS-485 的 A、B 可能接反。</translation>
+    </message>
+    <message>
+        <source>The adapter returns what the panel sends, and no controller answers. Check that the controller has power, that the cable is plugged in at both ends, and that A and B are not swapped.</source>
+        <translation>适配器将面板发送的内容原样返回，没有控制器应答。请检查控制器是否通电、电缆两端是否插好，以及 A、B 线是否接反。</translation>
     </message>
     <message>
         <source>%1 The USB adapter collects bytes for %2 ms before it hands them on, which slows the line down: set its latency timer to 1 ms.</source>

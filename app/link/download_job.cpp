@@ -35,7 +35,7 @@ DownloadStage stageOf(Phase phase)
 DownloadJob::DownloadJob(std::vector<std::uint16_t> bank, const modbus::Identity& controller,
                          std::uint16_t session)
     : m_download(std::move(bank), controller,
-                 {modbus::ProgramKind::RotaryCutter, modbus::ApplyMode::NextCycle, session, false})
+                 {modbus::ApplyMode::NextCycle, session, false})
 {
     m_report.crc = m_download.crc();
 }

@@ -13,6 +13,7 @@
 /* Keeps every product of the angle arithmetic inside 64 bits. */
 #define MAX_PULSES_PER_MOTOR_REV 10000000u
 #define FULL_CIRCLE 36000u /* 0.01 degrees */
+#define US_PER_S 1000000u
 #define NOTHING_BAD CTL_BANK_HEADER_REGISTERS
 
 /* What differs from layout to layout. */
@@ -193,9 +194,20 @@ uint16_t ctl_bank_knife_angle(const ctl_bank* bank, int64_t position)
     return (uint16_t)((uint64_t)rest * FULL_CIRCLE / (uint64_t)revolution);
 }
 
-uint32_t ctl_bank_bad_cycle(const ctl_bank* bank)
+bool ctl_bank_is_distance(const ctl_bank* bank, int64_t pulses, int64_t length_um)
 {
-    if (ctl_bank_cycle_ticks(bank) == 0)
+    const uint64_t feed_um = wide(bank, kind_of(bank)->length);
+    const uint64_t per_revolution = wide(bank, kind_of(bank)->pulses_per_motor_rev);
+    const uint64_t moved = (uint64_t)(pulses < 0 ? -pulses : pulses) * feed_um;
+    const uint64_t wanted = (uint64_t)(length_um < 0 ? -length_um : length_um) * per_revolution;
+    const bool same_way = pulses == 0 || length_um == 0 || (pulses < 0) == (length_um < 0);
+    return same_way ? (moved > wanted ? moved - wanted : wanted - moved) <= feed_um
+                    : moved <= feed_um && wanted <= feed_um;
+}
+
+uint32_t ctl_bank_bad_cycle(const ctl_bank* bank, const ctl_config* config)
+{
+    if ((uint64_t)ctl_bank_cycle_ticks(bank) * US_PER_S < (uint64_t)config->timer_clock_hz * CTL_MIN_CYCLE_US)
         return CTL_OFFSET_BANK_CYCLE_TICKS;
     if (ctl_bank_divisor(bank) == 0)
         return CTL_OFFSET_BANK_DIVISOR;
@@ -219,7 +231,21 @@ static uint32_t bad_header_offset(const ctl_bank* bank, uint32_t length)
     const uint32_t per_revolution = wide(bank, kind_of(bank)->pulses_per_motor_rev);
     if (per_revolution == 0 || per_revolution > MAX_PULSES_PER_MOTOR_REV)
         return kind_of(bank)->pulses_per_motor_rev;
+    /* The knife's radius or the feed. */
+    if (wide(bank, kind_of(bank)->length) == 0 || wide(bank, kind_of(bank)->length) > INT32_MAX)
+        return kind_of(bank)->length;
     return NOTHING_BAD;
+}
+
+/* Returns true when a cycle turns the shaft from one knife to the next, by K Z / N pulses exactly: a knife that
+ * came short of it would slip from bag to bag. */
+static bool is_one_knife(const ctl_bank* bank)
+{
+    const uint64_t parts = (uint64_t)bank->registers[CTL_OFFSET_PROGRAM_KNIVES] *
+                           bank->registers[CTL_OFFSET_PROGRAM_GEAR_DENOMINATOR];
+    const uint64_t turn = scaled_revolution(bank);
+    return wide(bank, CTL_OFFSET_BANK_CYCLE_PULSES) == turn / parts &&
+           ctl_bank_remainder(bank) * parts == turn % parts * ctl_bank_divisor(bank);
 }
 
 ctl_verdict ctl_bank_check(const ctl_bank* bank, const ctl_config* config, uint32_t length)
@@ -227,7 +253,16 @@ ctl_verdict ctl_bank_check(const ctl_bank* bank, const ctl_config* config, uint3
     const uint32_t bad_offset = bad_header_offset(bank, length);
     if (bad_offset != NOTHING_BAD)
         return ctl_refuse(CTL_TRANSFER_RESULT_BAD_HEADER, bad_offset);
-    return layout_of(bank)->check(bank, config);
+    const ctl_verdict verdict = layout_of(bank)->check(bank, config);
+    if (verdict.result != CTL_TRANSFER_RESULT_ACCEPTED)
+        return verdict;
+    if (has_knife(bank) && !is_one_knife(bank))
+        return ctl_refuse(CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_PROGRAM_PULSES_PER_MOTOR_REV);
+    if (ctl_bank_kind(bank) == CTL_PROGRAM_KIND_POSITION_MOVE &&
+        !ctl_bank_is_distance(bank, (int32_t)wide(bank, CTL_OFFSET_BANK_ADVANCE),
+                              (int32_t)wide(bank, CTL_OFFSET_POSITION_MOVE_DISTANCE)))
+        return ctl_refuse(CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_POSITION_MOVE_DISTANCE);
+    return verdict;
 }
 
 bool ctl_bank_same_machine(const ctl_bank* one, const ctl_bank* other)

@@ -63,9 +63,13 @@ static inline ctl_verdict ctl_refuse(uint16_t result, uint32_t detail)
     const ctl_verdict verdict = {result, (uint16_t)detail};
     return verdict;
 }
-/* For the checks of the layouts that have a cycle: the header register of its time, its remainder or its
- * divisor that is outside its range; CTL_BANK_HEADER_REGISTERS when there is none. */
-uint32_t ctl_bank_bad_cycle(const ctl_bank* bank);
+/* The shortest cycle. A slice is shorter, so it crosses at most one boundary between cycles. */
+#define CTL_MIN_CYCLE_US 2000u
+/* Returns the header register of the cycle's time, its remainder or its divisor that is outside its range;
+ * CTL_BANK_HEADER_REGISTERS when there is none. */
+uint32_t ctl_bank_bad_cycle(const ctl_bank* bank, const ctl_config* config);
+/* Returns true when `pulses` of the rows are the header's `length_um` of an axis, to one pulse. */
+bool ctl_bank_is_distance(const ctl_bank* bank, int64_t pulses, int64_t length_um);
 /* The kind and the data of the machine are the same (knife radius, knives and gear, or the feed; pulses per
  * revolution): the axis need not stand still for a change. */
 bool ctl_bank_same_machine(const ctl_bank* one, const ctl_bank* other);

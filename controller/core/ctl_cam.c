@@ -52,11 +52,9 @@ static uint64_t update_ticks(const ctl_config* config)
 static uint32_t bad_header_offset(const ctl_bank* bank, const ctl_config* config)
 {
     const uint16_t* header = bank->registers;
-    const uint32_t bad_cycle = ctl_bank_bad_cycle(bank);
+    const uint32_t bad_cycle = ctl_bank_bad_cycle(bank, config);
     if (bad_cycle != CTL_BANK_HEADER_REGISTERS)
         return bad_cycle;
-    if (ctl_bank_cycle_ticks(bank) < update_ticks(config))
-        return CTL_OFFSET_BANK_CYCLE_TICKS;
     if (header[CTL_OFFSET_BANK_END_BEHAVIOR] > CTL_END_BEHAVIOR_HOLD_SPEED)
         return CTL_OFFSET_BANK_END_BEHAVIOR;
     if (header[CTL_OFFSET_CAM_RAMP_SHAPE] > CTL_RAMP_SHAPE_SCURVE)

@@ -61,6 +61,9 @@ static uint16_t set_clock(ctl_core* core, const uint16_t* request)
 
 static uint16_t carry_out(ctl_core* core, const uint16_t* request)
 {
+    /* A master that writes the counter first, register by register, would repeat an old command. */
+    if (!core->written.command_code_is_new)
+        return CTL_REFUSAL_CODE_NOT_WRITTEN;
     switch (request[CODE]) {
     case CTL_COMMAND_START:
         return ctl_motion_start(core);

@@ -55,7 +55,7 @@ typedef struct ctl_core {
     uint32_t tick_rest; /* of the timer ticks since power-up, in 1 / 1 000 000 */
     ctl_rtu rtu;
     ctl_written written;
-    uint16_t command_result[4];
+    uint16_t command_result[CTL_GROUP_RESULT];
     ctl_banks banks;
     ctl_transfer transfer;
     ctl_flash flash;

@@ -13,7 +13,7 @@
 #define OLD_MAGIC 0x43414D32u /* "CAM2": fewer parameters */
 #define BLANK 0xFFFFFFFFu
 #define FIXED_REGISTERS 6u
-#define HEAD_REGISTERS (FIXED_REGISTERS + CTL_PARAMETER_REGISTERS)
+#define HEAD_REGISTERS (FIXED_REGISTERS + CTL_GROUP_PARAMETER)
 #define CHUNK_REGISTERS 32u
 
 typedef struct {
@@ -73,7 +73,7 @@ static bool read_slot(ctl_core* core, uint32_t slot, uint16_t* head, ctl_bank* b
     /* What an older slot does not hold keeps its default. */
     memcpy(&head[FIXED_REGISTERS], core->written.parameter, sizeof core->written.parameter);
     read_some(&stream, &head[FIXED_REGISTERS],
-              magic == MAGIC ? CTL_PARAMETER_REGISTERS : CTL_OLD_PARAMETER_REGISTERS);
+              magic == MAGIC ? CTL_GROUP_PARAMETER : CTL_OLD_PARAMETER_REGISTERS);
     read_some(&stream, bank->registers, CTL_BANK_HEADER_REGISTERS);
     if (!stream.ok || ctl_bank_length(bank) > CTL_BANK_REGISTERS)
         return false;

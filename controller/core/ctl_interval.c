@@ -174,9 +174,9 @@ static bool row_fits(ctl_interval_row row, uint32_t fraction, const ctl_config* 
 }
 
 /* Offset of the first header register outside its range; CTL_BANK_HEADER_REGISTERS when there is none. */
-static uint32_t bad_header_offset(const ctl_bank* bank)
+static uint32_t bad_header_offset(const ctl_bank* bank, const ctl_config* config)
 {
-    const uint32_t bad_cycle = ctl_bank_bad_cycle(bank);
+    const uint32_t bad_cycle = ctl_bank_bad_cycle(bank, config);
     if (bad_cycle != CTL_BANK_HEADER_REGISTERS)
         return bad_cycle;
     if (advance_of(bank) == 0 || advance_of(bank) == INT32_MIN)
@@ -192,7 +192,7 @@ static uint32_t bad_header_offset(const ctl_bank* bank)
 
 ctl_verdict ctl_interval_check(const ctl_bank* bank, const ctl_config* config)
 {
-    const uint32_t bad_offset = bad_header_offset(bank);
+    const uint32_t bad_offset = bad_header_offset(bank, config);
     if (bad_offset != CTL_BANK_HEADER_REGISTERS)
         return ctl_refuse(CTL_TRANSFER_RESULT_BAD_HEADER, bad_offset);
     const uint32_t rows = ctl_bank_row_count(bank);

@@ -9,45 +9,16 @@
 
 #include <string.h>
 
-typedef enum {
-    GROUP_IDENTITY,
-    GROUP_CLOCK,
-    GROUP_PARAMETER,
-    GROUP_STATUS,
-    GROUP_PACKER,
-    GROUP_EXCHANGE,
-    GROUP_COMMAND,
-    GROUP_RESULT,
-    GROUP_TRANSFER,
-    GROUP_TRANSFER_RESULT,
-    GROUP_READBACK,
-    GROUP_READBACK_RESULT,
-    GROUP_ACTIVE,
-    GROUP_STAGED,
-    GROUPS
-} group_name;
+#define GROUP_NAME(name, base, count) GROUP_##name,
+typedef enum { CTL_GROUPS(GROUP_NAME) GROUPS } group_name;
 
 typedef struct {
     uint16_t base;
     uint16_t count;
 } group_range;
 
-static const group_range ranges[GROUPS] = {
-    [GROUP_IDENTITY] = {CTL_REG_IDENTITY_DEVICE_TYPE, CTL_IDENTITY_REGISTERS},
-    [GROUP_CLOCK] = {CTL_REG_CLOCK_UNIX_TIME, 2},
-    [GROUP_PARAMETER] = {CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT, CTL_PARAMETER_REGISTERS},
-    [GROUP_STATUS] = {CTL_REG_STATUS_TAG, CTL_STATUS_REGISTERS},
-    [GROUP_PACKER] = {CTL_REG_PACKER_MARK_STATE, CTL_PACKER_REGISTERS},
-    [GROUP_EXCHANGE] = {CTL_REG_EXCHANGE_TAG, 3},
-    [GROUP_COMMAND] = {CTL_REG_COMMAND_COUNTER, 6},
-    [GROUP_RESULT] = {CTL_REG_RESULT_COUNTER, 4},
-    [GROUP_TRANSFER] = {CTL_REG_TRANSFER_SESSION, 4 + CTL_BLOCK_REGISTERS},
-    [GROUP_TRANSFER_RESULT] = {CTL_REG_TRANSFER_RESULT_SESSION, CTL_TRANSFER_RESULT_REGISTERS},
-    [GROUP_READBACK] = {CTL_REG_READBACK_TAG, 3},
-    [GROUP_READBACK_RESULT] = {CTL_REG_READBACK_RESULT_TAG, 3 + CTL_READBACK_REGISTERS},
-    [GROUP_ACTIVE] = {CTL_ACTIVE_BANK_BASE, CTL_BANK_REGISTERS},
-    [GROUP_STAGED] = {CTL_STAGED_BANK_BASE, CTL_BANK_REGISTERS},
-};
+#define GROUP_RANGE(name, base, count) {base, count},
+static const group_range ranges[GROUPS] = {CTL_GROUPS(GROUP_RANGE)};
 
 typedef struct {
     uint16_t address;
@@ -58,43 +29,9 @@ typedef struct {
 } limit;
 
 #define SIGNED 0u
-#define LIMIT(name, words) CTL_REG_##name, words, CTL_MIN_##name, CTL_MAX_##name, CTL_DEFAULT_##name
-
-/* All parameters, of the others only those that are narrower than their registers. */
-static const limit limits[] = {
-    {LIMIT(PARAMETER_HEARTBEAT_TIMEOUT, 1)},
-    {LIMIT(PARAMETER_HEARTBEAT_LOST_ACTION, 1)},
-    {LIMIT(PARAMETER_RAMP_TIME, 1)},
-    {LIMIT(PARAMETER_JOG_FREQUENCY, 2)},
-    {LIMIT(PARAMETER_HOME_FREQUENCY, 2)},
-    {LIMIT(PARAMETER_FOLLOWING_ERROR_LIMIT, 2)},
-    {LIMIT(PARAMETER_MASTER_DIRECTION, 1)},
-    {LIMIT(PARAMETER_MARK_TRACKING, 1)},
-    {LIMIT(PARAMETER_MARK_DISTANCE, 2)},
-    {LIMIT(PARAMETER_MARK_OFFSET, 2)},
-    {LIMIT(PARAMETER_MARK_WINDOW, 1)},
-    {LIMIT(PARAMETER_MARK_MISSING_LIMIT, 1)},
-    {LIMIT(PARAMETER_PHASE_GAIN, 1)},
-    {LIMIT(PARAMETER_LENGTH_GAIN, 1)},
-    {LIMIT(PARAMETER_PHASE_LIMIT, 1)},
-    {LIMIT(PARAMETER_LENGTH_LIMIT, 1)},
-    {LIMIT(PARAMETER_LENGTH_TRIM, SIGNED)},
-    {LIMIT(PARAMETER_ANTI_CUT, 1)},
-    {LIMIT(PARAMETER_CUT_CLEARANCE, 1)},
-    {LIMIT(PARAMETER_EMPTY_BAG, 1)},
-    {LIMIT(PARAMETER_SKIP_LIMIT, 1)},
-    {LIMIT(PARAMETER_FILM_FEED, 2)},
-    {LIMIT(PARAMETER_FILM_PULSES, 2)},
-    {LIMIT(PARAMETER_PRODUCT_DISTANCE, 2)},
-    {LIMIT(PARAMETER_FLIGHT_PITCH, 2)},
-    {LIMIT(PARAMETER_FLIGHT_PULSES, 2)},
-    {LIMIT(PARAMETER_EYE_DISTANCE, 2)},
-    {LIMIT(EXCHANGE_JOG, 1)},
-    {LIMIT(COMMAND_CODE, 1)},
-    {LIMIT(TRANSFER_OPERATION, 1)},
-    {LIMIT(TRANSFER_LENGTH, 1)},
-    {LIMIT(READBACK_COUNT, 1)},
-};
+#define LIMIT(name, words) \
+    {CTL_REG_##name, words, CTL_MIN_##name, CTL_MAX_##name, CTL_DEFAULT_##name},
+static const limit limits[] = {CTL_LIMITS(LIMIT)};
 
 #define LIMIT_COUNT (sizeof limits / sizeof limits[0])
 
@@ -131,10 +68,20 @@ static void zero(uint16_t* values, uint32_t count)
     memset(values, 0, count * sizeof values[0]);
 }
 
+/* The groups that are put together when they are read. */
+typedef union {
+    uint16_t identity[CTL_GROUP_IDENTITY];
+    uint16_t clock[CTL_GROUP_CLOCK];
+    uint16_t status[CTL_GROUP_STATUS];
+    uint16_t packer[CTL_GROUP_PACKER];
+    uint16_t transfer_result[CTL_GROUP_TRANSFER_RESULT];
+} assembled_group;
+
 /* Registers first..first+count of a group. */
 static void read_group(ctl_core* core, group_name group, uint32_t first, uint16_t* values, uint32_t count)
 {
-    uint16_t taken[CTL_PACKER_REGISTERS]; /* the widest of the groups that are put together when asked for */
+    assembled_group assembled;
+    uint16_t* const taken = assembled.packer;
     const uint16_t* source = taken;
     switch (group) {
     case GROUP_IDENTITY:
@@ -221,7 +168,7 @@ static bool within_limits(const uint16_t* values, uint32_t base, uint32_t count)
 
 int ctl_map_parameters_valid(const uint16_t* parameter)
 {
-    return within_limits(parameter, CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT, CTL_PARAMETER_REGISTERS);
+    return within_limits(parameter, CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT, CTL_GROUP_PARAMETER);
 }
 
 /* Reads the registers asked for into the answer; nothing when the range cannot be read. */
@@ -249,13 +196,26 @@ static void act(ctl_core* core, uint32_t address, uint32_t count)
 {
     if (covers(address, count, CTL_REG_EXCHANGE_HEARTBEAT))
         ctl_exchange_heartbeat(core);
-    if (covers(address, count, CTL_REG_COMMAND_COUNTER))
+    if (covers(address, count, CTL_REG_COMMAND_CODE))
+        core->written.command_code_is_new = true;
+    if (covers(address, count, CTL_REG_COMMAND_COUNTER)) {
         ctl_command(core);
+        core->written.command_code_is_new = false;
+    }
     if (covers(address, count, CTL_REG_TRANSFER_OPERATION))
         ctl_transfer_operation(core);
     if (covers(address, count, CTL_REG_READBACK_TAG))
         read_back(core);
 }
+
+/* The groups that the panel writes. */
+typedef union {
+    uint16_t parameter[CTL_GROUP_PARAMETER];
+    uint16_t exchange[CTL_GROUP_EXCHANGE];
+    uint16_t command[CTL_GROUP_COMMAND];
+    uint16_t transfer[CTL_GROUP_TRANSFER];
+    uint16_t readback[CTL_GROUP_READBACK];
+} writable_group;
 
 uint8_t ctl_map_write(ctl_core* core, uint32_t address, const uint16_t* values, uint32_t count)
 {
@@ -265,7 +225,7 @@ uint8_t ctl_map_write(ctl_core* core, uint32_t address, const uint16_t* values, 
     uint16_t* target = writable(core, group);
     if (target == NULL)
         return CTL_ILLEGAL_ADDRESS;
-    uint16_t changed[4 + CTL_BLOCK_REGISTERS]; /* the widest group */
+    uint16_t changed[sizeof(writable_group) / sizeof(uint16_t)];
     memcpy(changed, target, ranges[group].count * sizeof changed[0]);
     memcpy(&changed[address - ranges[group].base], values, count * sizeof changed[0]);
     if (!within_limits(changed, ranges[group].base, ranges[group].count))
@@ -280,7 +240,7 @@ void ctl_map_init(ctl_core* core)
     const uint32_t base = CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT;
     for (uint32_t i = 0; i < LIMIT_COUNT; ++i) {
         const limit* row = &limits[i];
-        if (row->address < base || row->address - base >= CTL_PARAMETER_REGISTERS)
+        if (row->address < base || row->address - base >= CTL_GROUP_PARAMETER)
             continue;
         uint16_t* at = &core->written.parameter[row->address - base];
         if (row->words == 2)

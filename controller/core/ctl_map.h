@@ -6,6 +6,7 @@
 
 #include "ctl_registers.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #ifdef __cplusplus
@@ -19,18 +20,18 @@ extern "C" {
 
 /* Up to map 1.1 there were ten parameters; a flash of then holds those. */
 #define CTL_OLD_PARAMETER_REGISTERS 10u
-#define CTL_PARAMETER_REGISTERS (CTL_REG_PARAMETER_EYE_DISTANCE + 2u - CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT)
 
 struct ctl_core;
 
 /* Writable registers as the panel left them, each group at its address in the map. */
 typedef struct {
-    uint16_t parameter[CTL_PARAMETER_REGISTERS];
-    uint16_t exchange[3];
-    uint16_t command[6];
-    uint16_t transfer[4 + CTL_BLOCK_REGISTERS];
-    uint16_t readback[3];
-    uint16_t readback_result[3 + CTL_READBACK_REGISTERS];
+    uint16_t parameter[CTL_GROUP_PARAMETER];
+    uint16_t exchange[CTL_GROUP_EXCHANGE];
+    uint16_t command[CTL_GROUP_COMMAND];
+    uint16_t transfer[CTL_GROUP_TRANSFER];
+    uint16_t readback[CTL_GROUP_READBACK];
+    uint16_t readback_result[CTL_GROUP_READBACK_RESULT];
+    bool command_code_is_new; /* written since the last command */
 } ctl_written;
 
 void ctl_map_init(struct ctl_core* core);

@@ -17,8 +17,6 @@
 extern "C" {
 #endif
 
-#define CTL_PACKER_REGISTERS                                                                                 \
-    (CTL_REG_PACKER_SEEN_PRODUCTS + 2u * CTL_VIEW_PRODUCTS - CTL_REG_PACKER_MARK_STATE)
 #define CTL_BAG_REGISTERS 4u
 
 struct ctl_core;

@@ -118,8 +118,8 @@ static void put_view(const ctl_core* core, uint16_t* registers)
 void ctl_packer_registers(const ctl_core* core, uint16_t* registers)
 {
     const ctl_packer* packer = &core->packer;
-    memset(registers, 0, CTL_PACKER_REGISTERS * sizeof registers[0]);
-    for (uint32_t i = CTL_REG_PACKER_CUTS - CTL_REG_PACKER_MARK_STATE; i < CTL_PACKER_REGISTERS; ++i)
+    memset(registers, 0, CTL_GROUP_PACKER * sizeof registers[0]);
+    for (uint32_t i = CTL_REG_PACKER_CUTS - CTL_REG_PACKER_MARK_STATE; i < CTL_GROUP_PACKER; ++i)
         registers[i] = NOTHING;
     if (packer->bank == NULL)
         return;

@@ -149,7 +149,7 @@ static void put_motion(const ctl_core* core, uint16_t* registers)
 void ctl_status(const ctl_core* core, uint16_t* registers)
 {
     const uint64_t up_us = core->now_us - core->started_us;
-    memset(registers, 0, CTL_STATUS_REGISTERS * sizeof registers[0]);
+    memset(registers, 0, CTL_GROUP_STATUS * sizeof registers[0]);
     put(registers, CTL_REG_STATUS_TAG, core->written.exchange[0]);
     put(registers, CTL_REG_STATUS_HEARTBEAT, core->written.exchange[1]);
     put(registers, CTL_REG_STATUS_STATE, core->motion.state);

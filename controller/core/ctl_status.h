@@ -11,9 +11,6 @@
 extern "C" {
 #endif
 
-#define CTL_IDENTITY_REGISTERS (CTL_REG_IDENTITY_MAX_PULSE_FREQUENCY + 2u)
-#define CTL_STATUS_REGISTERS (CTL_REG_STATUS_SAMPLE_TIME + 1u - CTL_REG_STATUS_TAG)
-
 struct ctl_core;
 
 void ctl_identity(const struct ctl_core* core, uint16_t* registers);

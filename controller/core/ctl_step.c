@@ -14,13 +14,13 @@ ctl_row ctl_step_row(const ctl_bank* bank, uint32_t index)
 }
 
 /* Offset of the first header register outside its range; CTL_BANK_HEADER_REGISTERS when there is none. */
-static uint32_t bad_header_offset(const ctl_bank* bank)
+static uint32_t bad_header_offset(const ctl_bank* bank, const ctl_config* config)
 {
     static const uint8_t angles[] = {CTL_OFFSET_BANK_CUT_ANGLE, CTL_OFFSET_BANK_SYNC_START,
                                      CTL_OFFSET_BANK_SYNC_END};
     static const uint8_t not_zero[] = {CTL_OFFSET_PROGRAM_KNIVES, CTL_OFFSET_PROGRAM_GEAR_NUMERATOR,
                                        CTL_OFFSET_PROGRAM_GEAR_DENOMINATOR};
-    const uint32_t bad_cycle = ctl_bank_bad_cycle(bank);
+    const uint32_t bad_cycle = ctl_bank_bad_cycle(bank, config);
     if (bad_cycle != CTL_BANK_HEADER_REGISTERS)
         return bad_cycle;
     if (bank->registers[CTL_OFFSET_BANK_CARRY_ROW] >= ctl_bank_row_count(bank))
@@ -50,7 +50,7 @@ static bool row_fits(ctl_row row, const ctl_config* config)
 
 ctl_verdict ctl_step_check(const ctl_bank* bank, const ctl_config* config)
 {
-    const uint32_t bad_offset = bad_header_offset(bank);
+    const uint32_t bad_offset = bad_header_offset(bank, config);
     if (bad_offset != CTL_BANK_HEADER_REGISTERS)
         return ctl_refuse(CTL_TRANSFER_RESULT_BAD_HEADER, bad_offset);
 

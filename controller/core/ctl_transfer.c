@@ -8,6 +8,7 @@
 
 /* The transfer registers as written by the panel. */
 enum { SESSION = 0, OPERATION = 1, BLOCK = 2, LENGTH = 3, DATA = 4 };
+_Static_assert(CTL_GROUP_TRANSFER == DATA + CTL_BLOCK_REGISTERS, "the payload ends the group");
 
 static uint32_t block_count(const ctl_transfer* transfer)
 {
@@ -98,6 +99,10 @@ static uint16_t seal(ctl_core* core, const uint16_t* request)
         return CTL_TRANSFER_RESULT_ACCEPTED;
     if (next_missing(transfer) != block_count(transfer))
         return CTL_TRANSFER_RESULT_BLOCKS_MISSING;
+    if (ctl_bank_kind(ctl_staged_bank(core)) != transfer->kind) {
+        transfer->detail = CTL_OFFSET_BANK_KIND;
+        return CTL_TRANSFER_RESULT_BAD_HEADER;
+    }
     const ctl_verdict verdict = ctl_bank_check(ctl_staged_bank(core), &core->config, transfer->length);
     transfer->detail = verdict.detail;
     if (verdict.result != CTL_TRANSFER_RESULT_ACCEPTED)

@@ -12,7 +12,6 @@
 extern "C" {
 #endif
 
-#define CTL_TRANSFER_RESULT_REGISTERS 8u
 #define CTL_TRANSFER_BLOCK_WORDS ((CTL_BANK_REGISTERS / CTL_BLOCK_REGISTERS + 32u) / 32u)
 
 struct ctl_core;

@@ -217,7 +217,7 @@ FrameBytes secondMasterRequest(std::span<const std::uint8_t> panelRequest, std::
     // Of a command or a transfer only the result is read: an answer as long as the panel's.
     return withCrc(requestOf(unit, Read,
                              {function == ReadWrite ? address : std::uint16_t{CTL_REG_STATUS_TAG},
-                              function == ReadWrite ? count : std::uint16_t{CTL_STATUS_REGISTERS}}));
+                              function == ReadWrite ? count : std::uint16_t{CTL_GROUP_STATUS}}));
 }
 
 } // namespace campanel::controller

@@ -107,7 +107,7 @@ std::unique_ptr<ctl_bank> bankOf(std::span<const ctl_interval_row> rows, std::ui
     header[CTL_OFFSET_BANK_ROW_COUNT] = static_cast<std::uint16_t>(rows.size());
     header[CTL_OFFSET_BANK_END_BEHAVIOR] = CTL_END_BEHAVIOR_STOP;
     header[CTL_OFFSET_INTERVAL_FRACTION_BITS] = fraction;
-    ctl_put32(&header[CTL_OFFSET_BANK_CYCLE_TICKS], 1);
+    ctl_put32(&header[CTL_OFFSET_BANK_CYCLE_TICKS], 1'000'000);
     ctl_put32(&header[CTL_OFFSET_BANK_DIVISOR], 1);
     std::uint32_t pulses = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -380,7 +380,7 @@ void TestIntervalEngine::check_data()
     bad("no advance", CTL_OFFSET_BANK_ADVANCE, false, 0, CTL_TRANSFER_RESULT_BAD_HEADER);
     bad("no divisor", CTL_OFFSET_BANK_DIVISOR, false, 0, CTL_TRANSFER_RESULT_BAD_HEADER);
     bad("remainder", CTL_OFFSET_BANK_REMAINDER, false, 1, CTL_TRANSFER_RESULT_BAD_HEADER);
-    bad("no cycle ticks", CTL_OFFSET_BANK_CYCLE_TICKS, false, 0, CTL_TRANSFER_RESULT_BAD_HEADER);
+    bad("cycle too short", CTL_OFFSET_BANK_CYCLE_TICKS, false, 15'999, CTL_TRANSFER_RESULT_BAD_HEADER);
     bad("fraction bits", CTL_OFFSET_INTERVAL_FRACTION_BITS - 1, false, 9, CTL_TRANSFER_RESULT_BAD_HEADER);
     bad("sum", CTL_OFFSET_BANK_ADVANCE, false, 16, CTL_TRANSFER_RESULT_BAD_SUM);
     bad("wrong way", CTL_OFFSET_BANK_ADVANCE, false, 0u - 16u, CTL_TRANSFER_RESULT_BAD_SUM);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The download: order, repetition, interruption, every check of the rows, apply and its refusals.
 #include "rig.h"
+#include "support/cam_image.h"
+#include "support/interval_image.h"
+#include "support/press_image.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -39,10 +42,14 @@ private slots:
     void sealNamesWhatIsMissing();
     void sealChecksEveryRow_data();
     void sealChecksEveryRow();
+    void sealChecksTheAnnouncedKind();
+    void sealComparesRowsWithTheInputs_data();
+    void sealComparesRowsWithTheInputs();
     void largestTable();
     void applyRefusals();
     void armedBankIsLockedUntilCancelled();
     void commandIsCarriedOutOnce();
+    void counterAloneRepeatsNoCommand();
     void breakLeavesTheActiveProgram();
 };
 
@@ -197,6 +204,19 @@ void TestTransfer::sealChecksEveryRow_data()
         image.at(CTL_OFFSET_BANK_REMAINDER + 1) = 1;
         image.at(64 + 60) = 5000; // 40 ticks a pulse; one pulse more is too fast
     }) << int{CTL_TRANSFER_RESULT_BAD_ROW} << 20;
+    header("radius 0", CTL_OFFSET_PROGRAM_KNIFE_RADIUS + 1, 0, CTL_OFFSET_PROGRAM_KNIFE_RADIUS);
+    // K Z / N is not what the rows add up to: the knife would slip from bag to bag.
+    const auto slips = [](const char* tag, unsigned offset, std::uint16_t value) {
+        QTest::newRow(tag) << Change([=](Registers& image) { image.at(offset) = value; })
+                           << int{CTL_TRANSFER_RESULT_BAD_SUM} << int{CTL_OFFSET_PROGRAM_PULSES_PER_MOTOR_REV};
+    };
+    slips("another gear", CTL_OFFSET_PROGRAM_GEAR_NUMERATOR, 5);
+    slips("another gear denominator", CTL_OFFSET_PROGRAM_GEAR_DENOMINATOR, 3);
+    slips("more knives", CTL_OFFSET_PROGRAM_KNIVES, 65535);
+    slips("one pulse less a revolution", CTL_OFFSET_PROGRAM_PULSES_PER_MOTOR_REV + 1, 9999);
+    QTest::newRow("a cycle of one tick") << Change([](Registers& image) {
+        image = BankImage{.rows = {{0, 1}}}.registers();
+    }) << int{CTL_TRANSFER_RESULT_BAD_HEADER} << int{CTL_OFFSET_BANK_CYCLE_TICKS};
 }
 
 void TestTransfer::sealChecksEveryRow()
@@ -216,6 +236,47 @@ void TestTransfer::sealChecksEveryRow()
     QCOMPARE(answer[6] != 0 || answer[7] != 0, accepted);
     if (!accepted)
         QCOMPARE(rig.apply(image, CTL_APPLY_MODE_WHEN_STOPPED), CTL_REFUSAL_NOTHING_SEALED);
+}
+
+void TestTransfer::sealChecksTheAnnouncedKind()
+{
+    Rig rig;
+    QCOMPARE(rig.download(goodBank().registers(), 1, CTL_PROGRAM_KIND_POINT_CAM), CTL_TRANSFER_RESULT_BAD_HEADER);
+    QCOMPARE(rig.read(CTL_REG_TRANSFER_RESULT_SESSION, 8)[4], CTL_OFFSET_BANK_KIND);
+}
+
+void TestTransfer::sealComparesRowsWithTheInputs_data()
+{
+    QTest::addColumn<Registers>("image");
+    QTest::addColumn<unsigned>("offset");
+    const Registers move = quinticMove(20'000, 50, 8'000'000).registers();
+    QTest::newRow("position move by cam points") << move << unsigned{CTL_OFFSET_POSITION_MOVE_DISTANCE};
+    QTest::newRow("position move by intervals")
+        << trapezoidMove().registers() << unsigned{CTL_OFFSET_POSITION_MOVE_DISTANCE};
+    QTest::newRow("backwards") << trapezoidMove(true).registers() << unsigned{CTL_OFFSET_POSITION_MOVE_DISTANCE};
+    const Registers press = PressImage().registers();
+    QTest::newRow("end of approach") << press << unsigned{CTL_OFFSET_PRESS_APPROACH_POSITION};
+    QTest::newRow("end of probing") << press << unsigned{CTL_OFFSET_PRESS_PROBE_END};
+    QTest::newRow("end of pressing") << press << unsigned{CTL_OFFSET_PRESS_PRESS_POSITION};
+}
+
+// 100 mm a revolution of 10,000 pulses: a pulse is 10 um.
+void TestTransfer::sealComparesRowsWithTheInputs()
+{
+    QFETCH(Registers, image);
+    QFETCH(unsigned, offset);
+    Rig rig;
+    const std::uint32_t lengthUm = std::uint32_t{image.at(offset)} << 16 | image.at(offset + 1);
+    const auto sealed = [&](std::uint32_t um) {
+        image.at(offset) = static_cast<std::uint16_t>(um >> 16);
+        image.at(offset + 1) = static_cast<std::uint16_t>(um & 0xFFFFu);
+        return rig.download(image, 1);
+    };
+    QCOMPARE(sealed(lengthUm + 11), CTL_TRANSFER_RESULT_BAD_SUM);
+    QCOMPARE(rig.read(CTL_REG_TRANSFER_RESULT_SESSION, 8)[4], offset);
+    QCOMPARE(sealed(lengthUm - 11), CTL_TRANSFER_RESULT_BAD_SUM);
+    QCOMPARE(sealed(0u - lengthUm), CTL_TRANSFER_RESULT_BAD_SUM);
+    QCOMPARE(sealed(lengthUm), CTL_TRANSFER_RESULT_ACCEPTED);
 }
 
 void TestTransfer::largestTable()
@@ -282,6 +343,26 @@ void TestTransfer::commandIsCarriedOutOnce()
     QCOMPARE(rig.read(CTL_REG_RESULT_COUNTER, 4),
              (Registers{43, CTL_COMMAND_START, CTL_COMMAND_STATUS_REFUSED, CTL_REFUSAL_NO_ACTIVE_PROGRAM}));
     QCOMPARE(rig.command(CTL_COMMAND_NONE), CTL_REFUSAL_UNKNOWN_COMMAND);
+}
+
+// Single registers in ascending order: the old code is still there when the counter comes.
+void TestTransfer::counterAloneRepeatsNoCommand()
+{
+    Rig rig;
+    Registers command{42, CTL_COMMAND_SET_CLOCK, 0, 0, 1, 0};
+    rig.write(CTL_REG_COMMAND_COUNTER, command);
+    rig.run(3'000'000);
+    const auto refused = [&rig](std::uint16_t counter) {
+        rig.write(CTL_REG_COMMAND_COUNTER, {counter});
+        return rig.read(CTL_REG_RESULT_COUNTER, 4) == Registers{counter, CTL_COMMAND_SET_CLOCK,
+                                                                CTL_COMMAND_STATUS_REFUSED,
+                                                                CTL_REFUSAL_CODE_NOT_WRITTEN};
+    };
+    QVERIFY(refused(43));
+    command[0] = 43;
+    rig.write(CTL_REG_COMMAND_COUNTER, command); // a frame that is repeated does not prepare one either
+    QVERIFY(refused(44));
+    QCOMPARE(rig.statusWide(CTL_REG_CLOCK_UNIX_TIME), 65536u + 3u);
 }
 
 void TestTransfer::breakLeavesTheActiveProgram()

@@ -38,10 +38,12 @@ private slots:
     void refusedRowLeavesTheActiveProgram();
     void differingRegisterIsNamed();
     void tooLongAnImageIsNotSent();
+    void kindIsThatOfTheImage();
     void withdrawnElsewhere();
 
 private:
     [[nodiscard]] Download make(Download::Options options = {});
+    void setKind(ProgramKind kind) { m_image.at(registerNamed("bank.kind").address) = static_cast<std::uint16_t>(kind); }
     // Steps with a status exchange in between, until the phase is reached; link errors are repeated.
     [[nodiscard]] bool run(Download& download, Download::Phase until);
     [[nodiscard]] tl::expected<Download::Phase, DownloadError> pollStatus(Download& download);
@@ -67,6 +69,7 @@ void DownloadTest::init()
     m_image.resize(bankHeaderRegisters + 3 * 150);
     for (std::uint16_t& value : m_image)
         value = static_cast<std::uint16_t>(random());
+    setKind(ProgramKind::RotaryCutter);
 }
 
 void DownloadTest::cleanup()
@@ -106,7 +109,7 @@ bool DownloadTest::run(Download& download, Download::Phase until)
 
 void DownloadTest::becomesActiveAtTheCycleBoundary()
 {
-    Download download = make({ProgramKind::RotaryCutter, ApplyMode::NextCycle, 21, true});
+    Download download = make({ApplyMode::NextCycle, 21, true});
     QCOMPARE(download.progress(), 0.0);
     double last = 0.0;
     while (download.phase() != Download::Phase::AwaitActive) {
@@ -127,7 +130,7 @@ void DownloadTest::becomesActiveAtTheCycleBoundary()
 
 void DownloadTest::appliedAtOnceWhenStopped()
 {
-    Download download = make({ProgramKind::RotaryCutter, ApplyMode::WhenStopped, 22, false});
+    Download download = make({ApplyMode::WhenStopped, 22, false});
     QVERIFY(run(download, Download::Phase::Active));
 }
 
@@ -147,14 +150,14 @@ void DownloadTest::linkErrorsAreRepeated()
     const auto ok = Fault::None;
     // Begin, the second block, seal and apply meet the fault; status exchanges go between.
     m_slave->script({ok, f, ok, ok, ok, f, ok, ok, ok, f, ok, ok, f, ok, ok, f});
-    Download download = make({ProgramKind::RotaryCutter, ApplyMode::WhenStopped, 23, true});
+    Download download = make({ApplyMode::WhenStopped, 23, true});
     QVERIFY(run(download, Download::Phase::Active));
     QCOMPARE(m_slave->commandsExecuted(), 1);
 }
 
 void DownloadTest::resumesAtTheMissingBlock()
 {
-    Download download = make({ProgramKind::RotaryCutter, ApplyMode::WhenStopped, 24, false});
+    Download download = make({ApplyMode::WhenStopped, 24, false});
     QVERIFY(run(download, Download::Phase::Blocks));
     QVERIFY(download.advance(*m_client).has_value());
     QVERIFY(download.advance(*m_client).has_value());
@@ -171,7 +174,7 @@ void DownloadTest::resumesAtTheMissingBlock()
 
 void DownloadTest::beginsAgainAfterARestartOfTheController()
 {
-    Download download = make({ProgramKind::RotaryCutter, ApplyMode::WhenStopped, 25, false});
+    Download download = make({ApplyMode::WhenStopped, 25, false});
     QVERIFY(run(download, Download::Phase::Seal));
     m_slave->forgetTransfer();
     download.resume();
@@ -193,7 +196,7 @@ void DownloadTest::beginsAgainWhenNobodySawTheRestart()
 {
     QFETCH(int, phase);
     QFETCH(bool, verify);
-    Download download = make({ProgramKind::RotaryCutter, ApplyMode::WhenStopped, 28, verify});
+    Download download = make({ApplyMode::WhenStopped, 28, verify});
     QVERIFY(run(download, static_cast<Download::Phase>(phase)));
     m_slave->restart();
     QVERIFY(run(download, Download::Phase::Active));
@@ -210,7 +213,7 @@ void DownloadTest::resumedAfterApplyWasSent_data()
 void DownloadTest::resumedAfterApplyWasSent()
 {
     QFETCH(int, mode);
-    Download download = make({ProgramKind::RotaryCutter, static_cast<ApplyMode>(mode), 29, false});
+    Download download = make({static_cast<ApplyMode>(mode), 29, false});
     QVERIFY(run(download, Download::Phase::Apply));
     m_slave->script({Fault::LostAnswer, Fault::LostRequest, Fault::LostRequest, Fault::LostRequest});
     QVERIFY(!download.advance(*m_client).has_value());
@@ -236,7 +239,7 @@ void DownloadTest::applyWithoutAnyAnswer()
 {
     QFETCH(int, mode);
     QFETCH(bool, statusFirst);
-    Download download = make({ProgramKind::RotaryCutter, static_cast<ApplyMode>(mode), 27, false});
+    Download download = make({static_cast<ApplyMode>(mode), 27, false});
     QVERIFY(run(download, Download::Phase::Apply));
     // The command is carried out, but neither its answer nor any question for its result comes through.
     m_slave->script({Fault::LostAnswer, Fault::LostRequest, Fault::LostRequest, Fault::LostRequest});
@@ -288,7 +291,7 @@ void DownloadTest::refusedRowLeavesTheActiveProgram()
 
 void DownloadTest::differingRegisterIsNamed()
 {
-    Download download = make({ProgramKind::RotaryCutter, ApplyMode::WhenStopped, 26, true});
+    Download download = make({ApplyMode::WhenStopped, 26, true});
     const auto damage = [this](unsigned bits) {
         m_slave->setRegister(stagedBankBase + 200, static_cast<std::uint16_t>(m_image[200] ^ bits));
     };
@@ -321,6 +324,16 @@ void DownloadTest::tooLongAnImageIsNotSent()
     m_identity.programKinds = 0;
     Download other = make();
     QCOMPARE(other.advance(*m_client).error().kind, DownloadErrorKind::KindNotSupported);
+}
+
+void DownloadTest::kindIsThatOfTheImage()
+{
+    m_identity.programKinds = 1u << static_cast<unsigned>(ProgramKind::PointCam);
+    Download cutter = make();
+    QCOMPARE(cutter.advance(*m_client).error().kind, DownloadErrorKind::KindNotSupported);
+    setKind(ProgramKind::PointCam);
+    Download cam = make();
+    QVERIFY(cam.advance(*m_client).has_value());
 }
 
 void DownloadTest::withdrawnElsewhere()

@@ -96,8 +96,7 @@ void PanelMaster::startDownload()
         ++m_session;
     m_download = std::make_unique<modbus::Download>(
         m_truth.image(crc), *m_identity,
-        modbus::Download::Options{modbus::ProgramKind::PositionMove, modbus::ApplyMode::NextCycle, m_session,
-                                  pick(4) == 0});
+        modbus::Download::Options{modbus::ApplyMode::NextCycle, m_session, pick(4) == 0});
     ++m_tally.work["downloads begun"];
 }
 

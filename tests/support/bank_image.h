@@ -118,8 +118,10 @@ inline BankImage randomBank(std::mt19937_64& random)
     }
     bank.rows.push_back({20, 20 * 1000});
     bank.carryRow = static_cast<std::uint16_t>(rowCount);
-    bank.divisor = pick(1, 1000);
+    bank.divisor = pick(1, 100);
     bank.remainder = pick(0, bank.divisor - 1);
+    bank.knives = static_cast<std::uint16_t>(bank.divisor);
+    bank.pulsesPerMotorRev = bank.cyclePulses() * bank.divisor + bank.remainder;
     return bank;
 }
 

@@ -60,6 +60,8 @@ struct CamImage {
         case CTL_PROGRAM_KIND_POSITION_MOVE:
             wide(CTL_OFFSET_POSITION_MOVE_PULSES_PER_MOTOR_REV, pulsesPerMotorRev);
             wide(CTL_OFFSET_POSITION_MOVE_FEED, feedUm);
+            wide(CTL_OFFSET_POSITION_MOVE_DISTANCE,
+                 static_cast<std::uint32_t>(std::int64_t{advance} * feedUm / pulsesPerMotorRev));
             break;
         case CTL_PROGRAM_KIND_SPEED_MOVE:
             wide(CTL_OFFSET_SPEED_MOVE_PULSES_PER_MOTOR_REV, pulsesPerMotorRev);

@@ -85,6 +85,9 @@ struct IntervalImage {
                         : CTL_OFFSET_SPEED_MOVE_PULSES_PER_MOTOR_REV,
              pulsesPerMotorRev);
         wide(isPosition ? CTL_OFFSET_POSITION_MOVE_FEED : CTL_OFFSET_SPEED_MOVE_FEED, feedUm);
+        if (isPosition)
+            wide(CTL_OFFSET_POSITION_MOVE_DISTANCE,
+                 static_cast<std::uint32_t>(advance() * feedUm / pulsesPerMotorRev));
         // 2^23 iterations a second are meant, 50 MHz / 6 there are.
         constexpr double speedUnit = (1u << fractionBits) * 1.00663296;
         for (const Interval& row : rows) {

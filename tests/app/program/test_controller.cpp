@@ -83,7 +83,7 @@ bool ControllerTest::waitFor(State state)
 
 bool ControllerTest::download(const std::vector<std::uint16_t>& image, ApplyMode mode)
 {
-    Download download(image, m_identity, {ProgramKind::RotaryCutter, mode, ++m_session, true});
+    Download download(image, m_identity, {mode, ++m_session, true});
     while (!download.ended()) {
         const auto now = status();
         if (!now)

@@ -9,6 +9,8 @@
 
 #include "ctl_bank.h"
 #include "modbus/codec.h"
+#include "modbus/protocol.h"
+#include "profile/laws.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>
@@ -91,6 +93,7 @@ class KindsTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void lawsHaveTheNumbersOfTheMap();
     void everyDefaultCanBeDownloaded_data() { addKinds(); }
     void everyDefaultCanBeDownloaded();
     void randomRecipesTripIdentically_data() { addKinds(); }
@@ -397,6 +400,29 @@ void KindsTest::damagedHeadersDoNoHarm()
         QVERIFY(solved || !profile::describe(solved.error()).empty());
     }
     QVERIFY(refused > 0 && refused < 5000);
+}
+
+// "modified_sine" for ModifiedSine.
+QString keyOf(std::string_view name)
+{
+    QString key;
+    for (const QChar c : QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()))) {
+        const bool begins = c.isUpper() || (c.isDigit() && !key.isEmpty() && !key.back().isDigit());
+        key += begins && !key.isEmpty() ? u'_' + QString(c.toLower()) : QString(c.toLower());
+    }
+    return key;
+}
+
+void KindsTest::lawsHaveTheNumbersOfTheMap()
+{
+    const auto map = std::ranges::find(modbus::enumerations(), "Law", &modbus::EnumInfo::name);
+    QVERIFY(map != modbus::enumerations().end());
+    QCOMPARE(map->values.size(), profile::laws().size());
+    for (const modbus::EnumValue& value : map->values) {
+        const auto* law = profile::findLaw(static_cast<profile::LawId>(value.value));
+        QVERIFY2(law != nullptr, value.name.data());
+        QCOMPARE(QString::fromUtf8(law->key.data(), static_cast<qsizetype>(law->key.size())), keyOf(value.name));
+    }
 }
 
 CAMPANEL_TEST(KindsTest)
