@@ -8,17 +8,18 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
 namespace campanel::profile {
 
 namespace {
 
-using detail::PlanRules;
 using detail::SpeedCurve;
 
 constexpr double publishedIterationS = 1.0 / (1 << detail::accumulatorBits);
 constexpr int mostFractionBits = 8;
-constexpr int samplesPerStretch = 64; // of the motion or of a row, to find extremes
+constexpr int samplesPerStretch = 64; // to find a reversal
+constexpr int samplesToCheck = 1024;
 
 Refusal refusal(Limit limit, double actual, double allowed, std::string_view unit)
 {
@@ -51,141 +52,49 @@ std::optional<Refusal> findReversal(const MotionProfile& motion, double directio
     return result;
 }
 
-double fastestHz(const SpeedCurve& curve)
-{
-    return std::ranges::max(curve.samples(), {}, &detail::CurveSample::speedHz).speedHz;
-}
-
-double steepestHzPerS(const SpeedCurve& curve)
-{
-    double result = 0;
-    const auto& samples = curve.samples();
-    for (std::size_t i = 1; i < samples.size(); ++i) {
-        const double time = samples[i].timeS - samples[i - 1].timeS;
-        if (time > 0)
-            result = std::max(result, std::abs(samples[i].speedHz - samples[i - 1].speedHz) / time);
-    }
-    return result;
-}
-
 // As many bits as leave room in the acceleration's register for rows twice as steep as the curve.
 int fractionBits(const SpeedCurve& curve)
 {
     const double perBit =
-        2 * steepestHzPerS(curve) * std::pow(detail::realIterationS / publishedIterationS, 2);
+        2 * curve.steepestHzPerS() * std::pow(detail::realIterationS / publishedIterationS, 2);
     int bits = mostFractionBits;
     while (bits > 0 && std::ldexp(perBit, bits) > std::numeric_limits<std::uint32_t>::max())
         --bits;
     return bits;
 }
 
-// The speed error less what the search does not see: the stretch to whole pulses, the speed's steps, and what
-// lies between the samples compared.
-PlanRules planRules(const SpeedCurve& curve, const Machine& machine, IntervalMode mode, double speedErrorHz)
+detail::RowRules rowRules(const SpeedCurve& curve, const Machine& machine, IntervalMode mode)
 {
-    constexpr double sampledShare = 0.99;
-    PlanRules rules;
-    rules.iterationS = mode == IntervalMode::Published ? publishedIterationS : detail::realIterationS;
-    rules.fractionBits = mode == IntervalMode::Published ? 0 : fractionBits(curve);
-    const double unitHz = 1 / std::ldexp(rules.iterationS, detail::accumulatorBits + rules.fractionBits);
-    rules.toleranceHz =
-        sampledShare * speedErrorHz - 2 * unitHz - std::abs(1 - 1 / curve.stretch()) * fastestHz(curve);
-    rules.maxSpeedHz = pulseFrequencyLimitHz(machine);
+    const bool isPublished = mode == IntervalMode::Published;
+    detail::RowRules rules;
+    rules.iterationS = isPublished ? publishedIterationS : detail::realIterationS;
+    rules.fractionBits = isPublished ? 0 : fractionBits(curve);
+    rules.minHz = 1 / std::ldexp(rules.iterationS, detail::accumulatorBits + rules.fractionBits);
+    rules.maxHz = pulseFrequencyLimitHz(machine);
     return rules;
 }
 
-void measure(IntervalTable& table, const MotionProfile& motion, double pulsesPerMm, double iterationS)
+// Rounded up, so that its text is an error that is kept as well.
+double roundedUp(double error)
 {
-    const int bits = detail::accumulatorBits + table.fractionBits;
-    const double startMm = motion.at(0).positionMm;
-    const double unitsPerHz = std::ldexp(iterationS, bits);
-    std::uint64_t before = 0;
+    constexpr int digits = 4;
+    constexpr double margin = 1 + 1e-12;
+    if (!std::isfinite(error))
+        return error;
+    const double unit = std::pow(10, std::floor(std::log10(error)) + 1 - digits);
+    return std::ceil(error / unit * margin) * unit;
+}
+
+double timeOf(std::span<const IntervalRow> rows, int fractionBits)
+{
+    std::uint64_t iterations = 0;
     std::uint64_t rest = 0;
-    std::int64_t pulses = 0;
-    const auto compare = [&](const IntervalRow& row, std::uint64_t iteration) {
-        const double time = static_cast<double>(before + iteration) * iterationS;
-        if (time > motion.durationS())
-            return;
-        const MotionPoint point = motion.at(time);
-        const double speed =
-            static_cast<double>(detail::speedAfter(row, iteration)) / unitsPerHz / pulsesPerMm;
-        const double position =
-            static_cast<double>(pulses) +
-            std::ldexp(static_cast<double>(detail::positionAfter(row, rest, iteration)), -bits);
-        const double speedError = std::abs(speed - std::abs(point.velocityMmPerS));
-        const double positionError = std::abs(position - std::abs(point.positionMm - startMm) * pulsesPerMm);
-        if (speedError > table.errors.speedMmPerS) {
-            table.errors.speedMmPerS = speedError;
-            table.errors.speedTimeS = time;
-        }
-        if (positionError > table.errors.positionPulses) {
-            table.errors.positionPulses = positionError;
-            table.errors.positionTimeS = time;
-        }
-    };
-    for (const IntervalRow& row : table.rows) {
-        const detail::RowEnd end = detail::rowEnd(row, rest, table.fractionBits);
-        for (std::uint64_t i = 0; i <= samplesPerStretch; ++i)
-            compare(row, end.iterations * i / samplesPerStretch);
-        for (const Segment& segment : motion.segments()) {
-            const double here = segment.startS / iterationS - static_cast<double>(before);
-            if (here > 0 && here < static_cast<double>(end.iterations))
-                compare(row, static_cast<std::uint64_t>(here));
-        }
-        before += end.iterations;
+    for (const IntervalRow& row : rows) {
+        const detail::RowEnd end = detail::rowEnd(row, rest, fractionBits);
+        iterations += end.iterations;
         rest = end.rest;
-        pulses += row.pulses;
     }
-    table.timeS = static_cast<double>(before) * detail::realIterationS;
-}
-
-// None where no table that keeps the error is found.
-std::optional<IntervalTable> tableWithin(double speedErrorMmPerS, const SpeedCurve& curve,
-                                         const MotionProfile& motion, const Machine& machine,
-                                         IntervalMode mode)
-{
-    const double pulsesPerMm = axisPulsesPerMm(machine);
-    const double duration = motion.durationS();
-    const double direction = motion.at(duration).positionMm < motion.at(0).positionMm ? -1 : 1;
-    PlanRules rules = planRules(curve, machine, mode, speedErrorMmPerS * pulsesPerMm);
-    // What lies between the samples of the search is measured afterwards; a plan beyond the error is made
-    // again.
-    constexpr int attempts = 4;
-    constexpr double tighter = 0.95;
-    for (int attempt = 0; attempt < attempts; ++attempt) {
-        if (!(rules.toleranceHz > 0))
-            break;
-        auto plan = detail::planRows(curve, rules, intervalCapacity);
-        if (!plan)
-            break;
-        IntervalTable table;
-        table.rows = std::move(plan->rows);
-        table.fewestLinks = static_cast<int>(plan->fewestLinks);
-        table.fractionBits = rules.fractionBits;
-        table.advance = static_cast<std::int64_t>(direction) * curve.wholePulses();
-        table.profileTimeS = duration;
-        measure(table, motion, pulsesPerMm, rules.iterationS);
-        table.cycleTicks = static_cast<std::uint32_t>(std::ceil(table.timeS * machine.timerClockHz - 1e-6));
-        if (table.errors.speedMmPerS <= speedErrorMmPerS)
-            return table;
-        rules.toleranceHz *= tighter;
-    }
-    return std::nullopt;
-}
-
-// One that can be kept, more than the one tried: from above the last before one that cannot. Smaller ones may
-// be kept again; but where the error is too small by little, each plan takes seconds.
-double keptSpeedErrorMmPerS(double triedMmPerS, const SpeedCurve& curve, const MotionProfile& motion,
-                            const Machine& machine, IntervalMode mode)
-{
-    constexpr double factor = 1.5;
-    constexpr double leastShare = 1e-6; // of the largest
-    const double largest = 2 * fastestHz(curve) / axisPulsesPerMm(machine);
-    const double least = std::max(triedMmPerS, largest * leastShare);
-    double kept = largest;
-    while (kept / factor > least && tableWithin(kept / factor, curve, motion, machine, mode))
-        kept /= factor;
-    return kept;
+    return static_cast<double>(iterations) * detail::realIterationS;
 }
 
 } // namespace
@@ -202,10 +111,10 @@ tl::expected<IntervalTable, Refusal> compileIntervals(const MotionProfile& motio
     if (const auto reversal = findReversal(motion, direction))
         return tl::unexpected(*reversal);
 
-    const SpeedCurve curve(motion, pulsesPerMm);
+    const SpeedCurve curve(motion, pulsesPerMm, samplesToCheck);
     const double limitHz = pulseFrequencyLimitHz(machine);
-    if (fastestHz(curve) / curve.stretch() > limitHz * (1 + 1e-9))
-        return tl::unexpected(refusal(Limit::PulseFrequency, fastestHz(curve), limitHz, "Hz"));
+    if (curve.fastestHz() / curve.stretch() > limitHz * (1 + 1e-9))
+        return tl::unexpected(refusal(Limit::PulseFrequency, curve.fastestHz(), limitHz, "Hz"));
     constexpr double mostPulses = std::numeric_limits<std::int32_t>::max();
     if (static_cast<double>(curve.wholePulses()) > mostPulses)
         return tl::unexpected(
@@ -215,11 +124,25 @@ tl::expected<IntervalTable, Refusal> compileIntervals(const MotionProfile& motio
         return tl::unexpected(
             refusal(Limit::TableRange, duration * machine.timerClockHz, mostTicks, "ticks"));
 
-    const double error = std::isfinite(speedErrorMmPerS) ? speedErrorMmPerS : 0;
-    if (auto table = tableWithin(error, curve, motion, machine, mode))
-        return *std::move(table);
-    return tl::unexpected(refusal(Limit::SpeedError, speedErrorMmPerS,
-                                  keptSpeedErrorMmPerS(error, curve, motion, machine, mode), "mm/s"));
+    const detail::RowRules rules = rowRules(curve, machine, mode);
+    const auto maxRows =
+        static_cast<std::size_t>(std::min<std::int64_t>(intervalCapacity, curve.wholePulses()));
+    detail::IntervalPlanner planner(motion, pulsesPerMm, rules, maxRows);
+    const double error = std::isfinite(speedErrorMmPerS) ? std::max(0.0, speedErrorMmPerS) : 0;
+    auto plan = planner.fewestRows(error);
+    if (!plan)
+        return tl::unexpected(
+            refusal(Limit::SpeedError, speedErrorMmPerS, roundedUp(planner.keptErrorMmPerS(error)), "mm/s"));
+    IntervalTable table;
+    table.rows = std::move(plan->rows);
+    table.fewestLinks = static_cast<int>(planner.fewestLines(error));
+    table.fractionBits = rules.fractionBits;
+    table.advance = static_cast<std::int64_t>(direction) * curve.wholePulses();
+    table.timeS = timeOf(table.rows, table.fractionBits);
+    table.cycleTicks = static_cast<std::uint32_t>(std::ceil(table.timeS * machine.timerClockHz - 1e-6));
+    table.profileTimeS = duration;
+    table.errors = plan->errors;
+    return table;
 }
 
 } // namespace campanel::profile

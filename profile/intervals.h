@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A motion as the fewest intervals of constant acceleration that keep its speed within an error: the table of
-// the paper on intervals (rows Dist, V0, V1, Acc for two cascaded accumulators).
+// A motion as few intervals of constant acceleration that keep its speed within an error: the table of the
+// paper on intervals (rows Dist, V0, V1, Acc for two cascaded accumulators).
 #pragma once
 
+#include "profile/interval_errors.h"
 #include "profile/interval_row.h"
 #include "profile/machine.h"
 #include "profile/motion_profile.h"
@@ -23,18 +24,11 @@ enum class IntervalMode : std::uint8_t {
                // bits
 };
 
-// Of the accumulators' own motion against the motion compiled; in Published mode against the motion at the
-// generator's pace, k times slower, as the paper accepts it.
-struct IntervalErrors {
-    double speedMmPerS = 0; // largest
-    double speedTimeS = 0;
-    double positionPulses = 0; // largest, between the pulses as well
-    double positionTimeS = 0;
-};
-
 struct IntervalTable {
     std::vector<IntervalRow> rows; // each begins with the speed that the one before it ends with
-    int fewestLinks = 0; // no fewer straight lines keep the speed error, whatever their distance and time
+    // No fewer straight lines keep the speed error, whatever their distance and time. A row goes along up to
+    // two of them, a ramp and a stretch at its last speed.
+    int fewestLinks = 0;
     int fractionBits = 0;
     std::int64_t advance = 0;     // sum of the rows' pulses, negative: backwards
     std::uint32_t cycleTicks = 0; // of the timer, in which the last pulse comes
@@ -43,11 +37,11 @@ struct IntervalTable {
     IntervalErrors errors;
 };
 
-// The fewest rows that interval_plan.h finds; fewestLinks is the number below which nobody can go. Where the
-// motion begins or ends moving the rows have exactly its speed, at rest a small one above zero. Distances sum
-// to the motion's pulses rounded to whole ones.
-// Refuses a speed error that is not positive, that no row of one pulse could keep or that would take more
-// rows than the controller holds (SpeedError; allowed is one that can be kept), a motion that turns round
+// Returns the fewest rows that interval_plan.h finds; a larger error never takes more. Where the motion
+// begins or ends moving the rows have exactly its speed, at rest a small one above zero. Distances sum to the
+// motion's pulses rounded to whole ones. Each row reaches its last speed within its distance. Refuses a speed
+// error that is not positive, that whole pulses cannot keep or that would take more rows than the controller
+// holds (SpeedError; allowed is one that is kept, infinite when there is none), a motion that turns round
 // (Reversal), less than one pulse (TooFewPulses), pulses faster than the output stage (PulseFrequency) and
 // numbers that do not fit their registers (TableRange).
 [[nodiscard]] tl::expected<IntervalTable, Refusal> compileIntervals(const MotionProfile& motion,

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // A recipe's table as the controller executes it: downloaded frame by frame, then 10^6 cycles of its engine.
-// What is counted is compared with K Z / N as an exact fraction, computed here.
+// What is counted is compared with K Z / N as an exact fraction, computed here. Tables of intervals go
+// through the controller's check and its engine.
 #include "app/program/program_image.h"
+#include "ctl_interval.h"
+#include "ctl_words.h"
+#include "profile/intervals.h"
+#include "profile/laws.h"
 #include "rig.h"
 #include "tests/support/test_program.h"
 
@@ -9,6 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <random>
 
 namespace test_table_in_controller {
 
@@ -61,6 +68,29 @@ void install(Rig& rig, const program::ProgramImage& image)
     QCOMPARE(rig.core().banks.generation, 1u);
 }
 
+// As the controller holds it.
+std::unique_ptr<ctl_bank> bankOf(const profile::IntervalTable& table)
+{
+    auto bank = std::make_unique<ctl_bank>();
+    std::uint16_t* header = bank->registers;
+    header[CTL_OFFSET_BANK_LAYOUT] = CTL_TABLE_LAYOUT_INTERVALS;
+    header[CTL_OFFSET_BANK_KIND] = CTL_PROGRAM_KIND_POSITION_MOVE;
+    header[CTL_OFFSET_BANK_ROW_COUNT] = static_cast<std::uint16_t>(table.rows.size());
+    header[CTL_OFFSET_BANK_END_BEHAVIOR] = CTL_END_BEHAVIOR_STOP;
+    header[CTL_OFFSET_INTERVAL_FRACTION_BITS] = static_cast<std::uint16_t>(table.fractionBits);
+    ctl_put32(&header[CTL_OFFSET_BANK_CYCLE_TICKS], table.cycleTicks);
+    ctl_put32(&header[CTL_OFFSET_BANK_DIVISOR], 1);
+    ctl_put32(&header[CTL_OFFSET_BANK_ADVANCE], static_cast<std::uint32_t>(table.advance));
+    std::uint16_t* registers = &header[CTL_OFFSET_BANK_ROWS];
+    for (const profile::IntervalRow& row : table.rows) {
+        for (const std::uint32_t value : {row.pulses, row.firstSpeed, row.lastSpeed, row.acceleration}) {
+            ctl_put32(registers, value);
+            registers += 2;
+        }
+    }
+    return bank;
+}
+
 } // namespace
 
 class TestTableInController : public QObject {
@@ -73,6 +103,7 @@ private slots:
     void slicesDoNotChangeTheCycle();
     void theShaftStandsWhereItShould_data();
     void theShaftStandsWhereItShould();
+    void intervalsAreAccepted();
 };
 
 void TestTableInController::aMillionCyclesWithoutDrift_data()
@@ -177,6 +208,55 @@ void TestTableInController::theShaftStandsWhereItShould()
     QVERIFY2(cycles > 95 && cycles < 105, qPrintable(QString::number(cycles)));
     QCOMPARE(rig.commanded(), exactPulses(values, cycles));
     QCOMPARE(rig.core().motion.actual - rig.core().motion.origin, exactPulses(values, cycles));
+}
+
+// Random moves between rest and speeds: whatever is compiled, the controller's own check accepts, and its
+// engine gives all pulses in the table's time.
+void TestTableInController::intervalsAreAccepted()
+{
+    constexpr unsigned seed = 17;
+    constexpr int cases = 400;
+    qInfo("seed %u", seed);
+    std::mt19937 random(seed);
+    const auto uniform = [&random](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    ctl_config config = test::benchConfig();
+    const profile::Machine machine;
+    config.max_pulse_hz = static_cast<std::uint32_t>(machine.maxPulseFrequencyHz);
+    int accepted = 0;
+    for (int i = 0; i < cases; ++i) {
+        const profile::Law& law = profile::laws()[random() % profile::laws().size()];
+        const double durationS = std::exp(uniform(std::log(0.02), std::log(1)));
+        const double mmPerS = (random() % 2 == 0 ? 1 : -1) * std::exp(uniform(std::log(2), std::log(800)));
+        profile::MotionProfile motion;
+        if (law.isDisplacementLaw && random() % 2 == 0)
+            motion.addDisplacement(durationS, mmPerS * durationS, law, defaultParameters(law));
+        else
+            motion.addRamp(durationS, random() % 2 == 0 ? 0 : mmPerS / 3, mmPerS, law, defaultParameters(law),
+                           false);
+        const auto mode = static_cast<profile::IntervalMode>(random() % 2);
+        const auto table = compileIntervals(motion, machine, uniform(0.01, 0.3) * std::abs(mmPerS), mode);
+        if (!table)
+            continue;
+        ++accepted;
+        const auto bank = bankOf(*table);
+        const ctl_verdict verdict = ctl_interval_check(bank.get(), &config);
+        QVERIFY2(verdict.result == CTL_TRANSFER_RESULT_ACCEPTED,
+                 qPrintable(QStringLiteral("case %1, %2: result %3, row %4")
+                                .arg(i)
+                                .arg(QString::fromUtf8(law.key.data()))
+                                .arg(verdict.result)
+                                .arg(verdict.detail)));
+        ctl_interval engine{};
+        ctl_interval_reset(&engine, bank.get(), static_cast<std::uint32_t>(clockHz));
+        ctl_interval_begin_cycle(&engine);
+        std::uint32_t ticks = 2 * table->cycleTicks;
+        QCOMPARE(ctl_interval_advance(&engine, &ticks), static_cast<std::int32_t>(table->advance));
+        QCOMPARE(ticks, table->cycleTicks);
+    }
+    qInfo("%d of %d compiled", accepted, cases);
+    QVERIFY(accepted > cases / 2);
 }
 
 CAMPANEL_TEST(TestTableInController)
