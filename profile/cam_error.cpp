@@ -125,8 +125,8 @@ private:
         }
     }
 
-    // The speed is a parabola with the jerk of the middle; the jerk departs from that by at most snap times half
-    // the width, which makes at most snap width^3 / 16 of speed.
+    // The speed is a parabola with the jerk of the middle; the jerk departs from that by at most snap times
+    // half the width, which makes at most snap width^3 / 16 of speed.
     void keepSpeed(const Difference& a, const Difference& b, double jerk, double snap)
     {
         const double width = b.timeS - a.timeS;

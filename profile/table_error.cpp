@@ -97,8 +97,8 @@ double squaresBetween(const SlicePart& part, double fromS, double toS)
     return sum * half;
 }
 
-// The same over the whole part, in ever more pieces; what the last doubling changed is added, so that the result
-// is not too small.
+// The same over the whole part, in ever more pieces; what the last doubling changed is added, so that the
+// result is not too small.
 double squaresOf(const SlicePart& part)
 {
     constexpr double enough = 1e-6; // of the integral

@@ -2542,6 +2542,10 @@
         <translation>数据表超出控制器的范围。请减少每转脉冲数或缩短运动。</translation>
     </message>
     <message>
+        <source>%1 needs a ramp of %2 ms with the largest acceleration; the controller takes at most %3 ms. Enter a lower speed or a larger acceleration.</source>
+        <translation>%1以最大加速度需要 %2 ms 的斜坡，控制器最多 %3 ms。请输入更低的速度或更大的加速度。</translation>
+    </message>
+    <message>
         <source>The motion turns round, and intervals go one way. Choose cam points.</source>
         <translation>运动会反向，而区间方式只能单向。请选择凸轮点方式。</translation>
     </message>
