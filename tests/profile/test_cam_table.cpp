@@ -124,6 +124,8 @@ void verifyMotion(const CamRecipe& recipe, const AxisMotion& cam)
         QVERIFY(std::abs(p.velocityMmPerS) * axisPulsesPerMm(recipe.machine) <=
                 recipe.machine.maxPulseFrequencyHz * (1 + 1e-6));
     }
+    if (cam.broken.empty())
+        QVERIFY(cam.peaks.torqueNm <= recipe.machine.maxTorqueNm * (1 + 1e-6));
     for (const Refusal& refusal : cam.broken) {
         QVERIFY(!describe(refusal).empty());
         for (const Suggestion& s : refusal.nearest) {
