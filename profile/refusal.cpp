@@ -58,6 +58,8 @@ std::string knotReason(const Refusal& r)
     case Limit::KnotSpacing:
         return concat({knot, " is ", actual, " after the one before it; keep at least ", allowed, "."});
     case Limit::KnotRange:
+        if (!std::isfinite(r.actual))
+            return concat({knot, " has no finite value; the nearest place is ", allowed, "."});
         return concat({knot, " at ", actual, " is out of range; the nearest place is ", allowed, "."});
     case Limit::KnotEnds:
         return concat({knot, " is at ", actual, " but the cam must have one at ", allowed, "."});

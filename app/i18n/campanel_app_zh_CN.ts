@@ -1649,6 +1649,10 @@
         <translation>至少一行数据</translation>
     </message>
     <message>
+        <source>The file %1 is not text in UTF-8. Save it as CSV in UTF-8.</source>
+        <translation>文件 %1 不是 UTF-8 文本。请另存为 UTF-8 编码的 CSV。</translation>
+    </message>
+    <message>
         <source>%1, line %2: expected %3, found &quot;%4&quot;.</source>
         <translation>%1 第 %2 行：应为%3，实际为“%4”。</translation>
     </message>

@@ -44,7 +44,9 @@ private slots:
     void lawsCompared();
     void profileAgreesWithTheTable_data();
     void profileAgreesWithTheTable();
+    void numbersThatAreNone();
     void knotsAsCsv();
+    void knotsThatCannotBe();
     void knotsRepaired();
     void backwardCamHasASmallError();
     void recipeFileOfEachKind();
@@ -259,6 +261,25 @@ void CliKindsTest::profileAgreesWithTheTable()
     }
 }
 
+// Not known, or without bound: a word in text, null in JSON.
+void CliKindsTest::numbersThatAreNone()
+{
+    for (const QString& words :
+         {u"profile"_s, u"profile --kind press"_s, u"profile --base-speed-mm-per-s 0 --rate 60"_s,
+          u"profile --kind position_move --law harmonic"_s, u"compare --kind position_move"_s}) {
+        const Result text = call(words);
+        QVERIFY2(text.code == Ok, text.complaint.constData());
+        static const QRegularExpression none(u"\\b(nan|inf)\\b"_s);
+        QVERIFY2(!none.match(QString::fromUtf8(text.out)).hasMatch(), text.out.constData());
+    }
+    static const QRegularExpression noTorque(u"\\npeaks.torque_nm +--\\n"_s);
+    QVERIFY(noTorque.match(QString::fromUtf8(call(u"profile"_s).out)).hasMatch());
+    static const QRegularExpression steps(u"\\nharmonic .* steps +0.0"_s);
+    QVERIFY(steps.match(QString::fromUtf8(call(u"compare --kind position_move"_s).out)).hasMatch());
+    const QJsonObject peaks = call(u"profile --format json"_s).json()[u"peaks"_s].toObject();
+    QVERIFY(peaks[u"torque_nm"_s].isNull());
+}
+
 void CliKindsTest::lawsCompared()
 {
     const Result text = call(u"compare --kind speed_move"_s);
@@ -291,6 +312,22 @@ void CliKindsTest::knotsAsCsv()
     for (const QJsonValue& each : profile.json()[u"curves"_s][u"position_mm"_s].toArray())
         highest = std::max(highest, each.toDouble());
     QVERIFY(highest > 40 && highest < 45);
+}
+
+void CliKindsTest::knotsThatCannotBe()
+{
+    const auto complaintOf = [this](const QByteArray& bytes) {
+        const QString path = put(u"wrong.csv"_s, bytes);
+        return call({u"table"_s, u"--kind"_s, u"point_cam"_s, u"--knots-csv"_s, path}).complaint;
+    };
+    const QString text = u"\ufeffmaster_deg,slave_mm\n0,0\n"_s;
+    const QByteArray utf16(reinterpret_cast<const char*>(text.utf16()), text.size() * 2);
+    QCOMPARE(complaintOf(utf16), "campanelctl: The file " + m_directory.filePath(u"wrong.csv"_s).toUtf8() +
+                                     " is not text in UTF-8. Save it as CSV in UTF-8.\n");
+    const QByteArray knots("master_deg,slave_mm\n0,0\n90,20\n180,50\n270,20\n360,1e306\n");
+    QCOMPARE(
+        complaintOf(knots),
+        QByteArray("campanelctl: Knot 5 at 1e+306 mm is out of range; the nearest place is 1000000 mm.\n"));
 }
 
 void CliKindsTest::knotsRepaired()
