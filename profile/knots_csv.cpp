@@ -124,9 +124,11 @@ private:
         std::size_t end = std::min(found.size(), mostBytes);
         while (end > 0 && end < found.size() && (static_cast<unsigned char>(found[end]) & 0xC0U) == 0x80U)
             --end; // not inside a UTF-8 character
+        const auto isControl = [](char c) {
+            return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7F;
+        };
         std::string shown(found.substr(0, end));
-        std::ranges::replace_if(
-            shown, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, '?');
+        std::ranges::replace_if(shown, isControl, '?');
         return tl::unexpected(CsvError{std::max(m_line, 1), expected, std::move(shown)});
     }
 

@@ -101,8 +101,10 @@ double squaresBetween(const SlicePart& part, double fromS, double toS)
 // result is not too small.
 double squaresOf(const SlicePart& part)
 {
-    constexpr double enough = 1e-6; // of the integral
+    constexpr double enough = 1e-6;       // of the integral
+    constexpr double roundingMm2 = 1e-20; // of the squared error
     constexpr int mostPieces = 256;
+    const double rounding = roundingMm2 * (part.toS - part.fromS);
     double sum = squaresBetween(part, part.fromS, part.toS);
     for (int pieces = 2;; pieces *= 2) {
         const double before = sum;
@@ -110,7 +112,7 @@ double squaresOf(const SlicePart& part)
         for (int i = 0; i < pieces; ++i)
             sum += squaresBetween(part, part.fromS + (part.toS - part.fromS) * i / pieces,
                                   part.fromS + (part.toS - part.fromS) * (i + 1) / pieces);
-        if (std::abs(sum - before) <= enough * sum || pieces >= mostPieces)
+        if (std::abs(sum - before) <= enough * sum + rounding || pieces >= mostPieces)
             return sum + std::abs(sum - before);
     }
 }

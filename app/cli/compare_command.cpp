@@ -8,6 +8,7 @@
 #include "profile/laws.h"
 
 #include <QJsonArray>
+#include <QtNumeric>
 
 #include <cmath>
 
@@ -55,7 +56,7 @@ QByteArray comparisonText(const QJsonArray& rows)
             text += u"%1 %2\n"_s.arg(row[u"law"_s].toString(), -20).arg(row[u"refusal"_s].toString());
             continue;
         }
-        const double jerk = row[u"jerk_mm_per_s3"_s].toDouble();
+        const double jerk = row[u"jerk_mm_per_s3"_s].toDouble(qInf());
         text += u"%1 %2 %3 %4 %5 %6 %7\n"_s.arg(row[u"law"_s].toString(), -20)
                     .arg(row[u"time_s"_s].toDouble(), 9, 'f', 3)
                     .arg(row[u"motor_rpm"_s].toDouble(), 9, 'f', 1)
