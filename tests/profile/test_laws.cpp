@@ -5,8 +5,11 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace test_laws {
 
