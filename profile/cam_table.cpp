@@ -219,39 +219,4 @@ CamPoint interpolate(const CamTable& table, std::size_t index, double share)
             a.slope256 + share * (2 * second + share * 3 * third)};
 }
 
-CamErrors camErrors(const CamTable& table, const MotionProfile& motion, const Machine& machine, CamUse use)
-{
-    constexpr int parts = 8;
-    const double units = unitsPerMm(machine);
-    const std::size_t intervals = table.rows.size() - 1;
-    const double intervalS = motion.durationS() / static_cast<double>(intervals);
-    Walker walker(motion);
-    const double startMm = walker.at(0).positionMm;
-    CamErrors errors;
-    for (std::size_t i = 0; i < intervals; ++i) {
-        for (int part = 0; part <= parts; ++part) {
-            const double share = static_cast<double>(part) / parts;
-            const double time = (static_cast<double>(i) + share) * intervalS;
-            const MotionPoint exact = walker.at(time);
-            const CamPoint point = interpolate(table, i, share);
-            const double away = std::abs(point.position256 / units - (exact.positionMm - startMm));
-            const double faster = std::abs(point.slope256 / units / intervalS - exact.velocityMmPerS);
-            if (away > errors.positionMm) {
-                errors.positionMm = away;
-                errors.positionTimeS = time;
-            }
-            if (faster > errors.speedMmPerS) {
-                errors.speedMmPerS = faster;
-                errors.speedTimeS = time;
-            }
-        }
-    }
-    errors.positionPulses = errors.positionMm * axisPulsesPerMm(machine);
-    if (use == CamUse::Repeats)
-        errors.wrapSpeedStepMmPerS =
-            std::abs(static_cast<double>(table.rows.front().slope256) - table.rows.back().slope256) / units /
-            intervalS;
-    return errors;
-}
-
 } // namespace campanel::profile

@@ -60,8 +60,9 @@ struct CamPoint {
 };
 [[nodiscard]] CamPoint interpolate(const CamTable& table, std::size_t index, double share);
 
-// How far the interpolated rows are from the motion they were made of: the largest errors of all intervals,
-// each sampled at eighths. The whole pulses that come out of it add half a pulse of granularity.
+// How far the interpolated rows are from the motion they were made of, at the same share of the cycle. No
+// error of position or speed is larger than stated here; what is stated is too large by some parts in a
+// thousand at most. The whole pulses that come out of it add half a pulse of granularity.
 struct CamErrors {
     double positionPulses = 0;
     double positionMm = 0;

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace campanel::profile {
 namespace {
@@ -35,6 +36,10 @@ public:
 
     [[nodiscard]] tl::expected<std::vector<Knot>, CsvError> read()
     {
+        // UTF-16 begins with one of these marks or has zero bytes.
+        if (m_rest.starts_with("\xFF\xFE") || m_rest.starts_with("\xFE\xFF") ||
+            m_rest.find('\0') != std::string_view::npos)
+            return fail(CsvExpectation::Utf8, {});
         const auto header = nextLine();
         if (!header || !takeHeader(*header))
             return fail(CsvExpectation::Header, header.value_or(std::string_view{}));
@@ -119,7 +124,12 @@ private:
         std::size_t end = std::min(found.size(), mostBytes);
         while (end > 0 && end < found.size() && (static_cast<unsigned char>(found[end]) & 0xC0U) == 0x80U)
             --end; // not inside a UTF-8 character
-        return tl::unexpected(CsvError{std::max(m_line, 1), expected, std::string(found.substr(0, end))});
+        const auto isControl = [](char c) {
+            return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7F;
+        };
+        std::string shown(found.substr(0, end));
+        std::ranges::replace_if(shown, isControl, '?');
+        return tl::unexpected(CsvError{std::max(m_line, 1), expected, std::move(shown)});
     }
 
     std::string_view m_rest;
@@ -143,6 +153,8 @@ std::string_view expectedText(CsvExpectation expected)
         return "a decimal comma, as in the numbers before";
     case CsvExpectation::Knots:
         return "a line for each knot";
+    case CsvExpectation::Utf8:
+        break;
     }
     return {};
 }
@@ -159,6 +171,8 @@ void appendNumber(std::string& text, double value)
 
 std::string describe(const CsvError& error)
 {
+    if (error.expected == CsvExpectation::Utf8)
+        return "The file is not text in UTF-8. Save it as CSV in UTF-8.";
     return detail::concat(
         {"Line ", std::to_string(error.line), ": found ",
          error.found.empty() ? std::string("nothing") : detail::concat({"\"", error.found, "\""}),

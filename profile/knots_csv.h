@@ -21,12 +21,13 @@ enum class CsvExpectation : std::uint8_t {
     DecimalPoint, // the decimal sign of the numbers before, a point
     DecimalComma, // the same, a comma
     Knots,        // at least one line of values
+    Utf8,         // text; the file is UTF-16, or not text at all
 };
 
 struct CsvError {
     int line = 1; // from 1
     CsvExpectation expected = CsvExpectation::Header;
-    std::string found; // the line or the field as it stands there, at most 40 bytes
+    std::string found; // the line or the field as it stands there, at most 40 bytes; '?' for what has no sign
 
     bool operator==(const CsvError&) const = default;
 };

@@ -48,6 +48,14 @@ struct LawPeaks {
     double caAt = 0;
 };
 
+// Between 0, the joints and 1 a law is smooth, and |g'''| and |g''''| are at most g3 and g4. A law with fewer
+// joints has 1 in the other places.
+struct LawPieces {
+    std::array<double, 6> joints{1, 1, 1, 1, 1, 1}; // ascending
+    double g3 = 0;
+    double g4 = 0;
+};
+
 struct LawParameterInfo {
     std::string_view id; // key in the recipe file
     std::string_view name;
@@ -67,6 +75,7 @@ struct Law {
     std::span<const LawParameterInfo> parameters;
     LawPoint (*at)(double x, const LawParameters& parameters) = nullptr; // x in [0,1]
     LawPeaks (*peaks)(const LawParameters& parameters) = nullptr;
+    LawPieces (*pieces)(const LawParameters& parameters) = nullptr;
     std::string_view strength; // one English sentence each
     std::string_view weakness;
 };

@@ -34,6 +34,7 @@ constexpr std::array lawTable{
         {},
         cubicAt,
         cubicPeaks,
+        cubicPieces,
         "As a speed law its acceleration is zero at both ends and peaks at only 1.5 times its mean.",
         "As a displacement law its acceleration jumps to its peak (6) at both ends, and as a speed law its "
         "jerk does."},
@@ -46,6 +47,7 @@ constexpr std::array lawTable{
         {},
         quinticAt,
         quinticPeaks,
+        quinticPieces,
         "Speed and acceleration are zero at both ends, by one short polynomial.",
         "Its jerk steps at both ends, and a trapezoid whose ramps are longer than 22.29 % of the move needs "
         "less peak acceleration."},
@@ -58,6 +60,7 @@ constexpr std::array lawTable{
         {},
         polynomial4567At,
         polynomial4567Peaks,
+        polynomial4567Pieces,
         "Speed, acceleration and jerk are all zero at both ends, so it excites little vibration.",
         "It has the highest peak speed (2.19) and peak acceleration (7.51) of the displacement laws without "
         "parameters."},
@@ -70,6 +73,7 @@ constexpr std::array lawTable{
         {},
         harmonicAt,
         harmonicPeaks,
+        harmonicPieces,
         "Low peak speed (1.57) and low peak acceleration (4.93) by half a cosine wave.",
         "As a displacement law it starts and ends with its full acceleration, a jolt each time."},
     Law{LawId::Cycloidal,
@@ -81,6 +85,7 @@ constexpr std::array lawTable{
         {},
         cycloidalAt,
         cycloidalPeaks,
+        cycloidalPieces,
         "Its acceleration is one whole sine wave, smooth throughout and zero at both ends.",
         "Its peak speed (2) and peak acceleration (6.28) are high, and its jerk steps at both ends."},
     Law{LawId::ModifiedSine,
@@ -92,6 +97,7 @@ constexpr std::array lawTable{
         {},
         modifiedSineAt,
         modifiedSinePeaks,
+        modifiedSinePieces,
         "Low peak speed (1.76) with moderate peak acceleration (5.53) and no jump of acceleration: it suits "
         "large inertia.",
         "Its jerk steps at both ends and has the highest finite peak (69.5) of the laws without parameters."},
@@ -104,6 +110,7 @@ constexpr std::array lawTable{
         {},
         modifiedTrapezoidAt,
         modifiedTrapezoidPeaks,
+        modifiedTrapezoidPieces,
         "The lowest peak acceleration (4.89) of the laws without parameters whose acceleration does not "
         "jump.",
         "Its peak speed (2) and peak jerk (61.4) are high, and its jerk steps at both ends."},
@@ -116,19 +123,21 @@ constexpr std::array lawTable{
         {},
         parabolicAt,
         parabolicPeaks,
+        parabolicPieces,
         "The lowest peak acceleration (4) that a move from rest to rest can have.",
         "As a displacement law its acceleration jumps at both ends and in the middle, and its peak speed (2) "
         "is high."},
     Law{LawId::Trapezoid, "trapezoid", "Trapezoid", true, true, true, trapezoidParameters, trapezoidAt,
-        trapezoidPeaks,
+        trapezoidPeaks, trapezoidPieces,
         "No law has a lower peak speed at the same peak acceleration; the ramp fraction trades one for the "
         "other.",
         "As a displacement law its acceleration jumps at both ends of both ramps, so its jerk has no bound."},
     Law{LawId::SCurve, "s_curve", "Seven-segment S", true, true, true, sCurveParameters, sCurveAt,
-        sCurvePeaks, "Its acceleration does not jump, and both its peak and that of the jerk can be set.",
+        sCurvePeaks, sCurvePieces,
+        "Its acceleration does not jump, and both its peak and that of the jerk can be set.",
         "Its jerk steps at every joint of its segments, and the smaller the jerk share the higher it is."},
     Law{LawId::Exponential, "exponential", "Exponential", true, false, false, exponentialParameters,
-        exponentialAt, exponentialPeaks,
+        exponentialAt, exponentialPeaks, exponentialPieces,
         "It accelerates hardest at low speed, where a motor has most torque to give, and least near the end "
         "speed.",
         "Its acceleration jumps at both ends, at the low speed the more the larger k is."},
@@ -141,6 +150,7 @@ constexpr std::array lawTable{
         {},
         halfModifiedSineAt,
         halfModifiedSinePeaks,
+        halfModifiedSinePieces,
         "Its acceleration is zero at both ends and peaks at only 1.57 times its mean.",
         "It is not symmetric: from rest it travels 0.568 of end speed times time; and its jerk steps at both "
         "ends."},

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double secondsPerMinute = 60;
 constexpr double overshootShare = 0.1; // of the knots' span
+constexpr double jumpTolerance = 1e-9; // of the largest speed: the rounding of a speed that does not jump
 
 double phaseWithinCycleDeg(const PointCamProgram& program)
 {
@@ -136,11 +137,18 @@ double wrapJumpMmPerS(const PointCamProgram& program)
            camDegPerS(program);
 }
 
+// The largest step of speed that the axis follows within one update of the master.
+double allowedWrapJumpMmPerS(const Machine& machine)
+{
+    return std::max(axisAllowance(machine).accelerationMmPerS2, 0.0) * masterUpdateS;
+}
+
 std::optional<Refusal> findWrapJump(const PointCamProgram& program, const Machine& machine)
 {
     const double jump = std::abs(wrapJumpMmPerS(program));
-    const double allowed = machine.maxAccelerationMmPerS2 * masterUpdateS;
-    if (jump <= allowed * (1 + detail::limitTolerance))
+    const double allowed = allowedWrapJumpMmPerS(machine);
+    // Without any acceleration the rest of the cycle is refused as well, and a jump may be rounding.
+    if (jump <= allowed * (1 + detail::limitTolerance) || allowed <= 0)
         return std::nullopt;
     Refusal refusal;
     refusal.limit = Limit::WrapJump;
@@ -151,6 +159,19 @@ std::optional<Refusal> findWrapJump(const PointCamProgram& program, const Machin
     refusal.angleDeg = 0;
     refusal.timeS = timeOfAngleS(program, 0);
     return refusal;
+}
+
+// Counts the acceleration and the torque of the jump where the cycle closes among the peaks.
+void addWrapPeak(AxisPeaks& peaks, const PointCamProgram& program, const Machine& machine)
+{
+    const double jump = std::abs(wrapJumpMmPerS(program));
+    if (jump > jumpTolerance * peaks.speedMmPerS)
+        peaks.jerkMmPerS3 = std::numeric_limits<double>::infinity();
+    if (jump / masterUpdateS <= peaks.accelerationMmPerS2)
+        return;
+    peaks.accelerationMmPerS2 = jump / masterUpdateS;
+    peaks.accelerationTimeS = timeOfAngleS(program, 0);
+    peaks.torqueNm = axisTorqueNm(machine, peaks.accelerationMmPerS2);
 }
 
 // Speeds grow with the rate, accelerations with its square; what is allowed of both is known.
@@ -164,7 +185,7 @@ std::optional<Suggestion> feasibleRate(const PointCamProgram& program, const Mac
     const double factor =
         std::min({share(allowance.speedMmPerS, peaks.speedMmPerS),
                   std::sqrt(share(allowance.accelerationMmPerS2, peaks.accelerationMmPerS2)),
-                  share(machine.maxAccelerationMmPerS2 * masterUpdateS, std::abs(wrapJumpMmPerS(program)))});
+                  share(allowedWrapJumpMmPerS(machine), std::abs(wrapJumpMmPerS(program)))});
     const double present = program.masterRateRevPerMin;
     const double step = info(Field::MasterRate).resolution();
     const double steps = std::floor(std::abs(present) * factor / step * (1 + detail::limitTolerance));
@@ -193,6 +214,7 @@ AxisMotion solveValid(const PointCamProgram& program, const Machine& machine)
                 refusal.nearest.push_back(*rate);
         }
     }
+    addWrapPeak(solved.peaks, program, machine);
     for (const Knot& knot : program.knots)
         solved.marksS.push_back(timeOfAngleS(program, knot.masterDeg));
     std::sort(solved.marksS.begin(), solved.marksS.end());

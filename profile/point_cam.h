@@ -43,7 +43,8 @@ inline constexpr double masterUpdateS = 0.002;
 // Refusals: FieldRange, NoMotion (master rate, slave scale or the knots' span is 0), those of checkKnots.
 // `broken`: limits of the axis; Overshoot of the curve (actual, allowed: mm before scaling); WrapJump when
 // the step of speed where the cycle closes, spread over one update of the master, takes more than the largest
-// acceleration (mm/s). The nearest master rate is added when it alone mends everything.
+// acceleration or torque (mm/s); the peaks of both include it. The nearest master rate is added when it alone
+// mends everything.
 [[nodiscard]] tl::expected<AxisMotion, Refusal> solve(const PointCamProgram& program, const Machine& machine);
 
 } // namespace campanel::profile

@@ -2,29 +2,50 @@
 // Checks of a press program and its nominal stroke, with the ramps that the controller makes.
 #include "profile/press.h"
 
+#include "profile/limit_tolerance.h"
 #include "profile/move_time.h"
 #include "profile/press_ramp.h"
 #include "profile/validate.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace campanel::profile {
 namespace {
 
 constexpr Field firstInput = Field::ApproachPosition;
 constexpr Field lastInput = Field::MaxStopForce;
-constexpr std::array speedFields{Field::ApproachSpeed, Field::ProbeSpeed, Field::PressSpeed,
-                                 Field::ReturnSpeed};
 
-std::optional<Refusal> findWrongStage(const PressProgram& program)
+// The recipe of a press has no torque, inertia or friction: what its motor needs most of all the work piece
+// decides. Its ramps are held by the largest acceleration.
+Machine withoutTorque(Machine machine)
 {
-    const auto check = [&program](Field field, Field before) -> std::optional<Refusal> {
-        if (value(program, field) > value(program, before))
+    machine.inertiaKgCm2 = 0;
+    machine.frictionNm = 0;
+    return machine;
+}
+
+// A stage ends beyond the one before it, and at another pulse.
+std::optional<Refusal> findWrongStage(const PressProgram& program, const Machine& machine)
+{
+    const double perMm = axisPulsesPerMm(machine);
+    const auto check = [&](Field field, Field before) -> std::optional<Refusal> {
+        const double end = value(program, field);
+        const double start = value(program, before);
+        const double startPulses = std::round(start * perMm);
+        if (end > start && std::round(end * perMm) > startPulses)
             return std::nullopt;
-        return detail::stageOrder(field, value(program, field), value(program, before));
+        Refusal refusal;
+        refusal.limit = Limit::StageOrder;
+        refusal.field = field;
+        refusal.actual = end;
+        refusal.allowed = end > start ? (startPulses + 0.5) / perMm : start;
+        refusal.unit = info(field).unit;
+        return refusal;
     };
     if (auto refusal = check(Field::ProbeEnd, Field::ApproachPosition))
         return refusal;
@@ -42,8 +63,6 @@ std::optional<Refusal> findWrongForce(const PressProgram& program)
         refusal.actual = value(program, field);
         refusal.allowed = allowed;
         refusal.unit = info(field).unit;
-        if (inRange(field, allowed))
-            refusal.nearest.push_back({field, allowed});
         return refusal;
     };
     if (auto refusal = check(Field::ProbeForce, program.maxForceN - info(Field::ProbeForce).resolution()))
@@ -62,13 +81,9 @@ std::optional<Refusal> findInvalidPress(const PressProgram& program, const Machi
         if (!inRange(field, value(program, field)))
             return detail::outOfRange(field, value(program, field));
     }
-    if (auto refusal = findWrongStage(program))
+    if (auto refusal = findWrongStage(program, machine))
         return refusal;
-    if (auto refusal = findWrongForce(program))
-        return refusal;
-    if (!(axisAllowance(machine).accelerationMmPerS2 > 0))
-        return detail::noTorqueLeft(machine);
-    return std::nullopt;
+    return findWrongForce(program);
 }
 
 // From standstill to standstill, up or down, with the ramps of a stage; short of the speed where the way is
@@ -79,58 +94,58 @@ void addMove(MotionProfile& motion, double distanceMm, double speedMmPerS, const
     if (length <= 0)
         return;
     const double sign = distanceMm < 0 ? -1 : 1;
-    const double rampS = static_cast<double>(detail::pressRampMs(speedMmPerS, machine)) / 1000;
-    const double acceleration = speedMmPerS / rampS;
-    const double usedS = std::min(rampS, std::sqrt(length / acceleration));
-    const double speed = acceleration * usedS;
-    motion.addCubic(usedS, 0, sign * acceleration, 0);
-    if (length > speed * usedS)
-        motion.addConstant((length - speed * usedS) / speed, sign * speed);
-    motion.addCubic(usedS, sign * speed, -sign * acceleration, 0);
+    const detail::PressRun run = detail::pressRun(length, speedMmPerS, machine);
+    motion.addCubic(run.rampS, 0, sign * run.accelerationMmPerS2, 0);
+    if (length > run.speedMmPerS * run.rampS)
+        motion.addConstant((length - run.speedMmPerS * run.rampS) / run.speedMmPerS, sign * run.speedMmPerS);
+    motion.addCubic(run.rampS, sign * run.speedMmPerS, -sign * run.accelerationMmPerS2, 0);
 }
 
-// One speed that is too high can be lowered; of two neither alone helps.
-void suggestSpeed(std::vector<Refusal>& broken, const PressProgram& program, const Machine& machine)
+// What the rows of the table cannot hold.
+std::vector<Refusal> findUnfit(const PressProgram& program, const Machine& machine)
 {
-    const double allowed = axisAllowance(machine).speedMmPerS;
-    std::vector<Suggestion> tooFast;
-    for (const Field field : speedFields) {
-        if (value(program, field) <= allowed)
-            continue;
-        const double step = info(field).resolution();
-        tooFast.push_back({field, std::floor(allowed / step) * step});
+    std::vector<Refusal> unfit;
+    const auto add = [&unfit](Limit limit, Field field, double actual, double allowed, const char* unit) {
+        Refusal refusal;
+        refusal.limit = limit;
+        refusal.field = field;
+        refusal.actual = actual;
+        refusal.allowed = allowed;
+        refusal.unit = unit;
+        unfit.push_back(std::move(refusal));
+    };
+    for (const detail::MovingStage& stage : detail::movingStages(program)) {
+        const std::int64_t ms = detail::pressRampMs(value(program, stage.speed), machine);
+        if (ms > detail::longestPressRampMs)
+            add(Limit::RampTooLong, stage.speed, static_cast<double>(ms),
+                static_cast<double>(detail::longestPressRampMs), "ms");
     }
-    if (tooFast.size() != 1 || !inRange(tooFast[0].field, tooFast[0].value))
-        return;
-    for (Refusal& refusal : broken)
-        refusal.nearest = tooFast;
+    const double pulses = std::round(program.pressPositionMm * axisPulsesPerMm(machine));
+    if (pulses > detail::farthestPressPulses)
+        add(Limit::TableRange, Field::PressPosition, pulses, detail::farthestPressPulses, "");
+    return unfit;
 }
 
-} // namespace
-
-namespace detail {
-
-std::int64_t pressRampMs(double speedMmPerS, const Machine& machine)
+// A short way may not reach the speed of its row, whose frequency the controller refuses all the same.
+std::optional<Refusal> findFastRow(const PressProgram& program, const Machine& machine)
 {
-    constexpr double rounding = 1e-9; // of a quotient that is a whole number
-    const double ms = 1000 * speedMmPerS / axisAllowance(machine).accelerationMmPerS2;
-    return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(ms - rounding)));
-}
-
-Refusal stageOrder(Field field, double actual, double allowed)
-{
+    double fastest = 0;
+    for (const detail::MovingStage& stage : detail::movingStages(program))
+        fastest = std::max(fastest, value(program, stage.speed) * axisPulsesPerMm(machine));
+    const double allowed = pulseFrequencyLimitHz(machine);
+    if (fastest <= allowed * (1 + detail::limitTolerance))
+        return std::nullopt;
     Refusal refusal;
-    refusal.limit = Limit::StageOrder;
-    refusal.field = field;
-    refusal.actual = actual;
+    refusal.limit = Limit::PulseFrequency;
+    refusal.field = Field::MaxPulseFrequency;
+    refusal.actual = fastest;
     refusal.allowed = allowed;
-    refusal.unit = info(field).unit;
+    refusal.unit = info(refusal.field).unit;
     return refusal;
 }
 
-} // namespace detail
-
-tl::expected<PressStroke, Refusal> solveStroke(const PressProgram& program, const Machine& machine)
+// The stroke and the limits that it breaks, without suggestions.
+tl::expected<PressStroke, Refusal> strokeOf(const PressProgram& program, const Machine& machine)
 {
     if (auto refusal = findInvalidPress(program, machine))
         return tl::unexpected(*std::move(refusal));
@@ -157,11 +172,57 @@ tl::expected<PressStroke, Refusal> solveStroke(const PressProgram& program, cons
     addMove(motion, -positionMm, program.returnSpeedMmPerS, machine);
     endStage(0);
 
-    stroke.motion = detail::checkedMotion(std::move(motion), machine);
-    suggestSpeed(stroke.motion.broken, program, machine);
+    stroke.motion = detail::checkedMotion(std::move(motion), withoutTorque(machine));
+    stroke.motion.peaks.torqueNm = std::numeric_limits<double>::quiet_NaN(); // not known
+    std::vector<Refusal> unfit = findUnfit(program, machine);
+    std::ranges::move(stroke.motion.broken, std::back_inserter(unfit));
+    const bool isPulsing = std::ranges::find(unfit, Limit::PulseFrequency, &Refusal::limit) != unfit.end();
+    if (auto fast = findFastRow(program, machine); fast && !isPulsing)
+        unfit.push_back(*std::move(fast));
+    stroke.motion.broken = std::move(unfit);
     for (std::size_t i = 0; i + 1 < pressStages; ++i)
         stroke.motion.marksS.push_back(stroke.stages[i].toS);
     return stroke;
+}
+
+} // namespace
+
+namespace detail {
+
+std::int64_t pressRampMs(double speedMmPerS, const Machine& machine)
+{
+    constexpr double rounding = 1e-9; // of a quotient that is a whole number
+    const double ms = 1000 * speedMmPerS / machine.maxAccelerationMmPerS2;
+    return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(ms - rounding)));
+}
+
+PressRun pressRun(double lengthMm, double speedMmPerS, const Machine& machine)
+{
+    const double rampS = static_cast<double>(pressRampMs(speedMmPerS, machine)) / 1000;
+    const double acceleration = speedMmPerS / rampS;
+    const double usedS = std::min(rampS, std::sqrt(lengthMm / acceleration));
+    return {acceleration, usedS, acceleration * usedS};
+}
+
+} // namespace detail
+
+tl::expected<PressStroke, Refusal> solveStroke(const PressProgram& program, const Machine& machine)
+{
+    auto stroke = strokeOf(program, machine);
+    if (!stroke) {
+        stroke.error().nearest = detail::nearestPressInputs(program, machine, stroke.error());
+    } else if (!stroke->motion.broken.empty()) {
+        const auto nearest = detail::nearestPressStroke(program, machine);
+        for (Refusal& refusal : stroke->motion.broken)
+            refusal.nearest = nearest;
+    }
+    return stroke;
+}
+
+bool isFeasible(const PressProgram& program, const Machine& machine)
+{
+    const auto stroke = strokeOf(program, machine);
+    return stroke && stroke->motion.broken.empty();
 }
 
 tl::expected<AxisMotion, Refusal> solve(const PressProgram& program, const Machine& machine)

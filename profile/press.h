@@ -29,15 +29,19 @@ struct PressStroke {
     std::array<StageSpan, pressStages> stages;
 };
 
-// Refuses inputs out of range, stages of which one ends before it begins (approach < probe end < press
-// position: the work piece is touched between the first two and pressed beyond), and forces out of order
-// (probe force < largest force, least <= most force at the stop <= largest force). Each stage has constant
-// acceleration at both ends, by a ramp of whole milliseconds that needs no more than the machine has.
-// A stroke that asks too much is solved; `broken` then names the limits and, where one input alone mends
-// the program, that input.
+// Refuses inputs out of range, stages of which one ends before it begins or at the same pulse (approach <
+// probe end < press position: the work piece is touched between the first two and pressed beyond), and forces
+// out of order (probe force < largest force, least <= most force at the stop <= largest force), with the
+// nearest inputs that alone mend the program. Each stage has constant acceleration at both ends, by a ramp of
+// whole milliseconds that needs no more than the machine's acceleration. Torque is no limit of a press and
+// its peak not known (NaN). A stroke that asks too much is solved; `broken` then names the limits, those of
+// the table among them (RampTooLong, TableRange, the pulse frequency of a row), and the input that alone
+// mends the program.
 [[nodiscard]] tl::expected<PressStroke, Refusal> solveStroke(const PressProgram& program,
                                                              const Machine& machine);
-// The motion of the above.
+// True when the above finds nothing wrong; then there is a table.
+[[nodiscard]] bool isFeasible(const PressProgram& program, const Machine& machine);
+// The motion of solveStroke.
 [[nodiscard]] tl::expected<AxisMotion, Refusal> solve(const PressProgram& program, const Machine& machine);
 
 // What the controller executes, a row per stage.
@@ -57,8 +61,7 @@ struct PressTable {
     double speedErrorMmPerS = 0;  // largest, by rounding to whole Hz
 };
 
-// Refuses what solveStroke refuses, positions and ramps beyond what the controller takes (TableRange), and
-// stages that fall on the same pulse (StageOrder).
+// Refuses what solveStroke refuses, and a stroke that breaks a limit.
 [[nodiscard]] tl::expected<PressTable, Refusal> buildPressTable(const PressProgram& program,
                                                                 const Machine& machine);
 

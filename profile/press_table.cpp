@@ -10,19 +10,6 @@
 namespace campanel::profile {
 namespace {
 
-constexpr std::int64_t longestRampMs = 1000;
-constexpr std::int64_t farthestPulses = std::numeric_limits<std::int32_t>::max() / 2;
-
-Refusal beyondTable(Field field, double actual, double allowed)
-{
-    Refusal refusal;
-    refusal.limit = Limit::TableRange;
-    refusal.field = field;
-    refusal.actual = actual;
-    refusal.allowed = allowed;
-    return refusal;
-}
-
 class PressRounding {
 public:
     PressRounding(const Machine& machine, PressTable& table)
@@ -53,20 +40,6 @@ private:
     PressTable& m_table;
 };
 
-std::optional<Refusal> findUnfit(const PressProgram& program, const Machine& machine)
-{
-    const double pulses = program.pressPositionMm * axisPulsesPerMm(machine);
-    if (pulses > static_cast<double>(farthestPulses))
-        return beyondTable(Field::PressPosition, pulses, static_cast<double>(farthestPulses));
-    for (const Field field :
-         {Field::ApproachSpeed, Field::ProbeSpeed, Field::PressSpeed, Field::ReturnSpeed}) {
-        const std::int64_t ms = detail::pressRampMs(value(program, field), machine);
-        if (ms > longestRampMs)
-            return beyondTable(field, static_cast<double>(ms), static_cast<double>(longestRampMs));
-    }
-    return std::nullopt;
-}
-
 } // namespace
 
 tl::expected<PressTable, Refusal> buildPressTable(const PressProgram& program, const Machine& machine)
@@ -74,8 +47,8 @@ tl::expected<PressTable, Refusal> buildPressTable(const PressProgram& program, c
     const auto stroke = solveStroke(program, machine);
     if (!stroke)
         return tl::unexpected(stroke.error());
-    if (auto refusal = findUnfit(program, machine))
-        return tl::unexpected(*std::move(refusal));
+    if (!stroke->motion.broken.empty())
+        return tl::unexpected(stroke->motion.broken.front());
     PressTable table;
     PressRounding rounding(machine, table);
     auto& rows = table.rows;
@@ -85,13 +58,6 @@ tl::expected<PressTable, Refusal> buildPressTable(const PressProgram& program, c
     rows[3] = {0, rows[2].endPulses, rows[2].forceN,
                static_cast<std::uint32_t>(std::llround(program.holdTimeS * 1000))};
     rows[4] = rounding.row(program.returnSpeedMmPerS, 0, program.maxForceN);
-    const double pulseMm = 1 / axisPulsesPerMm(machine);
-    if (rows[1].endPulses <= rows[0].endPulses)
-        return tl::unexpected(
-            detail::stageOrder(Field::ProbeEnd, program.probeEndMm, program.approachPositionMm + pulseMm));
-    if (rows[2].endPulses <= rows[1].endPulses)
-        return tl::unexpected(
-            detail::stageOrder(Field::PressPosition, program.pressPositionMm, program.probeEndMm + pulseMm));
     const double ticks = std::round(stroke->motion.motion.durationS() * machine.timerClockHz);
     table.cycleTicks = static_cast<std::uint32_t>(
         std::min(ticks, static_cast<double>(std::numeric_limits<std::uint32_t>::max())));

@@ -58,6 +58,8 @@ std::string knotReason(const Refusal& r)
     case Limit::KnotSpacing:
         return concat({knot, " is ", actual, " after the one before it; keep at least ", allowed, "."});
     case Limit::KnotRange:
+        if (!std::isfinite(r.actual))
+            return concat({knot, " has no finite value; the nearest place is ", allowed, "."});
         return concat({knot, " at ", actual, " is out of range; the nearest place is ", allowed, "."});
     case Limit::KnotEnds:
         return concat({knot, " is at ", actual, " but the cam must have one at ", allowed, "."});
@@ -139,6 +141,11 @@ std::string reason(const Refusal& r)
     case Limit::SpeedError:
         return concat({"Intervals cannot keep a speed error of ", withUnit(significantText(r.actual), r.unit),
                        "; they can keep ", withUnit(significantText(r.allowed), r.unit), "."});
+    case Limit::RampTooLong:
+        return concat({info(r.field).name, " needs a ramp of ", withUnit(fixedText(r.actual, 0), r.unit),
+                       " with the largest acceleration; the controller takes at most ",
+                       withUnit(fixedText(r.allowed, 0), r.unit),
+                       ". Enter a lower speed or a larger acceleration."});
     case Limit::KnotCount:
     case Limit::KnotOrder:
     case Limit::KnotSpacing:
@@ -155,13 +162,14 @@ std::string reason(const Refusal& r)
 
 std::string_view limitId(Limit limit)
 {
-    static constexpr std::array<std::string_view, 30> ids{
+    static constexpr std::array<std::string_view, 31> ids{
         "field_range",         "pinned_pair",     "law_unknown",        "law_parameter",   "ratio_order",
         "stroke_cannot_close", "motor_speed",     "knife_acceleration", "pulse_frequency", "machine_rate",
         "row_capacity",        "too_few_pulses",  "axis_acceleration",  "motor_torque",    "no_motion",
         "distance_too_short",  "distance_sign",   "knot_count",         "knot_order",      "knot_spacing",
         "knot_range",          "knot_ends",       "overshoot",          "wrap_jump",       "stage_order",
-        "force_order",         "master_too_fast", "table_range",        "reversal",        "speed_error"};
+        "force_order",         "master_too_fast", "table_range",        "reversal",        "speed_error",
+        "ramp_too_long"};
     return ids[static_cast<std::size_t>(limit)];
 }
 

@@ -45,6 +45,7 @@ enum class Limit : std::uint8_t {
     TableRange,       // a table value that its register cannot hold
     Reversal,         // the motion turns round within a cycle, and intervals go one way
     SpeedError,       // intervals cannot keep it with whole pulses; `allowed` can be kept
+    RampTooLong,      // a press stage speeds up longer than a row holds
 };
 
 // Stable id of a limit, for logs and machine-readable output.

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
 namespace campanel::profile {
 namespace {
@@ -27,13 +28,19 @@ public:
 
     void write(const TableSlice& slice)
     {
+        const bool isSlow = slice.ticks > m_largestConstant * slice.pulses;
         if (slice.pulses == 0)
             pause(slice.ticks);
-        else if (slice.ticks > m_largestConstant * slice.pulses)
+        else if (isSlow)
             writeSlow(slice);
         else
             writeEven(slice);
+        if (slice.pulses == 0 || isSlow)
+            m_played.push_back(slice);
     }
+
+    // The stretches of even speed that the rows play; pauses and single pulses stand for such a one together.
+    [[nodiscard]] std::span<const TableSlice> played() const { return m_played; }
 
 private:
     void pause(std::int64_t ticks)
@@ -54,6 +61,7 @@ private:
             const std::int64_t nextTick = nextPulse * slice.ticks / slice.pulses;
             m_rows.push_back(
                 {static_cast<std::uint16_t>(nextPulse - pulse), static_cast<std::uint32_t>(nextTick - tick)});
+            m_played.push_back({slice.startTick + tick, nextTick - tick, nextPulse - pulse});
             pulse = nextPulse;
             tick = nextTick;
         }
@@ -76,6 +84,7 @@ private:
 
     std::int64_t m_largestConstant;
     std::vector<StepRow>& m_rows;
+    std::vector<TableSlice> m_played;
 };
 
 Refusal tooFast(const RotaryCutter& cutter, double actualHz)
@@ -162,7 +171,7 @@ tl::expected<StepTable, Refusal> buildTable(const RotaryCutter& cutter)
     if (!row && table.pulses.remainder != 0)
         return tl::unexpected(tooFast(cutter, onePulseMoreHz));
     table.carryRow = row.value_or(0);
-    table.errors = tableErrors(cutter, cycle->slices);
+    table.errors = tableErrors(cutter, writer.played());
     return table;
 }
 

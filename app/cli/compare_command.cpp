@@ -8,6 +8,9 @@
 #include "profile/laws.h"
 
 #include <QJsonArray>
+#include <QtNumeric>
+
+#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -53,12 +56,12 @@ QByteArray comparisonText(const QJsonArray& rows)
             text += u"%1 %2\n"_s.arg(row[u"law"_s].toString(), -20).arg(row[u"refusal"_s].toString());
             continue;
         }
-        const QJsonValue jerk = row[u"jerk_mm_per_s3"_s];
+        const double jerk = row[u"jerk_mm_per_s3"_s].toDouble(qInf());
         text += u"%1 %2 %3 %4 %5 %6 %7\n"_s.arg(row[u"law"_s].toString(), -20)
                     .arg(row[u"time_s"_s].toDouble(), 9, 'f', 3)
                     .arg(row[u"motor_rpm"_s].toDouble(), 9, 'f', 1)
                     .arg(row[u"acceleration_mm_per_s2"_s].toDouble(), 11, 'f', 1)
-                    .arg(jerk.isNull() ? u"steps"_s : QString::number(jerk.toDouble(), 'f', 0), 13)
+                    .arg(std::isfinite(jerk) ? QString::number(jerk, 'f', 0) : u"steps"_s, 13)
                     .arg(row[u"torque_nm"_s].toDouble(), 9, 'f', 4)
                     .arg(row[u"feasible"_s].toBool() ? u"yes"_s : u"no"_s, 13);
     }

@@ -8,6 +8,7 @@
 #include <QJsonDocument>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -22,8 +23,8 @@ QString scalarText(const QJsonValue& value)
     switch (value.type()) {
     case QJsonValue::Bool:
         return value.toBool() ? u"yes"_s : u"no"_s;
-    case QJsonValue::Double:
-        return QString::fromLatin1(number(value.toDouble()));
+    case QJsonValue::Double: // not known or not finite: null in JSON
+        return std::isfinite(value.toDouble()) ? QString::fromLatin1(number(value.toDouble())) : u"--"_s;
     case QJsonValue::String:
         return value.toString();
     default:

@@ -1661,6 +1661,10 @@
         <translation>至少一行数据</translation>
     </message>
     <message>
+        <source>The file %1 is not text in UTF-8. Save it as CSV in UTF-8.</source>
+        <translation>文件 %1 不是 UTF-8 文本。请另存为 UTF-8 编码的 CSV。</translation>
+    </message>
+    <message>
         <source>%1, line %2: expected %3, found &quot;%4&quot;.</source>
         <translation>%1 第 %2 行：应为%3，实际为“%4”。</translation>
     </message>
@@ -2552,6 +2556,10 @@
     <message>
         <source>The table does not fit the controller. Use fewer pulses per revolution or a shorter motion.</source>
         <translation>数据表超出控制器的范围。请减少每转脉冲数或缩短运动。</translation>
+    </message>
+    <message>
+        <source>%1 needs a ramp of %2 ms with the largest acceleration; the controller takes at most %3 ms. Enter a lower speed or a larger acceleration.</source>
+        <translation>%1以最大加速度需要 %2 ms 的斜坡，控制器最多 %3 ms。请输入更低的速度或更大的加速度。</translation>
     </message>
     <message>
         <source>The motion turns round, and intervals go one way. Choose cam points.</source>

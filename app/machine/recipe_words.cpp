@@ -240,6 +240,7 @@ QString RecipeWords::limitName(Limit limit)
     case Limit::TableRange:
     case Limit::Reversal:
     case Limit::SpeedError:
+    case Limit::RampTooLong:
         break;
     }
     return tr("largest rate");

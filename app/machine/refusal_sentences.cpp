@@ -217,6 +217,10 @@ QString RefusalSentences::refusal(const profile::Refusal& refusal)
     case Limit::SpeedError:
         return tr("Whole pulses cannot keep the speed within %1 mm/s. Use more pulses per revolution.")
             .arg(format.compact(refusal.actual, 0, 3));
+    case Limit::RampTooLong:
+        return tr("%1 needs a ramp of %2 ms with the largest acceleration; the controller takes at most %3 "
+                  "ms. Enter a lower speed or a larger acceleration.")
+            .arg(name, format.number(refusal.actual, 0), format.number(refusal.allowed, 0));
     case Limit::KnotCount:
     case Limit::KnotOrder:
     case Limit::KnotSpacing:

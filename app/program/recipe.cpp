@@ -14,11 +14,18 @@
 namespace campanel::program {
 namespace {
 
+// A value far beyond any range stays what it is, so that its refusal names it.
+double onKnotGrid(double value, double steps)
+{
+    const double rounded = std::round(value * steps) / steps;
+    return std::isfinite(rounded) ? rounded : value;
+}
+
 void quantiseKnots(profile::PointCamProgram& cam)
 {
     for (profile::Knot& knot : cam.knots) {
-        knot.masterDeg = std::round(knot.masterDeg * knotStepsPerDeg) / knotStepsPerDeg;
-        knot.slaveMm = std::round(knot.slaveMm * knotStepsPerMm) / knotStepsPerMm;
+        knot.masterDeg = onKnotGrid(knot.masterDeg, knotStepsPerDeg);
+        knot.slaveMm = onKnotGrid(knot.slaveMm, knotStepsPerMm);
     }
 }
 

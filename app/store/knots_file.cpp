@@ -32,6 +32,8 @@ QString expectation(profile::CsvExpectation expected)
         return FileErrorText::tr("a number with a decimal comma");
     case CsvExpectation::Knots:
         return FileErrorText::tr("at least one line of values");
+    case CsvExpectation::Utf8:
+        break;
     }
     return {};
 }
@@ -49,6 +51,16 @@ QString notOpened(const FileError& error)
     }
 }
 
+QString problemOf(const profile::CsvError& error, const QString& path)
+{
+    if (error.expected == profile::CsvExpectation::Utf8)
+        return FileErrorText::tr("The file %1 is not text in UTF-8. Save it as CSV in UTF-8.").arg(path);
+    return FileErrorText::tr("%1, line %2: expected %3, found \"%4\".")
+        .arg(path)
+        .arg(error.line)
+        .arg(expectation(error.expected), QString::fromStdString(error.found));
+}
+
 KnotsOffer readOffer(const QString& path)
 {
     KnotsOffer offer;
@@ -61,11 +73,7 @@ KnotsOffer readOffer(const QString& path)
     const std::string_view text{bytes->constData(), static_cast<std::size_t>(bytes->size())};
     auto knots = profile::readKnotsCsv(text);
     if (!knots) {
-        const profile::CsvError& error = knots.error();
-        offer.problem = FileErrorText::tr("%1, line %2: expected %3, found \"%4\".")
-                            .arg(path)
-                            .arg(error.line)
-                            .arg(expectation(error.expected), QString::fromStdString(error.found));
+        offer.problem = problemOf(knots.error(), path);
         return offer;
     }
     offer.knots = std::move(*knots);

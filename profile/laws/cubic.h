@@ -17,4 +17,9 @@ inline LawPeaks cubicPeaks(const LawParameters&)
     return {1.5, 6, 12, 0.5, 0};
 }
 
+inline LawPieces cubicPieces(const LawParameters&)
+{
+    return {.g3 = 12, .g4 = 0};
+}
+
 } // namespace campanel::profile::detail

@@ -23,4 +23,10 @@ inline LawPeaks cycloidalPeaks(const LawParameters&)
     return {2, w, w * w, 0.5, 0.25};
 }
 
+inline LawPieces cycloidalPieces(const LawParameters&)
+{
+    constexpr double w = 2 * std::numbers::pi;
+    return {.g3 = w * w, .g4 = w * w * w};
+}
+
 } // namespace campanel::profile::detail

@@ -31,4 +31,11 @@ inline LawPeaks exponentialPeaks(const LawParameters& parameters)
     return {cv, k * cv, std::numeric_limits<double>::infinity(), 0, 0};
 }
 
+inline LawPieces exponentialPieces(const LawParameters& parameters)
+{
+    const double k = parameters[0];
+    const double g3 = k * exponentialPeaks(parameters).ca;
+    return {.g3 = g3, .g4 = k * g3};
+}
+
 } // namespace campanel::profile::detail

@@ -22,4 +22,10 @@ inline LawPeaks halfModifiedSinePeaks(const LawParameters&)
     return {pi / 2, pi * pi, 2 * pi * pi * pi, 0.25, 0};
 }
 
+inline LawPieces halfModifiedSinePieces(const LawParameters& parameters)
+{
+    const double g3 = halfModifiedSinePeaks(parameters).cj;
+    return {{0.25, 1, 1, 1, 1, 1}, g3, 2 * std::numbers::pi * g3};
+}
+
 } // namespace campanel::profile::detail

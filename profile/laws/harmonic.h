@@ -23,4 +23,10 @@ inline LawPeaks harmonicPeaks(const LawParameters&)
     return {pi / 2, pi * pi / 2, pi * pi * pi / 2, 0.5, 0};
 }
 
+inline LawPieces harmonicPieces(const LawParameters&)
+{
+    using std::numbers::pi;
+    return {.g3 = pi * pi * pi / 2, .g4 = pi * pi * pi * pi / 2};
+}
+
 } // namespace campanel::profile::detail

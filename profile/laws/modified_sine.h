@@ -43,4 +43,10 @@ inline LawPeaks modifiedSinePeaks(const LawParameters&)
     return {4 * pi / d, 4 * pi * pi / d, 16 * pi * pi * pi / d, 0.5, 0.125};
 }
 
+inline LawPieces modifiedSinePieces(const LawParameters& parameters)
+{
+    const double g3 = modifiedSinePeaks(parameters).cj;
+    return {{0.125, 0.875, 1, 1, 1, 1}, g3, 4 * std::numbers::pi * g3};
+}
+
 } // namespace campanel::profile::detail

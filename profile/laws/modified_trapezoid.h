@@ -48,4 +48,10 @@ inline LawPeaks modifiedTrapezoidPeaks(const LawParameters&)
     return {2, modifiedTrapezoidCa, 4 * std::numbers::pi * modifiedTrapezoidCa, 0.5, 0.125};
 }
 
+inline LawPieces modifiedTrapezoidPieces(const LawParameters&)
+{
+    constexpr double w = 4 * std::numbers::pi;
+    return {{0.125, 0.375, 0.625, 0.875, 1, 1}, w * modifiedTrapezoidCa, w * w * modifiedTrapezoidCa};
+}
+
 } // namespace campanel::profile::detail

@@ -18,4 +18,9 @@ inline LawPeaks parabolicPeaks(const LawParameters&)
     return {2, 4, std::numeric_limits<double>::infinity(), 0.5, 0};
 }
 
+inline LawPieces parabolicPieces(const LawParameters&)
+{
+    return {{0.5, 1, 1, 1, 1, 1}, 0, 0};
+}
+
 } // namespace campanel::profile::detail

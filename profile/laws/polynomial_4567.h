@@ -24,4 +24,9 @@ inline LawPeaks polynomial4567Peaks(const LawParameters&)
     return {2.1875, 84 * std::sqrt(5.0) / 25, 52.5, 0.5, (5 - std::sqrt(5.0)) / 10};
 }
 
+inline LawPieces polynomial4567Pieces(const LawParameters&)
+{
+    return {.g3 = 52.5, .g4 = 840};
+}
+
 } // namespace campanel::profile::detail

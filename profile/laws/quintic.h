@@ -21,4 +21,9 @@ inline LawPeaks quinticPeaks(const LawParameters&)
     return {1.875, 10 * std::numbers::inv_sqrt3, 60, 0.5, (3 - std::numbers::sqrt3) / 6};
 }
 
+inline LawPieces quinticPieces(const LawParameters&)
+{
+    return {.g3 = 60, .g4 = 360};
+}
+
 } // namespace campanel::profile::detail

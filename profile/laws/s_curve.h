@@ -38,4 +38,12 @@ inline LawPoint sCurveAt(double x, const LawParameters& parameters)
     });
 }
 
+inline LawPieces sCurvePieces(const LawParameters& parameters)
+{
+    const double r = parameters[0];
+    const double jerkTime = parameters[1] * r;
+    const double g3 = sCurvePeaks(parameters).cj;
+    return {{jerkTime, r - jerkTime, r, 1 - r, 1 - r + jerkTime, 1 - jerkTime}, g3, 0};
+}
+
 } // namespace campanel::profile::detail

@@ -29,4 +29,10 @@ inline LawPeaks trapezoidPeaks(const LawParameters& parameters)
     return {1 / (1 - r), 1 / (r * (1 - r)), std::numeric_limits<double>::infinity(), 0.5, 0};
 }
 
+inline LawPieces trapezoidPieces(const LawParameters& parameters)
+{
+    const double r = parameters[0];
+    return {{r, 1 - r, 1, 1, 1, 1}, 0, 0};
+}
+
 } // namespace campanel::profile::detail

@@ -19,6 +19,7 @@ private slots:
     void reads();
     void refuses_data();
     void refuses();
+    void refusesWhatIsNotUtf8();
     void namesTheLineOfAKnot();
     void writes();
     void readsWhatItWrote();
@@ -86,6 +87,7 @@ void TestKnotsCsv::refuses_data()
     row("thousands", "master_deg;slave_mm\n0;1.000,5\n", 2, CsvExpectation::Number, "1.000,5");
     row("comma, then point", "master_deg;slave_mm\n0;0,5\n90;1.5\n", 3, CsvExpectation::DecimalComma, "1.5");
     row("point, then comma", "master_deg;slave_mm\n0;0.5\n90,5;1\n", 3, CsvExpectation::DecimalPoint, "90,5");
+    row("control characters", "master_deg,slave_mm\n0,\x1b[31m\x7f\n", 2, CsvExpectation::Number, "?[31m?");
     row("long line", "a line of a document that is no list of knots at all\n", 1, CsvExpectation::Header,
         "a line of a document that is no list of ");
     row("cut before a whole character", "123456789012345678901234567890123456789\u00e4\n", 1,
@@ -105,6 +107,25 @@ void TestKnotsCsv::refuses()
     QCOMPARE(QByteArray::fromStdString(knots.error().found), found);
     const QByteArray sentence = QByteArray::fromStdString(describe(knots.error()));
     QVERIFY2(sentence.startsWith("Line " + QByteArray::number(line) + ": found "), sentence.constData());
+}
+
+void TestKnotsCsv::refusesWhatIsNotUtf8()
+{
+    const std::u16string text = u"master_deg,slave_mm\r\n0,0\r\n";
+    std::string little;
+    std::string big;
+    for (const char16_t c : text) {
+        little += {static_cast<char>(c), '\0'};
+        big += {'\0', static_cast<char>(c)};
+    }
+    for (const std::string& bytes :
+         {"\xFF\xFE" + little, "\xFE\xFF" + big, little, std::string("\xFF\xFE"), std::string(9, '\0')}) {
+        const auto knots = readKnotsCsv(bytes);
+        QVERIFY(!knots.has_value());
+        QVERIFY(knots.error() == (CsvError{1, CsvExpectation::Utf8, {}}));
+        QCOMPARE(QByteArray::fromStdString(describe(knots.error())),
+                 QByteArray("The file is not text in UTF-8. Save it as CSV in UTF-8."));
+    }
 }
 
 void TestKnotsCsv::writes()

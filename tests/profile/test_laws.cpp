@@ -5,8 +5,11 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace test_laws {
 
@@ -83,6 +86,8 @@ private slots:
     void integralsBetweenJoints();
     void continuousAtJoints_data() { addLaws(); }
     void continuousAtJoints();
+    void piecesAreSmooth_data() { addLaws(); }
+    void piecesAreSmooth();
     void strengthsAndWeaknessesAreTrue();
     void keysAndCodesAreUnique();
 };
@@ -294,6 +299,37 @@ void TestLaws::continuousAtJoints()
 }
 
 // What the sentences claim, in numbers.
+// The joints are those known here, and between them g''' changes no faster than g4.
+void TestLaws::piecesAreSmooth()
+{
+    QFETCH(int, row);
+    const Law& law = laws()[static_cast<std::size_t>(row)];
+    LawParameters p = defaultParameters(law);
+    p[0] *= 1.3;
+    const LawPieces pieces = law.pieces(p);
+    QVERIFY(std::is_sorted(pieces.joints.begin(), pieces.joints.end()));
+    const std::vector<double> all = joints(law, p);
+    for (const double joint : pieces.joints)
+        QVERIFY(joint == 1 || isNearJoint(all, joint, 1e-12));
+    double from = 0;
+    double g3 = 0;
+    double g4 = 0;
+    constexpr int steps = 2000;
+    for (std::size_t i = 0; i <= pieces.joints.size(); ++i) {
+        const double to = i < pieces.joints.size() ? pieces.joints[i] : 1;
+        const double width = (to - from) / (steps + 2);
+        for (int step = 1; width > 0 && step <= steps; ++step) { // inside, beside the joints
+            const LawPoint a = law.at(from + width * step, p);
+            const LawPoint b = law.at(from + width * (step + 1), p);
+            g3 = std::max({g3, std::abs(a.g3), std::abs(b.g2 - a.g2) / width});
+            g4 = std::max(g4, std::abs(b.g3 - a.g3) / width);
+        }
+        from = to;
+    }
+    QVERIFY2(g3 <= pieces.g3 * (1 + 1e-6) + 1e-6 && g3 >= 0.99 * pieces.g3, std::to_string(g3).c_str());
+    QVERIFY2(g4 <= pieces.g4 * (1 + 1e-6) + 1e-6 && g4 >= 0.99 * pieces.g4, std::to_string(g4).c_str());
+}
+
 void TestLaws::strengthsAndWeaknessesAreTrue()
 {
     std::set<std::string_view> sentences;

@@ -67,6 +67,7 @@ private slots:
     void limitsNameTheRateThatMends();
     void overshootIsNamed();
     void wrapJumpIsNamedAndRepaired();
+    void wrapJumpTakesTorque();
     void nearlyClosedIsClosedByRepair();
     void insertsOnTheCurve();
     void removesAndMoves();
@@ -257,6 +258,36 @@ void TestPointCam::overshootIsNamed()
         QVERIFY(near(motion.motion.at(overshoot->timeS.value_or(-1)).positionMm, overshoot->actual));
     }
     QVERIFY(find(solved(PointCamProgram{}), Limit::Overshoot) == nullptr);
+}
+
+// The default cam at 58 r/min: 99.4 mm/s in 2 ms are 49 714 mm/s^2, with 5 kg cm^2 on 100 mm 1.5618 Nm and
+// 0.02 Nm of friction.
+void TestPointCam::wrapJumpTakesTorque()
+{
+    PointCamProgram program;
+    program.ends = SplineEnds::Natural;
+    program.masterRateRevPerMin = 58;
+    Machine machine;
+    machine.maxMotorRpm = 7200;
+    machine.inertiaKgCm2 = 5;
+    const AxisMotion motion = solved(program, machine);
+    QVERIFY(std::abs(motion.peaks.torqueNm - 1.5818) < 1e-4);
+    QVERIFY(std::abs(motion.peaks.accelerationMmPerS2 - 49714.3) < 0.1);
+    QVERIFY(std::isinf(motion.peaks.jerkMmPerS3));
+    QCOMPARE(motion.broken.size(), std::size_t{1});
+    const Refusal* jump = find(motion, Limit::WrapJump);
+    QVERIFY(jump != nullptr);
+    QVERIFY(std::abs(jump->allowed - 0.002 * 1.31 / (5e-4 * 2 * std::acos(-1.0) / 100)) < 1e-6);
+    QCOMPARE(jump->nearest.size(), std::size_t{1});
+    program.masterRateRevPerMin = jump->nearest[0].value;
+    const AxisMotion slower = solved(program, machine);
+    QVERIFY(slower.broken.empty());
+    QVERIFY(slower.peaks.torqueNm <= machine.maxTorqueNm);
+    program.masterRateRevPerMin += 0.1;
+    QVERIFY(!solved(program, machine).broken.empty());
+    program.ends = SplineEnds::Periodic; // no jump, and nothing counts as one
+    QVERIFY(std::isfinite(solved(program, machine).peaks.jerkMmPerS3));
+    QVERIFY(solved(program, machine).peaks.torqueNm < 0.1);
 }
 
 void TestPointCam::wrapJumpIsNamedAndRepaired()

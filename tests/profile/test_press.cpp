@@ -8,8 +8,12 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <random>
+#include <string>
+#include <vector>
 
 namespace test_press {
 
@@ -51,11 +55,20 @@ private slots:
     void wrongOrders_data();
     void wrongOrders();
     void brokenLimitsNameTheSpeed();
-    void frictionTakesAllTorque();
+    void torqueIsNoLimit();
+    void suggestsTheNearestSpeed_data();
+    void suggestsTheNearestSpeed();
     void tableOfTheDefaults();
     void tableStatesItsRounding();
     void tableRefusesWhatItCannotHold();
     void randomProgramsEndWhereTheyShould();
+    void randomSuggestionsWork();
+
+private:
+    static void verifySuggestions(const PressProgram& program, const Machine& machine,
+                                  const std::vector<Suggestion>& suggestions);
+    static void verifyNearestSpeed(const PressProgram& program, const Machine& machine,
+                                   const std::vector<Suggestion>& suggestions);
 };
 
 // 0.01 mm per pulse, 50 m/s^2: ramps of 2, 1, 1 and 2 ms. A stage takes its way over its speed plus a ramp.
@@ -200,6 +213,12 @@ void TestPress::wrongOrders()
         setValue(program, suggestion.field, suggestion.value);
         QVERIFY(solve(program, Machine{}).has_value());
     }
+    PressProgram weak; // below the probe's force and the window: both say how far
+    weak.maxForceN = 100;
+    const auto force = solve(weak, Machine{}).error().nearest;
+    QCOMPARE(force.size(), std::size_t{1});
+    QCOMPARE(static_cast<int>(force[0].field), static_cast<int>(Field::MaxForce));
+    QCOMPARE(force[0].value, 6000.0);
     // Just inside of every order.
     PressProgram close;
     close.probeEndMm = 60.01;
@@ -232,13 +251,74 @@ void TestPress::brokenLimitsNameTheSpeed()
     QVERIFY(two->broken[0].nearest.empty());
 }
 
-void TestPress::frictionTakesAllTorque()
+// A recipe of a press has none of these three.
+void TestPress::torqueIsNoLimit()
 {
     Machine machine;
-    machine.frictionNm = machine.maxTorqueNm;
-    const auto refused = solve(PressProgram{}, machine);
-    QVERIFY(!refused.has_value());
-    QCOMPARE(static_cast<int>(refused.error().limit), static_cast<int>(Limit::MotorTorque));
+    machine.maxAccelerationMmPerS2 = 2000;
+    const auto before = solve(PressProgram{}, machine);
+    machine.maxTorqueNm = 0.001;
+    machine.inertiaKgCm2 = 1000;
+    machine.frictionNm = 1;
+    const auto after = solve(PressProgram{}, machine);
+    QVERIFY(after.has_value());
+    QVERIFY(after->broken.empty());
+    QVERIFY(std::isnan(after->peaks.torqueNm));
+    QCOMPARE(after->motion.durationS(), before->motion.durationS());
+    QCOMPARE(after->peaks.accelerationMmPerS2, 2000.0);
+}
+
+void TestPress::suggestsTheNearestSpeed_data()
+{
+    QTest::addColumn<double>("feed");
+    QTest::addColumn<double>("rpm");
+    QTest::addColumn<double>("acceleration");
+    QTest::addColumn<double>("approachMm");
+    QTest::addColumn<double>("approachSpeed");
+    QTest::addColumn<double>("returnSpeed");
+    QTest::addColumn<int>("field");
+    QTest::addColumn<double>("speed");
+    const int back = static_cast<int>(Field::ReturnSpeed);
+    QTest::newRow("603 r/min of 6 mm are 60.3 mm/s")
+        << 6.0 << 603.0 << 2000.0 << 60.0 << 40.0 << 100.0 << back << 60.3;
+    QTest::newRow("the approach is too short for its speed")
+        << 8.191 << 600.0 << 2000.0 << 0.86 << 99.0 << 83.8 << back << 81.9;
+    QTest::newRow("70 mm/s in 1000 ms") << 10.0 << 3000.0 << 70.0 << 60.0 << 70.0 << 80.0 << back << 70.0;
+    QTest::newRow("two are too fast") << 6.0 << 603.0 << 2000.0 << 60.0 << 80.0 << 80.0 << -1 << 0.0;
+    QTest::newRow("two ramps are too long") << 10.0 << 3000.0 << 70.0 << 60.0 << 80.0 << 80.0 << -1 << 0.0;
+}
+
+void TestPress::suggestsTheNearestSpeed()
+{
+    QFETCH(double, feed);
+    QFETCH(double, rpm);
+    QFETCH(double, acceleration);
+    QFETCH(double, approachMm);
+    QFETCH(double, approachSpeed);
+    QFETCH(double, returnSpeed);
+    QFETCH(int, field);
+    QFETCH(double, speed);
+    Machine machine;
+    machine.pulsesPerMotorRev = 1000;
+    machine.feedMmPerMotorRev = feed;
+    machine.maxMotorRpm = rpm;
+    machine.maxAccelerationMmPerS2 = acceleration;
+    PressProgram program;
+    program.approachPositionMm = approachMm;
+    program.approachSpeedMmPerS = approachSpeed;
+    program.returnSpeedMmPerS = returnSpeed;
+    const auto motion = solve(program, machine);
+    QVERIFY(motion.has_value());
+    QVERIFY(!motion->broken.empty());
+    QVERIFY(!isFeasible(program, machine));
+    QVERIFY(!buildPressTable(program, machine).has_value());
+    for (const Refusal& refusal : motion->broken) {
+        QCOMPARE(refusal.nearest.size(), std::size_t(field < 0 ? 0 : 1));
+        if (field < 0)
+            continue;
+        QCOMPARE(static_cast<int>(refusal.nearest[0].field), field);
+        QVERIFY(isNear(refusal.nearest[0].value, speed));
+    }
 }
 
 void TestPress::tableOfTheDefaults()
@@ -284,8 +364,13 @@ void TestPress::tableRefusesWhatItCannotHold()
     Machine slow;
     slow.maxAccelerationMmPerS2 = 79;
     const auto ramp = buildPressTable(PressProgram{}, slow);
-    QCOMPARE(static_cast<int>(ramp.error().limit), static_cast<int>(Limit::TableRange));
+    QCOMPARE(static_cast<int>(ramp.error().limit), static_cast<int>(Limit::RampTooLong));
+    QCOMPARE(static_cast<int>(ramp.error().field), static_cast<int>(Field::ApproachSpeed));
     QCOMPARE(ramp.error().actual, 1013.0);
+    QCOMPARE(ramp.error().allowed, 1000.0);
+    QCOMPARE(describe(ramp.error()),
+             std::string("Approach speed needs a ramp of 1013 ms with the largest acceleration; the "
+                         "controller takes at most 1000 ms. Enter a lower speed or a larger acceleration."));
 
     Machine coarse;
     coarse.pulsesPerMotorRev = 10; // 10 mm per pulse
@@ -294,6 +379,120 @@ void TestPress::tableRefusesWhatItCannotHold()
     const auto same = buildPressTable(close, coarse);
     QCOMPARE(static_cast<int>(same.error().limit), static_cast<int>(Limit::StageOrder));
     QCOMPARE(static_cast<int>(same.error().field), static_cast<int>(Field::ProbeEnd));
+    QVERIFY(!solve(close, coarse).has_value());
+    QCOMPARE(same.error().nearest.size(), std::size_t{2});
+    QVERIFY(isNear(same.error().nearest[0].value, 65)); // half way to the next pulse
+    QVERIFY(isNear(same.error().nearest[1].value, 54.99));
+
+    // 200 kHz are 60 mm/s; the way is too short for more than 29, but the row asks for 80.
+    Machine fast;
+    fast.pulsesPerMotorRev = 20000;
+    fast.feedMmPerMotorRev = 6;
+    fast.maxAccelerationMmPerS2 = 2000;
+    PressProgram brief;
+    brief.approachPositionMm = 0.4;
+    brief.returnSpeedMmPerS = 50;
+    const auto row = solve(brief, fast);
+    QCOMPARE(row->broken.size(), std::size_t{1});
+    QCOMPARE(static_cast<int>(row->broken[0].limit), static_cast<int>(Limit::PulseFrequency));
+    QVERIFY(isNear(row->broken[0].nearest.at(0).value, 60));
+    QVERIFY(!buildPressTable(brief, fast).has_value());
+}
+
+// A suggestion works alone, and the place of the grid one step nearer to the present value does not.
+void TestPress::verifySuggestions(const PressProgram& program, const Machine& machine,
+                                  const std::vector<Suggestion>& suggestions)
+{
+    const auto works = [&](Field field, double x) {
+        PressProgram mended = program;
+        Machine other = machine;
+        setValue(mended, field, x);
+        setValue(other, field, x);
+        return buildPressTable(mended, other).has_value() && solve(mended, other)->broken.empty();
+    };
+    for (const Suggestion& each : suggestions) {
+        const QString name = QString::fromStdString(std::string(info(each.field).id));
+        QVERIFY2(works(each.field, each.value), qPrintable(name));
+        QCOMPARE(each.value, snapToGrid(each.field, each.value));
+        const double present = value(program, each.field);
+        const double step = std::copysign(info(each.field).resolution(), present - each.value);
+        const double nearer = snapToGrid(each.field, each.value + step);
+        if (std::abs(nearer - present) < std::abs(each.value - present) - 1e-9)
+            QVERIFY2(!works(each.field, nearer), qPrintable(name));
+    }
+}
+
+// Every value of every speed, against what is suggested.
+void TestPress::verifyNearestSpeed(const PressProgram& program, const Machine& machine,
+                                   const std::vector<Suggestion>& suggestions)
+{
+    for (const Field field :
+         {Field::ApproachSpeed, Field::ProbeSpeed, Field::PressSpeed, Field::ReturnSpeed}) {
+        const FieldInfo& f = info(field);
+        double least = std::numeric_limits<double>::infinity(); // distance to a speed that works
+        for (double speed = f.min; speed < f.max + 0.05; speed += 0.1) {
+            PressProgram mended = program;
+            setValue(mended, field, snapToGrid(field, speed));
+            if (isFeasible(mended, machine)) // which is held against the table for every program
+                least = std::min(least, std::abs(snapToGrid(field, speed) - value(program, field)));
+        }
+        const auto found = std::ranges::find(suggestions, field, &Suggestion::field);
+        QCOMPARE(found != suggestions.end(), std::isfinite(least));
+        if (found != suggestions.end())
+            QVERIFY(isNear(std::abs(found->value - value(program, field)), least, 1e-6));
+    }
+}
+
+// Programs and machines of which many are refused: curve and table agree on that, and so do the suggestions.
+void TestPress::randomSuggestionsWork()
+{
+    constexpr unsigned randomSeed = 17;
+    qInfo("seed %u", randomSeed);
+    std::mt19937_64 random(randomSeed);
+    const auto between = [&random](double from, double to) {
+        return std::uniform_real_distribution<double>(from, to)(random);
+    };
+    int broken = 0;
+    int mended = 0;
+    int refused = 0;
+    const int cases = campanel::test::randomCases(5'000);
+    for (int i = 0; i < cases && !QTest::currentTestFailed(); ++i) {
+        PressProgram program;
+        for (const Field field :
+             {Field::ApproachSpeed, Field::ProbeSpeed, Field::PressSpeed, Field::ReturnSpeed,
+              Field::ProbeForce, Field::MaxForce, Field::MinStopForce, Field::MaxStopForce})
+            setValue(program, field, snapToGrid(field, between(info(field).min, info(field).max)));
+        const double scale = std::pow(10, between(-1.5, 3)); // mm
+        for (const Field field : {Field::ApproachPosition, Field::ProbeEnd, Field::PressPosition})
+            setValue(program, field, snapToGrid(field, between(0, scale)));
+        if (i % 8 != 0)
+            putInOrder(program);
+        if (i % 16 == 1)
+            setValue(program, Field::ReturnSpeed, between(0, 300));
+        Machine machine;
+        machine.pulsesPerMotorRev = static_cast<int>(std::pow(10, between(1, 5)));
+        machine.feedMmPerMotorRev = snapToGrid(Field::FeedPerMotorRev, std::pow(10, between(0, 2)));
+        machine.maxMotorRpm = std::round(between(50, 2000));
+        machine.maxAccelerationMmPerS2 = std::round(std::pow(10, between(1.5, 4.5)));
+        const auto motion = solve(program, machine);
+        const auto table = buildPressTable(program, machine);
+        QCOMPARE(table.has_value(), motion && motion->broken.empty());
+        QCOMPARE(isFeasible(program, machine), table.has_value());
+        if (!motion) {
+            ++refused;
+            verifySuggestions(program, machine, motion.error().nearest);
+        } else if (!motion->broken.empty()) {
+            ++broken;
+            mended += motion->broken[0].nearest.empty() ? 0 : 1;
+            verifySuggestions(program, machine, motion->broken[0].nearest);
+            if (broken % 50 == 0)
+                verifyNearestSpeed(program, machine, motion->broken[0].nearest);
+        }
+    }
+    qInfo("%d refused, %d beyond a limit, %d of them mended by one speed", refused, broken, mended);
+    if (QTest::currentTestFailed())
+        return;
+    QVERIFY(refused > cases / 20 && broken > cases / 4 && mended > cases / 20);
 }
 
 void TestPress::randomProgramsEndWhereTheyShould()

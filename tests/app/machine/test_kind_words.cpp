@@ -45,9 +45,14 @@ private slots:
         row("master stands", ProgramKind::PointCam, {{Field::MasterRate, 0}}, "nothing would move", false);
         row("master too fast", ProgramKind::PointCam, {{Field::MasterRate, 1000}}, "the limit is", true);
         row("touch before the approach ends", ProgramKind::Press, {{Field::ProbeEnd, 50}},
-            "Touch before 50.00 mm must be beyond 60.00 mm", false);
+            "Touch before 50.00 mm must be beyond 60.00 mm", true);
         row("press to before the touch", ProgramKind::Press, {{Field::PressPosition, 80}},
-            "Press to 80.00 mm must be beyond 90.00 mm", false);
+            "Press to 80.00 mm must be beyond 90.00 mm", true);
+        row("ramps longer than a row holds", ProgramKind::Press, {{Field::MaxAcceleration, 70}},
+            "needs a ramp of 1143 ms", false);
+        row("one ramp longer than a row holds", ProgramKind::Press,
+            {{Field::MaxAcceleration, 70}, {Field::ApproachSpeed, 60}},
+            "Return speed needs a ramp of 1143 ms", true);
         row("probe force above the largest", ProgramKind::Press, {{Field::ProbeForce, 9000}},
             "must be at most", true);
         row("least force above the most", ProgramKind::Press, {{Field::MinStopForce, 7000}},

@@ -189,7 +189,7 @@ private slots:
         put(folder.filePath(u"photo.csv"_s), QByteArray("\xFF\xD8\xFF\0\x10", 5));
         const auto offers = offeredKnots({{folder.path(), u"STICK"_s, false}});
         QCOMPARE(offers.size(), 1);
-        QVERIFY2(offers[0].problem.contains(u"line 1: expected the header"_s), qPrintable(offers[0].problem));
+        QVERIFY2(offers[0].problem.contains(u"photo.csv is not text in UTF-8"_s), qPrintable(offers[0].problem));
     }
 
     void aFullDiskLeavesTheFileThatWasThere()
