@@ -853,6 +853,10 @@
         <source>The backup cannot be unpacked: %1. Make room on this panel. Nothing was changed.</source>
         <translation>无法解开备份：%1。请在本面板上腾出空间。没有任何更改。</translation>
     </message>
+    <message>
+        <source>it needs %1 MB and %2 MB are free</source>
+        <translation>需要 %1 MB，剩余 %2 MB</translation>
+    </message>
 </context>
 <context>
     <name>ConnectionSentences</name>
@@ -1557,8 +1561,8 @@
         <translation>配方文件 %1 无法读取：%2。</translation>
     </message>
     <message>
-        <source>The recipe could not be saved to %1: %2. The stored recipe is unchanged.</source>
-        <translation>配方无法保存到 %1：%2。已存储的配方没有改变。</translation>
+        <source>The recipe could not be saved to %1: %2. The stored recipe is unchanged. Make room there or check the permissions, then save again.</source>
+        <translation>配方无法保存到 %1：%2。已存储的配方没有改变。请腾出空间或检查权限，然后重新保存。</translation>
     </message>
     <message>
         <source>The recipe file %1 is damaged at byte %2: %3. Restore it from a copy.</source>
@@ -1672,6 +1676,18 @@
         <source>%1 Make room there, unlock the stick or choose another place.</source>
         <comment>%1: whole sentence</comment>
         <translation>%1 请在该处腾出空间、解除 U 盘的写保护，或选择其他位置。</translation>
+    </message>
+    <message>
+        <source>In the recipe file %1 the key %2 occurs twice. Remove one of them.</source>
+        <translation>配方文件 %1 中的键 %2 出现了两次。请删除其中一个。</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>不是普通文件</translation>
+    </message>
+    <message>
+        <source>it is larger than 1 MB</source>
+        <translation>大于 1 MB</translation>
     </message>
 </context>
 <context>
