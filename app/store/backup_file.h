@@ -13,7 +13,7 @@
 
 namespace campanel::store {
 
-inline constexpr int backupFormatVersion = 2; // 1 had no bags and trends
+inline constexpr int backupFormatVersion = 2;                           // 1 had no bags and trends
 inline const QString backedUpSettings = QStringLiteral("settings.ini"); // the part that is the ini file
 
 // What is put into a backup beside the databases.
@@ -80,6 +80,11 @@ public:
 
 // Looks at the manifest alone: quick, and no proof that the rest is sound.
 [[nodiscard]] tl::expected<BackupManifest, BackupError> readManifest(const QString& path);
+
+// Checks what the manifest says of its parts before any of them is unpacked: no part larger than its kind can
+// be, not more than 100 times the archive, and not more than fits beside a reserve into `freeBytes`.
+[[nodiscard]] tl::expected<void, BackupError> checkSizes(const BackupManifest& manifest, qint64 archiveBytes,
+                                                         qint64 freeBytes, const QString& path);
 
 // All parts as files in `folder`, which is empty: each is as the manifest says, the recipes are recipes, the
 // databases open, are sound and have today's schema. Otherwise an error; what is in the folder then is to be
