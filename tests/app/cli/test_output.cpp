@@ -105,6 +105,11 @@ void OutputTest::standardOutputThatIsFullIsAnError_data()
 void OutputTest::standardOutputThatIsFullIsAnError()
 {
     QFETCH(QString, arguments);
+    QProcess controller;
+    controller.setStandardOutputFile(u"/dev/full"_s);
+    controller.start(programPath("campanel-controller"), {u"--help"_s});
+    QVERIFY(controller.waitForFinished());
+    QVERIFY(controller.exitCode() != 0);
     QProcess process;
     process.setStandardOutputFile(u"/dev/full"_s);
     process.start(programPath("campanelctl"), arguments.split(u' '));
