@@ -1097,6 +1097,10 @@
         <source>Measure the marks</source>
         <translation>测量色标</translation>
     </message>
+    <message>
+        <source>No controller is chosen. Choose one on the Settings page, under Connection.</source>
+        <translation>未选择控制器。请在“设置”页的“通信”中选择。</translation>
+    </message>
 </context>
 <context>
     <name>ControllerSentences</name>
@@ -5048,6 +5052,14 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     <message>
         <source>Not permitted: add the user to the group &quot;%1&quot;.</source>
         <translation>无权限：请将用户加入“%1”组。</translation>
+    </message>
+    <message>
+        <source>The settings file was damaged or missing. Its last good copy is used. Check the settings.</source>
+        <translation>设置文件已损坏或丢失。现使用其最后一份完好的副本。请检查设置。</translation>
+    </message>
+    <message>
+        <source>The settings file was damaged and has no good copy. No controller is used. Choose one on the Settings page, under Connection.</source>
+        <translation>设置文件已损坏，且没有完好的副本。当前不使用任何控制器。请在“设置”页的“通信”中选择。</translation>
     </message>
 </context>
 <context>
