@@ -138,11 +138,10 @@ QString Settings::notice() const
     if (!m_isNoticed)
         return {};
     return m_file.origin() == store::SettingsFile::Origin::Copy
-               ? tr("The settings file was damaged or missing. Its last good copy is used. Check the "
-                    "settings.")
-               : tr("The settings file was damaged and has no good copy. No controller is used. Choose one "
-                    "on the "
-                    "Settings page, under Connection.");
+               ? tr("The settings file was damaged or missing. Its last good copy is used. "
+                    "Check the settings.")
+               : tr("The settings file was damaged and has no good copy. No controller is used. "
+                    "Choose one on the Settings page, under Connection.");
 }
 
 void Settings::dismissNotice()

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Settings` in QML: what this panel remembers for itself (language, looks, connection), kept in
-// a file.
+// `Settings` in QML: what this panel remembers for itself (language, looks, connection), kept in a file.
 // Connection fields are a draft until applyConnection().
 #pragma once
 

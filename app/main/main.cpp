@@ -13,7 +13,6 @@
 #include "app/main/qml_modules.h"
 #include "app/main/self_test.h"
 #include "app/main/service_watchdog.h"
-#include "app/store/files.h"
 
 #include <QFile>
 #include <QGuiApplication>
@@ -66,9 +65,9 @@ panel::Configuration configurationOf(Arguments arguments)
     const panel::ReadConfiguration read =
         panel::readConfiguration(named.isEmpty() ? panel::configurationFile() : named);
     for (const QString& complaint : read.complaints)
-        std::fprintf(stderr, "campanel: %s\n", qPrintable(store::printable(complaint)));
+        std::fprintf(stderr, "campanel: %s\n", qPrintable(complaint));
     if (!named.isEmpty() && !QFile::exists(named))
-        std::fprintf(stderr, "campanel: %s: there is no such file.\n", qPrintable(store::printable(named)));
+        std::fprintf(stderr, "campanel: %s: there is no such file.\n", qPrintable(named));
     QLoggingCategory::setFilterRules(read.values.logRules.join(u'\n'));
     return read.values;
 }

@@ -3,7 +3,6 @@
 #include "app/main/options.h"
 
 #include "app/main/configuration.h"
-#include "app/store/files.h"
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
@@ -20,7 +19,7 @@ const QString defaultLook = QStringLiteral("light-en-1024x600");
 
 [[noreturn]] void refuse(const QString& sentence)
 {
-    std::fprintf(stderr, "campanel: %s\n", qPrintable(store::printable(sentence)));
+    std::fprintf(stderr, "campanel: %s\n", qPrintable(sentence));
     std::exit(usageError);
 }
 

@@ -13,7 +13,7 @@
 
 namespace campanel::store {
 
-inline constexpr int backupFormatVersion = 2;                           // 1 had no bags and trends
+inline constexpr int backupFormatVersion = 2; // 1 had no bags and trends
 inline const QString backedUpSettings = QStringLiteral("settings.ini"); // the part that is the ini file
 
 // What is put into a backup beside the databases.

@@ -15,9 +15,8 @@ QString FileErrorText::describe(const FileError& error)
     case FileError::Kind::NotReadable:
         return tr("The recipe file %1 cannot be read: %2.").arg(path, error.found);
     case FileError::Kind::NotWritable:
-        return tr("The recipe could not be saved to %1: %2. The stored recipe is unchanged. Make room there "
-                  "or "
-                  "check the permissions, then save again.")
+        return tr("The recipe could not be saved to %1: %2. The stored recipe is unchanged. "
+                  "Make room there or check the permissions, then save again.")
             .arg(path, error.found);
     case FileError::Kind::NotJson:
         return tr("The recipe file %1 is damaged at byte %2: %3. Restore it from a copy.")

@@ -94,17 +94,17 @@ tl::expected<void, FileError> settle(const QString& path)
     return {};
 }
 
-QString printable(QString text)
+QString printable(const QString& text)
 {
-    for (qsizetype i = 0; i < text.size(); ++i) {
-        const QChar character = text[i];
+    QString shown;
+    shown.reserve(text.size());
+    for (const QChar character : text) {
         if (character.category() != QChar::Other_Control || character == u'\n' || character == u'\t')
-            continue;
-        const QString shown = QStringLiteral("\\u%1").arg(character.unicode(), 4, 16, QLatin1Char('0'));
-        text.replace(i, 1, shown);
-        i += shown.size() - 1;
+            shown += character;
+        else
+            shown += QStringLiteral("\\u%1").arg(character.unicode(), 4, 16, QLatin1Char('0'));
     }
-    return text;
+    return shown;
 }
 
 } // namespace campanel::store

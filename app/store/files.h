@@ -22,6 +22,6 @@ namespace campanel::store {
 
 // Makes a text fit for a terminal or a log: control characters become visible, as "\u001b"; only line ends
 // and tabulators stay. A JSON text still says the same.
-[[nodiscard]] QString printable(QString text);
+[[nodiscard]] QString printable(const QString& text);
 
 } // namespace campanel::store
