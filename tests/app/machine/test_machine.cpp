@@ -356,6 +356,18 @@ private slots:
         QVERIFY(!next.firstStart());
     }
 
+    void withoutAChosenControllerItSaysSo()
+    {
+        PanelRig rig;
+        link::LinkReport report;
+        report.simulated = false;
+        report.state = link::LinkState::PortProblem;
+        report.error = modbus::LinkError{modbus::LinkErrorKind::PortAbsent, {}, {}, {}, 0};
+        emit rig.link.reported(report);
+        QVERIFY2(rig.machine.connectionText().startsWith("No controller is chosen."),
+                 qPrintable(rig.machine.connectionText()));
+    }
+
     // A file of an earlier version has no checksum: a key that is not known is damage in it.
     void everyKeyOfTheSettingsIsKnown()
     {
