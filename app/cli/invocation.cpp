@@ -4,8 +4,10 @@
 
 #include "app/cli/link_session.h"
 #include "app/cli/recipe_options.h"
+#include "app/store/files.h"
 
-#include <QSaveFile>
+#include <QFile>
+#include <QFileInfo>
 
 #include <cstdio>
 
@@ -16,6 +18,16 @@ namespace {
 
 const QString exitCodes =
     u"Exit codes: 0 done, 1 refused or not feasible, 2 wrong usage, 3 connection, 4 file."_s;
+
+// Such as /dev/stdout or a pipe: what is no file cannot be replaced.
+Outcome writeDevice(const QString& path, const QByteArray& bytes)
+{
+    QFile device(path);
+    if (!device.open(QIODevice::WriteOnly | QIODevice::Unbuffered) || device.write(bytes) != bytes.size())
+        return fail(ExitCode::File,
+                    u"%1 cannot be written: %2. Name another file."_s.arg(path, device.errorString()));
+    return {};
+}
 
 } // namespace
 
@@ -75,17 +87,29 @@ QString Invocation::format() const
 
 Outcome Invocation::deliver(const QByteArray& text) const
 {
-    if (m_command.formats.isEmpty() || !isSet(u"output"_s)) {
-        const bool written = std::fwrite(text.constData(), 1, static_cast<std::size_t>(text.size()),
-                                         stdout) == static_cast<std::size_t>(text.size());
-        if (!written || std::fflush(stdout) != 0)
-            return fail(ExitCode::File, u"Standard output cannot be written."_s);
-        return {};
-    }
-    QSaveFile file(value(u"output"_s));
-    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
-        return fail(ExitCode::File,
-                    u"%1 cannot be written: %2."_s.arg(value(u"output"_s), file.errorString()));
+    if (m_command.formats.isEmpty() || !isSet(u"output"_s))
+        return writeStandardOutput(text);
+    const QString path = value(u"output"_s);
+    const QByteArray bytes = store::printable(QString::fromUtf8(text)).toUtf8();
+    if (const QFileInfo present(path); present.exists() && !present.isFile() && !present.isDir())
+        return writeDevice(path, bytes);
+    if (const auto written = store::replaceBytes(path, bytes); !written)
+        return fail(
+            ExitCode::File,
+            u"%1 cannot be written: %2. Nothing in it has changed. Make room there, or name another file."_s
+                .arg(path, written.error().found));
+    return {};
+}
+
+Outcome writeStandardOutput(const QByteArray& text)
+{
+    const QByteArray bytes = store::printable(QString::fromUtf8(text)).toUtf8();
+    const auto size = static_cast<std::size_t>(bytes.size());
+    if (std::fwrite(bytes.constData(), 1, size, stdout) != size || std::fflush(stdout) != 0)
+        return fail(
+            ExitCode::File,
+            u"Standard output cannot be written: %1. Make room there, or redirect it to another file."_s.arg(
+                qt_error_string()));
     return {};
 }
 

@@ -41,7 +41,7 @@ public:
 
     // The format asked for; one of the command's.
     [[nodiscard]] QString format() const;
-    // Prints, or writes to the file given with -o.
+    // Prints, or writes to the file given with -o: the whole text or, on an error, nothing.
     [[nodiscard]] Outcome deliver(const QByteArray& text) const;
 
 private:
@@ -49,6 +49,9 @@ private:
     QCommandLineParser m_parser;
     QStringList m_arguments;
 };
+
+// Prints; what did not get out is an error.
+[[nodiscard]] Outcome writeStandardOutput(const QByteArray& text);
 
 [[nodiscard]] QString overviewText(std::span<const CommandInfo> commands);
 

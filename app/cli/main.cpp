@@ -3,6 +3,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
 #include "app/cli/simulate_options.h"
+#include "app/store/files.h"
 
 #include <QCoreApplication>
 
@@ -156,14 +157,15 @@ std::vector<CommandInfo> commandTable()
 
 int report(const Failure& failure)
 {
-    std::fprintf(stderr, "campanelctl: %s\n", qPrintable(failure.sentence.simplified()));
+    std::fprintf(stderr, "campanelctl: %s\n",
+                 qPrintable(campanel::store::printable(failure.sentence.simplified())));
     return static_cast<int>(failure.code);
 }
 
 int print(const QString& text)
 {
-    std::fputs(qPrintable(text), stdout);
-    return static_cast<int>(ExitCode::Success);
+    const Outcome written = writeStandardOutput(text.toUtf8());
+    return written ? static_cast<int>(ExitCode::Success) : report(written.error());
 }
 
 // Newer versions of Qt complain on standard error about a locale without UTF-8, although they replace it

@@ -8,6 +8,7 @@
 #include "app/cli/simulate_figures.h"
 #include "app/cli/simulate_options.h"
 #include "app/cli/simulate_table.h"
+#include "app/store/files.h"
 
 #include <cstdio>
 #include <ctime>
@@ -46,7 +47,8 @@ public:
     [[nodiscard]] Outcome deliver(const Invocation& call, QJsonObject summary) const
     {
         if (m_csv) {
-            std::fputs(formatted(summary, u"text"_s).constData(), stderr);
+            std::fputs(qPrintable(store::printable(QString::fromUtf8(formatted(summary, u"text"_s)))),
+                       stderr);
             return call.deliver(m_text);
         }
         if (m_json)

@@ -853,6 +853,10 @@
         <source>The backup cannot be unpacked: %1. Make room on this panel. Nothing was changed.</source>
         <translation>无法解开备份：%1。请在本面板上腾出空间。没有任何更改。</translation>
     </message>
+    <message>
+        <source>it needs %1 MB and %2 MB are free</source>
+        <translation>需要 %1 MB，剩余 %2 MB</translation>
+    </message>
 </context>
 <context>
     <name>ConnectionSentences</name>
@@ -1092,6 +1096,10 @@
     <message>
         <source>Measure the marks</source>
         <translation>测量色标</translation>
+    </message>
+    <message>
+        <source>No controller is chosen. Choose one on the Settings page, under Connection.</source>
+        <translation>未选择控制器。请在“设置”页的“通信”中选择。</translation>
     </message>
 </context>
 <context>
@@ -1569,8 +1577,8 @@
         <translation>配方文件 %1 无法读取：%2。</translation>
     </message>
     <message>
-        <source>The recipe could not be saved to %1: %2. The stored recipe is unchanged.</source>
-        <translation>配方无法保存到 %1：%2。已存储的配方没有改变。</translation>
+        <source>The recipe could not be saved to %1: %2. The stored recipe is unchanged. Make room there or check the permissions, then save again.</source>
+        <translation>配方无法保存到 %1：%2。已存储的配方没有改变。请腾出空间或检查权限，然后重新保存。</translation>
     </message>
     <message>
         <source>The recipe file %1 is damaged at byte %2: %3. Restore it from a copy.</source>
@@ -1688,6 +1696,18 @@
         <source>%1 Make room there, unlock the stick or choose another place.</source>
         <comment>%1: whole sentence</comment>
         <translation>%1 请在该处腾出空间、解除 U 盘的写保护，或选择其他位置。</translation>
+    </message>
+    <message>
+        <source>In the recipe file %1 the key %2 occurs twice. Remove one of them.</source>
+        <translation>配方文件 %1 中的键 %2 出现了两次。请删除其中一个。</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>不是普通文件</translation>
+    </message>
+    <message>
+        <source>it is larger than 1 MB</source>
+        <translation>大于 1 MB</translation>
     </message>
 </context>
 <context>
@@ -5052,6 +5072,14 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     <message>
         <source>Not permitted: add the user to the group &quot;%1&quot;.</source>
         <translation>无权限：请将用户加入“%1”组。</translation>
+    </message>
+    <message>
+        <source>The settings file was damaged or missing. Its last good copy is used. Check the settings.</source>
+        <translation>设置文件已损坏或丢失。现使用其最后一份完好的副本。请检查设置。</translation>
+    </message>
+    <message>
+        <source>The settings file was damaged and has no good copy. No controller is used. Choose one on the Settings page, under Connection.</source>
+        <translation>设置文件已损坏，且没有完好的副本。当前不使用任何控制器。请在“设置”页的“通信”中选择。</translation>
     </message>
 </context>
 <context>

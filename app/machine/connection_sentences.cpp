@@ -18,6 +18,8 @@ QString ConnectionSentences::connection(const link::LinkReport& report, const QD
                                 : tr("Connected to the controller on %1.").arg(report.portName);
     if (report.simulated && report.simulator != link::SimulatorState::Serving)
         return simulator(report);
+    if (report.error && !report.simulated && report.error->port.empty())
+        return tr("No controller is chosen. Choose one on the Settings page, under Connection.");
     if (report.state == LinkState::Lost)
         return lost(report, lostAt.toString(QStringLiteral("HH:mm:ss")));
     if (report.error)

@@ -22,20 +22,21 @@ const QList<int> possibleDarkAfter{0, 5, 30};
 
 } // namespace
 
-Display::Display(Machine& machine, const QString& storage, QObject* parent)
+Display::Display(Machine& machine, Settings& settings, QObject* parent)
     : QObject(parent)
     , m_machine(machine)
-    , m_storage(Settings::fileName(storage), QSettings::IniFormat)
+    , m_file(settings.file())
     , m_backlight(Backlight::find())
     , m_touchedAt(machine.now())
 {
-    const int brightness = m_storage.value(brightnessKey, m_brightness).toInt();
+    const int brightness = m_file.value(brightnessKey).toInt();
     if (possibleBrightness.contains(brightness))
         m_brightness = brightness;
-    const int minutes = m_storage.value(darkAfterKey, m_darkAfterMinutes).toInt();
-    if (possibleDarkAfter.contains(minutes))
+    bool isSet = false;
+    const int minutes = m_file.value(darkAfterKey).toInt(&isSet);
+    if (isSet && possibleDarkAfter.contains(minutes))
         m_darkAfterMinutes = minutes;
-    if (m_storage.contains(brightnessKey)) // else it stays as the system has it
+    if (m_file.contains(brightnessKey)) // else it stays as the system has it
         light(m_brightness);
     m_timer.callOnTimeout(this, &Display::tick);
     m_timer.start(1s);
@@ -72,7 +73,7 @@ void Display::setBrightness(int percent)
     if (!possibleBrightness.contains(percent))
         return;
     m_brightness = percent;
-    m_storage.setValue(brightnessKey, percent);
+    m_file.set(brightnessKey, QString::number(percent));
     light(percent);
     emit changed();
 }
@@ -82,7 +83,7 @@ void Display::setDarkAfterMinutes(int minutes)
     if (!possibleDarkAfter.contains(minutes))
         return;
     m_darkAfterMinutes = minutes;
-    m_storage.setValue(darkAfterKey, minutes);
+    m_file.set(darkAfterKey, QString::number(minutes));
     emit changed();
 }
 

@@ -7,9 +7,9 @@
 #include "app/machine/backlight.h"
 
 #include "app/link/link_values.h"
+#include "app/store/settings_file.h"
 
 #include <QObject>
-#include <QSettings>
 #include <QTimer>
 #include <QtQml/qqmlregistration.h>
 
@@ -19,6 +19,7 @@ class QQmlEngine;
 namespace campanel::machine {
 
 class Machine;
+class Settings;
 
 class Display : public QObject {
     Q_OBJECT
@@ -39,8 +40,8 @@ class Display : public QObject {
 public:
     static constexpr int wipeTimeS = 30;
 
-    // `storage` as that of Settings; the machine must outlive it.
-    Display(Machine& machine, const QString& storage, QObject* parent);
+    // Keeps what is set in the file of the settings. They and the machine must outlive it.
+    Display(Machine& machine, Settings& settings, QObject* parent);
 
     // The instance that attachToEngine() gave to this engine.
     static Display* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
@@ -76,7 +77,7 @@ private:
     [[nodiscard]] bool mayBeDark() const;
 
     Machine& m_machine;
-    QSettings m_storage;
+    store::SettingsFile& m_file;
     std::optional<Backlight> m_backlight;
     QTimer m_timer;
     link::SteadyTime m_touchedAt;

@@ -4,8 +4,8 @@
 #include "app/link/port_finder.h"
 #include "app/machine/engine_instances.h"
 
-#include <QFile>
 #include <QLocale>
+#include <QSettings>
 #include <QStandardPaths>
 
 #include <algorithm>
@@ -17,36 +17,54 @@ namespace campanel::machine {
 
 namespace {
 
-constexpr auto languageKey = "language"_L1;
-constexpr auto themeKey = "theme"_L1;
-constexpr auto glovesKey = "gloves"_L1;
-constexpr auto bagToleranceKey = "bag_tolerance_mm"_L1;
-constexpr auto autoLogoutKey = "access/auto_logout_minutes"_L1;
-constexpr auto firstStartKey = "first_start"_L1;
-constexpr auto firstStartBegun = "begun"_L1;
-constexpr auto firstStartDone = "done"_L1;
-constexpr auto operatorsLogInKey = "access/operators_log_in"_L1;
+const QString languageKey = u"language"_s;
+const QString themeKey = u"theme"_s;
+const QString glovesKey = u"gloves"_s;
+const QString bagToleranceKey = u"bag_tolerance_mm"_s;
+const QString autoLogoutKey = u"access/auto_logout_minutes"_s;
+const QString firstStartKey = u"first_start"_s;
+const QString firstStartBegun = u"begun"_s;
+const QString firstStartDone = u"done"_s;
+const QString operatorsLogInKey = u"access/operators_log_in"_s;
+const QString simulatedKey = u"connection/simulated"_s;
+const QString portKey = u"connection/port"_s;
+const QString baudKey = u"connection/baud"_s;
+const QString parityKey = u"connection/parity"_s;
+const QString stopBitsKey = u"connection/stop_bits"_s;
+const QString unitKey = u"connection/unit"_s;
+const QStringList connectionKeys{simulatedKey, portKey, baudKey, parityKey, stopBitsKey, unitKey};
+
+QString textOf(bool truth)
+{
+    return truth ? u"true"_s : u"false"_s;
+}
+
+bool truthOf(const QString& text, bool otherwise)
+{
+    return text == textOf(true) || (otherwise && text != textOf(false));
+}
 
 QString chosen(const QString& wanted, const QStringList& possible, const QString& otherwise)
 {
     return possible.contains(wanted) ? wanted : otherwise;
 }
 
-// What was edited by hand into nonsense becomes the standard.
-ConnectionChoice storedConnection(const QSettings& storage, const ConnectionChoice& standard)
+// What was edited by hand into nonsense becomes the standard; only the simulated controller is never chosen
+// by it.
+ConnectionChoice storedConnection(const store::SettingsFile& file, const ConnectionChoice& standard)
 {
+    if (std::none_of(connectionKeys.begin(), connectionKeys.end(),
+                     [&file](const QString& key) { return file.contains(key); }))
+        return standard;
     ConnectionChoice choice;
-    choice.simulated = storage.value("connection/simulated"_L1, standard.simulated).toBool();
-    choice.portName = storage.value("connection/port"_L1, standard.portName).toString();
-    choice.baud = storage.value("connection/baud"_L1, standard.baud).toInt();
-    choice.parity = storage.value("connection/parity"_L1, standard.parity).toString();
-    choice.stopBits = storage.value("connection/stop_bits"_L1, standard.stopBits).toInt();
-    choice.unit = storage.value("connection/unit"_L1, standard.unit).toInt();
+    choice.simulated = truthOf(file.value(simulatedKey), false);
+    choice.portName = file.value(portKey, standard.portName);
+    choice.baud = file.value(baudKey).toInt();
     if (!Settings::possibleBauds().contains(choice.baud))
         choice.baud = standard.baud;
-    choice.parity = chosen(choice.parity, Settings::possibleParities(), standard.parity);
-    choice.stopBits = std::clamp(choice.stopBits, 1, 2);
-    choice.unit = std::clamp(choice.unit, 1, 247);
+    choice.parity = chosen(file.value(parityKey), Settings::possibleParities(), standard.parity);
+    choice.stopBits = std::clamp(file.value(stopBitsKey, QString::number(standard.stopBits)).toInt(), 1, 2);
+    choice.unit = std::clamp(file.value(unitKey, QString::number(standard.unit)).toInt(), 1, 247);
     return choice;
 }
 
@@ -64,41 +82,87 @@ ConnectionChoice choiceOf(const link::ConnectionSettings& settings, const Connec
     return choice;
 }
 
-void store(QSettings& storage, const ConnectionChoice& choice)
+store::SettingsFile::Values valuesOf(const ConnectionChoice& choice)
 {
-    storage.setValue("connection/simulated"_L1, choice.simulated);
-    storage.setValue("connection/port"_L1, choice.portName);
-    storage.setValue("connection/baud"_L1, choice.baud);
-    storage.setValue("connection/parity"_L1, choice.parity);
-    storage.setValue("connection/stop_bits"_L1, choice.stopBits);
-    storage.setValue("connection/unit"_L1, choice.unit);
+    return {{simulatedKey, textOf(choice.simulated)},        {portKey, choice.portName},
+            {baudKey, QString::number(choice.baud)},         {parityKey, choice.parity},
+            {stopBitsKey, QString::number(choice.stopBits)}, {unitKey, QString::number(choice.unit)}};
 }
 
 } // namespace
 
 Settings::Settings(const QString& storage, QObject* parent, const StandardSettings& standard)
     : QObject(parent)
-    , m_storage(fileName(storage), QSettings::IniFormat)
-    , m_gloves(m_storage.value(glovesKey, standard.gloves).toBool())
+    , m_file(fileName(storage), fileKeys())
+    , m_gloves(truthOf(m_file.value(glovesKey), standard.gloves))
     , m_standardToleranceMm(standard.bagToleranceMm)
     , m_bagToleranceMm(standard.bagToleranceMm)
     , m_autoLogoutMinutes(standard.autoLogoutMinutes)
-    , m_operatorsLogIn(m_storage.value(operatorsLogInKey, standard.operatorsLogIn).toBool())
+    , m_operatorsLogIn(truthOf(m_file.value(operatorsLogInKey), standard.operatorsLogIn))
+    , m_isNoticed(m_file.origin() == store::SettingsFile::Origin::Copy ||
+                  m_file.origin() == store::SettingsFile::Origin::Defaults)
 {
     const bool chineseSystem = QLocale::system().language() == QLocale::Chinese;
     const QString systemLanguage = chineseSystem ? u"zh_CN"_s : u"en"_s;
-    m_language = chosen(m_storage.value(languageKey).toString(), languages(),
+    m_language = chosen(m_file.value(languageKey), languages(),
                         chosen(standard.language, languages(), systemLanguage));
-    m_theme = chosen(m_storage.value(themeKey).toString(), themes(), standard.theme);
-    const double stored = m_storage.value(bagToleranceKey, m_standardToleranceMm).toDouble();
+    m_theme = chosen(m_file.value(themeKey), themes(), standard.theme);
+    const double stored = m_file.value(bagToleranceKey).toDouble();
     if (stored >= leastToleranceMm && stored <= mostToleranceMm)
         m_bagToleranceMm = stored;
-    const int minutes = m_storage.value(autoLogoutKey, m_autoLogoutMinutes).toInt();
+    const int minutes = m_file.value(autoLogoutKey).toInt();
     if (possibleLogouts().contains(minutes))
         m_autoLogoutMinutes = minutes;
-    m_applied = storedConnection(m_storage, standard.connection);
+    if (m_file.origin() == store::SettingsFile::Origin::Defaults)
+        forgetController(standard.connection);
+    m_applied = storedConnection(m_file, standard.connection);
     m_draft = m_applied;
     QLocale::setDefault(QLocale(m_language));
+    // After the texts of the new language are there.
+    connect(this, &Settings::languageChanged, this, &Settings::noticeChanged, Qt::QueuedConnection);
+}
+
+// Which controller this panel had is not known any more. It is not a new panel either: until somebody
+// chooses, also after the next start, it has none.
+void Settings::forgetController(ConnectionChoice standard)
+{
+    standard.simulated = false;
+    standard.portName.clear();
+    store::SettingsFile::Values values = valuesOf(standard);
+    values.insert(firstStartKey, firstStartDone);
+    m_file.set(values);
+}
+
+QString Settings::notice() const
+{
+    if (!m_isNoticed)
+        return {};
+    return m_file.origin() == store::SettingsFile::Origin::Copy
+               ? tr("The settings file was damaged or missing. Its last good copy is used. "
+                    "Check the settings.")
+               : tr("The settings file was damaged and has no good copy. No controller is used. "
+                    "Choose one on the Settings page, under Connection.");
+}
+
+void Settings::dismissNotice()
+{
+    m_isNoticed = false;
+    emit noticeChanged();
+}
+
+QStringList Settings::fileKeys()
+{
+    // Brightness and dark screen are written by Display.
+    return QStringList{languageKey,
+                       themeKey,
+                       glovesKey,
+                       bagToleranceKey,
+                       autoLogoutKey,
+                       firstStartKey,
+                       operatorsLogInKey,
+                       u"display/brightness"_s,
+                       u"display/dark_after_minutes"_s} +
+           connectionKeys;
 }
 
 QList<int> Settings::possibleBauds()
@@ -131,30 +195,22 @@ QString Settings::fileName(const QString& storage)
     return storage.isEmpty() ? QSettings().fileName() : storage;
 }
 
-QByteArray Settings::contents()
-{
-    m_storage.sync();
-    QFile file(m_storage.fileName());
-    return file.open(QIODevice::ReadOnly) ? file.readAll()
-                                          : QByteArray(); // not there before the first change
-}
-
 void Settings::offerFirstStart()
 {
-    if (m_storage.allKeys().isEmpty() || m_storage.value(firstStartKey).toString() == firstStartBegun)
+    if (m_file.isEmpty() || m_file.value(firstStartKey) == firstStartBegun)
         beginFirstStart();
 }
 
 void Settings::beginFirstStart()
 {
-    m_storage.setValue(firstStartKey, firstStartBegun);
+    m_file.set(firstStartKey, firstStartBegun);
     m_isFirstStart = true;
     emit firstStartChanged();
 }
 
 void Settings::endFirstStart()
 {
-    m_storage.setValue(firstStartKey, firstStartDone);
+    m_file.set(firstStartKey, firstStartDone);
     m_isFirstStart = false;
     emit firstStartChanged();
 }
@@ -181,7 +237,7 @@ void Settings::overrideLanguage(const QString& language)
 void Settings::setLanguage(const QString& language)
 {
     overrideLanguage(language);
-    m_storage.setValue(languageKey, m_language);
+    m_file.set(languageKey, m_language);
 }
 
 void Settings::overrideTheme(const QString& theme)
@@ -195,7 +251,7 @@ void Settings::overrideTheme(const QString& theme)
 void Settings::setTheme(const QString& theme)
 {
     overrideTheme(theme);
-    m_storage.setValue(themeKey, m_theme);
+    m_file.set(themeKey, m_theme);
 }
 
 void Settings::overrideGloves(bool gloves)
@@ -209,7 +265,7 @@ void Settings::overrideGloves(bool gloves)
 void Settings::setGloves(bool gloves)
 {
     overrideGloves(gloves);
-    m_storage.setValue(glovesKey, m_gloves);
+    m_file.set(glovesKey, textOf(m_gloves));
 }
 
 void Settings::setBagToleranceMm(double toleranceMm)
@@ -218,7 +274,7 @@ void Settings::setBagToleranceMm(double toleranceMm)
     if (std::isnan(toleranceMm) || taken == m_bagToleranceMm || !admits(Level::Technician))
         return;
     m_bagToleranceMm = taken;
-    m_storage.setValue(bagToleranceKey, m_bagToleranceMm);
+    m_file.set(bagToleranceKey, QString::number(m_bagToleranceMm, 'g', QLocale::FloatingPointShortest));
     emit bagToleranceChanged();
 }
 
@@ -227,7 +283,7 @@ void Settings::setAutoLogoutMinutes(int minutes)
     if (minutes == m_autoLogoutMinutes || !possibleLogouts().contains(minutes) || !admits(Level::Service))
         return;
     m_autoLogoutMinutes = minutes;
-    m_storage.setValue(autoLogoutKey, minutes);
+    m_file.set(autoLogoutKey, QString::number(minutes));
     emit accessChanged();
 }
 
@@ -236,7 +292,7 @@ void Settings::setOperatorsLogIn(bool logIn)
     if (logIn == m_operatorsLogIn || !admits(Level::Service))
         return;
     m_operatorsLogIn = logIn;
-    m_storage.setValue(operatorsLogInKey, logIn);
+    m_file.set(operatorsLogInKey, textOf(logIn));
     emit accessChanged();
 }
 
@@ -307,7 +363,7 @@ void Settings::applyConnection()
     if (!admits(Level::Technician))
         return;
     m_applied = m_draft;
-    store(m_storage, m_applied);
+    m_file.set(valuesOf(m_applied));
     emit connectionChanged();
     emit connectionApplied();
 }

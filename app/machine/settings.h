@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Settings` in QML: what this panel remembers for itself (language, looks, connection), kept by QSettings.
+// `Settings` in QML: what this panel remembers for itself (language, looks, connection), kept in a file.
 // Connection fields are a draft until applyConnection().
 #pragma once
 
 #include "app/link/link_values.h"
 #include "app/machine/gate.h"
 #include "app/machine/port_model.h"
+#include "app/store/settings_file.h"
 
 #include <QObject>
 #include <QPointer>
-#include <QSettings>
 #include <QStringList>
 #include <QtQml/qqmlregistration.h>
 
@@ -78,6 +78,8 @@ class Settings : public QObject {
     Q_PROPERTY(campanel::machine::PortModel* ports READ ports CONSTANT FINAL)
     // The panel is new: language, controller, PINs, machine and a first recipe are to be set.
     Q_PROPERTY(bool firstStart READ firstStart NOTIFY firstStartChanged FINAL)
+    // What the operator must know about the settings: they were damaged; empty: nothing.
+    Q_PROPERTY(QString notice READ notice NOTIFY noticeChanged FINAL)
 
 public:
     // `storage` as an ini file's path; empty for the user's usual place.
@@ -94,11 +96,17 @@ public:
 
     // Where they are kept for that `storage`.
     [[nodiscard]] static QString fileName(const QString& storage);
-    // The file as it is now.
-    [[nodiscard]] QByteArray contents();
+    // The keys that the file can have.
+    [[nodiscard]] static QStringList fileKeys();
+    // The file as it is now; the screen keeps its own settings in it too.
+    [[nodiscard]] QByteArray contents() const { return m_file.contents(); }
+    [[nodiscard]] store::SettingsFile& file() { return m_file; }
 
-    // What was set has been written, as far as anybody knows.
-    [[nodiscard]] bool areKept() const { return m_storage.status() == QSettings::NoError; }
+    // What was set last has been written.
+    [[nodiscard]] bool areKept() const { return m_file.isKept(); }
+
+    [[nodiscard]] QString notice() const;
+    Q_INVOKABLE void dismissNotice();
 
     // The instance that attachToEngine() gave to this engine.
     static Settings* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
@@ -175,12 +183,14 @@ signals:
     void connectionApplied();
     void accessChanged();
     void firstStartChanged();
+    void noticeChanged();
 
 private:
+    void forgetController(ConnectionChoice standard);
     void edit(ConnectionChoice choice);
     [[nodiscard]] bool admits(Level needed) const { return !m_gate || m_gate->admits(needed); }
 
-    QSettings m_storage;
+    store::SettingsFile m_file;
     QString m_language;
     QString m_theme;
     bool m_gloves;
@@ -188,6 +198,7 @@ private:
     double m_bagToleranceMm;
     int m_autoLogoutMinutes;
     bool m_operatorsLogIn;
+    bool m_isNoticed; // the notice was not dismissed yet
     bool m_isFirstStart = false;
     QPointer<Gate> m_gate;
     ConnectionChoice m_draft;

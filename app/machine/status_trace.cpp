@@ -47,7 +47,7 @@ QByteArray StatusTrace::csv(const std::deque<link::StatusSample>& samples, link:
     QByteArray text(
         "time_utc,state,fault_bits,warning_bits,generation,cycle,master_deg,master_percent,commanded_hz,"
         "actual_hz,commanded_pulses,position_pulses,following_error_pulses,knife_deg,bag,bag_length_mm,"
-        "bag_deviation_mm,force_n,uptime_s,sample_ms,latency_ms\r\n");
+        "bag_deviation_mm,force_n,uptime_s,sample_ms,latency_ms\n");
     for (const link::StatusSample& sample : samples) {
         const modbus::StatusBlock& status = sample.status;
         const auto since = std::chrono::duration_cast<std::chrono::milliseconds>(sample.receivedAt - moment);
@@ -74,7 +74,7 @@ QByteArray StatusTrace::csv(const std::deque<link::StatusSample>& samples, link:
             QString::number(status.sampleTimeMs),
             number(std::chrono::duration<double, std::milli>(sample.latency).count(), 3),
         };
-        text += fields.join(u',').toLatin1() + "\r\n";
+        text += fields.join(u',').toLatin1() + '\n';
     }
     return text;
 }

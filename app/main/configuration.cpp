@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/main/configuration.h"
 
-#include <QFile>
+#include "app/store/files.h"
+
 #include <QRegularExpression>
 
 #include <array>
@@ -213,8 +214,6 @@ QString whyUnreadable(const QByteArray& line)
     if (rest.toUtf8() != line)
         return u"not UTF-8"_s;
     rest.replace(textOrComment, u"\\1\\2"_s);
-    if (rest.startsWith(QChar::ByteOrderMark))
-        rest.remove(0, 1);
     if (namelessSection.match(rest).hasMatch())
         return u"a section without a name"_s;
     if (std::any_of(rest.begin(), rest.end(), [](QChar letter) { return letter.unicode() >= 0x80; }))
@@ -239,26 +238,46 @@ public:
             if (const QString why = whyUnreadable(m_lines[i]); !why.isEmpty())
                 dropLine(static_cast<toml::source_index>(i + 1), why);
         }
-        // A line that is no TOML would cost the whole file: without it the rest is tried again.
-        for (qsizetype attempt = 0; attempt <= m_lines.size(); ++attempt) {
+        // A line that is no TOML would cost the whole file: without it the rest is tried again. What has many
+        // of them is no configuration; each of them would cost another reading.
+        constexpr int maxBrokenLines = 50;
+        for (int broken = 0; broken < maxBrokenLines; ++broken) {
             const QByteArray text = m_lines.join('\n');
             const toml::parse_result parsed =
                 toml::parse(std::string_view(text.constData(), size_t(text.size())));
             if (parsed) {
                 takeSections(parsed.table());
-                return m_result;
+                return result();
             }
             const toml::parse_error& error = parsed.error();
             const std::string_view why = error.description();
             dropLine(error.source().begin.line, QString::fromUtf8(why.data(), qsizetype(why.size())));
         }
-        return m_result;
+        m_result.complaints +=
+            u"%1: more than %2 lines are not understood; the whole file is ignored."_s.arg(m_file).arg(
+                maxBrokenLines);
+        return result();
     }
 
 private:
     void complain(toml::source_index line, const QString& what)
     {
-        m_result.complaints += u"%1:%2: %3"_s.arg(m_file).arg(line).arg(what);
+        m_result.complaints += u"%1:%2: %3"_s.arg(m_file).arg(line).arg(store::printable(what));
+    }
+
+    // Without the complaints that nobody reads, and without a controller that nobody named: the simulated one
+    // is the standard of a panel that says nothing of its controller, not of one that cannot be understood.
+    ReadConfiguration result()
+    {
+        constexpr qsizetype maxComplaints = 60;
+        auto& connection = m_result.values.standard.connection;
+        if (m_isConnectionUnsure && connection.portName.isEmpty())
+            connection.simulated = false;
+        if (const qsizetype more = m_result.complaints.size() - maxComplaints; more > 0) {
+            m_result.complaints.remove(maxComplaints - 1, more); // the last one stays
+            m_result.complaints.insert(maxComplaints - 1, u"%1: and %2 more."_s.arg(m_file).arg(more));
+        }
+        return m_result;
     }
 
     // The one at fault, or the last one before it that says anything.
@@ -267,7 +286,9 @@ private:
         qsizetype index = std::clamp<qsizetype>(qsizetype(line) - 1, 0, m_lines.size() - 1);
         while (index > 0 && m_lines[index].trimmed().isEmpty())
             --index;
-        const QString said = QString::fromUtf8(m_lines[index]).simplified();
+        constexpr qsizetype maxShown = 80;
+        const QString said = QString::fromUtf8(m_lines[index].left(maxShown)).simplified();
+        m_isConnectionUnsure = true; // who knows what it said
         complain(static_cast<toml::source_index>(index + 1),
                  u"\"%1\" is not understood (%2); the line is ignored."_s.arg(said, why));
         m_lines[index].clear();
@@ -285,10 +306,12 @@ private:
             else
                 complain(node.source().begin.line,
                          u"there is no key \"%1\" outside a section; it is ignored."_s.arg(shown));
+            m_isConnectionUnsure = m_isConnectionUnsure || !node.is_table() || !isSection(section);
         }
+        const bool isSaid = root.at_path("connection.simulated").is_boolean();
+        m_isConnectionUnsure = m_isConnectionUnsure && !isSaid;
         // Who names a port means it.
-        const bool isPortNamed = !m_result.values.standard.connection.portName.isEmpty();
-        if (isPortNamed && !root.at_path("connection.simulated").is_boolean())
+        if (!m_result.values.standard.connection.portName.isEmpty() && !isSaid)
             m_result.values.standard.connection.simulated = false;
     }
 
@@ -298,16 +321,20 @@ private:
             const std::string whole = section + '.' + std::string(name.str());
             const Key* key = keyNamed(whole);
             const QString shown = QString::fromStdString(whole);
+            const auto wanted = key ? key->take(node, m_result.values) : std::nullopt;
             if (!key)
                 complain(node.source().begin.line, u"there is no key %1; it is ignored."_s.arg(shown));
-            else if (const auto wanted = key->take(node, m_result.values))
+            else if (wanted)
                 complain(node.source().begin.line, u"%1 must be %2; it is ignored."_s.arg(shown, *wanted));
+            if ((!key || wanted) && section == "connection")
+                m_isConnectionUnsure = true;
         }
     }
 
     QList<QByteArray> m_lines;
     QString m_file;
     ReadConfiguration m_result;
+    bool m_isConnectionUnsure = false; // what was not understood may have named the controller
 };
 
 } // namespace
@@ -319,17 +346,21 @@ QString configurationFile()
 
 ReadConfiguration readConfiguration(const QString& file)
 {
-    QFile source(file);
-    if (!source.exists())
+    const auto text = store::readBytes(file);
+    if (text)
+        return configurationFrom(*text, file);
+    if (text.error().kind == store::FileError::Kind::NotFound)
         return {};
-    if (!source.open(QIODevice::ReadOnly))
-        return {{}, {u"%1: cannot be read (%2); it is ignored."_s.arg(file, source.errorString())}};
-    return configurationFrom(source.readAll(), file);
+    ReadConfiguration unread{{},
+                             {u"%1: cannot be read (%2); it is ignored."_s.arg(file, text.error().found)}};
+    unread.values.standard.connection.simulated = false; // it may name the controller
+    return unread;
 }
 
 ReadConfiguration configurationFrom(const QByteArray& text, const QString& file)
 {
-    return Reader(text, file).read();
+    const QByteArray mark("\xEF\xBB\xBF"); // what Windows' editor begins a file with
+    return Reader(text.startsWith(mark) ? text.mid(mark.size()) : text, file).read();
 }
 
 QStringList configurationKeys()

@@ -32,7 +32,9 @@ struct ReadConfiguration {
 
 // Where it is without --config.
 [[nodiscard]] QString configurationFile();
-// A file that does not exist changes nothing; one that cannot be read is complained about.
+// A file that does not exist changes nothing; one that cannot be read, is no regular file or has more than 1
+// MB is complained about. When what was not understood may have named the controller, none is used: the
+// connection is not simulated and has no port.
 [[nodiscard]] ReadConfiguration readConfiguration(const QString& file);
 [[nodiscard]] ReadConfiguration configurationFrom(const QByteArray& text, const QString& file);
 // Every key, as "section.key".

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/main/page_memory.h"
 
+#include "app/store/files.h"
+
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -14,9 +16,8 @@ constexpr int pages = 7; // of Frame.qml; what is beyond is damage, or another v
 
 std::optional<int> pageIn(const QString& path)
 {
-    QFile file(path);
     bool isNumber = false;
-    const int page = file.open(QIODevice::ReadOnly) ? file.read(16).trimmed().toInt(&isNumber) : 0;
+    const int page = store::readBytes(path).value_or(QByteArray()).trimmed().toInt(&isNumber);
     return isNumber && page >= 0 && page < pages ? std::optional(page) : std::nullopt;
 }
 

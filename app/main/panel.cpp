@@ -43,7 +43,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
                recipeFolder(storage), nullptr)
     , m_commissioning(m_machine, m_editor, m_access, *m_service.files(), nullptr)
     , m_bundle({m_machine, m_editor, m_records, *m_service.figures(), *m_service.files()}, nullptr)
-    , m_display(m_machine, storage.settingsFile, nullptr)
+    , m_display(m_machine, m_settings, nullptr)
     , m_explanations({m_machine, m_editor, *m_service.figures(), m_trends}, nullptr)
     , m_pageMemory(recipeFolder(storage) + QStringLiteral("/open-page"))
 {

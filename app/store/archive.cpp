@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/archive.h"
 
+#include "app/store/file_error.h"
+
 #include <QCryptographicHash>
 #include <QFile>
+#include <QFileInfo>
 
 #include <functional>
 #include <zip.h>
@@ -102,6 +105,8 @@ void ArchiveReader::Closer::operator()(zip* archive) const
 tl::expected<ArchiveReader, Error> ArchiveReader::open(const QString& path)
 {
     QFile file(path);
+    if (const QFileInfo present(path); present.exists() && !present.isFile()) // a pipe would be waited for
+        return tl::unexpected(Error{Fault::NotReadable, FileErrorText::notAFile()});
     if (!file.open(QIODevice::ReadOnly))
         return tl::unexpected(Error{Fault::NotReadable, file.errorString()});
     const bool beginsAsOne = file.read(4) == QByteArray("PK\x03\x04", 4);

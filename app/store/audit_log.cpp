@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/audit_log.h"
 
+#include "app/store/files.h"
+
 #include <QCryptographicHash>
 #include <QFile>
-#include <QSaveFile>
 #include <QtEndian>
 
 #include <limits>
@@ -79,11 +80,10 @@ tl::expected<void, StoreError> setAnchor(const Database& database, const Link& l
 {
     if (!isOnDisk(database))
         return {};
-    QSaveFile file(anchorPath(database));
     const QByteArray line = QByteArray::number(link.sequence) + ' ' + link.hash.toHex() + '\n';
-    if (!file.open(QIODevice::WriteOnly) || file.write(line) != line.size() || !file.commit())
-        return tl::unexpected(StoreError{StoreError::Kind::Failed, file.fileName(), file.errorString()});
-    return {};
+    return replaceBytes(anchorPath(database), line).map_error([](const FileError& error) {
+        return StoreError{StoreError::Kind::Failed, error.path, error.found};
+    });
 }
 
 // Where the chain begins: the last row that is not kept any more.

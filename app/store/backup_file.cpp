@@ -2,6 +2,7 @@
 #include "app/store/backup_file.h"
 
 #include "app/store/archive.h"
+#include "app/store/json_keys.h"
 #include "app/store/recipe_json.h"
 #include "app/store/trend_schema.h"
 
@@ -11,6 +12,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QStorageInfo>
 
 #include <algorithm>
 
@@ -32,7 +34,19 @@ const QString workingName = u"working_copy.json"_s;
 const QStringList partNames{databaseName, anchorName, backedUpSettings, storedName, workingName};
 const QString& trendsName = trendDatabase().name; // where there are any, after the others
 
+constexpr qint64 megabyte = 1'000'000;
+// A million rows of the audit trail, or ten million bags, take less than half of it.
+constexpr qint64 maxDatabaseBytes = 1'000 * megabyte;
+constexpr qint64 maxAnchorBytes = 10'000;
+
 using Kind = BackupError::Kind;
+
+qint64 maxBytesOf(const QString& part)
+{
+    if (part == databaseName || part == trendsName)
+        return maxDatabaseBytes;
+    return part == anchorName ? maxAnchorBytes : mostRecipeBytes;
+}
 
 BackupError errorOf(const ArchiveReader::Error& error, const QString& path)
 {
@@ -83,6 +97,8 @@ tl::expected<BackupManifest, BackupError> manifestOf(ArchiveReader& archive, con
     const QJsonObject json = bytes ? QJsonDocument::fromJson(*bytes).object() : QJsonObject();
     if (json.value("format"_L1).toString() != backupFormat)
         return tl::unexpected(BackupError{Kind::NotABackup, path, {}});
+    if (repeatedKey(*bytes))
+        return tl::unexpected(BackupError{Kind::Damaged, path, manifestName});
     BackupManifest manifest;
     manifest.program = json.value("campanel"_L1).toString();
     manifest.schema = json.value("schema"_L1).toInt();
@@ -248,6 +264,28 @@ tl::expected<BackupManifest, BackupError> readManifest(const QString& path)
     return manifestOf(*archive, path);
 }
 
+tl::expected<void, BackupError> checkSizes(const BackupManifest& manifest, qint64 archiveBytes,
+                                           qint64 freeBytes, const QString& path)
+{
+    constexpr qint64 maxRatio = 100; // a database is packed 5 to 30 times
+    constexpr qint64 smallBytes = 16 * megabyte;
+    constexpr qint64 reserveBytes = 64 * megabyte; // for what the panel goes on to write
+    qint64 total = 0;
+    for (const BackupManifest::Part& part : manifest.parts) {
+        if (part.bytes < 0 || part.bytes > maxBytesOf(part.name))
+            return tl::unexpected(BackupError{Kind::Damaged, path, part.name});
+        total += part.bytes;
+    }
+    if (total > smallBytes && total / maxRatio > archiveBytes)
+        return tl::unexpected(BackupError{Kind::Damaged, path, manifestName});
+    if (total + reserveBytes > freeBytes)
+        return tl::unexpected(BackupError{Kind::NotWritable, path,
+                                          BackupErrorText::tr("it needs %1 MB and %2 MB are free")
+                                              .arg((total + reserveBytes) / megabyte + 1)
+                                              .arg(freeBytes / megabyte)});
+    return {};
+}
+
 tl::expected<BackupManifest, BackupError> unpackBackup(const QString& path, const QString& folder)
 {
     auto archive = ArchiveReader::open(path);
@@ -257,6 +295,10 @@ tl::expected<BackupManifest, BackupError> unpackBackup(const QString& path, cons
     if (!manifest)
         return manifest;
     const QDir target(folder);
+    if (const auto fits =
+            checkSizes(*manifest, QFileInfo(path).size(), QStorageInfo(folder).bytesAvailable(), path);
+        !fits)
+        return tl::unexpected(fits.error());
     for (const BackupManifest::Part& part : manifest->parts) {
         const auto hash = archive->extract(part.name, part.bytes, target.filePath(part.name));
         if (!hash)

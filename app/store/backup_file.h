@@ -81,6 +81,11 @@ public:
 // Looks at the manifest alone: quick, and no proof that the rest is sound.
 [[nodiscard]] tl::expected<BackupManifest, BackupError> readManifest(const QString& path);
 
+// Checks what the manifest says of its parts before any of them is unpacked: no part larger than its kind can
+// be, not more than 100 times the archive, and not more than fits beside a reserve into `freeBytes`.
+[[nodiscard]] tl::expected<void, BackupError> checkSizes(const BackupManifest& manifest, qint64 archiveBytes,
+                                                         qint64 freeBytes, const QString& path);
+
 // All parts as files in `folder`, which is empty: each is as the manifest says, the recipes are recipes, the
 // databases open, are sound and have today's schema. Otherwise an error; what is in the folder then is to be
 // thrown away.

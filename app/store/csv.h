@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One text as a field of a CSV line (RFC 4180).
+// One text as a field of a CSV line (RFC 4180). All CSV files of CamPanel separate fields by commas and end
+// every line with a line feed alone.
 #pragma once
 
 #include <QString>

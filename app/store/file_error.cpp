@@ -15,7 +15,8 @@ QString FileErrorText::describe(const FileError& error)
     case FileError::Kind::NotReadable:
         return tr("The recipe file %1 cannot be read: %2.").arg(path, error.found);
     case FileError::Kind::NotWritable:
-        return tr("The recipe could not be saved to %1: %2. The stored recipe is unchanged.")
+        return tr("The recipe could not be saved to %1: %2. The stored recipe is unchanged. "
+                  "Make room there or check the permissions, then save again.")
             .arg(path, error.found);
     case FileError::Kind::NotJson:
         return tr("The recipe file %1 is damaged at byte %2: %3. Restore it from a copy.")
@@ -44,8 +45,20 @@ QString FileErrorText::describe(const FileError& error)
     case FileError::Kind::TooLong:
         return tr("In the recipe file %1 %2 is longer than %3 bytes. Shorten it.")
             .arg(path, error.key, error.expected);
+    case FileError::Kind::RepeatedKey:
+        return tr("In the recipe file %1 the key %2 occurs twice. Remove one of them.").arg(path, error.key);
     }
     return {};
+}
+
+QString FileErrorText::notAFile()
+{
+    return tr("it is not a regular file");
+}
+
+QString FileErrorText::tooLarge()
+{
+    return tr("it is larger than 1 MB");
 }
 
 QString FileErrorText::aNumber()

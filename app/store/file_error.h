@@ -21,6 +21,7 @@ struct FileError {
         OutOfRange, // `expected` is "10 to 2000 mm"
         NotAChoice, // `expected` lists the choices
         TooLong,    // `expected` is the largest number of bytes
+        RepeatedKey,
     };
 
     Kind kind = Kind::NotFound;
@@ -37,6 +38,9 @@ class FileErrorText {
 public:
     // One or two sentences in the language of the program: what is wrong, where, and what to do.
     [[nodiscard]] static QString describe(const FileError& error);
+    // The words that go into FileError::found, for what is no regular file or has more than 1 MB.
+    [[nodiscard]] static QString notAFile();
+    [[nodiscard]] static QString tooLarge();
     // The words that go into FileError::expected.
     [[nodiscard]] static QString aNumber();
     [[nodiscard]] static QString aWholeNumber();

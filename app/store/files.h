@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading and replacing small files as a whole. Internal to app/store.
+// Reading and replacing small files as a whole: the one way in which all programs do it.
 #pragma once
 
 #include "app/store/file_error.h"
@@ -10,12 +10,18 @@
 
 namespace campanel::store {
 
-// At most 1 MB: what is stored here has a few KB; a file that is thousands of times longer is something else.
+// Reads a regular file of at most 1 MB: what is stored here has a few KB. Anything else, such as a pipe, a
+// device or a longer file, is an error at once; nothing is waited for.
 [[nodiscard]] tl::expected<QByteArray, FileError> readBytes(const QString& path);
-// The file is the old one or the new one, also after a power cut.
+// Replaces the file in one step after the new content has reached the medium. On an error the old file is
+// whole, also after a power cut. What is there and is no regular file is left alone.
 [[nodiscard]] tl::expected<void, FileError> replaceBytes(const QString& path, const QByteArray& bytes);
 // Brings all that was written to the file system of `path` onto its medium, names too. The system's reason on
 // failure.
 [[nodiscard]] tl::expected<void, FileError> settle(const QString& path);
+
+// Makes a text fit for a terminal or a log: control characters become visible, as "\u001b"; only line ends
+// and tabulators stay. A JSON text still says the same.
+[[nodiscard]] QString printable(const QString& text);
 
 } // namespace campanel::store

@@ -2,6 +2,9 @@
 // Choice between the file, its last good copy and the default recipe.
 #include "app/store/last_recipe.h"
 
+#include "app/store/files.h"
+#include "app/store/store_logging.h"
+
 #include <QDir>
 #include <QStandardPaths>
 
@@ -27,9 +30,10 @@ LastRecipe::Loaded LastRecipe::load() const
     if (!copy && neverSaved && copy.error().kind == FileError::Kind::NotFound)
         return {program::Recipe{}, {}};
     const QString complaint = FileErrorText::describe(saved.error());
-    if (copy)
-        return {*copy, tr("%1 The last good copy is used.").arg(complaint)};
-    return {program::Recipe{}, tr("%1 There is no good copy; the default recipe is used.").arg(complaint)};
+    const QString notice = copy ? tr("%1 The last good copy is used.").arg(complaint)
+                                : tr("%1 There is no good copy; the default recipe is used.").arg(complaint);
+    qCWarning(storeLog).noquote() << printable(notice);
+    return {copy.value_or(program::Recipe{}), notice};
 }
 
 tl::expected<void, FileError> LastRecipe::save(const program::Recipe& recipe) const

@@ -22,7 +22,7 @@ QByteArray line(QStringList fields)
 {
     for (QString& field : fields)
         field = csvField(field);
-    return fields.join(u',').toUtf8() + "\r\n";
+    return fields.join(u',').toUtf8() + '\n';
 }
 
 QString end(AlarmRow::End end)
@@ -61,8 +61,7 @@ tl::expected<QList<Row>, StoreError> since(qint64 sinceMs, Read read, Time timeO
 
 QByteArray auditCsv(const QList<AuditRow>& rows)
 {
-    QByteArray text(
-        "sequence,time_utc,who,level,what,object,before,after,read_back,outcome,previous,hash\r\n");
+    QByteArray text("sequence,time_utc,who,level,what,object,before,after,read_back,outcome,previous,hash\n");
     for (const AuditRow& row : rows) {
         const AuditEntry& entry = row.entry;
         text +=
@@ -76,7 +75,7 @@ QByteArray auditCsv(const QList<AuditRow>& rows)
 QByteArray alarmsCsv(const QList<AlarmRow>& rows)
 {
     QByteArray text(
-        "id,code,raised_utc,end,returned_utc,acknowledged_utc,acknowledged_by,count,shelved,detail\r\n");
+        "id,code,raised_utc,end,returned_utc,acknowledged_utc,acknowledged_by,count,shelved,detail\n");
     for (const AlarmRow& row : rows) {
         text += line({QString::number(row.id), row.code, time(row.raisedMs), end(row.end),
                       time(row.returnedMs), time(row.acknowledgedMs), row.acknowledgedBy,

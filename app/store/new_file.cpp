@@ -23,12 +23,14 @@ tl::expected<QString, QString> writeNewFile(const Place& place, const QString& n
     const QString path = freePath(place, name, suffix);
     const auto written = write(path).and_then(
         [&path] { return settle(path).map_error([](const FileError& error) { return error.found; }); });
-    if (!written)
+    if (!written) {
+        QFile::remove(path); // it was not there before
         return tl::unexpected(
             FileErrorText::tr("%1 Make room there, unlock the stick or choose another place.",
                               "%1: whole sentence")
                 .arg(FileErrorText::tr("The file %1 cannot be written: %2.")
                          .arg(QDir::toNativeSeparators(path), written.error())));
+    }
     return path;
 }
 

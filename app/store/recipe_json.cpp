@@ -3,6 +3,7 @@
 // was expected.
 #include "app/store/recipe_json.h"
 
+#include "app/store/json_keys.h"
 #include "app/store/json_reader.h"
 #include "app/store/program_json.h"
 
@@ -56,6 +57,8 @@ tl::expected<Recipe, FileError> fromJson(const QByteArray& json, const QString& 
     if (parseError.error != QJsonParseError::NoError)
         return refuse({FileError::Kind::NotJson, {}, {}, parseError.errorString(), {}, parseError.offset});
     const QJsonObject root = document.object();
+    if (const auto key = repeatedKey(json))
+        return refuse({FileError::Kind::RepeatedKey, {}, *key, {}, {}, 0});
     if (const auto wrong = wrongFormat(root))
         return refuse(*wrong);
 

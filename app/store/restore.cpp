@@ -6,7 +6,6 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 
 #include <filesystem>
 
@@ -34,14 +33,13 @@ tl::expected<void, QString> move(const QString& from, const QString& to)
     std::filesystem::rename(native(from), native(to), failure);
     if (!failure)
         return {};
-    QFile source(from);
-    QSaveFile target(to);
-    if (failure != std::errc::cross_device_link || !source.open(QIODevice::ReadOnly))
+    if (failure != std::errc::cross_device_link)
         return tl::unexpected(QString::fromStdString(failure.message()));
-    const QByteArray bytes = source.readAll(); // the settings, a few KB
-    if (!target.open(QIODevice::WriteOnly) || target.write(bytes) != bytes.size() || !target.commit() ||
-        !source.remove())
-        return tl::unexpected(target.errorString());
+    const auto copied = readBytes(from).and_then( // the settings, a few KB
+        [&to](const QByteArray& bytes) { return replaceBytes(to, bytes); });
+    QFile source(from);
+    if (!copied || !source.remove())
+        return tl::unexpected(copied ? source.errorString() : copied.error().found);
     return {};
 }
 

@@ -49,8 +49,10 @@ int main(int argc, char** argv)
 {
     const auto options = parseOptions(argc, argv);
     if (!options) {
-        std::fputs(options.error().text.c_str(), options.error().exitCode == 0 ? stdout : stderr);
-        return options.error().exitCode;
+        std::FILE* const stream = options.error().exitCode == 0 ? stdout : stderr;
+        const bool isWritten =
+            std::fputs(options.error().text.c_str(), stream) >= 0 && std::fflush(stream) == 0;
+        return isWritten ? options.error().exitCode : fail("standard output cannot be written.");
     }
     const sigset_t waitMask = takeSignals();
     if (options->exitWithParent) {

@@ -20,7 +20,8 @@ Item {
     readonly property string linkTrouble: isTrouble ? Machine.connectionText : ""
     readonly property string alarm: Machine.alarmText.length > 0 ? Machine.alarmText : linkTrouble
     readonly property string answer: Machine.commandMessage.length > 0 ? Machine.commandMessage
-        : Editor.notice.length > 0 ? Editor.notice : Records.notice.length > 0 ? Records.notice : refusal
+        : Settings.notice.length > 0 ? Settings.notice : Editor.notice.length > 0 ? Editor.notice
+        : Records.notice.length > 0 ? Records.notice : refusal
     readonly property bool stopShown: Machine.stopWaits
     readonly property bool alarmShown: !stopShown && answer.length === 0 && alarm.length > 0 && alarm !== putAside && !Alarms.seen
     readonly property bool shown: stopShown || answer.length > 0 || alarmShown
@@ -34,6 +35,7 @@ Item {
             host.putAside = host.alarm
         host.refusal = ""
         Machine.dismissMessage()
+        Settings.dismissNotice()
         Editor.dismissNotice()
         Records.dismissNotice()
     }

@@ -28,7 +28,7 @@ QByteArray read(const QString& path)
 
 struct DisplayRig : test::PanelRig {
     QString device = folder.filePath(u"backlight/panel"_s);
-    Display display{machine, folder.filePath(u"settings.ini"_s), nullptr};
+    Display display{machine, settings, nullptr};
 
     DisplayRig()
     {
@@ -86,7 +86,8 @@ private slots:
         QCOMPARE(rig.level(), QByteArray("125"));
         rig.display.setBrightness(51); // none of the choices
         QCOMPARE(rig.display.brightness(), 50);
-        const Display again(rig.machine, rig.folder.filePath(u"settings.ini"_s), nullptr);
+        machine::Settings stored(rig.folder.filePath(u"settings.ini"_s), nullptr);
+        const Display again(rig.machine, stored, nullptr);
         QCOMPARE(again.brightness(), 50);
     }
 

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the panel shows of the controller: nothing before there is data, its age, the trace, the bags,
 // commands.
+#include "app/machine/display.h"
 #include "app/machine/engine_instances.h"
 #include "panel_rig.h"
 #include "tests/support/test_program.h"
 
+#include <QFile>
+#include <QLocale>
 #include <QQmlComponent>
+#include <QRegularExpression>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
@@ -307,6 +312,88 @@ private slots:
         QCOMPARE(settings.parity(), "N");
         QCOMPARE(settings.unit(), 247);
         QCOMPARE(settings.stopBits(), 1);
+    }
+
+    // As a power cut leaves it.
+    void damagedSettingsNeverChooseAnotherController()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("settings.ini");
+        const machine::ConnectionChoice real{false, "/dev/ttyUSB7", 19200, "E", 2, 9};
+        {
+            machine::Settings settings(path, nullptr);
+            settings.setTheme("dark");
+            settings.setSimulated(false);
+            settings.setPortName(real.portName);
+            settings.setBaud(real.baud);
+            settings.setParity(real.parity);
+            settings.setStopBits(real.stopBits);
+            settings.setUnit(real.unit);
+            settings.applyConnection();
+            QCOMPARE(settings.notice(), QString());
+        }
+        QVERIFY(QFile::resize(path, 20));
+        QTest::ignoreMessage(QtWarningMsg, QRegularExpression("settings file .* damaged .* last good copy"));
+        machine::Settings mended(path, nullptr);
+        QCOMPARE(mended.connection(), real);
+        QCOMPARE(mended.theme(), "dark");
+        QVERIFY2(mended.notice().contains("last good copy"), qPrintable(mended.notice()));
+        mended.dismissNotice();
+        QCOMPARE(mended.notice(), QString());
+        QCOMPARE(machine::Settings(path, nullptr).notice(), QString());
+
+        QVERIFY(QFile::resize(path, 0));
+        QVERIFY(QFile::remove(path + ".bak"));
+        QTest::ignoreMessage(QtWarningMsg, QRegularExpression("settings file .* no good copy"));
+        const machine::Settings lost(path, nullptr);
+        QVERIFY(!lost.connection().simulated);
+        QCOMPARE(lost.connection().portName, QString());
+        QVERIFY2(lost.notice().contains("No controller"), qPrintable(lost.notice()));
+        // Not by the next start either, and the panel is not a new one.
+        machine::Settings next(path, nullptr);
+        QVERIFY(!next.connection().simulated);
+        next.offerFirstStart();
+        QVERIFY(!next.firstStart());
+    }
+
+    void withoutAChosenControllerItSaysSo()
+    {
+        PanelRig rig;
+        link::LinkReport report;
+        report.simulated = false;
+        report.state = link::LinkState::PortProblem;
+        report.error = modbus::LinkError{modbus::LinkErrorKind::PortAbsent, {}, {}, {}, 0};
+        emit rig.link.reported(report);
+        QVERIFY2(rig.machine.connectionText().startsWith("No controller is chosen."),
+                 qPrintable(rig.machine.connectionText()));
+    }
+
+    // A file of an earlier version has no checksum: a key that is not known is damage in it.
+    void everyKeyOfTheSettingsIsKnown()
+    {
+        PanelRig rig;
+        rig.settings.setLanguage("zh_CN");
+        rig.settings.setTheme("dark");
+        rig.settings.setGloves(true);
+        rig.settings.setBagToleranceMm(1.5);
+        rig.settings.setAutoLogoutMinutes(30);
+        rig.settings.setOperatorsLogIn(true);
+        rig.settings.beginFirstStart();
+        rig.settings.applyConnection();
+        machine::Display display(rig.machine, rig.settings, nullptr);
+        display.setBrightness(50);
+        display.setDarkAfterMinutes(30);
+        const QByteArray written = rig.settings.contents();
+        const QString path = rig.folder.filePath("earlier.ini");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(written.mid(written.indexOf('\n') + 1));
+        file.close();
+        machine::Settings again(path, nullptr);
+        QVERIFY(again.file().origin() == store::SettingsFile::Origin::File);
+        QCOMPARE(again.contents(), written);
+        QCOMPARE(written.count('='), machine::Settings::fileKeys().size() + 1);
+        QLocale::setDefault(QLocale("en"));
     }
 
     void qmlSeesTheAttachedObjects()

@@ -122,6 +122,11 @@ private slots:
         QCOMPARE(lines(entry(archive, "trace.csv")).size() - 1,
                  qsizetype(rig.bundle.trace().latest().size()));
         QVERIFY(entry(archive, "trace_before_fault.csv").isEmpty());
+        for (const char* name :
+             {"alarms.csv", "audit.csv", "trace.csv", "table.csv", "link_figures.csv", "link_24_hours.csv"}) {
+            const QByteArray csv = entry(archive, name);
+            QVERIFY2(csv.endsWith('\n') && !csv.contains('\r'), name);
+        }
     }
 
     void whatALimitForbidsHasNoTable()

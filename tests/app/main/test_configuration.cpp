@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include <random>
+#include <sys/stat.h>
 
 namespace test_configuration {
 
@@ -185,7 +186,10 @@ screen = "linuxfb"
             configurationFrom("[access]\noperators_log_in = true\n[connection]\n\n" + line + '\n', name);
         QCOMPARE(read.complaints, QStringList{complaint});
         QVERIFY(read.values.standard.operatorsLogIn);
-        QCOMPARE(read.values.standard.connection, machine::ConnectionChoice());
+        // What may have named the controller never leads to the simulated one.
+        machine::ConnectionChoice expected;
+        expected.simulated = !complaint.contains(u"connection."_s) && !complaint.contains(u"no section"_s);
+        QCOMPARE(read.values.standard.connection, expected);
         QCOMPARE(read.values.standard.bagToleranceMm, 0.5);
         QVERIFY(!read.values.windowSize);
         QCOMPARE(read.values.logRules, QStringList());
@@ -236,6 +240,57 @@ screen = "linuxfb"
             name);
         QCOMPARE(read.complaints, QStringList());
         QCOMPARE(read.values.standard.connection.portName, u"/dev/\u00e9\"#[}"_s);
+    }
+
+    // Windows' editor puts it before the text.
+    void aByteOrderMarkCostsNothing()
+    {
+        const ReadConfiguration read =
+            configurationFrom("\xEF\xBB\xBF[connection]\nport = \"/dev/ttyS1\"\nunit = 7\n", name);
+        QCOMPARE(read.complaints, QStringList());
+        QCOMPARE(read.values.standard.connection.portName, u"/dev/ttyS1"_s);
+        QCOMPARE(read.values.standard.connection.unit, 7);
+        QVERIFY(!read.values.standard.connection.simulated);
+    }
+
+    void damageNeverChoosesTheSimulatedController_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<bool>("simulated");
+        QTest::newRow("nothing said") << QByteArray("[display]\ntheme = \"dark\"\n") << true;
+        QTest::newRow("nothing of it concerned") << QByteArray("[display]\ntheme = \"pink\"\n") << true;
+        QTest::newRow("a port that is none") << QByteArray("[connection]\nport = \"ttyS1\"\n") << false;
+        QTest::newRow("section misspelled") << QByteArray("[conection]\nport = \"/dev/ttyS1\"\n") << false;
+        QTest::newRow("section lost") << QByteArray("connection]\nport = \"/dev/ttyS1\"\n") << false;
+        QTest::newRow("key misspelled") << QByteArray("[connection]\nprt = \"/dev/ttyS1\"\n") << false;
+        QTest::newRow("text not ended") << QByteArray("[connection]\nport = \"/dev/ttyS1\n") << false;
+        QTest::newRow("said") << QByteArray("[connection]\nsimulated = true\nprt = \"/dev/ttyS1\"\n") << true;
+    }
+    void damageNeverChoosesTheSimulatedController()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(bool, simulated);
+        QCOMPARE(configurationFrom(text, name).values.standard.connection.simulated, simulated);
+    }
+
+    void manyBrokenLinesCostTheFileNotTheStart()
+    {
+        QByteArray text = "[display]\ntheme = \"dark\"\n";
+        for (int i = 0; i < 20'000; ++i)
+            text += "this is no TOML\n";
+        const ReadConfiguration read = configurationFrom(text, name);
+        QVERIFY(read.complaints.size() <= 62);
+        QVERIFY2(read.complaints.last().contains(u"the whole file is ignored"_s),
+                 qPrintable(read.complaints.last()));
+        QCOMPARE(read.values.standard.theme, u"light"_s);
+        QVERIFY(!read.values.standard.connection.simulated);
+    }
+
+    void complaintsAreFitForATerminal()
+    {
+        const QStringList complaints = configurationFrom("\x1b[2J\n", name).complaints;
+        QVERIFY(!complaints.isEmpty());
+        QVERIFY2(!complaints.first().contains(QChar(0x1b)), qPrintable(complaints.first()));
     }
 
     void aKeySetTwiceHoldsItsFirstValue()

@@ -163,18 +163,27 @@ struct Home {
 };
 
 // A backup with another manifest.
-void rewrite(const QString& path, const std::function<void(QJsonObject&)>& change)
+void rewriteText(const QString& path, const std::function<void(QByteArray&)>& change)
 {
     auto archive = ArchiveReader::open(path);
-    QJsonObject json = QJsonDocument::fromJson(*archive->read(u"manifest.json"_s, 100'000)).object();
-    change(json);
-    QList<ArchiveEntry> entries{{u"manifest.json"_s, QJsonDocument(json).toJson(), {}}};
+    QByteArray manifest = *archive->read(u"manifest.json"_s, 100'000);
+    change(manifest);
+    QList<ArchiveEntry> entries{{u"manifest.json"_s, manifest, {}}};
     for (const char* name : {"campanel.sqlite", "campanel.sqlite.audit", "settings.ini", "recipe.json",
                              "working_copy.json", "trends.sqlite"})
         entries << ArchiveEntry{
             QString::fromLatin1(name), *archive->read(QString::fromLatin1(name), 100'000'000), {}};
     QFile::remove(path);
     QVERIFY(writeArchive(path, entries));
+}
+
+void rewrite(const QString& path, const std::function<void(QJsonObject&)>& change)
+{
+    rewriteText(path, [&change](QByteArray& manifest) {
+        QJsonObject json = QJsonDocument::fromJson(manifest).object();
+        change(json);
+        manifest = QJsonDocument(json).toJson();
+    });
 }
 
 } // namespace
@@ -280,6 +289,7 @@ private slots:
         QTest::newRow("without its last byte") << static_cast<int>(Kind::Damaged) << u"byte"_s;
         QTest::newRow("another hash") << static_cast<int>(Kind::Damaged) << u"sha256"_s;
         QTest::newRow("another count") << static_cast<int>(Kind::Damaged) << u"recipes"_s;
+        QTest::newRow("a key twice") << static_cast<int>(Kind::Damaged) << u"twice"_s;
         QTest::newRow("newer format") << static_cast<int>(Kind::Newer) << u"formatVersion"_s;
         QTest::newRow("newer schema") << static_cast<int>(Kind::Newer) << u"schema"_s;
     }
@@ -302,6 +312,9 @@ private slots:
         else if (how == u"zip") {
             QVERIFY(QFile::remove(home.backup));
             QVERIFY(writeArchive(home.backup, {{u"holiday.txt"_s, "sun", {}}}));
+        } else if (how == u"twice") {
+            rewriteText(home.backup,
+                        [](QByteArray& text) { text.replace("\"users\":", "\"users\": 1, \"users\":"); });
         } else {
             rewrite(home.backup, [&how](QJsonObject& json) {
                 if (how == u"sha256") {
@@ -323,6 +336,61 @@ private slots:
         QVERIFY2(sentence.contains(u"day.zip"_s) && sentence.endsWith(u"Nothing was changed."),
                  qPrintable(sentence));
         QVERIFY(home.files() == before);
+    }
+
+    // Its sizes are honest: a database of zeros, a thousand times as large as the archive.
+    void aBombIsNotUnpacked()
+    {
+        const Home home;
+        QTemporaryDir snapshot;
+        put(snapshot.filePath(u"campanel.sqlite"_s), {});
+        QVERIFY(QFile::resize(snapshot.filePath(u"campanel.sqlite"_s), 30'000'000));
+        put(snapshot.filePath(u"campanel.sqlite.audit"_s), {});
+        put(snapshot.filePath(u"trends.sqlite"_s), {});
+        BackupManifest manifest;
+        manifest.made = QDateTime::fromMSecsSinceEpoch(nowMs, Qt::UTC);
+        const QString bomb = home.stick.filePath(u"bomb.zip"_s);
+        QVERIFY(writeBackup(bomb, manifest, snapshot.path(), {}));
+        QVERIFY(QFileInfo(bomb).size() < 300'000);
+        const QTemporaryDir target;
+        const auto unpacked = unpackBackup(bomb, target.path());
+        QVERIFY(!unpacked);
+        QCOMPARE(static_cast<int>(unpacked.error().kind), static_cast<int>(BackupError::Kind::Damaged));
+        QVERIFY(QDir(target.path()).isEmpty());
+    }
+
+    void sizesAreCheckedBeforeAnythingIsUnpacked_data()
+    {
+        QTest::addColumn<QString>("part");
+        QTest::addColumn<qint64>("bytes");
+        QTest::addColumn<qint64>("freeBytes");
+        QTest::addColumn<int>("kind"); // -1: taken
+        constexpr qint64 room = 10'000'000'000;
+        const int damaged = static_cast<int>(BackupError::Kind::Damaged);
+        const int full = static_cast<int>(BackupError::Kind::NotWritable);
+        QTest::newRow("database") << u"campanel.sqlite"_s << qint64{900'000'000} << room << -1;
+        QTest::newRow("large database") << u"campanel.sqlite"_s << qint64{1'000'000'001} << room << damaged;
+        QTest::newRow("large trends") << u"trends.sqlite"_s << qint64{1'000'000'001} << room << damaged;
+        QTest::newRow("large recipe") << u"recipe.json"_s << qint64{1'000'001} << room << damaged;
+        QTest::newRow("large settings") << u"settings.ini"_s << qint64{1'000'001} << room << damaged;
+        QTest::newRow("large trail") << u"campanel.sqlite.audit"_s << qint64{10'001} << room << damaged;
+        QTest::newRow("less than nothing") << u"recipe.json"_s << qint64{-1} << room << damaged;
+        QTest::newRow("no number at all")
+            << u"recipe.json"_s << std::numeric_limits<qint64>::max() << room << damaged;
+        QTest::newRow("no room") << u"campanel.sqlite"_s << qint64{900'000'000} << qint64{900'000'000}
+                                 << full;
+    }
+
+    void sizesAreCheckedBeforeAnythingIsUnpacked()
+    {
+        QFETCH(QString, part);
+        QFETCH(qint64, bytes);
+        QFETCH(qint64, freeBytes);
+        QFETCH(int, kind);
+        BackupManifest manifest;
+        manifest.parts << BackupManifest::Part{part, bytes, {}};
+        const auto checked = checkSizes(manifest, 100'000'000, freeBytes, u"day.zip"_s);
+        QCOMPARE(checked ? -1 : static_cast<int>(checked.error().kind), kind);
     }
 
     // A byte that was turned over anywhere is found, or has changed nothing that is restored.

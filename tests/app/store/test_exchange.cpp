@@ -2,19 +2,18 @@
 // Knots from and to the places where files are exchanged: what is offered, what is refused, names that are
 // never taken twice, disks that fail.
 #include "app/store/knots_file.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
-#include <csignal>
-#include <sys/resource.h>
-
 namespace test_exchange {
 
 using namespace campanel;
 using namespace campanel::store;
+using test::FullDisk;
 using namespace Qt::StringLiterals;
 
 namespace {
@@ -32,27 +31,6 @@ QByteArray csv(const QList<QByteArray>& lines)
 {
     return "master_deg,slave_mm\n" + lines.join('\n') + '\n';
 }
-
-// No file can grow while it lives: as on a disk that is full.
-class FullDisk {
-public:
-    FullDisk()
-    {
-        getrlimit(RLIMIT_FSIZE, &m_before);
-        m_handler = std::signal(SIGXFSZ, SIG_IGN);
-        const rlimit none{0, m_before.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &none);
-    }
-    ~FullDisk()
-    {
-        setrlimit(RLIMIT_FSIZE, &m_before);
-        std::signal(SIGXFSZ, m_handler);
-    }
-
-private:
-    rlimit m_before{};
-    void (*m_handler)(int) = nullptr;
-};
 
 } // namespace
 

@@ -32,6 +32,8 @@ private slots:
     void everyLawTrips();
     void complaints_data();
     void complaints();
+    void aKeyThatOccursTwice_data();
+    void aKeyThatOccursTwice();
     void absentFile();
     void unreadable();
     void unwritable();
@@ -195,6 +197,35 @@ void StoreTest::complaints()
     QVERIFY2(sentence.contains(word) && sentence.contains(file), qPrintable(sentence));
 }
 
+void StoreTest::aKeyThatOccursTwice_data()
+{
+    QTest::addColumn<QByteArray>("from");
+    QTest::addColumn<QByteArray>("to");
+    QTest::addColumn<QString>("key");
+    QTest::newRow("outside") << QByteArray("\"name\":") << QByteArray("\"name\": \"a\", \"name\":")
+                             << u"name"_s;
+    QTest::newRow("inside") << QByteArray("\"k1\":") << QByteArray("\"k1\": 4, \"k1\":") << u"program.k1"_s;
+    QTest::newRow("written in another way")
+        << QByteArray("\"k1\":") << QByteArray("\"\\u006b1\": 4, \"k1\":") << u"program.k1"_s;
+    QTest::newRow("in a text, which is none")
+        << QByteArray("\"name\": \"") << QByteArray("\"name\": \"{\\\"a\\\":1,\\\"a\\\":2} ") << QString();
+}
+
+void StoreTest::aKeyThatOccursTwice()
+{
+    QFETCH(QByteArray, from);
+    QFETCH(QByteArray, to);
+    QFETCH(QString, key);
+    QByteArray json = toJson(program::Recipe{});
+    QVERIFY(json.contains(from));
+    const auto read = fromJson(json.replace(from, to), u"twice.json"_s);
+    QCOMPARE(read.has_value(), key.isEmpty());
+    if (read)
+        return;
+    QCOMPARE(read.error().kind, Kind::RepeatedKey);
+    QCOMPARE(read.error().key, key);
+}
+
 void StoreTest::absentFile()
 {
     QCOMPARE(readRecipe(path(u"absent.json"_s)).error().kind, Kind::NotFound);
@@ -284,6 +315,7 @@ void StoreTest::bothDamaged()
     const LastRecipe last(path(u"last.json"_s));
     put(last.path(), "[1,");
     put(backupPath(last.path()), "");
+    QTest::ignoreMessage(QtWarningMsg, QRegularExpression(u"damaged at byte .* default recipe"_s));
     const LastRecipe::Loaded loaded = last.load();
     QVERIFY2(loaded.notice.contains(u"default recipe"_s), qPrintable(loaded.notice));
     QCOMPARE(loaded.recipe.cutter().bagLengthMm, 250.0);

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// Small files: what is no file, or a far too large one, is refused at once; a full disk costs no old file.
+#include "app/store/files.h"
+#include "app/store/knots_file.h"
+#include "app/store/recipe_file.h"
+#include "tests/support/full_disk.h"
+#include "tests/support/test_program.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <sys/stat.h>
+
+namespace test_files {
+
+using namespace campanel::store;
+using namespace Qt::StringLiterals;
+using campanel::test::FullDisk;
+
+namespace {
+
+void put(const QString& path, const QByteArray& bytes)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
+        qFatal("%s", qPrintable(file.errorString()));
+}
+
+} // namespace
+
+class TestFiles : public QObject {
+    Q_OBJECT
+
+private slots:
+    void whatIsNoFileIsRefusedAtOnce_data()
+    {
+        QTest::addColumn<QString>("path");
+        const QString pipe = m_folder.filePath(u"pipe"_s);
+        QCOMPARE(mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
+        QTest::newRow("pipe") << pipe;
+        QTest::newRow("zeros without end") << u"/dev/zero"_s;
+        QTest::newRow("folder") << m_folder.path();
+        const QString large = m_folder.filePath(u"large"_s);
+        put(large, QByteArray(1'000'001, ' '));
+        QTest::newRow("large") << large;
+        const QString huge = m_folder.filePath(u"huge"_s);
+        put(huge, {});
+        QVERIFY(QFile::resize(huge, 100'000'000'000)); // sparse
+        QTest::newRow("huge") << huge;
+    }
+
+    void whatIsNoFileIsRefusedAtOnce()
+    {
+        QFETCH(QString, path);
+        const auto bytes = readBytes(path);
+        QVERIFY(!bytes);
+        QCOMPARE(static_cast<int>(bytes.error().kind), static_cast<int>(FileError::Kind::NotReadable));
+        QVERIFY(!bytes.error().found.isEmpty());
+        QVERIFY(!readRecipe(path));
+        QVERIFY(!readKnots(path));
+    }
+
+    void theLargestFileIsReadWhole()
+    {
+        const QString path = m_folder.filePath(u"largest"_s);
+        put(path, QByteArray(1'000'000, 'x'));
+        QCOMPARE(readBytes(path)->size(), 1'000'000);
+    }
+
+    void aFullDiskKeepsTheOldFile()
+    {
+        const QString path = m_folder.filePath(u"old"_s);
+        put(path, "old");
+        for (const rlim_t room : {rlim_t{0}, rlim_t{10}}) {
+            const FullDisk full(room);
+            const auto written = replaceBytes(path, QByteArray(100, 'n'));
+            QVERIFY(!written);
+            QVERIFY(!written.error().found.isEmpty());
+        }
+        QCOMPARE(*readBytes(path), QByteArray("old"));
+        QVERIFY(replaceBytes(path, "new"));
+        QCOMPARE(*readBytes(path), QByteArray("new"));
+    }
+
+    void aPipeIsNotReplaced()
+    {
+        const QString path = m_folder.filePath(u"kept-pipe"_s);
+        QCOMPARE(mkfifo(QFile::encodeName(path).constData(), 0600), 0);
+        QVERIFY(!replaceBytes(path, "new"));
+        struct stat status = {};
+        QCOMPARE(stat(QFile::encodeName(path).constData(), &status), 0);
+        QVERIFY(S_ISFIFO(status.st_mode));
+    }
+
+    void controlCharactersBecomeVisible()
+    {
+        QCOMPARE(printable(u"a\x1b[2J\x7f\x9b\r\n\tb 面"_s), u"a\\u001b[2J\\u007f\\u009b\\u000d\n\tb 面"_s);
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+CAMPANEL_TEST(TestFiles)
+
+} // namespace test_files
+
+#include "test_files.moc"
