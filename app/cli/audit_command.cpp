@@ -52,7 +52,8 @@ QString sentence(const store::ChainCheck& check, const QString& path)
     case Fault::EndUnknown:
         break;
     }
-    return u"%1: the rows before %2 are unbroken. Newer ones may be missing: the file %1.audit, which names the "
+    return u"%1: the rows before %2 are unbroken. Newer ones may be missing: the file %1.audit, which names "
+           u"the "
            "newest row, is missing or damaged."_s.arg(path, row);
 }
 
@@ -73,7 +74,8 @@ tl::expected<std::unique_ptr<store::Database>, Failure> databaseOf(const QString
         return std::move(*opened);
     switch (opened.error().kind) {
     case store::StoreError::Kind::Damaged:
-        return fail(ExitCode::File, u"%1 is no database or backup of CamPanel, or it is damaged."_s.arg(path));
+        return fail(ExitCode::File,
+                    u"%1 is no database or backup of CamPanel, or it is damaged."_s.arg(path));
     case store::StoreError::Kind::NewerSchema:
         return fail(ExitCode::File,
                     u"%1 was written by a newer version of CamPanel. Use that version."_s.arg(path));

@@ -117,11 +117,12 @@ constexpr std::array kinds{
                           "The panel's memory was damaged or missing. It goes on with its last good copy."),
         QT_TRANSLATE_NOOP("AlarmCatalogue",
                           "Look whether the newest recipes are there. If it comes again, replace the disk.")},
-    AlarmKind{"P-02", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Memory lost"),
-              QT_TRANSLATE_NOOP("AlarmCatalogue",
-                                "The panel's memory was damaged or missing and there was no copy. It begins anew."),
-              QT_TRANSLATE_NOOP("AlarmCatalogue",
-                                "Restore a backup if there is one. If it comes again, replace the disk.")},
+    AlarmKind{
+        "P-02", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Memory lost"),
+        QT_TRANSLATE_NOOP("AlarmCatalogue",
+                          "The panel's memory was damaged or missing and there was no copy. It begins anew."),
+        QT_TRANSLATE_NOOP("AlarmCatalogue",
+                          "Restore a backup if there is one. If it comes again, replace the disk.")},
     AlarmKind{
         "P-03", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Memory not opened"),
         QT_TRANSLATE_NOOP("AlarmCatalogue",

@@ -36,8 +36,8 @@ QString privateDataFolder(const Storage& storage)
 } // namespace
 
 Panel::Panel(link::Link& link, const Storage& storage)
-    : m_restore(store::finishRestore(privateDataFolder(storage),
-                                     machine::Settings::fileName(storage.settingsFile)))
+    : m_restore(
+          store::finishRestore(privateDataFolder(storage), machine::Settings::fileName(storage.settingsFile)))
     , m_settings(storage.settingsFile, nullptr, storage.standard)
     , m_machine(link, m_settings, nullptr)
     , m_editor(m_machine, recipeFolder(storage), nullptr)

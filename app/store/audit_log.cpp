@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/audit_log.h"
 
+#include "app/store/private_files.h"
+
 #include <QCryptographicHash>
 #include <QFile>
 #include <QSaveFile>
@@ -81,8 +83,11 @@ tl::expected<void, StoreError> setAnchor(const Database& database, const Link& l
         return {};
     QSaveFile file(anchorPath(database));
     const QByteArray line = QByteArray::number(link.sequence) + ' ' + link.hash.toHex() + '\n';
-    if (!file.open(QIODevice::WriteOnly) || file.write(line) != line.size() || !file.commit())
+    // Flushed here: commit() does not notice that the bytes found no room.
+    if (!file.open(QIODevice::WriteOnly) || file.write(line) != line.size() || !file.flush() ||
+        !file.commit())
         return tl::unexpected(StoreError{StoreError::Kind::Failed, file.fileName(), file.errorString()});
+    makePrivate(file.fileName());
     return {};
 }
 

@@ -153,11 +153,9 @@ tl::expected<int, StoreError> Database::version()
         return tl::unexpected(asked ? StoreError{StoreError::Kind::Damaged, m_path, {}} : asked.error());
     const int found = asked->value(0).toInt();
     if (found < 0)
-        return tl::unexpected(
-            StoreError{StoreError::Kind::Damaged, m_path, u"user_version %1"_s.arg(found)});
+        return tl::unexpected(StoreError{StoreError::Kind::Damaged, m_path, u"user_version %1"_s.arg(found)});
     if (found > static_cast<int>(m_file.steps().size()))
-        return tl::unexpected(
-            StoreError{StoreError::Kind::NewerSchema, m_path, QString::number(found)});
+        return tl::unexpected(StoreError{StoreError::Kind::NewerSchema, m_path, QString::number(found)});
     return found;
 }
 

@@ -194,8 +194,8 @@ tl::expected<std::unique_ptr<Database>, StoreError> Database::openReadOnly(const
                                                                            const DatabaseFile& file)
 {
     if (!QFileInfo(path).isFile())
-        return tl::unexpected(fileError(StoreError::Kind::CannotOpen, path,
-                                        StoreErrorText::tr("there is no such file")));
+        return tl::unexpected(
+            fileError(StoreError::Kind::CannotOpen, path, StoreErrorText::tr("there is no such file")));
     std::unique_ptr<Database> database(new Database(path, file));
     // Where nothing may be written the log cannot be joined; without a log there is nothing to join.
     const bool hasLog = QFileInfo::exists(path + u"-wal"_s);
@@ -203,10 +203,9 @@ tl::expected<std::unique_ptr<Database>, StoreError> Database::openReadOnly(const
     uri.setQuery(hasLog ? u"mode=ro"_s : u"mode=ro&immutable=1"_s);
     database->m_database.setDatabaseName(QString::fromUtf8(uri.toEncoded()));
     database->m_database.setConnectOptions(u"QSQLITE_OPEN_READONLY;QSQLITE_OPEN_URI"_s);
-    const auto ready =
-        database->connect().and_then([&] { return database->checkSound(); }).and_then([&] {
-            return database->version();
-        });
+    const auto ready = database->connect().and_then([&] { return database->checkSound(); }).and_then([&] {
+        return database->version();
+    });
     if (!ready)
         return tl::unexpected(ready.error());
     return database;
@@ -244,9 +243,10 @@ tl::expected<void, StoreError> Database::makeCopy()
     const QString fresh = copy + u".new"_s;
     QFile::remove(fresh);
     // Private from the beginning; VACUUM INTO takes an empty file.
-    const auto written = makePrivateFile(fresh)
-                             ? execute(u"VACUUM INTO ?"_s, {fresh}).map([](const auto&) {})
-                             : tl::unexpected(fileError(StoreError::Kind::CannotOpen, fresh, qt_error_string()));
+    const auto written =
+        makePrivateFile(fresh)
+            ? execute(u"VACUUM INTO ?"_s, {fresh}).map([](const auto&) {})
+            : tl::unexpected(fileError(StoreError::Kind::CannotOpen, fresh, qt_error_string()));
     if (!written) {
         QFile::remove(fresh);
         return written;

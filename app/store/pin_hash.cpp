@@ -44,8 +44,7 @@ bool isPin(const QString& hash, const QString& pin)
 
 bool isOutdated(const QString& hash)
 {
-    return isReady() &&
-           crypto_pwhash_str_needs_rehash(hash.toLatin1().constData(), passes, memoryBytes) != 0;
+    return isReady() && crypto_pwhash_str_needs_rehash(hash.toLatin1().constData(), passes, memoryBytes) != 0;
 }
 
 } // namespace campanel::store

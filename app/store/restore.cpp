@@ -40,8 +40,8 @@ tl::expected<void, QString> move(const QString& from, const QString& to)
     if (failure != std::errc::cross_device_link || !source.open(QIODevice::ReadOnly))
         return tl::unexpected(QString::fromStdString(failure.message()));
     const QByteArray bytes = source.readAll(); // the settings, a few KB
-    if (!target.open(QIODevice::WriteOnly) || target.write(bytes) != bytes.size() || !target.commit() ||
-        !source.remove())
+    if (!target.open(QIODevice::WriteOnly) || target.write(bytes) != bytes.size() || !target.flush() ||
+        !target.commit() || !source.remove())
         return tl::unexpected(target.errorString());
     return {};
 }

@@ -96,10 +96,10 @@ void borrowUsers(Database& database, const QString& folder)
     auto rows = (*copy)->execute(
         u"SELECT id, name, level, pin, failed, locked_until_ms FROM user WHERE deleted = 0"_s);
     while (rows && rows->next())
-        (void)database.execute(u"INSERT INTO user (id, name, level, pin, failed, locked_until_ms) "
-                               "VALUES (?, ?, ?, ?, ?, ?)"_s,
-                               {rows->value(0), rows->value(1), rows->value(2), rows->value(3),
-                                rows->value(4), rows->value(5)});
+        (void)database.execute(
+            u"INSERT INTO user (id, name, level, pin, failed, locked_until_ms) "
+            "VALUES (?, ?, ?, ?, ?, ?)"_s,
+            {rows->value(0), rows->value(1), rows->value(2), rows->value(3), rows->value(4), rows->value(5)});
 }
 
 tl::expected<void, StoreError> renewPinHash(Database& database, qint64 id, const QString& pinHash)

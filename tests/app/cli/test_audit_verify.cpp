@@ -34,8 +34,9 @@ struct Trail {
     {
         const auto database = store::Database::open(folder.path());
         for (int i = 0; i < rows; ++i)
-            QVERIFY(store::appendAudit(**database, {1'790'000'000'000 + i, u"Anna"_s, 3, u"user.add"_s,
-                                                    u"Bo"_s, {}, {}, {}, u"done"_s}));
+            QVERIFY(store::appendAudit(
+                **database,
+                {1'790'000'000'000 + i, u"Anna"_s, 3, u"user.add"_s, u"Bo"_s, {}, {}, {}, u"done"_s}));
     }
     void execute(const QString& statement) const
     {
@@ -53,7 +54,10 @@ struct Trail {
         }
         return found;
     }
-    [[nodiscard]] Result verify() const { return call({u"audit"_s, u"verify"_s, path, u"--format"_s, u"json"_s}); }
+    [[nodiscard]] Result verify() const
+    {
+        return call({u"audit"_s, u"verify"_s, path, u"--format"_s, u"json"_s});
+    }
 };
 
 } // namespace
