@@ -22,11 +22,6 @@ enum class Harm { Newer, NoFile, Damaged, Deleted, UsersDeleted };
 
 namespace {
 
-QString hash(const QString& pin)
-{
-    return store::hashPin(pin).value_or(QString());
-}
-
 // A panel's folder with one user, closed again, and its copy.
 void makeAnna(const QTemporaryDir& folder, const QString& pinHash)
 {
@@ -303,7 +298,8 @@ private slots:
         QFETCH(Harm, harm);
         QFETCH(bool, hasCopy);
         const QTemporaryDir folder;
-        makeAnna(folder, hash(u"258036"_s));
+        static const QString pinHash = store::hashPin(u"258036"_s).value_or(QString());
+        makeAnna(folder, pinHash);
         apply(harm, folder.filePath(u"campanel.sqlite"_s));
         if (!hasCopy)
             QVERIFY(QFile::remove(folder.filePath(u"campanel.sqlite.copy"_s)));
