@@ -58,7 +58,8 @@ void Records::makeCopy()
         });
 }
 
-// In the log of the system and in the audit trail: the notice on the screen is gone once it was dismissed.
+// Writes it into the system's log and the audit trail: the notice on the screen is gone once it was
+// dismissed.
 void Records::noteReplacement(const store::Database::Opening& opening)
 {
     qCWarning(storeLog, "%s", qPrintable(replacementText(opening)));

@@ -145,7 +145,7 @@ tl::expected<void, StoreError> Database::checkSound()
     return {};
 }
 
-// The number of steps that have made the tables, checked: it is an index into them.
+// Returns the number of steps that have made the tables, checked: it is an index into them.
 tl::expected<int, StoreError> Database::version()
 {
     auto asked = execute(u"PRAGMA user_version"_s);

@@ -33,7 +33,7 @@ QString copyPath(const QString& path)
     return path + u".copy"_s;
 }
 
-// A name that nothing has: two files may be moved aside within one second.
+// Returns a name that no file has: two files may be moved aside within one second.
 QString freeName(const QString& path)
 {
     const QString stamp = QDateTime::currentDateTimeUtc().toString(u"yyyyMMdd-HHmmss"_s);
@@ -63,7 +63,7 @@ tl::expected<QString, StoreError> moveAside(const QString& path, const DatabaseF
     return isThere ? aside : QString();
 }
 
-// In one step, replacing what is there.
+// Replaces what is there, in one step.
 tl::expected<void, StoreError> replace(const QString& from, const QString& to)
 {
     std::error_code failure;
@@ -224,7 +224,7 @@ tl::expected<std::unique_ptr<Database>, StoreError> Database::openAnew(const QSt
     return database;
 }
 
-// Failing is tried again at the next opening.
+// Writes the setup marker. What fails is tried again at the next opening.
 void Database::noteSetUp()
 {
     if (!m_file.isPrecious)

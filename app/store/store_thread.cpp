@@ -40,7 +40,7 @@ void StoreThread::take(tl::expected<std::unique_ptr<Database>, StoreError> datab
     QMetaObject::invokeMethod(this, [this, report] { emit opened(report); });
 }
 
-// Keeps the panel going until its end. Its users are those of the copy, so that PINs can be checked.
+// Returns what keeps the panel going until its end, with the users of the copy, so that PINs can be checked.
 std::unique_ptr<Database> StoreThread::substitute(const StoreError& failure) const
 {
     const QString path = QDir(m_folder).filePath(m_file.name);
