@@ -27,5 +27,6 @@ class Invocation;
 [[nodiscard]] Outcome runLink(const Invocation& call);
 [[nodiscard]] Outcome runFrames(const Invocation& call);
 [[nodiscard]] Outcome runRegisters(const Invocation& call);
+[[nodiscard]] Outcome runAudit(const Invocation& call);
 
 } // namespace campanel::cli

@@ -40,6 +40,10 @@ Invocation::Invocation(const CommandInfo& command)
                                        u"[RECIPE.json]"_s);
     if (command.takes & CommandInfo::Names)
         m_parser.addPositionalArgument(u"NAME"_s, u"Registers to read, with --read."_s, u"[NAME...]"_s);
+    if (command.takes & CommandInfo::TrailFile) {
+        m_parser.addPositionalArgument(u"verify"_s, u"Check the chain of the rows."_s);
+        m_parser.addPositionalArgument(u"FILE"_s, u"Database or backup."_s);
+    }
     m_parser.addOption({{u"h"_s, u"help"_s}, u"Show this help."_s});
     m_parser.addOptions(command.options);
     if (!command.formats.isEmpty()) {
@@ -60,7 +64,7 @@ Outcome Invocation::parse(const QStringList& arguments)
         return fail(ExitCode::Usage,
                     m_parser.errorText() + u" See campanelctl "_s + m_command.name + u" --help."_s);
     m_arguments = m_parser.positionalArguments().mid(1);
-    const bool many = (m_command.takes & CommandInfo::Names) != 0;
+    const bool many = (m_command.takes & (CommandInfo::Names | CommandInfo::TrailFile)) != 0;
     const qsizetype most = (m_command.takes & CommandInfo::Recipe) != 0 ? 1 : 0;
     if (!many && m_arguments.size() > most)
         return fail(ExitCode::Usage, u"\"%1\" is one argument too many. See campanelctl %2 --help."_s.arg(

@@ -152,6 +152,17 @@ std::vector<CommandInfo> commandTable()
           {u"json"_s, u"Same as --format json."_s},
           {u"markdown"_s, u"Same as --format markdown."_s}},
          runRegisters},
+        {u"audit"_s,
+         u"Check whether an audit trail is unbroken: audit verify FILE."_s,
+         u"FILE is a panel's campanel.sqlite, a copy of it together with its .audit file, or a backup. "
+         u"Nothing is\n"
+         "written to it. Exits with 1 when a row was altered or rows are missing, also when that cannot be "
+         "ruled "
+         "out."_s,
+         CommandInfo::TrailFile,
+         all,
+         {},
+         runAudit},
     };
 }
 

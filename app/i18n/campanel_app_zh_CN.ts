@@ -79,6 +79,15 @@
         <source>After wrong PINs this user has to wait: %1.</source>
         <translation>PIN 输错后该用户须等待：%1。</translation>
     </message>
+    <message>
+        <source>%1 PINs cannot be checked until then: only operators can work.</source>
+        <comment>%1: whole sentences</comment>
+        <translation>%1 在此之前无法核对 PIN：只有操作员可以工作。</translation>
+    </message>
+    <message>
+        <source>A PIN for the level Service has %1 to %2 digits.</source>
+        <translation>“维护”级的 PIN 为 %1 至 %2 位数字。</translation>
+    </message>
 </context>
 <context>
     <name>AlarmCatalogue</name>
@@ -380,20 +389,12 @@
         <translation>存储已换用副本</translation>
     </message>
     <message>
-        <source>The panel&apos;s memory was damaged. It goes on with its last good copy.</source>
-        <translation>面板的存储已损坏，现使用最近的完好副本。</translation>
-    </message>
-    <message>
         <source>Look whether the newest recipes are there. If it comes again, replace the disk.</source>
         <translation>请检查最新的配方是否还在。如再次出现，请更换磁盘。</translation>
     </message>
     <message>
         <source>Memory lost</source>
         <translation>存储丢失</translation>
-    </message>
-    <message>
-        <source>The panel&apos;s memory was damaged and there was no copy. It begins anew.</source>
-        <translation>面板的存储已损坏且没有副本，已重新开始。</translation>
     </message>
     <message>
         <source>Restore a backup if there is one. If it comes again, replace the disk.</source>
@@ -470,6 +471,26 @@
     <message>
         <source>Check whether the disk is full or write-protected.</source>
         <translation>请检查磁盘是否已满或写保护。</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s memory was damaged or missing. It goes on with its last good copy.</source>
+        <translation>面板的存储已损坏或丢失，现使用最近的完好副本。</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s memory was damaged or missing and there was no copy. It begins anew.</source>
+        <translation>面板的存储已损坏或丢失且没有副本，已重新开始。</translation>
+    </message>
+    <message>
+        <source>Users and PINs lost</source>
+        <translation>用户和 PIN 丢失</translation>
+    </message>
+    <message>
+        <source>The users were lost with the panel&apos;s memory: only operators can work.</source>
+        <translation>用户随面板的存储一起丢失：只有操作员可以工作。</translation>
+    </message>
+    <message>
+        <source>Read the detail: it names the file to delete. Then restore a backup.</source>
+        <translation>请阅读详情：其中写明要删除的文件。然后恢复备份。</translation>
     </message>
 </context>
 <context>
@@ -829,6 +850,18 @@
     <message>
         <source>Checked: unbroken, %1 rows; rows may have been lost once, see there.</source>
         <translation>已检查：链完整，共 %1 行；曾经可能丢失过记录，见相应行。</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s memory</source>
+        <translation>面板的存储</translation>
+    </message>
+    <message>
+        <source>Replaced by its copy</source>
+        <translation>已由副本替换</translation>
+    </message>
+    <message>
+        <source>Lost, began empty</source>
+        <translation>已丢失，从空白开始</translation>
     </message>
 </context>
 <context>
@@ -2700,10 +2733,6 @@
         <translation>面板的存储 %1 由更新版本的 CamPanel 写入。请安装该版本。</translation>
     </message>
     <message>
-        <source>The panel&apos;s memory %1 is damaged. Restart the panel: it goes on with its last good copy.</source>
-        <translation>面板的存储 %1 已损坏。请重新启动面板：它将使用最后一份完好的副本继续工作。</translation>
-    </message>
-    <message>
         <source>The disk is full. What was saved before is kept; make room and save again.</source>
         <translation>磁盘已满。以前保存的内容仍在；请腾出空间后再次保存。</translation>
     </message>
@@ -2726,6 +2755,26 @@
     <message>
         <source>somebody of the level Service must be left</source>
         <translation>必须至少保留一名“维护”级用户</translation>
+    </message>
+    <message>
+        <source>the file cannot be written</source>
+        <translation>无法写入文件</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>没有此文件</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s memory %1 is damaged. Restart the panel: the last good copy takes its place, if there is one.</source>
+        <translation>面板的存储 %1 已损坏。请重新启动面板：如有最近的完好副本，将由其代替。</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s memory %1 is in use by another program. Close that program, then restart the panel.</source>
+        <translation>面板的存储 %1 正被另一个程序使用。请关闭该程序，然后重新启动面板。</translation>
+    </message>
+    <message>
+        <source>The users of this panel and their PINs are lost. Only operators can work until they are back. To start without PINs, delete the file %1 and restart the panel; then restore a backup.</source>
+        <translation>此面板的用户及其 PIN 已丢失。恢复之前只有操作员可以工作。如要不用 PIN 开始，请删除文件 %1 并重新启动面板，然后恢复备份。</translation>
     </message>
 </context>
 <context>
@@ -4996,6 +5045,14 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     <message>
         <source>The restore could not be finished: %1. It is tried again at the next start.</source>
         <translation>恢复未能完成：%1。下次启动时将再次尝试。</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s memory was missing or empty. The last good copy was put in its place: what was saved after the last start is lost.</source>
+        <translation>面板的存储丢失或为空，已用最近的完好副本代替：上次启动之后保存的内容已丢失。</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s memory was missing or empty, and there was no good copy. A new, empty one was created. Restore a backup.</source>
+        <translation>面板的存储丢失或为空，且没有完好的副本，已新建空白存储。请恢复备份。</translation>
     </message>
 </context>
 <context>

@@ -67,10 +67,16 @@ void Access::open()
 void Access::takeUsers(const Users& users)
 {
     if (!users) {
-        m_records.complain(users.error()); // nobody is more than an operator then
+        // Nobody is more than an operator then. That the database cannot be opened was said already.
+        if (m_isLoaded || users.error().kind == store::StoreError::Kind::PinsLost)
+            m_records.complain(users.error());
+        if (!m_isLoaded)
+            m_lock = users.error();
+        update();
         return;
     }
     m_isLoaded = true;
+    m_lock.reset();
     m_users = *users;
     if (m_user) {
         const store::User* kept = find(m_user->id);
@@ -159,15 +165,19 @@ void Access::takeAttempt(const tl::expected<store::LoginAttempt, store::StoreErr
         return;
     }
     m_pool.start([this, user, kept = attempt->pinHash, pin] {
-        const bool isRight = store::isPin(kept, pin);
-        QMetaObject::invokeMethod(this, [this, user, isRight] { takeVerdict(user, isRight); });
+        Verdict verdict;
+        verdict.isRight = store::isPin(kept, pin);
+        if (verdict.isRight && store::isOutdated(kept))
+            verdict.renewedHash = store::hashPin(pin);
+        verdict.isShort = pin.size() < AccessSentences::minPinDigits(static_cast<machine::Level>(user.level));
+        QMetaObject::invokeMethod(this, [this, user, verdict] { takeVerdict(user, verdict); });
     });
 }
 
-void Access::takeVerdict(const store::User& user, bool isRight)
+void Access::takeVerdict(const store::User& user, const Verdict& verdict)
 {
     const auto known = std::ranges::find(m_users, user.id, &store::User::id);
-    if (!isRight) {
+    if (!verdict.isRight) {
         if (known != m_users.end())
             *known = user;
         emit happened({u"user.login"_s, user.name, {}, {}, u"wrong_pin"_s});
@@ -177,8 +187,12 @@ void Access::takeVerdict(const store::User& user, bool isRight)
         return;
     }
     m_records.store().run(
-        this, [id = user.id](store::Database& database) { return store::endLogin(database, id); },
-        [this, user](const tl::expected<void, store::StoreError>& done) {
+        this,
+        [id = user.id, hash = verdict.renewedHash](store::Database& database) {
+            const auto ended = store::endLogin(database, id);
+            return ended && hash ? store::renewPinHash(database, id, *hash) : ended;
+        },
+        [this, user, verdict](const tl::expected<void, store::StoreError>& done) {
             if (!done)
                 m_records.complain(done.error());
             store::User admitted = user;
@@ -186,6 +200,8 @@ void Access::takeVerdict(const store::User& user, bool isRight)
             admitted.lockedUntilMs = 0;
             admit(admitted);
             end();
+            if (verdict.isShort && m_user && m_user->id == user.id)
+                emit newPinWanted(static_cast<int>(user.id));
         });
 }
 

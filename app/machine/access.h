@@ -36,6 +36,8 @@ class Access : public QObject {
     Q_PROPERTY(QString userName READ userName NOTIFY changed FINAL) // empty: nobody is logged in
     Q_PROPERTY(bool loggedIn READ loggedIn NOTIFY changed FINAL)
     Q_PROPERTY(bool protectedByPins READ protectedByPins NOTIFY changed FINAL)
+    // The users cannot be read: nobody can log in, and refusalText() says why.
+    Q_PROPERTY(bool locked READ locked NOTIFY changed FINAL)
     Q_PROPERTY(bool mayOperate READ mayOperate NOTIFY changed FINAL)
     Q_PROPERTY(bool maySetUp READ maySetUp NOTIFY changed FINAL) // as a technician
     Q_PROPERTY(bool mayService READ mayService NOTIFY changed FINAL)
@@ -89,8 +91,9 @@ public:
     Q_INVOKABLE bool ask(int level);
     [[nodiscard]] Q_INVOKABLE QString refusalText(int level) const;
     [[nodiscard]] Q_INVOKABLE QString permissionText(int level) const;
-    // Why it is no PIN to choose; empty when it is one.
-    [[nodiscard]] Q_INVOKABLE QString pinRefusal(const QString& pin) const;
+    // Why a user of that level cannot choose this PIN; empty when they can.
+    [[nodiscard]] Q_INVOKABLE QString pinRefusal(const QString& pin, int level) const;
+    [[nodiscard]] Q_INVOKABLE int minPinDigits(int level) const;
     // Why it is no name for another user; empty when it is one.
     [[nodiscard]] Q_INVOKABLE QString nameRefusal(const QString& name) const;
     // A name that nobody has: "Technician 2".
@@ -111,7 +114,8 @@ public:
     [[nodiscard]] QString levelText() const;
     [[nodiscard]] QString userName() const { return m_user ? m_user->name : QString(); }
     [[nodiscard]] bool loggedIn() const { return m_user.has_value(); }
-    [[nodiscard]] bool protectedByPins() const { return !m_users.isEmpty(); }
+    [[nodiscard]] bool protectedByPins() const { return !m_users.isEmpty() || locked(); }
+    [[nodiscard]] bool locked() const { return m_lock.has_value(); }
     [[nodiscard]] bool mayOperate() const { return level() >= Operator; }
     [[nodiscard]] bool maySetUp() const { return level() >= Technician; }
     [[nodiscard]] bool mayService() const { return level() >= Service; }
@@ -132,6 +136,8 @@ signals:
     void chosenChanged();
     void loginRequested(int level);
     void loginSucceeded();
+    // Comes after loginSucceeded(): the PIN has fewer digits than the user's level needs today.
+    void newPinWanted(int id);
     // Nobody has touched the panel for long.
     void leftAlone();
     void happened(const campanel::machine::Access::Event& event);
@@ -150,7 +156,12 @@ private:
     [[nodiscard]] bool isLastService(const store::User& user) const;
     void takeUsers(const Users& users);
     void takeAttempt(const tl::expected<store::LoginAttempt, store::StoreError>& attempt, const QString& pin);
-    void takeVerdict(const store::User& user, bool isRight);
+    struct Verdict {
+        bool isRight = false;
+        bool isShort = false;               // for the user's level
+        std::optional<QString> renewedHash; // when the one that is kept was made with less effort
+    };
+    void takeVerdict(const store::User& user, const Verdict& verdict);
     void admit(const store::User& user);
     void leave(const QString& what);
     void update();
@@ -167,6 +178,7 @@ private:
     WallClock m_wallClock;
     bool m_isOpened = false;
     bool m_isLoaded = false;
+    std::optional<store::StoreError> m_lock; // why the users cannot be read
     QList<store::User> m_users;
     std::optional<store::User> m_user; // logged in
     qint64 m_chosen = 0;

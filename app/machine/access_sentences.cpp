@@ -71,10 +71,27 @@ QString AccessSentences::refusal(Level needed)
     return tr("This is for service. These may do it:");
 }
 
-QString AccessSentences::pinRefusal(const QString& pin)
+QString AccessSentences::locked(const store::StoreError& reason)
 {
-    if (!hasOnlyDigits(pin) || pin.size() < store::fewestPinDigits || pin.size() > store::mostPinDigits)
-        return tr("A PIN has %1 to %2 digits.").arg(store::fewestPinDigits).arg(store::mostPinDigits);
+    return reason.kind == store::StoreError::Kind::PinsLost
+               ? store::StoreErrorText::describe(reason)
+               : tr("%1 PINs cannot be checked until then: only operators can work.", "%1: whole sentences")
+                     .arg(store::StoreErrorText::describe(reason));
+}
+
+int AccessSentences::minPinDigits(Level level)
+{
+    return level == Level::Service ? store::minServicePinDigits : store::fewestPinDigits;
+}
+
+QString AccessSentences::pinRefusal(const QString& pin, Level level)
+{
+    if (!hasOnlyDigits(pin) || pin.size() < minPinDigits(level) || pin.size() > store::mostPinDigits)
+        return level == Level::Service
+                   ? tr("A PIN for the level Service has %1 to %2 digits.")
+                         .arg(minPinDigits(level))
+                         .arg(store::mostPinDigits)
+                   : tr("A PIN has %1 to %2 digits.").arg(minPinDigits(level)).arg(store::mostPinDigits);
     if (std::ranges::count(pin, pin[0]) == pin.size())
         return tr("The same digit all along is guessed first. Choose another PIN.");
     if (isRow(pin))

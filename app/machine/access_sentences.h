@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/machine/gate.h"
+#include "app/store/store_error.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -18,8 +19,11 @@ public:
     [[nodiscard]] static QString permission(Level level);
     // Who may do what was just refused.
     [[nodiscard]] static QString refusal(Level needed);
-    // Why it is no PIN to choose; empty when it is one.
-    [[nodiscard]] static QString pinRefusal(const QString& pin);
+    // Why nobody can log in and be more than an operator, and what brings the logins back.
+    [[nodiscard]] static QString locked(const store::StoreError& reason);
+    [[nodiscard]] static int minPinDigits(Level level);
+    // Why a user of that level cannot choose this PIN; empty when they can.
+    [[nodiscard]] static QString pinRefusal(const QString& pin, Level level);
     [[nodiscard]] static QString wrongPin(qint64 waitMs);
     [[nodiscard]] static QString mustWait(qint64 waitMs);
 

@@ -75,7 +75,8 @@ QVariantList Access::levels() const
 
 QString Access::refusalText(int level) const
 {
-    return AccessSentences::refusal(static_cast<machine::Level>(level));
+    return m_lock ? AccessSentences::locked(*m_lock)
+                  : AccessSentences::refusal(static_cast<machine::Level>(level));
 }
 
 QString Access::permissionText(int level) const
@@ -88,9 +89,14 @@ QString Access::waitText() const
     return waits() ? AccessSentences::mustWait(waitMs()) : QString();
 }
 
-QString Access::pinRefusal(const QString& pin) const
+QString Access::pinRefusal(const QString& pin, int level) const
 {
-    return AccessSentences::pinRefusal(pin);
+    return AccessSentences::pinRefusal(pin, static_cast<machine::Level>(level));
+}
+
+int Access::minPinDigits(int level) const
+{
+    return AccessSentences::minPinDigits(static_cast<machine::Level>(level));
 }
 
 QString Access::nameRefusal(const QString& name) const
@@ -137,6 +143,8 @@ void Access::apply(Change change, const Event& event, const QString& done)
             if (!outcome)
                 told.outcome = u"refused"_s;
             tell(outcome ? done : store::StoreErrorText::describe(outcome.error()), !outcome);
+            if (outcome)
+                m_records.makeCopy(); // which must not know a PIN that is no longer valid
             emit happened(told);
             end();
         });
@@ -150,8 +158,9 @@ void Access::apply(Change change, const Event& event, const QString& done)
 void Access::addUser(const QString& name, int level, const QString& pin)
 {
     const QString wanted = name.trimmed();
-    const QString refusal = nameRefusal(wanted).isEmpty() ? pinRefusal(pin) : nameRefusal(wanted);
     const bool isFirst = !protectedByPins();
+    const QString refusal =
+        nameRefusal(wanted).isEmpty() ? pinRefusal(pin, isFirst ? Service : level) : nameRefusal(wanted);
     if (!ask(Service) || !isUserLevel(level) || busy())
         return;
     if (!refusal.isEmpty()) {
@@ -188,7 +197,7 @@ void Access::changePin(int id, const QString& pin)
     const store::User* user = find(id);
     if (!ask(Service) || !user || busy())
         return;
-    if (const QString refusal = pinRefusal(pin); !refusal.isEmpty()) {
+    if (const QString refusal = pinRefusal(pin, static_cast<int>(user->level)); !refusal.isEmpty()) {
         tell(refusal, true);
         return;
     }

@@ -114,14 +114,15 @@ constexpr std::array kinds{
     AlarmKind{
         "P-01", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Memory replaced by its copy"),
         QT_TRANSLATE_NOOP("AlarmCatalogue",
-                          "The panel's memory was damaged. It goes on with its last good copy."),
+                          "The panel's memory was damaged or missing. It goes on with its last good copy."),
         QT_TRANSLATE_NOOP("AlarmCatalogue",
                           "Look whether the newest recipes are there. If it comes again, replace the disk.")},
-    AlarmKind{"P-02", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Memory lost"),
-              QT_TRANSLATE_NOOP("AlarmCatalogue",
-                                "The panel's memory was damaged and there was no copy. It begins anew."),
-              QT_TRANSLATE_NOOP("AlarmCatalogue",
-                                "Restore a backup if there is one. If it comes again, replace the disk.")},
+    AlarmKind{
+        "P-02", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Memory lost"),
+        QT_TRANSLATE_NOOP("AlarmCatalogue",
+                          "The panel's memory was damaged or missing and there was no copy. It begins anew."),
+        QT_TRANSLATE_NOOP("AlarmCatalogue",
+                          "Restore a backup if there is one. If it comes again, replace the disk.")},
     AlarmKind{
         "P-03", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Memory not opened"),
         QT_TRANSLATE_NOOP("AlarmCatalogue",
@@ -149,6 +150,11 @@ constexpr std::array kinds{
               QT_TRANSLATE_NOOP("AlarmCatalogue",
                                 "The settings cannot be written: they hold until the panel is switched off."),
               QT_TRANSLATE_NOOP("AlarmCatalogue", "Check whether the disk is full or write-protected.")},
+    AlarmKind{"P-09", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Users and PINs lost"),
+              QT_TRANSLATE_NOOP("AlarmCatalogue",
+                                "The users were lost with the panel's memory: only operators can work."),
+              QT_TRANSLATE_NOOP("AlarmCatalogue",
+                                "Read the detail: it names the file to delete. Then restore a backup.")},
 };
 
 QString translated(const char* source)
@@ -286,7 +292,10 @@ const AlarmKind& AlarmCatalogue::of(store::StoreError::Kind kind)
     switch (kind) {
     case Kind::CannotOpen:
     case Kind::NewerSchema:
+    case Kind::InUse:
         return known("P-03");
+    case Kind::PinsLost:
+        return known("P-09");
     case Kind::Full:
         return known("P-04");
     case Kind::ReadOnly:

@@ -143,7 +143,7 @@ void AlarmWatch::noteOpening(const store::StoreThread::Report& report)
     if (report.error)
         emit raised(AlarmCatalogue::of(store::StoreError::Kind::CannotOpen),
                     store::StoreErrorText::describe(*report.error));
-    else if (!report.opening.damagedKeptAs.isEmpty())
+    else if (report.opening.isReplaced())
         tellEvent(AlarmCatalogue::memoryDamaged(report.opening.fromCopy), report.opening.damagedKeptAs);
 }
 

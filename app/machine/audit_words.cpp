@@ -32,6 +32,7 @@ constexpr std::array areaWords{
     Word{"setting", QT_TRANSLATE_NOOP("AuditWords", "Settings")},
     Word{"backup", QT_TRANSLATE_NOOP("AuditWords", "Backup and restore")},
     Word{"user", QT_TRANSLATE_NOOP("AuditWords", "Users and logins")},
+    Word{"memory", QT_TRANSLATE_NOOP("AuditWords", "The panel's memory")},
     Word{"audit", QT_TRANSLATE_NOOP("AuditWords", "The trail itself")},
 };
 
@@ -68,6 +69,8 @@ constexpr std::array whatWords{
     Word{"user.pin", QT_TRANSLATE_NOOP("AuditWords", "New PIN")},
     Word{"user.level", QT_TRANSLATE_NOOP("AuditWords", "Level of a user")},
     Word{"user.remove", QT_TRANSLATE_NOOP("AuditWords", "User removed")},
+    Word{"memory.from_copy", QT_TRANSLATE_NOOP("AuditWords", "Replaced by its copy")},
+    Word{"memory.lost", QT_TRANSLATE_NOOP("AuditWords", "Lost, began empty")},
     Word{"audit.loss", QT_TRANSLATE_NOOP("AuditWords", "Rows were lost")},
     Word{"audit.end_unknown", QT_TRANSLATE_NOOP("AuditWords", "The newest row was not known")},
     Word{"audit.trimmed", QT_TRANSLATE_NOOP("AuditWords", "Oldest rows dropped")},

@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/machine/records.h"
 
+#include "app/store/store_logging.h"
+
 #include "app/machine/engine_instances.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QDir>
 #include <QEvent>
 
+using namespace Qt::StringLiterals;
+
 namespace campanel::machine {
+
+using store::storeLog;
 
 Records::Records(const QString& folder, QObject* parent)
     : QObject(parent)
@@ -26,18 +33,44 @@ Records* Records::create(QQmlEngine* qmlEngine, QJSEngine*)
 
 void Records::takeOpening(const store::StoreThread::Report& report)
 {
-    if (!report.error && report.opening.damagedKeptAs.isEmpty()) {
-        // What could be read is worth a copy; should it fail, the file itself is still there.
-        m_store.run(
-            this, [](store::Database& database) { return database.makeCopy(); },
-            [this](const tl::expected<void, store::StoreError>& copied) {
-                if (!copied)
-                    complain(copied.error());
-            });
+    if (!report.error && !report.opening.isReplaced()) {
+        makeCopy(); // what could be read is worth one; should it fail, the file itself is still there
         return;
     }
     m_opening = report;
+    if (report.error)
+        qCWarning(storeLog, "%s", qPrintable(store::StoreErrorText::describe(*report.error)));
+    else
+        noteReplacement(report.opening);
     emit noticeChanged();
+}
+
+void Records::makeCopy()
+{
+    m_store.run(
+        this, [](store::Database& database) { return database.makeCopy(); },
+        [this](const tl::expected<void, store::StoreError>& copied) {
+            if (!copied)
+                complain(copied.error());
+        });
+}
+
+// Writes it into the system's log and the audit trail: the notice on the screen is gone once it was
+// dismissed.
+void Records::noteReplacement(const store::Database::Opening& opening)
+{
+    qCWarning(storeLog, "%s", qPrintable(replacementText(opening)));
+    store::AuditEntry entry;
+    entry.timeMs = QDateTime::currentMSecsSinceEpoch();
+    entry.what = opening.fromCopy ? u"memory.from_copy"_s : u"memory.lost"_s;
+    entry.object = opening.damagedKeptAs;
+    entry.outcome = u"done"_s;
+    m_store.run(
+        this, [entry](store::Database& database) { return store::appendAudit(database, entry); },
+        [this](const tl::expected<store::AuditRow, store::StoreError>& row) {
+            if (!row)
+                complain(row.error());
+        });
 }
 
 void Records::noteRestore(const store::FinishedRestore& restore)
@@ -49,6 +82,7 @@ void Records::noteRestore(const store::FinishedRestore& restore)
 void Records::complain(const store::StoreError& error)
 {
     m_error = error;
+    qCWarning(storeLog, "%s", qPrintable(store::StoreErrorText::describe(error)));
     emit troubled(error);
     emit noticeChanged();
 }
@@ -68,8 +102,19 @@ QString Records::notice() const
     if (m_opening->error)
         return tr("%1 Until then nothing is kept over a restart.", "%1: whole sentences")
             .arg(store::StoreErrorText::describe(*m_opening->error));
-    const QString kept = QDir::toNativeSeparators(m_opening->opening.damagedKeptAs);
-    return m_opening->opening.fromCopy
+    return replacementText(m_opening->opening);
+}
+
+QString Records::replacementText(const store::Database::Opening& opening)
+{
+    if (opening.wasMissing)
+        return opening.fromCopy
+                   ? tr("The panel's memory was missing or empty. The last good copy was put in its place: "
+                        "what was saved after the last start is lost.")
+                   : tr("The panel's memory was missing or empty, and there was no good copy. A new, empty "
+                        "one was created. Restore a backup.");
+    const QString kept = QDir::toNativeSeparators(opening.damagedKeptAs);
+    return opening.fromCopy
                ? tr("The panel's memory was damaged. It goes on with its last good copy; the damaged file is "
                     "kept as %1.")
                      .arg(kept)

@@ -40,6 +40,8 @@ public:
     Q_INVOKABLE void dismissNotice();
 
     [[nodiscard]] store::StoreThread& store() { return m_store; }
+    // Makes the copy of the database anew, which takes its place should it be damaged one day.
+    void makeCopy();
     // A backup has taken the place of what was kept; said until it is dismissed.
     void noteRestore(const store::FinishedRestore& restore);
     // Something could not be kept.
@@ -54,6 +56,8 @@ protected:
 
 private:
     void takeOpening(const store::StoreThread::Report& report);
+    void noteReplacement(const store::Database::Opening& opening);
+    [[nodiscard]] static QString replacementText(const store::Database::Opening& opening);
 
     store::StoreThread m_store;
     std::optional<store::StoreThread::Report> m_opening; // until its notice was dismissed

@@ -2,10 +2,12 @@
 #include "app/main/access_scenes.h"
 
 #include "app/store/audit_log.h"
+#include "app/store/setup_marker.h"
 #include "app/store/user_store.h"
 
 #include <QCoreApplication>
 #include <QFile>
+#include <QLoggingCategory>
 
 #include <functional>
 
@@ -49,7 +51,8 @@ void deleteUsersAndAudit(store::Database& database)
 {
     for (const char* table : {"user", "audit", "audit_start"})
         (void)database.execute(u"DELETE FROM %1"_s.arg(QLatin1String(table)));
-    QFile::remove(database.path() + u".audit"_s);
+    for (const auto suffix : {".audit"_L1, ".setup"_L1, ".copy"_L1})
+        QFile::remove(database.path() + suffix);
 }
 
 void emptyStore(Stage& stage)
@@ -68,7 +71,7 @@ void addUsers(Stage& stage)
 {
     // Of scenePin, by libsodium's least effort: a panel's own takes a noticeable time, by design.
     static const QString hash =
-        u"$argon2id$v=19$m=8,t=1,p=1$j60sMhRxdeK52puJwcNf2A$ES7Z9hPeydA8OY/1DddHqFBVPNqkrbkXoAO2wqzhUIU"_s;
+        u"$argon2id$v=19$m=8,t=1,p=1$8yYBaYPM+R3w4b3kUB7MRw$mLOp+RvpUsfFLzUtbAH1lgnGr+Nf4v9EsIee/4j4IB8"_s;
     emptyStore(stage);
     inStore(stage, [](store::Database& database) {
         (void)store::addUser(database, anna, UserLevel::Service, hash);
@@ -224,6 +227,27 @@ QList<Scene> accessScenes()
             users("run-user", {u"nav0"_s}),
             login("login", {u"pin2"_s, u"pin5"_s}),
             login("login-wait", {}, 1),
+            // The users are lost: nobody can log in.
+            {u"login-locked"_s,
+             [](Stage& stage) {
+                 emptyStore(stage);
+                 inStore(stage, [](store::Database& database) {
+                     (void)store::writeSetupMarker(database.path(), store::SetUp::WithPins);
+                 });
+                 QLoggingCategory::setFilterRules(u"campanel.store=false"_s); // the loss is intended
+                 reloadUsers(stage);
+                 QLoggingCategory::setFilterRules({});
+                 stage.panel().records().dismissNotice();
+                 stage.tap(u"nav1"_s);
+                 stage.tap(u"field_baseSpeed"_s);
+             }},
+            {u"login-short-pin"_s,
+             [](Stage& stage) {
+                 addUsers(stage);
+                 logIn(stage, anna, QString::fromLatin1(scenePin));
+                 emit stage.panel().access().newPinWanted(idOf(stage, anna));
+                 stage.settle();
+             }},
             {u"users-logged-out"_s,
              [](Stage& stage) {
                  addUsers(stage);

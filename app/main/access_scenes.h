@@ -12,6 +12,6 @@ namespace campanel::panel {
 void forgetUsers(Stage& stage);
 
 // Of everybody in the scenes.
-inline constexpr auto scenePin = "2580";
+inline constexpr auto scenePin = "258036";
 
 } // namespace campanel::panel

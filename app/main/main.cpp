@@ -13,10 +13,12 @@
 #include "app/main/qml_modules.h"
 #include "app/main/self_test.h"
 #include "app/main/service_watchdog.h"
+#include "app/store/folder_lock.h"
 
 #include <QFile>
 #include <QGuiApplication>
 #include <QLoggingCategory>
+#include <QStandardPaths>
 
 #include <algorithm>
 #include <chrono>
@@ -177,6 +179,13 @@ int main(int argc, char* argv[])
         return hasFonts() ? capture(options) : EXIT_FAILURE;
     if (options.isSelfTest)
         return hasFonts() ? panel::selfTest(options.looks, options.scenes) : EXIT_FAILURE;
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+    const store::FolderLock lock(folder);
+    if (lock.isHeldByAnother()) {
+        std::fprintf(stderr, "campanel: another CamPanel uses the data in %s. Close that one first.\n",
+                     qPrintable(folder));
+        return EXIT_FAILURE;
+    }
     const panel::EndSignals endSignals;
     int code = restartCode;
     while (code == restartCode)

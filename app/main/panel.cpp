@@ -4,6 +4,7 @@
 
 #include "app/machine/engine_instances.h"
 #include "app/report/commissioning_pdf.h"
+#include "app/store/private_files.h"
 
 #include <QCoreApplication>
 #include <QEventLoop>
@@ -23,11 +24,20 @@ QString recipeFolder(const Storage& storage)
                                           : storage.recipeFolder;
 }
 
+// Also takes from others what an older version has let them read.
+QString privateDataFolder(const Storage& storage)
+{
+    const QString folder = recipeFolder(storage);
+    (void)store::makePrivateFolder(folder); // should it fail, opening the database says so
+    store::makePrivate(folder);
+    return folder;
+}
+
 } // namespace
 
 Panel::Panel(link::Link& link, const Storage& storage)
     : m_restore(
-          store::finishRestore(recipeFolder(storage), machine::Settings::fileName(storage.settingsFile)))
+          store::finishRestore(privateDataFolder(storage), machine::Settings::fileName(storage.settingsFile)))
     , m_settings(storage.settingsFile, nullptr, storage.standard)
     , m_machine(link, m_settings, nullptr)
     , m_editor(m_machine, recipeFolder(storage), nullptr)

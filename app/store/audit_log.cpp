@@ -2,6 +2,7 @@
 #include "app/store/audit_log.h"
 
 #include "app/store/files.h"
+#include "app/store/private_files.h"
 
 #include <QCryptographicHash>
 #include <QFile>
@@ -81,9 +82,12 @@ tl::expected<void, StoreError> setAnchor(const Database& database, const Link& l
     if (!isOnDisk(database))
         return {};
     const QByteArray line = QByteArray::number(link.sequence) + ' ' + link.hash.toHex() + '\n';
-    return replaceBytes(anchorPath(database), line).map_error([](const FileError& error) {
-        return StoreError{StoreError::Kind::Failed, error.path, error.found};
-    });
+    const QString path = anchorPath(database);
+    const auto written = replaceBytes(path, line).map_error(
+        [](const FileError& error) { return StoreError{StoreError::Kind::Failed, error.path, error.found}; });
+    if (written)
+        makePrivate(path);
+    return written;
 }
 
 // Where the chain begins: the last row that is not kept any more.

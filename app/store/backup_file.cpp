@@ -147,7 +147,7 @@ openPart(const QString& folder, const DatabaseFile& file, const BackupManifest& 
         return tl::unexpected(isNewer ? BackupError{Kind::Newer, path, manifest.program}
                                       : BackupError{Kind::NotWritable, path, database.error().detail});
     }
-    if (!(*database)->opening().damagedKeptAs.isEmpty())
+    if ((*database)->opening().isNew || (*database)->opening().isReplaced())
         return tl::unexpected(BackupError{Kind::Damaged, path, file.name});
     return std::move(*database);
 }

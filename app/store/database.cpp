@@ -3,10 +3,6 @@
 
 #include "app/store/schema.h"
 
-#include <QDateTime>
-#include <QDir>
-#include <QFile>
-#include <QFileInfo>
 #include <QSqlError>
 #include <QUuid>
 
@@ -22,7 +18,9 @@ const QString inMemoryPath = u":memory:"_s;
 
 // SQLite's result codes, the lower byte of the extended ones.
 enum class Code {
+    Logic = 1, // a statement that does not fit the tables
     Busy = 5,
+    Locked = 6,
     ReadOnly = 8,
     Corrupt = 11,
     Full = 13,
@@ -46,26 +44,12 @@ StoreError::Kind kindOf(int code)
     case Code::Constraint:
         return StoreError::Kind::Refused;
     case Code::Busy:
+    case Code::Locked:
+        return StoreError::Kind::InUse;
+    case Code::Logic:
         break;
     }
     return StoreError::Kind::Failed;
-}
-
-// The file and what its write-ahead log left, under another name; empty when it cannot be moved.
-QString moveAside(const QString& path, const DatabaseFile& file)
-{
-    if (!file.isPrecious) {
-        QDir folder = QFileInfo(path).dir();
-        for (const QString& old : folder.entryList({file.name + u".damaged-*"_s}, QDir::Files))
-            folder.remove(old);
-    }
-    const QString stamp = QDateTime::currentDateTimeUtc().toString(u"yyyyMMdd-HHmmss"_s);
-    const QString aside = u"%1.damaged-%2"_s.arg(path, stamp);
-    if (!QFile::rename(path, aside))
-        return {};
-    QFile::rename(path + u"-wal"_s, aside + u"-wal"_s);
-    QFile::remove(path + u"-shm"_s);
-    return aside;
 }
 
 } // namespace
@@ -112,56 +96,15 @@ StoreError Database::errorOf(const QSqlError& error) const
     return {kindOf(error.nativeErrorCode().toInt()), m_path, error.databaseText()};
 }
 
-tl::expected<std::unique_ptr<Database>, StoreError> Database::open(const QString& folder,
-                                                                   const DatabaseFile& file)
-{
-    if (!QDir().mkpath(folder))
-        return tl::unexpected(StoreError{StoreError::Kind::CannotOpen, folder,
-                                         StoreErrorText::tr("the folder cannot be made")});
-    const QString path = QDir(folder).filePath(file.name);
-    const QString copy = path + u".copy"_s;
-    Opening opening;
-    opening.isNew = !QFileInfo::exists(path);
-    for (int attempt = 0;; ++attempt) {
-        std::unique_ptr<Database> database(new Database(path, file));
-        const auto connected = database->connect();
-        const bool isDamaged =
-            connected ? !database->isSound() : connected.error().kind == StoreError::Kind::Damaged;
-        if (!isDamaged) {
-            database->m_opening = opening;
-            const auto ready = connected ? database->migrate() : connected;
-            if (!ready)
-                return tl::unexpected(ready.error());
-            return database;
-        }
-        database.reset();
-        // The second time the copy is what is damaged: begin with an empty one.
-        opening.damagedKeptAs = moveAside(path, file);
-        if (opening.damagedKeptAs.isEmpty())
-            return tl::unexpected(StoreError{StoreError::Kind::Damaged, path, {}});
-        opening.fromCopy = attempt == 0 && QFile::copy(copy, path);
-    }
-}
-
-tl::expected<std::unique_ptr<Database>, StoreError> Database::openAnew(const QString& folder,
-                                                                       const DatabaseFile& file)
-{
-    const QString path = QDir(folder).filePath(file.name);
-    const QString kept = moveAside(path, file);
-    if (kept.isEmpty())
-        return tl::unexpected(StoreError{StoreError::Kind::Damaged, path, {}});
-    auto database = open(folder, file);
-    if (database)
-        (*database)->m_opening.damagedKeptAs = kept;
-    return database;
-}
-
-std::unique_ptr<Database> Database::inMemory(const DatabaseFile& file)
+std::unique_ptr<Database> Database::inMemory(const DatabaseFile& file, std::optional<StoreError> failure)
 {
     std::unique_ptr<Database> database(new Database(inMemoryPath, file));
-    if (database->connect())
-        (void)database->migrate(); // an empty one takes every statement
+    // An empty one takes every statement.
+    (void)database->connect().and_then([&] { return database->configure(); }).and_then([&] {
+        return database->migrate();
+    });
     database->m_opening.isNew = true;
+    database->m_failure = std::move(failure);
     return database;
 }
 
@@ -169,6 +112,11 @@ tl::expected<void, StoreError> Database::connect()
 {
     if (!m_database.open())
         return tl::unexpected(errorOf(m_database.lastError()));
+    return {};
+}
+
+tl::expected<void, StoreError> Database::configure()
+{
     const QString synchronous =
         m_file.isPrecious ? u"PRAGMA synchronous = FULL"_s : u"PRAGMA synchronous = NORMAL"_s;
     for (const QString& pragma : {u"PRAGMA journal_mode = WAL"_s, synchronous, u"PRAGMA foreign_keys = ON"_s,
@@ -179,31 +127,59 @@ tl::expected<void, StoreError> Database::connect()
     return {};
 }
 
-bool Database::isSound()
+// A disk that cannot be read now is no damage: nothing is moved aside for it.
+tl::expected<void, StoreError> Database::checkSound()
 {
     if (!m_file.isPrecious)
-        return true;
+        return {};
     auto check = execute(u"PRAGMA quick_check(1)"_s);
-    return check && check->next() && check->value(0).toString() == u"ok";
+    if (!check)
+        return tl::unexpected(check.error());
+    if (!check->next())
+        return stepped(*check).and_then([&]() -> tl::expected<void, StoreError> {
+            return tl::unexpected(StoreError{StoreError::Kind::Damaged, m_path, {}});
+        });
+    const QString verdict = check->value(0).toString();
+    if (verdict != u"ok")
+        return tl::unexpected(StoreError{StoreError::Kind::Damaged, m_path, verdict});
+    return {};
 }
 
-tl::expected<void, StoreError> Database::migrate()
+// Returns the number of steps that have made the tables, checked: it is an index into them.
+tl::expected<int, StoreError> Database::version()
 {
     auto asked = execute(u"PRAGMA user_version"_s);
     if (!asked || !asked->next())
         return tl::unexpected(asked ? StoreError{StoreError::Kind::Damaged, m_path, {}} : asked.error());
+    const int found = asked->value(0).toInt();
+    if (found < 0)
+        return tl::unexpected(StoreError{StoreError::Kind::Damaged, m_path, u"user_version %1"_s.arg(found)});
+    if (found > static_cast<int>(m_file.steps().size()))
+        return tl::unexpected(StoreError{StoreError::Kind::NewerSchema, m_path, QString::number(found)});
+    return found;
+}
+
+tl::expected<void, StoreError> Database::migrate()
+{
+    const auto found = version();
+    if (!found)
+        return tl::unexpected(found.error());
     const std::vector<QStringList>& steps = m_file.steps();
     const int newest = static_cast<int>(steps.size());
-    const int found = asked->value(0).toInt();
-    asked->finish();
-    if (found > newest)
-        return tl::unexpected(StoreError{StoreError::Kind::NewerSchema, m_path, QString::number(found)});
-    m_opening.migratedFrom = found > 0 && found < newest ? found : 0;
+    m_opening.migratedFrom = *found > 0 && *found < newest ? *found : 0;
+    if (*found == newest)
+        return {};
     return transaction([&]() -> tl::expected<void, StoreError> {
-        for (int version = found; version < newest; ++version) {
+        for (int version = *found; version < newest; ++version) {
             for (const QString& statement : steps[static_cast<std::size_t>(version)]) {
-                if (const auto done = execute(statement); !done)
-                    return tl::unexpected(done.error());
+                QSqlQuery step(m_database);
+                if (step.exec(statement))
+                    continue;
+                StoreError error = errorOf(step.lastError());
+                // The tables are not those of the version that the file names.
+                if (step.lastError().nativeErrorCode().toInt() == static_cast<int>(Code::Logic))
+                    error.kind = StoreError::Kind::Damaged;
+                return tl::unexpected(error);
             }
         }
         // A pragma takes no bound value.
@@ -249,24 +225,6 @@ Database::transaction(const std::function<tl::expected<void, StoreError>()>& wor
     }
     (void)execute(u"ROLLBACK"_s); // refused when the failure has rolled it back already
     return done;
-}
-
-tl::expected<void, StoreError> Database::makeCopy()
-{
-    if (isInMemory())
-        return {};
-    const QString copy = m_path + u".copy"_s;
-    const QString fresh = copy + u".new"_s;
-    QFile::remove(fresh);
-    if (const auto written = execute(u"VACUUM INTO ?"_s, {fresh}); !written) {
-        QFile::remove(fresh);
-        return tl::unexpected(written.error());
-    }
-    // Between the two there is no copy for a moment; the file itself is there.
-    QFile::remove(copy);
-    if (!QFile::rename(fresh, copy))
-        return tl::unexpected(StoreError{StoreError::Kind::Failed, copy, {}});
-    return {};
 }
 
 } // namespace campanel::store

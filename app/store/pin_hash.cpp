@@ -11,9 +11,9 @@ namespace campanel::store {
 
 namespace {
 
-// Between libsodium's least and its 64 MiB for logging in: a panel has little memory and nobody waits longer.
+// Twice libsodium's 64 MiB for logging in. Memory costs somebody who guesses in parallel more than passes do.
 constexpr unsigned long long passes = crypto_pwhash_OPSLIMIT_INTERACTIVE;
-constexpr std::size_t memoryBytes = std::size_t{32} << 20U;
+constexpr std::size_t memoryBytes = std::size_t{128} << 20U;
 
 bool isReady()
 {
@@ -40,6 +40,11 @@ bool isPin(const QString& hash, const QString& pin)
     const QByteArray kept = hash.toLatin1();
     return isReady() && crypto_pwhash_str_verify(kept.constData(), digits.constData(),
                                                  static_cast<unsigned long long>(digits.size())) == 0;
+}
+
+bool isOutdated(const QString& hash)
+{
+    return isReady() && crypto_pwhash_str_needs_rehash(hash.toLatin1().constData(), passes, memoryBytes) != 0;
 }
 
 } // namespace campanel::store

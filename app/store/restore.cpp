@@ -2,6 +2,7 @@
 #include "app/store/restore.h"
 
 #include "app/store/files.h"
+#include "app/store/private_files.h"
 
 #include <QDir>
 #include <QFile>
@@ -53,7 +54,7 @@ tl::expected<void, QString> moveIfThere(const QString& from, const QString& to)
 tl::expected<void, QString> keepCompanions(const QString& path, const QString& kept)
 {
     tl::expected<void, QString> done;
-    for (const auto suffix : {"-wal"_L1, "-shm"_L1, ".copy"_L1})
+    for (const auto suffix : {"-wal"_L1, "-shm"_L1, ".copy"_L1, ".setup"_L1})
         done = done.and_then([&] { return moveIfThere(path + suffix, kept + suffix); });
     return done;
 }
@@ -80,7 +81,7 @@ tl::expected<BackupManifest, BackupError> stageRestore(const QString& backup, co
 {
     discardRestore(folder);
     const QString staging = QDir(folder).filePath(stagingName);
-    if (!QDir().mkpath(staging))
+    if (!makePrivateFolder(staging))
         return tl::unexpected(BackupError{BackupError::Kind::NotWritable, backup, staging});
     auto manifest = unpackBackup(backup, staging);
     if (!manifest)
@@ -100,7 +101,7 @@ tl::expected<void, QString> commitRestore(const QString& folder, const AuditEntr
             return tl::unexpected(row.error().detail);
     } // closed: its log is part of the file
     QDir(home.filePath(keptName)).removeRecursively();
-    if (!home.mkpath(keptName))
+    if (!makePrivateFolder(home.filePath(keptName)))
         return tl::unexpected(home.filePath(keptName));
     return settle(staging)
         .map_error([](const FileError& error) { return error.found; })
@@ -125,7 +126,7 @@ FinishedRestore finishRestore(const QString& folder, const QString& settingsFile
     if (!ready.exists())
         return {};
     const QDir kept(home.filePath(keptName));
-    home.mkpath(keptName);
+    (void)makePrivateFolder(kept.path()); // without it nothing can be moved, which is said
     FinishedRestore finished{true, {}, kept.path()};
     tl::expected<void, QString> done = finishPart(ready, kept, backedUpSettings, settingsFile);
     for (const QString& name : ready.entryList(QDir::Files)) {

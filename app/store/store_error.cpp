@@ -16,7 +16,17 @@ QString StoreErrorText::describe(const StoreError& error)
         return tr("The panel's memory %1 was written by a newer version of CamPanel. Install that version.")
             .arg(path);
     case StoreError::Kind::Damaged:
-        return tr("The panel's memory %1 is damaged. Restart the panel: it goes on with its last good copy.")
+        return tr("The panel's memory %1 is damaged. Restart the panel: the last good copy takes its place, "
+                  "if there is one.")
+            .arg(path);
+    case StoreError::Kind::InUse:
+        return tr("The panel's memory %1 is in use by another program. Close that program, then restart the "
+                  "panel.")
+            .arg(path);
+    case StoreError::Kind::PinsLost:
+        return tr("The users of this panel and their PINs are lost. Only operators can work until they are "
+                  "back. To start without PINs, delete the file %1 and restart the panel; then restore a "
+                  "backup.")
             .arg(path);
     case StoreError::Kind::Full:
         return tr("The disk is full. What was saved before is kept; make room and save again.");

@@ -12,6 +12,8 @@ struct StoreError {
         CannotOpen,  // `detail` is the system's reason
         NewerSchema, // written by a newer version of this program
         Damaged,
+        InUse,      // by another program
+        PinsLost,   // the panel had users, and there are none; `path` is the setup marker
         Full,       // no room on the disk
         ReadOnly,   // the disk or the file
         TrendsAnew, // bags and trends were damaged and begin anew; `detail` is where the damaged file is

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/store_thread.h"
 
+#include "app/store/setup_marker.h"
+#include "app/store/user_store.h"
+
+#include <QDir>
+
 namespace campanel::store {
 
 StoreThread::StoreThread(const QString& folder, const DatabaseFile& file, QObject* parent)
@@ -30,9 +35,20 @@ void StoreThread::take(tl::expected<std::unique_ptr<Database>, StoreError> datab
     Report report;
     if (!database)
         report.error = database.error();
-    m_database = database ? std::move(*database) : Database::inMemory(m_file);
+    m_database = database ? std::move(*database) : substitute(database.error());
     report.opening = m_database->opening();
     QMetaObject::invokeMethod(this, [this, report] { emit opened(report); });
+}
+
+// Returns what keeps the panel going until its end, with the users of the copy, so that PINs can be checked.
+std::unique_ptr<Database> StoreThread::substitute(const StoreError& failure) const
+{
+    const QString path = QDir(m_folder).filePath(m_file.name);
+    if (!m_file.isPrecious || readSetupMarker(path) == SetUp::WithoutPins)
+        return Database::inMemory(m_file);
+    auto database = Database::inMemory(m_file, failure);
+    borrowUsers(*database, m_folder);
+    return database;
 }
 
 void StoreThread::open()

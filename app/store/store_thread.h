@@ -56,6 +56,7 @@ signals:
 
 private:
     void take(tl::expected<std::unique_ptr<Database>, StoreError> database); // in m_thread
+    [[nodiscard]] std::unique_ptr<Database> substitute(const StoreError& failure) const;
 
     QString m_folder;
     DatabaseFile m_file;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/user_store.h"
 
+#include "app/store/setup_marker.h"
+
+#include <QDir>
+
 #include <algorithm>
 
 using namespace Qt::StringLiterals;
@@ -71,7 +75,36 @@ tl::expected<QList<User>, StoreError> users(Database& database)
     QList<User> found;
     while (rows->next())
         found << userOf(*rows);
+    if (const auto read = database.stepped(*rows); !read)
+        return tl::unexpected(read.error());
+    if (found.isEmpty()) {
+        if (database.failure())
+            return tl::unexpected(*database.failure());
+        if (!database.isInMemory() && readSetupMarker(database.path()) == SetUp::WithPins)
+            return tl::unexpected(
+                StoreError{StoreError::Kind::PinsLost, setupMarkerPath(database.path()), {}});
+    }
     return found;
+}
+
+void borrowUsers(Database& database, const QString& folder)
+{
+    const QString path = QDir(folder).filePath(mainDatabase().name);
+    const auto copy = Database::openReadOnly(path + u".copy"_s);
+    if (!copy)
+        return;
+    auto rows = (*copy)->execute(
+        u"SELECT id, name, level, pin, failed, locked_until_ms FROM user WHERE deleted = 0"_s);
+    while (rows && rows->next())
+        (void)database.execute(
+            u"INSERT INTO user (id, name, level, pin, failed, locked_until_ms) "
+            "VALUES (?, ?, ?, ?, ?, ?)"_s,
+            {rows->value(0), rows->value(1), rows->value(2), rows->value(3), rows->value(4), rows->value(5)});
+}
+
+tl::expected<void, StoreError> renewPinHash(Database& database, qint64 id, const QString& pinHash)
+{
+    return change(database, u"UPDATE user SET pin = ? WHERE id = ? AND deleted = 0"_s, {pinHash, id});
 }
 
 tl::expected<User, StoreError> addUser(Database& database, const QString& name, UserLevel level,
@@ -88,6 +121,9 @@ tl::expected<User, StoreError> addUser(Database& database, const QString& name, 
     });
     if (!done)
         return tl::unexpected(done.error());
+    // Should it fail, the next opening writes it.
+    if (!database.isInMemory())
+        (void)writeSetupMarker(database.path(), SetUp::WithPins);
     return user;
 }
 

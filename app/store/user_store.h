@@ -27,11 +27,18 @@ struct User {
 // How long this user still has to wait. A clock that was set back does not make it longer than the delay.
 [[nodiscard]] qint64 waitMs(const User& user, qint64 nowMs);
 
-// By name. Those that were removed are not among them.
+// By name. Those that were removed are not among them. PinsLost, or what kept the database from being opened,
+// when there are none although there were some, or nobody can tell: then nobody may do everything.
 [[nodiscard]] tl::expected<QList<User>, StoreError> users(Database& database);
 // Refused when somebody has that name. The first user must be of the level Service.
 [[nodiscard]] tl::expected<User, StoreError> addUser(Database& database, const QString& name, UserLevel level,
                                                      const QString& pinHash);
+// Puts the users of the last good copy in `folder` into a database that is in memory, so that their PINs can
+// be checked while the one on the disk cannot be opened.
+void borrowUsers(Database& database, const QString& folder);
+// The same PIN, hashed with today's effort.
+[[nodiscard]] tl::expected<void, StoreError> renewPinHash(Database& database, qint64 id,
+                                                          const QString& pinHash);
 // Also ends the wait.
 [[nodiscard]] tl::expected<void, StoreError> setUserPin(Database& database, qint64 id,
                                                         const QString& pinHash);

@@ -63,6 +63,7 @@ FirstStep {
         id: pinSheet
         NewPinSheet {
             title: qsTr("PIN of %1").arg(step.userName)
+            level: Access.Service
             onEntered: pin => {
                 Access.addUser(step.userName, step.userLevel, pin)
                 closed()

@@ -21,6 +21,7 @@ Rectangle {
     property alias clockRuns: topBar.clockRuns
     property alias now: topBar.now
     property var sheet: null               // the open dialog
+    property int userOfShortPin            // whoever has to choose a longer one
     property real shift                    // the page moves aside, so that the keypad does not cover the field
 
     function openPage(index: int): void {
@@ -57,6 +58,12 @@ Rectangle {
         if (loginLoader.active)
             return
         loginLoader.setSource("../Widgets/LoginSheet.qml", { level: level })
+        loginLoader.active = true
+    }
+    // In the place of the login that has shown it.
+    function openShortPin(user: int): void {
+        frame.userOfShortPin = user
+        loginLoader.setSource("../Widgets/NewPinSheet.qml", { title: qsTr("Your PIN is too short"), level: Access.Service })
         loginLoader.active = true
     }
     function closeKeypad(): void {
@@ -197,9 +204,14 @@ Rectangle {
                 target: loginLoader.item
                 ignoreUnknownSignals: true
                 function onClosed() { loginLoader.active = false }
+                function onEntered(pin: string) {
+                    Access.changePin(frame.userOfShortPin, pin)
+                    loginLoader.active = false
+                }
             }
             Connections {
                 target: Access
+                function onNewPinWanted(user: int) { frame.openShortPin(user) }
                 function onLoginRequested(level: int) { frame.openLogin(level) }
                 function onLoginSucceeded() { loginLoader.active = false }
                 function onLeftAlone() { frame.openPage(0) }

@@ -153,6 +153,7 @@ SettingsSection {
         id: changePinSheet
         NewPinSheet {
             title: qsTr("New PIN")
+            level: section.people.find(each => each.id === section.userId)?.level ?? Access.Service
             onEntered: pin => {
                 Access.changePin(section.userId, pin)
                 closed()
@@ -194,6 +195,7 @@ SettingsSection {
         id: newPinSheet
         NewPinSheet {
             title: qsTr("PIN of %1").arg(section.newName)
+            level: section.newLevel
             onEntered: pin => {
                 Access.addUser(section.newName, section.newLevel, pin)
                 closed()

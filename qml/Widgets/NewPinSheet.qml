@@ -7,20 +7,23 @@ import CamPanel.Machine
 PinPanel {
     id: sheet
 
+    required property int level            // of the user; Service needs more digits
+    readonly property int minDigits: Access.minPinDigits(sheet.level)
     property string first                  // what was typed the first time
     property string refusal
     signal entered(string pin)
 
     function take(pin: string): void {
         const isSecond = sheet.first.length > 0
-        sheet.refusal = isSecond ? (pin === sheet.first ? "" : qsTr("The two were not the same. Once more from the beginning.")) : Access.pinRefusal(pin)
+        sheet.refusal = isSecond ? (pin === sheet.first ? "" : qsTr("The two were not the same. Once more from the beginning.")) : Access.pinRefusal(pin, sheet.level)
         if (isSecond && sheet.refusal.length === 0)
             sheet.entered(pin)
         sheet.first = isSecond || sheet.refusal.length > 0 ? "" : pin
     }
 
-    sentence: qsTr("4 to 8 digits. Nobody can look it up later; somebody of the level Service can set a new one.")
+    sentence: qsTr("%1 to 8 digits. Nobody can look it up later; somebody of the level Service can set a new one.").arg(sheet.minDigits)
     pad {
+        fewest: sheet.minDigits
         label: sheet.first.length > 0 ? qsTr("Again") : qsTr("New PIN")
         hint: sheet.refusal.length > 0 ? sheet.refusal : sheet.first.length > 0 ? qsTr("Type the same PIN again.") : qsTr("Type the new PIN.")
         hintIsFault: sheet.refusal.length > 0

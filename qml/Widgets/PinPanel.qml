@@ -41,7 +41,7 @@ Item {
                 objectName: "pinSentence"
                 width: parent.width
                 visible: text.length > 0
-                wrapMode: Text.WordWrap
+                wrapMode: Text.Wrap         // paths have no spaces
                 text: panel.sentence
                 color: Theme.color.secondaryInk
             }

@@ -855,6 +855,13 @@
     </message>
 </context>
 <context>
+    <name>Frame</name>
+    <message>
+        <source>Your PIN is too short</source>
+        <translation>您的 PIN 太短</translation>
+    </message>
+</context>
+<context>
     <name>FrameSheet</name>
     <message>
         <source>Earlier</source>
@@ -1388,10 +1395,6 @@
         <translation>两次输入不同。请从头再输入。</translation>
     </message>
     <message>
-        <source>4 to 8 digits. Nobody can look it up later; somebody of the level Service can set a new one.</source>
-        <translation>4 至 8 位数字。以后无法查出；“维护”级用户可以设定新的 PIN。</translation>
-    </message>
-    <message>
         <source>Again</source>
         <translation>再次输入</translation>
     </message>
@@ -1406,6 +1409,10 @@
     <message>
         <source>Type the new PIN.</source>
         <translation>请输入新 PIN。</translation>
+    </message>
+    <message>
+        <source>%1 to 8 digits. Nobody can look it up later; somebody of the level Service can set a new one.</source>
+        <translation>%1 至 8 位数字。以后无法查出；“维护”级用户可以设定新的 PIN。</translation>
     </message>
 </context>
 <context>

@@ -85,8 +85,8 @@ private slots:
 
         panel.tap("firstSetPin");
         panel.tap("userPin");
-        typePin(panel, QStringLiteral("2580"));
-        typePin(panel, QStringLiteral("2580"));
+        typePin(panel, QStringLiteral("258036"));
+        typePin(panel, QStringLiteral("258036"));
         QTRY_VERIFY_WITH_TIMEOUT(panel.panel().access().protectedByPins(), timeoutMs);
         panel.finger().settle();
         panel.tap("firstNext");
@@ -193,7 +193,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
         waitForRecipes(panel, 1); // the database is open
         machine::Access& access = panel.panel().access();
-        access.addUser(QStringLiteral("Anna"), machine::Access::Service, QStringLiteral("2580"));
+        access.addUser(QStringLiteral("Anna"), machine::Access::Service, QStringLiteral("258036"));
         QTRY_VERIFY_WITH_TIMEOUT(access.loggedIn(), timeoutMs);
         access.logOut();
         panel.tap("nav1");
@@ -207,7 +207,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!access.waits(), timeoutMs);
         panel.finger().settle();
         QTRY_VERIFY_WITH_TIMEOUT(!panel.texts().contains(QStringLiteral("wait")), timeoutMs);
-        typePin(panel, QStringLiteral("2580"));
+        typePin(panel, QStringLiteral("258036"));
         QTRY_VERIFY2_WITH_TIMEOUT(access.loggedIn(),
                                   qPrintable(panel.complaints().join(u'|') + panel.texts()), timeoutMs);
         panel.finger().settle();

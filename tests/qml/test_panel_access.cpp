@@ -43,13 +43,13 @@ private slots:
         tap("userAdd");
         QVERIFY(!isOn("level1")); // of Service, nothing to choose
         tap("userPin");
-        typePin("1234");
+        typePin("123456");
         QVERIFY2(textOf("pinHint").startsWith(u"Digits in a row"), qPrintable(textOf("pinHint")));
-        typePin("2580");
-        typePin("2581");
+        typePin("258036");
+        typePin("258136");
         QVERIFY(textOf("pinHint").startsWith(u"The two were not the same"));
-        typePin("2580");
-        typePin("2580");
+        typePin("258036");
+        typePin("258036");
         QTRY_VERIFY(access().protectedByPins());
         QTRY_COMPARE(access().userName(), u"Service"_s);
         m_stage->settle();
@@ -83,12 +83,48 @@ private slots:
         QVERIFY(!m_stage->find(u"pinAccept"_s)->isEnabled());
         tap("pinBackspace");
         QTRY_VERIFY(!textOf("pinHint").contains(u"wait"));
-        typePin("2580");
+        typePin("258036");
         QCOMPARE(access().userName(), u"Li Wei"_s);
         QVERIFY(!isOn("loginUsers"));
         QCOMPARE(textOf("userLevel"), u"Technician"_s);
         tap("field_baseSpeed");
         QVERIFY(isOn("keypadAccept"));
+    }
+
+    // The users are lost: the reason is said where a login is asked for, and Stop stays.
+    void lostUsersOpenNothing()
+    {
+        enter("login-locked");
+        QVERIFY(access().locked());
+        QVERIFY2(textOf("pinSentence").contains(u"campanel.sqlite.setup"), qPrintable(textOf("pinSentence")));
+        tap("pin2");
+        tap("pin5");
+        tap("pin8");
+        tap("pin0");
+        QVERIFY(!m_stage->find(u"pinAccept"_s)->isEnabled());
+        const int stops = m_stage->link().stopRequests();
+        tap("stopKey");
+        QCOMPARE(m_stage->link().stopRequests(), stops + 1);
+        tap("pinCancel");
+        QVERIFY(!isOn("keypadAccept"));
+    }
+
+    void aShortPinIsChangedAfterTheLogin()
+    {
+        enter("login-short-pin");
+        QVERIFY(isOn("pinAccept"));
+        typePin("2580"); // four digits are not accepted here
+        QVERIFY(isOn("pinAccept"));
+        for (int i = 0; i < 4; ++i)
+            tap("pinBackspace");
+        typePin("975310");
+        typePin("975310");
+        QTRY_VERIFY(!isOn("pinAccept"));
+        QTRY_VERIFY(!access().busy());
+        QCOMPARE(access().userName(), u"Anna"_s);
+        access().logOut();
+        access().login(u"975310"_s);
+        QTRY_COMPARE(access().userName(), u"Anna"_s);
     }
 
     void aRefusalKeepsWhatWasOpen()

@@ -79,7 +79,7 @@ private slots:
         // Everything changes: recipe, a user, a setting.
         m_stage->panel().settings().setTheme(u"light"_s);
         editor().setRecipeName(u"Another"_s);
-        m_stage->panel().access().addUser(u"Anna"_s, machine::Access::Service, u"2580"_s);
+        m_stage->panel().access().addUser(u"Anna"_s, machine::Access::Service, u"258036"_s);
         QTRY_VERIFY(m_stage->panel().access().loggedIn());
         m_stage->settle();
         tap("backupRestore");

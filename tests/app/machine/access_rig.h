@@ -60,10 +60,10 @@ struct AccessRig : PanelRig {
         access.login(pin);
         settle();
     }
-    // Anna of the level Service with 2580, Bo the technician with 1470; nobody is logged in.
+    // Anna of the level Service with 258036, Bo the technician with 1470; nobody is logged in.
     void addAnnaAndBo()
     {
-        add(QStringLiteral("Anna"), machine::Access::Service, QStringLiteral("2580"));
+        add(QStringLiteral("Anna"), machine::Access::Service, QStringLiteral("258036"));
         add(QStringLiteral("Bo"), machine::Access::Technician, QStringLiteral("1470"));
         access.logOut();
     }
@@ -84,6 +84,20 @@ struct AccessRig : PanelRig {
         while (!isRead)
             QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
         return found;
+    }
+
+    [[nodiscard]] QString hashOf(const QString& name)
+    {
+        QString hash;
+        records.store().run(
+            &records,
+            [name](store::Database& database) {
+                auto row = database.execute(QStringLiteral("SELECT pin FROM user WHERE name = ?"), {name});
+                return row && row->next() ? row->value(0).toString() : QString();
+            },
+            [&hash](const QString& found) { hash = found; });
+        settle();
+        return hash;
     }
 
 private:

@@ -159,7 +159,7 @@ private slots:
         rig.settings.applyConnection();
         rig.addAnnaAndBo();
         rig.logIn(u"Bo"_s, u"9999"_s);
-        rig.logIn(u"Anna"_s, u"2580"_s);
+        rig.logIn(u"Anna"_s, u"258036"_s);
         rig.access.changeLevel(rig.idOf(u"Bo"_s), Access::Operator);
         rig.settle();
         rig.access.removeUser(rig.idOf(u"Bo"_s));
@@ -180,7 +180,7 @@ private slots:
         QVERIFY(find(entries, u"user.remove"_s, u"Bo"_s));
         for (const AuditEntry& entry : entries) {
             for (const QString& text : {entry.before, entry.after, entry.object, entry.readBack})
-                QVERIFY(!text.contains(u"2580") && !text.contains(u"1470"));
+                QVERIFY(!text.contains(u"258036") && !text.contains(u"1470"));
         }
     }
 
