@@ -11,6 +11,7 @@
 #include "app/main/options.h"
 #include "app/main/panel.h"
 #include "app/main/qml_modules.h"
+#include "app/main/renderer.h"
 #include "app/main/self_test.h"
 #include "app/main/service_watchdog.h"
 
@@ -177,6 +178,7 @@ int main(int argc, char* argv[])
         return hasFonts() ? capture(options) : EXIT_FAILURE;
     if (options.isSelfTest)
         return hasFonts() ? panel::selfTest(options.looks, options.scenes) : EXIT_FAILURE;
+    panel::chooseRenderer();
     const panel::EndSignals endSignals;
     int code = restartCode;
     while (code == restartCode)
