@@ -2039,6 +2039,10 @@
         <translation>最高速率</translation>
     </message>
     <message>
+        <source>knife speed</source>
+        <translation>刀速</translation>
+    </message>
+    <message>
         <source>Feed per motor rev.</source>
         <translation>电机每转进给</translation>
     </message>
