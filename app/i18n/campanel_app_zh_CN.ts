@@ -1022,10 +1022,6 @@
         <translation>检查通过，将在本周期结束时生效。</translation>
     </message>
     <message>
-        <source>The controller runs this program.</source>
-        <translation>控制器正在使用此程序。</translation>
-    </message>
-    <message>
         <source>Canceled. The controller&apos;s program is unchanged.</source>
         <translation>已取消。控制器的程序没有改变。</translation>
     </message>
@@ -1092,6 +1088,10 @@
     <message>
         <source>Measure the marks</source>
         <translation>测量色标</translation>
+    </message>
+    <message>
+        <source>The controller has this program.</source>
+        <translation>控制器中已是此程序。</translation>
     </message>
 </context>
 <context>
@@ -3235,18 +3235,6 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
         <translation>无法下载：该控制器不能执行这类程序。</translation>
     </message>
     <message>
-        <source>The controller runs exactly this.</source>
-        <translation>控制器运行的正是此程序。</translation>
-    </message>
-    <message>
-        <source>Takes effect at the end of the cycle.</source>
-        <translation>在本周期结束时生效。</translation>
-    </message>
-    <message>
-        <source>Takes effect at once.</source>
-        <translation>立即生效。</translation>
-    </message>
-    <message>
         <source>Controller: not known yet</source>
         <translation>控制器：尚不清楚</translation>
     </message>
@@ -3281,6 +3269,30 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     <message>
         <source>No connection. Last known in the controller: generation %1</source>
         <translation>没有连接。控制器中最后已知的是：第 %1 代</translation>
+    </message>
+    <message>
+        <source>The controller already has exactly this recipe.</source>
+        <translation>控制器中已是这一配方。</translation>
+    </message>
+    <message>
+        <source>The machine keeps running; the new recipe begins with the next cycle.</source>
+        <translation>机器继续运行，新配方从下一周期开始。</translation>
+    </message>
+    <message>
+        <source>The new recipe is used from the next start.</source>
+        <translation>新配方从下次启动起使用。</translation>
+    </message>
+    <message>
+        <source>Downloaded. The machine runs with this recipe.</source>
+        <translation>已下载。机器正按此配方运行。</translation>
+    </message>
+    <message>
+        <source>Downloaded. Press Start to run this recipe.</source>
+        <translation>已下载。按“启动”运行此配方。</translation>
+    </message>
+    <message>
+        <source>Downloaded. The controller has this recipe.</source>
+        <translation>已下载。控制器中已是此配方。</translation>
     </message>
 </context>
 <context>

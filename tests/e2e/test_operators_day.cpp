@@ -55,8 +55,6 @@ void download(PanelWindow& panel)
     panel.tap("downloadStart");
     QTRY_COMPARE_WITH_TIMEOUT(panel.editor().downloadState(), Editor::DownloadState::Applied, timeoutMs);
     panel.finger().settle();
-    panel.tap("downloadCancel"); // "Close" by now
-    panel.finger().settle();
 }
 
 } // namespace
