@@ -3786,28 +3786,8 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
         <translation>设为上位</translation>
     </message>
     <message>
-        <source>There is no connection to the controller.</source>
-        <translation>未连接到控制器。</translation>
-    </message>
-    <message>
-        <source>The controller has no program. Download a recipe first.</source>
-        <translation>控制器中没有程序。请先下载配方。</translation>
-    </message>
-    <message>
-        <source>The machine is moving. Wait until it stands, or stop it.</source>
-        <translation>机器正在运动。请等它停稳，或将其停止。</translation>
-    </message>
-    <message>
         <source>Looking for the index mark …</source>
         <translation>正在寻找零位标记…</translation>
-    </message>
-    <message>
-        <source>The controller is in fault. Reset the fault first.</source>
-        <translation>控制器处于故障状态。请先复位故障。</translation>
-    </message>
-    <message>
-        <source>The state of the controller is not known.</source>
-        <translation>控制器的状态未知。</translation>
     </message>
     <message>
         <source>The last homing has found the index mark.</source>
@@ -4385,26 +4365,6 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     <message>
         <source>There is no connection to the controller.</source>
         <translation>没有连接到控制器。</translation>
-    </message>
-    <message>
-        <source>The controller has no program. Download a recipe first.</source>
-        <translation>控制器没有程序。请先下载配方。</translation>
-    </message>
-    <message>
-        <source>The machine is running.</source>
-        <translation>机器正在运行。</translation>
-    </message>
-    <message>
-        <source>The machine is stopping.</source>
-        <translation>机器正在停止。</translation>
-    </message>
-    <message>
-        <source>The machine is moving.</source>
-        <translation>机器正在运动。</translation>
-    </message>
-    <message>
-        <source>The controller is in fault. Reset the fault first.</source>
-        <translation>控制器处于故障状态。请先复位故障。</translation>
     </message>
     <message>
         <source>The state of the controller is not known.</source>

@@ -271,6 +271,15 @@ const QList<Scene>& allScenes()
         situation("run-stopped", Situation::Stopped, run),
         situation("run-empty", Situation::Empty, run),
         situation("run-fault", Situation::Fault, run),
+        situation("run-many-alarms", Situation::ManyAlarms, run),
+        situation("motion-many-alarms", Situation::ManyAlarms, motion),
+        {QStringLiteral("download-start-refused"),
+         [=](Stage& stage) {
+             stage.link().show(Situation::Empty);
+             stage.lookAtClock();
+             for (const char* name : {"nav1", "nextStep", "startKey"})
+                 stage.tap(QString::fromLatin1(name));
+         }},
         situation("run-product-across", Situation::ProductAcross, run),
         situation("run-marks-lost", Situation::MarksLost, run),
         {QStringLiteral("run-old-controller"),

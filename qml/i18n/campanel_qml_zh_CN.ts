@@ -294,16 +294,22 @@
         <source>Withdraw</source>
         <translation>撤回</translation>
     </message>
+    <message>
+        <source>%1
+And %2 more.</source>
+        <translation>%1
+另有 %2 条。</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>查看</translation>
+    </message>
 </context>
 <context>
     <name>CommandColumn</name>
     <message>
         <source>Start</source>
         <translation>启动</translation>
-    </message>
-    <message>
-        <source>Home</source>
-        <translation>回零</translation>
     </message>
     <message>
         <source>Reset</source>
