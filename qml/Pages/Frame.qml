@@ -220,7 +220,7 @@ Rectangle {
     CommandColumn {
         id: commands
         anchors { right: parent.right; rightMargin: Theme.size.gap; top: topBar.bottom; bottom: parent.bottom; topMargin: Theme.size.gap; bottomMargin: Theme.size.gap }
-        onStartRefused: banner.startRefused = true
+        onStartRefused: banner.refuseStart()
     }
     Loader {
         anchors { left: parent.left; right: commands.left; top: parent.top; bottom: parent.bottom }

@@ -10,8 +10,9 @@ import CamPanel.Machine
 Item {
     id: host
 
-    property bool startRefused             // set by the frame; ends when Start would be taken
+    property bool startRefused             // ends when Start would be taken
     property bool above                    // over a sheet, a keypad or the first start: only what answers the finger is worth it
+    property string answerBelow            // what stood on the page already when something opened above it
     property string putAside
     signal alarmsRequested()
 
@@ -20,7 +21,7 @@ Item {
         || Machine.connection === Machine.Connection.Connecting
     readonly property bool isTrouble: isComing ? patience.over : Machine.connection !== Machine.Connection.Connected
     readonly property string linkTrouble: isTrouble ? Machine.connectionText : ""
-    readonly property list<string> alarms: Machine.alarmTexts
+    readonly property var alarms: Machine.alarmTexts
     readonly property string alarm: alarms.length > 0 ? alarms.join("\n") : linkTrouble
     // One at a time has room on every screen.
     readonly property string mostUrgent: alarms.length > 1 ? qsTr("%1\nAnd %2 more.").arg(alarms[0]).arg(alarms.length - 1) : alarm
@@ -29,7 +30,15 @@ Item {
         : startRefused ? Machine.startBlockedReason : ""
     readonly property bool stopShown: Machine.stopWaits
     readonly property bool alarmShown: !above && !stopShown && answer.length === 0 && alarm.length > 0 && alarm !== putAside && !Alarms.seen
-    readonly property bool shown: stopShown || answer.length > 0 || alarmShown
+    readonly property bool shown: stopShown || (answer.length > 0 && !(above && answer === answerBelow)) || alarmShown
+
+    onAboveChanged: host.answerBelow = host.above ? host.answer : ""
+    onAnswerChanged: if (host.answer !== host.answerBelow) host.answerBelow = ""
+
+    function refuseStart() {
+        host.answerBelow = ""
+        host.startRefused = true
+    }
 
     function accept() {
         if (host.stopShown) {

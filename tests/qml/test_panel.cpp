@@ -406,6 +406,20 @@ private slots:
         QVERIFY(!m_stage->find(QStringLiteral("banner")));
     }
 
+    void whatStoodOnThePageDoesNotCoverASheet()
+    {
+        m_stage->link().show(campanel::panel::DemoLink::Situation::Empty);
+        m_stage->settle();
+        for (const char* name : {"nav1", "startKey", "nextStep"})
+            tap(name);
+        QVERIFY(!m_stage->find(QStringLiteral("banner")));
+        tap("startKey");
+        QVERIFY(m_stage->find(QStringLiteral("banner")));
+        tap("bannerButton");
+        tap("downloadCancel");
+        QVERIFY(!m_stage->find(QStringLiteral("banner")));
+    }
+
     void homeIsOfferedWhenTheControllerTakesIt()
     {
         m_stage->link().show(campanel::panel::DemoLink::Situation::Empty);
