@@ -1059,10 +1059,6 @@
         <translation>检查通过，将在本周期结束时生效。</translation>
     </message>
     <message>
-        <source>The controller runs this program.</source>
-        <translation>控制器正在使用此程序。</translation>
-    </message>
-    <message>
         <source>Canceled. The controller&apos;s program is unchanged.</source>
         <translation>已取消。控制器的程序没有改变。</translation>
     </message>
@@ -1133,6 +1129,10 @@
     <message>
         <source>No controller is chosen. Choose one on the Settings page, under Connection.</source>
         <translation>未选择控制器。请在“设置”页的“通信”中选择。</translation>
+    </message>
+    <message>
+        <source>The controller has this program.</source>
+        <translation>控制器中已是此程序。</translation>
     </message>
 </context>
 <context>
@@ -2106,6 +2106,10 @@
     <message>
         <source>largest rate</source>
         <translation>最高速率</translation>
+    </message>
+    <message>
+        <source>knife speed</source>
+        <translation>刀速</translation>
     </message>
     <message>
         <source>Feed per motor rev.</source>
@@ -3320,18 +3324,6 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
         <translation>无法下载：该控制器不能执行这类程序。</translation>
     </message>
     <message>
-        <source>The controller runs exactly this.</source>
-        <translation>控制器运行的正是此程序。</translation>
-    </message>
-    <message>
-        <source>Takes effect at the end of the cycle.</source>
-        <translation>在本周期结束时生效。</translation>
-    </message>
-    <message>
-        <source>Takes effect at once.</source>
-        <translation>立即生效。</translation>
-    </message>
-    <message>
         <source>Controller: not known yet</source>
         <translation>控制器：尚不清楚</translation>
     </message>
@@ -3366,6 +3358,30 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     <message>
         <source>No connection. Last known in the controller: generation %1</source>
         <translation>没有连接。控制器中最后已知的是：第 %1 代</translation>
+    </message>
+    <message>
+        <source>The controller already has exactly this recipe.</source>
+        <translation>控制器中已是这一配方。</translation>
+    </message>
+    <message>
+        <source>The machine keeps running; the new recipe begins with the next cycle.</source>
+        <translation>机器继续运行，新配方从下一周期开始。</translation>
+    </message>
+    <message>
+        <source>The new recipe is used from the next start.</source>
+        <translation>新配方从下次启动起使用。</translation>
+    </message>
+    <message>
+        <source>Downloaded. The machine runs with this recipe.</source>
+        <translation>已下载。机器正按此配方运行。</translation>
+    </message>
+    <message>
+        <source>Downloaded. Press Start to run this recipe.</source>
+        <translation>已下载。按“启动”运行此配方。</translation>
+    </message>
+    <message>
+        <source>Downloaded. The controller has this recipe.</source>
+        <translation>已下载。控制器中已是此配方。</translation>
     </message>
 </context>
 <context>
@@ -3859,28 +3875,8 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
         <translation>设为上位</translation>
     </message>
     <message>
-        <source>There is no connection to the controller.</source>
-        <translation>未连接到控制器。</translation>
-    </message>
-    <message>
-        <source>The controller has no program. Download a recipe first.</source>
-        <translation>控制器中没有程序。请先下载配方。</translation>
-    </message>
-    <message>
-        <source>The machine is moving. Wait until it stands, or stop it.</source>
-        <translation>机器正在运动。请等它停稳，或将其停止。</translation>
-    </message>
-    <message>
         <source>Looking for the index mark …</source>
         <translation>正在寻找零位标记…</translation>
-    </message>
-    <message>
-        <source>The controller is in fault. Reset the fault first.</source>
-        <translation>控制器处于故障状态。请先复位故障。</translation>
-    </message>
-    <message>
-        <source>The state of the controller is not known.</source>
-        <translation>控制器的状态未知。</translation>
     </message>
     <message>
         <source>The last homing has found the index mark.</source>
@@ -4458,26 +4454,6 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     <message>
         <source>There is no connection to the controller.</source>
         <translation>没有连接到控制器。</translation>
-    </message>
-    <message>
-        <source>The controller has no program. Download a recipe first.</source>
-        <translation>控制器没有程序。请先下载配方。</translation>
-    </message>
-    <message>
-        <source>The machine is running.</source>
-        <translation>机器正在运行。</translation>
-    </message>
-    <message>
-        <source>The machine is stopping.</source>
-        <translation>机器正在停止。</translation>
-    </message>
-    <message>
-        <source>The machine is moving.</source>
-        <translation>机器正在运动。</translation>
-    </message>
-    <message>
-        <source>The controller is in fault. Reset the fault first.</source>
-        <translation>控制器处于故障状态。请先复位故障。</translation>
     </message>
     <message>
         <source>The state of the controller is not known.</source>

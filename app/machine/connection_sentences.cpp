@@ -203,7 +203,7 @@ QString ConnectionSentences::download(const link::DownloadReport& report)
     case link::DownloadStage::Armed:
         return tr("Checked. Becomes active at the end of the cycle.");
     case link::DownloadStage::Active:
-        return tr("The controller runs this program.");
+        return tr("The controller has this program.");
     case link::DownloadStage::Canceled:
         return tr("Canceled. The controller's program is unchanged.");
     case link::DownloadStage::Failed:

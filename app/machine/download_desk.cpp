@@ -109,18 +109,23 @@ QString DownloadDesk::text() const
 {
     switch (m_state) {
     case State::NothingToDo:
-        return tr("The controller runs exactly this.");
+        return tr("The controller already has exactly this recipe.");
     case State::Ready:
-        return m_machine.state() == Machine::State::Running ? tr("Takes effect at the end of the cycle.")
-                                                            : tr("Takes effect at once.");
+        return m_machine.state() == Machine::State::Running
+                   ? tr("The machine keeps running; the new recipe begins with the next cycle.")
+                   : tr("The new recipe is used from the next start.");
     case State::Blocked:
         return blockedReason();
     case State::Transferring:
     case State::Sealing:
     case State::Armed:
-    case State::Applied:
     case State::Failed:
         break;
+    case State::Applied:
+        if (m_machine.state() == Machine::State::Running)
+            return tr("Downloaded. The machine runs with this recipe.");
+        return m_machine.canStart() ? tr("Downloaded. Press Start to run this recipe.")
+                                    : tr("Downloaded. The controller has this recipe.");
     }
     return ConnectionSentences::download(m_report);
 }

@@ -290,6 +290,9 @@ Explanation Explanations::fastestRate() const
             u"%1 × √(%2 / %3)"_s.arg(rate, format.compact(machine.maxKnifeAccelerationMmPerS2 / 1000, 0, 2),
                                      format.compact(peaks.accelerationMmPerS2 / 1000, 0, 2));
         break;
+    case profile::Limit::FieldRange:
+        share(profile::info(profile::Field::BaseSpeed).max, peaks.speedMmPerS);
+        break;
     default:
         told.formula = tr("the limit itself");
         break;

@@ -93,25 +93,14 @@ QString Homing::keyText() const
 
 QString Homing::blockedReason() const
 {
-    if (!m_machine.isConnected() || !m_machine.fresh())
-        return tr("There is no connection to the controller.");
-    switch (m_machine.state()) {
-    case Machine::State::Ready:
-        return {};
-    case Machine::State::Idle:
-        return tr("The controller has no program. Download a recipe first.");
-    case Machine::State::Running:
-    case Machine::State::Stopping:
-    case Machine::State::Jogging:
-        return tr("The machine is moving. Wait until it stands, or stop it.");
-    case Machine::State::Homing:
+    if (m_machine.state() == Machine::State::Homing && m_machine.fresh())
         return tr("Looking for the index mark …");
-    case Machine::State::Fault:
-        return tr("The controller is in fault. Reset the fault first.");
-    case Machine::State::Unknown:
-        break;
-    }
-    return tr("The state of the controller is not known.");
+    return m_machine.blockedReason(modbus::Command::Home);
+}
+
+bool Homing::offered() const
+{
+    return possible() && (moves() || place() == Place::NotHomed);
 }
 
 QString Homing::resultText() const

@@ -23,6 +23,9 @@ class Homing : public QObject {
     Q_PROPERTY(QString keyText READ keyText NOTIFY changed FINAL)
     Q_PROPERTY(bool possible READ possible NOTIFY changed FINAL)
     Q_PROPERTY(QString blockedReason READ blockedReason NOTIFY changed FINAL)
+    // Home stands beside Start, where it is touched in passing: not for a press whose upper position is known,
+    // as all its strokes would become wrong.
+    Q_PROPERTY(bool offered READ offered NOTIFY changed FINAL)
     // What came of the last homing that was seen; empty before one.
     Q_PROPERTY(QString resultText READ resultText NOTIFY changed FINAL)
     Q_PROPERTY(bool failed READ failed NOTIFY changed FINAL)
@@ -44,6 +47,7 @@ public:
     [[nodiscard]] QString keyText() const;
     [[nodiscard]] bool possible() const { return blockedReason().isEmpty(); }
     [[nodiscard]] QString blockedReason() const;
+    [[nodiscard]] bool offered() const;
     [[nodiscard]] QString resultText() const;
     [[nodiscard]] bool failed() const;
     [[nodiscard]] bool moves() const;

@@ -20,6 +20,7 @@
 #include <QList>
 #include <QObject>
 #include <QPointF>
+#include <QStringList>
 #include <QTimer>
 #include <QVariant>
 #include <QtQml/qqmlregistration.h>
@@ -57,7 +58,8 @@ class Machine : public QObject {
 
     Q_PROPERTY(State state READ state NOTIFY stateChanged FINAL)
     Q_PROPERTY(QString stateText READ stateText NOTIFY stateChanged FINAL)
-    Q_PROPERTY(QString alarmText READ alarmText NOTIFY stateChanged FINAL)
+    // Cause and action of each alarm of the controller, the most urgent first.
+    Q_PROPERTY(QStringList alarmTexts READ alarmTexts NOTIFY stateChanged FINAL)
     Q_PROPERTY(bool faulted READ faulted NOTIFY stateChanged FINAL)
 
     Q_PROPERTY(double rateBagsPerMin READ rateBagsPerMin NOTIFY liveChanged FINAL)
@@ -118,7 +120,6 @@ class Machine : public QObject {
 
     Q_PROPERTY(bool canStart READ canStart NOTIFY commandsChanged FINAL)
     Q_PROPERTY(QString startBlockedReason READ startBlockedReason NOTIFY commandsChanged FINAL)
-    Q_PROPERTY(bool canHome READ canHome NOTIFY commandsChanged FINAL)
     Q_PROPERTY(QString commandMessage READ commandMessage NOTIFY commandMessageChanged FINAL)
 
 public:
@@ -158,7 +159,8 @@ public:
     [[nodiscard]] double ageMs() const;
     [[nodiscard]] State state() const;
     [[nodiscard]] QString stateText() const;
-    [[nodiscard]] QString alarmText() const;
+    [[nodiscard]] QStringList alarmTexts() const;
+    [[nodiscard]] QString alarmText() const { return alarmTexts().join(QLatin1Char('\n')); }
     [[nodiscard]] bool faulted() const;
     [[nodiscard]] double rateBagsPerMin() const;
     [[nodiscard]] double masterAngleDeg() const;
@@ -205,8 +207,9 @@ public:
     [[nodiscard]] double cutAngleDeg() const;
     [[nodiscard]] QVariant targetCurves() const;
     [[nodiscard]] bool canStart() const { return startBlockedReason().isEmpty(); }
-    [[nodiscard]] QString startBlockedReason() const;
-    [[nodiscard]] bool canHome() const;
+    [[nodiscard]] QString startBlockedReason() const { return blockedReason(modbus::Command::Start); }
+    // Why the controller would refuse the command now, as far as its last status tells; empty: it takes it.
+    [[nodiscard]] QString blockedReason(modbus::Command command) const;
     [[nodiscard]] QString commandMessage() const { return m_commandMessage; }
 
     Q_INVOKABLE void start();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the properties of Machine answer, from the last status and the active program.
+#include "app/machine/command_rules.h"
 #include "app/machine/connection_sentences.h"
 #include "app/machine/controller_sentences.h"
 #include "app/machine/machine.h"
@@ -113,10 +114,9 @@ QString Machine::stateText() const
     return {};
 }
 
-QString Machine::alarmText() const
+QStringList Machine::alarmTexts() const
 {
-    return m_status && isConnected() ? ControllerSentences::alarms(*m_status).join(QLatin1Char('\n'))
-                                     : QString();
+    return m_status && isConnected() ? ControllerSentences::alarms(*m_status) : QStringList();
 }
 
 bool Machine::faulted() const
@@ -303,33 +303,13 @@ QVariant Machine::targetCurves() const
     return m_program && m_program->curves ? QVariant::fromValue(m_program->curves) : QVariant();
 }
 
-QString Machine::startBlockedReason() const
+QString Machine::blockedReason(modbus::Command command) const
 {
     if (!isConnected() || !m_fresh)
         return tr("There is no connection to the controller.");
-    switch (state()) {
-    case State::Ready:
-        return {};
-    case State::Idle:
-        return tr("The controller has no program. Download a recipe first.");
-    case State::Running:
-        return tr("The machine is running.");
-    case State::Stopping:
-        return tr("The machine is stopping.");
-    case State::Jogging:
-    case State::Homing:
-        return tr("The machine is moving.");
-    case State::Fault:
-        return tr("The controller is in fault. Reset the fault first.");
-    case State::Unknown:
-        break;
-    }
-    return tr("The state of the controller is not known.");
-}
-
-bool Machine::canHome() const
-{
-    return isConnected() && m_fresh && (state() == State::Ready || state() == State::Idle);
+    if (state() == State::Unknown)
+        return tr("The state of the controller is not known.");
+    return ControllerSentences::refusal(expectedRefusal(*m_status, command));
 }
 
 } // namespace campanel::machine

@@ -218,7 +218,9 @@ QString RecipeWords::limitName(Limit limit)
     case Limit::RowCapacity:
         return tr("table rows");
     case Limit::MachineRate:
-    case Limit::FieldRange:
+        return tr("largest rate");
+    case Limit::FieldRange: // of the fastest rate: the end of the speeds that a recipe can have
+        return tr("knife speed");
     case Limit::PinnedPair:
     case Limit::LawUnknown:
     case Limit::LawParameter:
@@ -243,7 +245,7 @@ QString RecipeWords::limitName(Limit limit)
     case Limit::RampTooLong:
         break;
     }
-    return tr("largest rate");
+    return {};
 }
 
 } // namespace campanel::machine

@@ -27,6 +27,7 @@ constexpr double lagS = 0.0012;     // of the knife behind its target
 constexpr unsigned strokeSeed = 7;
 constexpr std::uint32_t firstGeneration = 12;
 constexpr double samplesPerS = 78;
+constexpr std::uint16_t everyBit = 0x01FF; // of the faults and warnings that there are
 
 constexpr std::uint32_t cyclesBefore = 1283; // of a move or a cam
 constexpr std::uint32_t firstStroke = 4170;
@@ -427,9 +428,14 @@ modbus::StatusBlock DemoLink::statusAt(double cycleShare) const
     const auto actual = solved.motion.at(lateS);
 
     modbus::StatusBlock status;
-    status.state = isRunning()                       ? modbus::State::Running
-                   : m_situation == Situation::Fault ? modbus::State::Fault
-                                                     : modbus::State::Ready;
+    const bool isFaulted = m_situation == Situation::Fault || m_situation == Situation::ManyAlarms;
+    status.state = isRunning() ? modbus::State::Running
+                   : isFaulted ? modbus::State::Fault
+                               : modbus::State::Ready;
+    if (m_situation == Situation::ManyAlarms) {
+        status.faultBits = everyBit;
+        status.warningBits = everyBit;
+    }
     if (m_situation == Situation::Fault)
         status.faultBits = 1U << static_cast<unsigned>(modbus::FaultBit::FollowingError);
     if (m_situation == Situation::MarksLost)

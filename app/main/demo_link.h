@@ -18,8 +18,19 @@ class DemoLink : public link::Link {
 
 public:
     // Fresh: with a program that has not run yet. Empty: without one. ProductAcross: a cutter that waits for
-    // one to pass. MarksLost: a cutter that stopped for that.
-    enum class Situation { Running, Stopped, Fault, Lost, Absent, Empty, Fresh, ProductAcross, MarksLost };
+    // one to pass. MarksLost: a cutter that stopped for that. ManyAlarms: every fault and warning at once.
+    enum class Situation {
+        Running,
+        Stopped,
+        Fault,
+        Lost,
+        Absent,
+        Empty,
+        Fresh,
+        ProductAcross,
+        MarksLost,
+        ManyAlarms
+    };
     using Kind = profile::ProgramKind;
 
     explicit DemoLink(QObject* parent);

@@ -37,7 +37,8 @@ QList<Scene> firstScenes()
             step("first-pin-user", 2, {QStringLiteral("firstSetPin")}),
             step("first-machine", 3),
             step("first-machine-keypad", 3, {QStringLiteral("first_knifeRadius")}),
-            step("first-recipe", 4)};
+            step("first-recipe", 4),
+            step("first-start-refused", 4, {QStringLiteral("startKey")})};
 }
 
 } // namespace campanel::panel

@@ -11,6 +11,7 @@
 #include "app/main/options.h"
 #include "app/main/panel.h"
 #include "app/main/qml_modules.h"
+#include "app/main/renderer.h"
 #include "app/main/self_test.h"
 #include "app/main/service_watchdog.h"
 #include "app/store/folder_lock.h"
@@ -186,6 +187,7 @@ int main(int argc, char* argv[])
                      qPrintable(folder));
         return EXIT_FAILURE;
     }
+    panel::chooseRenderer();
     const panel::EndSignals endSignals;
     int code = restartCode;
     while (code == restartCode)

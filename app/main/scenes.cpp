@@ -271,6 +271,8 @@ const QList<Scene>& allScenes()
         situation("run-stopped", Situation::Stopped, run),
         situation("run-empty", Situation::Empty, run),
         situation("run-fault", Situation::Fault, run),
+        situation("run-many-alarms", Situation::ManyAlarms, run),
+        situation("motion-many-alarms", Situation::ManyAlarms, motion),
         situation("run-product-across", Situation::ProductAcross, run),
         situation("run-marks-lost", Situation::MarksLost, run),
         {QStringLiteral("run-old-controller"),
@@ -285,6 +287,13 @@ const QList<Scene>& allScenes()
         taps("bag-tolerance", {settings, QStringLiteral("section2"), QStringLiteral("bagTolerance")}),
         situation("run-lost", Situation::Lost, run),
         situation("motion-fault", Situation::Fault, motion),
+        {QStringLiteral("download-start-refused"),
+         [=](Stage& stage) {
+             stage.link().show(Situation::Empty);
+             stage.lookAtClock();
+             for (const char* name : {"nav1", "nextStep", "startKey"})
+                 stage.tap(QString::fromLatin1(name));
+         }},
         running("run-position", Kind::PositionMove),
         running("run-speed", Kind::SpeedMove),
         running("run-cam", Kind::PointCam),

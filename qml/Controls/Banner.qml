@@ -12,7 +12,9 @@ Rectangle {
     required property string text
     property int severity: Banner.Information
     property string buttonText
+    property string wayText                // of a second button, to where there is more; "" for none
     signal accepted()
+    signal wayChosen()
 
     readonly property color accentColor: severity === Banner.Fault ? Theme.color.fault
         : severity === Banner.Warning ? Theme.color.warning : Theme.color.touch
@@ -30,12 +32,22 @@ Rectangle {
         color: banner.accentColor
     }
     Label {
-        anchors { left: mark.right; right: button.left; margins: Theme.size.padding; verticalCenter: parent.verticalCenter }
+        objectName: "bannerText"
+        anchors { left: mark.right; right: way.visible ? way.left : button.left; margins: Theme.size.padding; verticalCenter: parent.verticalCenter }
         height: parent.height - Theme.size.spacing
         text: banner.text
         wrapMode: Text.WordWrap
+        elide: Text.ElideRight
         fontSizeMode: Text.Fit
         minimumPixelSize: Theme.size.caption - 1
+    }
+    Button {
+        id: way
+        objectName: "bannerWay"
+        anchors { right: button.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+        visible: banner.wayText.length > 0
+        text: banner.wayText
+        onClicked: banner.wayChosen()
     }
     Button {
         id: button

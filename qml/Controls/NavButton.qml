@@ -29,7 +29,7 @@ T.AbstractButton {
             visible: button.calls > 0
             x: keys.x + mark.x + mark.width
             y: keys.y
-            width: Math.max(height, number.implicitWidth + Theme.size.spacing)
+            width: Math.max(height, number.implicitWidth + 2 * Theme.size.accent)
             height: number.implicitHeight
             radius: height / 2
             color: button.callColor

@@ -116,7 +116,7 @@ Rectangle {
                     Binding {
                         target: loader.item
                         property: "bottomInset"
-                        value: banner.shown ? banner.height + Theme.size.gap : 0
+                        value: banner.shown && !banner.above ? banner.height + Theme.size.gap : 0
                     }
                     Binding {
                         target: loader.item
@@ -125,10 +125,6 @@ Rectangle {
                     }
                 }
             }
-        }
-        BannerHost {
-            id: banner
-            anchors { left: parent.left; right: parent.right; bottom: parent.bottom; margins: Theme.size.gap }
         }
     }
     NavigationBar {
@@ -218,10 +214,25 @@ Rectangle {
             }
         }
     }
+    // On a page at its lower edge; over a sheet, a keypad or the first start at the upper one, where nothing is confirmed.
+    BannerHost {
+        id: banner
+        readonly property Page page: pages.count > 0 ? (pages.itemAt(frame.page) as Loader)?.item as Page : null
+        readonly property real leftEdge: above ? overlay.x : pageArea.x + (page ? page.bannerLeft : 0)
+        readonly property real free: keypadLoader.active ? (keypadLoader.item as Overlay).free : overlay.width
+        above: frame.sheet !== null || keypadLoader.active || loginLoader.active || firstStart.active
+        x: leftEdge + Theme.size.gap
+        y: above ? overlay.y + Theme.size.gap : parent.height - height - Theme.size.gap - (page ? page.bannerBottom : 0)
+        width: (above ? free : pageArea.x + pageArea.width - leftEdge) - 2 * Theme.size.gap
+        // What is lost in width is given in height.
+        height: width < 0.75 * pageArea.width ? Math.round(1.5 * Theme.size.actionBar) : Theme.size.actionBar
+        visible: shown && !frame.wiped
+        onAlarmsRequested: frame.openPage(6)
+    }
     CommandColumn {
         id: commands
         anchors { right: parent.right; rightMargin: Theme.size.gap; top: topBar.bottom; bottom: parent.bottom; topMargin: Theme.size.gap; bottomMargin: Theme.size.gap }
-        onStartRefused: reason => banner.refusal = reason
+        onStartRefused: banner.refuseStart()
     }
     Loader {
         anchors { left: parent.left; right: commands.left; top: parent.top; bottom: parent.bottom }

@@ -15,6 +15,9 @@ Page {
     property bool compare: true
     readonly property bool isCutter: Editor.kind === Editor.Kind.RotaryCutter
 
+    bannerLeft: side.width + Theme.size.gap
+    bannerBottom: verdict.height + Theme.size.gap
+
     Card {
         id: side
         width: Theme.size.sideColumn
@@ -43,14 +46,13 @@ Page {
         }
     }
     CurveEditor {
-        anchors { left: side.right; leftMargin: Theme.size.gap; right: parent.right; top: side.top; bottom: side.bottom }
+        anchors { left: side.right; leftMargin: Theme.size.gap; right: parent.right; top: side.top; bottom: side.bottom; bottomMargin: page.bottomInset }
         showPosition: page.showPosition
         showJerk: page.showJerk
         compare: page.compare && (Editor.differenceCount > 0 || Editor.overlayName.length > 0)
     }
     VerdictBar {
         id: verdict
-        visible: page.bottomInset === 0    // a banner takes its place
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
         onDownloadRequested: page.sheetRequested(page.downloadSheet)
         onExplainRequested: quantities => page.numbersExplainRequested(quantities)

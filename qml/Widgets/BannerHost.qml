@@ -10,21 +10,35 @@ import CamPanel.Machine
 Item {
     id: host
 
-    property string refusal                // why Start was refused; set by the frame
+    property bool startRefused             // ends when Start would be taken
+    property bool above                    // over a sheet, a keypad or the first start: only what answers the finger is worth it
+    property string answerBelow            // what stood on the page already when something opened above it
     property string putAside
+    signal alarmsRequested()
 
     // A link takes a moment to come up; only one that stays away is worth a banner.
     readonly property bool isComing: Machine.connection === Machine.Connection.Searching
         || Machine.connection === Machine.Connection.Connecting
     readonly property bool isTrouble: isComing ? patience.over : Machine.connection !== Machine.Connection.Connected
     readonly property string linkTrouble: isTrouble ? Machine.connectionText : ""
-    readonly property string alarm: Machine.alarmText.length > 0 ? Machine.alarmText : linkTrouble
+    readonly property var alarms: Machine.alarmTexts
+    readonly property string alarm: alarms.length > 0 ? alarms.join("\n") : linkTrouble
+    // One at a time has room on every screen.
+    readonly property string mostUrgent: alarms.length > 1 ? qsTr("%1\nAnd %2 more.").arg(alarms[0]).arg(alarms.length - 1) : alarm
     readonly property string answer: Machine.commandMessage.length > 0 ? Machine.commandMessage
         : Settings.notice.length > 0 ? Settings.notice : Editor.notice.length > 0 ? Editor.notice
-        : Records.notice.length > 0 ? Records.notice : refusal
+        : Records.notice.length > 0 ? Records.notice : startRefused ? Machine.startBlockedReason : ""
     readonly property bool stopShown: Machine.stopWaits
-    readonly property bool alarmShown: !stopShown && answer.length === 0 && alarm.length > 0 && alarm !== putAside && !Alarms.seen
-    readonly property bool shown: stopShown || answer.length > 0 || alarmShown
+    readonly property bool alarmShown: !above && !stopShown && answer.length === 0 && alarm.length > 0 && alarm !== putAside && !Alarms.seen
+    readonly property bool shown: stopShown || (answer.length > 0 && !(above && answer === answerBelow)) || alarmShown
+
+    onAboveChanged: host.answerBelow = host.above ? host.answer : ""
+    onAnswerChanged: if (host.answer !== host.answerBelow) host.answerBelow = ""
+
+    function refuseStart() {
+        host.answerBelow = ""
+        host.startRefused = true
+    }
 
     function accept() {
         if (host.stopShown) {
@@ -33,15 +47,12 @@ Item {
         }
         if (host.alarmShown)
             host.putAside = host.alarm
-        host.refusal = ""
+        host.startRefused = false
         Machine.dismissMessage()
         Settings.dismissNotice()
         Editor.dismissNotice()
         Records.dismissNotice()
     }
-
-    implicitHeight: Theme.size.actionBar
-    visible: shown
 
     Timer {
         id: patience
@@ -59,14 +70,20 @@ Item {
             if (Machine.connection === Machine.Connection.Connected)
                 patience.over = false
         }
+        function onCommandsChanged() {
+            if (Machine.canStart)
+                host.startRefused = false
+        }
     }
 
     Banner {
         objectName: "banner"
         anchors.fill: parent
-        text: host.stopShown ? Machine.stopWaitsText : host.alarmShown ? host.alarm : host.answer
+        text: host.stopShown ? Machine.stopWaitsText : host.alarmShown ? host.mostUrgent : host.answer
         severity: host.stopShown ? Banner.Warning : host.alarmShown ? (Machine.faulted ? Banner.Fault : Banner.Warning) : Banner.Information
         buttonText: host.stopShown ? qsTr("Withdraw") : qsTr("OK")
+        wayText: host.alarmShown && host.alarms.length > 1 ? qsTr("Show") : ""
         onAccepted: host.accept()
+        onWayChosen: host.alarmsRequested()
     }
 }

@@ -9,9 +9,9 @@ import CamPanel.Machine
 Item {
     id: column
 
-    signal startRefused(string reason)
+    signal startRefused()
 
-    readonly property bool homes: Machine.canHome && !Machine.faulted && !Machine.canStart
+    readonly property bool homes: Service.homing.offered
     readonly property bool wiping: Display.wipeSeconds > 0   // a cloth starts nothing
     readonly property bool between: Machine.faulted || homes
 
@@ -24,7 +24,7 @@ Item {
         text: qsTr("Start")
         ready: Machine.canStart && !column.wiping
         note: Machine.connection === Machine.Connection.Connected ? "" : qsTr("no connection")
-        onClicked: if (ready) Machine.start(); else if (!column.wiping) column.startRefused(Machine.startBlockedReason)
+        onClicked: if (ready) Machine.start(); else if (!column.wiping) column.startRefused()
     }
     CommandKey {
         id: middle
@@ -34,9 +34,9 @@ Item {
         enabled: !column.wiping
         small: true
         glyph: column.homes ? Theme.icon.home : Theme.icon.resetFault
-        text: column.homes ? qsTr("Home") : qsTr("Reset")
+        text: column.homes ? Service.homing.keyText : qsTr("Reset")
         baseColor: column.homes ? Theme.color.touch : Theme.color.fault
-        onClicked: column.homes ? Machine.home() : Machine.resetFault()
+        onClicked: column.homes ? Service.homing.home() : Machine.resetFault()
     }
     CommandKey {
         id: stopKey

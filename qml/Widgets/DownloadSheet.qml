@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a download would change, how far it is, and how to stop it.
+// What a download would change, how far it is, and how to stop it. Closes when it is done; the page says the next step.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -16,11 +16,16 @@ Sheet {
     signal proofRequested()
 
     title: qsTr("Download to the controller")
-    note: Machine.state === Machine.State.Running ? qsTr("The machine keeps running; the new program begins with the next cycle.")
-        : qsTr("The new program is used from the next start.")
     panelHeight: Math.max(2, list.count + 1) * head.implicitHeight + 3 * Theme.size.touch + 2 * Theme.size.padding
     panelWidth: width * 0.86
 
+    Connections {
+        target: Editor
+        function onDownloadChanged() {
+            if (Editor.downloadState === Editor.DownloadState.Applied)
+                sheet.closed()
+        }
+    }
     DifferenceRow {
         id: head
         anchors { left: parent.left; right: parent.right; top: parent.top }
@@ -45,7 +50,7 @@ Sheet {
         horizontalAlignment: Text.AlignHCenter
         wrapMode: Text.WordWrap
         text: !Machine.fresh ? qsTr("Without a connection it is not known what the controller runs now.")
-            : Machine.hasActiveProgram ? qsTr("The controller already runs exactly this recipe.")
+            : Machine.hasActiveProgram ? qsTr("The controller already has exactly this recipe.")
             : qsTr("The controller has no program yet; this recipe will be its first.")
         color: Theme.color.secondaryInk
     }

@@ -6,6 +6,9 @@ import CamPanel.Machine
 
 Item {
     property real bottomInset              // taken by a banner at the lower edge
+    // What the banner leaves free at the left and below: what it asks for may be there.
+    property real bannerLeft
+    property real bannerBottom
     property bool covered                  // a sheet, a keypad or the login lies above it
 
     signal editRequested(var fields, int index, Item source)

@@ -41,7 +41,8 @@ Card {
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
         minimumPixelSize: Theme.size.caption - 3
-        text: Theme.unbroken(Editor.downloadState === Editor.DownloadState.Failed ? Editor.downloadText : Editor.controllerText)
+        text: Theme.unbroken(Editor.downloadState === Editor.DownloadState.Failed || Editor.downloadState === Editor.DownloadState.Applied
+            ? Editor.downloadText : Editor.controllerText)
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }

@@ -294,16 +294,22 @@
         <source>Withdraw</source>
         <translation>撤回</translation>
     </message>
+    <message>
+        <source>%1
+And %2 more.</source>
+        <translation>%1
+另有 %2 条。</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>查看</translation>
+    </message>
 </context>
 <context>
     <name>CommandColumn</name>
     <message>
         <source>Start</source>
         <translation>启动</translation>
-    </message>
-    <message>
-        <source>Home</source>
-        <translation>回零</translation>
     </message>
     <message>
         <source>Reset</source>
@@ -545,10 +551,6 @@
         <translation>本面板</translation>
     </message>
     <message>
-        <source>The controller already runs exactly this recipe.</source>
-        <translation>控制器正在执行的就是此配方。</translation>
-    </message>
-    <message>
         <source>The controller has no program yet; this recipe will be its first.</source>
         <translation>控制器中还没有程序，此配方将是第一个。</translation>
     </message>
@@ -573,20 +575,16 @@
         <translation>下载</translation>
     </message>
     <message>
-        <source>The machine keeps running; the new program begins with the next cycle.</source>
-        <translation>机器继续运行，新程序从下一周期开始。</translation>
-    </message>
-    <message>
-        <source>The new program is used from the next start.</source>
-        <translation>新程序从下次启动起使用。</translation>
-    </message>
-    <message>
         <source>Without a connection it is not known what the controller runs now.</source>
         <translation>没有连接，不知道控制器现在运行什么。</translation>
     </message>
     <message>
         <source>Compare</source>
         <translation>比较</translation>
+    </message>
+    <message>
+        <source>The controller already has exactly this recipe.</source>
+        <translation>控制器中已是这一配方。</translation>
     </message>
 </context>
 <context>

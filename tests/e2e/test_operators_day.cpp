@@ -55,8 +55,6 @@ void download(PanelWindow& panel)
     panel.tap("downloadStart");
     QTRY_COMPARE_WITH_TIMEOUT(panel.editor().downloadState(), Editor::DownloadState::Applied, timeoutMs);
     panel.finger().settle();
-    panel.tap("downloadCancel"); // "Close" by now
-    panel.finger().settle();
 }
 
 } // namespace
@@ -111,6 +109,47 @@ private slots:
         QCOMPARE(panel.complaints(), QStringList());
     }
 
+    // As little as a new panel asks for, with Start pressed where it cannot work yet.
+    void theFirstBagTakesTwelveTouches()
+    {
+        const ControllerProcess controller;
+        PanelWindow panel(controller.port());
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        waitForRecipes(panel, 1);
+        panel.settings().beginFirstStart();
+        panel.finger().settle();
+        int touches = 0;
+        const auto touch = [&](const char* name) {
+            panel.tap(name);
+            ++touches;
+        };
+        const QString refusal = QStringLiteral("The controller has no program. Download a recipe first.");
+        touch("startKey");
+        QVERIFY2(panel.texts().contains(refusal), qPrintable(panel.texts()));
+        touch("bannerButton"); // is under the finger, not under the first start
+        QVERIFY2(!panel.texts().contains(refusal), qPrintable(panel.texts()));
+        while (panel.settings().firstStart() && touches < 12)
+            touch("firstNext");
+        touch("startKey"); // on the page Motion, beside Download
+        QVERIFY2(panel.texts().contains(refusal), qPrintable(panel.texts()));
+        QTRY_VERIFY_WITH_TIMEOUT(panel.editor().canDownload(), timeoutMs);
+        touch("nextStep");
+        touch("downloadStart");
+        QTRY_COMPARE_WITH_TIMEOUT(panel.editor().downloadState(), Editor::DownloadState::Applied, timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
+        panel.finger().settle();
+        QVERIFY2(!panel.finger().find("sheetPanel"), qPrintable(panel.texts()));
+        QVERIFY2(!panel.texts().contains(refusal), qPrintable(panel.texts()));
+        QVERIFY2(panel.texts().contains(QStringLiteral("Press Start to run this recipe.")),
+                 qPrintable(panel.texts()));
+        QVERIFY(panel.finger().find("middleKey")); // Home, which the controller takes now
+        touch("startKey");
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Running, timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.machine().bagCount() > 0, timeoutMs);
+        QVERIFY2(touches <= 12, qPrintable(QString::number(touches)));
+        QCOMPARE(panel.complaints(), QStringList());
+    }
+
     void aRecipeHasAChineseName()
     {
         const ControllerProcess controller;
@@ -154,6 +193,8 @@ private slots:
         download(panel);
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().activeBagLengthMm(), 250.0, timeoutMs);
         QCOMPARE(panel.machine().state(), Machine::State::Running);
+        QVERIFY2(panel.texts().contains(QStringLiteral("Downloaded. The machine runs with this recipe.")),
+                 qPrintable(panel.texts()));
         // Both downloads are versions of it.
         QTRY_COMPARE_WITH_TIMEOUT(panel.panel().recipes().list()->rows().first().version, 3, timeoutMs);
         panel.tap("stopKey");

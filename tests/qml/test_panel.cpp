@@ -371,6 +371,71 @@ private slots:
         QVERIFY(m_stage->find(QStringLiteral("motionPlot")));
     }
 
+    void whatIsRefusedIsSeenWhereverTheFingerWas_data()
+    {
+        QTest::addColumn<QStringList>("way");
+        QTest::addColumn<bool>("isFirstStart");
+        const QString start = QStringLiteral("startKey");
+        const QString motion = QStringLiteral("nav1");
+        QTest::newRow("first start") << QStringList{start} << true;
+        QTest::newRow("Run") << QStringList{start} << false;
+        QTest::newRow("Motion") << QStringList{motion, start} << false;
+        QTest::newRow("sheet") << QStringList{motion, QStringLiteral("nextStep"), start} << false;
+        QTest::newRow("keypad") << QStringList{motion, QStringLiteral("field_bagLength"), start} << false;
+    }
+
+    void whatIsRefusedIsSeenWhereverTheFingerWas()
+    {
+        QFETCH(QStringList, way);
+        QFETCH(bool, isFirstStart);
+        m_stage->link().show(campanel::panel::DemoLink::Situation::Empty);
+        if (isFirstStart)
+            m_stage->panel().settings().beginFirstStart();
+        m_stage->settle();
+        for (const QString& name : way)
+            m_stage->tap(name);
+        QCOMPARE(textOf("banner"),
+                 QStringLiteral("The controller has no program. Download a recipe first."));
+        const QQuickItem* banner = m_stage->find(QStringLiteral("banner"));
+        const QRectF notice = banner->mapRectToScene(banner->boundingRect());
+        for (const char* name : {"nextStep", "downloadStart", "firstNext", "keypadAccept"}) {
+            if (const QQuickItem* wanted = m_stage->find(QString::fromLatin1(name)))
+                QVERIFY2(!notice.intersects(wanted->mapRectToScene(wanted->boundingRect())), name);
+        }
+        tap("bannerButton"); // nothing lies above it
+        QVERIFY(!m_stage->find(QStringLiteral("banner")));
+    }
+
+    void whatStoodOnThePageDoesNotCoverASheet()
+    {
+        m_stage->link().show(campanel::panel::DemoLink::Situation::Empty);
+        m_stage->settle();
+        for (const char* name : {"nav1", "startKey", "nextStep"})
+            tap(name);
+        QVERIFY(!m_stage->find(QStringLiteral("banner")));
+        tap("startKey");
+        QVERIFY(m_stage->find(QStringLiteral("banner")));
+        tap("bannerButton");
+        tap("downloadCancel");
+        QVERIFY(!m_stage->find(QStringLiteral("banner")));
+    }
+
+    void homeIsOfferedWhenTheControllerTakesIt()
+    {
+        m_stage->link().show(campanel::panel::DemoLink::Situation::Empty);
+        m_stage->settle();
+        QVERIFY(!m_stage->find(QStringLiteral("middleKey")));
+        m_stage->link().show(campanel::panel::DemoLink::Situation::Fresh);
+        m_stage->settle();
+        QCOMPARE(textOf("middleKey"), QStringLiteral("Home"));
+        m_stage->link().show(campanel::panel::DemoLink::Situation::Running);
+        m_stage->settle();
+        QVERIFY(!m_stage->find(QStringLiteral("middleKey")));
+        m_stage->link().show(campanel::panel::DemoLink::Situation::Fault);
+        m_stage->settle();
+        QCOMPARE(textOf("middleKey"), QStringLiteral("Reset"));
+    }
+
     void startRefusedSaysWhy()
     {
         tap("startKey");

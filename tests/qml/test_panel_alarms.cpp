@@ -78,6 +78,44 @@ private slots:
         QVERIFY(isShown("liveAlarm0"));
     }
 
+    void manyAlarmsStayInTheirFrame_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<QString>("page");
+        for (const char* language : {"en", "zh_CN", "long"}) {
+            for (const QSize size : {QSize(800, 480), QSize(1024, 600), QSize(1280, 800)}) {
+                for (const char* page : {"nav0", "nav1"})
+                    QTest::addRow("%s %d %s", language, size.width(), page)
+                        << QString::fromLatin1(language) << size << QString::fromLatin1(page);
+            }
+        }
+    }
+
+    void manyAlarmsStayInTheirFrame()
+    {
+        QFETCH(QString, language);
+        QFETCH(QSize, size);
+        QFETCH(QString, page);
+        m_stage = std::make_unique<campanel::panel::Stage>(
+            campanel::panel::Look{language, QStringLiteral("light"), size});
+        show(Situation::ManyAlarms);
+        m_stage->tap(page);
+        const QQuickItem* text = m_stage->find(QStringLiteral("bannerText"));
+        QVERIFY(text);
+        const QString told = text->property("text").toString();
+        QVERIFY2(told.section(u'\n', 1).contains(QStringLiteral("13")), qPrintable(told));
+        QVERIFY2(!text->property("truncated").toBool(), qPrintable(told));
+        QVERIFY(text->property("contentHeight").toDouble() <= text->height() + 1);
+        QVERIFY(text->property("contentWidth").toDouble() <= text->width() + 1);
+        const QQuickItem* banner = m_stage->find(QStringLiteral("banner"));
+        const QRectF frame = banner->mapRectToScene(banner->boundingRect());
+        QVERIFY(frame.contains(text->mapRectToScene(text->boundingRect())));
+        QVERIFY(QRectF(QPointF(), QSizeF(size)).contains(frame));
+        tap("bannerWay");
+        QVERIFY(isShown("liveAlarm0"));
+    }
+
     void alarmUnderAFingerTakesNoKeyAway()
     {
         tap("nav6");

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Programs of every kind in words: refusals, tables, differences, strokes.
+#include "app/machine/recipe_words.h"
 #include "app/machine/table_text.h"
 #include "app/program/interval_speeds.h"
 #include "kind_steps.h"
+#include "profile/refusal.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <cmath>
+#include <string>
 
 namespace test_kind_words {
 
@@ -80,6 +83,33 @@ private slots:
             return;
         rig.editor.applySuggestion();
         QVERIFY2(rig.editor.feasible(), qPrintable(rig.editor.verdict()));
+    }
+
+    void onlyTheRateLimitIsCalledTheLargestRate()
+    {
+        const QString largestRate = machine::RecipeWords::limitName(profile::Limit::MachineRate);
+        QCOMPARE(largestRate, QStringLiteral("largest rate"));
+        constexpr int last = static_cast<int>(profile::Limit::SpeedError);
+        for (int i = 0; i <= last; ++i) {
+            const auto limit = static_cast<profile::Limit>(i);
+            if (limit != profile::Limit::MachineRate)
+                QVERIFY2(machine::RecipeWords::limitName(limit) != largestRate,
+                         std::string(profile::limitId(limit)).c_str());
+        }
+    }
+
+    // No limit of the machine is near: the speeds that a recipe can have end first.
+    void fastestRateEndsAtTheLargestSpeed()
+    {
+        PanelRig rig;
+        for (const Field field :
+             {Field::MaxRate, Field::MaxMotorRpm, Field::MaxKnifeAcceleration, Field::MaxPulseFrequency})
+            enter(rig.editor, field, profile::info(field).max);
+        enter(rig.editor, Field::PulsesPerMotorRev, profile::info(Field::PulsesPerMotorRev).min);
+        enter(rig.editor, Field::BagLength, 1050);
+        QVERIFY2(rig.editor.feasible(), qPrintable(rig.editor.verdict()));
+        QVERIFY2(rig.editor.verdict().contains(QStringLiteral("(knife speed)")),
+                 qPrintable(rig.editor.verdict()));
     }
 
     void distancesThatDoNotFitTheSpeeds()
