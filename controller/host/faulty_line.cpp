@@ -196,11 +196,12 @@ void FaultyLine::putDamagedRequest(const FaultRule& rule, const Exchange& exchan
 
 void FaultyLine::toController(FrameBytes bytes, std::uint64_t frame, std::int64_t startNs)
 {
+    // Less silence than ends a frame before it: these bytes go on with that frame.
+    const bool goesOn = startNs < m_toControllerEndNs + m_gapNs;
     startNs = std::max(startNs, m_toControllerEndNs);
     m_toControllerEndNs = startNs + lengthNs(bytes.size());
     // Byte by byte where a piece must not look like silence: its end is all that the controller sees.
-    const std::size_t most = m_settings.paced ? 1 : bytes.size();
-    if (bytes.size() <= most || m_toController.empty()) {
+    if (!m_settings.paced || !goesOn) {
         m_toController.push_back({std::move(bytes), frame, startNs});
         return;
     }

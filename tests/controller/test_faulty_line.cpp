@@ -39,6 +39,7 @@ class TestFaultyLine : public QObject {
 private slots:
     void lostAndRepeatedFrames_data();
     void lostAndRepeatedFrames();
+    void requestInTwoPieces();
     void lateAnswersComeInTheirOwnTime();
     void lateRequestsKeepTheirOrder();
     void damagedAnswers();
@@ -91,6 +92,23 @@ void TestFaultyLine::lostAndRepeatedFrames()
             expected = joined({expected, reply});
         QVERIFY(bench.exchange() == expected);
         QVERIFY(bench.m_heard == std::vector<FrameBytes>(static_cast<std::size_t>(heard), question));
+    }
+}
+
+// Between the pieces the line is silent for less than 3.5 characters; what the second one takes is no
+// silence.
+void TestFaultyLine::requestInTwoPieces()
+{
+    for (const std::uint32_t baud : {9600u, 115200u}) {
+        const LineSettings settings{baud, 'N', 1, true};
+        Bench bench("", settings);
+        const FrameBytes request = framed(FrameBytes(60, 1));
+        const FrameBytes first(request.begin(), request.begin() + 3);
+        bench.ask(first);
+        bench.runTo(3 * characterNs(settings) + frameGapNs(settings) / 2);
+        bench.ask(FrameBytes(request.begin() + 3, request.end()));
+        bench.runTo(bench.m_nowNs + 200 * ms);
+        QVERIFY(bench.m_heard == std::vector<FrameBytes>{request});
     }
 }
 
