@@ -61,7 +61,7 @@ std::string Identity::firmwareVersion() const
 
 bool Identity::supports(ProgramKind kind) const
 {
-    return (programKinds & bit(kind)) != 0;
+    return kind <= ProgramKind::Press && (programKinds & bit(kind)) != 0;
 }
 
 bool StatusBlock::has(FaultBit which) const

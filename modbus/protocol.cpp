@@ -199,8 +199,8 @@ constexpr std::array refusals{
     entry(Refusal::FeedTooFast, "FeedTooFast",
           "Film or infeed would need more pulses a second, corrections included, than the output stage "
           "gives."),
-    entry(Refusal::CodeNotWritten, "CodeNotWritten",
-          "The command's code was not written since the last command. Write the counter last."),
+    entry(Refusal::CommandIncomplete, "CommandIncomplete",
+          "Counter and code of a command come in one frame. Write them together."),
 };
 
 constexpr std::array transferOperations{

@@ -119,7 +119,7 @@ enum class Refusal : std::uint16_t {
     NoRoomToCorrect,
     EyeTooNear,
     FeedTooFast,
-    CodeNotWritten,
+    CommandIncomplete,
 };
 
 enum class TransferOperation : std::uint16_t { None = 0, Begin, Block, Seal };

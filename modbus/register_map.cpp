@@ -188,7 +188,7 @@ constexpr std::array registerTable{
     rw16("exchange.heartbeat", 0x0201, "must advance; jog dies 200 ms after it last did"),
     rw16("exchange.jog", 0x0202, "held jog keys", "JogBit", 0, 3, 0),
 
-    rw16("command.counter", 0x0220, "a command whose counter equals result.counter is not carried out again"),
+    rw16("command.counter", 0x0220, "sets off command.code, which must be in the same frame; the last counter again does nothing"),
     rw16("command.code", 0x0221, "what to do", "Command", 0, 11, 0),
     rw16("command.argument0", 0x0222, "see the command"),
     rw16("command.argument1", 0x0223, "see the command"),

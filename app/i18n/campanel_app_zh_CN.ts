@@ -1362,8 +1362,8 @@
         <translation>薄膜或进料须快于控制器所能驱动的速度。请降低速率。</translation>
     </message>
     <message>
-        <source>Another device on the line writes commands in the wrong order. Check what is connected.</source>
-        <translation>线路上另有设备以错误的顺序写入命令。请检查所连接的设备。</translation>
+        <source>Another device on the line writes commands in parts. Check what is connected.</source>
+        <translation>线路上另有设备分段写入命令。请检查所连接的设备。</translation>
     </message>
 </context>
 <context>

@@ -106,8 +106,8 @@ QString ControllerSentences::refusal(Refusal reason)
         return tr(
             "The film or the infeed would have to run faster than the controller can drive it. Lower the "
             "rate.");
-    case Refusal::CodeNotWritten:
-        return tr("Another device on the line writes commands in the wrong order. Check what is connected.");
+    case Refusal::CommandIncomplete:
+        return tr("Another device on the line writes commands in parts. Check what is connected.");
     }
     return tr("The controller gives a reason that this panel does not know (%1).")
         .arg(static_cast<int>(reason));

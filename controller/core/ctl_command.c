@@ -61,9 +61,6 @@ static uint16_t set_clock(ctl_core* core, const uint16_t* request)
 
 static uint16_t carry_out(ctl_core* core, const uint16_t* request)
 {
-    /* A master that writes the counter first, register by register, would repeat an old command. */
-    if (!core->written.command_code_is_new)
-        return CTL_REFUSAL_CODE_NOT_WRITTEN;
     switch (request[CODE]) {
     case CTL_COMMAND_START:
         return ctl_motion_start(core);
@@ -93,13 +90,14 @@ static uint16_t carry_out(ctl_core* core, const uint16_t* request)
     }
 }
 
-void ctl_command(ctl_core* core)
+void ctl_command(ctl_core* core, bool has_code)
 {
     const uint16_t* request = core->written.command;
     uint16_t* result = core->command_result;
     if (request[COUNTER] == result[0])
         return;
-    const uint16_t refusal = carry_out(core, request);
+    /* Register by register, in either order, the code of another command may be there. */
+    const uint16_t refusal = has_code ? carry_out(core, request) : CTL_REFUSAL_COMMAND_INCOMPLETE;
     result[0] = request[COUNTER];
     result[1] = request[CODE];
     result[2] = refusal == CTL_REFUSAL_NONE ? CTL_COMMAND_STATUS_DONE : CTL_COMMAND_STATUS_REFUSED;

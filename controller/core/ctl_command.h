@@ -15,8 +15,9 @@ extern "C" {
 
 struct ctl_core;
 
-/* Carries out the command in the command registers unless its counter is that of the last one. */
-void ctl_command(struct ctl_core* core);
+/* Carries out the command in the command registers unless its counter is that of the last one. Refuses it when its
+ * code was not in the same frame. */
+void ctl_command(struct ctl_core* core, bool has_code);
 
 void ctl_exchange_heartbeat(struct ctl_core* core);
 void ctl_heartbeat_slice(struct ctl_core* core);

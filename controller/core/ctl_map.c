@@ -196,12 +196,8 @@ static void act(ctl_core* core, uint32_t address, uint32_t count)
 {
     if (covers(address, count, CTL_REG_EXCHANGE_HEARTBEAT))
         ctl_exchange_heartbeat(core);
-    if (covers(address, count, CTL_REG_COMMAND_CODE))
-        core->written.command_code_is_new = true;
-    if (covers(address, count, CTL_REG_COMMAND_COUNTER)) {
-        ctl_command(core);
-        core->written.command_code_is_new = false;
-    }
+    if (covers(address, count, CTL_REG_COMMAND_COUNTER))
+        ctl_command(core, covers(address, count, CTL_REG_COMMAND_CODE));
     if (covers(address, count, CTL_REG_TRANSFER_OPERATION))
         ctl_transfer_operation(core);
     if (covers(address, count, CTL_REG_READBACK_TAG))

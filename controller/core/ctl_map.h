@@ -6,7 +6,6 @@
 
 #include "ctl_registers.h"
 
-#include <stdbool.h>
 #include <stdint.h>
 
 #ifdef __cplusplus
@@ -31,7 +30,6 @@ typedef struct {
     uint16_t transfer[CTL_GROUP_TRANSFER];
     uint16_t readback[CTL_GROUP_READBACK];
     uint16_t readback_result[CTL_GROUP_READBACK_RESULT];
-    bool command_code_is_new; /* written since the last command */
 } ctl_written;
 
 void ctl_map_init(struct ctl_core* core);

@@ -48,6 +48,13 @@ static bool row_fits(ctl_row row, const ctl_config* config)
            row.ticks <= (uint64_t)row.pulses * longest_gap;
 }
 
+/* Shorter than the distance of two pulses. Rows with pulses never are, and of pauses in a row only the first
+ * may be: a slice meets at most two rows for each pulse that the output stage gives in it, and one more. */
+static bool is_too_short(ctl_row row, const ctl_config* config)
+{
+    return (uint64_t)row.ticks * config->max_pulse_hz < config->timer_clock_hz;
+}
+
 ctl_verdict ctl_step_check(const ctl_bank* bank, const ctl_config* config)
 {
     const uint32_t bad_offset = bad_header_offset(bank, config);
@@ -56,10 +63,14 @@ ctl_verdict ctl_step_check(const ctl_bank* bank, const ctl_config* config)
 
     uint64_t ticks = 0;
     uint64_t pulses = 0;
+    bool after_pause = false;
     const uint32_t rows = ctl_bank_row_count(bank);
     for (uint32_t i = 0; i < rows; ++i) {
         const ctl_row row = ctl_step_row(bank, i);
-        if (!row_fits(row, config))
+        const bool is_pause = row.pulses == 0;
+        const bool crowds = is_pause && after_pause && is_too_short(row, config);
+        after_pause = is_pause;
+        if (crowds || !row_fits(row, config))
             return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, i);
         ticks += row.ticks;
         pulses += row.pulses;

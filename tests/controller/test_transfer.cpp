@@ -49,7 +49,9 @@ private slots:
     void applyRefusals();
     void armedBankIsLockedUntilCancelled();
     void commandIsCarriedOutOnce();
-    void counterAloneRepeatsNoCommand();
+    void singleRegistersCarryOutNothing_data();
+    void singleRegistersCarryOutNothing();
+    void shortPausesDoNotCrowd();
     void breakLeavesTheActiveProgram();
 };
 
@@ -336,33 +338,54 @@ void TestTransfer::commandIsCarriedOutOnce()
     QCOMPARE(rig.write(CTL_REG_COMMAND_COUNTER, command), 0);
     QCOMPARE(rig.statusWide(CTL_REG_CLOCK_UNIX_TIME), 65536u + 3u);
     QCOMPARE(rig.status(CTL_REG_STATUS_COMMAND_COUNTER), 42);
-    // Register by register, as a simple master does: the counter comes last.
-    rig.write(CTL_REG_COMMAND_CODE, {CTL_COMMAND_START});
-    QCOMPARE(rig.read(CTL_REG_RESULT_COUNTER, 2), (Registers{42, CTL_COMMAND_SET_CLOCK}));
-    rig.write(CTL_REG_COMMAND_COUNTER, {43});
+    rig.write(CTL_REG_COMMAND_COUNTER, {43, CTL_COMMAND_START});
     QCOMPARE(rig.read(CTL_REG_RESULT_COUNTER, 4),
              (Registers{43, CTL_COMMAND_START, CTL_COMMAND_STATUS_REFUSED, CTL_REFUSAL_NO_ACTIVE_PROGRAM}));
     QCOMPARE(rig.command(CTL_COMMAND_NONE), CTL_REFUSAL_UNKNOWN_COMMAND);
 }
 
-// Single registers in ascending order: the old code is still there when the counter comes.
-void TestTransfer::counterAloneRepeatsNoCommand()
+void TestTransfer::singleRegistersCarryOutNothing_data()
+{
+    QTest::addColumn<bool>("ascending");
+    QTest::newRow("counter first") << true;
+    QTest::newRow("counter last") << false;
+}
+
+// The code of another command would be carried out in one order, half a command in the other.
+void TestTransfer::singleRegistersCarryOutNothing()
+{
+    QFETCH(bool, ascending);
+    Rig rig;
+    rig.install(goodBank());
+    rig.start();
+    QCOMPARE(rig.command(CTL_COMMAND_STOP_NOW), CTL_REFUSAL_NONE);
+    QVERIFY(rig.runUntilState(CTL_STATE_READY));
+    rig.write(CTL_REG_COMMAND_CODE, {CTL_COMMAND_START});
+    std::uint16_t counter = rig.read(CTL_REG_RESULT_COUNTER, 1).at(0);
+    for (const unsigned code : {CTL_COMMAND_STOP_AT_CYCLE_END, CTL_COMMAND_START, CTL_COMMAND_HOME}) {
+        ++counter;
+        if (ascending)
+            rig.write(CTL_REG_COMMAND_COUNTER, {counter});
+        rig.write(CTL_REG_COMMAND_CODE, {static_cast<std::uint16_t>(code)});
+        if (!ascending)
+            rig.write(CTL_REG_COMMAND_COUNTER, {counter});
+        const Registers result = rig.read(CTL_REG_RESULT_COUNTER, 4);
+        QCOMPARE(result[0], counter);
+        QCOMPARE(result[3], CTL_REFUSAL_COMMAND_INCOMPLETE);
+        QCOMPARE(rig.status(CTL_REG_STATUS_STATE), CTL_STATE_READY);
+    }
+}
+
+void TestTransfer::shortPausesDoNotCrowd()
 {
     Rig rig;
-    Registers command{42, CTL_COMMAND_SET_CLOCK, 0, 0, 1, 0};
-    rig.write(CTL_REG_COMMAND_COUNTER, command);
-    rig.run(3'000'000);
-    const auto refused = [&rig](std::uint16_t counter) {
-        rig.write(CTL_REG_COMMAND_COUNTER, {counter});
-        return rig.read(CTL_REG_RESULT_COUNTER, 4) == Registers{counter, CTL_COMMAND_SET_CLOCK,
-                                                                CTL_COMMAND_STATUS_REFUSED,
-                                                                CTL_REFUSAL_CODE_NOT_WRITTEN};
-    };
-    QVERIFY(refused(43));
-    command[0] = 43;
-    rig.write(CTL_REG_COMMAND_COUNTER, command); // a frame that is repeated does not prepare one either
-    QVERIFY(refused(44));
-    QCOMPARE(rig.statusWide(CTL_REG_CLOCK_UNIX_TIME), 65536u + 3u);
+    BankImage bank = goodBank();
+    bank.rows.push_back({0, 1});
+    QCOMPARE(rig.download(bank.registers(), 1), CTL_TRANSFER_RESULT_ACCEPTED);
+    bank.rows.push_back({0, 39});
+    QCOMPARE(rig.download(bank.registers(), 2), CTL_TRANSFER_RESULT_BAD_ROW);
+    bank.rows.back().ticks = 40;
+    QCOMPARE(rig.download(bank.registers(), 3), CTL_TRANSFER_RESULT_ACCEPTED);
 }
 
 void TestTransfer::breakLeavesTheActiveProgram()
