@@ -37,6 +37,8 @@ struct Identity {
 
     [[nodiscard]] std::string firmwareVersion() const;
     [[nodiscard]] bool supports(ProgramKind kind) const;
+
+    bool operator==(const Identity&) const = default;
 };
 
 // What a press says of its strokes; the last one is kept until the next has ended.

@@ -297,7 +297,9 @@ tl::expected<RtuLine::Bytes, LinkError> RtuLine::ask(const Question& question, c
         verdict = nextVerdict;
         received = next;
         isLate = isLate || (verdict == FrameVerdict::Foreign && received.data[0] == m_settings.unit);
-    } while (verdict == FrameVerdict::Foreign && isLate);
+        if (isLate && verdict == FrameVerdict::Foreign)
+            m_record.figures.noteDrain(static_cast<int>(received.count));
+    } while (isLate && verdict == FrameVerdict::Foreign);
     const auto completeAt = Clock::now();
     if (isLate && m_settings.isAllowanceMeasured)
         m_allowance.noteSilence();

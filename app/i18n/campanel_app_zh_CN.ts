@@ -353,6 +353,10 @@
         <translation>设备不符</translation>
     </message>
     <message>
+        <source>Unknown state</source>
+        <translation>状态未知</translation>
+    </message>
+    <message>
         <source>What answers on the port is not a controller that this panel knows.</source>
         <translation>端口上应答的不是本面板认识的控制器。</translation>
     </message>

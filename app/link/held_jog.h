@@ -16,11 +16,11 @@ public:
     // Of exchange.jog, for the exchange that goes out now; noteAnswer() when that was answered.
     [[nodiscard]] std::uint16_t bits(SteadyTime now);
     void noteAnswer() { m_heard = m_sent; }
+    [[nodiscard]] JogDirection directionAt(SteadyTime now) const;
     // The controller must hear of it before anything else but a Stop goes out.
     [[nodiscard]] bool isPollDue(SteadyTime now, SteadyTime lastPollAt) const;
 
 private:
-    [[nodiscard]] JogDirection directionAt(SteadyTime now) const;
 
     JogRequest m_held;
     JogDirection m_sent = JogDirection::None;

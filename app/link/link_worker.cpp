@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/link/link_worker.h"
 
+#include "app/link/link_logging.h"
 #include "app/link/parameter_exchange.h"
 #include "app/link/simulated_controller.h"
 
@@ -21,6 +22,11 @@ using std::chrono::steady_clock;
 // On a line that is faster than this the poll waits: more pictures a second than a screen shows are no use.
 constexpr auto shortestPollPeriod = 8ms;
 constexpr auto shortestBatchPeriod = 10ms;
+// While the machine has stood for so long, nothing on the screen changes faster.
+constexpr auto timeUntilRest = 1000ms;
+constexpr auto pollPeriodAtRest = 100ms;
+// Another controller on the same cable is noticed after so long.
+constexpr auto identityPeriod = 3000ms;
 // While a table is transferred: often enough to stay fresh and to keep the heartbeat.
 constexpr auto pollPeriodInTransfer = 400ms;
 // Without a valid status for so long the connection counts as lost.
@@ -36,6 +42,19 @@ CommandEnd endAfter(const modbus::LinkError& error)
     default:
         return CommandEnd::OutcomeUnknown;
     }
+}
+
+bool isStanding(std::optional<modbus::State> state)
+{
+    return state == modbus::State::Idle || state == modbus::State::Ready || state == modbus::State::Fault;
+}
+
+// What the status says of the machine is the same as before.
+bool isSame(const modbus::StatusBlock& one, const modbus::StatusBlock& other)
+{
+    return one.state == other.state && one.faultBits == other.faultBits && one.warningBits == other.warningBits &&
+           one.generation == other.generation && one.stagedState == other.stagedState &&
+           one.axisPositionPulses == other.axisPositionPulses;
 }
 
 } // namespace
@@ -80,6 +99,7 @@ void LinkWorker::enqueue(Request request)
         return;
     }
     m_requests.push(std::move(request));
+    m_restlessAt = steady_clock::now();
     stepAfter(0ms);
 }
 
@@ -139,15 +159,38 @@ void LinkWorker::exchange()
         advanceDownload();
     else if (m_comparison && m_comparison->hasWork() && mayPollWait)
         advanceComparison();
-    else if (sinceLastPoll >= shortestPollPeriod)
+    else if (mayPollWait && m_jog.directionAt(m_lastPollAt) == JogDirection::None &&
+             steady_clock::now() - m_identifiedAt >= identityPeriod)
+        checkIdentity();
+    else if (sinceLastPoll >= pollPeriod())
         pollStatus();
     if (m_report.state != LinkState::Connected)
         return;
     const bool hasWork = m_heldStop || m_jog.isPollDue(steady_clock::now(), m_lastPollAt) ||
                          !m_requests.isEmpty() || !m_reads.isEmpty() ||
                          (m_download && m_download->hasWork()) || (m_comparison && m_comparison->hasWork());
-    const auto pollDue = m_lastPollAt + shortestPollPeriod - steady_clock::now();
+    const auto pollDue = m_lastPollAt + pollPeriod() - steady_clock::now();
     stepAfter(hasWork ? 0ms : std::max(0ms, std::chrono::ceil<std::chrono::milliseconds>(pollDue)));
+}
+
+// Another controller, or another firmware in it: what was read of the one before is worth nothing. Connecting again says
+// what it is.
+void LinkWorker::checkIdentity()
+{
+    m_identifiedAt = steady_clock::now();
+    const auto registers = m_client->readProven(modbus::identityAddress, modbus::identityRegisters);
+    if (!registers || modbus::decodeIdentity(*registers) == *m_report.identity)
+        return;
+    qCWarning(linkLog) << "another controller answers";
+    disconnect(std::nullopt);
+    stepAfter(0ms);
+}
+
+// A command or a jog key is sent at once and ends the rest.
+std::chrono::milliseconds LinkWorker::pollPeriod() const
+{
+    const bool isResting = steady_clock::now() - m_restlessAt > timeUntilRest && !m_download && !m_heldStop;
+    return isResting ? pollPeriodAtRest : shortestPollPeriod;
 }
 
 void LinkWorker::carryOut(const Request& request)
@@ -225,6 +268,8 @@ void LinkWorker::noteStatus(const modbus::StatusBlock& status)
 {
     const bool isFirst = !m_status;
     m_lastGoodAt = steady_clock::now();
+    if (isFirst || !isStanding(status.state) || !isSame(status, *m_status))
+        m_restlessAt = m_lastGoodAt;
     m_status = status;
     m_batch.samples << StatusSample{m_lastGoodAt, status, m_lastGoodAt - m_lastPollAt};
     if (m_lastGoodAt - m_lastFlushAt >= shortestBatchPeriod)

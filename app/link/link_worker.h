@@ -103,6 +103,8 @@ private:
     void reportDownload();
     void report(LinkState state, std::optional<modbus::LinkError> error = std::nullopt);
     void flushBatch();
+    [[nodiscard]] std::chrono::milliseconds pollPeriod() const;
+    void checkIdentity();
     void stepAfter(std::chrono::milliseconds delay);
 
     ConnectionSettings m_settings;
@@ -130,6 +132,8 @@ private:
     std::optional<modbus::StatusBlock> m_status; // the last one of this connection
     SteadyTime m_lastGoodAt;
     SteadyTime m_lastPollAt;
+    SteadyTime m_identifiedAt;
+    SteadyTime m_restlessAt; // something moved, changed or was asked for
     StatusBatch m_batch;
     SteadyTime m_lastFlushAt;
     std::optional<ProgramId> m_programRead; // told last; empty: none was, in this connection

@@ -128,6 +128,7 @@ void LinkWorker::tryToConnect()
     m_adapter = m_settings.simulated ? std::nullopt : identityOf(m_report.portName);
     m_report.identity = *identity;
     m_lastGoodAt = std::chrono::steady_clock::now();
+    m_identifiedAt = m_lastGoodAt;
     m_lastPollAt = {};
     m_status.reset();
     m_programRead.reset();

@@ -233,6 +233,8 @@ public:
     [[nodiscard]] const std::optional<modbus::StatusBlock>& status() const { return m_status; }
     [[nodiscard]] const std::shared_ptr<const ControllerProgram>& program() const { return m_program; }
     void send(modbus::Command command, const modbus::CommandArguments& arguments = {});
+    // Returns an id for link().readRegisters() that no other reader has.
+    [[nodiscard]] quint32 nextReadId() { return ++m_lastReadId; }
     // A register of the controller by its name, see link::Link. Ends in one parameterEnded() with the id that
     // is returned. Writing is for technicians; 0 when the gate does not admit it.
     [[nodiscard]] quint32 readParameter(const char* name);
@@ -301,6 +303,7 @@ private:
     QString m_returnMessage;                         // what had changed when the line was back
     bool m_hasStopWaited = false;                    // the last Stop, for the line
     quint32 m_lastRequestId = 0;
+    quint32 m_lastReadId = 0;
     quint32 m_lastParameterId = 0;
     QString m_commandMessage;
 };

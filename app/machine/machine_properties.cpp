@@ -98,6 +98,8 @@ QString Machine::stateText() const
 {
     if (state() != State::Unknown)
         return ControllerSentences::state(*m_status->state);
+    if (isConnected() && m_status)
+        return tr("Unknown state");
     switch (connection()) {
     case Connection::Searching:
         return tr("Searching");

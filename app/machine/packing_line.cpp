@@ -13,7 +13,6 @@ namespace campanel::machine {
 
 namespace {
 
-constexpr quint32 readId = 1; // of all that this object asks
 constexpr auto shortestPeriod = 150ms;
 // On a slow line: at most this share of its time.
 constexpr int shareOfTheLine = 5;
@@ -93,12 +92,13 @@ void PackingLine::ask()
     m_setup.ask();
     m_isAsked = true;
     m_askedAt = m_machine.now();
-    m_machine.link().readRegisters({readId, modbus::packerAddress, modbus::packerRegisters});
+    m_readId = m_machine.nextReadId();
+    m_machine.link().readRegisters({m_readId, modbus::packerAddress, modbus::packerRegisters});
 }
 
 void PackingLine::takeRead(const link::ReadOutcome& outcome)
 {
-    if (outcome.request.id != readId || outcome.request.address != modbus::packerAddress)
+    if (outcome.request.id != m_readId)
         return;
     m_isAsked = false;
     const auto took = m_machine.now() - m_askedAt;

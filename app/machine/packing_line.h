@@ -152,6 +152,7 @@ private:
     link::SteadyTime m_receivedAt;
     link::SteadyTime m_askedAt;
     bool m_isAsked = false;
+    quint32 m_readId = 0; // the last one
     bool m_wasFresh = false;
     std::optional<std::uint32_t> m_toldBag;
 };

@@ -17,14 +17,12 @@ namespace {
 
 constexpr auto readPeriod = 250ms; // between the end of one round and the next: the status goes first
 constexpr auto staleAfter = 1000ms;
-constexpr quint32 firstReadId = 0x10000; // the ids of other readers of registers lie below
 
 } // namespace
 
 RegisterInspector::RegisterInspector(Machine& machine, QObject* parent)
     : QObject(parent)
     , m_machine(machine)
-    , m_lastReadId(firstReadId)
 {
     m_readTimer.setInterval(readPeriod);
     connect(&m_readTimer, &QTimer::timeout, this, &RegisterInspector::readVisible);
@@ -97,7 +95,7 @@ void RegisterInspector::readVisible()
         return;
     QList<link::ReadRequest> requests;
     for (const modbus::RegisterSpan& span : m_registers.spans(m_first, m_last))
-        requests << link::ReadRequest{++m_lastReadId, span.address, span.count};
+        requests << link::ReadRequest{m_machine.nextReadId(), span.address, span.count};
     for (const link::ReadRequest& request : requests)
         m_reads.insert(request.id);
     for (const link::ReadRequest& request : requests)

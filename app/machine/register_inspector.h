@@ -98,7 +98,6 @@ private:
     RegisterModel m_registers{this};
     QTimer m_readTimer;
     QSet<quint32> m_reads; // under way
-    quint32 m_lastReadId;
     quint32 m_writeId = 0; // under way, else 0
     int m_first = 0;
     int m_last = -1;

@@ -3,6 +3,7 @@
 #include "app/link/link_worker.h"
 #include "app/link/threaded_link.h"
 #include "app/program/program_image.h"
+#include "scripted_slave.h"
 #include "tests/support/controller_process.h"
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
@@ -10,6 +11,7 @@
 #include <QFile>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
 
 #include <csignal>
 #include <memory>
@@ -113,6 +115,42 @@ private slots:
         QVERIFY(listener.programs.first().isEmpty()); // its flash is empty
     }
 
+    // The status of a machine that stands is asked for ten times a second, not eighty.
+    void restsWhileTheMachineStands()
+    {
+        QTemporaryDir state;
+        link::ThreadedLink link(nullptr);
+        Listener listener(link);
+        link::ConnectionSettings settings;
+        settings.simulatorProgram = campanel::test::programPath("campanel-controller");
+        settings.simulatorStateDir = state.path();
+        link.connectTo(settings);
+        QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
+        QSignalSpy batches(&link, &link::Link::statusReceived);
+        QTest::qWait(1500); // until it rests
+        batches.clear();
+        QTest::qWait(2000);
+        QVERIFY2(batches.size() <= 25, qPrintable(QString::number(batches.size())));
+        QVERIFY(batches.size() >= 2);
+    }
+
+    void anotherControllerOnTheCableIsNoticed()
+    {
+        campanel::test::ScriptedSlave slave;
+        link::ThreadedLink link(nullptr);
+        Listener listener(link);
+        link::ConnectionSettings settings;
+        settings.simulated = false;
+        settings.port = QString::fromStdString(slave.port());
+        link.connectTo(settings);
+        QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
+        const std::uint64_t before = listener.last.identity->uniqueId;
+        slave.setRegister(0x0009, static_cast<std::uint16_t>(slave.getRegister(0x0009) + 1));
+        QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected() && listener.last.identity->uniqueId != before, timeoutMs);
+        slave.setRegister(0x0001, modbus::mapMajor + 1);
+        QTRY_COMPARE_WITH_TIMEOUT(listener.last.state, LinkState::WrongDevice, timeoutMs);
+    }
+
     void saysWhereTheSimulatedControllerWasLookedFor()
     {
         link::ThreadedLink link(nullptr);
@@ -169,6 +207,10 @@ private slots:
         link::ThreadedLink link(nullptr);
         Listener listener(link);
         link.connectTo(portSettings(controller.port(), baud));
+        // A request now and then, so that the link does not rest.
+        QTimer requests;
+        connect(&requests, &QTimer::timeout, &link, [&link] { link.readParameter(1, "parameter.ramp_time"); });
+        requests.start(500);
         QTRY_VERIFY_WITH_TIMEOUT(listener.samples.size() > samples, timeoutMs);
         // The first ones share the line with the reading of the program.
         const auto first = listener.samples[2].receivedAt;

@@ -239,6 +239,16 @@ private slots:
         QVERIFY(rig.machine.alarmText().contains("reset the fault"));
     }
 
+    void stateOfANewerControllerIsUnknown()
+    {
+        PanelRig rig;
+        rig.connectRunning();
+        rig.link.status.state.reset();
+        rig.link.sendStatus(rig.now);
+        QCOMPARE(rig.machine.state(), Machine::State::Unknown);
+        QCOMPARE(rig.machine.stateText(), "Unknown state");
+    }
+
     void lostConnectionKeepsTheLastValuesAndSaysSo()
     {
         PanelRig rig;

@@ -38,7 +38,7 @@ struct PackingRig : test::PanelRig {
 
     void tell()
     {
-        emit link.registersRead({{1, modbus::packerAddress, modbus::packerRegisters},
+        emit link.registersRead({link.reads.value(link.reads.size() - 1),
                                  link::ReadEnd::Done,
                                  packer.registers(),
                                  now,
