@@ -8,7 +8,7 @@ namespace campanel::profile::detail {
 
 namespace {
 
-constexpr double roundingShare = 1e-9; // of the largest speed
+constexpr double speedRoundingShare = 1e-9; // of the largest speed
 
 // Under the lines, as pulses.
 double distance(const std::vector<PathPoint>& knots)
@@ -49,7 +49,7 @@ std::vector<SpeedPeak> peaksOf(const SpeedCurve& curve)
 {
     constexpr std::size_t plateauSamples = 4;
     const std::vector<CurveSample>& samples = curve.samples();
-    const double roundingHz = roundingShare * curve.fastestHz();
+    const double roundingHz = speedRoundingShare * curve.fastestHz();
     std::vector<SpeedPeak> result;
     double slope = 0;      // the sign of the last change
     std::size_t level = 0; // the first sample after it
@@ -203,7 +203,7 @@ std::optional<IntervalLines::Tried> IntervalLines::tightest(std::size_t lineCoun
             low = middle;
         }
     }
-    level(*best, roundingShare * m_curve.fastestHz());
+    level(*best, speedRoundingShare * m_curve.fastestHz());
     const double missing = m_curve.samples().back().pulses - distance(*best);
     return Tried{std::move(*best), high, missing / m_curve.durationS()};
 }

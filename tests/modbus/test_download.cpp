@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The download against a scripted slave: complete, interrupted and resumed, cancelled, refused.
+#include "modbus/codec.h"
 #include "modbus/crc32.h"
 #include "modbus/download.h"
 #include "scripted_slave.h"
