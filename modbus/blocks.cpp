@@ -4,6 +4,10 @@
 
 #include "modbus/codec.h"
 
+#include <algorithm>
+#include <array>
+#include <limits>
+
 namespace campanel::modbus {
 namespace {
 
@@ -94,6 +98,28 @@ Identity decodeIdentity(std::span<const std::uint16_t> registers)
     identity.timerBits = reader.u16("identity.timer_bits");
     identity.maxPulseFrequencyHz = reader.u32("identity.max_pulse_frequency");
     return identity;
+}
+
+std::optional<ImpossibleValue> impossibleValue(const Identity& identity)
+{
+    struct Row {
+        ImpossibleValue read;
+        std::uint32_t minimum;
+        std::uint32_t maximum;
+    };
+    constexpr std::uint32_t largest = std::numeric_limits<std::uint32_t>::max();
+    const std::array rows{
+        Row{{"identity.row_capacity", identity.rowCapacity}, 1, largest},
+        Row{{"identity.bank_registers", identity.bankRegisters}, bankHeaderRegisters, largest},
+        Row{{"identity.block_registers", identity.blockRegisters}, 1, largest},
+        Row{{"identity.timer_clock", identity.timerClockHz}, 1, largest},
+        Row{{"identity.timer_bits", identity.timerBits}, 8, 32},
+        Row{{"identity.max_pulse_frequency", identity.maxPulseFrequencyHz}, 1, largest},
+    };
+    const auto wrong = std::ranges::find_if(rows, [](const Row& row) {
+        return row.read.value < row.minimum || row.read.value > row.maximum;
+    });
+    return wrong == rows.end() ? std::nullopt : std::optional(wrong->read);
 }
 
 StatusBlock decodeStatus(std::span<const std::uint16_t> registers)

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace campanel::modbus {
 
@@ -40,6 +41,14 @@ struct Identity {
 
     bool operator==(const Identity&) const = default;
 };
+
+// The first register of the identity whose value no controller can have, such as a clock of 0 Hz. Empty when all are
+// possible.
+struct ImpossibleValue {
+    std::string_view name;
+    std::uint32_t value = 0;
+};
+[[nodiscard]] std::optional<ImpossibleValue> impossibleValue(const Identity& identity);
 
 // What a press says of its strokes; the last one is kept until the next has ended.
 struct PressStatus {

@@ -15,10 +15,13 @@ constexpr milliseconds drainTime{25};
 constexpr int attemptsWhenDamaged = 2;
 // Units that a diagnosis asks besides the configured one.
 constexpr std::array likelyUnits{1, 2, 3};
+// In a search: longer than the 16 ms of a USB adapter and the work of a slow device.
+constexpr milliseconds shortAllowance{60};
+constexpr milliseconds longAllowance = AnswerAllowance::longest; // as long as is promised
 
-nanoseconds longestTime(const LineSettings& line, milliseconds allowance)
+template <typename Candidate> nanoseconds longestTime(const Candidate& candidate)
 {
-    return pairTime(line, readFrames(identityRegisters)) + allowance + drainTime;
+    return pairTime(candidate.line, readFrames(identityRegisters)) + candidate.allowance + drainTime;
 }
 
 bool isSame(const LineSettings& a, const LineSettings& b)
@@ -45,6 +48,7 @@ LineCondition conditionOf(const LinkError& error)
     case LinkErrorKind::WrongMapMajor:
         return LineCondition::OtherMapVersion;
     case LinkErrorKind::NotCamPanel:
+    case LinkErrorKind::WrongIdentity:
     case LinkErrorKind::ForeignAnswer: // a whole frame, but not one of ours
         return LineCondition::OtherDevice;
     case LinkErrorKind::BadChecksum:
@@ -94,28 +98,32 @@ LineScan::LineScan(ScanPlan plan)
         }
         planSearch();
     } else if (!m_ports.empty()) {
-        m_candidates.push_back({0, static_cast<std::uint8_t>(m_plan.unit), m_plan.line});
-        for (const int unit : likelyUnits) {
-            if (unit != m_plan.unit)
-                m_candidates.push_back({0, static_cast<std::uint8_t>(unit), m_plan.line});
-        }
-        m_allowance = AnswerAllowance::longest;
+        planDiagnosis();
     }
     for (const Candidate& candidate : m_candidates)
-        m_remaining += longestTime(candidate.line, m_allowance);
+        m_remaining += longestTime(candidate);
     m_ended = m_candidates.empty();
 }
 
-// The configured unit and unit 1 with every setting of the line, then all the other units.
+void LineScan::planDiagnosis()
+{
+    m_candidates.push_back({0, static_cast<std::uint8_t>(m_plan.unit), m_plan.line, longAllowance});
+    for (const int unit : likelyUnits) {
+        if (unit != m_plan.unit)
+            m_candidates.push_back({0, static_cast<std::uint8_t>(unit), m_plan.line, longAllowance});
+    }
+}
+
+// The configured unit and unit 1 with every setting of the line, then all units.
 void LineScan::planSearch()
 {
     const std::vector<LineSettings> lines = likelyLines(m_plan.line);
     const auto ports = static_cast<std::uint16_t>(m_ports.size());
     for (const LineSettings& line : lines) {
         for (std::uint16_t port = 0; port < ports; ++port) {
-            m_candidates.push_back({port, static_cast<std::uint8_t>(m_plan.unit), line});
+            m_candidates.push_back({port, static_cast<std::uint8_t>(m_plan.unit), line, shortAllowance});
             if (m_plan.unit != 1)
-                m_candidates.push_back({port, 1, line});
+                m_candidates.push_back({port, 1, line, shortAllowance});
         }
     }
     for (const LineSettings& line : lines) {
@@ -126,17 +134,43 @@ void LineScan::planSearch()
 
 void LineScan::planUnits(std::uint16_t port, const LineSettings& line)
 {
-    for (int unit = 2; unit <= lastUnit; ++unit) {
-        if (unit != m_plan.unit)
-            m_candidates.push_back({port, static_cast<std::uint8_t>(unit), line});
+    for (int unit = 1; unit <= lastUnit; ++unit)
+        m_candidates.push_back({port, static_cast<std::uint8_t>(unit), line, shortAllowance});
+    m_candidates.back().allowance = longAllowance; // late answers of the last ones come before the next line
+}
+
+// Returns true when bytes that answer this question of a search may be the late answer to one before it.
+bool LineScan::mayBeLate(const Candidate& candidate) const
+{
+    const bool isAskedAgain =
+        m_patient && m_patient->port == candidate.port && isSame(m_patient->line, candidate.line);
+    return candidate.allowance == shortAllowance && !isAskedAgain;
+}
+
+// Puts the questions that a late answer may belong to before the next one.
+void LineScan::askAgainPatiently()
+{
+    m_patient = m_candidates[m_next];
+    std::vector<Candidate> again;
+    nanoseconds before{0};
+    for (std::size_t i = m_next + 1; i-- > 0 && before <= longAllowance;) {
+        Candidate candidate = m_candidates[i];
+        if (candidate.port != m_patient->port || !isSame(candidate.line, m_patient->line))
+            break;
+        before += longestTime(candidate);
+        candidate.allowance = longAllowance;
+        m_remaining += longestTime(candidate);
+        again.push_back(candidate);
     }
+    m_candidates.insert(m_candidates.begin() + static_cast<std::ptrdiff_t>(m_next) + 1, again.begin(),
+                        again.end());
 }
 
 void LineScan::advance()
 {
     if (m_ended)
         return;
-    const Candidate& candidate = m_candidates[m_next];
+    const Candidate candidate = m_candidates[m_next]; // asking may move the others
     if (openFor(candidate))
         ask(candidate);
     skipDone();
@@ -149,10 +183,11 @@ void LineScan::advance()
 bool LineScan::openFor(const Candidate& candidate)
 {
     Port& port = m_ports[candidate.port];
-    if (m_client && m_openPort == candidate.port && isSame(m_client->settings().line, candidate.line))
+    if (m_client && m_openPort == candidate.port && isSame(m_client->settings().line, candidate.line) &&
+        m_client->settings().answerAllowance == candidate.allowance)
         return true;
     m_client.reset(); // before the next one takes the port
-    LinkSettings settings{port.path, candidate.line, candidate.unit, m_allowance, false};
+    LinkSettings settings{port.path, candidate.line, candidate.unit, candidate.allowance, false};
     auto client = std::make_unique<RtuClient>(std::move(settings));
     if (const auto opened = client->open(); !opened) {
         LineFinding finding = findingAt(candidate, conditionOf(opened.error()));
@@ -181,7 +216,10 @@ void LineScan::ask(const Candidate& candidate)
     port.bytesSeen += bytes;
     port.isEchoing = port.isEchoing || m_client->isEchoing();
     const LineCondition condition = identity ? LineCondition::Controller : conditionOf(identity.error());
-    if (!isAnswer(condition) && condition != LineCondition::PortGone) {
+    const bool isOfAnotherQuestion = !identity && identity.error().kind == LinkErrorKind::ForeignAnswer;
+    if (mayBeLate(candidate) && (isOfAnotherQuestion || (bytes > 0 && !isAnswer(condition)))) {
+        askAgainPatiently();
+    } else if (!isAnswer(condition) && condition != LineCondition::PortGone) {
         if (bytes > 0 && ++m_attempt < attemptsWhenDamaged)
             return; // the same once more
     } else {
@@ -204,7 +242,7 @@ void LineScan::ask(const Candidate& candidate)
         port.isDone = condition == LineCondition::PortGone;
     }
     m_attempt = 0;
-    m_remaining -= longestTime(candidate.line, m_allowance);
+    m_remaining -= longestTime(candidate);
     ++m_next;
 }
 
@@ -224,7 +262,7 @@ LineFinding LineScan::findingAt(const Candidate& candidate, LineCondition condit
 void LineScan::skipDone()
 {
     while (m_next < m_candidates.size() && m_ports[m_candidates[m_next].port].isDone) {
-        m_remaining -= longestTime(m_candidates[m_next].line, m_allowance);
+        m_remaining -= longestTime(m_candidates[m_next]);
         ++m_next;
         m_attempt = 0;
     }

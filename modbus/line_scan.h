@@ -96,6 +96,7 @@ private:
         std::uint16_t port = 0; // of m_ports
         std::uint8_t unit = 1;
         LineSettings line;
+        std::chrono::milliseconds allowance{0};
     };
     struct Port {
         std::string path;
@@ -105,10 +106,13 @@ private:
         bool isEchoing = false;
     };
 
+    void planDiagnosis();
     void planSearch();
     void planUnits(std::uint16_t port, const LineSettings& line);
     [[nodiscard]] bool openFor(const Candidate& candidate);
     void ask(const Candidate& candidate);
+    [[nodiscard]] bool mayBeLate(const Candidate& candidate) const;
+    void askAgainPatiently();
     [[nodiscard]] LineFinding findingAt(const Candidate& candidate, LineCondition condition) const;
     void skipDone();
     void finish();
@@ -119,9 +123,7 @@ private:
     std::size_t m_next = 0;
     int m_attempt = 0; // at the next candidate
     int m_skipped = 0;
-    // Of a search: longer than the 16 ms of a USB adapter and the work of a slow device; draining takes 25 ms more. A
-    // diagnosis waits as long as is promised.
-    std::chrono::milliseconds m_allowance{60};
+    std::optional<Candidate> m_patient; // the last one that was asked again: a line of a port is asked again once
     std::chrono::nanoseconds m_remaining{0};
     std::unique_ptr<RtuClient> m_client;
     std::size_t m_openPort = 0;

@@ -107,6 +107,9 @@ std::string describe(const LinkError& error)
         return "The controller at " + error.port + " has register map " + std::to_string(error.code) +
                ", this program needs map " + std::to_string(mapMajor) + ". Update the " +
                (error.code < mapMajor ? "controller's firmware." : "panel's software.");
+    if (error.kind == LinkErrorKind::WrongIdentity)
+        return "The controller at " + error.port + " reports an impossible value: " + error.detail + " is " +
+               std::to_string(error.code) + ". Correct its firmware.";
     const std::string port = describePort(error);
     return port.empty() ? describeRequest(error) : port;
 }

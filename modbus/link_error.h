@@ -24,6 +24,7 @@ enum class LinkErrorKind : std::uint8_t {
     Exception,        // `code` is the Modbus exception code
     NotCamPanel,      // another device; `code` is its identity.device_type, 0 when it has none
     WrongMapMajor,    // `code` is its register-map major version
+    WrongIdentity,    // `detail` is the identity register whose value is impossible, `code` the value
     RangeNotReadable, // the controller has no such registers
     CommandLost,      // the controller did not receive the command, `code` is its counter
     OutcomeUnknown,   // whether the command was received could not be found out; `code` is its counter

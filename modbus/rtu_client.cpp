@@ -134,6 +134,9 @@ tl::expected<Identity, LinkError> RtuClient::identityIn(const Registers& registe
         return tl::unexpected(error(LinkErrorKind::NotCamPanel, "identity", {}, identity.deviceType));
     if (identity.mapMajor != mapMajor)
         return tl::unexpected(error(LinkErrorKind::WrongMapMajor, "identity", {}, identity.mapMajor));
+    if (const auto impossible = impossibleValue(identity))
+        return tl::unexpected(error(LinkErrorKind::WrongIdentity, "identity",
+                                    std::string(impossible->name), static_cast<int>(impossible->value)));
     return identity;
 }
 

@@ -65,7 +65,8 @@ tl::expected<LinkSession, Failure> LinkSession::open(const Invocation& call)
     auto identity = session.m_client->identify();
     for (int i = 1;
          i < attempts && !identity && identity.error().kind != modbus::LinkErrorKind::NotCamPanel &&
-         identity.error().kind != modbus::LinkErrorKind::WrongMapMajor;
+         identity.error().kind != modbus::LinkErrorKind::WrongMapMajor &&
+         identity.error().kind != modbus::LinkErrorKind::WrongIdentity;
          ++i)
         identity = session.m_client->identify();
     if (!identity)

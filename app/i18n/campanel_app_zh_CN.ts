@@ -978,6 +978,10 @@
         <translation>%1 上控制器的寄存器表版本为 %2，本面板需要版本 %3。请升级较旧的一方。</translation>
     </message>
     <message>
+        <source>The controller on %1 reports an impossible value: %2 is %3. Correct its firmware.</source>
+        <translation>%1 上的控制器报告了不可能的值：%2 为 %3。请更正其固件。</translation>
+    </message>
+    <message>
         <source>The controller on %1 lacks registers that this panel needs. Update its firmware.</source>
         <translation>%1 上的控制器缺少本面板需要的寄存器。请升级其固件。</translation>
     </message>

@@ -26,6 +26,7 @@ LinkState stateAfter(const modbus::LinkError& error, bool wasConnected)
         return LinkState::PortProblem;
     case modbus::LinkErrorKind::NotCamPanel:
     case modbus::LinkErrorKind::WrongMapMajor:
+    case modbus::LinkErrorKind::WrongIdentity:
         return LinkState::WrongDevice;
     case modbus::LinkErrorKind::PortAbsent:
     case modbus::LinkErrorKind::PortGone:

@@ -109,6 +109,10 @@ QString ConnectionSentences::error(const modbus::LinkError& error)
             .arg(port)
             .arg(error.code)
             .arg(modbus::mapMajor);
+    case LinkErrorKind::WrongIdentity:
+        return tr("The controller on %1 reports an impossible value: %2 is %3. Correct its firmware.")
+            .arg(port, detail)
+            .arg(error.code);
     case LinkErrorKind::RangeNotReadable:
         return tr("The controller on %1 lacks registers that this panel needs. Update its firmware.")
             .arg(port);

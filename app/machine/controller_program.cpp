@@ -34,8 +34,6 @@ std::shared_ptr<const ControllerProgram> readProgram(const link::ActiveProgram& 
     program->registers = active.header;
     program->knots = active.knots;
     program->header = modbus::decodeBankHeader(active.header);
-    program->cycleSeconds = static_cast<double>(program->header.cycleTicks) / identity.timerClockHz;
-    program->rateBagsPerMin = program->cycleSeconds > 0 ? 60 / program->cycleSeconds : 0;
     const auto recipe = program::decodeProgram(active.header, active.knots,
                                                program::withController(profile::Machine(), identity));
     if (!recipe) {
@@ -51,9 +49,12 @@ std::shared_ptr<const ControllerProgram> readProgram(const link::ActiveProgram& 
         return program;
     }
     program->pulsesPerMm = solved->pulsesPerMm;
+    program->version = program->header.recipeVersion;
+    program->bagLengthMm = program->header.bagLengthMm;
     // The rows of a press are stages: how long a stroke takes is not in the bank.
-    if (program->header.cycleTicks == 0)
-        program->cycleSeconds = solved->cycleS();
+    const std::uint32_t ticks = program->header.cycleTicks;
+    program->cycleSeconds = ticks > 0 ? static_cast<double>(ticks) / identity.timerClockHz : solved->cycleS();
+    program->rateBagsPerMin = ticks > 0 ? 60 / program->cycleSeconds : 0;
     if (solved->cutter) {
         program->syncStartDeg = knifeDegAt(*solved->cutter, program->header.syncStartDeg);
         program->syncEndDeg = knifeDegAt(*solved->cutter, program->header.syncEndDeg);

@@ -21,10 +21,13 @@ struct ControllerProgram {
     std::vector<std::uint16_t> knots;     // of a point cam
     modbus::BankHeader header;            // the same decoded
     program::Recipe recipe;
-    double cycleSeconds = 0; // of the table, to the timer tick; of a press: a nominal stroke
-    double rateBagsPerMin = 0;
     double pulsesPerMm = 0;
-    // Knife angles, NaN when the parameters do not make a cycle.
+    // NaN when the header does not make a cycle.
+    double version = std::numeric_limits<double>::quiet_NaN();
+    double bagLengthMm = std::numeric_limits<double>::quiet_NaN();
+    double cycleSeconds = std::numeric_limits<double>::quiet_NaN(); // of the table; of a press: a nominal stroke
+    double rateBagsPerMin = std::numeric_limits<double>::quiet_NaN();
+    // Knife angles.
     double syncStartDeg = std::numeric_limits<double>::quiet_NaN();
     double syncEndDeg = std::numeric_limits<double>::quiet_NaN();
     double cutDeg = std::numeric_limits<double>::quiet_NaN();

@@ -267,12 +267,12 @@ QString Machine::activeName() const
 
 double Machine::activeVersion() const
 {
-    return m_program ? m_program->header.recipeVersion : unknown;
+    return m_program ? m_program->version : unknown;
 }
 
 double Machine::activeBagLengthMm() const
 {
-    return m_program ? m_program->header.bagLengthMm : unknown;
+    return m_program ? m_program->bagLengthMm : unknown;
 }
 
 double Machine::activeRateBagsPerMin() const

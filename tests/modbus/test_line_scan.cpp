@@ -157,6 +157,19 @@ private slots:
         QCOMPARE(diagnose(slave.port()).condition, LineCondition::Controller);
     }
 
+    void searchFindsAControllerThatIsAlwaysLate()
+    {
+        ScriptedSlave slave(9);
+        slave.delayAnswers(std::chrono::milliseconds{200});
+        LineScan scan(ScanPlan{slave.port(), {}, 1, {}, Depth::Search});
+        while (!scan.ended())
+            scan.advance();
+        QVERIFY(scan.controller() != nullptr);
+        QCOMPARE(scan.controller()->unit, 9);
+        QCOMPARE(scan.findings().size(), std::size_t{1}); // no other device at the units asked meanwhile
+        QCOMPARE(slave.writes(), 0);
+    }
+
     void echoIsNoGarbage()
     {
         ScriptedSlave slave;
@@ -280,7 +293,7 @@ private slots:
             ScanPlan{silent.port(), {}, 1, {"/dev/null", slave.port(), silent.port()}, Depth::Search});
         const ScanProgress before = scan.progress();
         QCOMPARE(before.done, 0);
-        QCOMPARE(before.total, 3 * 30 * 247);
+        QCOMPARE(before.total, 3 * 30 * 248);
         QCOMPARE(before.port, silent.port());
         auto remaining = before.remaining;
         while (!scan.ended()) {

@@ -47,6 +47,8 @@ private slots:
     void identity();
     void foreignDeviceIsLeftAlone();
     void otherMapMajorIsRefused();
+    void impossibleIdentityIsRefused_data();
+    void impossibleIdentityIsRefused();
     void status();
     void doubtfulStatus_data();
     void doubtfulStatus();
@@ -123,6 +125,33 @@ void RtuClientTest::otherMapMajorIsRefused()
     QVERIFY(!identity.has_value());
     QCOMPARE(identity.error().kind, LinkErrorKind::WrongMapMajor);
     QVERIFY(QString::fromStdString(describe(identity.error())).contains("Update the panel"));
+    QCOMPARE(m_slave->writes(), 0);
+}
+
+void RtuClientTest::impossibleIdentityIsRefused_data()
+{
+    QTest::addColumn<QByteArray>("name");
+    QTest::addColumn<quint16>("value");
+    QTest::newRow("no clock") << QByteArray("identity.timer_clock") << quint16{0};
+    QTest::newRow("no rows") << QByteArray("identity.row_capacity") << quint16{0};
+    QTest::newRow("no header") << QByteArray("identity.bank_registers") << quint16{3};
+    QTest::newRow("no block") << QByteArray("identity.block_registers") << quint16{0};
+    QTest::newRow("no timer") << QByteArray("identity.timer_bits") << quint16{33};
+    QTest::newRow("no pulses") << QByteArray("identity.max_pulse_frequency") << quint16{0};
+}
+
+void RtuClientTest::impossibleIdentityIsRefused()
+{
+    QFETCH(const QByteArray, name);
+    QFETCH(const quint16, value);
+    const RegisterInfo& info = registerNamed(name.toStdString());
+    for (int i = 0; i < info.count; ++i)
+        m_slave->setRegister(static_cast<std::uint16_t>(info.address + i), i + 1 == info.count ? value : 0);
+    const auto identity = m_client->identify();
+    QVERIFY(!identity.has_value());
+    QCOMPARE(identity.error().kind, LinkErrorKind::WrongIdentity);
+    const QString sentence = QString::fromStdString(describe(identity.error()));
+    QVERIFY2(sentence.contains(name + " is " + QByteArray::number(value) + '.'), qPrintable(sentence));
     QCOMPARE(m_slave->writes(), 0);
 }
 

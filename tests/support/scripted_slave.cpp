@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <memory>
 #include <stdexcept>
 
 #include <fcntl.h>
@@ -44,8 +45,9 @@ std::uint16_t word(const std::uint8_t* bytes)
 
 } // namespace
 
-ScriptedSlave::ScriptedSlave()
-    : m_registers(0x10000, 0)
+ScriptedSlave::ScriptedSlave(int unit)
+    : m_unit(unit)
+    , m_registers(0x10000, 0)
 {
     m_master = posix_openpt(O_RDWR | O_NOCTTY);
     if (m_master < 0 || grantpt(m_master) != 0 || unlockpt(m_master) != 0)
@@ -61,6 +63,10 @@ ScriptedSlave::ScriptedSlave()
     m_registers[address("identity.map_major")] = mapMajor;
     m_registers[address("identity.firmware_minor")] = 3;
     m_registers[address("identity.program_kinds")] = 2;
+    m_registers[address("identity.row_capacity")] = rowCapacity;
+    m_registers[address("identity.timer_clock") + 1] = 10000;
+    m_registers[address("identity.timer_bits")] = 32;
+    m_registers[address("identity.max_pulse_frequency") + 1] = 50000;
     m_registers[address("identity.bank_registers")] = bankRegisters;
     m_registers[address("identity.block_registers")] = blockRegisters;
     m_registers[address("status.generation") + 1] = 7;
@@ -146,14 +152,21 @@ void ScriptedSlave::refuseRow(std::uint16_t row)
 
 void ScriptedSlave::serve()
 {
-    modbus_t* const context = modbus_new_rtu("/dev/null", 115200, 'N', 8, 1);
-    modbus_set_slave(context, 1);
-    modbus_set_socket(context, m_master);
-    constexpr std::uint32_t stopCheckUs = 20'000;
-    modbus_set_indication_timeout(context, 0, stopCheckUs);
+    using Context = std::unique_ptr<modbus_t, decltype(&modbus_free)>;
+    const auto listen = [this] {
+        Context context(modbus_new_rtu("/dev/null", 115200, 'N', 8, 1), &modbus_free);
+        modbus_set_slave(context.get(), m_unit);
+        modbus_set_socket(context.get(), m_master);
+        constexpr std::uint32_t stopCheckUs = 20'000;
+        modbus_set_indication_timeout(context.get(), 0, stopCheckUs);
+        return context;
+    };
+    Context context = listen();
     std::array<std::uint8_t, MODBUS_RTU_MAX_ADU_LENGTH> buffer{};
     while (!m_stop) {
-        const int length = modbus_receive(context, buffer.data());
+        const int length = modbus_receive(context.get(), buffer.data());
+        if (length == 0)
+            context = listen(); // after a request to another unit, libmodbus skips the next frame as its answer
         if (length <= 0)
             continue;
         const Bytes request(buffer.begin(), buffer.begin() + length);
@@ -162,7 +175,6 @@ void ScriptedSlave::serve()
         std::this_thread::sleep_for(std::chrono::milliseconds(m_delayMs));
         answer(request);
     }
-    modbus_free(context);
 }
 
 void ScriptedSlave::answer(const Bytes& request)

@@ -29,7 +29,7 @@ enum class Fault {
 
 class ScriptedSlave {
 public:
-    ScriptedSlave();
+    explicit ScriptedSlave(int unit = 1);
     ~ScriptedSlave();
     ScriptedSlave(const ScriptedSlave&) = delete;
     ScriptedSlave& operator=(const ScriptedSlave&) = delete;
@@ -73,6 +73,7 @@ private:
     void powerUp();
     void put32(std::uint16_t address, std::uint32_t value);
 
+    const int m_unit;
     std::string m_port;
     int m_master = -1;
     int m_keptSlave = -1;

@@ -103,6 +103,23 @@ private slots:
         QVERIFY(std::isnan(rig.machine.rateBagsPerMin()));
     }
 
+    void garbageHeaderGivesNoNumbers()
+    {
+        PanelRig rig;
+        rig.connectRunning();
+        std::vector<std::uint16_t> header(modbus::bankHeaderRegisters, 0xFFFF);
+        header[modbus::registerNamed("bank.kind").address] =
+            static_cast<std::uint16_t>(modbus::ProgramKind::RotaryCutter);
+        header[modbus::registerNamed("bank.layout").address] =
+            static_cast<std::uint16_t>(modbus::TableLayout::StepTable);
+        emit rig.link.programRead({rig.link.status.generation, *rig.link.status.activeCrc, header});
+        QVERIFY(rig.machine.hasActiveProgram());
+        for (const double number : {rig.machine.activeVersion(), rig.machine.activeBagLengthMm(),
+                                    rig.machine.activeRateBagsPerMin(), rig.machine.cycleSeconds(),
+                                    rig.machine.rateBagsPerMin(), rig.machine.syncStartDeg()})
+            QVERIFY2(std::isnan(number), qPrintable(QString::number(number)));
+    }
+
     void traceRunsLikeARecordersPen()
     {
         PanelRig rig;
