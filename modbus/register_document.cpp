@@ -249,7 +249,10 @@ void printRules(std::ostream& out)
         << " | frequency u32 in Hz, end i32 in pulses, force u32 in N, time u32 in ms | approach, probe, press, hold, "
            "return; ends ascend; ramps take at most 1000 ms; the ends are the positions of the header, to one "
            "pulse |\n\n"
-           "A position move's advance is its distance, to one pulse. Seal answers BadHeader or BadSum with the offset of "
+           "Rows keep the inputs of their kind, to one pulse and one tick: a position move's advance is its distance; a "
+           "speed move goes as far\nas a cycle at one of its speeds at least, as a cycle at the other at most, and over its "
+           "given distance; cam points of a move take\nits given time; a point cam advances by (last knot - first knot) "
+           "slave_scale in 60 s master_ratio master_scale / |master_rate|.\nSeal answers BadHeader or BadSum with the offset of "
            "the header register in\n`transfer_result.detail`, BadRow with the number of the row, from 0.\n\n";
 }
 

@@ -3,6 +3,7 @@
 
 #include "ctl_cam.h"
 #include "ctl_crc.h"
+#include "ctl_inputs.h"
 #include "ctl_interval.h"
 #include "ctl_press.h"
 #include "ctl_step.h"
@@ -237,17 +238,6 @@ static uint32_t bad_header_offset(const ctl_bank* bank, uint32_t length)
     return NOTHING_BAD;
 }
 
-/* Returns true when a cycle turns the shaft from one knife to the next, by K Z / N pulses exactly: a knife that
- * came short of it would slip from bag to bag. */
-static bool is_one_knife(const ctl_bank* bank)
-{
-    const uint64_t parts = (uint64_t)bank->registers[CTL_OFFSET_PROGRAM_KNIVES] *
-                           bank->registers[CTL_OFFSET_PROGRAM_GEAR_DENOMINATOR];
-    const uint64_t turn = scaled_revolution(bank);
-    return wide(bank, CTL_OFFSET_BANK_CYCLE_PULSES) == turn / parts &&
-           ctl_bank_remainder(bank) * parts == turn % parts * ctl_bank_divisor(bank);
-}
-
 ctl_verdict ctl_bank_check(const ctl_bank* bank, const ctl_config* config, uint32_t length)
 {
     const uint32_t bad_offset = bad_header_offset(bank, length);
@@ -256,13 +246,8 @@ ctl_verdict ctl_bank_check(const ctl_bank* bank, const ctl_config* config, uint3
     const ctl_verdict verdict = layout_of(bank)->check(bank, config);
     if (verdict.result != CTL_TRANSFER_RESULT_ACCEPTED)
         return verdict;
-    if (has_knife(bank) && !is_one_knife(bank))
-        return ctl_refuse(CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_PROGRAM_PULSES_PER_MOTOR_REV);
-    if (ctl_bank_kind(bank) == CTL_PROGRAM_KIND_POSITION_MOVE &&
-        !ctl_bank_is_distance(bank, (int32_t)wide(bank, CTL_OFFSET_BANK_ADVANCE),
-                              (int32_t)wide(bank, CTL_OFFSET_POSITION_MOVE_DISTANCE)))
-        return ctl_refuse(CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_POSITION_MOVE_DISTANCE);
-    return verdict;
+    const uint32_t wrong = ctl_wrong_input(bank, config);
+    return wrong == CTL_NO_WRONG_INPUT ? verdict : ctl_refuse(CTL_TRANSFER_RESULT_BAD_SUM, wrong);
 }
 
 bool ctl_bank_same_machine(const ctl_bank* one, const ctl_bank* other)

@@ -50,7 +50,7 @@ void TestCamDirection::signAndParameter()
     QFETCH(int, masterRate);
     QFETCH(int, parameter);
     QFETCH(int, direction);
-    CamImage cam = sineCam(10'000.0, 800.0, 100, 4'000'000);
+    CamImage cam = sineCam(10'000.0, 800.0, 100, 4'800'000);
     cam.masterRate = static_cast<std::int16_t>(masterRate);
     Rig rig;
     rig.install(cam.registers());
@@ -60,7 +60,7 @@ void TestCamDirection::signAndParameter()
     rig.run(second / 10);
     // From the very start: never first the other way.
     QVERIFY(direction * (rig.commanded() - before) > 0);
-    rig.run(3 * second);
+    rig.run(4 * second);
     QVERIFY(direction * rig.commanded() > 50'000);
     QCOMPARE(rig.command(CTL_COMMAND_STOP_AT_CYCLE_END), CTL_REFUSAL_NONE);
     QVERIFY(rig.runUntilState(CTL_STATE_READY));

@@ -197,6 +197,7 @@ void TestCamEngine::noDriftInAMillionWraps()
     QFETCH(int, direction);
     constexpr std::int64_t wraps = 1'000'000;
     CamImage image = sineCam(net, 20.0, 10, 32'003); // 4 ms
+    image.masterRate = 10'000;                       // its ratio says the cycle to half a tick
     image.remainder = remainder;
     image.divisor = divisor;
     const auto bank = bankOf(image);

@@ -28,6 +28,12 @@ Registers begin(Rig& rig, std::uint16_t session, std::size_t length, std::uint16
                         {kind, static_cast<std::uint16_t>(length), major});
 }
 
+Registers withDuration(Registers image, unsigned offset, std::uint16_t duration)
+{
+    image.at(offset) = duration;
+    return image;
+}
+
 } // namespace
 
 class TestTransfer : public QObject {
@@ -45,6 +51,8 @@ private slots:
     void sealChecksTheAnnouncedKind();
     void sealComparesRowsWithTheInputs_data();
     void sealComparesRowsWithTheInputs();
+    void sealComparesCyclesWithTheInputs_data();
+    void sealComparesCyclesWithTheInputs();
     void largestTable();
     void applyRefusals();
     void armedBankIsLockedUntilCancelled();
@@ -210,7 +218,8 @@ void TestTransfer::sealChecksEveryRow_data()
     // K Z / N is not what the rows add up to: the knife would slip from bag to bag.
     const auto slips = [](const char* tag, unsigned offset, std::uint16_t value) {
         QTest::newRow(tag) << Change([=](Registers& image) { image.at(offset) = value; })
-                           << int{CTL_TRANSFER_RESULT_BAD_SUM} << int{CTL_OFFSET_PROGRAM_PULSES_PER_MOTOR_REV};
+                           << int{CTL_TRANSFER_RESULT_BAD_SUM}
+                           << int{CTL_OFFSET_PROGRAM_PULSES_PER_MOTOR_REV};
     };
     slips("another gear", CTL_OFFSET_PROGRAM_GEAR_NUMERATOR, 5);
     slips("another gear denominator", CTL_OFFSET_PROGRAM_GEAR_DENOMINATOR, 3);
@@ -218,7 +227,8 @@ void TestTransfer::sealChecksEveryRow_data()
     slips("one pulse less a revolution", CTL_OFFSET_PROGRAM_PULSES_PER_MOTOR_REV + 1, 9999);
     QTest::newRow("a cycle of one tick") << Change([](Registers& image) {
         image = BankImage{.rows = {{0, 1}}}.registers();
-    }) << int{CTL_TRANSFER_RESULT_BAD_HEADER} << int{CTL_OFFSET_BANK_CYCLE_TICKS};
+    }) << int{CTL_TRANSFER_RESULT_BAD_HEADER}
+                                         << int{CTL_OFFSET_BANK_CYCLE_TICKS};
 }
 
 void TestTransfer::sealChecksEveryRow()
@@ -243,7 +253,8 @@ void TestTransfer::sealChecksEveryRow()
 void TestTransfer::sealChecksTheAnnouncedKind()
 {
     Rig rig;
-    QCOMPARE(rig.download(goodBank().registers(), 1, CTL_PROGRAM_KIND_POINT_CAM), CTL_TRANSFER_RESULT_BAD_HEADER);
+    QCOMPARE(rig.download(goodBank().registers(), 1, CTL_PROGRAM_KIND_POINT_CAM),
+             CTL_TRANSFER_RESULT_BAD_HEADER);
     QCOMPARE(rig.read(CTL_REG_TRANSFER_RESULT_SESSION, 8)[4], CTL_OFFSET_BANK_KIND);
 }
 
@@ -255,7 +266,8 @@ void TestTransfer::sealComparesRowsWithTheInputs_data()
     QTest::newRow("position move by cam points") << move << unsigned{CTL_OFFSET_POSITION_MOVE_DISTANCE};
     QTest::newRow("position move by intervals")
         << trapezoidMove().registers() << unsigned{CTL_OFFSET_POSITION_MOVE_DISTANCE};
-    QTest::newRow("backwards") << trapezoidMove(true).registers() << unsigned{CTL_OFFSET_POSITION_MOVE_DISTANCE};
+    QTest::newRow("backwards") << trapezoidMove(true).registers()
+                               << unsigned{CTL_OFFSET_POSITION_MOVE_DISTANCE};
     const Registers press = PressImage().registers();
     QTest::newRow("end of approach") << press << unsigned{CTL_OFFSET_PRESS_APPROACH_POSITION};
     QTest::newRow("end of probing") << press << unsigned{CTL_OFFSET_PRESS_PROBE_END};
@@ -279,6 +291,84 @@ void TestTransfer::sealComparesRowsWithTheInputs()
     QCOMPARE(sealed(lengthUm - 11), CTL_TRANSFER_RESULT_BAD_SUM);
     QCOMPARE(sealed(0u - lengthUm), CTL_TRANSFER_RESULT_BAD_SUM);
     QCOMPARE(sealed(lengthUm), CTL_TRANSFER_RESULT_ACCEPTED);
+}
+
+void TestTransfer::sealComparesCyclesWithTheInputs_data()
+{
+    QTest::addColumn<Registers>("image");
+    QTest::addColumn<unsigned>("offset");
+    QTest::addColumn<quint32>("value");
+    QTest::addColumn<int>("result");
+    QTest::addColumn<unsigned>("detail");
+    const auto row = [](const QByteArray& name, const Registers& image, unsigned offset, quint32 value,
+                        int result, unsigned detail = 0) {
+        QTest::newRow(name.constData()) << image << offset << value << result << detail;
+    };
+    const auto bad = [&](const char* name, const Registers& image, unsigned offset, quint32 value) {
+        row(name, image, offset, value, CTL_TRANSFER_RESULT_BAD_SUM, offset);
+    };
+    CamImage cam = sineCam(10'000.0, 800.0, 100, 8'000'000);
+    cam.knots = 5;
+    const Registers points = cam.registers();
+    constexpr int good = CTL_TRANSFER_RESULT_ACCEPTED;
+    row("1 s a cycle, 60 r/min, 100 mm", points, CTL_OFFSET_POINT_CAM_SLAVE_SCALE, 1000, good);
+    bad("0.1 mm more", points, CTL_OFFSET_POINT_CAM_SLAVE_SCALE, 1001);
+    bad("as far backwards", points, CTL_OFFSET_POINT_CAM_SLAVE_SCALE, 0u - 1000);
+    bad("farthest", points, CTL_OFFSET_POINT_CAM_SLAVE_SCALE, 0x80000000u);
+    bad("1 us longer", points, CTL_OFFSET_POINT_CAM_MASTER_RATIO, 1'000'001);
+    bad("1 us shorter", points, CTL_OFFSET_POINT_CAM_MASTER_RATIO, 999'999);
+    bad("longest", points, CTL_OFFSET_POINT_CAM_MASTER_RATIO, 0xFFFFFFFFu);
+    row("largest stretch", points, CTL_OFFSET_POINT_CAM_MASTER_SCALE, 0xFFFFFFFFu,
+        CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_POINT_CAM_MASTER_RATIO);
+    row("no stretch", points, CTL_OFFSET_POINT_CAM_MASTER_SCALE, 0, CTL_TRANSFER_RESULT_BAD_SUM,
+        CTL_OFFSET_POINT_CAM_MASTER_RATIO);
+    cam.masterRate = 0;
+    row("standing master", cam.registers(), CTL_OFFSET_POINT_CAM_SLAVE_SCALE, 1000,
+        CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_POINT_CAM_MASTER_RATE);
+
+    // 0 to 200 mm/s in about 0.5 s: 50.12 mm. No slower than 100.1 mm/s on average, no faster than 100.3.
+    for (const bool backwards : {false, true}) {
+        const Registers ramp = rampAndHold(backwards).registers();
+        const unsigned faster = CTL_OFFSET_SPEED_MOVE_END_SPEED;
+        const unsigned slower = CTL_OFFSET_SPEED_MOVE_START_SPEED;
+        const auto speed = [backwards](quint32 umPerS) { return backwards ? 0u - umPerS : umPerS; };
+        const auto name = [backwards](const char* text) {
+            return QByteArray(text) + (backwards ? ", backwards" : "");
+        };
+        row(name("speed within"), ramp, faster, speed(101'000), good);
+        row(name("too slow an end"), ramp, faster, speed(99'000), CTL_TRANSFER_RESULT_BAD_SUM,
+            backwards ? slower : faster);
+        row(name("too fast a start"), ramp, slower, speed(101'000), CTL_TRANSFER_RESULT_BAD_SUM,
+            backwards ? faster : slower);
+    }
+    const Registers move = speedMove(20'000, 50, 4'000'000).registers(); // 50 mm
+    bad("distance not kept",
+        withDuration(move, CTL_OFFSET_SPEED_MOVE_DURATION, CTL_MOVE_DURATION_OVER_DISTANCE),
+        CTL_OFFSET_SPEED_MOVE_DISTANCE, 50'011);
+    row("distance kept", withDuration(move, CTL_OFFSET_SPEED_MOVE_DURATION, CTL_MOVE_DURATION_OVER_DISTANCE),
+        CTL_OFFSET_SPEED_MOVE_DISTANCE, 50'010, good);
+    bad("speed's time not kept",
+        withDuration(move, CTL_OFFSET_SPEED_MOVE_DURATION, CTL_MOVE_DURATION_GIVEN_TIME),
+        CTL_OFFSET_SPEED_MOVE_TIME, 500'001);
+    const Registers position = withDuration(quinticMove(20'000, 50, 8'000'000).registers(),
+                                            CTL_OFFSET_POSITION_MOVE_DURATION, CTL_MOVE_DURATION_GIVEN_TIME);
+    bad("time not kept", position, CTL_OFFSET_POSITION_MOVE_TIME, 999'999);
+    row("time kept", position, CTL_OFFSET_POSITION_MOVE_TIME, 1'000'000, good);
+}
+
+void TestTransfer::sealComparesCyclesWithTheInputs()
+{
+    QFETCH(Registers, image);
+    QFETCH(unsigned, offset);
+    QFETCH(quint32, value);
+    QFETCH(int, result);
+    QFETCH(unsigned, detail);
+    image.at(offset) = static_cast<std::uint16_t>(value >> 16);
+    image.at(offset + 1) = static_cast<std::uint16_t>(value & 0xFFFFu);
+    Rig rig;
+    QCOMPARE(int{rig.download(image, 1)}, result);
+    if (result != CTL_TRANSFER_RESULT_ACCEPTED)
+        QCOMPARE(unsigned{rig.read(CTL_REG_TRANSFER_RESULT_SESSION, 8)[4]}, detail);
 }
 
 void TestTransfer::largestTable()

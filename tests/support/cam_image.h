@@ -31,7 +31,14 @@ struct CamImage {
     std::uint32_t pulsesPerMotorRev = 10000;
     std::uint32_t feedUm = 100'000;
     std::int16_t masterRate = 600; // of a point cam, 0.1 r/min
+    double clockHz = 8e6;
 
+    [[nodiscard]] std::uint32_t speedUmPerS(const CamRow& row) const
+    {
+        const double pulsesPerS =
+            row.slope / 256.0 * static_cast<double>(rows.size() - 1) * clockHz / cycleTicks;
+        return static_cast<std::uint32_t>(std::lround(pulsesPerS * feedUm / pulsesPerMotorRev));
+    }
     // Header, rows and knots as they go over the line.
     [[nodiscard]] std::vector<std::uint16_t> registers() const
     {
@@ -60,15 +67,25 @@ struct CamImage {
         case CTL_PROGRAM_KIND_POSITION_MOVE:
             wide(CTL_OFFSET_POSITION_MOVE_PULSES_PER_MOTOR_REV, pulsesPerMotorRev);
             wide(CTL_OFFSET_POSITION_MOVE_FEED, feedUm);
+            result[CTL_OFFSET_POSITION_MOVE_DURATION] = CTL_MOVE_DURATION_FASTEST;
             wide(CTL_OFFSET_POSITION_MOVE_DISTANCE,
                  static_cast<std::uint32_t>(std::int64_t{advance} * feedUm / pulsesPerMotorRev));
             break;
         case CTL_PROGRAM_KIND_SPEED_MOVE:
             wide(CTL_OFFSET_SPEED_MOVE_PULSES_PER_MOTOR_REV, pulsesPerMotorRev);
             wide(CTL_OFFSET_SPEED_MOVE_FEED, feedUm);
+            result[CTL_OFFSET_SPEED_MOVE_DURATION] = CTL_MOVE_DURATION_FASTEST;
+            wide(CTL_OFFSET_SPEED_MOVE_START_SPEED, speedUmPerS(rows.front()));
+            wide(CTL_OFFSET_SPEED_MOVE_END_SPEED, speedUmPerS(rows.back()));
             break;
         default:
             result[CTL_OFFSET_POINT_CAM_MASTER_RATE] = static_cast<std::uint16_t>(masterRate);
+            // 60 s * ratio * scale / rate
+            wide(CTL_OFFSET_POINT_CAM_MASTER_RATIO,
+                 static_cast<std::uint32_t>(
+                     std::lround(1e6 * cycleTicks * std::abs(masterRate) / (clockHz * 600))));
+            wide(CTL_OFFSET_POINT_CAM_MASTER_SCALE, 1);
+            wide(CTL_OFFSET_POINT_CAM_SLAVE_SCALE, 1000);
             wide(CTL_OFFSET_POINT_CAM_PULSES_PER_MOTOR_REV, pulsesPerMotorRev);
             wide(CTL_OFFSET_POINT_CAM_FEED, feedUm);
             break;
@@ -79,7 +96,8 @@ struct CamImage {
         }
         for (std::int32_t i = 0; i < knots; ++i) {
             append(3'600'000 / knots * i);
-            append(1000 * i);
+            append(static_cast<std::int32_t>(std::int64_t{advance} * feedUm / pulsesPerMotorRev * i /
+                                             (knots - 1)));
         }
         return result;
     }
@@ -133,6 +151,7 @@ inline CamImage speedMove(double pulsesPerS, unsigned intervals, std::uint32_t c
     const double perCycle = pulsesPerS * cycleTicks / clockHz;
     CamImage cam;
     cam.kind = CTL_PROGRAM_KIND_SPEED_MOVE;
+    cam.clockHz = clockHz;
     cam.atEnd = CTL_END_BEHAVIOR_HOLD_SPEED;
     cam.masterRampMs = 0;
     cam.cycleTicks = cycleTicks;

@@ -58,6 +58,11 @@ struct IntervalImage {
             sum += row.pulses;
         return backwards ? -sum : sum;
     }
+    [[nodiscard]] std::uint32_t speedUmPerS(double pulseHz) const
+    {
+        return static_cast<std::uint32_t>(
+            std::lround((backwards ? -pulseHz : pulseHz) * feedUm / pulsesPerMotorRev));
+    }
     // Header and rows as they go over the line.
     [[nodiscard]] std::vector<std::uint16_t> registers() const
     {
@@ -85,9 +90,15 @@ struct IntervalImage {
                         : CTL_OFFSET_SPEED_MOVE_PULSES_PER_MOTOR_REV,
              pulsesPerMotorRev);
         wide(isPosition ? CTL_OFFSET_POSITION_MOVE_FEED : CTL_OFFSET_SPEED_MOVE_FEED, feedUm);
-        if (isPosition)
+        result[isPosition ? CTL_OFFSET_POSITION_MOVE_DURATION : CTL_OFFSET_SPEED_MOVE_DURATION] =
+            CTL_MOVE_DURATION_FASTEST;
+        if (isPosition) {
             wide(CTL_OFFSET_POSITION_MOVE_DISTANCE,
                  static_cast<std::uint32_t>(advance() * feedUm / pulsesPerMotorRev));
+        } else {
+            wide(CTL_OFFSET_SPEED_MOVE_START_SPEED, speedUmPerS(rows.front().firstHz));
+            wide(CTL_OFFSET_SPEED_MOVE_END_SPEED, speedUmPerS(rows.back().lastHz));
+        }
         // 2^23 iterations a second are meant, 50 MHz / 6 there are.
         constexpr double speedUnit = (1u << fractionBits) * 1.00663296;
         for (const Interval& row : rows) {
