@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The panel's executable: reads the options and puts the parts together.
 #include "app/link/threaded_link.h"
-#include "app/main/baselines.h"
-#include "app/main/capture.h"
 #include "app/main/configuration.h"
 #include "app/main/end_signals.h"
 #include "app/main/fonts.h"
@@ -53,12 +51,12 @@ QString valueOf(Arguments arguments, const std::string& option)
     return {};
 }
 
-// Captures and the self-test need neither a display nor what is configured for this machine.
+// The self-test needs neither a display nor the configuration of this machine.
 bool isOffscreen(Arguments arguments)
 {
     return std::any_of(arguments.begin() + 1, arguments.end(), [](std::string_view argument) {
-        return argument == "--self-test" || argument.starts_with("--capture") || argument == "--help" ||
-               argument == "-h" || argument == "--version" || argument == "-v";
+        return argument == "--self-test" || argument == "--help" || argument == "-h" ||
+               argument == "--version" || argument == "-v";
     });
 }
 
@@ -105,14 +103,6 @@ bool hasFonts()
 
 // Out of the event loop, to put the panel together anew from what is on the disk.
 constexpr int restartCode = 1000;
-
-int capture(const panel::Options& options)
-{
-    return options.baselineFolder.isEmpty()
-               ? panel::capture(options.captureFolder, options.looks, options.scenes)
-               : panel::compareWithBaselines(options.captureFolder, options.baselineFolder,
-                                             options.isUpdatingBaselines);
-}
 
 int runPanel(const panel::Options& options, const panel::Configuration& configuration,
              const panel::ServiceManager& manager)
@@ -176,10 +166,8 @@ int main(int argc, char* argv[])
     const panel::Options options = panel::readOptions(application);
 
     panel::applyFonts();
-    if (!options.captureFolder.isEmpty())
-        return hasFonts() ? capture(options) : EXIT_FAILURE;
     if (options.isSelfTest)
-        return hasFonts() ? panel::selfTest(options.looks, options.scenes) : EXIT_FAILURE;
+        return hasFonts() ? panel::selfTest() : EXIT_FAILURE;
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
     const store::FolderLock lock(folder);
     if (lock.isHeldByAnother()) {

@@ -15,7 +15,6 @@ namespace campanel::panel {
 namespace {
 
 constexpr int usageError = 2;
-const QString defaultLook = QStringLiteral("light-en-1024x600");
 
 [[noreturn]] void refuse(const QString& sentence)
 {
@@ -66,25 +65,6 @@ void refuseLineParametersWithoutPort(const QCommandLineParser& parser)
     }
 }
 
-void refuseWithout(const QCommandLineParser& parser, const QString& option, const QString& needed)
-{
-    if (parser.isSet(option) && !parser.isSet(needed))
-        refuse(QStringLiteral("--%1 says nothing without --%2 FOLDER.").arg(option, needed));
-}
-
-// `named` finds what the patterns of the option name; one that names nothing would look like a test passed.
-template <typename Named>
-auto selected(const QCommandLineParser& parser, const QString& option, const QString& example, Named named)
-{
-    const QString patterns = parser.value(option);
-    for (const QString& pattern : patterns.split(u',')) {
-        if (named(pattern).isEmpty())
-            refuse(
-                QStringLiteral("--%1 \"%2\" names none of the %1; one is %3.").arg(option, pattern, example));
-    }
-    return named(patterns);
-}
-
 machine::ConnectionChoice connectionFrom(const QCommandLineParser& parser)
 {
     machine::ConnectionChoice choice;
@@ -130,26 +110,8 @@ Options readOptions(const QCoreApplication& application)
          QStringLiteral("Without a window system: wait for the screen, then fill it by eglfs or linuxfb.")},
         {QStringLiteral("size"), QStringLiteral("Size of the window (1024x600)."), QStringLiteral("WxH")},
         {QStringLiteral("fullscreen"), QStringLiteral("Fill the screen; touch sizes follow its density.")},
-        {QStringLiteral("capture"), QStringLiteral("Write every page and dialog as PNG, and end."),
-         QStringLiteral("folder")},
         {QStringLiteral("self-test"),
-         QStringLiteral("Load every page and dialog and check texts, contrast and touch targets, and end.")},
-        {QStringLiteral("looks"),
-         QStringLiteral(
-             "Of --capture and --self-test: theme, language, size and gloves, such as \"dark-*\" or "
-             "\"light-en-*,*-gloves\" (%1). \"*\" is each of the 54; \"usual\" is 18 of them: themes, "
-             "longer texts and gloves only for what they could change.")
-             .arg(defaultLook),
-         QStringLiteral("patterns"), defaultLook},
-        {QStringLiteral("scenes"),
-         QStringLiteral("Of --capture and --self-test: only these, such as \"run*,motion\"."),
-         QStringLiteral("patterns"), QStringLiteral("*")},
-        {QStringLiteral("compare"),
-         QStringLiteral(
-             "Of --capture: only the pictures in that folder, compared with them; fails when one differs."),
-         QStringLiteral("folder")},
-        {QStringLiteral("update-golden"),
-         QStringLiteral("Of --compare: take what was captured as right from now on.")},
+         QStringLiteral("Compile every page and dialog, open every page, and end.")},
         {QStringLiteral("announce-first-frame"),
          QStringLiteral("Print \"first frame\" when it is on the screen.")},
     });
@@ -171,16 +133,7 @@ Options readOptions(const QCoreApplication& application)
         options.size = sizeFrom(parser.value(QStringLiteral("size")));
     options.isKiosk = parser.isSet(QStringLiteral("kiosk"));
     options.isFullScreen = parser.isSet(QStringLiteral("fullscreen"));
-    options.captureFolder = parser.value(QStringLiteral("capture"));
-    options.baselineFolder = parser.value(QStringLiteral("compare"));
-    options.isUpdatingBaselines = parser.isSet(QStringLiteral("update-golden"));
-    refuseWithout(parser, QStringLiteral("compare"), QStringLiteral("capture"));
-    refuseWithout(parser, QStringLiteral("update-golden"), QStringLiteral("compare"));
     options.isSelfTest = parser.isSet(QStringLiteral("self-test"));
-    if (options.isSelfTest || !options.captureFolder.isEmpty()) {
-        options.looks = selected(parser, QStringLiteral("looks"), defaultLook, &looksNamed);
-        options.scenes = selected(parser, QStringLiteral("scenes"), QStringLiteral("run"), &scenesNamed);
-    }
     options.isFirstFrameAnnounced = parser.isSet(QStringLiteral("announce-first-frame"));
     return options;
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "app/machine/settings.h"
-#include "app/main/scenes.h"
 
 #include <QSize>
 #include <QString>
@@ -21,12 +20,7 @@ struct Options {
     std::optional<QSize> size; // empty: as configured
     bool isFullScreen = false;
     bool isKiosk = false;
-    QString captureFolder;  // empty: no capture
-    QString baselineFolder; // of the pictures that a capture is compared with; empty: nothing is compared
-    bool isUpdatingBaselines = false;
     bool isSelfTest = false;
-    QList<Look> looks; // of a capture or the self-test
-    QList<Scene> scenes;
     bool isFirstFrameAnnounced = false; // a line on stdout, for measuring the start
 };
 

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loads every page and dialog and checks it; see self_test.h.
+// Compiles every QML file and opens every page; see self_test.h.
 #include "app/main/self_test.h"
 
-#include "app/main/scene_checks.h"
+#include "app/link/threaded_link.h"
+#include "app/main/panel.h"
+
+#include <QCoreApplication>
+#include <QDirIterator>
+#include <QImage>
+#include <QTemporaryDir>
 
 #include <cstdio>
 #include <cstdlib>
@@ -10,65 +16,69 @@
 namespace campanel::panel {
 namespace {
 
-QStringList g_warnings; // written by the message handler, which knows no object
+QStringList g_warnings; // written by the message handler, which has no object
 
-void noteMessage(QtMsgType type, const QMessageLogContext&, const QString& message)
+void recordWarning(QtMsgType type, const QMessageLogContext&, const QString& message)
 {
     if (type != QtDebugMsg && type != QtInfoMsg)
         g_warnings += message;
 }
 
-SceneLimits limitsOf(Stage& stage)
+// Returns the number of files. Dialogs are compiled here; they open with values that only their pages have.
+int compileAll(QQmlEngine& engine)
 {
-    const auto* size = stage.theme()->property("size").value<QObject*>();
-    const auto* color = stage.theme()->property("color").value<QObject*>();
-    const double touch = size->property("touch").toDouble();
-    return {touch,
-            touch / size->property("reach").toDouble(),
-            size->property("commandKey").toDouble(),
-            {color->property("textContrast").toDouble(), color->property("largeTextContrast").toDouble()}};
-}
-
-QStringList checkStop(Stage& stage)
-{
-    const int before = stage.link().stopRequests();
-    stage.tap(QStringLiteral("stopKey"));
-    return stage.link().stopRequests() > before ? QStringList()
-                                                : QStringList(QStringLiteral("Stop cannot be reached"));
-}
-
-QStringList checkLook(const Look& look, const QList<Scene>& scenes)
-{
-    QStringList faults;
-    Stage stage(look);
-    if (!stage.isReady())
-        return {QStringLiteral("the window cannot be loaded")};
-    for (const Scene& scene : scenes) {
-        enterScene(stage, scene);
-        const QStringList found = checkScene(stage.root(), limitsOf(stage), stage.grab()) + checkStop(stage);
-        for (const QString& fault : found)
-            faults += QStringLiteral("%1: %2").arg(scene.name, fault);
+    int files = 0;
+    QDirIterator found(QStringLiteral(":/qt/qml/CamPanel"), {QStringLiteral("*.qml")}, QDir::Files,
+                       QDirIterator::Subdirectories);
+    while (found.hasNext()) {
+        const QQmlComponent component(&engine, QUrl(QStringLiteral("qrc") + found.next()));
+        if (component.isError())
+            g_warnings += component.errorString();
+        ++files;
     }
-    return faults + stage.complaints();
+    return files;
+}
+
+// Returns the number of pages.
+qsizetype openAll(QQuickWindow& window)
+{
+    auto* frame = window.property("frame").value<QObject*>();
+    const qsizetype opened = frame->property("pageCount").toInt();
+    window.show();
+    frame->setProperty("showsPages", true); // without waiting for the first frame
+    for (int page = 0; page < opened; ++page) {
+        frame->setProperty("page", page);
+        QCoreApplication::processEvents();
+        if (!frame->property("openPageItem").value<QObject*>())
+            g_warnings += QStringLiteral("page %1 cannot be opened").arg(page);
+        if (window.grabWindow().isNull())
+            g_warnings += QStringLiteral("page %1 cannot be drawn").arg(page);
+    }
+    return opened;
 }
 
 } // namespace
 
-int selfTest(const QList<Look>& looks, const QList<Scene>& scenes)
+int selfTest()
 {
-    const QtMessageHandler before = qInstallMessageHandler(noteMessage);
-    qsizetype faults = 0;
-    for (const Look& look : looks) {
-        g_warnings.clear();
-        const QStringList found = checkLook(look, scenes) + g_warnings;
-        for (const QString& fault : found)
-            std::fprintf(stderr, "%s: %s\n", qPrintable(look.name()), qPrintable(fault));
-        faults += found.size();
+    const QtMessageHandler before = qInstallMessageHandler(recordWarning);
+    const QTemporaryDir folder;
+    int files = 0;
+    qsizetype opened = 0;
+    {
+        link::ThreadedLink link(nullptr);
+        Panel panel(link, {folder.filePath(QStringLiteral("settings.ini")), folder.path()});
+        if (panel.load({1024, 600})) {
+            files = compileAll(panel.engine());
+            opened = openAll(panel.window());
+        }
     }
     qInstallMessageHandler(before);
-    std::printf("%lld pages and dialogs in %lld looks: %lld faults\n", static_cast<long long>(scenes.size()),
-                static_cast<long long>(looks.size()), static_cast<long long>(faults));
-    return faults == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    for (const QString& warning : std::as_const(g_warnings))
+        std::fprintf(stderr, "campanel: %s\n", qPrintable(warning));
+    std::printf("%d QML files, %lld pages: %lld faults\n", files, static_cast<long long>(opened),
+                static_cast<long long>(g_warnings.size()));
+    return opened > 0 && g_warnings.isEmpty() ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 } // namespace campanel::panel

@@ -13,6 +13,8 @@ Rectangle {
     property bool showsPages               // off until the frame itself is on the screen: Start and Stop come first
     readonly property list<string> sources: ["RunPage.qml", "MotionPage.qml", "SettingsPage.qml", "ServicePage.qml", "RecipesPage.qml",
         "TrendsPage.qml", "AlarmsPage.qml"]
+    readonly property int pageCount: sources.length
+    readonly property Page openPageItem: pages.count > 0 ? (pages.itemAt(frame.page) as Loader)?.item as Page : null
     // What is not on the screen at the start is named by its file: naming its type would load it at once.
     readonly property url explanation: "../Widgets/ExplanationSheet.qml"
     readonly property url numbersExplained: "../Widgets/NumbersSheet.qml"
@@ -217,12 +219,11 @@ Rectangle {
     // On a page at its lower edge; over a sheet, a keypad or the first start at the upper one, where nothing is confirmed.
     BannerHost {
         id: banner
-        readonly property Page page: pages.count > 0 ? (pages.itemAt(frame.page) as Loader)?.item as Page : null
-        readonly property real leftEdge: above ? overlay.x : pageArea.x + (page ? page.bannerLeft : 0)
+        readonly property real leftEdge: above ? overlay.x : pageArea.x + (frame.openPageItem?.bannerLeft ?? 0)
         readonly property real free: keypadLoader.active ? (keypadLoader.item as Overlay).free : overlay.width
         above: frame.sheet !== null || keypadLoader.active || loginLoader.active || firstStart.active
         x: leftEdge + Theme.size.gap
-        y: above ? overlay.y + Theme.size.gap : parent.height - height - Theme.size.gap - (page ? page.bannerBottom : 0)
+        y: above ? overlay.y + Theme.size.gap : parent.height - height - Theme.size.gap - (frame.openPageItem?.bannerBottom ?? 0)
         width: (above ? free : pageArea.x + pageArea.width - leftEdge) - 2 * Theme.size.gap
         // What is lost in width is given in height.
         height: width < 0.75 * pageArea.width ? Math.round(1.5 * Theme.size.actionBar) : Theme.size.actionBar

@@ -4,7 +4,7 @@
 #include "bench_report.h"
 
 #include "app/main/memory.h"
-#include "app/main/stage.h"
+#include "tests/looks/stage.h"
 #include "modbus/rtu_line.h"
 
 #include <QCoreApplication>
@@ -47,7 +47,7 @@ Figures measureMemory()
 {
     panel::keepMemoryFlat();
     qputenv("QT_QPA_UPDATE_IDLE_TIME", "0");
-    panel::Stage stage({QStringLiteral("en"), QStringLiteral("light"), QSize(1024, 600)});
+    looks::Stage stage({QStringLiteral("en"), QStringLiteral("light"), QSize(1024, 600)});
     if (!stage.isReady())
         throw std::runtime_error("the panel's window cannot be loaded");
     link::StatusSample sample;
@@ -56,8 +56,8 @@ Figures measureMemory()
                                             if (!batch.samples.isEmpty())
                                                 sample = batch.samples.last();
                                         });
-    stage.link().show(panel::DemoLink::Situation::Fresh);
-    stage.link().show(panel::DemoLink::Situation::Running);
+    stage.link().show(looks::DemoLink::Situation::Fresh);
+    stage.link().show(looks::DemoLink::Situation::Running);
     QObject::disconnect(known);
     stage.settle();
 

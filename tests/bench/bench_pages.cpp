@@ -3,8 +3,8 @@
 // renderer, with everything that the panel may have on its disk.
 #include "bench_pages.h"
 
-#include "app/main/demo_link.h"
-#include "app/main/finger.h"
+#include "tests/looks/demo_link.h"
+#include "tests/looks/finger.h"
 #include "app/store/database.h"
 #include "tests/support/alarm_fill.h"
 
@@ -98,9 +98,9 @@ private:
         }
     }
 
-    panel::DemoLink m_link{nullptr};
+    looks::DemoLink m_link{nullptr};
     panel::Panel m_panel;
-    panel::Finger m_finger{m_panel};
+    looks::Finger m_finger{m_panel};
 };
 
 Figures figuresOf(const std::string& page, double firstMs, const std::vector<double>& againMs)

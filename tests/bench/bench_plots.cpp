@@ -2,7 +2,7 @@
 // From an edited field to the frame that shows it: the real Motion page at 1024x600 on the software renderer.
 #include "bench_report.h"
 
-#include "app/main/stage.h"
+#include "tests/looks/stage.h"
 
 #include <QElapsedTimer>
 #include <QEventLoop>
@@ -21,7 +21,7 @@ Figures measurePlots()
 {
     // The offscreen platform would wait 5 ms before each frame.
     qputenv("QT_QPA_UPDATE_IDLE_TIME", "0");
-    panel::Stage stage({QStringLiteral("en"), QStringLiteral("light"), QSize(1024, 600)});
+    looks::Stage stage({QStringLiteral("en"), QStringLiteral("light"), QSize(1024, 600)});
     if (!stage.isReady())
         throw std::runtime_error("the panel's window cannot be loaded");
     stage.tap(QStringLiteral("nav1"));

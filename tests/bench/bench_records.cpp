@@ -8,7 +8,7 @@
 #include "app/machine/service.h"
 #include "app/machine/settings.h"
 #include "app/machine/trends.h"
-#include "app/main/demo_link.h"
+#include "tests/looks/demo_link.h"
 #include "app/main/memory.h"
 #include "app/store/bag_log.h"
 #include "app/store/trend_schema.h"
@@ -89,7 +89,7 @@ struct Panel {
         trends.setWallClock([this] { return wallMs; });
     }
 
-    panel::DemoLink link{nullptr};
+    looks::DemoLink link{nullptr};
     machine::Settings settings;
     machine::Machine machine;
     machine::Records records;

@@ -4,8 +4,8 @@
 // order.
 #include "app/link/threaded_link.h"
 #include "app/main/end_signals.h"
-#include "app/main/finger.h"
 #include "app/main/fonts.h"
+#include "tests/looks/finger.h"
 #include "tests/support/test_program.h"
 
 #include <QGuiApplication>
@@ -33,7 +33,7 @@ static int panelToBeKilled(int argc, char** argv)
     if (!panel.load({1024, 600}))
         return 1;
     panel.window().show();
-    panel::Finger finger(panel);
+    looks::Finger finger(panel);
     finger.settle();
     panel.open();
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/link/threaded_link.h"
-#include "app/main/finger.h"
+#include "tests/looks/finger.h"
 
 #include <QTemporaryDir>
 
@@ -41,7 +41,7 @@ public:
     [[nodiscard]] machine::Settings& settings() { return m_panel.settings(); }
     [[nodiscard]] panel::Panel& panel() { return m_panel; }
     [[nodiscard]] QString folder() const { return m_folder.path(); }
-    [[nodiscard]] panel::Finger& finger() { return m_finger; }
+    [[nodiscard]] looks::Finger& finger() { return m_finger; }
     [[nodiscard]] const std::vector<modbus::StatusBlock>& statuses() const { return m_statuses; }
 
     void tap(const char* name) { m_finger.tap(QString::fromLatin1(name)); }
@@ -86,7 +86,7 @@ private:
     QTemporaryDir m_folder;
     link::ThreadedLink m_link{nullptr};
     panel::Panel m_panel{m_link, {m_folder.filePath(QStringLiteral("settings.ini")), m_folder.path()}};
-    panel::Finger m_finger{m_panel};
+    looks::Finger m_finger{m_panel};
     std::vector<modbus::StatusBlock> m_statuses;
     QStringList m_missing;
 };

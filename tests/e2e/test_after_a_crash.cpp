@@ -27,7 +27,8 @@ public:
     explicit PanelProcess(const QStringList& arguments)
     {
         m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-        m_process.start(QCoreApplication::applicationFilePath(), QStringList{QStringLiteral("panel_to_be_killed")} + arguments);
+        m_process.start(QCoreApplication::applicationFilePath(),
+                        QStringList{QStringLiteral("panel_to_be_killed")} + arguments);
     }
     ~PanelProcess()
     {

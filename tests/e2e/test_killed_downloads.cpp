@@ -64,7 +64,8 @@ class TestKilledDownloads : public QObject {
     {
         QProcess panel;
         panel.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-        panel.start(QCoreApplication::applicationFilePath(), {QStringLiteral("downloading_panel"), m_folder.path(), m_controller.port()});
+        panel.start(QCoreApplication::applicationFilePath(),
+                    {QStringLiteral("downloading_panel"), m_folder.path(), m_controller.port()});
         QVERIFY(panel.waitForReadyRead(timeoutMs)); // it is at work
         (void)panel.waitForFinished(lifeMs);
         QCOMPARE(panel.state(), QProcess::Running);

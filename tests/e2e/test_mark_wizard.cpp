@@ -38,7 +38,8 @@ struct Panel {
         QFile script(folder.filePath(QStringLiteral("controller.sh")));
         if (!script.open(QIODevice::WriteOnly))
             qFatal("no script");
-        script.write("#!/bin/sh\nexec '" + campanel::test::programPath("campanel-controller").toUtf8() + "' \"$@\" --mark-distance 903 --speed 5\n");
+        script.write("#!/bin/sh\nexec '" + campanel::test::programPath("campanel-controller").toUtf8() +
+                     "' \"$@\" --mark-distance 903 --speed 5\n");
         script.close();
         script.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
         link::ConnectionSettings wanted;

@@ -5,8 +5,8 @@
 #include "app/program/program_image.h"
 #include "panel_window.h"
 #include "tests/support/controller_process.h"
-#include "tests/support/scripted_slave.h"
 #include "tests/support/places.h"
+#include "tests/support/scripted_slave.h"
 #include "tests/support/test_program.h"
 
 #include <QJsonDocument>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/main/fonts.h"
-#include "app/main/stage.h"
+#include "tests/looks/stage.h"
 
 #include <QTest>
 
@@ -15,7 +15,7 @@ class PanelTest : public QObject {
     Q_OBJECT
 
 protected:
-    std::unique_ptr<panel::Stage> m_stage;
+    std::unique_ptr<looks::Stage> m_stage;
 
     auto& editor() { return m_stage->panel().editor(); }
     void tap(const char* name) { m_stage->tap(QString::fromLatin1(name)); }
@@ -24,9 +24,9 @@ protected:
         const QQuickItem* item = m_stage->find(QString::fromLatin1(name));
         return item ? item->property("text").toString() : QString();
     }
-    void show(panel::DemoLink::Kind kind)
+    void show(looks::DemoLink::Kind kind)
     {
-        m_stage->link().show(panel::DemoLink::Situation::Running, kind);
+        m_stage->link().show(looks::DemoLink::Situation::Running, kind);
         m_stage->settle();
     }
     QPoint centerOf(const QString& name)
@@ -39,8 +39,8 @@ private slots:
     void initTestCase() { panel::applyFonts(); }
     void init()
     {
-        m_stage = std::make_unique<panel::Stage>(
-            panel::Look{QStringLiteral("en"), QStringLiteral("light"), QSize(1024, 600)});
+        m_stage = std::make_unique<looks::Stage>(
+            looks::Look{QStringLiteral("en"), QStringLiteral("light"), QSize(1024, 600)});
         QVERIFY(m_stage->isReady());
     }
     void cleanup()

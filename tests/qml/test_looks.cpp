@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // How the panel looks: colors of high contrast, keys for gloves, numbers that explain themselves, longer
 // texts, and what makes two pictures different.
-#include "app/main/contrast.h"
-#include "app/main/picture_difference.h"
-#include "app/main/scenes.h"
 #include "panel_test.h"
+#include "tests/looks/contrast.h"
+#include "tests/looks/picture_difference.h"
+#include "tests/looks/scenes.h"
 #include "tests/support/test_program.h"
 
 #include <QPainter>
@@ -26,7 +26,7 @@ private:
     static QSet<QString> namesOf(QString patterns)
     {
         QSet<QString> names;
-        for (const panel::Look& look : panel::looksNamed(patterns.replace(u' ', u',')))
+        for (const looks::Look& look : looks::looksNamed(patterns.replace(u' ', u',')))
             names += look.name();
         return names;
     }
@@ -46,14 +46,14 @@ private slots:
             QVERIFY(below.isValid());
             for (const char* name : {"ink", "secondaryInk", "touch", "good", "warning", "fault", "target",
                                      "disabledInk", "acceleration", "frequency", "position", "jerk"}) {
-                const double ratio = panel::contrastRatio(colors->property(name).value<QColor>(), below);
+                const double ratio = looks::contrastRatio(colors->property(name).value<QColor>(), below);
                 QVERIFY2(ratio >= (qstrcmp(behind, "touchTint") == 0 ? 6 : 7),
                          qPrintable(QStringLiteral("%1 on %2: %3").arg(name, behind).arg(ratio)));
             }
         }
         for (const auto& [ink, key] : {std::pair("stopInk", "stop"), std::pair("stopInk", "stopPressed"),
                                        std::pair("touchInk", "touch"), std::pair("touchInk", "touchPressed")})
-            QVERIFY2(panel::contrastRatio(colors->property(ink).value<QColor>(),
+            QVERIFY2(looks::contrastRatio(colors->property(ink).value<QColor>(),
                                           colors->property(key).value<QColor>()) >= 7,
                      key);
     }
@@ -170,7 +170,7 @@ private slots:
 
     void unknownNumbersAreExplainedWithoutNumbers()
     {
-        m_stage->link().show(panel::DemoLink::Situation::Empty);
+        m_stage->link().show(looks::DemoLink::Situation::Empty);
         m_stage->settle();
         const machine::Explanations& explanations = m_stage->panel().explanations();
         for (int quantity = machine::Explanations::Rate; quantity <= machine::Explanations::AnswerAllowance;
@@ -200,14 +200,14 @@ private slots:
         constexpr qsizetype usualInEachSize = 6;
         QCOMPARE(namesOf("usual").size(), 3 * usualInEachSize);
         QCOMPARE(namesOf("usual,light-zh_CN-1024x600-gloves").size(), 3 * usualInEachSize + 1);
-        QCOMPARE(panel::scenesNamed(QStringLiteral("run,motion")).size(), 2);
+        QCOMPARE(looks::scenesNamed(QStringLiteral("run,motion")).size(), 2);
     }
 
     void everyLanguageAndSizeIsInASelfTest()
     {
         const QSet<QString> tested = namesOf(CAMPANEL_SELF_TESTS);
-        for (const panel::Look& look : panel::looksNamed(QStringLiteral("*"))) {
-            const panel::Look plain{look.language, QStringLiteral("light"), look.size};
+        for (const looks::Look& look : looks::looksNamed(QStringLiteral("*"))) {
+            const looks::Look plain{look.language, QStringLiteral("light"), look.size};
             QVERIFY2(look.isLong() || tested.contains(plain.name()), qPrintable(plain.name()));
         }
     }
@@ -224,9 +224,9 @@ private slots:
 
     void longerTextsKeepTheirValues()
     {
-        QCOMPARE(panel::longText(QStringLiteral("Run")), QStringLiteral("[Rüñ]"));
+        QCOMPARE(looks::longText(QStringLiteral("Run")), QStringLiteral("[Rüñ]"));
         const QString text = QStringLiteral("%1 to %L2 of %n bags, now %3 %");
-        const QString longer = panel::longText(text);
+        const QString longer = looks::longText(text);
         for (const char* value : {"%1", "%L2", "%n", "%3 %"})
             QVERIFY2(longer.contains(QLatin1String(value)), qPrintable(longer));
         QCOMPARE(longer.size(), (7 * text.size() + 4) / 5);
@@ -238,13 +238,13 @@ private slots:
         wanted.fill(Qt::white);
         QImage found = wanted;
         found.setPixel(20, 20, qRgb(200, 200, 200)); // a glyph's rim
-        QVERIFY(panel::differenceOf(wanted, found).isNone());
+        QVERIFY(looks::differenceOf(wanted, found).isNone());
         QPainter(&found).fillRect(64, 32, 16, 8, Qt::black);
-        const panel::PictureDifference difference = panel::differenceOf(wanted, found);
+        const looks::PictureDifference difference = looks::differenceOf(wanted, found);
         QCOMPARE(difference.squares, 2);
         QCOMPARE(difference.around, QRect(64, 32, 16, 8));
         QCOMPARE(difference.picture.size(), found.size());
-        QVERIFY(panel::differenceOf(wanted, found.copy(0, 0, 100, 100)).isOtherSize);
+        QVERIFY(looks::differenceOf(wanted, found.copy(0, 0, 100, 100)).isOtherSize);
     }
 };
 

@@ -3,7 +3,7 @@
 // navigation, Stop, language.
 #include "panel_test.h"
 
-#include "app/main/scene_checks.h"
+#include "tests/looks/scene_checks.h"
 #include "tests/support/test_program.h"
 
 #include <QFile>
@@ -13,7 +13,7 @@
 
 namespace test_panel {
 
-using Kind = campanel::panel::DemoLink::Kind;
+using Kind = campanel::looks::DemoLink::Kind;
 namespace machine = campanel::machine;
 
 class TestPanel : public campanel::test::PanelTest {
@@ -31,7 +31,7 @@ class TestPanel : public campanel::test::PanelTest {
 private slots:
     void paleTextIsFound()
     {
-        const campanel::panel::SceneLimits anySize;
+        const campanel::looks::SceneLimits anySize;
         QCOMPARE(checkScene(m_stage->root(), anySize, m_stage->grab()), QStringList());
         m_stage->find(QStringLiteral("stateText"))->setProperty("color", QColor(0x98, 0x98, 0x98));
         const QStringList faults = checkScene(m_stage->root(), anySize, m_stage->grab());
@@ -272,7 +272,7 @@ private slots:
         QCOMPARE(textOf("directionText"), QStringLiteral("runs forward"));
         tap("directionBackward");
         QCOMPARE(textOf("directionText"), QStringLiteral("Turning to backward …"));
-        m_stage->link().show(campanel::panel::DemoLink::Situation::Lost, Kind::PointCam);
+        m_stage->link().show(campanel::looks::DemoLink::Situation::Lost, Kind::PointCam);
         m_stage->settle();
         QVERIFY(!m_stage->find(QStringLiteral("directionChoice"))->isEnabled());
         QCOMPARE(textOf("directionText"), QStringLiteral("There is no connection to the controller."));
@@ -347,7 +347,7 @@ private slots:
         QFETCH(QStringList, way);
         for (const QString& name : way)
             m_stage->tap(name);
-        const int before = m_stage->link().stopRequests();
+        const qsizetype before = m_stage->link().stopRequests();
         tap("stopKey");
         QCOMPARE(m_stage->link().stopRequests(), before + 1);
     }
@@ -388,14 +388,13 @@ private slots:
     {
         QFETCH(QStringList, way);
         QFETCH(bool, isFirstStart);
-        m_stage->link().show(campanel::panel::DemoLink::Situation::Empty);
+        m_stage->link().show(campanel::looks::DemoLink::Situation::Empty);
         if (isFirstStart)
             m_stage->panel().settings().beginFirstStart();
         m_stage->settle();
         for (const QString& name : way)
             m_stage->tap(name);
-        QCOMPARE(textOf("banner"),
-                 QStringLiteral("The controller has no program. Download a recipe first."));
+        QCOMPARE(textOf("banner"), QStringLiteral("The controller has no program. Download a recipe first."));
         const QQuickItem* banner = m_stage->find(QStringLiteral("banner"));
         const QRectF notice = banner->mapRectToScene(banner->boundingRect());
         for (const char* name : {"nextStep", "downloadStart", "firstNext", "keypadAccept"}) {
@@ -408,7 +407,7 @@ private slots:
 
     void whatStoodOnThePageDoesNotCoverASheet()
     {
-        m_stage->link().show(campanel::panel::DemoLink::Situation::Empty);
+        m_stage->link().show(campanel::looks::DemoLink::Situation::Empty);
         m_stage->settle();
         for (const char* name : {"nav1", "startKey", "nextStep"})
             tap(name);
@@ -422,16 +421,16 @@ private slots:
 
     void homeIsOfferedWhenTheControllerTakesIt()
     {
-        m_stage->link().show(campanel::panel::DemoLink::Situation::Empty);
+        m_stage->link().show(campanel::looks::DemoLink::Situation::Empty);
         m_stage->settle();
         QVERIFY(!m_stage->find(QStringLiteral("middleKey")));
-        m_stage->link().show(campanel::panel::DemoLink::Situation::Fresh);
+        m_stage->link().show(campanel::looks::DemoLink::Situation::Fresh);
         m_stage->settle();
         QCOMPARE(textOf("middleKey"), QStringLiteral("Home"));
-        m_stage->link().show(campanel::panel::DemoLink::Situation::Running);
+        m_stage->link().show(campanel::looks::DemoLink::Situation::Running);
         m_stage->settle();
         QVERIFY(!m_stage->find(QStringLiteral("middleKey")));
-        m_stage->link().show(campanel::panel::DemoLink::Situation::Fault);
+        m_stage->link().show(campanel::looks::DemoLink::Situation::Fault);
         m_stage->settle();
         QCOMPARE(textOf("middleKey"), QStringLiteral("Reset"));
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Users and logging in under a finger: the first PIN, what is restricted then, a wrong PIN, the way back.
-#include "app/main/access_scenes.h"
 #include "panel_test.h"
+#include "tests/looks/access_scenes.h"
 #include "tests/support/test_program.h"
 
 #include <QCoreApplication>
@@ -17,9 +17,9 @@ class TestPanelAccess : public campanel::test::PanelTest {
     auto& access() { return m_stage->panel().access(); }
     void enter(const char* name)
     {
-        for (const auto& scene : campanel::panel::allScenes()) {
+        for (const auto& scene : campanel::looks::allScenes()) {
             if (scene.name == QLatin1String(name))
-                campanel::panel::enterScene(*m_stage, scene);
+                campanel::looks::enterScene(*m_stage, scene);
         }
     }
     void typePin(const char* pin)
@@ -71,7 +71,7 @@ private slots:
         QVERIFY(isOn("login_Anna"));
         QVERIFY(!isOn("login_Tom")); // an operator may not either
         QVERIFY(!m_stage->find(u"pinAccept"_s)->isEnabled());
-        const int stops = m_stage->link().stopRequests();
+        const qsizetype stops = m_stage->link().stopRequests();
         tap("stopKey");
         QCOMPARE(m_stage->link().stopRequests(), stops + 1);
         tap("login_Li Wei");
@@ -102,7 +102,7 @@ private slots:
         tap("pin8");
         tap("pin0");
         QVERIFY(!m_stage->find(u"pinAccept"_s)->isEnabled());
-        const int stops = m_stage->link().stopRequests();
+        const qsizetype stops = m_stage->link().stopRequests();
         tap("stopKey");
         QCOMPARE(m_stage->link().stopRequests(), stops + 1);
         tap("pinCancel");

@@ -5,7 +5,7 @@
 
 namespace test_panel_alarms {
 
-using Situation = campanel::panel::DemoLink::Situation;
+using Situation = campanel::looks::DemoLink::Situation;
 namespace machine = campanel::machine;
 
 class TestPanelAlarms : public campanel::test::PanelTest {
@@ -97,8 +97,8 @@ private slots:
         QFETCH(QString, language);
         QFETCH(QSize, size);
         QFETCH(QString, page);
-        m_stage = std::make_unique<campanel::panel::Stage>(
-            campanel::panel::Look{language, QStringLiteral("light"), size});
+        m_stage = std::make_unique<campanel::looks::Stage>(
+            campanel::looks::Look{language, QStringLiteral("light"), size});
         show(Situation::ManyAlarms);
         m_stage->tap(page);
         const QQuickItem* text = m_stage->find(QStringLiteral("bannerText"));

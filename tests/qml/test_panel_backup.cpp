@@ -36,7 +36,7 @@ class TestPanelBackup : public test::PanelTest {
         };
         backup().setLooker(look);
         m_stage->panel().service().files()->setLooker(look);
-        m_stage->link().show(panel::DemoLink::Situation::Stopped);
+        m_stage->link().show(looks::DemoLink::Situation::Stopped);
         m_stage->lookAtClock();
         m_stage->panel().access().open();
         m_stage->panel().trail().open();
@@ -100,7 +100,7 @@ private slots:
         // The next panel, as after an end at any moment from here on.
         QTemporaryDir copy;
         QVERIFY(copyAll(folder, copy.path()));
-        panel::DemoLink link(nullptr);
+        looks::DemoLink link(nullptr);
         panel::Panel next(link, {copy.filePath(u"settings.ini"_s), copy.path()});
         next.records().open();
         next.access().open();
@@ -126,7 +126,7 @@ private slots:
         const QTemporaryDir folder;
         for (int round = 0; round < 3; ++round) {
             constexpr int restartCode = 1000;
-            panel::DemoLink link(nullptr);
+            looks::DemoLink link(nullptr);
             panel::Panel next(link, {folder.filePath(u"settings.ini"_s), folder.path()});
             QVERIFY(next.load(QSize(800, 480)));
             next.window().show();
@@ -140,7 +140,7 @@ private slots:
                 [&next] { emit next.backup().restartWanted(); }, Qt::SingleShotConnection);
             QCOMPARE(QGuiApplication::exec(), restartCode);
         }
-        m_stage = std::make_unique<panel::Stage>(panel::Look{u"en"_s, u"light"_s, QSize(1024, 600)});
+        m_stage = std::make_unique<looks::Stage>(looks::Look{u"en"_s, u"light"_s, QSize(1024, 600)});
     }
 
     void aDamagedFileIsRefused()
@@ -167,7 +167,7 @@ private slots:
     {
         openSection();
         makeBackup();
-        m_stage->link().show(panel::DemoLink::Situation::Running);
+        m_stage->link().show(looks::DemoLink::Situation::Running);
         m_stage->lookAtClock();
         tap("backupRestore");
         waitForBackup();
@@ -191,7 +191,7 @@ private slots:
         m_stage->panel().settings().overrideLanguage(language);
         m_stage->settle();
         openSection();
-        m_stage->link().show(panel::DemoLink::Situation::Running);
+        m_stage->link().show(looks::DemoLink::Situation::Running);
         tap("reportMake");
         m_stage->waitFor(*m_stage->panel().service().files());
         tap("place0");

@@ -8,7 +8,7 @@
 
 namespace test_panel_line {
 
-using Kind = campanel::panel::DemoLink::Kind;
+using Kind = campanel::looks::DemoLink::Kind;
 namespace machine = campanel::machine;
 
 class TestPanelLine : public campanel::test::PanelTest {
@@ -28,7 +28,7 @@ class TestPanelLine : public campanel::test::PanelTest {
 private slots:
     void aFoundConnectionIsTakenOverInOneTap()
     {
-        m_stage->link().show(campanel::panel::DemoLink::Situation::Stopped);
+        m_stage->link().show(campanel::looks::DemoLink::Situation::Stopped);
         tap("nav3");
         tap("doctorSearch");
         QVERIFY2(textOf("doctorState").contains(QStringLiteral("/dev/ttyUSB1")),
@@ -73,12 +73,12 @@ private slots:
     }
     void absentPortIsSaidAfterAMoment()
     {
-        m_stage->link().show(campanel::panel::DemoLink::Situation::Absent);
+        m_stage->link().show(campanel::looks::DemoLink::Situation::Absent);
         m_stage->settle();
         QVERIFY2(!m_stage->find(QStringLiteral("banner")), "a link that is just coming up is no trouble");
         QTRY_VERIFY(m_stage->find(QStringLiteral("banner")));
         QVERIFY2(textOf("banner").contains(QStringLiteral("/dev/ttyUSB0")), qPrintable(textOf("banner")));
-        m_stage->link().show(campanel::panel::DemoLink::Situation::Running);
+        m_stage->link().show(campanel::looks::DemoLink::Situation::Running);
         QTRY_VERIFY(!m_stage->find(QStringLiteral("banner")));
     }
     void silenceTurnsEveryLiveValueGrey_data()
@@ -143,13 +143,13 @@ private slots:
 
     void aWaitingStopIsShownAndWithdrawn()
     {
-        m_stage->link().show(campanel::panel::DemoLink::Situation::Lost);
+        m_stage->link().show(campanel::looks::DemoLink::Situation::Lost);
         m_stage->settle();
         QVERIFY2(textOf("banner").startsWith(QStringLiteral("No connection since 14:06:58")),
                  qPrintable(textOf("banner")));
         tap("startKey");
         QCOMPARE(textOf("banner"), QStringLiteral("There is no connection to the controller."));
-        const int stops = m_stage->link().stopRequests();
+        const qsizetype stops = m_stage->link().stopRequests();
         tap("stopKey");
         QCOMPARE(m_stage->link().stopRequests(), stops + 1);
         m_stage->link().showWaitingStop();
@@ -158,7 +158,7 @@ private slots:
                  qPrintable(textOf("banner")));
         QCOMPARE(textOf("bannerButton"), QStringLiteral("Withdraw"));
         tap("bannerButton");
-        QCOMPARE(m_stage->link().withdrawals(), 1);
+        QCOMPARE(m_stage->link().withdrawals, 1);
     }
 
     void theActiveProgramIsProven()

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the panel's command line refuses: one sentence, exit code 2, and no window. What the self-test looks
-// at.
+// The panel's command line: a wrong option gives one sentence, exit code 2 and no window. And the self-test.
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
 
-#include <QDir>
 #include <QProcess>
-#include <QTemporaryDir>
+#include <QRegularExpression>
 #include <QTest>
 
 namespace test_panel_options {
@@ -37,15 +35,6 @@ private slots:
             << QStringList{QStringLiteral("--port"), QStringLiteral("/dev/ttyUSB0"), QStringLiteral("--baud"),
                            QStringLiteral("96")}
             << QStringLiteral("campanel: --baud 96 is not between 1200 and 921600.\n");
-        QTest::addRow("a pattern that names no look")
-            << QStringList{QStringLiteral("--self-test"), QStringLiteral("--looks"),
-                           QStringLiteral("light-en-*,light-fr-*")}
-            << QStringLiteral("campanel: --looks \"light-fr-*\" names none of the looks; one is "
-                              "light-en-1024x600.\n");
-        QTest::addRow("a pattern that names no page")
-            << QStringList{QStringLiteral("--capture"), QStringLiteral("pictures"),
-                           QStringLiteral("--scenes"), QStringLiteral("walk")}
-            << QStringLiteral("campanel: --scenes \"walk\" names none of the scenes; one is run.\n");
     }
     void refusesWithASentence()
     {
@@ -60,41 +49,17 @@ private slots:
         QVERIFY2(said.endsWith(sentence), qPrintable(said));
     }
 
-    void looksAtOneLookUnlessTold_data()
+    void selfTestOpensEveryPage()
     {
-        QTest::addColumn<QStringList>("arguments");
-        QTest::addColumn<QString>("told");
-        const QStringList onePage{QStringLiteral("--scenes"), QStringLiteral("run")};
-        QTest::newRow("one look") << onePage << QStringLiteral("1 pages and dialogs in 1 looks: 0 faults\n");
-        QTest::newRow("two looks") << onePage +
-                                          QStringList{QStringLiteral("--looks"),
-                                                      QStringLiteral("light-en-800x480,light-zh_CN-800x480")}
-                                   << QStringLiteral("1 pages and dialogs in 2 looks: 0 faults\n");
-    }
-    void looksAtOneLookUnlessTold()
-    {
-        QFETCH(QStringList, arguments);
-        QFETCH(QString, told);
         QProcess panel;
-        panel.start(campanel::test::programPath("campanel"),
-                    QStringList{QStringLiteral("--self-test")} + arguments);
-        QVERIFY(panel.waitForFinished());
-        QCOMPARE(QString::fromUtf8(panel.readAllStandardOutput()), told);
+        panel.start(campanel::test::programPath("campanel"), {QStringLiteral("--self-test")});
+        QVERIFY(panel.waitForFinished(60'000));
+        const QString said = QString::fromUtf8(panel.readAllStandardOutput());
+        static const QRegularExpression form(QStringLiteral("^(\\d+) QML files, 7 pages: 0 faults\n$"));
+        const auto match = form.match(said);
+        QVERIFY2(match.hasMatch(), qPrintable(said + QString::fromUtf8(panel.readAllStandardError())));
+        QVERIFY(match.captured(1).toInt() > 150);
         QCOMPARE(panel.exitCode(), 0);
-    }
-
-    void capturesOneLookUnlessTold()
-    {
-        const QTemporaryDir folder;
-        QProcess panel;
-        panel.start(campanel::test::programPath("campanel"),
-                    {QStringLiteral("--capture"), folder.path(), QStringLiteral("--scenes"),
-                     QStringLiteral("run,motion")});
-        QVERIFY(panel.waitForFinished());
-        QCOMPARE(panel.exitCode(), 0);
-        QCOMPARE(QDir(folder.path()).entryList(QDir::Files, QDir::Name),
-                 (QStringList{QStringLiteral("motion-light-en-1024x600.png"),
-                              QStringLiteral("run-light-en-1024x600.png")}));
     }
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The section of Service for packing machines under a finger: a value entered, a switch, the wizard to its
 // end.
-#include "app/main/scenes.h"
 #include "panel_test.h"
+#include "tests/looks/scenes.h"
 #include "tests/support/test_program.h"
 
 #include <cmath>
@@ -17,9 +17,9 @@ class TestPanelPacking : public campanel::test::PanelTest {
     auto& packing() { return *m_stage->panel().service().packing(); }
     void enter(const char* name)
     {
-        for (const auto& scene : campanel::panel::allScenes()) {
+        for (const auto& scene : campanel::looks::allScenes()) {
             if (scene.name == QLatin1String(name))
-                campanel::panel::enterScene(*m_stage, scene);
+                campanel::looks::enterScene(*m_stage, scene);
         }
     }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The machine's sections of Service under a finger: a jog key that is held, what takes the finger's hold
 // away, and the dial of the dry run.
-#include "app/main/scenes.h"
 #include "panel_test.h"
+#include "tests/looks/scenes.h"
 #include "tests/support/test_program.h"
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace test_panel_service {
 
 using campanel::link::JogDirection;
-using Situation = campanel::panel::DemoLink::Situation;
+using Situation = campanel::looks::DemoLink::Situation;
 
 class TestPanelService : public campanel::test::PanelTest {
     Q_OBJECT
@@ -19,9 +19,9 @@ class TestPanelService : public campanel::test::PanelTest {
     auto& link() { return m_stage->link(); }
     void enter(const char* name)
     {
-        for (const auto& scene : campanel::panel::allScenes()) {
+        for (const auto& scene : campanel::looks::allScenes()) {
             if (scene.name == QLatin1String(name))
-                campanel::panel::enterScene(*m_stage, scene);
+                campanel::looks::enterScene(*m_stage, scene);
         }
     }
     void touch(const char* name)

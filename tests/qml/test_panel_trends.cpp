@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page Trends under a finger: opened, span chosen, moved away and back, a place pointed at, curves
 // chosen, exported to a stick.
-#include "app/main/scenes.h"
 #include "panel_test.h"
+#include "tests/looks/scenes.h"
 #include "tests/support/test_program.h"
 
 #include <QFile>
@@ -20,9 +20,9 @@ class TestPanelTrends : public campanel::test::PanelTest {
     Trends& trends() { return m_stage->panel().trends(); }
     void enter(const char* name)
     {
-        for (const auto& scene : campanel::panel::allScenes()) {
+        for (const auto& scene : campanel::looks::allScenes()) {
             if (scene.name == QLatin1String(name))
-                campanel::panel::enterScene(*m_stage, scene);
+                campanel::looks::enterScene(*m_stage, scene);
         }
     }
     void drag(int byPx)

@@ -9,7 +9,7 @@
 namespace test_run_packing {
 
 using campanel::plot::FilmPicture;
-using Situation = campanel::panel::DemoLink::Situation;
+using Situation = campanel::looks::DemoLink::Situation;
 
 class TestPacking : public campanel::test::PanelTest {
     Q_OBJECT

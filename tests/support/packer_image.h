@@ -11,14 +11,19 @@ namespace campanel::test {
 
 class PackerImage {
 public:
+    // `value` in the register's unit.
     void set(const char* name, double value)
     {
         const modbus::RegisterInfo& info = *modbus::findRegister(name);
         const auto raw = static_cast<std::uint32_t>(std::llround(value / info.scale));
-        const std::size_t at = info.address - modbus::packerAddress;
         if (info.count == 2)
-            m_registers[at] = static_cast<std::uint16_t>(raw >> 16U);
-        m_registers[at + info.count - 1U] = static_cast<std::uint16_t>(raw & 0xFFFFU);
+            setRaw(name, 0, static_cast<std::uint16_t>(raw >> 16U));
+        setRaw(name, info.count - 1U, static_cast<std::uint16_t>(raw & 0xFFFFU));
+    }
+    // One register of an array.
+    void setRaw(const char* name, std::size_t index, std::uint16_t value)
+    {
+        m_registers[modbus::findRegister(name)->address - modbus::packerAddress + index] = value;
     }
     // The next bag, with this error of its mark.
     void addBag(double markErrorMm)

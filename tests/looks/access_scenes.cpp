@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/looks/access_scenes.h"
+
+#include "app/store/audit_log.h"
+#include "app/store/setup_marker.h"
+#include "app/store/user_store.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QLoggingCategory>
+
+#include <functional>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::looks {
+
+namespace {
+
+using store::UserLevel;
+
+const QString anna = u"Anna"_s;
+const QString liWei = u"Li Wei"_s;
+
+qint64 timeMs(int minute)
+{
+    return QDateTime(QDate(2026, 1, 15), QTime(13, minute, 7)).toMSecsSinceEpoch();
+}
+
+void waitUntil(const std::function<bool()>& isSo)
+{
+    while (!isSo())
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+}
+
+// The job is done and everything that was handed in before it.
+void inStore(Stage& stage, const std::function<void(store::Database&)>& job)
+{
+    bool isDone = false;
+    stage.panel().records().store().run(
+        &stage.panel().records(),
+        [job](store::Database& database) {
+            job(database);
+            return true;
+        },
+        [&isDone](bool) { isDone = true; });
+    waitUntil([&isDone] { return isDone; });
+}
+
+void deleteUsersAndAudit(store::Database& database)
+{
+    for (const char* table : {"user", "audit", "audit_start"})
+        (void)database.execute(u"DELETE FROM %1"_s.arg(QLatin1String(table)));
+    for (const auto suffix : {".audit"_L1, ".setup"_L1, ".copy"_L1})
+        QFile::remove(database.path() + suffix);
+}
+
+void emptyStore(Stage& stage)
+{
+    inStore(stage, deleteUsersAndAudit);
+}
+
+void reloadUsers(Stage& stage)
+{
+    stage.panel().access().open();
+    inStore(stage, [](store::Database&) {});
+    stage.settle();
+}
+
+void addUsers(Stage& stage)
+{
+    // Of scenePin, by libsodium's least effort: a panel's own takes a noticeable time, by design.
+    static const QString hash =
+        u"$argon2id$v=19$m=8,t=1,p=1$8yYBaYPM+R3w4b3kUB7MRw$mLOp+RvpUsfFLzUtbAH1lgnGr+Nf4v9EsIee/4j4IB8"_s;
+    emptyStore(stage);
+    inStore(stage, [](store::Database& database) {
+        (void)store::addUser(database, anna, UserLevel::Service, hash);
+        (void)store::addUser(database, liWei, UserLevel::Technician, hash);
+        (void)store::addUser(database, u"Tom"_s, UserLevel::Operator, hash);
+    });
+    reloadUsers(stage);
+}
+
+int idOf(Stage& stage, const QString& name)
+{
+    for (const QVariant& user : stage.panel().access().users()) {
+        if (user.toMap().value(u"name"_s).toString() == name)
+            return user.toMap().value(u"id"_s).toInt();
+    }
+    return 0;
+}
+
+void logIn(Stage& stage, const QString& name, const QString& pin)
+{
+    machine::Access& access = stage.panel().access();
+    access.choose(idOf(stage, name));
+    access.login(pin);
+    waitUntil([&access] { return !access.busy(); });
+    stage.settle();
+}
+
+void addRows(store::Database& database)
+{
+    const QString program = u"Biscuit 250 · v%1 · CRC-32 %2"_s;
+    const QString proof = u"generation 14 · CRC-32 9C41E07D"_s;
+    const QList<store::AuditEntry> rows{
+        {timeMs(2), anna, 3, u"user.add"_s, liWei, {}, u"technician"_s, {}, u"done"_s},
+        {timeMs(9), {}, 1, u"user.login"_s, liWei, {}, {}, {}, u"wrong_pin"_s},
+        {timeMs(10), liWei, 2, u"user.login"_s, liWei, {}, {}, {}, u"done"_s},
+        {timeMs(12), liWei, 2, u"parameter.write"_s, u"parameter.mark_distance"_s, u"900"_s, u"903.02"_s,
+         u"903.02"_s, u"done"_s},
+        {timeMs(14),
+         liWei,
+         2,
+         u"parameter.write"_s,
+         u"parameter.phase_gain"_s,
+         u"0.25"_s,
+         u"0.1"_s,
+         {},
+         u"not_sent"_s},
+        {timeMs(20), {}, 1, u"setting.change"_s, u"language"_s, u"zh_CN"_s, u"en"_s, {}, u"done"_s},
+        {timeMs(31),
+         {},
+         1,
+         u"program.download"_s,
+         u"Biscuit 250"_s,
+         program.arg(3).arg(u"5A0B11C2"_s),
+         program.arg(4).arg(u"9C41E07D"_s),
+         proof,
+         u"done"_s},
+        {timeMs(31),
+         {},
+         1,
+         u"program.value"_s,
+         u"program.bag_length"_s,
+         u"250"_s,
+         u"320"_s,
+         proof,
+         u"done"_s},
+        {timeMs(32), {}, 1, u"command.start"_s, u"Biscuit 250"_s, {}, {}, {}, u"done"_s},
+    };
+    for (const store::AuditEntry& row : rows)
+        (void)store::appendAudit(database, row);
+}
+
+void openTrail(Stage& stage)
+{
+    stage.tap(u"nav2"_s);
+    stage.tap(u"sectionUsers"_s);
+    stage.tap(u"auditButton"_s);
+    machine::Audit& audit = stage.panel().audit();
+    waitUntil([&audit] { return !audit.busy() && !audit.checking(); });
+    stage.settle();
+}
+
+void openUsers(Stage& stage, const QStringList& taps)
+{
+    stage.tap(u"nav2"_s);
+    stage.tap(u"sectionUsers"_s);
+    for (const QString& tapped : taps)
+        stage.tap(tapped);
+}
+
+// The users, with Anna logged in, and taps from there.
+Scene users(const char* name, const QStringList& taps)
+{
+    return {QString::fromLatin1(name), [taps](Stage& stage) {
+                addUsers(stage);
+                logIn(stage, anna, QString::fromLatin1(scenePin));
+                openUsers(stage, taps);
+            }};
+}
+
+Scene trail(const char* name, const QStringList& taps, const QString& tamper = {})
+{
+    return {QString::fromLatin1(name), [taps, tamper](Stage& stage) {
+                emptyStore(stage);
+                inStore(stage, addRows);
+                if (!tamper.isEmpty())
+                    inStore(stage, [tamper](store::Database& database) { (void)database.execute(tamper); });
+                openTrail(stage);
+                for (const QString& tapped : taps)
+                    stage.tap(tapped);
+            }};
+}
+
+// Somebody wants what a technician may do, and taps from there.
+Scene login(const char* name, const QStringList& taps, int wrongPins = 0)
+{
+    return {QString::fromLatin1(name), [taps, wrongPins](Stage& stage) {
+                addUsers(stage);
+                stage.panel().access().setWallClock([] { return timeMs(0); });
+                stage.tap(u"nav1"_s);
+                stage.tap(u"field_baseSpeed"_s);
+                stage.tap(u"login_Li Wei"_s);
+                for (int i = 0; i < wrongPins; ++i)
+                    logIn(stage, liWei, u"1111"_s);
+                for (const QString& tapped : taps)
+                    stage.tap(tapped);
+            }};
+}
+
+} // namespace
+
+void forgetUsers(Stage& stage)
+{
+    if (!stage.panel().access().protectedByPins())
+        return;
+    stage.panel().access().logOut();
+    inStore(stage, deleteUsersAndAudit);
+    reloadUsers(stage);
+}
+
+QList<Scene> accessScenes()
+{
+    return {{u"users-none"_s, [](Stage& stage) { openUsers(stage, {}); }},
+            {u"user-first"_s, [](Stage& stage) { openUsers(stage, {u"userAdd"_s}); }},
+            users("users", {}),
+            users("user", {u"user_Li Wei"_s}),
+            users("user-remove", {u"user_Li Wei"_s, u"userRemove"_s}),
+            users("user-new", {u"userAdd"_s, u"level2"_s}),
+            users("user-name", {u"userAdd"_s, u"newUserName"_s}),
+            users("user-pin",
+                  {u"userAdd"_s, u"userPin"_s, u"pin1"_s, u"pin2"_s, u"pin3"_s, u"pin4"_s, u"pinAccept"_s}),
+            users("auto-logout", {u"autoLogout"_s}),
+            users("without-login", {u"withoutLogin"_s}),
+            users("run-user", {u"nav0"_s}),
+            login("login", {u"pin2"_s, u"pin5"_s}),
+            login("login-wait", {}, 1),
+            // The users are lost: nobody can log in.
+            {u"login-locked"_s,
+             [](Stage& stage) {
+                 emptyStore(stage);
+                 inStore(stage, [](store::Database& database) {
+                     (void)store::writeSetupMarker(database.path(), store::SetUp::WithPins);
+                 });
+                 QLoggingCategory::setFilterRules(u"campanel.store=false"_s); // the loss is intended
+                 reloadUsers(stage);
+                 QLoggingCategory::setFilterRules({});
+                 stage.panel().records().dismissNotice();
+                 stage.tap(u"nav1"_s);
+                 stage.tap(u"field_baseSpeed"_s);
+             }},
+            {u"login-short-pin"_s,
+             [](Stage& stage) {
+                 addUsers(stage);
+                 logIn(stage, anna, QString::fromLatin1(scenePin));
+                 emit stage.panel().access().newPinWanted(idOf(stage, anna));
+                 stage.settle();
+             }},
+            {u"users-logged-out"_s,
+             [](Stage& stage) {
+                 addUsers(stage);
+                 openUsers(stage, {});
+             }},
+            trail("audit", {}),
+            trail("audit-who", {u"auditWho"_s}),
+            trail("audit-what", {u"auditArea"_s}),
+            trail("audit-detail", {u"audit2"_s}),
+            trail("audit-broken", {}, u"UPDATE audit SET after = '930' WHERE sequence = 4"_s),
+            {u"audit-empty"_s, [](Stage& stage) {
+                 emptyStore(stage);
+                 openTrail(stage);
+             }}};
+}
+
+} // namespace campanel::looks

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/looks/alarm_scenes.h"
+
+#include <QEventLoop>
+
+namespace campanel::looks {
+
+namespace {
+
+using Situation = DemoLink::Situation;
+using store::AlarmRow;
+
+const QString alarmsPage = QStringLiteral("nav6");
+
+// Shift after shift of a demonstration log, always the same.
+QList<AlarmRow> demoLog()
+{
+    const QStringList codes{QStringLiteral("W-02"), QStringLiteral("M-01"), QStringLiteral("L-03"),
+                            QStringLiteral("C-01"), QStringLiteral("M-05"), QStringLiteral("W-03"),
+                            QStringLiteral("C-04"), QStringLiteral("P-07"), QStringLiteral("M-04")};
+    const qint64 beginMs = QDateTime(QDate(2026, 1, 13), QTime(6, 2)).toMSecsSinceEpoch();
+    constexpr qint64 apartMs = 41 * 60 * 1000;
+    QList<AlarmRow> rows;
+    for (int i = 0; i < 60; ++i) {
+        AlarmRow row;
+        row.id = i + 1;
+        row.code = codes[i % codes.size()];
+        row.raisedMs = beginMs + i * apartMs;
+        row.end = i % 14 == 13 ? AlarmRow::End::Unknown : AlarmRow::End::Returned;
+        row.returnedMs = row.end == AlarmRow::End::Returned ? row.raisedMs + (i % 7 + 1) * 9000 : 0;
+        row.wantsAcknowledgement = i % 9 != 0;
+        row.acknowledgedMs = row.wantsAcknowledgement && i % 11 != 4 ? row.raisedMs + 61'000 : 0;
+        row.count = i % 5 == 4 ? i : 1;
+        rows.append(row);
+    }
+    return rows;
+}
+
+// Until the first page has come.
+void waitForHistory(Stage& stage)
+{
+    machine::AlarmHistory& history = *stage.panel().alarms().history();
+    QEventLoop untilRead;
+    QObject::connect(&history, &machine::AlarmHistory::changed, &untilRead, [&] {
+        if (!history.loading())
+            untilRead.quit();
+    });
+    if (history.loading())
+        untilRead.exec();
+    stage.settle();
+}
+
+void openHistory(Stage& stage, const QList<AlarmRow>& rows)
+{
+    store::AlarmChanges changes;
+    changes.rows = rows;
+    stage.panel().records().open();
+    stage.panel().records().store().run(
+        nullptr,
+        [changes](store::Database& database) {
+            const auto emptied = database.execute(QStringLiteral("DELETE FROM alarm"));
+            return emptied ? store::AlarmLog::write(database, changes)
+                           : tl::expected<void, store::StoreError>(tl::unexpected(emptied.error()));
+        },
+        [](const tl::expected<void, store::StoreError>&) {});
+    stage.tap(alarmsPage);
+    stage.tap(QStringLiteral("alarmsLive")); // it is read when it comes into sight
+    stage.tap(QStringLiteral("alarmsHistory"));
+    waitForHistory(stage);
+}
+
+// A fault, and a connection that was lost before: acknowledged, gone, not acknowledged.
+void showTrouble(Stage& stage)
+{
+    stage.link().show(Situation::MarksLost);
+    stage.settle();
+    stage.panel().alarms().acknowledgeAll();
+    stage.link().show(Situation::Lost);
+    stage.settle();
+    stage.link().show(Situation::Fault);
+    stage.lookAtClock();
+    stage.settle();
+    stage.tap(alarmsPage);
+    stage.tap(QStringLiteral("alarmsLive"));
+}
+
+Scene trouble(const char* name, const QStringList& names)
+{
+    return {QString::fromLatin1(name), [names](Stage& stage) {
+                showTrouble(stage);
+                for (const QString& tapped : names)
+                    stage.tap(tapped);
+            }};
+}
+
+// The connection is lost, which may be shelved.
+Scene lost(const char* name, const QStringList& names)
+{
+    return {QString::fromLatin1(name), [names](Stage& stage) {
+                stage.link().show(Situation::Lost);
+                stage.lookAtClock();
+                stage.settle();
+                for (const QString& tapped : names)
+                    stage.tap(tapped);
+            }};
+}
+
+} // namespace
+
+QList<Scene> alarmScenes()
+{
+    const QString first = QStringLiteral("liveAlarm0");
+    const QString live = QStringLiteral("alarmsLive");
+    const QString shelved = QStringLiteral("alarmsShelved");
+    return {{QStringLiteral("alarms-none"),
+             [=](Stage& stage) {
+                 stage.tap(alarmsPage);
+                 stage.tap(live);
+             }},
+            trouble("alarms", {}),
+            trouble("alarms-fault", {first}),
+            lost("alarms-lost", {alarmsPage, live, first}),
+            {QStringLiteral("alarms-history"), [](Stage& stage) { openHistory(stage, demoLog()); }},
+            {QStringLiteral("alarms-history-one"),
+             [](Stage& stage) {
+                 openHistory(stage, demoLog());
+                 stage.tap(QStringLiteral("pastAlarm3"));
+             }},
+            {QStringLiteral("alarms-history-empty"), [](Stage& stage) { openHistory(stage, {}); }},
+            {QStringLiteral("alarms-shelved-none"),
+             [=](Stage& stage) {
+                 stage.tap(alarmsPage);
+                 stage.tap(shelved);
+             }},
+            lost("alarms-shelved", {alarmsPage, live, first, QStringLiteral("alarmShelve8"), shelved}),
+            lost("alarms-shelved-one", {alarmsPage, live, first, QStringLiteral("alarmShelve8"), first})};
+}
+
+} // namespace campanel::looks

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// A packing machine's film, made up; see demo_packing.h.
+#include "tests/looks/demo_packing.h"
+
+#include "tests/support/packer_image.h"
+
+#include <cmath>
+#include <random>
+
+namespace campanel::looks {
+namespace {
+
+using Trouble = DemoFilm::Trouble;
+
+constexpr std::uint16_t nothing = 0x8000;
+constexpr double sensorMm = 900;
+constexpr double stepsPerMm = 10; // of the picture
+constexpr double umPerMm = 1000;
+constexpr double meanMm = 0.02;
+constexpr double scatterMm = 0.03;
+constexpr double markErrorMm = 0.04;
+constexpr double productMm = 150;
+constexpr double misplacedMm = 90; // the product across, by which it lies too far back
+constexpr int misplacedBag = 0;    // of those before the knife
+constexpr int missedMark = 2;
+constexpr int missingProduct = 3;
+constexpr double filmSavedM = 37.25;
+
+// Sets one place of the film picture; `isSpecial` is its last bit.
+void setPlace(test::PackerImage& image, const char* name, std::size_t index, double mm,
+              bool isSpecial = false)
+{
+    const auto steps = static_cast<std::uint32_t>(std::lround(stepsPerMm * mm));
+    image.setRaw(name, index, static_cast<std::uint16_t>((steps & 0xFFFEU) | (isSpecial ? 1U : 0U)));
+}
+
+std::uint16_t micrometres(double mm)
+{
+    return static_cast<std::uint16_t>(std::lround(umPerMm * mm));
+}
+
+std::size_t countOf(const char* name)
+{
+    return modbus::findRegister(name)->count;
+}
+
+void setBags(test::PackerImage& image, std::uint32_t newest)
+{
+    image.set("packer.bag_number", newest);
+    for (std::uint32_t bag = newest - modbus::bagRecords + 1; bag <= newest; ++bag) {
+        const std::size_t at = 4 * (bag % modbus::bagRecords);
+        image.setRaw("packer.bags", at, micrometres(demoDeviationMm(bag)));
+        image.setRaw("packer.bags", at + 1, micrometres(demoDeviationMm(bag + 1) + markErrorMm));
+        image.setRaw("packer.bags", at + 3, 1U << 8 | 1U); // of one length, by its mark
+    }
+}
+
+void setFilm(test::PackerImage& image, const DemoFilm& film)
+{
+    const double toCutMm = film.bagMm * (1 - film.cycleShare);
+    image.set("packer.film_position", film.bagMm * (film.bags % 1000 + film.cycleShare));
+    const bool isAcross = film.trouble == Trouble::ProductAcross;
+    for (std::size_t i = 0; i < countOf("packer.cuts"); ++i)
+        setPlace(image, "packer.cuts", i, toCutMm + static_cast<double>(i) * film.bagMm,
+                 isAcross && i == misplacedBag);
+    const std::size_t marks = countOf("packer.seen_marks");
+    for (std::size_t i = 0; i < marks; ++i) {
+        const double atMm = toCutMm + static_cast<double>(i) * film.bagMm;
+        if (atMm > sensorMm || film.trouble == Trouble::MarksLost)
+            image.setRaw("packer.seen_marks", i, nothing);
+        else
+            setPlace(image, "packer.seen_marks", i, atMm, i == missedMark);
+    }
+    const std::size_t products = countOf("packer.seen_products") / 2;
+    for (std::size_t i = 0; i < products; ++i) {
+        const int bag = static_cast<int>(i) - 1; // the first one is past the knife
+        const double offMm = isAcross && bag == misplacedBag ? misplacedMm : 0;
+        const double leadMm = toCutMm + bag * film.bagMm - (film.bagMm - productMm) / 2 - productMm + offMm;
+        const bool isThere = bag != missingProduct && leadMm < sensorMm;
+        if (isThere)
+            setPlace(image, "packer.seen_products", 2 * i, leadMm);
+        else
+            image.setRaw("packer.seen_products", 2 * i, nothing);
+        setPlace(image, "packer.seen_products", 2 * i + 1, leadMm + productMm);
+    }
+}
+
+} // namespace
+
+double demoDeviationMm(std::uint32_t bag)
+{
+    std::mt19937 random(bag);
+    std::normal_distribution<double> deviation(meanMm, scatterMm);
+    return std::round(umPerMm * deviation(random)) / umPerMm;
+}
+
+std::vector<std::uint16_t> demoPacker(const DemoFilm& film)
+{
+    test::PackerImage image;
+    const bool areMarksLost = film.trouble == Trouble::MarksLost;
+    const auto state = areMarksLost ? modbus::MarkState::Searching : modbus::MarkState::Tracking;
+    image.set("packer.mark_state", static_cast<std::uint32_t>(state));
+    image.set("packer.mark_error", markErrorMm);
+    image.set("packer.mark_pitch", (film.bagMm + 0.31));
+    image.set("packer.phase_correction", -0.012);
+    image.set("packer.length_correction", 0.31);
+    image.set("packer.film_following_error", 0.18);
+    image.set("packer.marks", film.bags + 3);
+    image.set("packer.marks_missing", areMarksLost ? 7 : 2);
+    image.set("packer.marks_false", 1);
+    image.set("packer.products", film.bags - 147);
+    image.set("packer.cuts_skipped", 9);
+    image.set("packer.empty_bags", 149);
+    image.set("packer.film_saved", filmSavedM);
+    const bool isAcross = film.trouble == Trouble::ProductAcross;
+    const auto skip = isAcross ? modbus::SkipCause::ProductAcross : modbus::SkipCause::NoProduct;
+    image.set("packer.last_skip", static_cast<std::uint32_t>(skip));
+    image.set("packer.knife_gate", static_cast<std::uint32_t>(isAcross ? modbus::GateState::Standing
+                                                                       : modbus::GateState::Running));
+    setBags(image, film.bags);
+    setFilm(image, film);
+    return image.registers();
+}
+
+} // namespace campanel::looks

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mouse and key events for a panel's window; see finger.h.
+#include "tests/looks/finger.h"
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QGuiApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QStyleHints>
+
+namespace campanel::looks {
+namespace {
+
+constexpr int longPressMs = 1; // while something is held: nobody waits for it in real time
+constexpr int holdTimeMs = 20; // longer than that
+
+QQuickItem* visibleItem(QQuickItem& below, const QString& name)
+{
+    if (!below.isVisible())
+        return nullptr;
+    if (below.objectName() == name)
+        return &below;
+    for (QQuickItem* child : below.childItems()) {
+        if (QQuickItem* found = visibleItem(*child, name))
+            return found;
+    }
+    return nullptr;
+}
+
+void sendMouse(QQuickWindow& window, QEvent::Type type, const QPointF& at)
+{
+    const Qt::MouseButtons buttons = type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton;
+    // A move that names a button would count as another press.
+    const Qt::MouseButton changed = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
+    QMouseEvent event(type, at, window.mapToGlobal(at), changed, buttons, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &event);
+}
+
+} // namespace
+
+QObject* Finger::theme()
+{
+    return window().property("theme").value<QObject*>();
+}
+
+QObject* Finger::frame()
+{
+    return window().property("frame").value<QObject*>();
+}
+
+QQuickItem* Finger::find(const QString& name)
+{
+    return visibleItem(root(), name);
+}
+
+void Finger::press(const QString& name, int holdMs)
+{
+    QQuickItem* item = find(name);
+    if (!item) {
+        m_complaints += QStringLiteral("%1 is not on the screen").arg(name);
+        return;
+    }
+    press(*item, holdMs);
+}
+
+void Finger::press(QQuickItem& item, int holdMs)
+{
+    const QPointF at = item.mapToScene(item.boundingRect().center());
+    sendMouse(window(), QEvent::MouseButtonPress, at);
+    QElapsedTimer held;
+    held.start();
+    while (held.elapsed() < holdMs)
+        QCoreApplication::processEvents(QEventLoop::AllEvents, holdMs);
+    if (holdMs > 0)
+        QCoreApplication::processEvents(); // a timer that ended just now
+    sendMouse(window(), QEvent::MouseButtonRelease, at);
+    settle();
+}
+
+void Finger::tap(const QString& name)
+{
+    press(name, 0);
+}
+
+void Finger::tap(QQuickItem& item)
+{
+    press(item, 0);
+}
+
+void Finger::hold(const QString& name)
+{
+    QStyleHints& hints = *QGuiApplication::styleHints(); // of keys; of other items it is the theme's
+    const int usualMs = hints.mousePressAndHoldInterval();
+    const QVariant usualTime = theme()->property("longPressTime");
+    hints.setMousePressAndHoldInterval(longPressMs);
+    theme()->setProperty("longPressTime", longPressMs);
+    press(name, holdTimeMs);
+    hints.setMousePressAndHoldInterval(usualMs);
+    theme()->setProperty("longPressTime", usualTime);
+}
+
+void Finger::touch(const QString& name)
+{
+    QQuickItem* item = find(name);
+    if (!item) {
+        m_complaints += QStringLiteral("%1 is not on the screen").arg(name);
+        return;
+    }
+    m_place = item->mapToScene(item->boundingRect().center());
+    sendMouse(window(), QEvent::MouseButtonPress, m_place);
+}
+
+void Finger::slide(const QPointF& to)
+{
+    m_place = to;
+    sendMouse(window(), QEvent::MouseMove, m_place);
+}
+
+void Finger::lift()
+{
+    sendMouse(window(), QEvent::MouseButtonRelease, m_place);
+}
+
+void Finger::type(const QString& keys)
+{
+    for (const QChar key : keys) {
+        QKeyEvent event(QEvent::KeyPress, 0, Qt::NoModifier, QString(key));
+        QCoreApplication::sendEvent(&window(), &event);
+    }
+    settle();
+}
+
+void Finger::closeDialogs()
+{
+    QMetaObject::invokeMethod(frame(), "closeAll");
+    settle();
+}
+
+void Finger::settle()
+{
+    constexpr int rounds = 4; // loaders, then their bindings, then polish
+    for (int i = 0; i < rounds; ++i) {
+        QCoreApplication::processEvents();
+        QCoreApplication::sendPostedEvents(nullptr,
+                                           QEvent::DeferredDelete); // closed dialogs; no event loop runs here
+    }
+    QEvent frame(QEvent::UpdateRequest); // drawn at once, and not copied as grab() does
+    QCoreApplication::sendEvent(&window(), &frame);
+}
+
+QImage Finger::grab()
+{
+    return window().grabWindow();
+}
+
+} // namespace campanel::looks

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/looks/packing_scenes.h"
+
+#include "tests/looks/stage.h"
+
+#include <array>
+#include <cmath>
+
+namespace campanel::looks {
+
+namespace {
+
+using Step = machine::MarkWizard::Step;
+
+// What the controller tells of the line, as registers.
+class Packer {
+public:
+    void set(const char* name, double value)
+    {
+        const modbus::RegisterInfo& info = *modbus::findRegister(name);
+        const auto raw = static_cast<std::uint32_t>(std::llround(value / info.scale));
+        const std::size_t at = info.address - modbus::packerAddress;
+        if (info.count == 2)
+            m_registers[at] = static_cast<std::uint16_t>(raw >> 16U);
+        m_registers[at + info.count - 1U] = static_cast<std::uint16_t>(raw & 0xFFFFU);
+    }
+    void tell(DemoLink& link) const
+    {
+        constexpr quint32 packingLine = 1; // who asks for this group
+        const link::ReadRequest request{packingLine, modbus::packerAddress, modbus::packerRegisters};
+        emit link.registersRead({request, link::ReadEnd::Done, m_registers, link.now(), std::nullopt});
+    }
+
+private:
+    std::vector<std::uint16_t> m_registers = std::vector<std::uint16_t>(modbus::packerRegisters);
+};
+
+Packer following()
+{
+    Packer packer;
+    packer.set("packer.mark_state", static_cast<double>(modbus::MarkState::Tracking));
+    packer.set("packer.bag_number", 12480);
+    packer.set("packer.teach_marks", machine::PackingSetup::marksToTeach);
+    packer.set("packer.teach_pitch", 250.31);
+    packer.set("packer.teach_scatter", 0.08);
+    return packer;
+}
+
+void showValues(Stage& stage, double bags = 12480)
+{
+    stage.link().show(DemoLink::Situation::Running);
+    stage.lookAtClock();
+    for (const modbus::RegisterInfo& info : modbus::registers()) {
+        if (info.name.starts_with("parameter."))
+            stage.link().writeParameter(0, std::string(info.name), info.defaultValue);
+    }
+    Packer packer = following();
+    packer.set("packer.bag_number", bags);
+    packer.tell(stage.link());
+    stage.settle();
+}
+
+// Marks that the film's slip and the sensor's scatter move a little, always the same.
+void showSuggestions(Stage& stage)
+{
+    constexpr std::array errorsUm{60, -40, 20, 90, -70, 10, -30, 80, -20, -50, 40};
+    Packer packer = following();
+    for (int mark = 0; mark < 80; ++mark) {
+        packer.set("packer.marks", mark);
+        packer.set("packer.last_mark", errorsUm[static_cast<std::size_t>(mark) % errorsUm.size()] / 1000.0);
+        packer.set("packer.mark_pitch", 250.3);
+        packer.tell(stage.link());
+    }
+}
+
+void openSection(Stage& stage)
+{
+    stage.tap(QStringLiteral("nav3"));
+    stage.tap(QStringLiteral("serviceMachine"));
+    stage.tap(QStringLiteral("servicePacking"));
+    showValues(stage);
+}
+
+// The wizard up to that step.
+void openWizard(Stage& stage, Step step)
+{
+    openSection(stage);
+    stage.tap(QStringLiteral("packingWizard"));
+    machine::MarkWizard& wizard = *stage.panel().service().packing()->wizard();
+    double bags = 12480;
+    if (step != Step::Explain) {
+        wizard.goOn();
+        showValues(stage, bags += step == Step::Cutting ? 2 : machine::MarkWizard::bagsToCut);
+    }
+    if (step == Step::Explain || step == Step::Cutting)
+        return;
+    for (const double measuredMm : {-3.1, -2.9, -3.05})
+        wizard.addMeasurement(measuredMm);
+    if (step == Step::Confirm)
+        wizard.goOn();
+    stage.settle();
+}
+
+Scene wizardAt(const char* name, Step step)
+{
+    return {QString::fromLatin1(name), [step](Stage& stage) { openWizard(stage, step); }};
+}
+
+} // namespace
+
+QList<Scene> packingScenes()
+{
+    return {{QStringLiteral("packing-unknown"),
+             [](Stage& stage) {
+                 stage.link().show(DemoLink::Situation::Empty);
+                 stage.lookAtClock();
+                 for (const char* name : {"nav3", "serviceMachine", "servicePacking"})
+                     stage.tap(QString::fromLatin1(name));
+             }},
+            {QStringLiteral("packing"), openSection},
+            {QStringLiteral("packing-suggested"),
+             [](Stage& stage) {
+                 openSection(stage);
+                 showSuggestions(stage);
+             }},
+            {QStringLiteral("packing-keypad"),
+             [](Stage& stage) {
+                 openSection(stage);
+                 stage.tap(QStringLiteral("packing1"));
+             }},
+            wizardAt("packing-wizard", Step::Explain),
+            wizardAt("packing-wizard-cutting", Step::Cutting),
+            wizardAt("packing-wizard-measure", Step::Measure),
+            {QStringLiteral("packing-wizard-keypad"),
+             [](Stage& stage) {
+                 openWizard(stage, Step::Measure);
+                 stage.tap(QStringLiteral("wizardEnter"));
+             }},
+            wizardAt("packing-wizard-confirm", Step::Confirm)};
+}
+
+} // namespace campanel::looks

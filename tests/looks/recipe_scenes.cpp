@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/looks/recipe_scenes.h"
+
+#include "tests/looks/stage.h"
+
+#include <array>
+
+namespace campanel::looks {
+
+namespace {
+
+using machine::Recipes;
+
+struct Kept {
+    const char* name;
+    double lengthMm;
+    double rateBagsPerMin;
+    const char* by;
+    int day; // of January
+};
+
+constexpr std::array kept{Kept{"Chocolate bar 120", 120, 180, "Anna", 5},
+                          Kept{"Chocolate bar 120", 122, 180, "Li Wei", 8},
+                          Kept{"Chocolate bar 120", 122, 165, "Anna", 9},
+                          Kept{"Rusk 310", 310, 45, "Li Wei", 9},
+                          Kept{"Biscuit 250 twin", 250, 75, "Anna", 10},
+                          Kept{"Wafer 90", 90, 190, "Anna", 11},
+                          Kept{"\xE8\x8B\x8F\xE6\x89\x93\xE9\xA5\xBC\xE5\xB9\xB2 200", 200, 90, "Li Wei", 12},
+                          Kept{"Crispbread 160", 160, 120, "Anna", 13}};
+constexpr int keptNames = 7; // the one that is open among them
+
+tl::expected<void, store::StoreError> saveAll(store::Database& database)
+{
+    store::RecipeLibrary library(database);
+    for (const Kept& each : kept) {
+        program::Recipe recipe;
+        recipe.name = each.name;
+        recipe.cutter().bagLengthMm = each.lengthMm;
+        recipe.cutter().rateBagsPerMin = each.rateBagsPerMin;
+        const QDateTime when(QDate(2026, 1, each.day), QTime(9, 30));
+        if (const auto saved = library.save(recipe, QString::fromLatin1(each.by), when.toMSecsSinceEpoch());
+            !saved)
+            return tl::unexpected(saved.error());
+    }
+    return {};
+}
+
+// The page with a library, and taps from there.
+void openLibrary(Stage& stage, const QStringList& tapped = {})
+{
+    Recipes& recipes = stage.panel().recipes();
+    recipes.setSearch({});
+    recipes.dismissMessage();
+    if (recipes.total() < keptNames) {
+        stage.panel().records().store().run(&recipes, &saveAll,
+                                            [&recipes](const auto& /*saved*/) { recipes.reload(); });
+        stage.waitUntil(recipes, &Recipes::listChanged,
+                        [](const Recipes& each) { return each.total() >= keptNames; });
+    }
+    stage.tap(QStringLiteral("nav4"));
+    stage.tap(QStringLiteral("recipe0"));
+    for (const QString& name : tapped)
+        stage.tap(name);
+}
+
+Scene page(const char* name, const QStringList& tapped = {})
+{
+    return {QString::fromLatin1(name), [tapped](Stage& stage) { openLibrary(stage, tapped); }};
+}
+
+// One file that can be taken over and one that cannot.
+QList<store::RecipeOffer> recipesOnStick(const QString& /*ownFolder*/)
+{
+    const QString path = QStringLiteral("/media/panel/KINGSTON/");
+    const QString place = QStringLiteral("KINGSTON");
+    program::Recipe recipe;
+    recipe.name = "Rusk 310";
+    recipe.cutter().bagLengthMm = 315;
+    store::FileError error{
+        store::FileError::Kind::NotJson, path + QStringLiteral("notes.json"), {}, {}, {}, 17};
+    error.found = QStringLiteral("illegal value");
+    return {
+        {path + QStringLiteral("Rusk 310.json"), place, QDateTime(QDate(2026, 1, 14), QTime(8, 12)), recipe},
+        {error.path, place, QDateTime(QDate(2026, 1, 2), QTime(16, 40)), tl::unexpected(error)}};
+}
+
+Scene importing(const char* name, const QString& tapped)
+{
+    return {QString::fromLatin1(name), [tapped](Stage& stage) {
+                machine::RecipeFiles& files = *stage.panel().recipes().files();
+                files.setLooker(&recipesOnStick);
+                openLibrary(stage, {QStringLiteral("recipeImport")});
+                stage.waitFor(files);
+                stage.tap(tapped);
+            }};
+}
+
+// A dialog whose rows come from the database.
+Scene versions(const char* name, const QString& tapped)
+{
+    return {QString::fromLatin1(name), [tapped](Stage& stage) {
+                openLibrary(stage);
+                const auto& rows = stage.panel().recipes().list()->rows();
+                const auto row =
+                    std::ranges::find(rows, QStringLiteral("Chocolate bar 120"), &machine::RecipeRow::name);
+                stage.panel().recipes().choose(static_cast<int>(row - rows.begin()));
+                machine::OfferModel& candidates = *stage.panel().recipes().candidates();
+                stage.tap(QStringLiteral("recipeVersions"));
+                stage.waitUntil(candidates, &machine::OfferModel::countChanged,
+                                [](const machine::OfferModel& model) { return model.count() == 3; });
+                stage.tap(tapped);
+            }};
+}
+
+} // namespace
+
+QList<Scene> recipeScenes()
+{
+    return {page("recipes"),
+            {QStringLiteral("recipes-nothing-found"),
+             [](Stage& stage) {
+                 openLibrary(stage);
+                 stage.panel().recipes().setSearch(QStringLiteral("pretzel"));
+             }},
+            {QStringLiteral("recipes-edited"),
+             [](Stage& stage) {
+                 stage.panel().editor().bagLength()->set(240);
+                 openLibrary(stage);
+             }},
+            {QStringLiteral("recipes-unsaved"),
+             [](Stage& stage) {
+                 stage.panel().editor().bagLength()->set(240);
+                 openLibrary(stage, {QStringLiteral("recipe1"), QStringLiteral("recipeOpen")});
+             }},
+            page("recipes-new-kind", {QStringLiteral("recipeNew")}),
+            page("recipes-name", {QStringLiteral("recipeRename")}),
+            page("recipes-name-signs", {QStringLiteral("recipeCopy"), QStringLiteral("textSigns")}),
+            {QStringLiteral("recipes-name-pinyin"),
+             [](Stage& stage) {
+                 openLibrary(stage, {QStringLiteral("recipeRename")});
+                 if (QLocale().language() != QLocale::Chinese)
+                     stage.tap(QStringLiteral("textChinese"));
+                 for (const QChar letter : QStringLiteral("binggan"))
+                     stage.tap(QStringLiteral("key_") + letter);
+             }},
+            page("recipes-search", {QStringLiteral("recipeSearch"), QStringLiteral("textCapital")}),
+            versions("recipes-versions", QStringLiteral("candidate0")),
+            page("recipes-compare", {QStringLiteral("recipeCompare"), QStringLiteral("candidate1")}),
+            page("recipes-remove", {QStringLiteral("recipe1"), QStringLiteral("recipeRemove")}),
+            importing("recipes-import", QStringLiteral("recipeFile0")),
+            importing("recipes-import-bad", QStringLiteral("recipeFile1"))};
+}
+
+} // namespace campanel::looks

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+// Checks of what is on the screen; see scene_checks.h.
+#include "tests/looks/scene_checks.h"
+
+#include <QImage>
+#include <QQuickItem>
+
+#include <cmath>
+
+namespace campanel::looks {
+namespace {
+
+constexpr double tolerancePx = 1.0; // rounding of glyph metrics
+constexpr double overlapPx = 2.0;   // font boxes hold more than the ink
+
+struct PaintedText {
+    QString text;
+    QRectF rect; // what is painted, in scene coordinates
+};
+
+bool isText(const QQuickItem& item)
+{
+    return item.inherits("QQuickText");
+}
+
+bool isButton(const QQuickItem& item)
+{
+    return item.inherits("QQuickAbstractButton");
+}
+
+QString nameOf(const QQuickItem& item)
+{
+    const QString text = item.property("text").toString();
+    return QStringLiteral("%1 \"%2\"").arg(item.objectName(), text);
+}
+
+// The painted part of a text item in its own coordinates.
+QRectF paintedRect(const QQuickItem& text)
+{
+    const double width = text.property("contentWidth").toDouble();
+    const double height = text.property("contentHeight").toDouble();
+    const int horizontal = text.property("effectiveHorizontalAlignment").toInt();
+    const int vertical = text.property("verticalAlignment").toInt();
+    const double left = text.property("leftPadding").toDouble();
+    const double spareX = text.width() - left - text.property("rightPadding").toDouble() - width;
+    const double spareY = text.height() - height;
+    const double x = horizontal == Qt::AlignRight ? spareX : horizontal == Qt::AlignHCenter ? spareX / 2 : 0;
+    const double y = vertical == Qt::AlignBottom ? spareY : vertical == Qt::AlignVCenter ? spareY / 2 : 0;
+    return {left + x, y, width, height};
+}
+
+// The list or flickable that the item scrolls in; null if it stands still.
+const QQuickItem* scrollerOf(const QQuickItem& item)
+{
+    const QQuickItem* parent = item.parentItem();
+    while (parent && !parent->inherits("QQuickFlickable"))
+        parent = parent->parentItem();
+    return parent;
+}
+
+// All of it is painted: no list or flickable that it scrolls in, nor one around that, cuts it off.
+bool isInSight(const QQuickItem& item, const QRectF& rect)
+{
+    for (const QQuickItem* scroller = scrollerOf(item); scroller; scroller = scrollerOf(*scroller)) {
+        if (!scroller->mapRectToScene(scroller->boundingRect()).contains(rect))
+            return false;
+    }
+    return true;
+}
+
+// The button or surface that the text stands on.
+const QQuickItem* surfaceOf(const QQuickItem& text)
+{
+    const QQuickItem* parent = text.parentItem();
+    while (parent && !isButton(*parent) && !parent->inherits("QQuickRectangle"))
+        parent = parent->parentItem();
+    return parent;
+}
+
+// A key of a keyboard with letters.
+bool isLetterKey(const QQuickItem& item)
+{
+    const QString name = item.objectName();
+    return name.startsWith(QLatin1String("key_")) || name == QLatin1String("nameBackspace") ||
+           name == QLatin1String("nameAccept") ||
+           (name.startsWith(QLatin1String("text")) && item.inherits("QQuickAbstractButton"));
+}
+
+class Checker {
+public:
+    Checker(const SceneLimits& limits, const QImage& picture)
+        : m_limits(limits)
+        , m_picture(picture)
+    {
+    }
+
+    void visit(QQuickItem& item)
+    {
+        if (!item.isVisible() || item.opacity() <= 0)
+            return;
+        if (isText(item))
+            checkText(item);
+        if (isButton(item) && item.isEnabled())
+            checkTarget(item);
+        for (QQuickItem* child : item.childItems())
+            visit(*child);
+    }
+
+    QStringList finish()
+    {
+        for (qsizetype i = 0; i < m_texts.size(); ++i) {
+            for (qsizetype j = i + 1; j < m_texts.size(); ++j) {
+                const QRectF common = m_texts[i].rect.intersected(m_texts[j].rect);
+                if (common.width() > overlapPx && common.height() > m_texts[i].rect.height() / 4)
+                    m_faults +=
+                        QStringLiteral("\"%1\" and \"%2\" overlap").arg(m_texts[i].text, m_texts[j].text);
+            }
+        }
+        return m_faults;
+    }
+
+private:
+    void checkText(const QQuickItem& item)
+    {
+        const QString text = item.property("text").toString();
+        if (text.isEmpty())
+            return;
+        if (item.property("truncated").toBool())
+            m_faults += QStringLiteral("%1 is elided").arg(nameOf(item));
+        const QRectF painted = paintedRect(item);
+        if (painted.width() > item.width() + tolerancePx ||
+            painted.height() > item.height() + 2 * tolerancePx)
+            m_faults += QStringLiteral("%1 needs %2 x %3 and has %4 x %5")
+                            .arg(nameOf(item))
+                            .arg(painted.width())
+                            .arg(painted.height())
+                            .arg(item.width())
+                            .arg(item.height());
+        const QRectF rect = item.mapRectToScene(painted);
+        if (isInSight(item, rect))
+            checkContrast(item, rect);
+        if (scrollerOf(item))
+            return;
+        if (const QQuickItem* surface = surfaceOf(item)) {
+            const QRectF limit = surface->mapRectToScene(surface->boundingRect())
+                                     .adjusted(-tolerancePx, -tolerancePx, tolerancePx, tolerancePx);
+            if (!limit.contains(rect))
+                m_faults += QStringLiteral("%1 stands out of its surface").arg(nameOf(item));
+        }
+        m_texts.append({text, rect});
+    }
+
+    // What cannot be used now may be pale (WCAG exempts it).
+    void checkContrast(const QQuickItem& item, const QRectF& rect)
+    {
+        const double scale = m_picture.devicePixelRatio();
+        const auto behind = colorBehind(m_picture, {rect.topLeft() * scale, rect.size() * scale});
+        if (!behind || !item.isEnabled())
+            return;
+        const QColor ink = inkOn(item, *behind);
+        const double ratio = contrastRatio(ink, *behind);
+        const double needed = contrastNeeded(item, m_limits.contrast);
+        if (ratio < needed)
+            m_faults += QStringLiteral("%1 in %2 on %3 has a contrast of %4, it needs %5")
+                            .arg(nameOf(item), ink.name(), behind->name())
+                            .arg(ratio, 0, 'f', 2)
+                            .arg(needed);
+    }
+
+    void checkTarget(const QQuickItem& item)
+    {
+        const bool isCommand =
+            item.objectName() == QStringLiteral("startKey") || item.objectName() == QStringLiteral("stopKey");
+        const double needed = isCommand           ? m_limits.commandPx
+                              : isLetterKey(item) ? m_limits.letterPx
+                                                  : m_limits.touchPx;
+        const double limit = std::floor(needed) - tolerancePx;
+        if (item.width() < limit || item.height() < limit)
+            m_faults += QStringLiteral("%1 is %2 x %3, a finger needs %4")
+                            .arg(nameOf(item))
+                            .arg(item.width())
+                            .arg(item.height())
+                            .arg(limit);
+    }
+
+    SceneLimits m_limits;
+    const QImage& m_picture;
+    QList<PaintedText> m_texts;
+    QStringList m_faults;
+};
+
+QQuickItem* childNamed(QQuickItem& below, const QString& name)
+{
+    if (below.objectName() == name)
+        return &below;
+    for (QQuickItem* child : below.childItems()) {
+        if (QQuickItem* found = childNamed(*child, name))
+            return found;
+    }
+    return nullptr;
+}
+
+} // namespace
+
+QStringList checkScene(QQuickItem& root, const SceneLimits& limits, const QImage& picture)
+{
+    QQuickItem* layer = &root;
+    for (const char* host : {"firstStart", "sheetHost", "keypadLoader", "loginLoader"}) {
+        QQuickItem* item = childNamed(root, QString::fromLatin1(host));
+        if (item && !item->childItems().isEmpty())
+            layer = item;
+    }
+    Checker checker(limits, picture);
+    checker.visit(*layer);
+    return checker.finish();
+}
+
+} // namespace campanel::looks

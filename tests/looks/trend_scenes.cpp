@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/looks/trend_scenes.h"
+
+#include "app/store/bag_log.h"
+#include "tests/looks/stage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace campanel::looks {
+
+namespace {
+
+using store::TrendPart;
+using store::TrendQuantity;
+
+constexpr unsigned trendSeed = 11;
+constexpr qint64 msPerSecond = 1000;
+constexpr qint64 secondsOfNow = 600;
+constexpr qint64 secondsOfPause = 70; // in these
+constexpr qint64 endOfPause = 150;    // seconds before now
+constexpr qint64 tenMinutes = 600;
+constexpr qint64 tenMinutesOfAWeek = 7 * 24 * 6;
+
+qint64 nowMs()
+{
+    return QDateTime(QDate(2026, 1, 15), QTime(14, 7)).toMSecsSinceEpoch();
+}
+
+// A bag a second that wanders about a little; `second` decides what it is.
+void addSecond(QList<TrendPart>& parts, qint64 second, std::mt19937& random)
+{
+    std::normal_distribution<double> scatter(0, 0.06);
+    const double drift = 0.09 * std::sin(static_cast<double>(second) / 170.0);
+    const double deviation = drift + scatter(random);
+    const bool isWithin = std::abs(deviation) <= 0.5;
+    const auto add = [&](TrendQuantity quantity, std::initializer_list<double> values) {
+        TrendPart part{second, quantity, {}};
+        for (const double value : values)
+            part.bucket.add(value, isWithin);
+        parts << part;
+    };
+    add(TrendQuantity::BagLength, {250 + deviation});
+    add(TrendQuantity::Deviation, {deviation});
+    add(TrendQuantity::MarkError, {0.4 * deviation + scatter(random)});
+    const double lag = 0.4 + scatter(random);
+    add(TrendQuantity::FollowingError, {lag, -lag / 3, lag / 2});
+    add(TrendQuantity::Rate, {60});
+    add(TrendQuantity::Latency, {8.1 + scatter(random), 8.4, 9.9 + std::abs(20 * scatter(random))});
+}
+
+// The last ten minutes second by second with a pause, and of the week before one second in ten minutes of the
+// shifts: enough for a picture of the week.
+QList<TrendPart> demoTrends()
+{
+    std::mt19937 random(trendSeed);
+    QList<TrendPart> parts;
+    const qint64 now = nowMs() / msPerSecond;
+    for (qint64 back = tenMinutesOfAWeek; back > 0; --back) {
+        const qint64 second = now - back * tenMinutes;
+        const int hour = QDateTime::fromSecsSinceEpoch(second).time().hour();
+        if (hour >= 6 && hour < 22)
+            addSecond(parts, second, random);
+    }
+    for (qint64 back = secondsOfNow; back > 0; --back) {
+        if (back < endOfPause || back >= endOfPause + secondsOfPause)
+            addSecond(parts, now - back, random);
+    }
+    return parts;
+}
+
+QList<store::Bag> demoBags()
+{
+    QList<store::Bag> bags;
+    for (int i = 60; i > 0; --i) {
+        store::Bag bag;
+        bag.timeMs = nowMs() - i * msPerSecond;
+        bag.programName = QStringLiteral("Biscuit 250");
+        bag.programVersion = 3;
+        bag.setLengthMm = 250;
+        bag.deviationMm = 0.01 * (i % 7);
+        bags << bag;
+    }
+    return bags;
+}
+
+// What the demonstration's machine has recorded goes: it depends on the scenes before.
+tl::expected<void, store::StoreError> deleteTrends(store::Database& database)
+{
+    for (const char* table : {"bag", "program", "trend_second", "trend_minute", "trend_hour"}) {
+        if (const auto done = database.execute(QStringLiteral("DELETE FROM %1").arg(QLatin1String(table)));
+            !done)
+            return tl::unexpected(done.error());
+    }
+    const auto done = database.execute(QStringLiteral("UPDATE ring SET held = 0"));
+    return done ? tl::expected<void, store::StoreError>() : tl::unexpected(done.error());
+}
+
+tl::expected<void, store::StoreError> fill(store::Database& database)
+{
+    store::BagLog bags(database);
+    const QList<store::Bag> wanted = demoBags();
+    const auto found = bags.countBetween(wanted.first().timeMs, nowMs(), wanted.size());
+    if (found == wanted.size()) // by a scene before
+        return {};
+    if (const auto cleared = deleteTrends(database); !cleared)
+        return cleared;
+    if (const auto added = bags.add(wanted); !added)
+        return added;
+    return store::TrendLog(database).add(demoTrends());
+}
+
+using Change = tl::expected<void, store::StoreError> (*)(store::Database&);
+
+void change(Stage& stage, Change change)
+{
+    machine::Trends& trends = stage.panel().trends();
+    bool isDone = false;
+    trends.store().run(
+        &trends,
+        [change](store::Database& database) {
+            return database.transaction([&] { return change(database); }).has_value();
+        },
+        [&](bool done) { isDone = done; });
+    trends.refresh();
+    stage.waitForTrends();
+    if (!isDone)
+        qWarning("the demonstration's trends cannot be written");
+}
+
+// The page with these quantities over the last ten minutes.
+void openPage(Stage& stage,
+              const QList<int>& quantities = {machine::Trends::Deviation, machine::Trends::MarkError})
+{
+    machine::Trends& trends = stage.panel().trends();
+    stage.tap(QStringLiteral("nav0"));
+    trends.open();
+    for (const int quantity : quantities) {
+        if (!trends.chosen().contains(quantity))
+            trends.toggle(quantity);
+        for (const int other : trends.chosen()) {
+            if (!quantities.contains(other))
+                trends.toggle(other);
+        }
+    }
+    trends.showSpan(600'000);
+    trends.showNow();
+    stage.tap(QStringLiteral("nav5"));
+    if (QQuickItem* card = stage.find(QStringLiteral("trendCard")))
+        card->setProperty("cursor", std::nan(""));
+    stage.waitForTrends();
+}
+
+void openFilled(Stage& stage,
+                const QList<int>& quantities = {machine::Trends::Deviation, machine::Trends::MarkError})
+{
+    openPage(stage, quantities);
+    change(stage, fill);
+}
+
+void tapAll(Stage& stage, std::initializer_list<const char*> names)
+{
+    for (const char* name : names) {
+        stage.tap(QString::fromLatin1(name));
+        stage.waitForTrends();
+    }
+}
+
+} // namespace
+
+QList<Scene> trendScenes()
+{
+    return {{QStringLiteral("trends-empty"),
+             [](Stage& stage) {
+                 openPage(stage);
+                 change(stage, deleteTrends);
+             }},
+            {QStringLiteral("trends"), [](Stage& stage) { openFilled(stage); }},
+            {QStringLiteral("trends-explained"),
+             [](Stage& stage) {
+                 openFilled(stage);
+                 stage.hold(QStringLiteral("trendFigures0"));
+             }},
+            {QStringLiteral("trends-cursor-explained"),
+             [](Stage& stage) {
+                 openFilled(stage);
+                 tapAll(stage, {"trendPlot"});
+                 stage.hold(QStringLiteral("trendFigures0"));
+             }},
+            {QStringLiteral("trends-three"),
+             [](Stage& stage) {
+                 openFilled(stage, {machine::Trends::BagLength, machine::Trends::FollowingError,
+                                    machine::Trends::Latency});
+             }},
+            {QStringLiteral("trends-cursor"),
+             [](Stage& stage) {
+                 openFilled(stage);
+                 tapAll(stage, {"trendPlot"});
+             }},
+            {QStringLiteral("trends-week"),
+             [](Stage& stage) {
+                 openFilled(stage, {machine::Trends::Deviation});
+                 tapAll(stage, {"span7d"});
+             }},
+            {QStringLiteral("trends-nothing-here"),
+             [](Stage& stage) {
+                 openFilled(stage);
+                 const double now = stage.panel().trends().toMs();
+                 stage.panel().trends().showWindow(now - 40 * 86400e3, now - 39 * 86400e3);
+                 stage.waitForTrends();
+             }},
+            {QStringLiteral("trends-curves"),
+             [](Stage& stage) {
+                 openFilled(stage);
+                 tapAll(stage, {"trendCurves"});
+             }},
+            {QStringLiteral("trends-export"), [](Stage& stage) {
+                 machine::ReportFiles& files = *stage.panel().service().files();
+                 files.setLooker([](const QString&) {
+                     return QList<store::Place>{
+                         {QStringLiteral("/media/panel/KINGSTON"), QStringLiteral("KINGSTON"), false}};
+                 });
+                 openFilled(stage);
+                 tapAll(stage, {"trendExport"});
+                 stage.waitFor(files);
+             }}};
+}
+
+} // namespace campanel::looks
