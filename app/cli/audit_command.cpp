@@ -3,8 +3,8 @@
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
 #include "app/cli/report.h"
-#include "app/store/audit_log.h"
-#include "app/store/backup_file.h"
+#include "app/store/backup/backup_file.h"
+#include "app/store/logs/audit_log.h"
 
 #include <QDir>
 #include <QFileInfo>

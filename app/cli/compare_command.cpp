@@ -4,8 +4,8 @@
 #include "app/cli/invocation.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/report.h"
-#include "profile/compare_laws.h"
-#include "profile/laws.h"
+#include "profile/laws/laws.h"
+#include "profile/moves/compare_laws.h"
 
 #include <QJsonArray>
 #include <QtNumeric>

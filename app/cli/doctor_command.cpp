@@ -4,7 +4,7 @@
 #include "app/cli/invocation.h"
 #include "app/cli/link_session.h"
 #include "app/cli/report.h"
-#include "modbus/line_scan.h"
+#include "modbus/line/line_scan.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -5,7 +5,7 @@
 #include "app/cli/link_session.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/report.h"
-#include "modbus/download.h"
+#include "modbus/download/download.h"
 
 #include <QDateTime>
 #include <QElapsedTimer>

@@ -2,8 +2,8 @@
 // How a command ends when it does not end well: an exit code and one line for stderr.
 #pragma once
 
-#include "app/store/file_error.h"
-#include "modbus/link_error.h"
+#include "app/store/files/file_error.h"
+#include "modbus/line/link_error.h"
 
 #include <QString>
 

@@ -7,8 +7,8 @@
 #include "app/cli/report.h"
 #include "app/program/interval_speeds.h"
 #include "app/program/solved_program.h"
-#include "profile/interval_times.h"
-#include "profile/intervals.h"
+#include "profile/intervals/interval_times.h"
+#include "profile/intervals/intervals.h"
 
 #include <QJsonArray>
 

@@ -4,7 +4,7 @@
 
 #include "app/cli/link_session.h"
 #include "app/cli/recipe_options.h"
-#include "app/store/files.h"
+#include "app/store/files/files.h"
 
 #include <QFile>
 #include <QFileInfo>

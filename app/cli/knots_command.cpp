@@ -4,8 +4,8 @@
 #include "app/cli/invocation.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/report.h"
-#include "profile/knots_csv.h"
-#include "profile/point_cam_edit.h"
+#include "profile/cam/knots_csv.h"
+#include "profile/cam/point_cam_edit.h"
 
 using namespace Qt::StringLiterals;
 

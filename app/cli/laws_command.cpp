@@ -3,7 +3,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
 #include "app/cli/report.h"
-#include "profile/laws.h"
+#include "profile/laws/laws.h"
 
 #include <QJsonArray>
 

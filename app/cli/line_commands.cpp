@@ -5,7 +5,7 @@
 #include "app/cli/invocation.h"
 #include "app/cli/link_session.h"
 #include "app/cli/report.h"
-#include "modbus/frame_text.h"
+#include "modbus/line/frame_text.h"
 
 #include <chrono>
 #include <optional>

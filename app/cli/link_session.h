@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/cli/failure.h"
-#include "modbus/rtu_client.h"
+#include "modbus/line/rtu_client.h"
 
 #include <QCommandLineOption>
 

@@ -3,7 +3,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
 #include "app/cli/simulate_options.h"
-#include "app/store/files.h"
+#include "app/store/files/files.h"
 
 #include <QCoreApplication>
 

@@ -4,7 +4,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
 #include "app/cli/recipe_options.h"
-#include "app/store/recipe_json.h"
+#include "app/store/recipes/recipe_json.h"
 
 using namespace Qt::StringLiterals;
 

@@ -3,9 +3,9 @@
 #include "app/cli/recipe_options.h"
 
 #include "app/cli/invocation.h"
-#include "app/store/knots_file.h"
-#include "app/store/recipe_file.h"
-#include "profile/laws.h"
+#include "app/store/recipes/knots_file.h"
+#include "app/store/recipes/recipe_file.h"
+#include "profile/laws/laws.h"
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,8 @@
 #include "app/cli/invocation.h"
 #include "app/cli/link_session.h"
 #include "app/cli/report.h"
-#include "modbus/codec.h"
-#include "modbus/register_document.h"
+#include "modbus/map/codec.h"
+#include "modbus/map/register_document.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

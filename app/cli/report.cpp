@@ -2,7 +2,7 @@
 // Flattening of JSON objects, and CSV tables.
 #include "app/cli/report.h"
 
-#include "app/store/csv.h"
+#include "app/store/files/csv.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

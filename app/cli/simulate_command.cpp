@@ -8,7 +8,7 @@
 #include "app/cli/simulate_figures.h"
 #include "app/cli/simulate_options.h"
 #include "app/cli/simulate_table.h"
-#include "app/store/files.h"
+#include "app/store/files/files.h"
 
 #include <cstdio>
 #include <ctime>

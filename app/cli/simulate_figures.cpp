@@ -3,7 +3,7 @@
 #include "app/cli/simulate_figures.h"
 
 #include "app/cli/report.h"
-#include "modbus/protocol.h"
+#include "modbus/map/protocol.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "app/cli/invocation.h"
 #include "app/cli/report.h"
-#include "modbus/codec.h"
+#include "modbus/map/codec.h"
 
 #include <cmath>
 

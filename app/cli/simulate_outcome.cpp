@@ -2,7 +2,7 @@
 // Why a simulated run ended before its last bag, and what to do about it.
 #include "app/cli/report.h"
 #include "app/cli/simulate_figures.h"
-#include "modbus/protocol.h"
+#include "modbus/map/protocol.h"
 
 #include <QStringList>
 

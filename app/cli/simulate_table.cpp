@@ -5,7 +5,7 @@
 #include "app/cli/report.h"
 #include "app/cli/simulate_figures.h"
 #include "app/cli/simulate_options.h"
-#include "profile/limits.h"
+#include "profile/cutter/limits.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include "app/cli/link_session.h"
 #include "app/cli/report.h"
 #include "app/program/program_image.h"
-#include "modbus/bank_reader.h"
+#include "modbus/download/bank_reader.h"
 
 #include <QJsonArray>
 

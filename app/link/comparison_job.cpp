@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/link/comparison_job.h"
 
-#include "modbus/crc32.h"
+#include "modbus/map/crc32.h"
 
 #include <utility>
 

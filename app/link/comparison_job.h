@@ -5,7 +5,7 @@
 #pragma once
 
 #include "app/link/link_values.h"
-#include "modbus/bank_reader.h"
+#include "modbus/download/bank_reader.h"
 
 #include <optional>
 #include <vector>

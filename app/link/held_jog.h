@@ -21,7 +21,6 @@ public:
     [[nodiscard]] bool isPollDue(SteadyTime now, SteadyTime lastPollAt) const;
 
 private:
-
     JogRequest m_held;
     JogDirection m_sent = JogDirection::None;
     JogDirection m_heard = JogDirection::None; // by the controller, for certain

@@ -2,17 +2,17 @@
 // What travels between the GUI thread and the link thread: plain values, copied by queued signals.
 #pragma once
 
-#include "modbus/bank_header.h"
-#include "modbus/blocks.h"
-#include "modbus/download.h"
-#include "modbus/frame_text.h"
-#include "modbus/line_scan.h"
-#include "modbus/link_error.h"
-#include "modbus/link_figures.h"
-#include "modbus/packer_status.h"
-#include "modbus/register_values.h"
-#include "modbus/rtu_client.h"
-#include "modbus/wire_time.h"
+#include "modbus/download/download.h"
+#include "modbus/line/frame_text.h"
+#include "modbus/line/line_scan.h"
+#include "modbus/line/link_error.h"
+#include "modbus/line/link_figures.h"
+#include "modbus/line/rtu_client.h"
+#include "modbus/line/wire_time.h"
+#include "modbus/map/bank_header.h"
+#include "modbus/map/blocks.h"
+#include "modbus/map/packer_status.h"
+#include "modbus/map/register_values.h"
 
 #include <QList>
 #include <QString>

@@ -52,9 +52,9 @@ bool isStanding(std::optional<modbus::State> state)
 // What the status says of the machine is the same as before.
 bool isSame(const modbus::StatusBlock& one, const modbus::StatusBlock& other)
 {
-    return one.state == other.state && one.faultBits == other.faultBits && one.warningBits == other.warningBits &&
-           one.generation == other.generation && one.stagedState == other.stagedState &&
-           one.axisPositionPulses == other.axisPositionPulses;
+    return one.state == other.state && one.faultBits == other.faultBits &&
+           one.warningBits == other.warningBits && one.generation == other.generation &&
+           one.stagedState == other.stagedState && one.axisPositionPulses == other.axisPositionPulses;
 }
 
 } // namespace
@@ -173,8 +173,8 @@ void LinkWorker::exchange()
     stepAfter(hasWork ? 0ms : std::max(0ms, std::chrono::ceil<std::chrono::milliseconds>(pollDue)));
 }
 
-// Another controller, or another firmware in it: what was read of the one before is worth nothing. Connecting again says
-// what it is.
+// Another controller, or another firmware in it: what was read of the one before is worth nothing. Connecting
+// again says what it is.
 void LinkWorker::checkIdentity()
 {
     m_identifiedAt = steady_clock::now();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/link/parameter_exchange.h"
 
-#include "modbus/codec.h"
+#include "modbus/map/codec.h"
 
 #include <algorithm>
 

@@ -17,9 +17,9 @@ namespace {
 
 constexpr double toleranceShare =
     0.8; // of half the height, where the tolerance lines are if no bag is beyond them
-constexpr double defaultReachMm = 1.0; // without tolerance and without larger values
+constexpr double defaultReachMm = 1.0;     // without tolerance and without larger values
 constexpr double deviationHeadroom = 1.05; // above the largest deviation
-constexpr double levelFactor = 1.5;    // between two levels of zoom
+constexpr double levelFactor = 1.5;        // between two levels of zoom
 constexpr double scatterOpacity = 0.25;
 constexpr double leastBand = 2;        // px, of the scatter
 constexpr double badPointFactor = 1.5; // a bag out of tolerance is not told by its colour alone

@@ -15,8 +15,8 @@ namespace campanel::plot {
 
 namespace {
 
-constexpr double dotHalo = 1.5;     // px of surface around a dot
-constexpr int timeDigits = 3;       // of the cycle time at the end of the axis
+constexpr double dotHalo = 1.5; // px of surface around a dot
+constexpr int timeDigits = 3;   // of the cycle time at the end of the axis
 
 } // namespace
 

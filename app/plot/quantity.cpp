@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/plot/quantity.h"
 
-#include "profile/sampling.h"
+#include "profile/cutter/sampling.h"
 
 #include <algorithm>
 #include <array>

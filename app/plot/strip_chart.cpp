@@ -23,11 +23,11 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double laneHeadroom = 1.1; // above the largest value of a lane
-constexpr double laneGap = 4;    // px between two lanes
+constexpr double laneGap = 4;        // px between two lanes
 constexpr double areaOpacity = 0.35;
 constexpr double laneLineWidth = 1.5; // px
-constexpr double barWidth = 2;    // px; a single bad minute must be seen
-constexpr double titleGap = 6;    // px beside a title
+constexpr double barWidth = 2;        // px; a single bad minute must be seen
+constexpr double titleGap = 6;        // px beside a title
 constexpr int clockStepHours = 3;
 constexpr int secondsOfHour = 3600;
 

@@ -5,10 +5,10 @@
 
 #include "app/program/recipe.h"
 
-#include "modbus/codec.h"
-#include "profile/cam_table.h"
-#include "profile/intervals.h"
-#include "profile/press.h"
+#include "modbus/map/codec.h"
+#include "profile/cam/cam_table.h"
+#include "profile/intervals/intervals.h"
+#include "profile/press/press.h"
 
 #include <cstdint>
 #include <optional>

@@ -3,7 +3,7 @@
 #include "app/program/differences.h"
 
 #include "app/program/register_fields.h"
-#include "modbus/codec.h"
+#include "modbus/map/codec.h"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 // What a download would change, value by value, compared as the registers hold it.
 #pragma once
 
-#include "modbus/register_map.h"
-#include "profile/fields.h"
+#include "modbus/map/register_map.h"
+#include "profile/model/fields.h"
 
 #include <cstdint>
 #include <optional>

@@ -2,7 +2,7 @@
 // What the generator's clock makes of the numbers of an interval: real pulses/s, for people to read.
 #pragma once
 
-#include "profile/interval_times.h"
+#include "profile/intervals/interval_times.h"
 
 #include <cmath>
 

@@ -2,9 +2,9 @@
 // Building and decoding of program images.
 #include "app/program/program_image.h"
 
-#include "modbus/crc32.h"
-#include "profile/laws.h"
-#include "profile/limits.h"
+#include "modbus/map/crc32.h"
+#include "profile/cutter/limits.h"
+#include "profile/laws/laws.h"
 
 #include <algorithm>
 
@@ -106,8 +106,8 @@ tl::expected<ProgramImage, ProgramRefusal> buildCutter(ProgramImage image)
     return finished(std::move(image), std::move(registers));
 }
 
-// Speed error that the intervals of a move may have, as a share of its largest speed: the first, or where rows of
-// whole pulses cannot keep that, as little as they can, up to the second.
+// Speed error that the intervals of a move may have, as a share of its largest speed: the first, or where
+// rows of whole pulses cannot keep that, as little as they can, up to the second.
 constexpr double intervalSpeedShare = 0.01;
 constexpr double mostIntervalSpeedShare = 0.2;
 

@@ -6,8 +6,8 @@
 #include "app/program/recipe.h"
 #include "app/program/solved_program.h"
 
-#include "modbus/bank_header.h"
-#include "profile/step_table.h"
+#include "modbus/map/bank_header.h"
+#include "profile/cutter/step_table.h"
 
 #include <tl/expected.hpp>
 

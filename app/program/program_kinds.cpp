@@ -2,7 +2,7 @@
 // One row per kind, and one list of members per structure of inputs.
 #include "app/program/program_kinds.h"
 
-#include "profile/laws.h"
+#include "profile/laws/laws.h"
 
 #include <algorithm>
 #include <array>

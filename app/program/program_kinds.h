@@ -3,7 +3,7 @@
 // line and the panel read it, so that a kind is added in one place.
 #pragma once
 
-#include "profile/programs.h"
+#include "profile/program/programs.h"
 
 #include <cstdint>
 #include <span>

@@ -3,8 +3,8 @@
 #include "app/program/recipe.h"
 
 #include "app/program/register_fields.h"
-#include "modbus/codec.h"
-#include "profile/laws.h"
+#include "modbus/map/codec.h"
+#include "profile/laws/laws.h"
 
 #include <algorithm>
 #include <array>

@@ -4,10 +4,10 @@
 
 #include "app/program/program_kinds.h"
 
-#include "profile/machine.h"
-#include "profile/programs.h"
+#include "profile/model/machine.h"
+#include "profile/program/programs.h"
 
-#include "modbus/blocks.h"
+#include "modbus/map/blocks.h"
 
 #include <array>
 #include <cstddef>

@@ -5,7 +5,7 @@
 
 #include "app/program/program_kinds.h"
 
-#include "modbus/register_map.h"
+#include "modbus/map/register_map.h"
 
 #include <array>
 #include <string_view>

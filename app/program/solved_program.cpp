@@ -2,10 +2,10 @@
 // One function per kind of program.
 #include "app/program/solved_program.h"
 
-#include "profile/point_cam.h"
-#include "profile/position_move.h"
-#include "profile/press.h"
-#include "profile/speed_move.h"
+#include "profile/cam/point_cam.h"
+#include "profile/moves/position_move.h"
+#include "profile/moves/speed_move.h"
+#include "profile/press/press.h"
 
 #include <limits>
 

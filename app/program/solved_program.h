@@ -4,9 +4,9 @@
 
 #include "app/program/recipe.h"
 
-#include "profile/axis_motion.h"
-#include "profile/limits.h"
-#include "profile/sampling.h"
+#include "profile/cutter/limits.h"
+#include "profile/cutter/sampling.h"
+#include "profile/model/axis_motion.h"
 
 #include <optional>
 #include <tl/expected.hpp>

@@ -2,7 +2,7 @@
 // The commissioning report as a PDF: A4, texts with their fonts embedded, curves as lines.
 #pragma once
 
-#include "app/machine/commissioning.h"
+#include "app/panel/reports/commissioning.h"
 
 namespace campanel::report {
 

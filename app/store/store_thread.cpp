@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/store_thread.h"
 
-#include "app/store/setup_marker.h"
-#include "app/store/user_store.h"
+#include "app/store/database/setup_marker.h"
+#include "app/store/users/user_store.h"
 
 #include <QDir>
 

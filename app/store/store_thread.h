@@ -3,7 +3,7 @@
 // given back in the thread of whoever asked. Jobs are done in their order, all of them before the end.
 #pragma once
 
-#include "app/store/database.h"
+#include "app/store/database/database.h"
 
 #include <QObject>
 #include <QPointer>

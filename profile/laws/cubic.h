@@ -2,7 +2,7 @@
 // Cubic 2-3: the law of the paper. As a speed law its acceleration is zero at both ends.
 #pragma once
 
-#include "profile/law.h"
+#include "profile/model/law.h"
 
 namespace campanel::profile::detail {
 

@@ -2,7 +2,7 @@
 // Cycloidal: one sine wave of acceleration.
 #pragma once
 
-#include "profile/law.h"
+#include "profile/model/law.h"
 
 #include <cmath>
 #include <numbers>

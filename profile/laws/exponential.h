@@ -2,7 +2,7 @@
 // Exponential ramp with constant k. Acceleration steps at both ends; not symmetric; a speed law only.
 #pragma once
 
-#include "profile/law.h"
+#include "profile/model/law.h"
 
 #include <array>
 #include <cmath>

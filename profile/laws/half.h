@@ -2,7 +2,7 @@
 // For symmetric laws only the first half is written down; the second is its point reflection.
 #pragma once
 
-#include "profile/law.h"
+#include "profile/model/law.h"
 
 namespace campanel::profile::detail {
 

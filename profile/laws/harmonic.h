@@ -2,7 +2,7 @@
 // Harmonic: half a cosine wave.
 #pragma once
 
-#include "profile/law.h"
+#include "profile/model/law.h"
 
 #include <cmath>
 #include <numbers>

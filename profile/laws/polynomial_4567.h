@@ -2,7 +2,7 @@
 // 4-5-6-7 polynomial: g', g'' and g''' are zero at both ends.
 #pragma once
 
-#include "profile/law.h"
+#include "profile/model/law.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 // Quintic 3-4-5: g' and g'' are zero at both ends.
 #pragma once
 
-#include "profile/law.h"
+#include "profile/model/law.h"
 
 #include <numbers>
 

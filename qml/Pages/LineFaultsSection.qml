@@ -9,7 +9,7 @@ import CamPanel.Machine
 ServiceSection {
     id: section
 
-    readonly property LineFaults faults: Machine.lineFaults
+    readonly property LineFaults faults: Service.lineFaults
 
     ListView {
         id: list

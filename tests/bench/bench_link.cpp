@@ -4,8 +4,8 @@
 #include "bench_report.h"
 
 #include "app/program/program_image.h"
-#include "modbus/download.h"
-#include "modbus/wire_time.h"
+#include "modbus/download/download.h"
+#include "modbus/line/wire_time.h"
 #include "tests/support/controller_process.h"
 
 #include <chrono>

@@ -3,9 +3,9 @@
 // 115200 baud, drawn once a second of that time, and a record of every frame. What is resident may not grow.
 #include "bench_report.h"
 
-#include "app/main/memory.h"
+#include "app/shell/memory.h"
+#include "modbus/line/rtu_line.h"
 #include "tests/looks/stage.h"
-#include "modbus/rtu_line.h"
 
 #include <QCoreApplication>
 

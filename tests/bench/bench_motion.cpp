@@ -2,8 +2,8 @@
 // The mathematics behind one edit: solve, sample, build the table. Timed by Google Benchmark.
 #include "bench_report.h"
 
-#include "profile/sampling.h"
-#include "profile/step_table.h"
+#include "profile/cutter/sampling.h"
+#include "profile/cutter/step_table.h"
 
 #include <benchmark/benchmark.h>
 

@@ -3,9 +3,9 @@
 // renderer, with everything that the panel may have on its disk.
 #include "bench_pages.h"
 
+#include "app/store/database/database.h"
 #include "tests/looks/demo_link.h"
 #include "tests/looks/finger.h"
-#include "app/store/database.h"
 #include "tests/support/alarm_fill.h"
 
 #include <QElapsedTimer>

@@ -6,9 +6,9 @@
 
 #include "master.h"
 
-#include "modbus/codec.h"
-#include "modbus/rtu_client.h"
-#include "modbus/wire_time.h"
+#include "modbus/line/rtu_client.h"
+#include "modbus/line/wire_time.h"
+#include "modbus/map/codec.h"
 #include "tests/support/controller_process.h"
 
 #include <algorithm>

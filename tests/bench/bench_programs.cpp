@@ -6,8 +6,8 @@
 #include "app/program/program_image.h"
 #include "app/program/program_kinds.h"
 #include "app/program/solved_program.h"
-#include "profile/cam_table.h"
-#include "profile/laws.h"
+#include "profile/cam/cam_table.h"
+#include "profile/laws/laws.h"
 
 #include <QProcess>
 

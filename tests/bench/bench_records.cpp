@@ -3,15 +3,15 @@
 // disk, and that neither file nor process grows when more bags come.
 #include "bench_pages.h"
 
-#include "app/machine/machine.h"
-#include "app/machine/records.h"
-#include "app/machine/service.h"
-#include "app/machine/settings.h"
-#include "app/machine/trends.h"
+#include "app/panel/controller/machine.h"
+#include "app/panel/maintenance/service.h"
+#include "app/panel/records/records.h"
+#include "app/panel/settings/settings.h"
+#include "app/panel/trends/trends.h"
+#include "app/shell/memory.h"
+#include "app/store/logs/bag_log.h"
+#include "app/store/logs/trend_schema.h"
 #include "tests/looks/demo_link.h"
-#include "app/main/memory.h"
-#include "app/store/bag_log.h"
-#include "app/store/trend_schema.h"
 
 #include <QCoreApplication>
 #include <QDateTime>

@@ -2,7 +2,7 @@
 // campanel-bench: measures what the README states, as ratios against limits and peers in one run.
 #include "bench_report.h"
 
-#include "app/main/qml_modules.h"
+#include "app/shell/qml_modules.h"
 
 #include <QCommandLineParser>
 #include <QGuiApplication>

@@ -358,8 +358,8 @@ void TestExecutable::endsWithItsParent()
     const QTemporaryDir state;
     QProcess shell;
     shell.start(u"/bin/sh"_s,
-                {u"-c"_s, campanel::test::programPath("campanel-controller") + u" --exit-with-parent --state "_s +
-                              state.path() + u" & echo $!; read line"_s});
+                {u"-c"_s, campanel::test::programPath("campanel-controller") +
+                              u" --exit-with-parent --state "_s + state.path() + u" & echo $!; read line"_s});
     QVERIFY(shell.waitForStarted());
     QByteArray lines;
     QTRY_VERIFY((lines += shell.readAll()).count('\n') >= 2);

@@ -195,7 +195,8 @@ void TestLiveFaults::fileOfRules()
     QCOMPARE(wrong.exitCode(), 2);
     const QByteArray sentence = wrong.readAllStandardError();
     QVERIFY2(sentence.contains("line 3: 'times=often' is wrong"), sentence.constData());
-    wrong.start(campanel::test::programPath("campanel-controller"), {u"--faults"_s, folder.filePath(u"none"_s)});
+    wrong.start(campanel::test::programPath("campanel-controller"),
+                {u"--faults"_s, folder.filePath(u"none"_s)});
     QVERIFY(wrong.waitForFinished(waitMs));
     QCOMPARE(wrong.exitCode(), 2);
     QVERIFY(wrong.readAllStandardError().contains("cannot read"));
@@ -214,7 +215,8 @@ void TestLiveFaults::endOfInputIsNotTheEnd()
 {
     QProcess process;
     const QTemporaryDir state;
-    process.start(campanel::test::programPath("campanel-controller"), {u"--control"_s, u"--state"_s, state.path()});
+    process.start(campanel::test::programPath("campanel-controller"),
+                  {u"--control"_s, u"--state"_s, state.path()});
     QVERIFY(process.waitForReadyRead(waitMs));
     const QString port = QString::fromLocal8Bit(process.readLine()).trimmed();
     process.closeWriteChannel();

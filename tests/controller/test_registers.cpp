@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The registers against the one table: everything documented can be read, only what is documented as writable
 // can be written, limits hold, read-back tells the truth.
-#include "modbus/register_map.h"
+#include "modbus/map/register_map.h"
 #include "rig.h"
 #include "tests/support/test_program.h"
 

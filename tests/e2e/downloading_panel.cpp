@@ -2,14 +2,14 @@
 // The panel's own classes without its window, changing the bag length and downloading for ever, and saying
 // what is confirmed: to be killed at any moment. Arguments: folder, port.
 #include "app/link/threaded_link.h"
-#include "app/machine/access.h"
-#include "app/machine/audit_trail.h"
-#include "app/machine/editor.h"
-#include "app/machine/machine.h"
-#include "app/machine/recipes.h"
-#include "app/machine/records.h"
-#include "app/machine/service.h"
-#include "app/machine/settings.h"
+#include "app/panel/access/access.h"
+#include "app/panel/audit/audit_trail.h"
+#include "app/panel/controller/machine.h"
+#include "app/panel/editor/editor.h"
+#include "app/panel/library/recipes.h"
+#include "app/panel/maintenance/service.h"
+#include "app/panel/records/records.h"
+#include "app/panel/settings/settings.h"
 #include "tests/support/test_program.h"
 
 #include <QCoreApplication>

@@ -3,8 +3,8 @@
 // the key once the machine is there, and prints "page N state S" whenever that changes. SIGTERM ends it in
 // order.
 #include "app/link/threaded_link.h"
-#include "app/main/end_signals.h"
-#include "app/main/fonts.h"
+#include "app/shell/end_signals.h"
+#include "app/shell/fonts.h"
 #include "tests/looks/finger.h"
 #include "tests/support/test_program.h"
 

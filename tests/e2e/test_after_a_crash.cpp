@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The panel's process is killed while the machine runs: the machine goes on, and the next panel shows it, on
 // the page that was open. After an orderly end it begins with the first page.
-#include "app/machine/machine.h"
+#include "app/panel/controller/machine.h"
 #include "tests/support/controller_process.h"
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"

@@ -4,11 +4,11 @@
 #include "tests/support/controller_process.h"
 
 #include "app/link/threaded_link.h"
-#include "app/machine/controller_program.h"
-#include "app/machine/machine.h"
-#include "app/machine/settings.h"
-#include "app/store/audit_log.h"
-#include "app/store/recipe_library.h"
+#include "app/panel/controller/machine.h"
+#include "app/panel/recipe/controller_program.h"
+#include "app/panel/settings/settings.h"
+#include "app/store/logs/audit_log.h"
+#include "app/store/recipes/recipe_library.h"
 #include "tests/support/test_program.h"
 
 #include <QProcess>

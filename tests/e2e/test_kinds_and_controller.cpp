@@ -2,9 +2,9 @@
 // Every kind of program from the recipe to the motion: the panel's own classes and campanelctl on one side,
 // campanel-controller on its pseudo-terminal on the other, its machine several times as fast as a real one.
 #include "app/link/threaded_link.h"
-#include "app/machine/editor.h"
-#include "app/machine/machine.h"
-#include "app/machine/settings.h"
+#include "app/panel/controller/machine.h"
+#include "app/panel/editor/editor.h"
+#include "app/panel/settings/settings.h"
 #include "tests/support/controller_process.h"
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"

@@ -3,10 +3,10 @@
 // a download torn in the middle, a jogging panel killed. The panel's own classes on one side,
 // campanel-controller on its pseudo-terminal on the other. Prints what it measured.
 #include "app/link/threaded_link.h"
-#include "app/machine/editor.h"
-#include "app/machine/machine.h"
-#include "app/machine/settings.h"
-#include "modbus/codec.h"
+#include "app/panel/controller/machine.h"
+#include "app/panel/editor/editor.h"
+#include "app/panel/settings/settings.h"
+#include "modbus/map/codec.h"
 #include "tests/support/controller_process.h"
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"

@@ -3,10 +3,10 @@
 // that is not where the parameter says, the panel's own classes, a ruler on the simulated machine. And marks
 // taught.
 #include "app/link/threaded_link.h"
-#include "app/machine/editor.h"
-#include "app/machine/machine.h"
-#include "app/machine/service.h"
-#include "app/machine/settings.h"
+#include "app/panel/controller/machine.h"
+#include "app/panel/editor/editor.h"
+#include "app/panel/maintenance/service.h"
+#include "app/panel/settings/settings.h"
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What people do with the panel from its first start on, by touches alone, with campanel-controller at the
 // other end of the line.
-#include "app/main/fonts.h"
+#include "app/shell/fonts.h"
 #include "panel_window.h"
 #include "tests/support/controller_process.h"
 #include "tests/support/test_program.h"

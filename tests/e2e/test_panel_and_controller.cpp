@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The panel's window touched as an operator does, campanel-controller at the other end of the line, and
 // campanelctl as the witness of what the controller runs.
-#include "app/main/fonts.h"
 #include "app/program/program_image.h"
+#include "app/shell/fonts.h"
 #include "panel_window.h"
 #include "tests/support/controller_process.h"
 #include "tests/support/places.h"

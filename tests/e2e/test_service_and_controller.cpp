@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Service page touched as a technician does, campanel-controller at the other end of the line: a register
 // written and read back, figures and frames of it, a diagnosis, and a wrong unit number found and mended.
-#include "app/main/fonts.h"
+#include "app/shell/fonts.h"
 #include "panel_window.h"
 #include "tests/support/controller_process.h"
 #include "tests/support/test_program.h"

@@ -5,8 +5,8 @@
 #include "app/program/program_image.h"
 #include "ctl_interval.h"
 #include "ctl_words.h"
-#include "profile/intervals.h"
-#include "profile/laws.h"
+#include "profile/intervals/intervals.h"
+#include "profile/laws/laws.h"
 #include "rig.h"
 #include "tests/support/test_program.h"
 

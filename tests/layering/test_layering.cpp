@@ -29,28 +29,82 @@ struct Rule {
     QStringList allowed; // regular expressions for the whole include path
 };
 
+// The rooms of a folder, lowest first: a room may include itself and the rooms of lower levels.
+struct House {
+    QString folder;
+    QStringList outside;       // what every room may include besides
+    QList<QStringList> levels; // rooms of one level do not see one another
+};
+
+const QList<House>& houses()
+{
+    static const QList<House> all{
+        {u"profile"_s,
+         {standardCpp, expected},
+         {{u"model"_s},
+          {u"laws"_s},
+          {u"cutter"_s},
+          {u"program"_s},
+          {u"moves"_s, u"cam"_s, u"intervals"_s},
+          {u"press"_s}}},
+        {u"modbus"_s,
+         {standardCpp, posix, expected, u"(modbus/)?modbus(-[a-z]+)?\\.h"_s},
+         {{u"map"_s}, {u"line"_s}, {u"download"_s}}},
+        {u"app/store"_s,
+         {standardCpp, posix, expected, qtAny, u"(sodium|zip)\\.h"_s, u"profile/.*"_s, u"app/program/.*"_s},
+         {{u"files"_s}, {u"database"_s}, {u"users"_s, u"recipes"_s, u"logs"_s}, {u"backup"_s}, {u"."_s}}},
+        {u"app/panel"_s,
+         {standardCpp, expected, qtAny, u"profile/.*"_s, u"app/(link|program|store)/.*"_s},
+         {{u"kit"_s},
+          {u"words"_s},
+          {u"recipe"_s},
+          {u"records"_s, u"settings"_s},
+          {u"controller"_s},
+          {u"access"_s, u"download"_s, u"packing"_s, u"trends"_s, u"display"_s},
+          {u"editor"_s},
+          {u"library"_s, u"alarms"_s, u"maintenance"_s},
+          {u"explain"_s, u"audit"_s},
+          {u"reports"_s}}},
+    };
+    return all;
+}
+
+QList<Rule> roomRules()
+{
+    QList<Rule> rules;
+    for (const House& house : houses()) {
+        QStringList lower = house.outside;
+        for (const QStringList& level : house.levels) {
+            QStringList own;
+            for (const QString& room : level) {
+                const QString folder = room == u"."_s ? house.folder : house.folder + u'/' + room;
+                const QString headers = room == u"."_s ? folder + u"/[a-z_0-9]+\\.h"_s : folder + u"/.*"_s;
+                rules.append({folder, lower + QStringList{headers}});
+                own.append(headers);
+            }
+            lower += own;
+        }
+    }
+    return rules;
+}
+
 const QList<Rule>& includeRules()
 {
-    static const QList<Rule> rules{
-        {u"profile"_s, {standardCpp, expected, u"profile/.*"_s}},
-        {u"modbus"_s, {standardCpp, posix, expected, u"modbus/.*"_s, u"(modbus/)?modbus(-[a-z]+)?\\.h"_s}},
-        {u"controller/core"_s, {standardC, u"ctl_[a-z_]+\\.h"_s}},
-        {u"controller/sim"_s, {standardCpp, standardC, expected, u"ctl_[a-z_]+\\.h"_s}},
-        {u"controller/host"_s, {standardCpp, standardC, posix, expected, controllerHost}},
-        {u"app/link"_s, {standardCpp, posix, expected, qtAny, u"modbus/.*"_s, u"app/link/.*"_s}},
-        {u"app/program"_s, {standardCpp, expected, u"profile/.*"_s, u"modbus/.*"_s, u"app/program/.*"_s}},
-        {u"app/store"_s,
-         {standardCpp, posix, expected, qtAny, u"(sodium|zip)\\.h"_s, u"profile/.*"_s,
-          u"app/(program|store)/.*"_s}},
-        {u"app/machine"_s,
-         {standardCpp, expected, qtAny, u"profile/.*"_s, u"app/(link|program|store|machine)/.*"_s}},
-        {u"app/plot"_s, {standardCpp, qtAny, u"qwt[a-z_]*\\.h"_s, u"profile/.*"_s, u"app/plot/.*"_s}},
-        {u"app/report"_s, {standardCpp, qtAny, u"app/(machine|plot|report)/.*"_s}},
-        {u"app/cli"_s,
-         {standardCpp, posix, expected, qtAny, u"(profile|modbus)/.*"_s, u"app/(program|store|cli)/.*"_s,
-          u"packing_run\\.h"_s}},
-        {u"app/main"_s, {standardCpp, qtAny, u"app/.*"_s, posix, u"toml\\+\\+/toml\\.h"_s}},
-    };
+    static const QList<Rule> rules =
+        roomRules() +
+        QList<Rule>{
+            {u"controller/core"_s, {standardC, u"ctl_[a-z_]+\\.h"_s}},
+            {u"controller/sim"_s, {standardCpp, standardC, expected, u"ctl_[a-z_]+\\.h"_s}},
+            {u"controller/host"_s, {standardCpp, standardC, posix, expected, controllerHost}},
+            {u"app/link"_s, {standardCpp, posix, expected, qtAny, u"modbus/.*"_s, u"app/link/.*"_s}},
+            {u"app/program"_s, {standardCpp, expected, u"profile/.*"_s, u"modbus/.*"_s, u"app/program/.*"_s}},
+            {u"app/plot"_s, {standardCpp, qtAny, u"qwt[a-z_]*\\.h"_s, u"profile/.*"_s, u"app/plot/.*"_s}},
+            {u"app/report"_s, {standardCpp, qtAny, u"app/(panel|plot|report)/.*"_s}},
+            {u"app/cli"_s,
+             {standardCpp, posix, expected, qtAny, u"(profile|modbus)/.*"_s, u"app/(program|store|cli)/.*"_s,
+              u"packing_run\\.h"_s}},
+            {u"app/shell"_s, {standardCpp, qtAny, u"app/.*"_s, posix, u"toml\\+\\+/toml\\.h"_s}},
+        };
     return rules;
 }
 
@@ -90,27 +144,33 @@ QStringList filesBelow(const QStringList& folders, const QStringList& patterns)
     return result;
 }
 
-// Every first capture of `pattern` in the file that no rule allows, as "path: what".
-QStringList violations(const QString& relativePath, const QList<Rule>& rules,
-                       const QRegularExpression& pattern)
+// Returns every first capture of `pattern` in the text that no rule for that path allows, as "path: what".
+QStringList violationsIn(const QString& text, const QString& relativePath, const QList<Rule>& rules,
+                         const QRegularExpression& pattern)
 {
     const Rule* rule = ruleFor(rules, relativePath);
     if (!rule)
         return {relativePath + u": lies in a folder that no rule names"_s};
-    QFile file(QDir(campanel::test::sourcePath(".")).filePath(relativePath));
-    if (!file.open(QIODevice::ReadOnly))
-        return {relativePath + u": cannot be read"_s};
-    const QString text = QString::fromUtf8(file.readAll());
+    const QFileInfo file(QDir(campanel::test::sourcePath(".")).filePath(relativePath));
     const QRegularExpression allowed(
         QRegularExpression::anchoredPattern(u"(?:"_s + rule->allowed.join(u")|(?:"_s) + u")"_s));
     QStringList found;
     for (const QRegularExpressionMatch& match : pattern.globalMatch(text)) {
         const QString what = match.captured(1);
-        const bool ownFolder = !what.contains(u'/') && QFile::exists(QFileInfo(file).dir().filePath(what));
+        const bool ownFolder = !what.contains(u'/') && QFile::exists(file.dir().filePath(what));
         if (!ownFolder && !allowed.match(what).hasMatch())
             found << relativePath + u": "_s + what;
     }
     return found;
+}
+
+QStringList violations(const QString& relativePath, const QList<Rule>& rules,
+                       const QRegularExpression& pattern)
+{
+    QFile file(QDir(campanel::test::sourcePath(".")).filePath(relativePath));
+    if (!file.open(QIODevice::ReadOnly))
+        return {relativePath + u": cannot be read"_s};
+    return violationsIn(QString::fromUtf8(file.readAll()), relativePath, rules, pattern);
 }
 
 const QRegularExpression includePattern(uR"(^\s*#\s*include\s*[<\x22]([^>\x22]+)[>\x22])"_s,
@@ -133,6 +193,33 @@ private slots:
         for (const QString& file : files)
             all += violations(file, includeRules(), includePattern);
         QVERIFY2(all.isEmpty(), qPrintable(u"not allowed:\n  "_s + all.join(u"\n  "_s)));
+    }
+
+    // Plants an include between any two rooms: upwards or sideways it is a violation, downwards it is none.
+    void plantedIncludeIsFound()
+    {
+        int planted = 0;
+        for (const House& house : houses()) {
+            for (qsizetype from = 0; from < house.levels.size(); ++from) {
+                for (qsizetype to = 0; to < house.levels.size(); ++to) {
+                    for (const QString& room : house.levels[from]) {
+                        for (const QString& other : house.levels[to]) {
+                            if (room == other)
+                                continue;
+                            const QString text =
+                                QDir::cleanPath(u"#include \"%1/%2/planted.h\"\n"_s.arg(house.folder, other));
+                            const QString path =
+                                QDir::cleanPath(u"%1/%2/planted.cpp"_s.arg(house.folder, room));
+                            const bool isFound =
+                                !violationsIn(text, path, includeRules(), includePattern).isEmpty();
+                            QVERIFY2(isFound == (to >= from), qPrintable(path + u" -> "_s + other));
+                            ++planted;
+                        }
+                    }
+                }
+            }
+        }
+        QVERIFY(planted > 300);
     }
 
     void everyImportIsAllowed()

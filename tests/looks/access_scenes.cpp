@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/looks/access_scenes.h"
 
-#include "app/store/audit_log.h"
-#include "app/store/setup_marker.h"
-#include "app/store/user_store.h"
+#include "app/store/database/setup_marker.h"
+#include "app/store/logs/audit_log.h"
+#include "app/store/users/user_store.h"
 
 #include <QCoreApplication>
 #include <QFile>

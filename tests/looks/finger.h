@@ -3,7 +3,7 @@
 // link.
 #pragma once
 
-#include "app/main/panel.h"
+#include "app/shell/panel.h"
 
 #include <QImage>
 #include <QQuickItem>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // campanel-looks: every page and dialog of the panel in every look, checked, captured, or compared with
 // approved pictures.
-#include "app/main/fonts.h"
-#include "app/main/qml_modules.h"
+#include "app/shell/fonts.h"
+#include "app/shell/qml_modules.h"
 #include "tests/looks/baselines.h"
 #include "tests/looks/capture.h"
 #include "tests/looks/look_checks.h"

@@ -2,7 +2,7 @@
 // A panel on the demonstration link; see stage.h.
 #include "tests/looks/stage.h"
 
-#include "app/machine/system_facts.h"
+#include "app/panel/settings/system_facts.h"
 
 #include <QTimeZone>
 

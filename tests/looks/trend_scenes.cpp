@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/looks/trend_scenes.h"
 
-#include "app/store/bag_log.h"
+#include "app/store/logs/bag_log.h"
 #include "tests/looks/stage.h"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Codec, CRC-32, blocks, bank header and wire times against known values.
-#include "modbus/bank_header.h"
-#include "modbus/blocks.h"
-#include "modbus/codec.h"
-#include "modbus/crc32.h"
-#include "modbus/wire_time.h"
+#include "modbus/line/wire_time.h"
+#include "modbus/map/bank_header.h"
+#include "modbus/map/blocks.h"
+#include "modbus/map/codec.h"
+#include "modbus/map/crc32.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The download against a scripted slave: complete, interrupted and resumed, cancelled, refused.
-#include "modbus/codec.h"
-#include "modbus/crc32.h"
-#include "modbus/download.h"
+#include "modbus/download/download.h"
+#include "modbus/map/codec.h"
+#include "modbus/map/crc32.h"
 #include "scripted_slave.h"
 #include "tests/support/test_program.h"
 
@@ -44,7 +44,10 @@ private slots:
 
 private:
     [[nodiscard]] Download make(Download::Options options = {});
-    void setKind(ProgramKind kind) { m_image.at(registerNamed("bank.kind").address) = static_cast<std::uint16_t>(kind); }
+    void setKind(ProgramKind kind)
+    {
+        m_image.at(registerNamed("bank.kind").address) = static_cast<std::uint16_t>(kind);
+    }
     // Steps with a status exchange in between, until the phase is reached; link errors are repeated.
     [[nodiscard]] bool run(Download& download, Download::Phase until);
     [[nodiscard]] tl::expected<Download::Phase, DownloadError> pollStatus(Download& download);

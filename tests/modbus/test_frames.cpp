@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The record of the line: every byte is in it, what was dropped too, and it reads in words.
-#include "modbus/codec.h"
-#include "modbus/crc16.h"
-#include "modbus/frame_text.h"
-#include "modbus/rtu_client.h"
+#include "modbus/line/crc16.h"
+#include "modbus/line/frame_text.h"
+#include "modbus/line/rtu_client.h"
+#include "modbus/map/codec.h"
 #include "scripted_slave.h"
 #include "tests/support/test_program.h"
 
@@ -149,8 +149,8 @@ private slots:
         std::vector<FrameVerdict> verdicts;
         for (const FrameRecord& record : m_client->record().frames.since(0))
             verdicts.push_back(record.verdict);
-        const std::vector<FrameVerdict> expected{FrameVerdict::Sent,    FrameVerdict::Silence,
-                                                 FrameVerdict::Sent,    FrameVerdict::Foreign,
+        const std::vector<FrameVerdict> expected{FrameVerdict::Sent, FrameVerdict::Silence,
+                                                 FrameVerdict::Sent, FrameVerdict::Foreign,
                                                  FrameVerdict::Answer};
         QCOMPARE(verdicts, expected);
         const QString text = QString::fromStdString(framesText(m_client->record().frames.since(0)));

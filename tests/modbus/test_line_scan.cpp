@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The doctor: why there is no connection, and where a controller is; nothing is ever written.
-#include "modbus/codec.h"
-#include "modbus/crc16.h"
-#include "modbus/line_scan.h"
+#include "modbus/line/crc16.h"
+#include "modbus/line/line_scan.h"
+#include "modbus/map/codec.h"
 #include "scripted_slave.h"
 #include "tests/support/test_program.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The figures of the line: percentiles, the strip of 24 hours, the allowance that follows what is measured.
-#include "modbus/answer_allowance.h"
-#include "modbus/link_figures.h"
+#include "modbus/line/answer_allowance.h"
+#include "modbus/line/link_figures.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Invariants of the register table and of the words; REGISTERS.md is what the table generates.
 // `campanel-generate-registers --markdown` writes it.
-#include "modbus/blocks.h"
-#include "modbus/register_document.h"
-#include "modbus/register_map.h"
+#include "modbus/map/blocks.h"
+#include "modbus/map/register_document.h"
+#include "modbus/map/register_map.h"
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The client against a scripted slave: every doubtful answer ends in an error, never in a wrong value, and
 // the line is usable afterwards.
-#include "modbus/codec.h"
-#include "modbus/rtu_client.h"
+#include "modbus/line/rtu_client.h"
+#include "modbus/map/codec.h"
 #include "scripted_slave.h"
 #include "tests/support/test_program.h"
 

@@ -2,8 +2,8 @@
 // What every solved or refused move must be, for tests with seeded random moves.
 #pragma once
 
-#include "profile/axis_motion.h"
-#include "profile/laws.h"
+#include "profile/laws/laws.h"
+#include "profile/model/axis_motion.h"
 
 #include <QTest>
 

@@ -2,7 +2,7 @@
 // Seeded random point cams over wide ranges, on the grids of their fields; some are feasible, some are not.
 #pragma once
 
-#include "profile/point_cam.h"
+#include "profile/cam/point_cam.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // Recipes for tests: the one of the paper's check values, and seeded random ones over wide ranges.
 #pragma once
 
-#include "profile/laws.h"
-#include "profile/rotary_cutter.h"
+#include "profile/cutter/rotary_cutter.h"
+#include "profile/laws/laws.h"
 
 #include <algorithm>
 #include <array>

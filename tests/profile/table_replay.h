@@ -2,7 +2,7 @@
 // Plays a step table pulse by pulse as its definition says, independent of how it was built.
 #pragma once
 
-#include "profile/step_table.h"
+#include "profile/cutter/step_table.h"
 
 #include <numeric>
 

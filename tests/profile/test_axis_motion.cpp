@@ -3,7 +3,7 @@
 // their place and their time spans.
 #include "move_checks.h"
 
-#include "profile/sampling.h"
+#include "profile/cutter/sampling.h"
 #include "tests/support/test_program.h"
 
 namespace test_axis_motion {

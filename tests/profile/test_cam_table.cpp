@@ -4,9 +4,9 @@
 #include "random_cams.h"
 #include "random_cases.h"
 
-#include "profile/cam_table.h"
-#include "profile/laws.h"
-#include "profile/point_cam_edit.h"
+#include "profile/cam/cam_table.h"
+#include "profile/cam/point_cam_edit.h"
+#include "profile/laws/laws.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One move by many laws: peaks side by side, and their curves.
-#include "profile/compare_laws.h"
-#include "profile/laws.h"
+#include "profile/laws/laws.h"
+#include "profile/moves/compare_laws.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>

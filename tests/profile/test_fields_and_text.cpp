@@ -3,12 +3,12 @@
 // result.
 #include "recipes.h"
 
-#include "profile/explain.h"
-#include "profile/limits.h"
-#include "profile/point_cam.h"
-#include "profile/position_move.h"
-#include "profile/press.h"
-#include "profile/speed_move.h"
+#include "profile/cam/point_cam.h"
+#include "profile/cutter/explain.h"
+#include "profile/cutter/limits.h"
+#include "profile/moves/position_move.h"
+#include "profile/moves/speed_move.h"
+#include "profile/press/press.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>

@@ -2,8 +2,8 @@
 // The compiler of intervals: sums, joints and errors of its tables, checked with the accumulators gone
 // through iteration by iteration; the number of rows against known shapes and against the fewest straight
 // lines.
-#include "profile/intervals.h"
-#include "profile/laws.h"
+#include "profile/intervals/intervals.h"
+#include "profile/laws/laws.h"
 #include "random_cases.h"
 #include "recipes.h"
 #include "tests/support/test_program.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Knots as CSV: what is read, what is refused and how exactly, and that writing and reading are inverse.
-#include "profile/knots_csv.h"
+#include "profile/cam/knots_csv.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>

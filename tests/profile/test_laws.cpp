@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The laws against published values, against their own derivatives and integrals, and against dense sampling.
-#include "profile/laws.h"
+#include "profile/laws/laws.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>

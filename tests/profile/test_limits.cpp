@@ -2,7 +2,7 @@
 // Limits: what is broken, where, and that the value offered instead is feasible and the nearest.
 #include "recipes.h"
 
-#include "profile/limits.h"
+#include "profile/cutter/limits.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>

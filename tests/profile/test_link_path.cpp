@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The fewest straight lines through a channel: parabolas, for which the number is known; steps and shut
 // gates; random channels against a search over a grid of knots, which may not find fewer.
-#include "profile/link_path.h"
+#include "profile/intervals/link_path.h"
 #include "random_cases.h"
 #include "tests/support/test_program.h"
 

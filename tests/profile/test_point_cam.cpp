@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Point cams: bad knots, the cycle in time (scales, phase, direction, wrap), limits and the rate that mends
 // them, the wrap check and its repair, and the edits of a panel.
-#include "profile/point_cam_edit.h"
+#include "profile/cam/point_cam_edit.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>

@@ -3,7 +3,7 @@
 #include "move_checks.h"
 #include "random_cases.h"
 
-#include "profile/position_move.h"
+#include "profile/moves/position_move.h"
 #include "tests/support/test_program.h"
 
 namespace test_position_move {

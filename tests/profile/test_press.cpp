@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The press program: stages and times of the nominal stroke by hand, the ranges of the servo-press paper, the
 // orders of positions and forces, the limits of the machine, the table.
-#include "profile/press.h"
+#include "profile/press/press.h"
 #include "random_cases.h"
 #include "tests/support/test_program.h"
 

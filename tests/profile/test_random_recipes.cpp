@@ -5,8 +5,8 @@
 #include "recipes.h"
 #include "table_replay.h"
 
-#include "profile/limits.h"
-#include "profile/sampling.h"
+#include "profile/cutter/limits.h"
+#include "profile/cutter/sampling.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>

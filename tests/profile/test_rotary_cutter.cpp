@@ -2,10 +2,10 @@
 // The cutter cam against the check values of the paper's corrected formulas, its curves and its refusals.
 #include "recipes.h"
 
-#include "profile/explain.h"
-#include "profile/limits.h"
-#include "profile/paper_table.h"
-#include "profile/sampling.h"
+#include "profile/cutter/explain.h"
+#include "profile/cutter/limits.h"
+#include "profile/cutter/paper_table.h"
+#include "profile/cutter/sampling.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>

@@ -4,7 +4,7 @@
 #include "move_checks.h"
 #include "random_cases.h"
 
-#include "profile/speed_move.h"
+#include "profile/moves/speed_move.h"
 #include "tests/support/test_program.h"
 
 namespace test_speed_move {

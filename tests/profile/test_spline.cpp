@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Splines against scipy's CubicSpline (spline_golden.txt, made by make_spline_golden.py), and the properties
 // that make a spline: through its knots, twice continuously differentiable, right at its ends.
-#include "profile/spline.h"
+#include "profile/cam/spline.h"
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
 

@@ -3,8 +3,8 @@
 #include "recipes.h"
 #include "table_replay.h"
 
-#include "profile/laws.h"
-#include "profile/limits.h"
+#include "profile/cutter/limits.h"
+#include "profile/laws/laws.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>

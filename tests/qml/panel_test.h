@@ -2,7 +2,7 @@
 // The panel in a window on the demonstration link, under a finger, for each test anew.
 #pragma once
 
-#include "app/main/fonts.h"
+#include "app/shell/fonts.h"
 #include "tests/looks/stage.h"
 
 #include <QTest>

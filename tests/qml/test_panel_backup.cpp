@@ -3,7 +3,7 @@
 // back; a damaged file is refused; the report is written as a PDF.
 #include "panel_test.h"
 
-#include "app/store/audit_log.h"
+#include "app/store/logs/audit_log.h"
 #include "tests/support/test_program.h"
 
 #include <QCoreApplication>

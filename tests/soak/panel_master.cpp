@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "panel_master.h"
 
-#include "modbus/bank_reader.h"
-#include "modbus/codec.h"
+#include "modbus/download/bank_reader.h"
+#include "modbus/map/codec.h"
 #include "tests/support/cam_image.h"
 
 #include <stdexcept>

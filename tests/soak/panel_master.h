@@ -3,8 +3,8 @@
 // and compares everything that it believes with the truth.
 #pragma once
 
-#include "modbus/download.h"
-#include "modbus/rtu_client.h"
+#include "modbus/download/download.h"
+#include "modbus/line/rtu_client.h"
 #include "tests/soak/fault_classes.h"
 #include "tests/soak/faulty_controller.h"
 #include "tests/soak/tally.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a panel changes in its controller: parameters, commands, downloads.
-#include "modbus/codec.h"
+#include "modbus/map/codec.h"
 #include "tests/soak/panel_master.h"
 
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "truth.h"
 
-#include "modbus/codec.h"
-#include "modbus/crc32.h"
+#include "modbus/map/codec.h"
+#include "modbus/map/crc32.h"
 #include "tests/support/cam_image.h"
 
 #include <algorithm>

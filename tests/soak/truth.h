@@ -4,7 +4,7 @@
 // master believes is compared with it; the check returns a sentence when it is wrong.
 #pragma once
 
-#include "modbus/blocks.h"
+#include "modbus/map/blocks.h"
 #include "tests/soak/faulty_controller.h"
 
 #include <cstdint>

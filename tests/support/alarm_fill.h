@@ -2,7 +2,7 @@
 // Fills the log of alarms within the database itself: 100 000 rows take a fraction of a second.
 #pragma once
 
-#include "app/store/alarm_log.h"
+#include "app/store/logs/alarm_log.h"
 
 namespace campanel::test {
 

@@ -2,7 +2,7 @@
 // The group `packer` as registers, written by name.
 #pragma once
 
-#include "modbus/packer_status.h"
+#include "modbus/map/packer_status.h"
 
 #include <cmath>
 #include <vector>

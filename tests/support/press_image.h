@@ -46,7 +46,8 @@ struct PressImage {
         result[CTL_OFFSET_PRESS_MIN_STOP_FORCE] = minStopForce;
         result[CTL_OFFSET_PRESS_MAX_STOP_FORCE] = maxStopForce;
         const auto position = [&](std::size_t offset, const Row& row) {
-            wide(offset, static_cast<std::uint32_t>(static_cast<std::uint64_t>(row.end) * feedUm / pulsesPerMotorRev));
+            wide(offset, static_cast<std::uint32_t>(static_cast<std::uint64_t>(row.end) * feedUm /
+                                                    pulsesPerMotorRev));
         };
         position(CTL_OFFSET_PRESS_APPROACH_POSITION, rows[CTL_PRESS_APPROACH]);
         position(CTL_OFFSET_PRESS_PROBE_END, rows[CTL_PRESS_PROBE]);

@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: Apache-2.0
 // Brings the QML modules into a test program.
-#include "app/main/qml_modules.h"
+#include "app/shell/qml_modules.h"

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/program/recipe.h"
-#include "profile/laws.h"
+#include "profile/laws/laws.h"
 
 #include <algorithm>
 #include <cmath>

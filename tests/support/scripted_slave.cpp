@@ -2,8 +2,8 @@
 // The scripted slave's side of the contract: exchange, command, transfer and read-back windows.
 #include "scripted_slave.h"
 
-#include "modbus/codec.h"
-#include "modbus/crc32.h"
+#include "modbus/map/codec.h"
+#include "modbus/map/crc32.h"
 
 #include <modbus/modbus.h>
 
@@ -166,7 +166,8 @@ void ScriptedSlave::serve()
     while (!m_stop) {
         const int length = modbus_receive(context.get(), buffer.data());
         if (length == 0)
-            context = listen(); // after a request to another unit, libmodbus skips the next frame as its answer
+            context =
+                listen(); // after a request to another unit, libmodbus skips the next frame as its answer
         if (length <= 0)
             continue;
         const Bytes request(buffer.begin(), buffer.begin() + length);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tests of a folder are one program. Called with the name of a test file ("test_editor") and options of Qt Test it
-// runs that file's test class; without a name it lists them. Each file lies in a namespace of its own name, so that
-// the files can be compiled together.
+// The tests of a folder are one program. Called with the name of a test file ("test_editor") and options of
+// Qt Test it runs that file's test class; without a name it lists them. Each file lies in a namespace of its
+// own name, so that the files can be compiled together.
 #pragma once
 
 #include <QTest>
@@ -17,7 +17,8 @@ enum class Application {
     None, // what runs makes its own: another process that a test starts
 };
 
-// Adds what the program can run. `file` is a path; its name without folder and suffix is what the run is called.
+// Adds what the program can run. `file` is a path; its name without folder and suffix is what the run is
+// called.
 class Registration {
 public:
     Registration(const char* file, Application application, Run run);
@@ -27,11 +28,11 @@ public:
 
 // Once at the end of a test file, in its namespace.
 #define CAMPANEL_TEST(TestClass)                                                                             \
-    static const campanel::test::Registration registration(                                                  \
-        __FILE__, campanel::test::Application::Made, [](int argc, char** argv) {                             \
-            TestClass test;                                                                                  \
-            return QTest::qExec(&test, argc, argv);                                                          \
-        });
+    static const campanel::test::Registration registration(__FILE__, campanel::test::Application::Made,      \
+                                                           [](int argc, char** argv) {                       \
+                                                               TestClass test;                               \
+                                                               return QTest::qExec(&test, argc, argv);       \
+                                                           });
 
 // What a test starts as another process, by `name`: int function(int argc, char** argv).
 #define CAMPANEL_PROCESS(name, function)                                                                     \

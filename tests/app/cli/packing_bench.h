@@ -4,7 +4,7 @@
 
 #include "app/program/program_image.h"
 #include "packing_run.h"
-#include "profile/limits.h"
+#include "profile/cutter/limits.h"
 
 #include <algorithm>
 #include <array>

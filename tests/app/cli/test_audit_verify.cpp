@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // campanelctl audit verify: trails that are whole, altered, cut off, and files that hold none.
-#include "app/store/audit_log.h"
-#include "app/store/backup_file.h"
-#include "app/store/recipe_json.h"
-#include "app/store/trend_schema.h"
+#include "app/store/backup/backup_file.h"
+#include "app/store/logs/audit_log.h"
+#include "app/store/logs/trend_schema.h"
+#include "app/store/recipes/recipe_json.h"
 #include "campanelctl_call.h"
 #include "tests/support/test_program.h"
 

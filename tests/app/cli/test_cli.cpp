@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // campanelctl as a person calls it: the real program, its output, its exit code and its one line of
 // complaint.
-#include "app/store/recipe_file.h"
+#include "app/store/recipes/recipe_file.h"
 #include "campanelctl_call.h"
-#include "modbus/register_document.h"
-#include "modbus/rtu_client.h"
+#include "modbus/line/rtu_client.h"
+#include "modbus/map/register_document.h"
 #include "tests/support/controller_process.h"
-#include "tests/support/scripted_slave.h"
 #include "tests/support/places.h"
+#include "tests/support/scripted_slave.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>

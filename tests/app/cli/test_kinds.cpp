@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // campanelctl with every kind of program: laws compared, intervals, knots, profiles and tables, and its
 // complaints about what does not fit together.
-#include "app/store/recipe_file.h"
+#include "app/store/recipes/recipe_file.h"
 #include "campanelctl_call.h"
 #include "tests/support/test_program.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where campanelctl writes to: a full disk costs no file, what cannot be written is an error, control
 // characters of a file do not reach a terminal, and lines of CSV end in one way.
-#include "app/store/recipe_json.h"
+#include "app/store/recipes/recipe_json.h"
 #include "campanelctl_call.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/places.h"

@@ -146,7 +146,8 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
         const std::uint64_t before = listener.last.identity->uniqueId;
         slave.setRegister(0x0009, static_cast<std::uint16_t>(slave.getRegister(0x0009) + 1));
-        QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected() && listener.last.identity->uniqueId != before, timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected() && listener.last.identity->uniqueId != before,
+                                 timeoutMs);
         slave.setRegister(0x0001, modbus::mapMajor + 1);
         QTRY_COMPARE_WITH_TIMEOUT(listener.last.state, LinkState::WrongDevice, timeoutMs);
     }
@@ -168,8 +169,8 @@ private slots:
         // Tells its process id and becomes the controller.
         QFile script(folder.filePath(QStringLiteral("controller.sh")));
         QVERIFY(script.open(QIODevice::WriteOnly));
-        script.write("#!/bin/sh\necho $$ > '" + folder.path().toUtf8() +
-                     "/pid'\nexec '" + campanel::test::programPath("campanel-controller").toUtf8() + "' \"$@\"\n");
+        script.write("#!/bin/sh\necho $$ > '" + folder.path().toUtf8() + "/pid'\nexec '" +
+                     campanel::test::programPath("campanel-controller").toUtf8() + "' \"$@\"\n");
         script.close();
         script.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
 
@@ -209,7 +210,8 @@ private slots:
         link.connectTo(portSettings(controller.port(), baud));
         // A request now and then, so that the link does not rest.
         QTimer requests;
-        connect(&requests, &QTimer::timeout, &link, [&link] { link.readParameter(1, "parameter.ramp_time"); });
+        connect(&requests, &QTimer::timeout, &link,
+                [&link] { link.readParameter(1, "parameter.ramp_time"); });
         requests.start(500);
         QTRY_VERIFY_WITH_TIMEOUT(listener.samples.size() > samples, timeoutMs);
         // The first ones share the line with the reading of the program.

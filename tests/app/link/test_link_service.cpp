@@ -231,8 +231,8 @@ private slots:
         // Tells its process id and becomes the controller.
         QFile script(folder.filePath(QStringLiteral("controller.sh")));
         QVERIFY(script.open(QIODevice::WriteOnly));
-        script.write("#!/bin/sh\necho $$ > '" + folder.path().toUtf8() +
-                     "/pid'\nexec '" + campanel::test::programPath("campanel-controller").toUtf8() + "' \"$@\"\n");
+        script.write("#!/bin/sh\necho $$ > '" + folder.path().toUtf8() + "/pid'\nexec '" +
+                     campanel::test::programPath("campanel-controller").toUtf8() + "' \"$@\"\n");
         script.close();
         script.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
         link::ConnectionSettings settings;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/plot/quantity.h"
-#include "profile/sampling.h"
+#include "profile/cutter/sampling.h"
 
 #include <QImage>
 #include <QPainter>

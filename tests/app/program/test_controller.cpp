@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The client and the download against the real controller program, paced as on the wire.
 #include "app/program/program_image.h"
-#include "modbus/download.h"
+#include "modbus/download/download.h"
 #include "tests/support/controller_process.h"
 #include "tests/support/test_program.h"
 

@@ -8,9 +8,9 @@
 #include "support/random_recipe.h"
 
 #include "ctl_bank.h"
-#include "modbus/codec.h"
-#include "modbus/protocol.h"
-#include "profile/laws.h"
+#include "modbus/map/codec.h"
+#include "modbus/map/protocol.h"
+#include "profile/laws/laws.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>
@@ -421,7 +421,8 @@ void KindsTest::lawsHaveTheNumbersOfTheMap()
     for (const modbus::EnumValue& value : map->values) {
         const auto* law = profile::findLaw(static_cast<profile::LawId>(value.value));
         QVERIFY2(law != nullptr, value.name.data());
-        QCOMPARE(QString::fromUtf8(law->key.data(), static_cast<qsizetype>(law->key.size())), keyOf(value.name));
+        QCOMPARE(QString::fromUtf8(law->key.data(), static_cast<qsizetype>(law->key.size())),
+                 keyOf(value.name));
     }
 }
 

@@ -4,10 +4,10 @@
 #include "app/program/program_image.h"
 #include "app/program/register_fields.h"
 
-#include "modbus/codec.h"
-#include "modbus/crc32.h"
-#include "profile/laws.h"
-#include "profile/limits.h"
+#include "modbus/map/codec.h"
+#include "modbus/map/crc32.h"
+#include "profile/cutter/limits.h"
+#include "profile/laws/laws.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes recipes, audit rows, alarms, copies and the working copy for ever, and says after each what is
 // confirmed: to be killed at any moment.
-#include "app/store/alarm_log.h"
-#include "app/store/audit_log.h"
-#include "app/store/recipe_file.h"
-#include "app/store/recipe_library.h"
+#include "app/store/logs/alarm_log.h"
+#include "app/store/logs/audit_log.h"
+#include "app/store/recipes/recipe_file.h"
+#include "app/store/recipes/recipe_library.h"
 #include "tests/support/test_program.h"
 
 #include <QCoreApplication>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The audit trail: a chain that tells of any change of any row, of rows missing anywhere, and stays bounded.
-#include "app/store/audit_log.h"
+#include "app/store/logs/audit_log.h"
 #include "tests/support/test_program.h"
 
 #include <QCryptographicHash>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Backup and restore: everything there and back; what is damaged, cut off, foreign or newer is refused and
 // nothing is changed; a restore that was interrupted anywhere ends whole.
-#include "app/store/archive.h"
-#include "app/store/recipe_json.h"
-#include "app/store/recipe_library.h"
-#include "app/store/restore.h"
-#include "app/store/trend_log.h"
-#include "app/store/trend_schema.h"
-#include "app/store/user_store.h"
+#include "app/store/backup/archive.h"
+#include "app/store/backup/restore.h"
+#include "app/store/logs/trend_log.h"
+#include "app/store/logs/trend_schema.h"
+#include "app/store/recipes/recipe_json.h"
+#include "app/store/recipes/recipe_library.h"
+#include "app/store/users/user_store.h"
 #include "tests/support/test_program.h"
 
 #include <QCryptographicHash>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bags kept in a ring: what comes out is what went in, the oldest go, the clock may be set back, the file is
 // found again, one that is damaged gives way.
-#include "app/store/bag_log.h"
+#include "app/store/logs/bag_log.h"
+#include "app/store/logs/trend_export.h"
+#include "app/store/logs/trend_schema.h"
 #include "app/store/store_thread.h"
-#include "app/store/trend_export.h"
-#include "app/store/trend_schema.h"
 #include "tests/support/test_program.h"
 
 #include <QDir>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Knots from and to the places where files are exchanged: what is offered, what is refused, names that are
 // never taken twice, disks that fail.
-#include "app/store/knots_file.h"
+#include "app/store/recipes/knots_file.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/test_program.h"
 
@@ -167,7 +167,8 @@ private slots:
         put(folder.filePath(u"photo.csv"_s), QByteArray("\xFF\xD8\xFF\0\x10", 5));
         const auto offers = offeredKnots({{folder.path(), u"STICK"_s, false}});
         QCOMPARE(offers.size(), 1);
-        QVERIFY2(offers[0].problem.contains(u"photo.csv is not text in UTF-8"_s), qPrintable(offers[0].problem));
+        QVERIFY2(offers[0].problem.contains(u"photo.csv is not text in UTF-8"_s),
+                 qPrintable(offers[0].problem));
     }
 
     void aFullDiskLeavesTheFileThatWasThere()

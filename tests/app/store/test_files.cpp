@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Small files: what is no file, or a far too large one, is refused at once; a full disk costs no old file.
-#include "app/store/files.h"
-#include "app/store/knots_file.h"
-#include "app/store/recipe_file.h"
+#include "app/store/files/files.h"
+#include "app/store/recipes/knots_file.h"
+#include "app/store/recipes/recipe_file.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/test_program.h"
 

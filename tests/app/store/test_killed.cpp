@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A process killed at random moments while it writes: nothing that it had confirmed is lost, the database
 // opens and is sound, and the audit chain verifies.
-#include "app/store/alarm_log.h"
-#include "app/store/audit_log.h"
-#include "app/store/recipe_file.h"
-#include "app/store/recipe_library.h"
+#include "app/store/logs/alarm_log.h"
+#include "app/store/logs/audit_log.h"
+#include "app/store/recipes/recipe_file.h"
+#include "app/store/recipes/recipe_library.h"
 #include "tests/support/test_program.h"
 
 #include <QDir>
@@ -34,7 +34,8 @@ class TestKilled : public QObject {
     void runAndKill(int lifeMs)
     {
         QProcess writer;
-        writer.start(QCoreApplication::applicationFilePath(), {QStringLiteral("confirming_writer"), m_folder.path()});
+        writer.start(QCoreApplication::applicationFilePath(),
+                     {QStringLiteral("confirming_writer"), m_folder.path()});
         QVERIFY(writer.waitForStarted());
         QVERIFY(writer.waitForReadyRead(20'000)); // it writes by now
         (void)writer.waitForFinished(lifeMs);     // it does not: time passes

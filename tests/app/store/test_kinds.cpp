@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recipe files of every kind of program, and knots as CSV files.
-#include "app/store/knots_file.h"
-#include "app/store/recipe_file.h"
+#include "app/store/recipes/knots_file.h"
+#include "app/store/recipes/recipe_file.h"
 #include "tests/support/random_recipe.h"
 #include "tests/support/test_program.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What becomes of a panel whose database was deleted, emptied, damaged or made unreadable: its last good copy
 // takes the place, and where there is none nobody gains rights.
-#include "app/store/audit_log.h"
-#include "app/store/folder_lock.h"
-#include "app/store/recipe_library.h"
-#include "app/store/setup_marker.h"
+#include "app/store/database/setup_marker.h"
+#include "app/store/files/folder_lock.h"
+#include "app/store/logs/audit_log.h"
+#include "app/store/recipes/recipe_library.h"
 #include "app/store/store_thread.h"
-#include "app/store/user_store.h"
+#include "app/store/users/user_store.h"
 #include "tests/support/test_program.h"
 
 #include <QDir>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recipes in the database: versions are kept, numbered without gaps or repeats, and never changed.
-#include "app/store/recipe_library.h"
+#include "app/store/recipes/recipe_library.h"
 #include "tests/support/test_program.h"
 
 #include <QTemporaryDir>

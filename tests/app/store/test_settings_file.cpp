@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The settings file: what was set is read again, files of earlier versions too; a damaged file never counts
 // as settings that nobody has made.
-#include "app/store/files.h"
-#include "app/store/recipe_file.h"
-#include "app/store/settings_file.h"
+#include "app/store/files/files.h"
+#include "app/store/files/settings_file.h"
+#include "app/store/recipes/recipe_file.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/test_program.h"
 

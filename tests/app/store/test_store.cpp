@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recipe files: what is written is read again, what is wrong is named, what was good is kept.
-#include "app/store/last_recipe.h"
-#include "app/store/recipe_file.h"
+#include "app/store/recipes/last_recipe.h"
+#include "app/store/recipes/recipe_file.h"
 
-#include "profile/laws.h"
+#include "profile/laws/laws.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>

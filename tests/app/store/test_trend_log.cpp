@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Trends in three levels of detail against a plain calculation over all values; rings, gaps, the level that
 // is read, the clock set back.
-#include "app/store/ring.h"
-#include "app/store/trend_export.h"
-#include "app/store/trend_schema.h"
-#include "app/store/trend_window.h"
+#include "app/store/database/ring.h"
+#include "app/store/logs/trend_export.h"
+#include "app/store/logs/trend_schema.h"
+#include "app/store/logs/trend_window.h"
 #include "tests/support/test_program.h"
 
 #include <QTemporaryDir>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Users in the database: the rules for adding and removing, wrong PINs that count over a restart, hashes.
-#include "app/store/pin_hash.h"
-#include "app/store/user_store.h"
+#include "app/store/users/pin_hash.h"
+#include "app/store/users/user_store.h"
 #include "tests/support/test_program.h"
 
 #include <QFile>

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+// `Access` in QML: who is at the panel and what they may do. Until a first PIN is set nothing is restricted.
+// Viewing and Stop never need a login.
+#pragma once
+
+#include "app/link/link_values.h"
+#include "app/panel/kit/gate.h"
+#include "app/store/users/user_store.h"
+
+#include <QObject>
+#include <QThreadPool>
+#include <QTimer>
+#include <QVariantList>
+#include <QtQml/qqmlregistration.h>
+
+#include <functional>
+#include <optional>
+
+class QJSEngine;
+class QQmlEngine;
+
+namespace campanel::machine {
+
+class Machine;
+class Records;
+class Settings;
+
+class Access : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_SINGLETON
+
+    // Of whoever is at the panel now.
+    Q_PROPERTY(Level level READ level NOTIFY changed FINAL)
+    Q_PROPERTY(QString levelText READ levelText NOTIFY changed FINAL)
+    Q_PROPERTY(QString userName READ userName NOTIFY changed FINAL) // empty: nobody is logged in
+    Q_PROPERTY(bool loggedIn READ loggedIn NOTIFY changed FINAL)
+    Q_PROPERTY(bool protectedByPins READ protectedByPins NOTIFY changed FINAL)
+    // The users cannot be read: nobody can log in, and refusalText() says why.
+    Q_PROPERTY(bool locked READ locked NOTIFY changed FINAL)
+    Q_PROPERTY(bool mayOperate READ mayOperate NOTIFY changed FINAL)
+    Q_PROPERTY(bool maySetUp READ maySetUp NOTIFY changed FINAL) // as a technician
+    Q_PROPERTY(bool mayService READ mayService NOTIFY changed FINAL)
+
+    // Of {id, name, level, levelText, current}, by name.
+    Q_PROPERTY(QVariantList users READ users NOTIFY changed FINAL)
+    // Of {key, text, note}: the levels that a user may have.
+    Q_PROPERTY(QVariantList levels READ levels NOTIFY changed FINAL)
+
+    // A PIN is being looked at, or a change of the users is on its way.
+    Q_PROPERTY(bool busy READ busy NOTIFY busyChanged FINAL)
+    // What became of the last login or change; empty when there is nothing to say.
+    Q_PROPERTY(QString message READ message NOTIFY messageChanged FINAL)
+    Q_PROPERTY(bool failed READ failed NOTIFY messageChanged FINAL)
+    // Who wants to log in, 0: not chosen yet; and how long they have to wait after wrong PINs.
+    Q_PROPERTY(int chosen READ chosen WRITE choose NOTIFY chosenChanged FINAL)
+    Q_PROPERTY(bool waits READ waits NOTIFY chosenChanged FINAL)
+    Q_PROPERTY(QString waitText READ waitText NOTIFY chosenChanged FINAL)
+
+public:
+    enum Level { Viewer, Operator, Technician, Service };
+    Q_ENUM(Level)
+
+    // What somebody did with users and logins, for the audit trail; `object` is the user's name.
+    struct Event {
+        QString what;
+        QString object;
+        QString before;
+        QString after;
+        QString outcome = QStringLiteral("done");
+    };
+
+    using WallClock = std::function<qint64()>; // ms since 1970 UTC
+
+    // All must outlive it.
+    Access(Records& records, Machine& machine, Settings& settings, QObject* parent);
+    ~Access() override;
+
+    // The instance that attachToEngine() gave to this engine.
+    static Access* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
+
+    // Reads the users; until they are known nobody is more than an operator. Before open() nothing is
+    // restricted.
+    void open();
+    // A clock for tests; how long nobody has touched the panel goes by the Machine's.
+    void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
+    // Logs out who has touched nothing for too long; by itself it does so once a second.
+    void lookAtClock();
+
+    // True when whoever is at the panel may do what needs that level. Otherwise loginRequested().
+    Q_INVOKABLE bool ask(int level);
+    [[nodiscard]] Q_INVOKABLE QString refusalText(int level) const;
+    [[nodiscard]] Q_INVOKABLE QString permissionText(int level) const;
+    // Why a user of that level cannot choose this PIN; empty when they can.
+    [[nodiscard]] Q_INVOKABLE QString pinRefusal(const QString& pin, int level) const;
+    [[nodiscard]] Q_INVOKABLE int minPinDigits(int level) const;
+    // Why it is no name for another user; empty when it is one.
+    [[nodiscard]] Q_INVOKABLE QString nameRefusal(const QString& name) const;
+    // A name that nobody has: "Technician 2".
+    [[nodiscard]] Q_INVOKABLE QString freeName(int level) const;
+
+    // The chosen one. Ends in loggedIn or in a message, busy until then.
+    Q_INVOKABLE void login(const QString& pin);
+    Q_INVOKABLE void logOut();
+    Q_INVOKABLE void clearMessage();
+
+    // For the level Service; all end in a message. The first user is of that level and logged in by it.
+    Q_INVOKABLE void addUser(const QString& name, int level, const QString& pin);
+    Q_INVOKABLE void changePin(int id, const QString& pin);
+    Q_INVOKABLE void changeLevel(int id, int level);
+    Q_INVOKABLE void removeUser(int id);
+
+    [[nodiscard]] Level level() const { return static_cast<Level>(currentLevel()); }
+    [[nodiscard]] QString levelText() const;
+    [[nodiscard]] QString userName() const { return m_user ? m_user->name : QString(); }
+    [[nodiscard]] bool loggedIn() const { return m_user.has_value(); }
+    [[nodiscard]] bool protectedByPins() const { return !m_users.isEmpty() || locked(); }
+    [[nodiscard]] bool locked() const { return m_lock.has_value(); }
+    [[nodiscard]] bool mayOperate() const { return level() >= Operator; }
+    [[nodiscard]] bool maySetUp() const { return level() >= Technician; }
+    [[nodiscard]] bool mayService() const { return level() >= Service; }
+    [[nodiscard]] QVariantList users() const;
+    [[nodiscard]] QVariantList levels() const;
+    [[nodiscard]] bool busy() const { return m_jobs > 0; }
+    [[nodiscard]] QString message() const { return m_message; }
+    [[nodiscard]] bool failed() const { return m_isFailed; }
+    [[nodiscard]] int chosen() const { return static_cast<int>(m_chosen); }
+    void choose(int id);
+    [[nodiscard]] bool waits() const { return waitMs() > 0; }
+    [[nodiscard]] QString waitText() const;
+
+signals:
+    void changed();
+    void busyChanged();
+    void messageChanged();
+    void chosenChanged();
+    void loginRequested(int level);
+    void loginSucceeded();
+    // Comes after loginSucceeded(): the PIN has fewer digits than the user's level needs today.
+    void newPinWanted(int id);
+    // Nobody has touched the panel for long.
+    void leftAlone();
+    void happened(const campanel::machine::Access::Event& event);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    using Users = tl::expected<QList<store::User>, store::StoreError>;
+    using Change = std::function<tl::expected<void, store::StoreError>(store::Database&)>;
+
+    [[nodiscard]] machine::Level currentLevel() const;
+    [[nodiscard]] qint64 waitMs() const;
+    [[nodiscard]] const store::User* find(qint64 id) const;
+    [[nodiscard]] QVariantMap entry(const store::User& user) const;
+    [[nodiscard]] bool isLastService(const store::User& user) const;
+    void takeUsers(const Users& users);
+    void takeAttempt(const tl::expected<store::LoginAttempt, store::StoreError>& attempt, const QString& pin);
+    struct Verdict {
+        bool isRight = false;
+        bool isShort = false;               // for the user's level
+        std::optional<QString> renewedHash; // when the one that is kept was made with less effort
+    };
+    void takeVerdict(const store::User& user, const Verdict& verdict);
+    void admit(const store::User& user);
+    void leave(const QString& what);
+    void update();
+    // Work for a thread of its own, `then` in this one.
+    void hash(const QString& pin, std::function<void(const QString& hash)> then);
+    void apply(Change change, const Event& event, const QString& done);
+    void begin();
+    void end();
+    void tell(const QString& message, bool isFailed);
+
+    Records& m_records;
+    Machine& m_machine;
+    Settings& m_settings;
+    WallClock m_wallClock;
+    bool m_isOpened = false;
+    bool m_isLoaded = false;
+    std::optional<store::StoreError> m_lock; // why the users cannot be read
+    QList<store::User> m_users;
+    std::optional<store::User> m_user; // logged in
+    qint64 m_chosen = 0;
+    int m_jobs = 0;
+    QString m_message;
+    bool m_isFailed = false;
+    link::SteadyTime m_touchedAt;
+    QTimer m_idleTimer;
+    QTimer m_waitTimer;
+    QThreadPool m_pool; // one thread; waits for it at the end
+};
+
+} // namespace campanel::machine

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/alarms/alarm_watch.h"
+
+#include "app/panel/controller/machine.h"
+#include "app/panel/editor/editor.h"
+#include "app/panel/records/records.h"
+#include "app/panel/settings/settings.h"
+
+#include <utility>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::machine {
+
+using store::AlarmRow;
+
+namespace {
+
+constexpr int patienceMs = 3000;
+constexpr unsigned statusBits = 16;
+
+// A link that is just coming up, or has been looked for so long that it is no longer that.
+bool isComing(link::LinkState state)
+{
+    return state == link::LinkState::Searching || state == link::LinkState::Connecting;
+}
+
+template <typename Bit> QSet<const AlarmKind*> kindsOf(unsigned bits)
+{
+    QSet<const AlarmKind*> active;
+    for (unsigned bit = 0; bit < statusBits; ++bit) {
+        if ((bits & (1U << bit)) != 0)
+            active.insert(&AlarmCatalogue::of(static_cast<Bit>(bit)));
+    }
+    return active;
+}
+
+} // namespace
+
+AlarmWatch::AlarmWatch(Machine& machine, Editor& editor, Records& records, Settings& settings,
+                       QObject* parent)
+    : QObject(parent)
+    , m_machine(machine)
+    , m_editor(editor)
+    , m_settings(settings)
+    , m_patience(this)
+{
+    m_patience.setSingleShot(true);
+    m_patience.setInterval(patienceMs);
+    connect(&m_patience, &QTimer::timeout, this, [this] {
+        m_isPatienceOver = true;
+        noteLink();
+    });
+    connect(&machine, &Machine::stateChanged, this, &AlarmWatch::noteController);
+    connect(&machine, &Machine::connectionChanged, this, &AlarmWatch::noteLink);
+    connect(&editor, &Editor::noticeChanged, this, &AlarmWatch::noteRecipe);
+    connect(&records, &Records::troubled, this, &AlarmWatch::noteTrouble);
+    connect(&records.store(), &store::StoreThread::opened, this, &AlarmWatch::noteOpening);
+}
+
+void AlarmWatch::begin()
+{
+    noteRecipe();
+    noteController();
+    noteLink();
+}
+
+void AlarmWatch::noteController()
+{
+    const auto& status = m_machine.status();
+    if (!status) {
+        tellController({}, {}, AlarmRow::End::Unknown); // another controller
+        return;
+    }
+    // What cannot be seen has not ended.
+    if (!m_machine.isConnected())
+        return;
+    const QString bits = u"0x%1 0x%2"_s.arg(status->faultBits, 4, 16, QLatin1Char('0'))
+                             .arg(status->warningBits, 4, 16, QLatin1Char('0'));
+    tellController(kindsOf<modbus::FaultBit>(status->faultBits) +
+                       kindsOf<modbus::WarningBit>(status->warningBits),
+                   bits, AlarmRow::End::Returned);
+}
+
+void AlarmWatch::tellController(const Kinds& now, const QString& bits, AlarmRow::End end)
+{
+    const Kinds before = std::exchange(m_controller, now);
+    for (const AlarmKind* kind : before - now)
+        emit cleared(*kind, end);
+    for (const AlarmKind* kind : now - before) {
+        const bool isUnknown =
+            kind == &AlarmCatalogue::unknownFault() || kind == &AlarmCatalogue::unknownWarning();
+        emit raised(*kind, isUnknown ? bits : QString());
+    }
+}
+
+void AlarmWatch::noteLink()
+{
+    const link::LinkReport& report = m_machine.report();
+    if (report.isScanning)
+        return; // the link doctor has the ports
+    if (report.state == link::LinkState::Connected) {
+        m_patience.stop();
+        m_isPatienceOver = false;
+        tellLink(nullptr);
+        return;
+    }
+    if (isComing(report.state)) {
+        if (!m_isPatienceOver) {
+            if (!m_patience.isActive())
+                m_patience.start();
+            return;
+        }
+        // What was found to be wrong is wrong until it is seen to be something else; only a connection that
+        // was lost has become another one.
+        if (m_link && m_link != AlarmCatalogue::of(link::LinkState::Lost))
+            return;
+    }
+    const bool isSimulatorMissing = report.simulated && (report.simulator == link::SimulatorState::NotFound ||
+                                                         report.simulator == link::SimulatorState::Ended);
+    tellLink(isSimulatorMissing ? &AlarmCatalogue::simulatorMissing() : AlarmCatalogue::of(report.state));
+}
+
+void AlarmWatch::tellLink(const AlarmKind* kind)
+{
+    const AlarmKind* before = std::exchange(m_link, kind);
+    if (before == kind)
+        return;
+    if (before)
+        emit cleared(*before, AlarmRow::End::Returned);
+    if (kind)
+        emit raised(*kind, m_machine.connectionText());
+}
+
+void AlarmWatch::noteRecipe()
+{
+    if (!m_editor.notice().isEmpty())
+        tellEvent(AlarmCatalogue::recipeNotKept(), m_editor.notice());
+}
+
+void AlarmWatch::noteOpening(const store::StoreThread::Report& report)
+{
+    if (report.error)
+        emit raised(AlarmCatalogue::of(store::StoreError::Kind::CannotOpen),
+                    store::StoreErrorText::describe(*report.error));
+    else if (report.opening.isReplaced())
+        tellEvent(AlarmCatalogue::memoryDamaged(report.opening.fromCopy), report.opening.damagedKeptAs);
+}
+
+void AlarmWatch::noteTrouble(const store::StoreError& error)
+{
+    if (error.kind == store::StoreError::Kind::Refused)
+        return; // an answer to who asked, nothing that is wrong
+    const AlarmKind& kind = AlarmCatalogue::of(error.kind);
+    m_store.insert(&kind);
+    emit raised(kind, store::StoreErrorText::describe(error));
+}
+
+void AlarmWatch::noteStored()
+{
+    for (const AlarmKind* kind : std::exchange(m_store, {}))
+        emit cleared(*kind, AlarmRow::End::Returned);
+}
+
+void AlarmWatch::look()
+{
+    const bool areKept = m_settings.areKept();
+    if (areKept == m_areSettingsKept)
+        return;
+    m_areSettingsKept = areKept;
+    if (areKept)
+        emit cleared(AlarmCatalogue::settingsNotKept(), AlarmRow::End::Returned);
+    else
+        emit raised(AlarmCatalogue::settingsNotKept(), {});
+}
+
+void AlarmWatch::tellEvent(const AlarmKind& kind, const QString& detail)
+{
+    emit raised(kind, detail);
+    emit cleared(kind, AlarmRow::End::Returned);
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/alarms/alarms.h"
+
+#include "app/panel/controller/machine.h"
+#include "app/panel/kit/engine_instances.h"
+#include "app/panel/records/records.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+using namespace std::chrono_literals;
+
+namespace campanel::machine {
+
+using store::AlarmChanges;
+using store::AlarmLog;
+using store::StoreError;
+
+namespace {
+
+constexpr auto publishDelay = 100ms;
+constexpr auto writeDelay = 300ms;
+constexpr auto writeAgainDelay = 5s; // after a failure
+constexpr auto alarmLookPeriod = 10s;
+constexpr qint64 msPerHour = 3'600'000;
+
+Alarms::Severity severityOf(const AlarmKind* kind)
+{
+    return kind ? static_cast<Alarms::Severity>(kind->severity) : Alarms::Severity::None;
+}
+
+static_assert(static_cast<int>(Alarms::Severity::Fault) == static_cast<int>(AlarmSeverity::Fault));
+
+} // namespace
+
+Alarms::Alarms(Machine& machine, Editor& editor, Records& records, Settings& settings, QObject* parent)
+    : QObject(parent)
+    , m_machine(machine)
+    , m_records(records)
+    , m_wallClock([] { return QDateTime::currentDateTime(); })
+    , m_watch(machine, editor, records, settings, this)
+    , m_history(records, this)
+    , m_publishTimer(this)
+    , m_writeTimer(this)
+    , m_lookTimer(this)
+{
+    m_history.setToday([this] { return today(); });
+    m_publishTimer.setSingleShot(true);
+    m_publishTimer.setInterval(publishDelay);
+    m_writeTimer.setSingleShot(true);
+    connect(&m_publishTimer, &QTimer::timeout, this, &Alarms::publish);
+    connect(&m_writeTimer, &QTimer::timeout, this, &Alarms::write);
+    connect(&m_lookTimer, &QTimer::timeout, this, &Alarms::look);
+    m_lookTimer.start(alarmLookPeriod);
+    connect(&m_watch, &AlarmWatch::raised, this, &Alarms::raise);
+    connect(&m_watch, &AlarmWatch::cleared, this, &Alarms::clear);
+    m_watch.begin();
+    records.store().run(
+        this, [](store::Database& database) { return AlarmLog::begin(database); },
+        [this](const tl::expected<AlarmLog::Start, StoreError>& start) { begin(start); });
+    QCoreApplication::instance()->installEventFilter(this);
+}
+
+Alarms::~Alarms()
+{
+    if (m_isBegun && m_book.hasChanges())
+        m_records.store().run(
+            nullptr,
+            [changes = m_book.takeChanges()](store::Database& database) {
+                return AlarmLog::write(database, changes);
+            },
+            [](const tl::expected<void, StoreError>&) {});
+}
+
+Alarms* Alarms::create(QQmlEngine* qmlEngine, QJSEngine*)
+{
+    return attachedInstance<Alarms>(qmlEngine);
+}
+
+AlarmBook::Now Alarms::now() const
+{
+    return {m_machine.now(), m_wallClock().toMSecsSinceEpoch()};
+}
+
+void Alarms::raise(const AlarmKind& kind, const QString& detail)
+{
+    m_book.raise(kind, detail, now());
+    noteChange();
+}
+
+void Alarms::clear(const AlarmKind& kind, store::AlarmRow::End end)
+{
+    m_book.clear(kind, now(), end);
+    noteChange();
+}
+
+void Alarms::begin(const tl::expected<AlarmLog::Start, StoreError>& start)
+{
+    if (!start) {
+        m_records.complain(start.error());
+        return;
+    }
+    m_isBegun = true;
+    m_book.begin(*start);
+    m_book.endShelves(now().utcMs);
+    noteChange();
+}
+
+void Alarms::noteChange()
+{
+    if (!m_publishTimer.isActive())
+        m_publishTimer.start();
+    if (m_isBegun && !m_isWriting && !m_writeTimer.isActive())
+        m_writeTimer.start(m_hasWriteFailed ? std::chrono::milliseconds(writeAgainDelay) : writeDelay);
+}
+
+void Alarms::publish()
+{
+    auto live = m_book.live();
+    m_active = m_unacknowledged = 0;
+    m_callingSeverity = Severity::None;
+    m_urgent = nullptr;
+    for (const AlarmEntry& entry : live) {
+        if (entry.isShelved)
+            continue;
+        if (entry.isActive()) {
+            ++m_active;
+            if (entry.kind->severity >
+                std::max(AlarmSeverity::Notice, m_urgent ? m_urgent->severity : AlarmSeverity::None))
+                m_urgent = entry.kind;
+        }
+        if (entry.isUnacknowledged()) {
+            ++m_unacknowledged;
+            m_callingSeverity = std::max(m_callingSeverity, severityOf(entry.kind));
+        }
+    }
+    m_isSeen = std::ranges::any_of(live, &AlarmEntry::isActive) && m_unacknowledged == 0;
+    m_live.setEntries(std::move(live), today());
+    m_shelved.setShelves(m_book.shelves(), today());
+    m_detail.update(m_book, today());
+    emit changed();
+}
+
+void Alarms::write()
+{
+    if (m_isWriting || !m_book.hasChanges())
+        return;
+    m_isWriting = true;
+    const AlarmChanges changes = m_book.takeChanges();
+    m_history.note(changes);
+    m_records.store().run(
+        this, [changes](store::Database& database) { return AlarmLog::write(database, changes); },
+        [this, changes](const tl::expected<void, StoreError>& written) { takeWritten(changes, written); });
+}
+
+void Alarms::takeWritten(const AlarmChanges& changes, const tl::expected<void, StoreError>& written)
+{
+    m_isWriting = false;
+    const bool hadFailed = std::exchange(m_hasWriteFailed, !written);
+    if (written) {
+        m_watch.noteStored();
+    } else {
+        m_book.putBack(changes);
+        if (!hadFailed)
+            m_records.complain(written.error()); // once is enough
+    }
+    if (m_book.hasChanges())
+        noteChange();
+}
+
+Alarms::Severity Alarms::urgentSeverity() const
+{
+    return severityOf(m_urgent);
+}
+
+void Alarms::acknowledge(int row)
+{
+    if (row < 0 || row >= m_live.count())
+        return;
+    const store::AlarmRow& alarm = m_live.entries()[static_cast<std::size_t>(row)].row;
+    m_book.acknowledge(alarm.code, alarm.id, m_person, now().utcMs);
+    noteChange();
+    publish();
+}
+
+void Alarms::acknowledgeAll()
+{
+    for (const AlarmEntry& entry : m_book.live()) {
+        if (entry.isUnacknowledged())
+            m_book.acknowledge(entry.row.code, entry.row.id, m_person, now().utcMs);
+    }
+    noteChange();
+    publish();
+}
+
+void Alarms::showLive(int row)
+{
+    if (row >= 0 && row < m_live.count())
+        m_detail.show(m_live.entries()[static_cast<std::size_t>(row)].row, m_book, today());
+}
+
+void Alarms::showHistory(int row)
+{
+    if (row >= 0 && row < m_history.count())
+        m_detail.show(m_history.rows()[row], m_book, today());
+}
+
+void Alarms::acknowledgeShown()
+{
+    if (!m_detail.calls())
+        return;
+    const qint64 utcMs = now().utcMs;
+    m_book.acknowledge(m_detail.code(), m_detail.row().id, m_person, utcMs);
+    m_detail.noteAcknowledged(utcMs, m_person);
+    noteChange();
+    publish();
+}
+
+void Alarms::shelveShown(int hours)
+{
+    if (!m_machine.gate().admits(Level::Technician))
+        return;
+    const qint64 utcMs = now().utcMs;
+    if (!m_book.shelve(m_detail.code(), utcMs + hours * msPerHour, m_person, utcMs))
+        return;
+    noteChange();
+    publish();
+}
+
+void Alarms::unshelveShown()
+{
+    m_book.unshelve(m_detail.code());
+    noteChange();
+    publish();
+}
+
+void Alarms::unshelve(int row)
+{
+    if (row < 0 || row >= m_shelved.count())
+        return;
+    m_book.unshelve(m_shelved.shelves()[row].code);
+    noteChange();
+    publish();
+}
+
+void Alarms::look()
+{
+    m_watch.look();
+    if (m_book.endShelves(now().utcMs))
+        noteChange();
+}
+
+bool Alarms::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance()) {
+        m_live.retranslate();
+        m_history.retranslate();
+        m_shelved.retranslate();
+        emit m_detail.changed();
+        emit changed();
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// `Alarms` in QML: what is wrong now, what was, who acknowledged it, what is shelved. It follows controller,
+// link and panel by itself and keeps its log in the database; nothing here waits for the disk.
+#pragma once
+
+#include "app/panel/alarms/alarm_detail.h"
+#include "app/panel/alarms/alarm_history.h"
+#include "app/panel/alarms/alarm_lists.h"
+#include "app/panel/alarms/alarm_watch.h"
+
+#include <QDateTime>
+#include <QObject>
+#include <QTimer>
+#include <QtQml/qqmlregistration.h>
+
+#include <functional>
+
+class QJSEngine;
+class QQmlEngine;
+
+namespace campanel::machine {
+
+class Alarms : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_SINGLETON
+
+    Q_PROPERTY(campanel::machine::LiveAlarms* live READ live CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::AlarmHistory* history READ history CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::ShelvedAlarms* shelved READ shelved CONSTANT FINAL)
+    // The one that was tapped.
+    Q_PROPERTY(campanel::machine::AlarmDetail* detail READ detail CONSTANT FINAL)
+    // Neither counts what is shelved.
+    Q_PROPERTY(int active READ active NOTIFY changed FINAL)
+    Q_PROPERTY(int unacknowledged READ unacknowledged NOTIFY changed FINAL)
+    // Of what wants to be acknowledged; None: nothing does.
+    Q_PROPERTY(Severity callingSeverity READ callingSeverity NOTIFY changed FINAL)
+    // The most urgent active one, notices apart; empty: none.
+    Q_PROPERTY(QString urgentCode READ urgentCode NOTIFY changed FINAL)
+    Q_PROPERTY(QString urgentTitle READ urgentTitle NOTIFY changed FINAL)
+    Q_PROPERTY(Severity urgentSeverity READ urgentSeverity NOTIFY changed FINAL)
+    // Something is active and somebody has seen all of it.
+    Q_PROPERTY(bool seen READ seen NOTIFY changed FINAL)
+
+public:
+    enum class Severity { None, Notice, Warning, Fault }; // as AlarmSeverity
+    Q_ENUM(Severity)
+
+    using WallClock = std::function<QDateTime()>;
+
+    // All must outlive it. The log begins when the records are opened.
+    Alarms(Machine& machine, Editor& editor, Records& records, Settings& settings, QObject* parent);
+    // What is not written yet is.
+    ~Alarms() override;
+
+    // The instance that attachToEngine() gave to this engine.
+    static Alarms* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
+
+    void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
+    // How long changes are collected before they are shown; 100 ms by default.
+    void setPaceMs(int paceMs) { m_publishTimer.setInterval(paceMs); }
+    // Who acknowledges and shelves from now on; empty: nobody in particular.
+    void setPerson(const QString& person) { m_person = person; }
+    [[nodiscard]] AlarmWatch& watch() { return m_watch; }
+
+    [[nodiscard]] LiveAlarms* live() { return &m_live; }
+    [[nodiscard]] AlarmHistory* history() { return &m_history; }
+    [[nodiscard]] ShelvedAlarms* shelved() { return &m_shelved; }
+    [[nodiscard]] AlarmDetail* detail() { return &m_detail; }
+    [[nodiscard]] int active() const { return m_active; }
+    [[nodiscard]] int unacknowledged() const { return m_unacknowledged; }
+    [[nodiscard]] Severity callingSeverity() const { return m_callingSeverity; }
+    [[nodiscard]] QString urgentCode() const { return m_urgent ? m_urgent->code() : QString(); }
+    [[nodiscard]] QString urgentTitle() const { return m_urgent ? m_urgent->title() : QString(); }
+    [[nodiscard]] Severity urgentSeverity() const;
+    [[nodiscard]] bool seen() const { return m_isSeen; }
+
+    // A row of `live`, and all earlier occurrences of the same alarm.
+    Q_INVOKABLE void acknowledge(int row);
+    Q_INVOKABLE void acknowledgeAll();
+    // Of `live`, of `history`.
+    Q_INVOKABLE void showLive(int row);
+    Q_INVOKABLE void showHistory(int row);
+    Q_INVOKABLE void acknowledgeShown();
+    // Logged from now on, but not calling for anybody. Nothing happens to what stops the machine.
+    Q_INVOKABLE void shelveShown(int hours);
+    Q_INVOKABLE void unshelveShown();
+    // A row of `shelved`.
+    Q_INVOKABLE void unshelve(int row);
+    // Ends what is shelved long enough; by itself every ten seconds.
+    void look();
+
+signals:
+    void changed();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void raise(const AlarmKind& kind, const QString& detail);
+    void clear(const AlarmKind& kind, store::AlarmRow::End end);
+    void begin(const tl::expected<store::AlarmLog::Start, store::StoreError>& start);
+    // The lists, numbers and disk follow soon, a few times a second at most.
+    void noteChange();
+    void publish();
+    void write();
+    void takeWritten(const store::AlarmChanges& changes,
+                     const tl::expected<void, store::StoreError>& written);
+    [[nodiscard]] AlarmBook::Now now() const;
+    [[nodiscard]] QDate today() const { return m_wallClock().date(); }
+
+    Machine& m_machine;
+    Records& m_records;
+    WallClock m_wallClock;
+    QString m_person;
+    AlarmBook m_book;
+    AlarmWatch m_watch;
+    LiveAlarms m_live{this};
+    AlarmHistory m_history;
+    ShelvedAlarms m_shelved{this};
+    AlarmDetail m_detail{this};
+    QTimer m_publishTimer;
+    QTimer m_writeTimer;
+    QTimer m_lookTimer;
+    bool m_isBegun = false; // the end of the log is known
+    bool m_isWriting = false;
+    bool m_hasWriteFailed = false; // the last one
+    int m_active = 0;
+    int m_unacknowledged = 0;
+    Severity m_callingSeverity = Severity::None;
+    const AlarmKind* m_urgent = nullptr;
+    bool m_isSeen = false;
+};
+
+} // namespace campanel::machine

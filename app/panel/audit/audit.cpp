@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/audit/audit.h"
+
+#include "app/panel/audit/audit_trail.h"
+#include "app/panel/audit/audit_words.h"
+#include "app/panel/kit/engine_instances.h"
+#include "app/panel/kit/report_files.h"
+#include "app/panel/records/records.h"
+#include "app/panel/words/access_sentences.h"
+#include "app/store/logs/log_export.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QVariantMap>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::machine {
+
+namespace {
+
+constexpr int page = 100;
+constexpr int checkedAtOnce = 5000; // some ten milliseconds of the database's thread
+
+QVariantMap choice(const QString& key, const QString& text)
+{
+    return {{u"key"_s, key}, {u"text"_s, text}};
+}
+
+} // namespace
+
+Audit::Audit(Records& records, AuditTrail& trail, ReportFiles& files, QObject* parent)
+    : QAbstractListModel(parent)
+    , m_records(records)
+    , m_files(files)
+{
+    connect(&trail, &AuditTrail::appended, this, &Audit::takeAppended);
+    QCoreApplication::instance()->installEventFilter(this);
+}
+
+Audit* Audit::create(QQmlEngine* qmlEngine, QJSEngine*)
+{
+    return attachedInstance<Audit>(qmlEngine);
+}
+
+void Audit::open()
+{
+    m_isOpened = true;
+    m_records.store().run(this, &store::auditNames,
+                          [this](const tl::expected<QStringList, store::StoreError>& names) {
+                              m_names = names.value_or(QStringList());
+                              emit changed();
+                          });
+    setFilter(m_filter);
+    check();
+}
+
+void Audit::setFilter(const store::AuditFilter& filter)
+{
+    m_filter = filter;
+    beginResetModel();
+    m_rows.clear();
+    endResetModel();
+    m_hasAll = false;
+    m_isReadAgain = m_isReading;
+    if (!m_isReading)
+        read();
+    emit changed();
+}
+
+void Audit::setWho(const QString& who)
+{
+    setFilter({who.isEmpty() ? std::nullopt : std::optional(who), m_filter.area});
+}
+
+void Audit::setArea(const QString& area)
+{
+    setFilter({m_filter.who, area});
+}
+
+void Audit::readMore()
+{
+    if (!m_isReading && !m_hasAll)
+        read();
+}
+
+void Audit::read()
+{
+    m_isReading = true;
+    const auto before = m_rows.isEmpty() ? std::nullopt : std::optional(m_rows.last().sequence);
+    m_records.store().run(
+        this,
+        [filter = m_filter, before](store::Database& database) {
+            return store::readAudit(database, filter, before, page);
+        },
+        [this](const Rows& rows) { takeRows(rows); });
+    emit changed();
+}
+
+void Audit::takeRows(const Rows& rows)
+{
+    m_isReading = false;
+    if (std::exchange(m_isReadAgain, false)) {
+        read();
+        return;
+    }
+    if (!rows) {
+        m_hasAll = true;
+        m_records.complain(rows.error());
+    } else if (rows->isEmpty()) {
+        m_hasAll = true;
+    } else {
+        beginInsertRows({}, count(), count() + static_cast<int>(rows->size()) - 1);
+        m_rows += *rows;
+        endInsertRows();
+    }
+    emit changed();
+}
+
+void Audit::takeAppended(const store::AuditRow& row)
+{
+    const bool isShown = (!m_filter.who || *m_filter.who == row.entry.who) &&
+                         (m_filter.area.isEmpty() || row.entry.what.startsWith(m_filter.area + u'.'));
+    const bool isNewer = m_rows.isEmpty() || m_rows.first().sequence < row.sequence;
+    if (!m_isOpened || m_isReading || !isShown || !isNewer)
+        return;
+    beginInsertRows({}, 0, 0);
+    m_rows.prepend(row);
+    endInsertRows();
+    emit changed();
+}
+
+void Audit::check()
+{
+    if (m_isChecking)
+        return;
+    m_isChecking = true;
+    checkNext({});
+    emit chainChanged();
+}
+
+void Audit::checkNext(store::ChainCheck check)
+{
+    m_records.store().run(
+        this,
+        [check](store::Database& database) -> tl::expected<store::ChainCheck, store::StoreError> {
+            store::ChainCheck next = check;
+            const auto done = next.advance(database, checkedAtOnce);
+            return done ? tl::expected<store::ChainCheck, store::StoreError>(next)
+                        : tl::unexpected(done.error());
+        },
+        [this](const tl::expected<store::ChainCheck, store::StoreError>& next) {
+            if (next && !next->isOver()) {
+                checkNext(*next);
+                return;
+            }
+            m_isChecking = false;
+            if (next)
+                m_check = *next;
+            else
+                m_records.complain(next.error());
+            emit chainChanged();
+        });
+}
+
+bool Audit::broken() const
+{
+    return m_check && m_check->fault() != store::ChainCheck::Fault::None;
+}
+
+QString Audit::chainText() const
+{
+    if (m_isChecking)
+        return tr("Checking the chain …");
+    return m_check ? AuditWords::chain(*m_check) : tr("Not checked yet.");
+}
+
+void Audit::exportCsv()
+{
+    if (m_isExporting)
+        return;
+    m_isExporting = true;
+    emit changed();
+    m_records.store().run(
+        this,
+        [filter = m_filter](store::Database& database) {
+            return store::readAudit(database, filter, std::nullopt, mostExported);
+        },
+        [this](const Rows& rows) {
+            m_isExporting = false;
+            if (rows)
+                m_files.offer(
+                    {{tr("audit trail"), u"csv"_s, [all = *rows] { return store::auditCsv(all); }}});
+            else
+                m_records.complain(rows.error());
+            emit changed();
+        });
+}
+
+QString Audit::areaText() const
+{
+    return AuditWords::area(m_filter.area);
+}
+
+QVariantList Audit::names() const
+{
+    QVariantList names{choice({}, tr("Everybody"))};
+    for (const QString& name : m_names)
+        names << choice(name, name);
+    return names;
+}
+
+QVariantList Audit::areas() const
+{
+    QVariantList areas{choice({}, AuditWords::area({}))};
+    for (const QString& area : AuditWords::areas())
+        areas << choice(area, AuditWords::area(area));
+    return areas;
+}
+
+void Audit::select(int row)
+{
+    m_selected = row >= 0 && row < count() ? std::optional(m_rows[row]) : std::nullopt;
+    emit detailChanged();
+}
+
+QString Audit::detailTitle() const
+{
+    return m_selected ? AuditWords::what(m_selected->entry.what) : QString();
+}
+
+QVariantList Audit::detail() const
+{
+    if (!m_selected)
+        return {};
+    const store::AuditEntry& entry = m_selected->entry;
+    QVariantList lines;
+    const auto add = [&](const QString& label, const QString& text) {
+        lines << QVariantMap{{u"label"_s, label}, {u"text"_s, text.isEmpty() ? u"--"_s : text}};
+    };
+    add(tr("Row and time"), u"%1 · %2"_s.arg(m_selected->sequence).arg(AuditWords::time(entry.timeMs)));
+    add(tr("Who"),
+        u"%1 · %2"_s.arg(AuditWords::who(entry),
+                         AccessSentences::level(static_cast<Level>(std::clamp(entry.level, 0, 3)))));
+    // Words for who reads it, the key for who looks for it in the register document.
+    const QString words = AuditWords::object(entry);
+    add(tr("What"), words == entry.object ? words : u"%1 (%2)"_s.arg(words, entry.object));
+    add(tr("Before"), entry.before);
+    add(tr("Wanted"), entry.after);
+    add(tr("Read back"), entry.readBack);
+    add(tr("Outcome"), AuditWords::outcome(entry.outcome));
+    add(tr("Hash"), QString::fromLatin1(m_selected->hash.toHex().left(16)));
+    return lines;
+}
+
+int Audit::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : count();
+}
+
+QVariant Audit::data(const QModelIndex& index, int role) const
+{
+    if (!index.isValid())
+        return {};
+    const store::AuditEntry& entry = m_rows[index.row()].entry;
+    switch (role) {
+    case TimeRole:
+        return AuditWords::time(entry.timeMs);
+    case WhoRole:
+        return AuditWords::who(entry);
+    case WhatRole:
+        return AuditWords::what(entry.what);
+    case ObjectRole:
+        return AuditWords::object(entry);
+    case ChangeRole:
+        return AuditWords::change(entry);
+    case ProblemRole:
+        return entry.outcome == u"done" ? QString() : AuditWords::outcome(entry.outcome);
+    default:
+        return {};
+    }
+}
+
+QHash<int, QByteArray> Audit::roleNames() const
+{
+    return {{TimeRole, "time"},     {WhoRole, "who"},       {WhatRole, "what"},
+            {ObjectRole, "object"}, {ChangeRole, "change"}, {ProblemRole, "problem"}};
+}
+
+bool Audit::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance()) {
+        if (count() > 0)
+            emit dataChanged(index(0), index(count() - 1));
+        emit changed();
+        emit detailChanged();
+        emit chainChanged();
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace campanel::machine

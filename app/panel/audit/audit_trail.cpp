@@ -1,0 +1,437 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/audit/audit_trail.h"
+
+#include "app/panel/controller/machine.h"
+#include "app/panel/editor/editor.h"
+#include "app/panel/kit/format.h"
+#include "app/panel/maintenance/service.h"
+#include "app/panel/records/records.h"
+#include "app/panel/settings/settings.h"
+#include "app/program/differences.h"
+
+#include <QLocale>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+using namespace std::chrono_literals;
+
+namespace campanel::machine {
+
+namespace {
+
+// A status with the new generation comes within a poll or two.
+constexpr auto longestProof = 3s;
+
+QString commandKey(modbus::Command command)
+{
+    switch (command) {
+    case modbus::Command::Start:
+        return u"command.start"_s;
+    case modbus::Command::StopAtCycleEnd:
+        return u"command.stop"_s;
+    case modbus::Command::StopNow:
+        return u"command.stop_now"_s;
+    case modbus::Command::Home:
+        return u"command.home"_s;
+    case modbus::Command::ResetFault:
+        return u"command.reset"_s;
+    case modbus::Command::SaveToFlash:
+        return u"command.save"_s;
+    case modbus::Command::TeachMarks:
+        return u"command.teach"_s;
+    default:
+        return u"command.other"_s;
+    }
+}
+
+QString outcomeKey(const link::CommandOutcome& outcome)
+{
+    switch (outcome.end) {
+    case link::CommandEnd::Done:
+        return u"done"_s;
+    case link::CommandEnd::Refused:
+        return u"refused %1"_s.arg(static_cast<int>(outcome.reason));
+    case link::CommandEnd::NotSent:
+        return u"not_sent"_s;
+    case link::CommandEnd::NotReceived:
+        return u"not_received"_s;
+    case link::CommandEnd::Withdrawn:
+        return u"withdrawn"_s;
+    case link::CommandEnd::OutcomeUnknown:
+        break;
+    }
+    return u"unknown"_s;
+}
+
+QString outcomeKey(link::ParameterEnd end)
+{
+    switch (end) {
+    case link::ParameterEnd::Done:
+        return u"done"_s;
+    case link::ParameterEnd::NotSent:
+        return u"not_sent"_s;
+    case link::ParameterEnd::Refused:
+        return u"refused"_s;
+    case link::ParameterEnd::OutcomeUnknown:
+        break;
+    }
+    return u"unknown"_s;
+}
+
+// The same in every language: it is hashed.
+QString numberText(double value)
+{
+    return QLocale::c().toString(value, 'g', 10);
+}
+
+QString crcText(std::uint32_t crc)
+{
+    return u"CRC-32 %1"_s.arg(Format::hexDigits(crc, 8));
+}
+
+QString programText(const program::Recipe& recipe, std::uint32_t crc)
+{
+    return u"%1 · v%2 · %3"_s.arg(QString::fromStdString(recipe.name)).arg(recipe.version).arg(crcText(crc));
+}
+
+QString connectionText(const ConnectionChoice& choice)
+{
+    if (choice.simulated)
+        return u"simulated"_s;
+    return u"%1 %2 8%3%4 unit %5"_s.arg(choice.portName)
+        .arg(choice.baud)
+        .arg(choice.parity)
+        .arg(choice.stopBits)
+        .arg(choice.unit);
+}
+
+QString outcomeKey(Jog::End end)
+{
+    switch (end) {
+    case Jog::End::Released:
+        return u"released"_s;
+    case Jog::End::Stopped:
+        return u"stopped"_s;
+    case Jog::End::Blocked:
+    case Jog::End::BothKeys:
+    case Jog::End::LeftScreen:
+        break;
+    }
+    return u"broken_off"_s;
+}
+
+QString outcomeKey(Homing::Result result)
+{
+    switch (result) {
+    case Homing::Result::Done:
+        return u"done"_s;
+    case Homing::Result::Stopped:
+        return u"stopped"_s;
+    case Homing::Result::Failed:
+        return u"failed"_s;
+    case Homing::Result::None:
+    case Homing::Result::UnderWay:
+    case Homing::Result::Interrupted:
+        break;
+    }
+    return u"unknown"_s;
+}
+
+// Of an axis; empty while it is not known.
+QString pulsesText(double pulses)
+{
+    return std::isnan(pulses) ? QString() : u"%1 pulses"_s.arg(numberText(pulses));
+}
+
+} // namespace
+
+AuditTrail::AuditTrail(Records& records, const Watched& watched, QObject* parent)
+    : QObject(parent)
+    , m_records(records)
+    , m_watched(watched)
+    , m_wallClock(&QDateTime::currentMSecsSinceEpoch)
+{
+    m_proofTimer.setSingleShot(true);
+    m_proofTimer.setInterval(longestProof);
+    connect(&m_proofTimer, &QTimer::timeout, this, [this] { proveDownload(true); });
+}
+
+void AuditTrail::open()
+{
+    watchCommands();
+    watchParameters();
+    watchDownloads();
+    watchSettings();
+    watchSimulation();
+    watchManual();
+    connect(&m_watched.access, &Access::happened, this, [this](const Access::Event& event) {
+        store::AuditEntry made = entry(event.what, event.object);
+        made.before = event.before;
+        made.after = event.after;
+        made.outcome = event.outcome;
+        append(made);
+    });
+}
+
+store::AuditEntry AuditTrail::entry(const QString& what, const QString& object) const
+{
+    store::AuditEntry made;
+    made.timeMs = m_wallClock();
+    made.who = m_watched.access.userName();
+    made.level = m_watched.access.level();
+    made.what = what;
+    made.object = object;
+    made.outcome = u"done"_s;
+    return made;
+}
+
+void AuditTrail::note(store::AuditEntry noted)
+{
+    const store::AuditEntry now = entry(noted.what, noted.object);
+    noted.timeMs = now.timeMs;
+    noted.who = now.who;
+    noted.level = now.level;
+    append(noted);
+}
+
+void AuditTrail::append(const store::AuditEntry& entry)
+{
+    m_records.store().run(
+        this, [entry](store::Database& database) { return store::appendAudit(database, entry); },
+        [this](const tl::expected<store::AuditRow, store::StoreError>& row) {
+            if (row)
+                emit appended(*row);
+            else
+                m_records.complain(row.error());
+        });
+}
+
+void AuditTrail::watchCommands()
+{
+    connect(&m_watched.machine, &Machine::commandSending, this, &AuditTrail::noteSending);
+    connect(&m_watched.machine, &Machine::commandEnded, this, [this](const link::CommandOutcome& outcome) {
+        const auto sent = m_commands.find(outcome.id);
+        if (sent == m_commands.end())
+            return;
+        store::AuditEntry ended = *sent;
+        m_commands.erase(sent);
+        ended.outcome = outcomeKey(outcome);
+        append(ended);
+    });
+}
+
+void AuditTrail::noteSending(const link::CommandRequest& request)
+{
+    store::AuditEntry sent = entry(commandKey(request.command), {});
+    if (const auto& program = m_watched.machine.program())
+        sent.object = QString::fromStdString(program->recipe.name);
+    m_commands.insert(request.id, sent);
+}
+
+// What a finger on the jog keys does is not a command; how homing ends is known long after it was sent.
+void AuditTrail::watchManual()
+{
+    connect(m_watched.service.jog(), &Jog::begun, this, [this](int direction, double position) {
+        noteManual(direction > 0 ? u"command.jog_forward"_s : u"command.jog_reverse"_s, pulsesText(position),
+                   {}, u"done"_s);
+    });
+    connect(m_watched.service.jog(), &Jog::ended, this, [this](int, Jog::End end, double position) {
+        noteManual(u"command.jog_end"_s, {}, pulsesText(position), outcomeKey(end));
+    });
+    connect(m_watched.service.homing(), &Homing::ended, this,
+            [this](Homing::Result result) { noteManual(u"command.home_end"_s, {}, {}, outcomeKey(result)); });
+}
+
+void AuditTrail::noteManual(const QString& what, const QString& before, const QString& after,
+                            const QString& outcome)
+{
+    store::AuditEntry made = entry(what, {});
+    if (const auto& program = m_watched.machine.program())
+        made.object = QString::fromStdString(program->recipe.name);
+    made.before = before;
+    made.after = after;
+    made.outcome = outcome;
+    append(made);
+}
+
+void AuditTrail::watchParameters()
+{
+    connect(&m_watched.machine, &Machine::parameterWriting, this, &AuditTrail::noteWriting);
+    connect(&m_watched.machine, &Machine::parameterEnded, this, &AuditTrail::takeParameter);
+    connect(m_watched.service.packing()->wizard(), &MarkWizard::changed, this, &AuditTrail::noteWizard);
+}
+
+// The value before is read just before the new one is written: what was read earlier may not be true any
+// more.
+void AuditTrail::noteWriting(const QString& name, quint32 id, double value)
+{
+    store::AuditEntry writing = entry(u"parameter.write"_s, name);
+    writing.after = numberText(value);
+    m_writes.insert(id, writing);
+    m_readsBefore.insert(m_watched.machine.readParameter(name.toLatin1().constData()), id);
+}
+
+void AuditTrail::takeParameter(const link::ParameterOutcome& outcome)
+{
+    const quint32 write = m_readsBefore.take(outcome.id);
+    if (write != 0) {
+        if (outcome.value && m_writes.contains(write))
+            m_writes[write].before = numberText(*outcome.value);
+        return;
+    }
+    const auto written = m_writes.find(outcome.id);
+    if (written == m_writes.end())
+        return;
+    store::AuditEntry ended = *written;
+    m_writes.erase(written);
+    ended.outcome = outcomeKey(outcome.end);
+    if (outcome.value)
+        ended.readBack = numberText(*outcome.value);
+    append(ended);
+}
+
+void AuditTrail::noteWizard()
+{
+    const MarkWizard& wizard = *m_watched.service.packing()->wizard();
+    const int step = static_cast<int>(wizard.step());
+    if (step == m_wizardStep)
+        return;
+    m_wizardStep = step;
+    if (wizard.step() != MarkWizard::Step::Done && wizard.step() != MarkWizard::Step::Failed)
+        return;
+    store::AuditEntry result = entry(u"wizard.marks"_s, u"parameter.mark_distance"_s);
+    result.before = wizard.oldText();
+    result.after = wizard.newText();
+    result.outcome = wizard.step() == MarkWizard::Step::Done ? u"done"_s : u"off_target"_s;
+    append(result);
+}
+
+void AuditTrail::watchDownloads()
+{
+    connect(&m_watched.editor, &Editor::downloadBegun, this, &AuditTrail::beginDownload);
+    connect(&m_watched.editor, &Editor::downloadEnded, this, &AuditTrail::endDownload);
+    connect(&m_watched.machine, &Machine::savedChanged, this, [this] { proveDownload(false); });
+    connect(&m_watched.machine, &Machine::programChanged, this, [this] { proveDownload(false); });
+}
+
+void AuditTrail::beginDownload(const program::ProgramImage& image)
+{
+    proveDownload(true);
+    Download download;
+    download.crc = image.crc;
+    store::AuditEntry whole = entry(u"program.download"_s, QString::fromStdString(image.recipe.name));
+    whole.after = programText(image.recipe, image.crc);
+    const auto& active = m_watched.machine.program();
+    const auto& status = m_watched.machine.status();
+    if (active)
+        whole.before = programText(active->recipe, status && status->activeCrc ? *status->activeCrc : 0);
+    download.entries << whole;
+    if (active) {
+        for (const program::Difference& difference :
+             program::differences(active->registers, image.registers)) {
+            const auto name = difference.info->name;
+            store::AuditEntry value = entry(
+                u"program.value"_s, QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size())));
+            const bool isText = !difference.textA.empty() || !difference.textB.empty();
+            value.before = isText ? QString::fromStdString(difference.textA) : numberText(difference.a);
+            value.after = isText ? QString::fromStdString(difference.textB) : numberText(difference.b);
+            download.entries << value;
+        }
+    }
+    m_download = download;
+    m_isDownloadProven = false;
+}
+
+void AuditTrail::endDownload(const link::DownloadReport& report)
+{
+    if (!m_download)
+        return;
+    if (report.stage == link::DownloadStage::Active) {
+        m_isDownloadProven = true;
+        m_proofTimer.start();
+        proveDownload(false);
+        return;
+    }
+    store::AuditEntry failed = m_download->entries.first();
+    failed.outcome = report.stage == link::DownloadStage::Canceled ? u"canceled"_s : u"failed"_s;
+    m_download.reset();
+    append(failed);
+}
+
+// The controller has taken it; what it holds now is in its status. `isLast`: that did not come in time.
+void AuditTrail::proveDownload(bool isLast)
+{
+    if (!m_download || !m_isDownloadProven)
+        return;
+    const auto& status = m_watched.machine.status();
+    const bool isTold = status && status->activeCrc == m_download->crc;
+    if (!isTold && !isLast)
+        return;
+    m_proofTimer.stop();
+    const Download done = *std::exchange(m_download, std::nullopt);
+    for (store::AuditEntry each : done.entries) {
+        if (isTold)
+            each.readBack = u"generation %1 · %2"_s.arg(status->generation).arg(crcText(done.crc));
+        append(each);
+    }
+}
+
+void AuditTrail::watchSettings()
+{
+    m_settings = settingsNow();
+    for (const auto changed :
+         {&Settings::languageChanged, &Settings::themeChanged, &Settings::glovesChanged,
+          &Settings::bagToleranceChanged, &Settings::connectionApplied, &Settings::accessChanged})
+        connect(&m_watched.settings, changed, this, &AuditTrail::noteSettings);
+}
+
+AuditTrail::SettingsSeen AuditTrail::settingsNow() const
+{
+    const Settings& settings = m_watched.settings;
+    return {settings.language(),
+            settings.theme(),
+            settings.gloves() ? u"1"_s : u"0"_s,
+            numberText(settings.bagToleranceMm()),
+            connectionText(settings.connection()),
+            QString::number(settings.autoLogoutMinutes()),
+            settings.operatorsLogIn() ? u"1"_s : u"0"_s};
+}
+
+void AuditTrail::noteSetting(const QString& object, QString& seen, const QString& now)
+{
+    if (seen == now)
+        return;
+    store::AuditEntry changed = entry(u"setting.change"_s, object);
+    changed.before = std::exchange(seen, now);
+    changed.after = now;
+    append(changed);
+}
+
+void AuditTrail::noteSettings()
+{
+    const SettingsSeen now = settingsNow();
+    noteSetting(u"language"_s, m_settings.language, now.language);
+    noteSetting(u"theme"_s, m_settings.theme, now.theme);
+    noteSetting(u"gloves"_s, m_settings.gloves, now.gloves);
+    noteSetting(u"bag_tolerance_mm"_s, m_settings.tolerance, now.tolerance);
+    noteSetting(u"connection"_s, m_settings.connection, now.connection);
+    noteSetting(u"auto_logout_minutes"_s, m_settings.autoLogout, now.autoLogout);
+    noteSetting(u"operators_log_in"_s, m_settings.operatorsLogIn, now.operatorsLogIn);
+}
+
+void AuditTrail::watchSimulation()
+{
+    LineFaults& faults = *m_watched.service.lineFaults();
+    connect(&faults, &LineFaults::changed, this, [this, &faults] {
+        const QString now = faults.rulesInForce().join(u"; "_s);
+        if (now == m_faults)
+            return;
+        store::AuditEntry changed = entry(u"setting.change"_s, u"simulated_faults"_s);
+        changed.before = std::exchange(m_faults, now);
+        changed.after = now;
+        append(changed);
+    });
+}
+
+} // namespace campanel::machine

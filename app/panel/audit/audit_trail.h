@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Watches what is done at the panel and writes it into the audit trail: commands, parameters, downloads,
+// settings, users, each with the value before, the one wanted and what the controller held afterwards.
+#pragma once
+
+#include "app/link/link_values.h"
+#include "app/panel/access/access.h"
+#include "app/panel/recipe/controller_program.h"
+#include "app/store/logs/audit_log.h"
+
+#include <QHash>
+#include <QObject>
+#include <QTimer>
+
+#include <memory>
+#include <optional>
+
+namespace campanel::program {
+struct ProgramImage;
+}
+
+namespace campanel::machine {
+
+class Editor;
+class Machine;
+class MarkWizard;
+class Records;
+class Service;
+class Settings;
+
+class AuditTrail : public QObject {
+    Q_OBJECT
+
+public:
+    // Whose doings are watched; all must outlive the trail.
+    struct Watched {
+        Machine& machine;
+        Editor& editor;
+        Settings& settings;
+        Service& service;
+        Access& access;
+    };
+
+    AuditTrail(Records& records, const Watched& watched, QObject* parent);
+
+    // Records from now on.
+    void open();
+    // For what nobody watches here: time, who and level are added.
+    void note(store::AuditEntry entry);
+    void setWallClock(Access::WallClock clock) { m_wallClock = std::move(clock); }
+
+signals:
+    // It is on the disk.
+    void appended(const campanel::store::AuditRow& row);
+
+private:
+    struct Download {
+        QList<store::AuditEntry> entries; // the first one is the program, then its values
+        std::uint32_t crc = 0;
+    };
+    struct SettingsSeen {
+        QString language;
+        QString theme;
+        QString gloves;
+        QString tolerance;
+        QString connection;
+        QString autoLogout;
+        QString operatorsLogIn;
+    };
+
+    [[nodiscard]] store::AuditEntry entry(const QString& what, const QString& object) const;
+    void append(const store::AuditEntry& entry);
+    void watchCommands();
+    void watchParameters();
+    void watchDownloads();
+    void watchSettings();
+    void watchSimulation();
+    void noteSending(const link::CommandRequest& request);
+    void noteWriting(const QString& name, quint32 id, double value);
+    void takeParameter(const link::ParameterOutcome& outcome);
+    void beginDownload(const program::ProgramImage& image);
+    void endDownload(const link::DownloadReport& report);
+    void proveDownload(bool isLast);
+    void noteSetting(const QString& object, QString& seen, const QString& now);
+    void noteSettings();
+    [[nodiscard]] SettingsSeen settingsNow() const;
+    void noteWizard();
+    void watchManual();
+    void noteManual(const QString& what, const QString& before, const QString& after, const QString& outcome);
+
+    Records& m_records;
+    Watched m_watched;
+    Access::WallClock m_wallClock;
+    QHash<quint32, store::AuditEntry> m_commands; // by id, under way
+    QHash<quint32, store::AuditEntry> m_writes;
+    QHash<quint32, quint32> m_readsBefore; // id of the read -> of the write that it belongs to
+    std::optional<Download> m_download;
+    bool m_isDownloadProven = false; // by the link; the status with its generation may still be on its way
+    QTimer m_proofTimer;
+    SettingsSeen m_settings;
+    QString m_faults;
+    int m_wizardStep = 0;
+};
+
+} // namespace campanel::machine

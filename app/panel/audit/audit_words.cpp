@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/audit/audit_words.h"
+
+#include "app/panel/kit/format.h"
+#include "app/panel/packing/packing_fields.h"
+#include "app/panel/words/access_sentences.h"
+#include "app/panel/words/recipe_words.h"
+#include "app/program/register_fields.h"
+
+#include <QDateTime>
+#include <QLocale>
+
+#include <array>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::machine {
+
+namespace {
+
+struct Word {
+    const char* key;
+    const char* words;
+};
+
+constexpr std::array areaWords{
+    Word{"command", QT_TRANSLATE_NOOP("AuditWords", "Commands")},
+    Word{"program", QT_TRANSLATE_NOOP("AuditWords", "Programs")},
+    Word{"recipe", QT_TRANSLATE_NOOP("AuditWords", "Recipes")},
+    Word{"parameter", QT_TRANSLATE_NOOP("AuditWords", "Parameters")},
+    Word{"wizard", QT_TRANSLATE_NOOP("AuditWords", "Wizards")},
+    Word{"setting", QT_TRANSLATE_NOOP("AuditWords", "Settings")},
+    Word{"backup", QT_TRANSLATE_NOOP("AuditWords", "Backup and restore")},
+    Word{"user", QT_TRANSLATE_NOOP("AuditWords", "Users and logins")},
+    Word{"memory", QT_TRANSLATE_NOOP("AuditWords", "The panel's memory")},
+    Word{"audit", QT_TRANSLATE_NOOP("AuditWords", "The trail itself")},
+};
+
+constexpr std::array whatWords{
+    Word{"command.start", QT_TRANSLATE_NOOP("AuditWords", "Start")},
+    Word{"command.stop", QT_TRANSLATE_NOOP("AuditWords", "Stop")},
+    Word{"command.stop_now", QT_TRANSLATE_NOOP("AuditWords", "Stop at once")},
+    Word{"command.home", QT_TRANSLATE_NOOP("AuditWords", "Home")},
+    Word{"command.home_end", QT_TRANSLATE_NOOP("AuditWords", "Homing ended")},
+    Word{"command.jog_forward", QT_TRANSLATE_NOOP("AuditWords", "Jog forward")},
+    Word{"command.jog_reverse", QT_TRANSLATE_NOOP("AuditWords", "Jog in reverse")},
+    Word{"command.jog_end", QT_TRANSLATE_NOOP("AuditWords", "Jog ended")},
+    Word{"command.reset", QT_TRANSLATE_NOOP("AuditWords", "Fault reset")},
+    Word{"command.save", QT_TRANSLATE_NOOP("AuditWords", "Saved in the controller")},
+    Word{"command.teach", QT_TRANSLATE_NOOP("AuditWords", "Marks measured")},
+    Word{"command.other", QT_TRANSLATE_NOOP("AuditWords", "Command")},
+    Word{"program.download", QT_TRANSLATE_NOOP("AuditWords", "Download")},
+    Word{"program.value", QT_TRANSLATE_NOOP("AuditWords", "Value of the program")},
+    Word{"recipe.new", QT_TRANSLATE_NOOP("AuditWords", "New recipe")},
+    Word{"recipe.save", QT_TRANSLATE_NOOP("AuditWords", "Recipe saved")},
+    Word{"recipe.rename", QT_TRANSLATE_NOOP("AuditWords", "Recipe renamed")},
+    Word{"recipe.delete", QT_TRANSLATE_NOOP("AuditWords", "Recipe deleted")},
+    Word{"recipe.restore", QT_TRANSLATE_NOOP("AuditWords", "Recipe brought back")},
+    Word{"parameter.write", QT_TRANSLATE_NOOP("AuditWords", "Parameter written")},
+    Word{"wizard.marks", QT_TRANSLATE_NOOP("AuditWords", "Mark sensor measured")},
+    Word{"setting.change", QT_TRANSLATE_NOOP("AuditWords", "Setting")},
+    Word{"backup.make", QT_TRANSLATE_NOOP("AuditWords", "Backup made")},
+    Word{"backup.restore", QT_TRANSLATE_NOOP("AuditWords", "Replaced by a backup")},
+    Word{"backup.restored", QT_TRANSLATE_NOOP("AuditWords", "Restored from a backup")},
+    Word{"user.login", QT_TRANSLATE_NOOP("AuditWords", "Login")},
+    Word{"user.logout", QT_TRANSLATE_NOOP("AuditWords", "Logout")},
+    Word{"user.auto_logout", QT_TRANSLATE_NOOP("AuditWords", "Logout by itself")},
+    Word{"user.add", QT_TRANSLATE_NOOP("AuditWords", "User added")},
+    Word{"user.pin", QT_TRANSLATE_NOOP("AuditWords", "New PIN")},
+    Word{"user.level", QT_TRANSLATE_NOOP("AuditWords", "Level of a user")},
+    Word{"user.remove", QT_TRANSLATE_NOOP("AuditWords", "User removed")},
+    Word{"memory.from_copy", QT_TRANSLATE_NOOP("AuditWords", "Replaced by its copy")},
+    Word{"memory.lost", QT_TRANSLATE_NOOP("AuditWords", "Lost, began empty")},
+    Word{"audit.loss", QT_TRANSLATE_NOOP("AuditWords", "Rows were lost")},
+    Word{"audit.end_unknown", QT_TRANSLATE_NOOP("AuditWords", "The newest row was not known")},
+    Word{"audit.trimmed", QT_TRANSLATE_NOOP("AuditWords", "Oldest rows dropped")},
+};
+
+constexpr std::array objectWords{
+    Word{"language", QT_TRANSLATE_NOOP("AuditWords", "language")},
+    Word{"theme", QT_TRANSLATE_NOOP("AuditWords", "light, dark or high contrast")},
+    Word{"gloves", QT_TRANSLATE_NOOP("AuditWords", "keys for gloves")},
+    Word{"bag_tolerance_mm", QT_TRANSLATE_NOOP("AuditWords", "bag tolerance, mm")},
+    Word{"connection", QT_TRANSLATE_NOOP("AuditWords", "connection")},
+    Word{"auto_logout_minutes", QT_TRANSLATE_NOOP("AuditWords", "minutes until logout")},
+    Word{"operators_log_in", QT_TRANSLATE_NOOP("AuditWords", "operators log in")},
+    Word{"simulated_faults", QT_TRANSLATE_NOOP("AuditWords", "faults of the simulated line")},
+};
+
+constexpr std::array outcomeWords{
+    Word{"done", QT_TRANSLATE_NOOP("AuditWords", "done")},
+    Word{"not_sent", QT_TRANSLATE_NOOP("AuditWords", "not sent: no connection")},
+    Word{"not_received", QT_TRANSLATE_NOOP("AuditWords", "the controller did not get it")},
+    Word{"unknown", QT_TRANSLATE_NOOP("AuditWords", "not known: no proof came back")},
+    Word{"withdrawn", QT_TRANSLATE_NOOP("AuditWords", "withdrawn")},
+    Word{"canceled", QT_TRANSLATE_NOOP("AuditWords", "canceled")},
+    Word{"failed", QT_TRANSLATE_NOOP("AuditWords", "failed")},
+    Word{"refused", QT_TRANSLATE_NOOP("AuditWords", "refused")},
+    Word{"wrong_pin", QT_TRANSLATE_NOOP("AuditWords", "wrong PIN")},
+    Word{"must_wait", QT_TRANSLATE_NOOP("AuditWords", "had to wait after wrong PINs")},
+    Word{"released", QT_TRANSLATE_NOOP("AuditWords", "key let go")},
+    Word{"stopped", QT_TRANSLATE_NOOP("AuditWords", "stopped")},
+    Word{"broken_off", QT_TRANSLATE_NOOP("AuditWords", "broken off")},
+    Word{"off_target", QT_TRANSLATE_NOOP("AuditWords", "written, but the cuts are off")},
+};
+
+// "mm" of "program.bag_length"; empty for what is no register or has none.
+QString unitOf(const store::AuditEntry& entry)
+{
+    const std::string name = entry.object.toStdString();
+    const modbus::RegisterInfo* info = modbus::findRegister(name);
+    return info && !info->unit.empty()
+               ? u' ' + QString::fromUtf8(info->unit.data(), static_cast<qsizetype>(info->unit.size()))
+               : QString();
+}
+
+template <typename Words> const char* wordsFor(const Words& words, const QString& key)
+{
+    for (const Word& word : words) {
+        if (key == QLatin1String(word.key))
+            return word.words;
+    }
+    return nullptr;
+}
+
+} // namespace
+
+QStringList AuditWords::areas()
+{
+    QStringList keys;
+    for (const Word& word : areaWords)
+        keys << QString::fromLatin1(word.key);
+    return keys;
+}
+
+QString AuditWords::area(const QString& area)
+{
+    const char* words = wordsFor(areaWords, area);
+    return words ? tr(words) : tr("Everything");
+}
+
+QString AuditWords::what(const QString& what)
+{
+    const char* words = wordsFor(whatWords, what);
+    return words ? tr(words) : what;
+}
+
+QString AuditWords::object(const store::AuditEntry& entry)
+{
+    if (entry.what == u"program.value") {
+        const std::string suffix = entry.object.section(u'.', 1).toStdString();
+        for (const program::RegisterField& each : program::registerFields) {
+            if (each.suffix == suffix)
+                return RecipeWords::fieldName(each.field);
+        }
+    }
+    if (entry.what == u"parameter.write") {
+        const QString words = PackingFields::words(entry.object);
+        return words.isEmpty() ? entry.object : words;
+    }
+    const char* words = entry.what == u"setting.change" ? wordsFor(objectWords, entry.object) : nullptr;
+    return words ? tr(words) : entry.object;
+}
+
+QString AuditWords::outcome(const QString& outcome)
+{
+    // "refused 7": the controller's number of the reason.
+    const QString key = outcome.section(u' ', 0, 0);
+    const char* words = wordsFor(outcomeWords, key);
+    const QString number = outcome.section(u' ', 1);
+    if (!words)
+        return outcome;
+    return number.isEmpty() ? tr(words) : tr("%1 (reason %2)", "refused (reason 7)").arg(tr(words), number);
+}
+
+QString AuditWords::who(const store::AuditEntry& entry)
+{
+    return entry.who.isEmpty() ? tr("nobody logged in") : entry.who;
+}
+
+QString AuditWords::change(const store::AuditEntry& entry)
+{
+    // One line; all of it is in the detail.
+    constexpr qsizetype longest = 56;
+    const QString before = entry.before.section(u" · CRC-32"_s, 0, 0);
+    const QString after = entry.after.section(u" · CRC-32"_s, 0, 0);
+    const QString line = before.isEmpty()  ? after
+                         : after.isEmpty() ? before
+                                           : u"%1 → %2"_s.arg(before, after);
+    return line.size() <= longest ? line + unitOf(entry) : line.left(longest) + u'…';
+}
+
+QString AuditWords::time(qint64 timeMs)
+{
+    return Format::second(QDateTime::fromMSecsSinceEpoch(timeMs));
+}
+
+QString AuditWords::chain(const store::ChainCheck& check)
+{
+    const QString sequence = QString::number(check.brokenSequence());
+    switch (check.fault()) {
+    case store::ChainCheck::Fault::Altered:
+        return tr("Row %1 is not as it was written: the trail was altered there.").arg(sequence);
+    case store::ChainCheck::Fault::Missing:
+        return tr("Row %1 is missing: the trail was altered there.").arg(sequence);
+    case store::ChainCheck::Fault::MissingAtEnd:
+        return tr("Row %1 and what followed it are missing at the end.").arg(sequence);
+    case store::ChainCheck::Fault::EndUnknown:
+        return tr("Unbroken up to row %1, but the file that knows the newest row is gone: rows may be "
+                  "missing "
+                  "at the end.")
+            .arg(check.brokenSequence() - 1);
+    case store::ChainCheck::Fault::None:
+        break;
+    }
+    const QString rows = QLocale().toString(check.rows());
+    return check.losses() > 0
+               ? tr("Checked: unbroken, %1 rows; rows may have been lost once, see there.").arg(rows)
+               : tr("Checked: unbroken, %1 rows.").arg(rows);
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/controller/command_rules.h"
+
+namespace campanel::machine {
+
+namespace {
+
+using modbus::Refusal;
+using modbus::State;
+
+// In the order in which the core asks.
+Refusal refusalToMove(const modbus::StatusBlock& status, Refusal whenMoving)
+{
+    if (status.state == State::Fault)
+        return Refusal::InFault;
+    if (!status.activeCrc)
+        return Refusal::NoActiveProgram;
+    return status.state == State::Ready ? Refusal::None : whenMoving;
+}
+
+} // namespace
+
+Refusal expectedRefusal(const modbus::StatusBlock& status, modbus::Command command)
+{
+    switch (command) {
+    case modbus::Command::Start:
+        return refusalToMove(status, Refusal::AlreadyRunning);
+    case modbus::Command::Home:
+        return refusalToMove(status, Refusal::NotStandstill);
+    case modbus::Command::ResetFault:
+        return status.state == State::Fault ? Refusal::None : Refusal::NoFault;
+    default:
+        return Refusal::None;
+    }
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/controller/machine.h"
+
+#include "app/panel/kit/engine_instances.h"
+#include "app/panel/settings/settings.h"
+#include "app/panel/words/connection_sentences.h"
+#include "app/panel/words/controller_sentences.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+
+#include <utility>
+
+using namespace std::chrono_literals;
+
+namespace campanel::machine {
+
+namespace {
+
+constexpr auto agePeriod = 100ms;
+constexpr auto qualityPeriod = 500ms; // figures that change faster cannot be read
+
+} // namespace
+
+Machine::Machine(link::Link& link, Settings& settings, QObject* parent)
+    : QObject(parent)
+    , m_link(link)
+    , m_settings(settings)
+    , m_clock(&std::chrono::steady_clock::now)
+    , m_wallClock([] { return QDateTime::currentDateTime(); })
+    , m_ageTimer(this)
+    , m_qualityTimer(this)
+{
+    m_report.simulated = settings.connection().simulated;
+    settings.guardBy(m_gate);
+    connect(&link, &link::Link::reported, this, &Machine::takeReport);
+    connect(&link, &link::Link::statusReceived, this, &Machine::takeStatus);
+    connect(&link, &link::Link::programRead, this, &Machine::takeProgram);
+    connect(&link, &link::Link::commandEnded, this, &Machine::takeOutcome);
+    connect(&link, &link::Link::parameterEnded, this, &Machine::parameterEnded);
+    connect(this, &Machine::parameterEnded, &m_direction, &MasterDirection::takeOutcome);
+    connect(this, &Machine::connectionChanged, &m_direction, &MasterDirection::noteConnection);
+    connect(this, &Machine::programChanged, &m_direction, &MasterDirection::noteProgram);
+    connect(this, &Machine::freshChanged, &m_direction, &MasterDirection::changed);
+    connect(this, &Machine::connectionChanged, &m_packing, &PackingLine::noteConnection);
+    connect(this, &Machine::programChanged, &m_packing, &PackingLine::noteProgram);
+    connect(this, &Machine::freshChanged, &m_packing, &PackingLine::changed);
+    connect(&m_packing, &PackingLine::bagRecorded, this, &Machine::takeBag);
+    connect(&settings, &Settings::bagToleranceChanged, this, &Machine::bagChanged);
+    connect(&m_direction, &MasterDirection::failed, this, &Machine::showMessage);
+    connect(&m_ageTimer, &QTimer::timeout, this, &Machine::updateAge);
+    m_ageTimer.start(agePeriod);
+    connect(&m_qualityTimer, &QTimer::timeout, this, &Machine::qualityChanged);
+    m_qualityTimer.start(qualityPeriod);
+    QCoreApplication::instance()->installEventFilter(this);
+}
+
+Machine* Machine::create(QQmlEngine* qmlEngine, QJSEngine*)
+{
+    return attachedInstance<Machine>(qmlEngine);
+}
+
+void Machine::open()
+{
+    const auto connectNow = [this] { m_link.connectTo(m_settings.linkSettings()); };
+    connect(&m_settings, &Settings::connectionApplied, this, connectNow);
+    connectNow();
+}
+
+void Machine::setClock(Clock clock)
+{
+    m_clock = std::move(clock);
+    updateAge();
+}
+
+void Machine::updateAge()
+{
+    const bool fresh = m_statusAt && m_clock() - *m_statusAt < freshFor;
+    if (fresh != m_fresh) {
+        m_fresh = fresh;
+        emit freshChanged();
+        emit commandsChanged();
+    }
+    if (!m_fresh && m_statusAt)
+        emit ageChanged();
+}
+
+void Machine::takeReport(const link::LinkReport& report)
+{
+    const bool wasConnected = isConnected();
+    const bool otherController =
+        report.identity && m_report.identity && report.identity->uniqueId != m_report.identity->uniqueId;
+    const bool leftController = m_report.identity && !report.identity; // another connection was chosen
+    m_report = report;
+    m_hasStopWaited = m_hasStopWaited || report.pendingStop;
+    if (wasConnected && !isConnected())
+        noteLoss();
+    if (otherController || leftController)
+        forgetStatus();
+    if (isConnected() != wasConnected)
+        m_rate.clear();
+    emit connectionChanged();
+    emit qualityChanged();
+    emit stateChanged();
+    emit commandsChanged();
+}
+
+void Machine::noteLoss()
+{
+    m_lostAt = m_wallClock();
+    m_beforeLoss = m_status;
+    if (!m_returnMessage.isEmpty() && m_commandMessage == m_returnMessage)
+        showMessage({}); // it is not true any more
+}
+
+// What has changed while nobody was looking.
+void Machine::noteReturn(const modbus::StatusBlock& status)
+{
+    const std::optional<modbus::StatusBlock> before = std::exchange(m_beforeLoss, std::nullopt);
+    if (!before || m_hasStopWaited)
+        return;
+    m_returnMessage.clear();
+    if (status.uptimeS < before->uptimeS)
+        m_returnMessage = tr("The line is back. The controller has restarted meanwhile.");
+    else if (status.generation != before->generation)
+        m_returnMessage = tr("The line is back. The controller has got another program meanwhile.");
+    else if (before->state && status.state && before->state != status.state)
+        m_returnMessage =
+            tr("The line is back. Before: %1. Now: %2.", "states of the machine")
+                .arg(ControllerSentences::state(*before->state), ControllerSentences::state(*status.state));
+    if (!m_returnMessage.isEmpty())
+        showMessage(m_returnMessage);
+}
+
+void Machine::forgetStatus()
+{
+    m_beforeLoss.reset();
+    m_status.reset();
+    m_statusAt.reset();
+    m_program.reset();
+    m_trace.clear();
+    m_strokes.clear();
+    m_bags = {};
+    updateAge();
+    emit ageChanged();
+    emit liveChanged();
+    emit bagChanged();
+    emit programChanged();
+    emit savedChanged();
+}
+
+void Machine::takeStatus(const link::StatusBatch& batch)
+{
+    m_rate.note(batch, m_clock());
+    if (batch.samples.isEmpty())
+        return;
+    noteReturn(batch.samples.first().status);
+    const std::optional<modbus::StatusBlock> before = m_status;
+    bool bagsChanged = false;
+    for (const link::StatusSample& sample : batch.samples) {
+        trace(sample.status);
+        const modbus::StatusBlock& status = sample.status;
+        m_strokes.note(status, m_program ? m_program->pulsesPerMm : 0);
+        bagsChanged |= !m_status || m_status->bagCount != status.bagCount;
+        m_status = status;
+        bagsChanged |= m_packing.recordsBags()
+                           ? m_bags.noteLength(status.bagLengthMm)
+                           : m_bags.note(status.bagCount, status.bagLengthMm, status.bagDeviationMm);
+        m_statusAt = sample.receivedAt;
+    }
+    updateAge();
+    m_direction.noteStatus(*m_status);
+    emit liveChanged();
+    if (bagsChanged)
+        emit bagChanged();
+    if (!before || before->state != m_status->state || before->faultBits != m_status->faultBits ||
+        before->warningBits != m_status->warningBits) {
+        emit stateChanged();
+        emit commandsChanged();
+    }
+    if (!before || before->activeCrc != m_status->activeCrc || before->savedCrc != m_status->savedCrc)
+        emit savedChanged();
+    if (!before)
+        emit ageChanged();
+}
+
+void Machine::takeBag(const modbus::BagRecord& bag)
+{
+    m_bags.note(bag, activeBagLengthMm());
+    emit bagChanged();
+}
+
+void Machine::trace(const modbus::StatusBlock& status)
+{
+    const bool turns = status.state == modbus::State::Running || status.state == modbus::State::Stopping;
+    // Only samples of the program that is known: its pulses and cycle give the scale.
+    if (!turns || !status.masterAngleDeg || !m_program || m_program->generation != status.generation ||
+        m_program->pulsesPerMm <= 0)
+        return;
+    m_trace.add(
+        {status.cycleCount, *status.masterAngleDeg / 360, status.actualFrequencyHz / m_program->pulsesPerMm},
+        m_program->cycleSeconds);
+}
+
+void Machine::takeProgram(const link::ActiveProgram& program)
+{
+    if (!m_report.identity)
+        return;
+    m_program = readProgram(program, *m_report.identity);
+    m_trace.clear();
+    m_strokes.clear();
+    m_bags.restart();
+    emit programChanged();
+    emit liveChanged();
+    emit bagChanged();
+    emit commandsChanged();
+}
+
+void Machine::start()
+{
+    const QString reason = startBlockedReason();
+    if (reason.isEmpty() && !m_gate.admits(Level::Operator))
+        return;
+    if (reason.isEmpty())
+        send(modbus::Command::Start);
+    else
+        showMessage(reason);
+}
+
+void Machine::stop()
+{
+    const bool isAgain = state() == State::Stopping || stopWaits();
+    send(isAgain ? modbus::Command::StopNow : modbus::Command::StopAtCycleEnd);
+}
+
+void Machine::withdrawStop()
+{
+    if (m_gate.admits(Level::Operator))
+        m_link.withdrawStop();
+}
+
+void Machine::home()
+{
+    if (m_gate.admits(Level::Operator))
+        send(modbus::Command::Home);
+}
+
+void Machine::resetFault()
+{
+    if (m_gate.admits(Level::Operator))
+        send(modbus::Command::ResetFault);
+}
+
+void Machine::send(modbus::Command command, const modbus::CommandArguments& arguments)
+{
+    showMessage({});
+    m_hasStopWaited = false;
+    const link::CommandRequest request{++m_lastRequestId, command, arguments};
+    emit commandSending(request);
+    m_link.request(request);
+}
+
+quint32 Machine::readParameter(const char* name)
+{
+    m_link.readParameter(++m_lastParameterId, name);
+    return m_lastParameterId;
+}
+
+quint32 Machine::writeParameter(const char* name, double value)
+{
+    if (!m_gate.admits(Level::Technician))
+        return 0;
+    showMessage({});
+    const quint32 id = ++m_lastParameterId;
+    emit parameterWriting(QString::fromLatin1(name), id, value);
+    m_link.writeParameter(id, name, value);
+    return id;
+}
+
+void Machine::takeOutcome(const link::CommandOutcome& outcome)
+{
+    // Stop at standstill asks for what is already so.
+    const bool isNeedlessStop =
+        outcome.reason == modbus::Refusal::NotRunning &&
+        (outcome.command == modbus::Command::StopNow || outcome.command == modbus::Command::StopAtCycleEnd);
+    // What the link does by itself has no id; only the last press is of interest.
+    if (outcome.id != 0)
+        emit commandEnded(outcome);
+    if (outcome.id != m_lastRequestId)
+        return;
+    if (std::exchange(m_hasStopWaited, false)) {
+        m_beforeLoss.reset(); // what has become of the Stop is what has changed
+        showMessage(stopOutcomeText(outcome));
+    } else if (!isNeedlessStop)
+        showMessage(ConnectionSentences::command(outcome));
+}
+
+// Of one that has waited for the line.
+QString Machine::stopOutcomeText(const link::CommandOutcome& outcome) const
+{
+    switch (outcome.end) {
+    case link::CommandEnd::Done:
+        return tr("The line is back: Stop was sent and the controller has taken it.");
+    case link::CommandEnd::Withdrawn:
+        return tr("Stop was withdrawn: it is not sent any more.");
+    case link::CommandEnd::NotSent:
+        return tr("Stop was not sent: it was meant for the machine that was connected before.");
+    case link::CommandEnd::Refused:
+        if (outcome.reason == modbus::Refusal::NotRunning)
+            return tr("The line is back: Stop was sent, but the machine was no longer running.");
+        break;
+    case link::CommandEnd::NotReceived:
+    case link::CommandEnd::OutcomeUnknown:
+        break;
+    }
+    return ConnectionSentences::command(outcome);
+}
+
+void Machine::dismissMessage()
+{
+    showMessage({});
+}
+
+void Machine::showMessage(const QString& text)
+{
+    if (m_commandMessage == text)
+        return;
+    m_commandMessage = text;
+    emit commandMessageChanged();
+}
+
+bool Machine::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance()) {
+        emit connectionChanged();
+        emit stateChanged();
+        emit commandsChanged();
+        m_strokes.retranslate();
+        m_direction.retranslate();
+        m_packing.retranslate();
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace campanel::machine

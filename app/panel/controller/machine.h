@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: Apache-2.0
+// `Machine` in QML: the live controller. Every number is NaN and every string empty while it is not known.
+// Lives in the GUI thread; everything it knows came from the link as values.
+#pragma once
+
+#include "app/link/link.h"
+#include "app/panel/controller/actual_trace.h"
+#include "app/panel/controller/bag_statistics.h"
+#include "app/panel/controller/master_direction.h"
+#include "app/panel/controller/packing_line.h"
+#include "app/panel/controller/status_rate.h"
+#include "app/panel/controller/stroke_model.h"
+#include "app/panel/kit/gate.h"
+#include "app/panel/kit/numbers.h"
+#include "app/panel/recipe/controller_program.h"
+
+#include <QDateTime>
+#include <QHash>
+#include <QList>
+#include <QObject>
+#include <QPointF>
+#include <QStringList>
+#include <QTimer>
+#include <QVariant>
+#include <QtQml/qqmlregistration.h>
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+
+class QJSEngine;
+class QQmlEngine;
+
+namespace campanel::machine {
+
+class Settings;
+
+class Machine : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_SINGLETON
+
+    Q_PROPERTY(Connection connection READ connection NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(QString connectionText READ connectionText NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(QString portName READ portName NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(bool simulated READ simulated NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(double statusPerSecond READ statusPerSecond NOTIFY qualityChanged FINAL)
+    Q_PROPERTY(int linkQuality READ linkQuality NOTIFY qualityChanged FINAL)
+    Q_PROPERTY(bool fresh READ fresh NOTIFY freshChanged FINAL)
+    Q_PROPERTY(double ageMs READ ageMs NOTIFY ageChanged FINAL)
+
+    // A Stop waits for the line, see stopWaitsText.
+    Q_PROPERTY(bool stopWaits READ stopWaits NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(QString stopWaitsText READ stopWaitsText NOTIFY connectionChanged FINAL)
+
+    Q_PROPERTY(State state READ state NOTIFY stateChanged FINAL)
+    Q_PROPERTY(QString stateText READ stateText NOTIFY stateChanged FINAL)
+    // Cause and action of each alarm of the controller, the most urgent first.
+    Q_PROPERTY(QStringList alarmTexts READ alarmTexts NOTIFY stateChanged FINAL)
+    Q_PROPERTY(bool faulted READ faulted NOTIFY stateChanged FINAL)
+
+    Q_PROPERTY(double rateBagsPerMin READ rateBagsPerMin NOTIFY liveChanged FINAL)
+    Q_PROPERTY(double masterAngleDeg READ masterAngleDeg NOTIFY liveChanged FINAL)
+    Q_PROPERTY(double knifeAngleDeg READ knifeAngleDeg NOTIFY liveChanged FINAL)
+    Q_PROPERTY(double knifeSpeedMmPerS READ knifeSpeedMmPerS NOTIFY liveChanged FINAL)
+    Q_PROPERTY(double followingErrorPulses READ followingErrorPulses NOTIFY liveChanged FINAL)
+    Q_PROPERTY(double followingErrorMm READ followingErrorMm NOTIFY liveChanged FINAL)
+    Q_PROPERTY(double pulseFrequencyHz READ pulseFrequencyHz NOTIFY liveChanged FINAL)
+    Q_PROPERTY(double cycleCount READ cycleCount NOTIFY liveChanged FINAL)
+    Q_PROPERTY(QList<QPointF> actualTrace READ actualTrace NOTIFY liveChanged FINAL)
+
+    Q_PROPERTY(double positionMm READ positionMm NOTIFY liveChanged FINAL)
+    Q_PROPERTY(double masterSpeedPercent READ masterSpeedPercent NOTIFY liveChanged FINAL)
+    // Of a point cam.
+    Q_PROPERTY(campanel::machine::MasterDirection* direction READ direction CONSTANT FINAL)
+    // Of a rotary cutter.
+    Q_PROPERTY(campanel::machine::PackingLine* packing READ packing CONSTANT FINAL)
+    // Of a press.
+    Q_PROPERTY(double forceN READ forceN NOTIFY liveChanged FINAL)
+    Q_PROPERTY(QString stageText READ stageText NOTIFY liveChanged FINAL)
+    // The stage as an index into stageNames: 0 approach .. 4 return; -1 while it stands or is not known.
+    Q_PROPERTY(int stage READ stage NOTIFY liveChanged FINAL)
+    Q_PROPERTY(QStringList stageNames READ stageNames NOTIFY stateChanged FINAL)
+    Q_PROPERTY(double approachPositionMm READ approachPositionMm NOTIFY programChanged FINAL)
+    Q_PROPERTY(double pressPositionMm READ pressPositionMm NOTIFY programChanged FINAL)
+    Q_PROPERTY(double minStopForceN READ minStopForceN NOTIFY programChanged FINAL)
+    Q_PROPERTY(double maxStopForceN READ maxStopForceN NOTIFY programChanged FINAL)
+    Q_PROPERTY(campanel::machine::StrokeModel* strokes READ strokes CONSTANT FINAL)
+
+    Q_PROPERTY(double bagCount READ bagCount NOTIFY bagChanged FINAL)
+    Q_PROPERTY(double bagLengthMm READ bagLengthMm NOTIFY bagChanged FINAL)
+    Q_PROPERTY(double bagDeviationMm READ bagDeviationMm NOTIFY bagChanged FINAL)
+    Q_PROPERTY(double bagMeanMm READ bagMeanMm NOTIFY bagChanged FINAL)
+    Q_PROPERTY(double bagScatterMm READ bagScatterMm NOTIFY bagChanged FINAL)
+    Q_PROPERTY(QList<double> bagSeries READ bagSeries NOTIFY bagChanged FINAL)
+    // Of bagSeries.
+    Q_PROPERTY(double bagMeanDeviationMm READ bagMeanDeviationMm NOTIFY bagChanged FINAL)
+    // Of these, how many are within the tolerance.
+    Q_PROPERTY(int bagsWithin READ bagsWithin NOTIFY bagChanged FINAL)
+    // Bag lengths in the last bag: more than one where cuts were left out.
+    Q_PROPERTY(int bagLengths READ bagLengths NOTIFY bagChanged FINAL)
+    Q_PROPERTY(double bagToleranceMm READ bagToleranceMm NOTIFY bagChanged FINAL)
+
+    Q_PROPERTY(double generation READ generation NOTIFY programChanged FINAL)
+    // As Editor.kind; 0 while there is no program.
+    Q_PROPERTY(int activeKind READ activeKind NOTIFY programChanged FINAL)
+    Q_PROPERTY(bool hasActiveProgram READ hasActiveProgram NOTIFY programChanged FINAL)
+    Q_PROPERTY(QString activeName READ activeName NOTIFY programChanged FINAL)
+    Q_PROPERTY(double activeVersion READ activeVersion NOTIFY programChanged FINAL)
+    Q_PROPERTY(double activeBagLengthMm READ activeBagLengthMm NOTIFY programChanged FINAL)
+    Q_PROPERTY(double activeRateBagsPerMin READ activeRateBagsPerMin NOTIFY programChanged FINAL)
+    Q_PROPERTY(double cycleSeconds READ cycleSeconds NOTIFY programChanged FINAL)
+    Q_PROPERTY(double syncStartDeg READ syncStartDeg NOTIFY programChanged FINAL)
+    Q_PROPERTY(double syncEndDeg READ syncEndDeg NOTIFY programChanged FINAL)
+    Q_PROPERTY(double cutAngleDeg READ cutAngleDeg NOTIFY programChanged FINAL)
+    Q_PROPERTY(QVariant targetCurves READ targetCurves NOTIFY programChanged FINAL)
+
+    Q_PROPERTY(bool canStart READ canStart NOTIFY commandsChanged FINAL)
+    Q_PROPERTY(QString startBlockedReason READ startBlockedReason NOTIFY commandsChanged FINAL)
+    Q_PROPERTY(QString commandMessage READ commandMessage NOTIFY commandMessageChanged FINAL)
+
+public:
+    enum class Connection { Searching, Connecting, Connected, Lost, WrongDevice, PortProblem };
+    Q_ENUM(Connection)
+    enum class State { Unknown, Idle, Ready, Running, Stopping, Jogging, Homing, Fault };
+    Q_ENUM(State)
+
+    // Older data is grey on the screen.
+    static constexpr std::chrono::milliseconds freshFor{1000};
+
+    using Clock = std::function<link::SteadyTime()>;
+    using WallClock = std::function<QDateTime()>;
+
+    // Both must outlive it. Nothing is connected before open().
+    Machine(link::Link& link, Settings& settings, QObject* parent);
+
+    // The instance that attachToEngine() gave to this engine.
+    static Machine* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
+
+    // Connects as the settings say, now and whenever they change.
+    void open();
+    // A clock for tests; the steady clock by default.
+    void setClock(Clock clock);
+    void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
+
+    [[nodiscard]] Connection connection() const;
+    [[nodiscard]] QString connectionText() const;
+    [[nodiscard]] QString portName() const { return m_report.portName; }
+    [[nodiscard]] bool simulated() const { return m_report.simulated; }
+    [[nodiscard]] bool stopWaits() const { return m_report.pendingStop.has_value(); }
+    [[nodiscard]] QString stopWaitsText() const;
+    [[nodiscard]] double statusPerSecond() const;
+    [[nodiscard]] int linkQuality() const;
+    [[nodiscard]] bool fresh() const { return m_fresh; }
+    [[nodiscard]] double ageMs() const;
+    [[nodiscard]] State state() const;
+    [[nodiscard]] QString stateText() const;
+    [[nodiscard]] QStringList alarmTexts() const;
+    [[nodiscard]] QString alarmText() const { return alarmTexts().join(QLatin1Char('\n')); }
+    [[nodiscard]] bool faulted() const;
+    [[nodiscard]] double rateBagsPerMin() const;
+    [[nodiscard]] double masterAngleDeg() const;
+    [[nodiscard]] double knifeAngleDeg() const;
+    [[nodiscard]] double knifeSpeedMmPerS() const;
+    [[nodiscard]] double followingErrorPulses() const;
+    [[nodiscard]] double followingErrorMm() const;
+    [[nodiscard]] double pulseFrequencyHz() const;
+    [[nodiscard]] double cycleCount() const;
+    [[nodiscard]] QList<QPointF> actualTrace() const { return m_trace.points(); }
+    [[nodiscard]] double positionMm() const;
+    [[nodiscard]] double masterSpeedPercent() const;
+    [[nodiscard]] MasterDirection* direction() { return &m_direction; }
+    [[nodiscard]] PackingLine* packing() { return &m_packing; }
+    [[nodiscard]] double forceN() const;
+    [[nodiscard]] QString stageText() const;
+    [[nodiscard]] int stage() const;
+    [[nodiscard]] QStringList stageNames() const;
+    [[nodiscard]] double approachPositionMm() const;
+    [[nodiscard]] double pressPositionMm() const;
+    [[nodiscard]] double minStopForceN() const;
+    [[nodiscard]] double maxStopForceN() const;
+    [[nodiscard]] StrokeModel* strokes() { return &m_strokes; }
+    [[nodiscard]] double bagCount() const;
+    [[nodiscard]] double bagLengthMm() const { return m_bags.lengthMm(); }
+    [[nodiscard]] double bagDeviationMm() const { return m_bags.deviationMm(); }
+    [[nodiscard]] double bagMeanMm() const { return m_bags.meanMm(); }
+    [[nodiscard]] double bagMeanDeviationMm() const { return m_bags.meanDeviationMm(); }
+    [[nodiscard]] double bagScatterMm() const { return m_bags.scatterMm(); }
+    [[nodiscard]] QList<double> bagSeries() const { return m_bags.deviationsMm(); }
+    [[nodiscard]] int bagsWithin() const { return m_bags.countWithin(bagToleranceMm()); }
+    [[nodiscard]] int bagLengths() const { return m_bags.lengths(); }
+    [[nodiscard]] double bagToleranceMm() const;
+    [[nodiscard]] double generation() const;
+    [[nodiscard]] int activeKind() const;
+    [[nodiscard]] bool hasActiveProgram() const { return m_program != nullptr; }
+    [[nodiscard]] QString activeName() const;
+    [[nodiscard]] double activeVersion() const;
+    [[nodiscard]] double activeBagLengthMm() const;
+    [[nodiscard]] double activeRateBagsPerMin() const;
+    [[nodiscard]] double cycleSeconds() const;
+    [[nodiscard]] double syncStartDeg() const; // of the knife's shaft, as knifeAngleDeg
+    [[nodiscard]] double syncEndDeg() const;
+    [[nodiscard]] double cutAngleDeg() const;
+    [[nodiscard]] QVariant targetCurves() const;
+    [[nodiscard]] bool canStart() const { return startBlockedReason().isEmpty(); }
+    [[nodiscard]] QString startBlockedReason() const { return blockedReason(modbus::Command::Start); }
+    // Why the controller would refuse the command now, as far as its last status tells; empty: it takes it.
+    [[nodiscard]] QString blockedReason(modbus::Command command) const;
+    [[nodiscard]] QString commandMessage() const { return m_commandMessage; }
+
+    Q_INVOKABLE void start();
+    // At the end of the cycle; pressed again while stopping: now. Without a connection it waits for the line.
+    Q_INVOKABLE void stop();
+    Q_INVOKABLE void withdrawStop();
+    Q_INVOKABLE void home();
+    Q_INVOKABLE void resetFault();
+    Q_INVOKABLE void dismissMessage();
+
+    // What whoever is at the panel may do. Start, home, reset and a withdrawn Stop are for operators; Stop is
+    // everybody's.
+    [[nodiscard]] Gate& gate() { return m_gate; }
+
+    // For the Editor and the Alarms.
+    [[nodiscard]] link::Link& link() { return m_link; }
+    [[nodiscard]] const link::LinkReport& report() const { return m_report; }
+    [[nodiscard]] link::SteadyTime now() const { return m_clock(); }
+    [[nodiscard]] bool isConnected() const { return m_report.state == link::LinkState::Connected; }
+    [[nodiscard]] const std::optional<modbus::Identity>& identity() const { return m_report.identity; }
+    [[nodiscard]] const std::optional<modbus::StatusBlock>& status() const { return m_status; }
+    [[nodiscard]] const std::shared_ptr<const ControllerProgram>& program() const { return m_program; }
+    void send(modbus::Command command, const modbus::CommandArguments& arguments = {});
+    // Returns an id for link().readRegisters() that no other reader has.
+    [[nodiscard]] quint32 nextReadId() { return ++m_lastReadId; }
+    // A register of the controller by its name, see link::Link. Ends in one parameterEnded() with the id that
+    // is returned. Writing is for technicians; 0 when the gate does not admit it.
+    [[nodiscard]] quint32 readParameter(const char* name);
+    [[nodiscard]] quint32 writeParameter(const char* name, double value);
+
+signals:
+    void connectionChanged();
+    void qualityChanged();
+    void freshChanged();
+    void ageChanged();
+    void stateChanged();
+    void liveChanged();
+    void bagChanged();
+    void programChanged();
+    void savedChanged();
+    void commandsChanged();
+    void commandMessageChanged();
+    void parameterEnded(const campanel::link::ParameterOutcome& outcome);
+    // For the audit trail: before the question goes to the link, and what became of it.
+    void commandSending(const campanel::link::CommandRequest& request);
+    void commandEnded(const campanel::link::CommandOutcome& outcome);
+    void parameterWriting(const QString& name, quint32 id, double value);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void takeReport(const link::LinkReport& report);
+    void takeStatus(const link::StatusBatch& batch);
+    void takeProgram(const link::ActiveProgram& program);
+    void takeBag(const modbus::BagRecord& bag);
+    void takeOutcome(const link::CommandOutcome& outcome);
+    void noteLoss();
+    void noteReturn(const modbus::StatusBlock& status);
+    [[nodiscard]] QString stopOutcomeText(const link::CommandOutcome& outcome) const;
+    // The program that the last status is of; null while that is another one than is known.
+    [[nodiscard]] const ControllerProgram* runningProgram() const;
+    void trace(const modbus::StatusBlock& status);
+    // The active program if it is a press, else null.
+    [[nodiscard]] const profile::PressProgram* pressProgram() const;
+    void forgetStatus();
+    void updateAge();
+    void showMessage(const QString& text);
+
+    link::Link& m_link;
+    Settings& m_settings;
+    Gate m_gate;
+    Clock m_clock;
+    WallClock m_wallClock;
+    link::LinkReport m_report;
+    std::optional<modbus::StatusBlock> m_status; // the last one, also after the connection is lost
+    std::optional<link::SteadyTime> m_statusAt;
+    std::shared_ptr<const ControllerProgram> m_program;
+    ActualTrace m_trace;
+    BagStatistics m_bags;
+    StrokeModel m_strokes{this};
+    MasterDirection m_direction{*this};
+    PackingLine m_packing{*this};
+    StatusRate m_rate;
+    QTimer m_ageTimer;
+    QTimer m_qualityTimer;
+    bool m_fresh = false;
+    QDateTime m_lostAt;                              // since when there is no connection, once there was one
+    std::optional<modbus::StatusBlock> m_beforeLoss; // until the first status after it
+    QString m_returnMessage;                         // what had changed when the line was back
+    bool m_hasStopWaited = false;                    // the last Stop, for the line
+    quint32 m_lastRequestId = 0;
+    quint32 m_lastReadId = 0;
+    quint32 m_lastParameterId = 0;
+    QString m_commandMessage;
+};
+
+} // namespace campanel::machine

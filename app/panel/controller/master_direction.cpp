@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/controller/master_direction.h"
+
+#include "app/panel/controller/machine.h"
+#include "app/panel/words/connection_sentences.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace campanel::machine {
+
+namespace {
+
+constexpr auto parameterName = "parameter.master_direction"; // 0 as the program's rate, 1 the other way
+// Between two statuses a master that passes more of its cycle may have turned either way.
+constexpr double mostTellingDeg = 150;
+constexpr double leastTellingDeg = 0.05; // the status has hundredths
+
+} // namespace
+
+MasterDirection::MasterDirection(Machine& machine)
+    : QObject(&machine)
+    , m_machine(machine)
+{
+}
+
+std::optional<int> MasterDirection::programSign() const
+{
+    const auto* program = m_machine.program().get();
+    const auto* cam = program ? std::get_if<profile::PointCamProgram>(&program->recipe.program) : nullptr;
+    return cam ? std::optional(cam->masterRateRevPerMin < 0 ? -1 : 1) : std::nullopt;
+}
+
+MasterDirection::Way MasterDirection::way() const
+{
+    const std::optional<int> sign = programSign();
+    if (!sign || !m_reversed)
+        return Way::Unknown;
+    return (*sign < 0) != *m_reversed ? Way::Backward : Way::Forward;
+}
+
+bool MasterDirection::turning() const
+{
+    return way() != Way::Unknown && m_machine.state() == Machine::State::Running && m_observed &&
+           (*m_observed < 0) != (way() == Way::Backward);
+}
+
+QString MasterDirection::blockedReason() const
+{
+    if (!m_machine.isConnected() || !m_machine.fresh())
+        return tr("There is no connection to the controller.");
+    if (m_isMissing)
+        return tr("This controller cannot turn its master round. Update its firmware.");
+    return way() == Way::Unknown ? tr("Asking the controller …") : QString();
+}
+
+QString MasterDirection::text() const
+{
+    const QString reason = blockedReason();
+    if (!reason.isEmpty())
+        return reason;
+    const bool isBackward = way() == Way::Backward;
+    if (turning())
+        return isBackward ? tr("Turning to backward …") : tr("Turning to forward …");
+    if (m_machine.state() != Machine::State::Running)
+        return isBackward ? tr("starts backward") : tr("starts forward");
+    if (!m_observed)
+        return isBackward ? tr("set to backward") : tr("set to forward");
+    return isBackward ? tr("runs backward") : tr("runs forward");
+}
+
+void MasterDirection::turn(Way wanted)
+{
+    const std::optional<int> sign = programSign();
+    if (wanted == Way::Unknown || wanted == way() || !canChange() || !sign)
+        return;
+    const bool isReversed = (wanted == Way::Backward) != (*sign < 0);
+    m_writeId = m_machine.writeParameter(parameterName, isReversed ? 1 : 0);
+}
+
+void MasterDirection::noteConnection()
+{
+    if (!m_machine.isConnected()) {
+        m_reversed.reset();
+        m_observed.reset();
+        m_before.reset();
+        m_readId = 0;
+        m_isMissing = false;
+    }
+    askWhenUnknown();
+    emit changed();
+}
+
+void MasterDirection::noteProgram()
+{
+    m_observed.reset();
+    m_before.reset();
+    askWhenUnknown();
+    emit changed();
+}
+
+void MasterDirection::noteStatus(const modbus::StatusBlock& status)
+{
+    if (status.uptimeS < m_uptimeS)
+        m_reversed.reset(); // it has started anew
+    m_uptimeS = status.uptimeS;
+    if (status.masterAngleDeg)
+        observe({*status.masterAngleDeg, status.masterSpeedPercent, status.sampleTimeMs});
+    askWhenUnknown();
+    emit changed();
+}
+
+void MasterDirection::observe(const Sample& now)
+{
+    const auto before = std::exchange(m_before, now);
+    const auto& program = m_machine.program();
+    if (!before || !program || program->cycleSeconds <= 0)
+        return;
+    const double seconds = static_cast<std::uint16_t>(now.timeMs - before->timeMs) / 1000.0;
+    const double share = std::max(now.speedPercent, before->speedPercent) / 100;
+    const double turnedDeg = std::remainder(now.angleDeg - before->angleDeg, 360);
+    if (360 * share * seconds / program->cycleSeconds > mostTellingDeg)
+        m_observed.reset();
+    else if (std::abs(turnedDeg) >= leastTellingDeg)
+        m_observed = turnedDeg < 0 ? -1 : 1;
+}
+
+void MasterDirection::askWhenUnknown()
+{
+    if (m_machine.isConnected() && programSign() && !m_reversed && !m_isMissing && m_readId == 0)
+        m_readId = m_machine.readParameter(parameterName);
+}
+
+// The register inspector writes the same parameter.
+void MasterDirection::noteOthersWrite(const link::ParameterOutcome& outcome)
+{
+    if (outcome.name != parameterName || !outcome.value || !m_reversed)
+        return;
+    m_reversed = *outcome.value != 0;
+    emit changed();
+}
+
+void MasterDirection::takeOutcome(const link::ParameterOutcome& outcome)
+{
+    const bool isWrite = outcome.id == m_writeId;
+    if (outcome.id == 0 || (outcome.id != m_readId && !isWrite)) {
+        noteOthersWrite(outcome);
+        return;
+    }
+    (isWrite ? m_writeId : m_readId) = 0;
+    m_reversed = outcome.value ? std::optional(*outcome.value != 0) : std::nullopt; // the next status asks
+    m_isMissing = !isWrite && outcome.end == link::ParameterEnd::Refused;
+    if (isWrite && outcome.end != link::ParameterEnd::Done)
+        emit failed(ConnectionSentences::parameter(tr("The direction of the master"), outcome));
+    emit changed();
+}
+
+} // namespace campanel::machine

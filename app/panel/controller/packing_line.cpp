@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/controller/packing_line.h"
+
+#include "app/panel/controller/machine.h"
+#include "app/panel/words/controller_sentences.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace std::chrono_literals;
+
+namespace campanel::machine {
+
+namespace {
+
+constexpr auto shortestPeriod = 150ms;
+// On a slow line: at most this share of its time.
+constexpr int shareOfTheLine = 5;
+constexpr double mmPerUm = 0.001;
+
+} // namespace
+
+PackingLine::PackingLine(Machine& machine)
+    : m_machine(machine)
+    , m_setup(machine)
+    , m_timer(this)
+{
+    m_timer.setSingleShot(true);
+    connect(&m_timer, &QTimer::timeout, this, &PackingLine::ask);
+    connect(&machine.link(), &link::Link::registersRead, this, &PackingLine::takeRead);
+    connect(&m_setup, &MarkSetup::changed, this, &PackingLine::changed);
+}
+
+bool PackingLine::recordsBags() const
+{
+    const auto& status = m_machine.status();
+    // A controller of an older map does not have these registers.
+    constexpr std::uint16_t firstMinor = 2;
+    return m_machine.isConnected() && m_machine.identity() && m_machine.identity()->mapMinor >= firstMinor &&
+           status && status->programKind == modbus::ProgramKind::RotaryCutter;
+}
+
+void PackingLine::noteConnection()
+{
+    if (!m_machine.isConnected()) {
+        m_isAsked = false;
+        m_setup.doubt();
+    }
+    if (!m_machine.identity()) {
+        m_setup.forget();
+        forget();
+    }
+    askWhenIdle();
+}
+
+// The bag under way was begun under another program: which one it is shows the next reading.
+void PackingLine::noteProgram()
+{
+    m_toldBag.reset();
+    m_setup.doubt();
+    askWhenIdle();
+}
+
+void PackingLine::askWhenIdle()
+{
+    if (!recordsBags()) {
+        if (m_machine.isConnected() && m_status)
+            forget();
+        return;
+    }
+    m_setup.ask();
+    if (!m_isAsked && !m_timer.isActive())
+        ask();
+    emit changed();
+}
+
+void PackingLine::forget()
+{
+    m_status.reset();
+    m_toldBag.reset();
+    emit changed();
+}
+
+void PackingLine::ask()
+{
+    if (m_wasFresh && !fresh()) {
+        m_wasFresh = false;
+        emit changed();
+    }
+    if (!recordsBags() || m_isAsked)
+        return;
+    m_setup.ask();
+    m_isAsked = true;
+    m_askedAt = m_machine.now();
+    m_readId = m_machine.nextReadId();
+    m_machine.link().readRegisters({m_readId, modbus::packerAddress, modbus::packerRegisters});
+}
+
+void PackingLine::takeRead(const link::ReadOutcome& outcome)
+{
+    if (outcome.request.id != m_readId)
+        return;
+    m_isAsked = false;
+    const auto took = m_machine.now() - m_askedAt;
+    m_timer.start(std::chrono::duration_cast<std::chrono::milliseconds>(
+        std::max<link::SteadyTime::duration>(shortestPeriod, shareOfTheLine * took)));
+    if (outcome.end != link::ReadEnd::Done || outcome.registers.size() != modbus::packerRegisters)
+        return;
+    m_status = modbus::decodePacker(outcome.registers);
+    m_receivedAt = outcome.receivedAt;
+    m_wasFresh = true;
+    tellBags();
+    emit changed();
+}
+
+// Of a controller that has restarted the count begins anew.
+void PackingLine::tellBags()
+{
+    const bool hasRestarted = m_toldBag && *m_toldBag > m_status->bagNumber;
+    const bool isFirst = !m_toldBag || hasRestarted;
+    if (hasRestarted)
+        m_setup.doubt();
+    const std::uint32_t told = isFirst ? m_status->bagNumber : *m_toldBag;
+    m_toldBag = m_status->bagNumber;
+    for (const modbus::BagRecord& bag : m_status->bags) {
+        if (bag.number > told)
+            emit bagRecorded(bag);
+    }
+}
+
+bool PackingLine::fresh() const
+{
+    return m_status && m_machine.now() - m_receivedAt < Machine::freshFor;
+}
+
+PackingLine::MarkState PackingLine::markState() const
+{
+    if (!m_status || !m_status->markState)
+        return MarkState::Unknown;
+    switch (*m_status->markState) {
+    case modbus::MarkState::Off:
+        return MarkState::Off;
+    case modbus::MarkState::Searching:
+        return MarkState::Searching;
+    case modbus::MarkState::Aligning:
+        return MarkState::Aligning;
+    case modbus::MarkState::Tracking:
+        return MarkState::Tracking;
+    }
+    return MarkState::Unknown;
+}
+
+QString PackingLine::markStateText() const
+{
+    return m_status && m_status->markState ? ControllerSentences::markState(*m_status->markState) : QString();
+}
+
+QString PackingLine::lastSkipText() const
+{
+    return m_status ? ControllerSentences::skipCause(m_status->lastSkip) : QString();
+}
+
+QString PackingLine::gateText() const
+{
+    if (!m_status)
+        return {};
+    if (m_status->filmGate != modbus::GateState::Running)
+        return tr("Film waits for a product");
+    if (m_status->knifeGate != modbus::GateState::Running)
+        return tr("Knife stays open: product across");
+    return {};
+}
+
+double PackingLine::teachPitchMm() const
+{
+    return m_status ? m_status->teachPitchMm.value_or(unknown) : unknown;
+}
+
+double PackingLine::teachScatterMm() const
+{
+    return m_status ? m_status->teachScatterMm.value_or(unknown) : unknown;
+}
+
+double PackingLine::filmPositionMm() const
+{
+    return m_status ? m_status->filmPositionUm * mmPerUm : unknown;
+}
+
+double PackingLine::filmSpeedMmPerS() const
+{
+    const double speed =
+        m_machine.activeBagLengthMm() / m_machine.cycleSeconds() * m_machine.masterSpeedPercent() / 100;
+    const bool runs = m_status && m_status->filmGate == modbus::GateState::Running;
+    return runs && std::isfinite(speed) ? speed : 0;
+}
+
+bool PackingLine::knifeOpen() const
+{
+    return m_status && m_status->knifeGate != modbus::GateState::Running;
+}
+
+// One pitch behind the last mark that the sensor saw or should have seen.
+double PackingLine::nextMarkMm() const
+{
+    const bool isExpected = markState() == MarkState::Aligning || markState() == MarkState::Tracking;
+    if (!isExpected || m_status->seenMarks.empty())
+        return unknown;
+    const auto last = std::ranges::max_element(m_status->seenMarks, {}, &modbus::FilmMark::distanceMm);
+    const double pitch = m_status->markPitchMm > 0 ? m_status->markPitchMm : m_machine.activeBagLengthMm();
+    return last->distanceMm + pitch;
+}
+
+QList<QPointF> PackingLine::cuts() const
+{
+    QList<QPointF> cuts;
+    for (const modbus::FilmCut& cut : m_status ? m_status->cuts : std::vector<modbus::FilmCut>())
+        cuts << QPointF(cut.distanceMm, cut.isLeftOut ? 1 : 0);
+    return cuts;
+}
+
+QList<QPointF> PackingLine::seenMarks() const
+{
+    QList<QPointF> marks;
+    for (const modbus::FilmMark& mark : m_status ? m_status->seenMarks : std::vector<modbus::FilmMark>())
+        marks << QPointF(mark.distanceMm, mark.isReckoned ? 1 : 0);
+    return marks;
+}
+
+QList<QPointF> PackingLine::seenProducts() const
+{
+    QList<QPointF> products;
+    for (const modbus::FilmProduct& product :
+         m_status ? m_status->seenProducts : std::vector<modbus::FilmProduct>())
+        products << QPointF(product.leadMm, product.trailMm);
+    return products;
+}
+
+void PackingLine::teach(int marks)
+{
+    m_machine.send(modbus::Command::TeachMarks, {static_cast<std::uint16_t>(marks), 0, 0});
+}
+
+} // namespace campanel::machine

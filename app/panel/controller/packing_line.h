@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// Film, marks, products and bags of a packing machine, as its controller tells them; asked for a few times a
+// second while a cutter's program is active. Every number is NaN and every text empty while it is not known.
+#pragma once
+
+#include "app/link/link.h"
+#include "app/panel/controller/mark_setup.h"
+#include "app/panel/kit/numbers.h"
+
+#include <QList>
+#include <QObject>
+#include <QPointF>
+#include <QTimer>
+#include <QtQml/qqmlregistration.h>
+
+#include <optional>
+
+namespace campanel::machine {
+
+class Machine;
+
+class PackingLine : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("The packing line belongs to the Machine")
+    // There is one: a cutter's program in a controller that tells of its film, or told before it was lost.
+    Q_PROPERTY(bool present READ present NOTIFY changed FINAL)
+    // The controller has told, and not longer than a second ago.
+    Q_PROPERTY(bool known READ known NOTIFY changed FINAL)
+    Q_PROPERTY(bool fresh READ fresh NOTIFY changed FINAL)
+
+    Q_PROPERTY(MarkState markState READ markState NOTIFY changed FINAL)
+    Q_PROPERTY(QString markStateText READ markStateText NOTIFY changed FINAL)
+    Q_PROPERTY(double markErrorMm READ markErrorMm NOTIFY changed FINAL)
+    Q_PROPERTY(double markPitchMm READ markPitchMm NOTIFY changed FINAL)
+    Q_PROPERTY(double phaseCorrectionMm READ phaseCorrectionMm NOTIFY changed FINAL)
+    Q_PROPERTY(double lengthCorrectionMm READ lengthCorrectionMm NOTIFY changed FINAL)
+    Q_PROPERTY(double filmFollowingErrorMm READ filmFollowingErrorMm NOTIFY changed FINAL)
+    Q_PROPERTY(double marks READ marks NOTIFY changed FINAL)
+    Q_PROPERTY(double marksMissing READ marksMissing NOTIFY changed FINAL)
+    Q_PROPERTY(double marksFalse READ marksFalse NOTIFY changed FINAL)
+    Q_PROPERTY(double products READ products NOTIFY changed FINAL)
+    Q_PROPERTY(double cutsSkipped READ cutsSkipped NOTIFY changed FINAL)
+    Q_PROPERTY(double emptyBags READ emptyBags NOTIFY changed FINAL)
+    Q_PROPERTY(double filmSavedM READ filmSavedM NOTIFY changed FINAL)
+    Q_PROPERTY(QString lastSkipText READ lastSkipText NOTIFY changed FINAL)
+    Q_PROPERTY(double correctionsLimited READ correctionsLimited NOTIFY changed FINAL)
+    // What knife and film are doing when they do not simply run: "Knife waits", ...; empty while they do.
+    Q_PROPERTY(QString gateText READ gateText NOTIFY changed FINAL)
+    Q_PROPERTY(int teachMarks READ teachMarks NOTIFY changed FINAL)
+    Q_PROPERTY(double teachPitchMm READ teachPitchMm NOTIFY changed FINAL)
+    Q_PROPERTY(double teachScatterMm READ teachScatterMm NOTIFY changed FINAL)
+    // The film as a picture. Distances to the knife in mm when the film motor was at filmPositionMm; lists
+    // are empty while nothing is known. Cuts as (distance, 1 when left out), marks as (distance, 1 when
+    // reckoned), products as (leading edge, trailing edge).
+    Q_PROPERTY(double filmPositionMm READ filmPositionMm NOTIFY changed FINAL)
+    Q_PROPERTY(double filmSpeedMmPerS READ filmSpeedMmPerS NOTIFY changed FINAL) // 0 at standstill
+    Q_PROPERTY(bool knifeOpen READ knifeOpen NOTIFY changed FINAL)               // stands open for whole bags
+    Q_PROPERTY(double sensorMm READ sensorMm NOTIFY changed FINAL) // mark sensor before the knife
+    Q_PROPERTY(
+        double windowMm READ windowMm NOTIFY changed FINAL) // to both sides of where a mark is expected
+    Q_PROPERTY(double nextMarkMm READ nextMarkMm NOTIFY changed FINAL) // where the next mark is expected
+    Q_PROPERTY(QList<QPointF> cuts READ cuts NOTIFY changed FINAL)
+    Q_PROPERTY(QList<QPointF> seenMarks READ seenMarks NOTIFY changed FINAL)
+    Q_PROPERTY(QList<QPointF> seenProducts READ seenProducts NOTIFY changed FINAL)
+
+public:
+    enum class MarkState { Unknown, Off, Searching, Aligning, Tracking };
+    Q_ENUM(MarkState)
+
+    // The machine must outlive it.
+    explicit PackingLine(Machine& machine);
+
+    [[nodiscard]] bool present() const { return known() || recordsBags(); }
+    [[nodiscard]] bool known() const { return m_status.has_value(); }
+    [[nodiscard]] bool fresh() const;
+    [[nodiscard]] MarkState markState() const;
+    [[nodiscard]] QString markStateText() const;
+    [[nodiscard]] double markErrorMm() const { return number(&modbus::PackerStatus::markErrorMm); }
+    [[nodiscard]] double markPitchMm() const { return number(&modbus::PackerStatus::markPitchMm); }
+    [[nodiscard]] double phaseCorrectionMm() const
+    {
+        return number(&modbus::PackerStatus::phaseCorrectionMm);
+    }
+    [[nodiscard]] double lengthCorrectionMm() const
+    {
+        return number(&modbus::PackerStatus::lengthCorrectionMm);
+    }
+    [[nodiscard]] double filmFollowingErrorMm() const
+    {
+        return number(&modbus::PackerStatus::filmFollowingErrorMm);
+    }
+    [[nodiscard]] double marks() const { return number(&modbus::PackerStatus::marks); }
+    [[nodiscard]] double marksMissing() const { return number(&modbus::PackerStatus::marksMissing); }
+    [[nodiscard]] double marksFalse() const { return number(&modbus::PackerStatus::marksFalse); }
+    [[nodiscard]] double products() const { return number(&modbus::PackerStatus::products); }
+    [[nodiscard]] double cutsSkipped() const { return number(&modbus::PackerStatus::cutsSkipped); }
+    [[nodiscard]] double emptyBags() const { return number(&modbus::PackerStatus::emptyBags); }
+    [[nodiscard]] double filmSavedM() const { return number(&modbus::PackerStatus::filmSavedM); }
+    [[nodiscard]] QString lastSkipText() const;
+    [[nodiscard]] double correctionsLimited() const
+    {
+        return number(&modbus::PackerStatus::correctionsLimited);
+    }
+    [[nodiscard]] QString gateText() const;
+    [[nodiscard]] int teachMarks() const { return m_status ? m_status->teachMarks : 0; }
+    [[nodiscard]] double teachPitchMm() const;
+    [[nodiscard]] double teachScatterMm() const;
+    [[nodiscard]] double filmPositionMm() const;
+    [[nodiscard]] double filmSpeedMmPerS() const;
+    [[nodiscard]] bool knifeOpen() const;
+    [[nodiscard]] double sensorMm() const { return m_setup.sensorMm(); }
+    [[nodiscard]] double windowMm() const { return m_setup.windowMm(); }
+    [[nodiscard]] double nextMarkMm() const;
+    [[nodiscard]] QList<QPointF> cuts() const;
+    [[nodiscard]] QList<QPointF> seenMarks() const;
+    [[nodiscard]] QList<QPointF> seenProducts() const;
+
+    // Measures the distances between the next marks; teachMarks counts up to that number.
+    Q_INVOKABLE void teach(int marks);
+
+    // For the Machine and for who shows single bags.
+    [[nodiscard]] const std::optional<modbus::PackerStatus>& status() const { return m_status; }
+    // When status() was read.
+    [[nodiscard]] link::SteadyTime receivedAt() const { return m_receivedAt; }
+    // The controller records its bags: they come by bagRecorded() and not with its status.
+    [[nodiscard]] bool recordsBags() const;
+    void noteConnection();
+    void noteProgram();
+    void retranslate() { emit changed(); }
+
+signals:
+    void changed();
+    // A bag not told before, oldest first.
+    void bagRecorded(const campanel::modbus::BagRecord& bag);
+
+private:
+    void askWhenIdle();
+    void ask();
+    void takeRead(const link::ReadOutcome& outcome);
+    void tellBags();
+    void forget();
+    template <typename T> [[nodiscard]] double number(T modbus::PackerStatus::*member) const
+    {
+        return m_status ? static_cast<double>((*m_status).*member) : unknown;
+    }
+
+    Machine& m_machine;
+    MarkSetup m_setup;
+    QTimer m_timer;
+    std::optional<modbus::PackerStatus> m_status;
+    link::SteadyTime m_receivedAt;
+    link::SteadyTime m_askedAt;
+    bool m_isAsked = false;
+    quint32 m_readId = 0; // the last one
+    bool m_wasFresh = false;
+    std::optional<std::uint32_t> m_toldBag;
+};
+
+} // namespace campanel::machine

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/display/display.h"
+
+#include "app/panel/controller/machine.h"
+#include "app/panel/kit/engine_instances.h"
+#include "app/panel/settings/settings.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+
+using namespace Qt::StringLiterals;
+using namespace std::chrono_literals;
+
+namespace campanel::machine {
+
+namespace {
+
+const QString brightnessKey = u"display/brightness"_s;
+const QString darkAfterKey = u"display/dark_after_minutes"_s;
+const QList<int> possibleBrightness{25, 50, 75, 100};
+const QList<int> possibleDarkAfter{0, 5, 30};
+
+} // namespace
+
+Display::Display(Machine& machine, Settings& settings, QObject* parent)
+    : QObject(parent)
+    , m_machine(machine)
+    , m_file(settings.file())
+    , m_backlight(Backlight::find())
+    , m_touchedAt(machine.now())
+{
+    const int brightness = m_file.value(brightnessKey).toInt();
+    if (possibleBrightness.contains(brightness))
+        m_brightness = brightness;
+    bool isSet = false;
+    const int minutes = m_file.value(darkAfterKey).toInt(&isSet);
+    if (isSet && possibleDarkAfter.contains(minutes))
+        m_darkAfterMinutes = minutes;
+    if (m_file.contains(brightnessKey)) // else it stays as the system has it
+        light(m_brightness);
+    m_timer.callOnTimeout(this, &Display::tick);
+    m_timer.start(1s);
+    connect(&machine, &Machine::stateChanged, this, [this] {
+        if (!mayBeDark())
+            setDark(false);
+    });
+    QCoreApplication::instance()->installEventFilter(this);
+}
+
+Display* Display::create(QQmlEngine* qmlEngine, QJSEngine*)
+{
+    return attachedInstance<Display>(qmlEngine);
+}
+
+void Display::setBacklight(const std::optional<Backlight>& backlight)
+{
+    m_backlight = backlight;
+    emit changed();
+}
+
+QList<int> Display::brightnessChoices() const
+{
+    return possibleBrightness;
+}
+
+QList<int> Display::darkChoices() const
+{
+    return possibleDarkAfter;
+}
+
+void Display::setBrightness(int percent)
+{
+    if (!possibleBrightness.contains(percent))
+        return;
+    m_brightness = percent;
+    m_file.set(brightnessKey, QString::number(percent));
+    light(percent);
+    emit changed();
+}
+
+void Display::setDarkAfterMinutes(int minutes)
+{
+    if (!possibleDarkAfter.contains(minutes))
+        return;
+    m_darkAfterMinutes = minutes;
+    m_file.set(darkAfterKey, QString::number(minutes));
+    emit changed();
+}
+
+void Display::light(int percent)
+{
+    if (m_backlight && !m_backlight->setPercent(percent))
+        setBacklight({}); // it can no longer be set
+}
+
+// Who has to see or to stop something must not have to wake a screen first.
+bool Display::mayBeDark() const
+{
+    switch (m_machine.state()) {
+    case Machine::State::Unknown:
+    case Machine::State::Idle:
+    case Machine::State::Ready:
+        return true;
+    case Machine::State::Running:
+    case Machine::State::Stopping:
+    case Machine::State::Jogging:
+    case Machine::State::Homing:
+    case Machine::State::Fault:
+        break;
+    }
+    return false;
+}
+
+void Display::setDark(bool isDark)
+{
+    if (m_isDark == isDark)
+        return;
+    m_isDark = isDark;
+    if (!isDark)
+        m_touchedAt = m_machine.now();
+    light(isDark ? 0 : m_brightness);
+    emit darkChanged();
+}
+
+void Display::wipe()
+{
+    m_wipeSeconds = wipeTimeS;
+    emit wipeChanged();
+}
+
+void Display::tick()
+{
+    if (m_wipeSeconds > 0) {
+        --m_wipeSeconds;
+        emit wipeChanged();
+    }
+    if (!mayBeDark())
+        m_touchedAt = m_machine.now(); // the time runs from standstill on
+    if (m_darkAfterMinutes > 0 && m_machine.now() - m_touchedAt >= std::chrono::minutes(m_darkAfterMinutes))
+        setDark(true);
+}
+
+bool Display::eventFilter(QObject* watched, QEvent* event)
+{
+    switch (event->type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::TouchBegin:
+    case QEvent::KeyPress:
+        m_touchedAt = m_machine.now();
+        m_isWaking = m_isDark && event->type() != QEvent::KeyPress;
+        if (m_isDark) {
+            setDark(false);
+            return true;
+        }
+        break;
+    case QEvent::MouseMove:
+    case QEvent::TouchUpdate:
+        if (m_isWaking)
+            return true;
+        break;
+    case QEvent::MouseButtonRelease:
+    case QEvent::TouchEnd:
+    case QEvent::TouchCancel:
+        if (std::exchange(m_isWaking, false))
+            return true;
+        break;
+    default:
+        break;
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/download/differences_text.h"
+
+#include "app/panel/recipe/recipe_edit.h"
+#include "app/panel/words/recipe_words.h"
+#include "app/panel/words/refusal_sentences.h"
+#include "app/program/register_fields.h"
+
+namespace campanel::machine {
+
+namespace {
+
+// A number that neither of the two programs reads.
+bool isUnreadInBoth(const program::Difference& difference, const program::Recipe& active,
+                    const program::Recipe& edited)
+{
+    return difference.field && active.kind() == edited.kind() &&
+           program::isProgramField(active, *difference.field) &&
+           !program::isRead(active.program, *difference.field) &&
+           !program::isRead(edited.program, *difference.field);
+}
+
+QString lawText(double code)
+{
+    return RecipeWords::lawName(static_cast<profile::LawId>(static_cast<int>(code)));
+}
+
+QString optionText(profile::ProgramKind kind, program::Choice choice, double code)
+{
+    for (const program::ChoiceOption& option : program::choiceInfo(kind, choice).options) {
+        if (option.code == static_cast<std::uint16_t>(code))
+            return RecipeWords::optionName(option.key);
+    }
+    return {};
+}
+
+} // namespace
+
+QString DifferencesText::pinnedText(std::uint16_t bits)
+{
+    QStringList names;
+    for (std::size_t i = 0; i < program::pinnableFields.size(); ++i) {
+        if (bits >> i & 1)
+            names << RecipeWords::fieldName(program::pinnableFields[i]);
+    }
+    return names.join(QStringLiteral(" + "));
+}
+
+DifferenceRow DifferencesText::row(const program::Difference& difference, profile::ProgramKind kind)
+{
+    const std::string_view name = difference.info->name;
+    if (name == "cam.master_ramp") {
+        constexpr double msPerS = 1000;
+        return {RecipeWords::fieldName(profile::Field::MasterRamp),
+                RefusalSentences::valueWithUnit(profile::Field::MasterRamp, difference.a / msPerS),
+                RefusalSentences::valueWithUnit(profile::Field::MasterRamp, difference.b / msPerS)};
+    }
+    if (difference.field)
+        return {RecipeWords::fieldName(*difference.field),
+                RefusalSentences::valueWithUnit(*difference.field, difference.a),
+                RefusalSentences::valueWithUnit(*difference.field, difference.b)};
+    if (name == "program.recipe_name")
+        return {tr("Recipe"), QString::fromStdString(difference.textA),
+                QString::fromStdString(difference.textB)};
+    if (name == "bank.kind")
+        return {tr("Kind of program"), kindText(difference.a), kindText(difference.b)};
+    if (name == "bank.layout")
+        return {RecipeWords::choiceName(program::Choice::Execution), layoutText(difference.a),
+                layoutText(difference.b)};
+    if (name == "program.pinned")
+        return {tr("Pinned"), pinnedText(static_cast<std::uint16_t>(difference.a)),
+                pinnedText(static_cast<std::uint16_t>(difference.b))};
+    const std::string_view suffix = name.substr(name.find('.') + 1);
+    if (suffix == "law")
+        return {kind == profile::ProgramKind::PositionMove ? tr("Displacement law") : tr("Speed law"),
+                lawText(difference.a), lawText(difference.b)};
+    for (const program::RegisterChoice& each : program::registerChoices) {
+        if (each.suffix == suffix)
+            return {RecipeWords::choiceName(each.choice), optionText(kind, each.choice, difference.a),
+                    optionText(kind, each.choice, difference.b)};
+    }
+    const QString parameter = suffix == "law_parameter2" ? tr("Law parameter 2") : tr("Law parameter 1");
+    return {parameter, Format().compact(difference.a, 0, 3), Format().compact(difference.b, 0, 3)};
+}
+
+QString DifferencesText::kindText(double code)
+{
+    const auto kind = static_cast<std::size_t>(code);
+    return kind >= 1 && kind <= program::kinds().size()
+               ? RecipeWords::kindName(static_cast<profile::ProgramKind>(kind))
+               : Format::unknownText();
+}
+
+QString DifferencesText::layoutText(double code)
+{
+    const bool isIntervals = static_cast<int>(code) == static_cast<int>(modbus::TableLayout::Intervals);
+    return RecipeWords::optionName(isIntervals ? "intervals" : "cam_points");
+}
+
+QList<DifferenceRow> DifferencesText::rows(const ControllerProgram& active,
+                                           const program::ProgramImage& edited)
+{
+    QList<DifferenceRow> rows;
+    for (const program::Difference& difference : program::differences(active.registers, edited.registers)) {
+        if (difference.info->name != "program.recipe_version" &&
+            !isUnreadInBoth(difference, active.recipe, edited.recipe))
+            rows << row(difference, edited.recipe.kind());
+    }
+    const auto* knots = std::get_if<profile::PointCamProgram>(&active.recipe.program);
+    const auto* wanted = std::get_if<profile::PointCamProgram>(&edited.recipe.program);
+    if (knots && wanted && knots->knots != wanted->knots)
+        rows << DifferenceRow{tr("Knots"), tr("%n knot(s)", nullptr, static_cast<int>(knots->knots.size())),
+                              tr("%n knot(s)", nullptr, static_cast<int>(wanted->knots.size()))};
+    return rows;
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/download/download_desk.h"
+
+#include "app/panel/controller/machine.h"
+#include "app/panel/download/differences_text.h"
+#include "app/panel/words/connection_sentences.h"
+
+#include <algorithm>
+#include <array>
+
+namespace campanel::machine {
+
+using link::DownloadStage;
+
+DownloadDesk::DownloadDesk(Machine& machine, QObject* parent)
+    : QObject(parent)
+    , m_machine(machine)
+    , m_differences(this)
+    , m_proof(machine, this)
+{
+    connect(&machine.link(), &link::Link::downloadReported, this, &DownloadDesk::takeReport);
+    connect(&machine, &Machine::programChanged, this, &DownloadDesk::update);
+    connect(&machine, &Machine::savedChanged, this, &DownloadDesk::update);
+    connect(&machine, &Machine::commandsChanged, this, &DownloadDesk::update);
+}
+
+void DownloadDesk::offer(std::shared_ptr<const program::ProgramImage> image)
+{
+    m_offer = std::move(image);
+    if (!m_offer || m_offer->crc != m_report.crc)
+        m_hasEnded = false;
+    update();
+}
+
+bool DownloadDesk::isUnderWay() const
+{
+    return m_sent.has_value();
+}
+
+void DownloadDesk::compare()
+{
+    const ControllerProgram* active = m_machine.program().get();
+    // The status tells before the header has been read again.
+    const bool isActive = m_offer && m_machine.status() && m_machine.status()->activeCrc == m_offer->crc;
+    const auto rows =
+        m_offer && active && !isActive ? DifferencesText::rows(*active, *m_offer) : QList<DifferenceRow>();
+    m_differs = m_offer && !isActive && (!active || !rows.isEmpty());
+    m_differences.setRows(rows);
+}
+
+bool DownloadDesk::changesMachineData() const
+{
+    if (!m_offer || !m_machine.program())
+        return false;
+    const program::Recipe& active = m_machine.program()->recipe;
+    const program::Recipe& wanted = m_offer->recipe;
+    using profile::Field;
+    const auto isChanged = [&](Field field) {
+        return program::value(active, field) != program::value(wanted, field);
+    };
+    if (active.kind() != wanted.kind() || isChanged(Field::PulsesPerMotorRev))
+        return true;
+    if (!wanted.isCutter())
+        return isChanged(Field::FeedPerMotorRev);
+    constexpr std::array shaft{Field::KnifeRadius, Field::Knives, Field::GearNumerator,
+                               Field::GearDenominator};
+    return std::ranges::any_of(shaft, isChanged);
+}
+
+QString DownloadDesk::blockedReason() const
+{
+    if (!m_machine.isConnected() || !m_machine.fresh())
+        return tr("Not possible now: there is no connection to the controller.");
+    if (!m_offer)
+        return tr("Not possible: the machine cannot do this recipe.");
+    if (!m_machine.identity()->supports(static_cast<modbus::ProgramKind>(m_offer->recipe.kind())))
+        return tr("Not possible: this controller cannot execute this kind of program.");
+    const Machine::State state = m_machine.state();
+    if (state != Machine::State::Idle && state != Machine::State::Ready && changesMachineData())
+        return tr(
+            "The kind of program and the data of the machine change only at standstill. Stop the machine "
+            "first.");
+    return {};
+}
+
+void DownloadDesk::update()
+{
+    compare();
+    m_proof.update();
+    m_canRetry = false;
+    if (isUnderWay()) {
+        m_state = m_report.stage == DownloadStage::Armed     ? State::Armed
+                  : m_report.stage == DownloadStage::Sealing ? State::Sealing
+                                                             : State::Transferring;
+    } else if (m_hasEnded && m_report.stage == DownloadStage::Failed) {
+        m_state = State::Failed;
+        m_canRetry = m_differs && blockedReason().isEmpty();
+    } else if (!blockedReason().isEmpty()) {
+        m_state = State::Blocked;
+    } else if (m_hasEnded && m_report.stage == DownloadStage::Active && !m_differs) {
+        m_state = State::Applied;
+    } else {
+        m_state = m_differs ? State::Ready : State::NothingToDo;
+    }
+    emit changed();
+}
+
+QString DownloadDesk::text() const
+{
+    switch (m_state) {
+    case State::NothingToDo:
+        return tr("The controller already has exactly this recipe.");
+    case State::Ready:
+        return m_machine.state() == Machine::State::Running
+                   ? tr("The machine keeps running; the new recipe begins with the next cycle.")
+                   : tr("The new recipe is used from the next start.");
+    case State::Blocked:
+        return blockedReason();
+    case State::Transferring:
+    case State::Sealing:
+    case State::Armed:
+    case State::Failed:
+        break;
+    case State::Applied:
+        if (m_machine.state() == Machine::State::Running)
+            return tr("Downloaded. The machine runs with this recipe.");
+        return m_machine.canStart() ? tr("Downloaded. Press Start to run this recipe.")
+                                    : tr("Downloaded. The controller has this recipe.");
+    }
+    return ConnectionSentences::download(m_report);
+}
+
+QString DownloadDesk::controllerText() const
+{
+    if (!m_machine.status() || !m_machine.identity())
+        return tr("Controller: not known yet");
+    if (!m_machine.program())
+        return m_machine.status()->activeCrc ? tr("Controller: reading its program …")
+                                             : tr("The controller has no program");
+    const QString generation = QString::number(m_machine.program()->generation);
+    if (!m_machine.isConnected() || !m_machine.fresh())
+        return tr("No connection. Last known in the controller: generation %1").arg(generation);
+    if (!m_offer)
+        return tr("Active in controller: generation %1").arg(generation);
+    switch (m_differences.count()) {
+    case 0:
+        return tr("Active in controller: generation %1 · the same").arg(generation);
+    case 1:
+        return tr("Active in controller: generation %1 · 1 value differs").arg(generation);
+    default:
+        return tr("Active in controller: generation %1 · %2 values differ")
+            .arg(generation)
+            .arg(m_differences.count());
+    }
+}
+
+bool DownloadDesk::isSaved() const
+{
+    const auto& status = m_machine.status();
+    return status && status->activeCrc && status->activeCrc == status->savedCrc;
+}
+
+bool DownloadDesk::canSave() const
+{
+    return m_machine.isConnected() && m_machine.fresh() && m_machine.status()->activeCrc && !isSaved();
+}
+
+void DownloadDesk::download(const program::ProgramImage& image, const program::Recipe& recipe)
+{
+    m_sent = recipe;
+    m_sentRegisters = image.registers;
+    m_report = {};
+    m_hasEnded = false;
+    emit begun(image);
+    m_machine.link().download(image.registers);
+    update();
+}
+
+void DownloadDesk::cancel()
+{
+    if (isUnderWay())
+        m_machine.link().cancelDownload();
+}
+
+void DownloadDesk::save()
+{
+    if (canSave())
+        m_machine.send(modbus::Command::SaveToFlash, {0, 0, *m_machine.status()->activeCrc});
+}
+
+void DownloadDesk::takeReport(const link::DownloadReport& report)
+{
+    if (!isUnderWay())
+        return;
+    m_report = report;
+    const bool isOver = report.stage == DownloadStage::Active || report.stage == DownloadStage::Failed ||
+                        report.stage == DownloadStage::Canceled;
+    std::optional<program::Recipe> sent;
+    if (isOver) {
+        m_hasEnded = true;
+        sent = std::exchange(m_sent, std::nullopt);
+    }
+    if (report.stage == DownloadStage::Active)
+        m_proof.noteDownloaded(std::move(m_sentRegisters), report.crc);
+    if (isOver)
+        emit ended(report);
+    if (sent && report.stage == DownloadStage::Active)
+        emit applied(*sent);
+    update();
+}
+
+} // namespace campanel::machine

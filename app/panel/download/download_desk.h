@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// The way of the edited recipe into the controller: what differs, what may be sent, how far it has come.
+#pragma once
+
+#include "app/panel/download/program_proof.h"
+#include "app/panel/kit/difference_model.h"
+#include "app/panel/recipe/solution.h"
+
+#include <QObject>
+
+namespace campanel::machine {
+
+class Machine;
+
+class DownloadDesk : public QObject {
+    Q_OBJECT
+
+public:
+    // In the order and with the names that QML sees as Editor.DownloadState.
+    enum class State { NothingToDo, Ready, Blocked, Transferring, Sealing, Armed, Applied, Failed };
+
+    DownloadDesk(Machine& machine, QObject* parent);
+
+    // What would be downloaded; null when the recipe is not feasible.
+    void offer(std::shared_ptr<const program::ProgramImage> image);
+
+    [[nodiscard]] State state() const { return m_state; }
+    [[nodiscard]] double progress() const { return m_report.fraction; }
+    [[nodiscard]] QString text() const;
+    [[nodiscard]] bool canDownload() const { return m_state == State::Ready || m_canRetry; }
+    [[nodiscard]] DifferenceModel& differences() { return m_differences; }
+    [[nodiscard]] ProgramProof& proof() { return m_proof; }
+    [[nodiscard]] QString controllerText() const;
+    [[nodiscard]] bool isSaved() const;
+    [[nodiscard]] bool canSave() const;
+
+    // Sends the image of this recipe; applied() gives the recipe back when it is active.
+    void download(const program::ProgramImage& image, const program::Recipe& recipe);
+    void cancel();
+    void save();
+    void update(); // after a change in the controller or of the language
+
+signals:
+    void changed();
+    void applied(const campanel::program::Recipe& recipe);
+    // For the audit trail: what is about to be sent, and what became of it.
+    void begun(const campanel::program::ProgramImage& image);
+    void ended(const campanel::link::DownloadReport& report);
+
+private:
+    [[nodiscard]] bool isUnderWay() const;
+    [[nodiscard]] QString blockedReason() const; // empty when it may be sent
+    [[nodiscard]] bool changesMachineData() const;
+    void takeReport(const link::DownloadReport& report);
+    void compare();
+
+    Machine& m_machine;
+    std::shared_ptr<const program::ProgramImage> m_offer;
+    DifferenceModel m_differences;
+    ProgramProof m_proof;
+    bool m_differs = false;
+    State m_state = State::Blocked;
+    bool m_canRetry = false;
+    std::optional<program::Recipe> m_sent;
+    std::vector<std::uint16_t> m_sentRegisters;
+    link::DownloadReport m_report;
+    bool m_hasEnded = false; // the report is that of a download that ended and was not edited since
+};
+
+} // namespace campanel::machine

@@ -1,0 +1,431 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/editor/editor.h"
+
+#include "app/panel/controller/machine.h"
+#include "app/panel/editor/editor_views.h"
+#include "app/panel/kit/engine_instances.h"
+#include "app/panel/recipe/controller_program.h"
+#include "app/panel/recipe/recipe_edit.h"
+#include "app/panel/words/recipe_words.h"
+#include "app/panel/words/refusal_sentences.h"
+
+#include <QDir>
+#include <QEvent>
+#include <QFileInfo>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+using namespace std::chrono_literals;
+
+namespace campanel::machine {
+
+namespace {
+
+using profile::Field;
+
+// Name of a field in QML and in tests: the cutter's have short ones, the others that of the recipe file.
+QString fieldId(Field field)
+{
+    switch (field) {
+    case Field::BagLength:
+        return u"bagLength"_s;
+    case Field::BaseSpeed:
+        return u"baseSpeed"_s;
+    case Field::FilmSpeed:
+        return u"filmSpeed"_s;
+    case Field::Rate:
+        return u"rate"_s;
+    case Field::KnifeRadius:
+        return u"knifeRadius"_s;
+    case Field::MaxKnifeAcceleration:
+        return u"maxAcceleration"_s;
+    default:
+        return QString::fromLatin1(profile::info(field).id.data(),
+                                   static_cast<qsizetype>(profile::info(field).id.size()));
+    }
+}
+
+// Bag length and rate are the operator's, all else is set up by a technician.
+Level levelFor(Field field)
+{
+    return field == Field::BagLength || field == Field::Rate ? Level::Operator : Level::Technician;
+}
+
+// What leads from one to the other: bag length and rate alone, or more.
+Level levelBetween(const program::Recipe& before, const program::Recipe& after)
+{
+    if (!before.isCutter() || !after.isCutter())
+        return Level::Technician;
+    program::Recipe same = after;
+    same.cutter().pinned = before.cutter().pinned;
+    for (const Field field : program::pinnableFields)
+        program::setValue(same, field, program::value(before, field));
+    return sameRecipe(before, same) ? Level::Operator : Level::Technician;
+}
+
+// Edits that follow one another faster are kept together: writing a file takes longer than a frame.
+constexpr auto keepDelay = 300ms;
+constexpr auto tableDelay = 80ms;
+
+} // namespace
+
+Editor::Editor(Machine& machine, const QString& folder, QObject* parent)
+    : QObject(parent)
+    , m_knots(this)
+    , m_knotFiles(QDir(folder).filePath(u"knots"_s), this)
+    , m_choices(this)
+    , m_laws(this)
+    , m_table(this)
+    , m_machine(machine)
+    , m_desk(machine, this)
+    , m_storedFile(QDir(folder).filePath(u"recipe.json"_s))
+    , m_workingFile(QDir(folder).filePath(u"working_copy.json"_s))
+    , m_keepTimer(this)
+    , m_tableTimer(this)
+{
+    const auto stored = m_storedFile.load();
+    m_stored = stored.recipe;
+    m_recipe = m_stored;
+    m_notice = stored.notice;
+    if (QFileInfo::exists(m_workingFile.path())) {
+        const auto working = m_workingFile.load();
+        m_recipe = working.recipe;
+        m_notice = m_notice.isEmpty() ? working.notice : m_notice;
+    }
+    connectFields();
+    connectKnots();
+    m_keepTimer.setSingleShot(true);
+    m_keepTimer.setInterval(keepDelay);
+    m_tableTimer.setSingleShot(true);
+    m_tableTimer.setInterval(tableDelay);
+    connect(&m_tableTimer, &QTimer::timeout, this,
+            [this] { takeSolution(solveRecipe(m_recipe, m_controller)); });
+    connect(&m_keepTimer, &QTimer::timeout, this, &Editor::keepWorkingCopy);
+    connect(&m_desk, &DownloadDesk::changed, this, &Editor::downloadChanged);
+    connect(&m_desk, &DownloadDesk::changed, this, &Editor::activeChanged);
+    connect(&m_desk, &DownloadDesk::changed, this, &Editor::overlayChanged);
+    connect(&m_desk, &DownloadDesk::begun, this, &Editor::downloadBegun);
+    connect(&m_desk, &DownloadDesk::ended, this, &Editor::downloadEnded);
+    connect(&m_desk, &DownloadDesk::applied, this, [this](const program::Recipe& recipe) {
+        takeStored(recipe);
+        emit applied(recipe);
+    });
+    connect(&machine, &Machine::connectionChanged, this, &Editor::watchController);
+    connect(&machine, &Machine::programChanged, this, &Editor::show);
+    QCoreApplication::instance()->installEventFilter(this);
+    m_controller = machine.identity();
+    recompute();
+}
+
+Editor::~Editor()
+{
+    if (m_keepTimer.isActive())
+        keepWorkingCopy();
+}
+
+Editor* Editor::create(QQmlEngine* qmlEngine, QJSEngine*)
+{
+    return attachedInstance<Editor>(qmlEngine);
+}
+
+void Editor::connectFields()
+{
+    for (const profile::FieldInfo& info : profile::fields) {
+        const Field field = info.field;
+        auto* item = new EditorField(fieldId(field), this);
+        item->setNeededLevel(levelFor(field));
+        m_fields[static_cast<std::size_t>(field)] = item;
+        connect(item, &EditorField::setRequested, this, [this, field](double value) {
+            edit(levelFor(field), [&](program::Recipe& recipe) {
+                enterField(recipe, field, profile::snapToGrid(field, value));
+            });
+        });
+        connect(item, &EditorField::pinToggleRequested, this, [this, field] {
+            edit(Level::Technician, [&](program::Recipe& recipe) { togglePin(recipe, field); });
+        });
+    }
+    const auto connectParameter = [this](EditorField& item, std::size_t index) {
+        connect(&item, &EditorField::setRequested, this, [this, index](double value) {
+            edit(Level::Technician, [&](program::Recipe& recipe) {
+                if (profile::LawParameters* parameters = program::lawParameters(recipe.program))
+                    (*parameters)[index] = value;
+            });
+        });
+    };
+    connectParameter(m_lawParameter1, 0);
+    connectParameter(m_lawParameter2, 1);
+}
+
+void Editor::connectKnots()
+{
+    connect(&m_knots, &KnotModel::edited, this, [this](const profile::PointCamProgram& program) {
+        edit(Level::Technician, [&](program::Recipe& recipe) { recipe.program = program; });
+    });
+    connect(&m_knots, &KnotModel::dragged, this, [this](const profile::PointCamProgram& program) {
+        if (!m_beforeDrag && !admits(Level::Technician)) {
+            show(); // the handle goes back
+            return;
+        }
+        if (!m_beforeDrag)
+            m_beforeDrag = m_recipe;
+        m_recipe.program = program;
+        recompute();
+    });
+    connect(&m_knots, &KnotModel::dragEnded, this, &Editor::commitDrag);
+    connect(&m_knotFiles, &KnotFiles::taken, this, [this](const std::vector<profile::Knot>& knots) {
+        edit(Level::Technician, [&](program::Recipe& recipe) {
+            if (auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
+                cam->knots = knots;
+        });
+    });
+}
+
+bool Editor::admits(Level needed) const
+{
+    return m_machine.gate().admits(needed);
+}
+
+template <typename Change> void Editor::edit(Level needed, Change change)
+{
+    commitDrag();
+    if (!admits(needed))
+        return;
+    program::Recipe before = m_recipe;
+    change(m_recipe);
+    if (!sameRecipe(before, m_recipe)) {
+        m_history.note(std::move(before));
+        m_keepTimer.start();
+    }
+    recompute();
+}
+
+void Editor::setLaw(const QString& lawId)
+{
+    if (const profile::Law* law = profile::findLaw(lawId.toStdString()))
+        edit(Level::Technician, [law](program::Recipe& recipe) { chooseLaw(recipe, *law); });
+}
+
+void Editor::newProgram(int kind)
+{
+    if (kind < 1 || kind > static_cast<int>(program::kinds().size()))
+        return;
+    edit(Level::Technician,
+         [&](program::Recipe& recipe) { recipe = newRecipe(static_cast<profile::ProgramKind>(kind)); });
+}
+
+void Editor::setChoice(int row, int option)
+{
+    edit(Level::Technician, [&](program::Recipe& recipe) { m_choices.apply(row, option, recipe); });
+}
+
+void Editor::compareLaw(const QString& lawId)
+{
+    const profile::Law* law = profile::findLaw(lawId.toStdString());
+    m_comparedLaw = law ? std::optional(law->id) : std::nullopt;
+    compareCurves();
+    show();
+}
+
+// The law that is compared stays while the recipe is edited.
+void Editor::compareCurves()
+{
+    m_comparedCurves.reset();
+    const profile::Law* law = m_comparedLaw ? profile::findLaw(*m_comparedLaw) : nullptr;
+    if (!law || !hasLaw() || !program::isLawOf(m_recipe.kind(), *law)) {
+        m_comparedLaw.reset();
+        return;
+    }
+    program::Recipe other = m_recipe;
+    chooseLaw(other, *law);
+    if (const auto solved = program::solveProgram(program::quantised(other)))
+        m_comparedCurves =
+            std::make_shared<const profile::Curves>(program::sampleCurves(*solved, curvePoints));
+}
+
+void Editor::setRecipeName(const QString& name)
+{
+    const std::string wanted = name.trimmed().toStdString();
+    if (!wanted.empty())
+        edit(Level::Technician, [&](program::Recipe& recipe) {
+            recipe.name = modbus::fittingUtf8(wanted, program::longestNameBytes);
+        });
+}
+
+void Editor::applySuggestion()
+{
+    if (!suggestion())
+        return;
+    const profile::Suggestion wanted = *suggestion();
+    edit(levelFor(wanted.field),
+         [&](program::Recipe& recipe) { enterField(recipe, wanted.field, wanted.value); });
+}
+
+void Editor::dragRatio(int index, double timeSeconds)
+{
+    if (!m_recipe.isCutter() || index < 0 || index >= static_cast<int>(m_recipe.cutter().k.size()))
+        return;
+    if (!m_beforeDrag && !admits(Level::Technician)) {
+        show(); // the handle goes back
+        return;
+    }
+    if (!m_beforeDrag)
+        m_beforeDrag = m_recipe;
+    machine::dragRatio(m_recipe, index, timeSeconds / m_cycleSeconds);
+    recompute();
+}
+
+void Editor::commitDrag()
+{
+    const std::optional<program::Recipe> before = std::exchange(m_beforeDrag, std::nullopt);
+    if (!before || sameRecipe(*before, m_recipe))
+        return;
+    m_history.note(*before);
+    m_keepTimer.start();
+    emit historyChanged();
+}
+
+void Editor::undo()
+{
+    commitDrag();
+    if (m_history.canUndo() && admits(levelBetween(m_recipe, m_history.previous())))
+        replace(m_history.undo(m_recipe));
+}
+
+void Editor::redo()
+{
+    commitDrag();
+    if (m_history.canRedo() && admits(levelBetween(m_recipe, m_history.next())))
+        replace(m_history.redo(m_recipe));
+}
+
+void Editor::revert()
+{
+    edit(Level::Operator, [this](program::Recipe& recipe) { recipe = m_stored; });
+}
+
+void Editor::replace(program::Recipe recipe)
+{
+    m_recipe = std::move(recipe);
+    m_keepTimer.start();
+    recompute();
+}
+
+void Editor::recompute()
+{
+    m_recipe.version = edited() ? nextVersion() : m_stored.version;
+    m_tableTimer.stop();
+    // After a download the recipe is the one that it was: its table stays on offer.
+    const bool isKnown =
+        m_solution.image && sameRecipe(m_solvedFor, m_recipe) && m_solvedFor.version == m_recipe.version;
+    m_solvedFor = m_recipe;
+    takeSolution(solveRecipe(m_recipe, m_controller, isKnown ? TableWork::All : TableWork::WithoutSlow));
+}
+
+void Editor::takeSolution(Solution solution)
+{
+    m_solution = std::move(solution);
+    if (m_solution.isTablePending)
+        m_tableTimer.start();
+    if (const auto* cutter = m_solution.cutter())
+        adopt(m_recipe, cutter->cycle);
+    if (m_solution.solved)
+        m_cycleSeconds = m_solution.solved->cycleS();
+    compareCurves();
+    m_table.setImage(m_solution.image);
+    m_desk.offer(m_solution.image);
+    show();
+}
+
+void Editor::show()
+{
+    const EditorViews views(m_recipe, m_solution, m_machine.program().get());
+    const program::KindInfo& kind = program::kindInfo(m_recipe.kind());
+    for (const auto fields : {kind.programFields, kind.machineFields}) {
+        for (const Field field : fields)
+            item(field)->show(views.field(field));
+    }
+    showFields();
+    m_choices.show(m_recipe);
+    const auto* cam = std::get_if<profile::PointCamProgram>(&m_recipe.program);
+    m_knots.show(cam ? std::optional(*cam) : std::nullopt, m_cycleSeconds);
+    m_knotFiles.show(cam ? cam->knots : std::vector<profile::Knot>{}, recipeName());
+    m_lawParameter1.show(views.lawParameter(0));
+    m_lawParameter2.show(views.lawParameter(1));
+    m_laws.setRows(views.laws(m_comparedLaw));
+    emit kindChanged();
+    emit overlayChanged();
+    emit solutionChanged();
+    emit tableChanged();
+    emit historyChanged();
+    emit recipeChanged();
+}
+
+// Told only when other fields are to be shown: the items of a list are made anew then.
+void Editor::showFields()
+{
+    QList<Field> shown;
+    for (const Field field : program::kindInfo(m_recipe.kind()).programFields) {
+        if (m_recipe.isCutter() || program::isRead(m_recipe.program, field))
+            shown << field;
+    }
+    if (shown == m_shownFields)
+        return;
+    m_shownFields = shown;
+    emit fieldsChanged();
+}
+
+void Editor::watchController()
+{
+    const auto& identity = m_machine.identity();
+    const bool isSame = identity.has_value() == m_controller.has_value() &&
+                        (!identity || (identity->uniqueId == m_controller->uniqueId &&
+                                       identity->timerClockHz == m_controller->timerClockHz &&
+                                       identity->rowCapacity == m_controller->rowCapacity));
+    if (isSame)
+        return;
+    m_controller = identity;
+    recompute();
+}
+
+void Editor::download()
+{
+    commitDrag();
+    if (canDownload() && m_solution.image && admits(Level::Operator))
+        m_desk.download(*m_solution.image, m_recipe);
+}
+
+void Editor::cancelDownload()
+{
+    if (admits(Level::Operator))
+        m_desk.cancel();
+}
+
+void Editor::saveToFlash()
+{
+    if (admits(Level::Operator))
+        m_desk.save();
+}
+
+void Editor::showNotice(const QString& text)
+{
+    m_notice = text;
+    emit noticeChanged();
+}
+
+void Editor::dismissNotice()
+{
+    showNotice({});
+}
+
+bool Editor::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance()) {
+        show();
+        m_table.setImage(m_solution.image);
+        m_desk.update();
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: Apache-2.0
+// `Editor` in QML: the recipe being edited, what it demands of the machine, and its way into the controller.
+#pragma once
+
+#include "app/panel/download/download_desk.h"
+#include "app/panel/editor/edit_history.h"
+#include "app/panel/editor/editor_field.h"
+#include "app/panel/editor/knot_files.h"
+#include "app/panel/editor/knot_model.h"
+#include "app/panel/recipe/choice_model.h"
+#include "app/panel/recipe/law_model.h"
+#include "app/panel/recipe/solution.h"
+#include "app/panel/recipe/table_model.h"
+#include "app/store/recipes/last_recipe.h"
+
+#include <QObject>
+#include <QPointF>
+#include <QStringList>
+#include <QTimer>
+#include <QVariant>
+#include <QtQml/qqmlregistration.h>
+
+#include <array>
+#include <functional>
+#include <map>
+#include <optional>
+
+class QJSEngine;
+class QQmlEngine;
+
+namespace campanel::machine {
+
+class Editor : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_SINGLETON
+
+    Q_PROPERTY(campanel::machine::EditorField* bagLength READ bagLength CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* rate READ rate CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* baseSpeed READ baseSpeed CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* filmSpeed READ filmSpeed CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* k1 READ k1 CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* k2 READ k2 CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* k3 READ k3 CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* k4 READ k4 CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* syncRatio READ syncRatio CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* rampSlices READ rampSlices CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* lawParameter1 READ lawParameter1 CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* lawParameter2 READ lawParameter2 CONSTANT FINAL)
+
+    // The kind of program, its fields that are read as it is set, and the data of the machine that it needs.
+    Q_PROPERTY(Kind kind READ kind NOTIFY kindChanged FINAL)
+    Q_PROPERTY(QStringList kindNames READ kindNames NOTIFY kindChanged FINAL)
+    Q_PROPERTY(QVariantList fields READ fields NOTIFY fieldsChanged FINAL)
+    Q_PROPERTY(QVariantList machineFields READ machineFields NOTIFY fieldsChanged FINAL)
+    Q_PROPERTY(campanel::machine::ChoiceModel* choices READ choices CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::KnotModel* knots READ knots CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::KnotFiles* knotFiles READ knotFiles CONSTANT FINAL)
+    Q_PROPERTY(bool hasLaw READ hasLaw NOTIFY kindChanged FINAL)
+    Q_PROPERTY(QString lawTitle READ lawTitle NOTIFY kindChanged FINAL)
+
+    Q_PROPERTY(campanel::machine::LawModel* laws READ laws CONSTANT FINAL)
+    Q_PROPERTY(QString lawName READ lawName NOTIFY solutionChanged FINAL)
+
+    Q_PROPERTY(bool solvable READ solvable NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(bool feasible READ feasible NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(QString verdict READ verdict NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(Severity severity READ severity NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(bool hasSuggestion READ hasSuggestion NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(QString suggestionText READ suggestionText NOTIFY solutionChanged FINAL)
+
+    Q_PROPERTY(QVariant curves READ curves NOTIFY solutionChanged FINAL)
+    // Drawn in grey behind the curves: another law for the same move, else what the controller runs.
+    Q_PROPERTY(QVariant overlayCurves READ overlayCurves NOTIFY overlayChanged FINAL)
+    Q_PROPERTY(QString overlayName READ overlayName NOTIFY overlayChanged FINAL)
+    Q_PROPERTY(double cycleSeconds READ cycleSeconds NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(QList<double> ratioTimes READ ratioTimes NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(QList<double> markTimes READ markTimes NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(double limitVelocity READ limitVelocity NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(double limitAcceleration READ limitAcceleration NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(double limitFrequency READ limitFrequency NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(QList<QPointF> violations READ violations NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(QString peakText READ peakText NOTIFY solutionChanged FINAL)
+
+    Q_PROPERTY(campanel::machine::TableModel* table READ table CONSTANT FINAL)
+    Q_PROPERTY(QStringList tableSummary READ tableSummary NOTIFY tableChanged FINAL)
+
+    Q_PROPERTY(bool canUndo READ canUndo NOTIFY historyChanged FINAL)
+    Q_PROPERTY(bool canRedo READ canRedo NOTIFY historyChanged FINAL)
+    Q_PROPERTY(QString recipeName READ recipeName WRITE setRecipeName NOTIFY recipeChanged FINAL)
+    Q_PROPERTY(int recipeVersion READ recipeVersion NOTIFY recipeChanged FINAL)
+    Q_PROPERTY(bool edited READ edited NOTIFY recipeChanged FINAL)
+    Q_PROPERTY(QString notice READ notice NOTIFY noticeChanged FINAL)
+
+    Q_PROPERTY(DownloadState downloadState READ downloadState NOTIFY downloadChanged FINAL)
+    Q_PROPERTY(double downloadProgress READ downloadProgress NOTIFY downloadChanged FINAL)
+    Q_PROPERTY(QString downloadText READ downloadText NOTIFY downloadChanged FINAL)
+    Q_PROPERTY(bool canDownload READ canDownload NOTIFY downloadChanged FINAL)
+    Q_PROPERTY(campanel::machine::DifferenceModel* differences READ differences CONSTANT FINAL)
+    Q_PROPERTY(int differenceCount READ differenceCount NOTIFY activeChanged FINAL)
+    Q_PROPERTY(QString controllerText READ controllerText NOTIFY activeChanged FINAL)
+    Q_PROPERTY(campanel::machine::ProgramProof* proof READ proof CONSTANT FINAL)
+    Q_PROPERTY(bool saved READ saved NOTIFY activeChanged FINAL)
+    Q_PROPERTY(bool canSave READ canSave NOTIFY activeChanged FINAL)
+
+public:
+    enum class Kind { RotaryCutter = 1, PositionMove, SpeedMove, PointCam, Press };
+    Q_ENUM(Kind)
+    enum class Severity { Good, Warning, Bad };
+    Q_ENUM(Severity)
+    enum class DownloadState { NothingToDo, Ready, Blocked, Transferring, Sealing, Armed, Applied, Failed };
+    Q_ENUM(DownloadState)
+
+    // Both recipes are kept in `folder`. The machine must outlive it.
+    Editor(Machine& machine, const QString& folder, QObject* parent);
+    ~Editor() override;
+
+    // The instance that attachToEngine() gave to this engine.
+    static Editor* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
+
+    [[nodiscard]] EditorField* bagLength() { return item(profile::Field::BagLength); }
+    [[nodiscard]] EditorField* rate() { return item(profile::Field::Rate); }
+    [[nodiscard]] EditorField* baseSpeed() { return item(profile::Field::BaseSpeed); }
+    [[nodiscard]] EditorField* filmSpeed() { return item(profile::Field::FilmSpeed); }
+    [[nodiscard]] EditorField* k1() { return item(profile::Field::K1); }
+    [[nodiscard]] EditorField* k2() { return item(profile::Field::K2); }
+    [[nodiscard]] EditorField* k3() { return item(profile::Field::K3); }
+    [[nodiscard]] EditorField* k4() { return item(profile::Field::K4); }
+    [[nodiscard]] EditorField* syncRatio() { return item(profile::Field::SyncRatio); }
+    [[nodiscard]] EditorField* rampSlices() { return item(profile::Field::SlicesPerRamp); }
+    [[nodiscard]] EditorField* lawParameter1() { return &m_lawParameter1; }
+    [[nodiscard]] EditorField* lawParameter2() { return &m_lawParameter2; }
+
+    [[nodiscard]] EditorField* item(profile::Field field)
+    {
+        return m_fields[static_cast<std::size_t>(field)];
+    }
+    [[nodiscard]] Kind kind() const { return static_cast<Kind>(m_recipe.kind()); }
+    [[nodiscard]] QStringList kindNames() const;
+    [[nodiscard]] QVariantList fields() const; // of EditorField*
+    [[nodiscard]] QVariantList machineFields() const;
+    [[nodiscard]] ChoiceModel* choices() { return &m_choices; }
+    [[nodiscard]] KnotModel* knots() { return &m_knots; }
+    [[nodiscard]] KnotFiles* knotFiles() { return &m_knotFiles; }
+    [[nodiscard]] bool hasLaw() const { return program::lawParameters(m_recipe.program) != nullptr; }
+    [[nodiscard]] QString lawTitle() const;
+    [[nodiscard]] LawModel* laws() { return &m_laws; }
+    [[nodiscard]] QString lawName() const;
+    [[nodiscard]] bool solvable() const { return m_solution.solved.has_value(); }
+    [[nodiscard]] bool feasible() const { return m_solution.isFeasible(); }
+    [[nodiscard]] QString verdict() const;
+    [[nodiscard]] Severity severity() const;
+    [[nodiscard]] bool hasSuggestion() const { return suggestion() != nullptr; }
+    [[nodiscard]] QString suggestionText() const;
+    [[nodiscard]] QVariant curves() const;
+    [[nodiscard]] QVariant overlayCurves() const;
+    [[nodiscard]] QString overlayName() const;
+    [[nodiscard]] double cycleSeconds() const { return m_cycleSeconds; }
+    [[nodiscard]] QList<double> ratioTimes() const; // of a rotary cutter, else empty
+    [[nodiscard]] QList<double> markTimes() const;
+    [[nodiscard]] double limitVelocity() const;
+    [[nodiscard]] double limitAcceleration() const;
+    [[nodiscard]] double limitFrequency() const;
+    [[nodiscard]] QList<QPointF> violations() const;
+    [[nodiscard]] QString peakText() const;
+    [[nodiscard]] TableModel* table() { return &m_table; }
+    [[nodiscard]] QStringList tableSummary() const;
+    [[nodiscard]] bool canUndo() const { return m_history.canUndo(); }
+    [[nodiscard]] bool canRedo() const { return m_history.canRedo(); }
+    [[nodiscard]] QString recipeName() const { return QString::fromStdString(m_recipe.name); }
+    void setRecipeName(const QString& name);
+    [[nodiscard]] int recipeVersion() const;
+    [[nodiscard]] bool edited() const;
+    [[nodiscard]] QString notice() const { return m_notice; }
+    [[nodiscard]] DownloadState downloadState() const { return static_cast<DownloadState>(m_desk.state()); }
+    [[nodiscard]] double downloadProgress() const { return m_desk.progress(); }
+    [[nodiscard]] QString downloadText() const { return m_desk.text(); }
+    [[nodiscard]] bool canDownload() const { return m_desk.canDownload(); }
+    [[nodiscard]] DifferenceModel* differences() { return &m_desk.differences(); }
+    [[nodiscard]] int differenceCount() { return m_desk.differences().count(); }
+    [[nodiscard]] QString controllerText() const { return m_desk.controllerText(); }
+    [[nodiscard]] ProgramProof* proof() { return &m_desk.proof(); }
+    [[nodiscard]] bool saved() const { return m_desk.isSaved(); }
+    [[nodiscard]] bool canSave() const { return m_desk.canSave(); }
+
+    // A new recipe of this kind, with the defaults of its paper. Can be undone.
+    Q_INVOKABLE void newProgram(int kind);
+    // `row` of choices, `option` of its options.
+    Q_INVOKABLE void setChoice(int row, int option);
+    Q_INVOKABLE void setLaw(const QString& lawId);
+    // Lays the curves of the same motion by another law behind; an empty id ends it.
+    Q_INVOKABLE void compareLaw(const QString& lawId);
+    Q_INVOKABLE void applySuggestion();
+    // Moves the end of stretch `index` (0..3: ta, tb, tc, td) while a finger drags it; commitDrag() ends it
+    // as one undo step.
+    Q_INVOKABLE void dragRatio(int index, double timeSeconds);
+    Q_INVOKABLE void commitDrag();
+    Q_INVOKABLE void undo();
+    Q_INVOKABLE void redo();
+    Q_INVOKABLE void revert();
+    Q_INVOKABLE void download();
+    Q_INVOKABLE void cancelDownload();
+    Q_INVOKABLE void saveToFlash();
+    Q_INVOKABLE void dismissNotice();
+
+    // What follows from the recipe now.
+    [[nodiscard]] const Solution& solution() const { return m_solution; }
+    [[nodiscard]] const program::Recipe& recipe() const { return m_recipe; }
+    // What edited() compares with: the version that was opened, downloaded or saved last.
+    [[nodiscard]] const program::Recipe& storedRecipe() const { return m_stored; }
+
+    // Another recipe is edited from now on: as it is, or on from `edited`. Nothing of the one before remains,
+    // nor can it be undone.
+    void open(const program::Recipe& stored, const std::optional<program::Recipe>& edited = {});
+    // This, that has been saved, is what edited() compares with from now on; the edits stay.
+    void takeStored(const program::Recipe& recipe);
+    // Tells the newest version that is kept under a name, 0: none. An edited recipe has the one after it.
+    using NewestVersion = std::function<int(const std::string& name)>;
+    void setNewestVersion(NewestVersion newest);
+    // A new program of this kind is made for this machine.
+    void setMachine(profile::ProgramKind kind, const profile::Machine& machine)
+    {
+        m_machines[kind] = machine;
+    }
+    [[nodiscard]] program::Recipe newRecipe(profile::ProgramKind kind) const;
+
+signals:
+    // The controller executes it.
+    void applied(const campanel::program::Recipe& recipe);
+    void kindChanged();
+    void fieldsChanged();
+    void overlayChanged();
+    void solutionChanged();
+    void activeChanged();
+    void tableChanged();
+    void historyChanged();
+    void recipeChanged();
+    void downloadChanged();
+    void noticeChanged();
+    // For the audit trail, see DownloadDesk.
+    void downloadBegun(const campanel::program::ProgramImage& image);
+    void downloadEnded(const campanel::link::DownloadReport& report);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void connectFields();
+    void connectKnots();
+    void compareCurves();
+    void showFields();
+    // Who may not is asked to log in, and nothing changes.
+    [[nodiscard]] bool admits(Level needed) const;
+    template <typename Change> void edit(Level needed, Change change);
+    void replace(program::Recipe recipe); // undo, redo, revert
+    void recompute();
+    void takeSolution(Solution solution);
+    void show();
+    void watchController();
+    void keepWorkingCopy();
+    void showNotice(const QString& text);
+    [[nodiscard]] const profile::Suggestion* suggestion() const;
+    [[nodiscard]] const profile::Machine& limits() const;
+    [[nodiscard]] int nextVersion() const;
+
+    EditorField m_lawParameter1{QStringLiteral("lawParameter1"), this};
+    EditorField m_lawParameter2{QStringLiteral("lawParameter2"), this};
+    std::array<EditorField*, profile::fields.size()> m_fields{}; // by field; children
+    KnotModel m_knots;
+    KnotFiles m_knotFiles;
+    ChoiceModel m_choices;
+    LawModel m_laws;
+    TableModel m_table;
+
+    Machine& m_machine;
+    DownloadDesk m_desk;
+    store::LastRecipe m_storedFile;
+    store::LastRecipe m_workingFile;
+    QTimer m_keepTimer;
+    QTimer m_tableTimer; // a slow table is made when the finger rests
+    program::Recipe m_stored;
+    program::Recipe m_recipe;
+    NewestVersion m_newestVersion = [](const std::string&) { return 0; };
+    std::map<profile::ProgramKind, profile::Machine> m_machines;
+    std::optional<program::Recipe> m_beforeDrag;
+    EditHistory<program::Recipe> m_history;
+    std::optional<modbus::Identity> m_controller; // that the solution was made for
+    Solution m_solution;
+    program::Recipe m_solvedFor;
+    std::optional<profile::LawId> m_comparedLaw;
+    std::shared_ptr<const profile::Curves> m_comparedCurves;
+    QList<profile::Field> m_shownFields; // of which fieldsChanged() told
+    double m_cycleSeconds = 1;           // the last that was known, so that the handles stay where they are
+    QString m_notice;
+};
+
+} // namespace campanel::machine

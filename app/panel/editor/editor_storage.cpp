@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// What of the Editor outlives an edit: the stored recipe, the working copy, and the versions between them.
+#include "app/panel/editor/editor.h"
+
+#include "app/panel/recipe/recipe_edit.h"
+
+#include <algorithm>
+
+namespace campanel::machine {
+
+bool Editor::edited() const
+{
+    return !sameRecipe(m_recipe, m_stored);
+}
+
+int Editor::recipeVersion() const
+{
+    return m_recipe.name == m_stored.name ? m_stored.version : m_recipe.version;
+}
+
+int Editor::nextVersion() const
+{
+    const int opened = m_recipe.name == m_stored.name ? m_stored.version : 0;
+    return std::min(std::max(opened, m_newestVersion(m_recipe.name)) + 1, program::largestVersion);
+}
+
+void Editor::setNewestVersion(NewestVersion newest)
+{
+    m_newestVersion = std::move(newest);
+    recompute();
+}
+
+program::Recipe Editor::newRecipe(profile::ProgramKind kind) const
+{
+    program::Recipe recipe = program::defaultRecipe(kind);
+    if (const auto machine = m_machines.find(kind); machine != m_machines.end())
+        recipe.machine = machine->second;
+    return recipe;
+}
+
+void Editor::open(const program::Recipe& stored, const std::optional<program::Recipe>& edited)
+{
+    m_beforeDrag.reset();
+    m_history.clear();
+    m_recipe = edited.value_or(stored);
+    takeStored(stored);
+}
+
+void Editor::takeStored(const program::Recipe& recipe)
+{
+    m_stored = recipe;
+    if (const auto kept = m_storedFile.save(m_stored); !kept)
+        showNotice(store::FileErrorText::describe(kept.error()));
+    m_keepTimer.start();
+    recompute();
+}
+
+void Editor::keepWorkingCopy()
+{
+    m_keepTimer.stop();
+    if (const auto kept = m_workingFile.save(m_recipe); !kept)
+        showNotice(store::FileErrorText::describe(kept.error()));
+}
+
+} // namespace campanel::machine

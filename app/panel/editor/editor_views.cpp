@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/editor/editor_views.h"
+
+#include "app/panel/kit/format.h"
+#include "app/panel/recipe/recipe_edit.h"
+#include "app/panel/words/recipe_words.h"
+#include "app/panel/words/refusal_sentences.h"
+#include "profile/cutter/explain.h"
+#include "profile/laws/laws.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace campanel::machine {
+
+namespace {
+
+using profile::Field;
+
+bool isRatio(Field field)
+{
+    return field >= Field::K1 && field <= Field::K4;
+}
+
+profile::LawId lawOf(const program::Recipe& recipe)
+{
+    return static_cast<profile::LawId>(program::choice(recipe.program, program::Choice::Law));
+}
+
+profile::Quantity quantityOf(Field field)
+{
+    switch (field) {
+    case Field::BagLength:
+        return profile::Quantity::BagLength;
+    case Field::Rate:
+        return profile::Quantity::Rate;
+    case Field::BaseSpeed:
+        return profile::Quantity::BaseSpeed;
+    default:
+        return profile::Quantity::FilmSpeed;
+    }
+}
+
+} // namespace
+
+FieldView EditorViews::field(Field field) const
+{
+    const profile::FieldInfo& info = profile::info(field);
+    FieldView view;
+    view.label = RecipeWords::fieldName(field);
+    view.unit = RecipeWords::unit(info.unit);
+    view.minimum = info.min;
+    view.maximum = info.max;
+    view.defaultValue = info.defaultValue;
+    view.decimals = info.decimals;
+    view.pinnable = isPinnable(field);
+    view.pinned = view.pinnable && profile::isPinned(m_recipe.cutter(), field);
+    view.derived = view.pinnable && !view.pinned;
+    if (!view.derived || m_solution.solved)
+        view.value = program::value(m_recipe, field);
+    view.text = RecipeWords::valueText(field, view.value);
+    if (m_active && m_active->recipe.kind() == m_recipe.kind() && program::isProgramField(m_recipe, field))
+        view.activeText = RecipeWords::valueText(field, program::value(m_active->recipe, field));
+    if (isRatio(field))
+        narrowRatio(field, view);
+    view.explanation =
+        view.derived && m_solution.cutter() ? explanation(field) : RecipeWords::machineHelp(field);
+    return view;
+}
+
+// A ratio may be entered between its neighbors only.
+void EditorViews::narrowRatio(Field field, FieldView& view) const
+{
+    const double step = profile::info(field).resolution();
+    const auto neighbor = [&](int offset) {
+        return program::value(m_recipe, static_cast<Field>(static_cast<int>(field) + offset));
+    };
+    if (field != Field::K1)
+        view.maximum = std::min(view.maximum, neighbor(-1) - step);
+    if (field != Field::K4)
+        view.minimum = std::max(view.minimum, neighbor(+1) + step);
+}
+
+QString EditorViews::explanation(Field field) const
+{
+    const profile::Explanation explained = profile::explain(*m_solution.cutter(), quantityOf(field));
+    return QStringLiteral("%1\n= %2\n= %3 %4")
+        .arg(QString::fromStdString(explained.formula), QString::fromStdString(explained.numbers),
+             Format().compact(explained.result, 1, 4), RecipeWords::unit(explained.unit));
+}
+
+FieldView EditorViews::lawParameter(std::size_t index) const
+{
+    FieldView view;
+    const auto* parameters = program::lawParameters(m_recipe.program);
+    const profile::Law* law = parameters ? profile::findLaw(lawOf(m_recipe)) : nullptr;
+    view.visible = law && index < law->parameters.size();
+    if (!view.visible)
+        return view;
+    const profile::LawParameterInfo& info = law->parameters[index];
+    view.label = RecipeWords::lawParameterName(info.id);
+    view.minimum = info.min;
+    view.maximum = info.max;
+    view.defaultValue = info.defaultValue;
+    view.decimals = info.decimals;
+    view.value = (*parameters)[index];
+    view.text = Format().number(view.value, view.decimals);
+    if (m_active && m_active->recipe.kind() == m_recipe.kind() && lawOf(m_active->recipe) == law->id)
+        view.activeText =
+            Format().number((*program::lawParameters(m_active->recipe.program))[index], view.decimals);
+    return view;
+}
+
+// What the law would ask for; unknown where it makes no motion.
+LawDemand EditorViews::demandOf(const profile::Law& law) const
+{
+    program::Recipe tried = m_recipe;
+    chooseLaw(tried, law);
+    if (m_solution.solved)
+        tried.machine = m_solution.solved->machine;
+    LawDemand demand;
+    demand.peaks.motorRpm = demand.peaks.accelerationMmPerS2 = demand.peaks.pulseFrequencyHz =
+        demand.peaks.jerkMmPerS3 = demand.peaks.torqueNm = NAN;
+    if (!tried.isCutter()) {
+        if (const auto solved = program::solveProgram(tried)) {
+            demand.peaks = solved->peaks;
+            demand.isFeasible = solved->broken.empty();
+        }
+        return demand;
+    }
+    // Without its curves: a dozen cutters are solved after each change.
+    demand.isFeasible = profile::isFeasible(tried.cutter(), tried.machine);
+    if (const auto cycle = profile::solveNumbers(tried.cutter(), tried.machine)) {
+        const profile::Peaks peaks = profile::peaks(*cycle, tried.cutter(), tried.machine);
+        demand.peaks.motorRpm = peaks.motorRpm;
+        demand.peaks.accelerationMmPerS2 = peaks.accelerationMmPerS2;
+        demand.peaks.pulseFrequencyHz = peaks.pulseFrequencyHz;
+        demand.peaks.jerkMmPerS3 = peaks.jerkMmPerS3;
+    }
+    return demand;
+}
+
+QList<LawRow> EditorViews::laws(std::optional<profile::LawId> compared) const
+{
+    const Format format;
+    QList<LawRow> rows;
+    if (!program::lawParameters(m_recipe.program))
+        return rows;
+    for (const profile::Law& law : profile::laws()) {
+        if (!program::isLawOf(m_recipe.kind(), law))
+            continue;
+        LawRow row;
+        row.lawId = QString::fromUtf8(law.key.data(), static_cast<qsizetype>(law.key.size()));
+        row.name = RecipeWords::lawName(law.id);
+        row.strength = RecipeWords::lawStrength(law.id);
+        row.weakness = RecipeWords::lawWeakness(law.id);
+        row.current = law.id == lawOf(m_recipe);
+        row.compared = compared == law.id;
+        const auto [peaks, isFeasible] = demandOf(law);
+        row.usable = isFeasible;
+        row.peakRpmText = tr("%1 r/min").arg(format.number(peaks.motorRpm, 0));
+        row.peakAccelerationText = tr("%1 m/s²").arg(format.number(peaks.accelerationMmPerS2 / 1000, 2));
+        // A knife has no inertia in the recipe; what counts for it is the pulse frequency.
+        row.peakFrequencyText = m_recipe.isCutter()
+                                    ? tr("%1 kHz").arg(format.number(peaks.pulseFrequencyHz / 1000, 1))
+                                    : tr("%1 Nm").arg(format.number(peaks.torqueNm, 3));
+        row.peakJerkText = std::isinf(peaks.jerkMmPerS3)
+                               ? tr("acceleration steps")
+                               : tr("%1 m/s³").arg(format.number(peaks.jerkMmPerS3 / 1000, 1));
+        rows << row;
+    }
+    return rows;
+}
+
+QString EditorViews::peaks() const
+{
+    if (!m_solution.solved)
+        return {};
+    const Format format;
+    const profile::AxisPeaks& peaks = m_solution.solved->peaks;
+    // The recipe has no inertia of a knife or of a press.
+    if (!m_solution.cutter() && m_recipe.kind() != profile::ProgramKind::Press)
+        return tr("peak %1 r/min · %2 m/s² · %3 Nm · %4 kHz")
+            .arg(format.number(peaks.motorRpm, 0), format.number(peaks.accelerationMmPerS2 / 1000, 2),
+                 format.number(peaks.torqueNm, 3), format.number(peaks.pulseFrequencyHz / 1000, 1));
+    return tr("peak %1 r/min · %2 m/s² · %3 kHz")
+        .arg(format.number(peaks.motorRpm, 0), format.number(peaks.accelerationMmPerS2 / 1000, 2),
+             format.number(peaks.pulseFrequencyHz / 1000, 1));
+}
+
+QString EditorViews::verdict() const
+{
+    if (!m_solution.refusals.empty())
+        return RefusalSentences::refusal(m_solution.refusals.front());
+    if (m_solution.unstorable)
+        return tr("The controller cannot hold the value %1 (%2 to %3). Choose another one.")
+            .arg(m_solution.unstorable->value)
+            .arg(m_solution.unstorable->minimum)
+            .arg(m_solution.unstorable->maximum);
+    if (m_solution.isTablePending)
+        return tr("Within all limits; the table is being made …");
+    if (!m_recipe.isCutter())
+        return m_solution.isCloseToLimit() ? tr("Just within the limits.") : tr("Within all limits.");
+    return m_solution.isCloseToLimit() ? RefusalSentences::closeToLimits(m_solution.fastest)
+                                       : RefusalSentences::withinLimits(m_solution.fastest);
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the editor's fields and lists show, made from the recipe, what follows from it, and the active
+// program.
+#pragma once
+
+#include "app/panel/editor/editor_field.h"
+#include "app/panel/recipe/controller_program.h"
+#include "app/panel/recipe/law_model.h"
+#include "app/panel/recipe/solution.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace campanel::machine {
+
+// What a law asks of the machine; peaks are NaN where it makes no motion.
+struct LawDemand {
+    profile::AxisPeaks peaks;
+    bool isFeasible = false;
+};
+
+class EditorViews {
+    Q_DECLARE_TR_FUNCTIONS(EditorViews)
+
+public:
+    EditorViews(const program::Recipe& recipe, const Solution& solution, const ControllerProgram* active)
+        : m_recipe(recipe)
+        , m_solution(solution)
+        , m_active(active)
+    {
+    }
+
+    [[nodiscard]] FieldView field(profile::Field field) const;
+    [[nodiscard]] FieldView lawParameter(std::size_t index) const; // not visible when the law has no such one
+    // Empty for a kind without a law.
+    [[nodiscard]] QList<LawRow> laws(std::optional<profile::LawId> compared) const;
+    [[nodiscard]] QString peaks() const; // "peak 71 r/min · 1.95 m/s² · 11.8 kHz"
+    [[nodiscard]] QString verdict() const;
+
+private:
+    [[nodiscard]] QString explanation(profile::Field field) const;
+    [[nodiscard]] LawDemand demandOf(const profile::Law& law) const;
+    void narrowRatio(profile::Field field, FieldView& view) const;
+
+    const program::Recipe& m_recipe;
+    const Solution& m_solution;
+    const ControllerProgram* m_active;
+};
+
+} // namespace campanel::machine

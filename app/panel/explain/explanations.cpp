@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/explain/explanations.h"
+
+#include "app/panel/controller/machine.h"
+#include "app/panel/editor/editor.h"
+#include "app/panel/kit/engine_instances.h"
+#include "app/panel/words/recipe_words.h"
+#include "app/panel/words/refusal_sentences.h"
+#include "profile/cutter/explain.h"
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::machine {
+
+namespace {
+
+// "a + b" of numbers that are all known, else nothing.
+QString ifKnown(std::initializer_list<double> numbers, const QString& text)
+{
+    for (const double number : numbers) {
+        if (!std::isfinite(number))
+            return {};
+    }
+    return text;
+}
+
+std::optional<profile::RotaryCutter> cutterOf(const program::Recipe& recipe)
+{
+    if (!recipe.isCutter())
+        return std::nullopt;
+    const auto solved = program::solveProgram(recipe);
+    return solved && solved->cutter ? solved->cutter : std::nullopt;
+}
+
+} // namespace
+
+QString Explanation::text() const
+{
+    QString lines = meaning + u"\n\n"_s + formula;
+    if (!numbers.isEmpty())
+        lines += u"\n= "_s + numbers;
+    return lines + u"\n= "_s + (unit.isEmpty() ? value : value + u' ' + unit);
+}
+
+Explanations::Explanations(const Sources& sources, QObject* parent)
+    : QObject(parent)
+    , m_machine(sources.machine)
+    , m_editor(sources.editor)
+    , m_figures(sources.figures)
+    , m_trends(sources.trends)
+{
+}
+
+Explanations* Explanations::create(QQmlEngine* qmlEngine, QJSEngine*)
+{
+    return attachedInstance<Explanations>(qmlEngine);
+}
+
+Explanation Explanations::of(int quantity) const
+{
+    const auto wanted = static_cast<Quantity>(quantity);
+    switch (wanted) {
+    case Rate:
+        return rate();
+    case BagMean:
+    case BagScatter:
+    case BagsWithin:
+    case BagDeviation:
+        return bags(wanted);
+    case MarkError:
+    case FilmSaved:
+        return packing(wanted);
+    case FollowingError:
+        return followingError();
+    case GoodStrokes:
+        return goodStrokes();
+    case FastestRate:
+        return fastestRate();
+    case PeakMotorSpeed:
+    case PeakAcceleration:
+    case PeakFrequency:
+        return peak(wanted);
+    case WireShare:
+        return wireShare();
+    case AnswersHalf:
+    case Answers95:
+    case Answers99:
+    case AnswersLongest:
+        return answers(wanted);
+    case AnswerAllowance:
+        return answerAllowance();
+    }
+    return {};
+}
+
+QList<int> Explanations::ofVerdict() const
+{
+    const auto cutter = cutterOf(m_editor.recipe());
+    if (!cutter)
+        return {};
+    QList<int> told;
+    if (profile::fastestRate(*cutter))
+        told << FastestRate;
+    return told << PeakMotorSpeed << PeakAcceleration << PeakFrequency;
+}
+
+Explanation Explanations::rate() const
+{
+    const Format format;
+    const double rate = m_machine.rateBagsPerMin();
+    const double program = m_machine.activeRateBagsPerMin();
+    const double master = m_machine.masterSpeedPercent();
+    Explanation told;
+    told.title = tr("Rate");
+    told.value = format.number(rate, 1);
+    told.unit = tr("bags/min");
+    told.meaning =
+        tr("How many bags a minute the knife cuts at the speed that the master has now. Nobody counts "
+           "them for this number.");
+    told.formula = tr("rate of the program × master speed");
+    told.numbers = ifKnown({rate, program, master},
+                           u"%1 × %2 %"_s.arg(format.compact(program, 1, 4), format.compact(master, 0, 1)));
+    return told;
+}
+
+Explanation Explanations::bags(Quantity quantity) const
+{
+    const Format format;
+    const auto series = m_machine.bagSeries();
+    const auto count = format.number(static_cast<double>(series.size()), 0);
+    const double tolerance = m_machine.bagToleranceMm();
+    const double mean = m_machine.bagMeanDeviationMm();
+    Explanation told;
+    told.unit = tr("mm");
+    switch (quantity) {
+    case BagMean: {
+        const double length = m_machine.bagMeanMm();
+        told.title = tr("Mean bag length");
+        told.value = format.number(length, 2);
+        told.meaning =
+            tr("Mean of the last bags (%1, at most 60) since the set length was changed.").arg(count);
+        told.formula = tr("set length + sum of their deviations / bags");
+        told.numbers = ifKnown(
+            {length, mean},
+            u"%1 + %2 / %3"_s.arg(format.compact(length - mean, 1, 2),
+                                  format.number(mean * static_cast<double>(series.size()), 2), count));
+        break;
+    }
+    case BagScatter: {
+        const double scatter = m_machine.bagScatterMm();
+        const double squares = scatter * scatter * static_cast<double>(series.size() - 1);
+        told.title = tr("Scatter of the bag length");
+        told.value = format.number(scatter, 2);
+        told.meaning =
+            tr("Standard deviation of the last bags (%1): about two thirds of the bags are closer to the "
+               "mean than this.")
+                .arg(count);
+        told.formula = tr("√(sum of (deviation − mean deviation)² / (bags − 1))");
+        told.numbers = ifKnown({scatter}, u"√(%1 / (%2 − 1))"_s.arg(format.compact(squares, 2, 4), count));
+        break;
+    }
+    case BagsWithin:
+        told.title = tr("Bags within the tolerance");
+        told.value = format.number(m_machine.bagsWithin(), 0);
+        told.unit.clear();
+        told.meaning =
+            tr("How many of the last bags (%1) are within ±%2 mm. The tolerance is set in Settings, Machine.")
+                .arg(count, format.number(tolerance, 2));
+        told.formula = tr("bags whose deviation is not above the tolerance");
+        break;
+    default: {
+        const double deviation = m_machine.bagDeviationMm();
+        const double length = m_machine.bagLengthMm();
+        told.title = tr("Deviation of the last bag");
+        told.value = format.number(deviation, 2);
+        told.meaning =
+            tr("Positive: the bag is too long. Where cuts were left out, the set length is that of all its "
+               "lengths.");
+        told.formula = tr("measured length − set length");
+        told.numbers = ifKnown({deviation, length}, u"%1 − %2"_s.arg(format.number(length, 2),
+                                                                     format.number(length - deviation, 2)));
+        break;
+    }
+    }
+    return told;
+}
+
+Explanation Explanations::packing(Quantity quantity) const
+{
+    const Format format;
+    const PackingLine& line = *m_machine.packing();
+    Explanation told;
+    if (quantity == MarkError) {
+        told.title = tr("Mark error");
+        told.value = format.number(line.markErrorMm(), 2);
+        told.unit = tr("mm");
+        told.meaning = tr(
+            "Of the last cut that had a mark, as the controller measured it. The tracker turns the film by "
+            "a part of it, cut after cut.");
+        told.formula = tr("where the cut was − where its mark wanted it");
+        return told;
+    }
+    const double saved = line.filmSavedM();
+    const double bags = line.emptyBags();
+    told.title = tr("Film saved");
+    told.value = format.number(saved, 1);
+    told.unit = tr("m");
+    told.meaning =
+        tr("Film that bags without product would have used up: the film waited instead. Counted since "
+           "the controller was switched on.");
+    told.formula = tr("bags left out × their mean length");
+    told.numbers = bags > 0
+                       ? ifKnown({saved, bags},
+                                 tr("%1 × %2 m").arg(format.number(bags, 0), format.number(saved / bags, 3)))
+                       : QString();
+    return told;
+}
+
+Explanation Explanations::followingError() const
+{
+    const Format format;
+    const double error = m_machine.followingErrorMm();
+    const double pulses = m_machine.followingErrorPulses();
+    Explanation told;
+    told.title = tr("Following error");
+    told.value = format.number(error, 2);
+    told.unit = tr("mm");
+    told.meaning =
+        tr("How far the axis was from where the program wanted it, when the controller told last.");
+    told.formula = tr("error in pulses / pulses per mm");
+    if (m_machine.program())
+        told.numbers = ifKnown({error, pulses},
+                               u"%1 / %2"_s.arg(format.number(pulses, 0),
+                                                format.compact(m_machine.program()->pulsesPerMm, 1, 3)));
+    return told;
+}
+
+Explanation Explanations::goodStrokes() const
+{
+    const Format format;
+    const StrokeModel& strokes = *m_machine.strokes();
+    Explanation told;
+    told.title = tr("Good of the last strokes");
+    told.value = strokes.count() > 0 ? format.number(strokes.goodCount(), 0) : Format::unknownText();
+    told.meaning = tr("Of the last strokes (%1), those that ended inside the gate: at the press position, "
+                      "with a force of "
+                      "%2 to %3 N.")
+                       .arg(format.number(strokes.count(), 0), format.number(m_machine.minStopForceN(), 0),
+                            format.number(m_machine.maxStopForceN(), 0));
+    told.formula = tr("strokes that the controller called good");
+    return told;
+}
+
+Explanation Explanations::fastestRate() const
+{
+    const Format format;
+    Explanation told;
+    told.title = tr("Fastest possible rate");
+    told.value = Format::unknownText();
+    told.unit = tr("bags/min");
+    const auto cutter = cutterOf(m_editor.recipe());
+    const auto fastest = cutter ? profile::fastestRate(*cutter) : std::nullopt;
+    if (!fastest)
+        return told;
+    told.value = format.compact(fastest->rateBagsPerMin, 1, 2);
+    told.meaning =
+        tr("With this bag length, law and machine. What ends it first: %1. Speeds grow with the rate, the "
+           "acceleration with its square.")
+            .arg(RecipeWords::limitName(fastest->limitedBy));
+    const profile::Peaks peaks = profile::peaks(*cutter);
+    const profile::Machine& machine = cutter->machine;
+    const QString rate = format.compact(cutter->cycle.rateBagsPerMin, 1, 2);
+    const auto share = [&](double allowed, double actual) {
+        told.formula = tr("rate × allowed / peak, rounded down");
+        told.numbers =
+            u"%1 × %2 / %3"_s.arg(rate, format.compact(allowed, 0, 2), format.compact(actual, 0, 2));
+    };
+    switch (fastest->limitedBy) {
+    case profile::Limit::MotorSpeed:
+        share(machine.maxMotorRpm, peaks.motorRpm);
+        break;
+    case profile::Limit::PulseFrequency:
+        share(machine.maxPulseFrequencyHz / 1000, peaks.pulseFrequencyHz / 1000);
+        break;
+    case profile::Limit::KnifeAcceleration:
+        told.formula = tr("rate × √(allowed / peak), rounded down");
+        told.numbers =
+            u"%1 × √(%2 / %3)"_s.arg(rate, format.compact(machine.maxKnifeAccelerationMmPerS2 / 1000, 0, 2),
+                                     format.compact(peaks.accelerationMmPerS2 / 1000, 0, 2));
+        break;
+    case profile::Limit::FieldRange:
+        share(profile::info(profile::Field::BaseSpeed).max, peaks.speedMmPerS);
+        break;
+    default:
+        told.formula = tr("the limit itself");
+        break;
+    }
+    return told;
+}
+
+Explanation Explanations::peak(Quantity quantity) const
+{
+    const Format format;
+    Explanation told;
+    told.value = Format::unknownText();
+    const auto cutter = cutterOf(m_editor.recipe());
+    const auto take = [&](const QString& title, profile::Quantity which) {
+        told.title = title;
+        if (!cutter)
+            return;
+        const profile::Explanation explained = profile::explain(*cutter, which);
+        told.formula = QString::fromStdString(explained.formula);
+        told.numbers = QString::fromStdString(explained.numbers);
+        told.value = format.compact(explained.result, 0, 2);
+        told.unit = RecipeWords::unit(explained.unit);
+    };
+    if (quantity == PeakMotorSpeed) {
+        take(tr("Highest motor speed"), profile::Quantity::PeakMotorRpm);
+        told.meaning = tr("Where the knife is fastest.");
+    } else if (quantity == PeakAcceleration) {
+        take(tr("Highest acceleration of the knife"), profile::Quantity::PeakAcceleration);
+        told.meaning = tr("Where its speed changes most quickly.");
+    } else {
+        take(tr("Highest pulse frequency"), profile::Quantity::PeakFrequency);
+        told.meaning = tr("What the controller has to put out where the knife is fastest.");
+    }
+    return told;
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the audit trail keeps of changes of the recipes, in stable words.
+#pragma once
+
+#include "app/store/logs/audit_log.h"
+#include "app/store/recipes/recipe_library.h"
+
+#include <optional>
+
+namespace campanel::machine {
+
+// The values that differ, by their keys in the recipe's file: "version 3: bag_length_mm 250" to "version 4:
+// bag_length_mm 260". `before`: the newest version so far, empty for a new recipe.
+[[nodiscard]] store::AuditEntry recipeSaved(const std::optional<store::RecipeVersion>& before,
+                                            const store::RecipeVersion& kept);
+
+} // namespace campanel::machine

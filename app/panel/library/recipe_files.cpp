@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/library/recipe_files.h"
+
+#include "app/panel/kit/format.h"
+#include "app/panel/recipe/recipe_comparison.h"
+
+#include <QFileInfo>
+
+namespace campanel::machine {
+
+RecipeFiles::RecipeFiles(const QString& ownFolder, Consequence consequence, QObject* parent)
+    : QObject(parent)
+    , m_ownFolder(ownFolder)
+    , m_consequence(std::move(consequence))
+    , m_looker([](const QString& folder) { return store::offeredRecipes(store::exchangePlaces(folder)); })
+{
+    m_pool.setMaxThreadCount(1);
+}
+
+RecipeFiles::~RecipeFiles()
+{
+    m_pool.waitForDone();
+}
+
+void RecipeFiles::look()
+{
+    ++m_jobs;
+    emit changed();
+    search([this] {
+        --m_jobs;
+        emit changed();
+    });
+}
+
+void RecipeFiles::refresh()
+{
+    if (busy() || m_isRefreshing)
+        return;
+    m_isRefreshing = true;
+    search([this] { m_isRefreshing = false; });
+}
+
+void RecipeFiles::search(std::function<void()> done)
+{
+    m_pool.start([this, look = m_looker, folder = m_ownFolder, done] {
+        const QList<store::RecipeOffer> found = look(folder);
+        QMetaObject::invokeMethod(this, [this, found, done] {
+            m_found = found;
+            QList<OfferRow> rows;
+            for (const store::RecipeOffer& offer : m_found)
+                rows << row(offer);
+            m_files.setRows(rows);
+            done();
+        });
+    });
+}
+
+OfferRow RecipeFiles::row(const store::RecipeOffer& offer) const
+{
+    const QString date = Format::minute(offer.changed);
+    OfferRow row;
+    row.title = QFileInfo(offer.path).fileName();
+    row.usable = offer.recipe.has_value();
+    if (row.usable) {
+        row.note = tr("%1 · %2 · %3", "what it is, date, place")
+                       .arg(RecipeComparison::summary(*offer.recipe), date, offer.placeName);
+        row.detail = m_consequence(*offer.recipe);
+    } else {
+        row.note = tr("cannot be used · %1 · %2", "date, place").arg(date, offer.placeName);
+        row.detail = tr("%1 Correct the file and look again.", "%1: whole sentence")
+                         .arg(store::FileErrorText::describe(offer.recipe.error()));
+    }
+    return row;
+}
+
+void RecipeFiles::take(int file)
+{
+    if (file >= 0 && file < m_found.size() && m_found[file].recipe)
+        emit taken(*m_found[file].recipe, QFileInfo(m_found[file].path).fileName());
+}
+
+} // namespace campanel::machine

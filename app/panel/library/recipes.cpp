@@ -1,0 +1,476 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/library/recipes.h"
+
+#include "app/panel/controller/machine.h"
+#include "app/panel/editor/editor.h"
+#include "app/panel/kit/engine_instances.h"
+#include "app/panel/kit/format.h"
+#include "app/panel/library/recipe_audit.h"
+#include "app/panel/recipe/recipe_comparison.h"
+#include "app/panel/recipe/recipe_edit.h"
+#include "app/panel/records/records.h"
+#include "app/panel/words/recipe_words.h"
+#include "app/panel/words/refusal_sentences.h"
+
+#include <QDir>
+#include <QEvent>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::machine {
+
+using program::Recipe;
+using store::RecipeVersion;
+
+namespace {
+
+QString nameOf(const Recipe& recipe)
+{
+    return QString::fromStdString(recipe.name);
+}
+
+} // namespace
+
+Recipes::Recipes(Machine& machine, Editor& editor, Records& records, const QString& folder, QObject* parent)
+    : QObject(parent)
+    , m_machine(machine)
+    , m_editor(editor)
+    , m_records(records)
+    , m_wallClock([] { return QDateTime::currentDateTime(); })
+    , m_author([] { return QString(); })
+    , m_files(
+          QDir(folder).filePath(u"recipes"_s), [this](const Recipe& recipe) { return consequence(recipe); },
+          this)
+    , m_exports(QDir(folder).filePath(u"recipes"_s), this)
+{
+    connect(&records.store(), &store::StoreThread::opened, this, [this] {
+        reload();
+        // What is edited outlives the database: it is in a file of its own.
+        keep(m_editor.storedRecipe(), {});
+    });
+    connect(&editor, &Editor::applied, this, [this](const Recipe& recipe) { keep(recipe, {}); });
+    connect(&editor, &Editor::recipeChanged, this, &Recipes::followEditor);
+    connect(&machine, &Machine::programChanged, this, &Recipes::show);
+    connect(&m_files, &RecipeFiles::taken, this, [this](const Recipe& recipe, const QString& fileName) {
+        if (!m_machine.gate().admits(Level::Technician))
+            return;
+        keep(onThisMachine(recipe), [this, fileName](const RecipeVersion& kept) {
+            m_chosenId = kept.recipeId;
+            say(tr("%1 was taken over as %2, version %3.", "file, recipe")
+                    .arg(fileName, nameOf(kept.recipe))
+                    .arg(kept.version));
+        });
+    });
+    m_editor.setNewestVersion([this](const std::string& name) {
+        const RecipeVersion* known = named(QString::fromStdString(name));
+        return known ? known->version : 0;
+    });
+    QCoreApplication::instance()->installEventFilter(this);
+}
+
+Recipes::~Recipes()
+{
+    m_editor.setNewestVersion([](const std::string&) { return 0; });
+}
+
+Recipes* Recipes::create(QQmlEngine* qmlEngine, QJSEngine*)
+{
+    return attachedInstance<Recipes>(qmlEngine);
+}
+
+template <typename Job, typename Done> void Recipes::work(Job job, Done done)
+{
+    m_records.store().run(
+        this,
+        [job = std::move(job)](store::Database& database) {
+            store::RecipeLibrary library(database);
+            return job(library);
+        },
+        [this, done = std::move(done)](const auto& outcome) {
+            if (outcome)
+                done(*outcome);
+            else
+                m_records.complain(outcome.error());
+        });
+}
+
+void Recipes::reload()
+{
+    work([](store::RecipeLibrary& library) { return library.machines(); },
+         [this](const QList<Recipe>& machines) {
+             for (const Recipe& each : machines)
+                 m_editor.setMachine(each.kind(), each.machine);
+         });
+    work([](store::RecipeLibrary& library) { return library.newest(); },
+         [this](const Versions& newest) {
+             m_all = newest;
+             m_isReady = true;
+             if (!chosenRecipe()) {
+                 const RecipeVersion* open = named(m_editor.recipeName());
+                 m_chosenId = open ? open->recipeId : 0;
+             }
+             show();
+         });
+}
+
+void Recipes::keep(const Recipe& recipe, std::function<void(const RecipeVersion& kept)> done)
+{
+    const QString by = m_author();
+    const qint64 nowMs = m_wallClock().toMSecsSinceEpoch();
+    work(
+        [recipe, by, nowMs](store::RecipeLibrary& library) {
+            auto saved = library.save(recipe, by, nowMs);
+            if (const auto kept = library.saveMachine(recipe, by, nowMs); !kept)
+                saved = tl::unexpected(kept.error());
+            return saved;
+        },
+        [this, recipe, done](const RecipeVersion& saved) {
+            RecipeVersion kept = saved;
+            kept.recipe = recipe;
+            kept.recipe.version = saved.version;
+            const RecipeVersion* before = named(nameOf(recipe));
+            if (!before || before->version != kept.version)
+                emit noted(recipeSaved(before ? std::optional(*before) : std::nullopt, kept));
+            if (done)
+                done(kept);
+            reload();
+        });
+}
+
+void Recipes::keepAndOpen(const Recipe& recipe, std::function<QString(const Recipe& kept)> sentence)
+{
+    keep(recipe, [this, sentence](const RecipeVersion& kept) {
+        m_chosenId = kept.recipeId;
+        m_editor.open(kept.recipe);
+        say(sentence(kept.recipe));
+    });
+}
+
+const RecipeVersion* Recipes::chosenRecipe() const
+{
+    const auto found = std::ranges::find(m_all, m_chosenId, &RecipeVersion::recipeId);
+    return found == m_all.end() ? nullptr : &*found;
+}
+
+const RecipeVersion* Recipes::named(const QString& name) const
+{
+    const auto isNamed = [&name](const RecipeVersion& each) {
+        return nameOf(each.recipe).compare(name, Qt::CaseInsensitive) == 0;
+    };
+    const auto found = std::ranges::find_if(m_all, isNamed);
+    return found == m_all.end() ? nullptr : &*found;
+}
+
+Recipe Recipes::onThisMachine(Recipe recipe) const
+{
+    recipe.machine = m_editor.newRecipe(recipe.kind()).machine;
+    return recipe;
+}
+
+QString Recipes::savedText(const RecipeVersion& version) const
+{
+    const QString when = Format::minute(QDateTime::fromMSecsSinceEpoch(version.savedMs));
+    return version.savedBy.isEmpty() ? when : tr("%1 by %2", "date, person").arg(when, version.savedBy);
+}
+
+// Told with every step of a drag, when nothing of the list changes.
+void Recipes::followEditor()
+{
+    if (m_editor.recipeName() != m_shownName || nextVersion() != m_shownNextVersion)
+        show();
+}
+
+void Recipes::show()
+{
+    m_shownName = m_editor.recipeName();
+    m_shownNextVersion = nextVersion();
+    const auto& active = m_machine.program();
+    QList<RecipeRow> rows;
+    for (const RecipeVersion& each : m_all) {
+        const QString name = nameOf(each.recipe);
+        if (!name.contains(m_search, Qt::CaseInsensitive))
+            continue;
+        rows << RecipeRow{each.recipeId,
+                          name,
+                          each.version,
+                          RecipeComparison::summary(each.recipe),
+                          savedText(each),
+                          name == m_editor.recipeName(),
+                          active && active->recipe.name == each.recipe.name};
+    }
+    m_list.setRows(rows);
+    showFigures();
+    emit listChanged();
+    emit wantedNameChanged();
+}
+
+void Recipes::showFigures()
+{
+    const RecipeVersion* chosen = chosenRecipe();
+    if (!chosen) {
+        m_figures.setRows({});
+        return;
+    }
+    const Recipe recipe = RecipeComparison::solved(chosen->recipe);
+    const program::KindInfo& kind = program::kindInfo(recipe.kind());
+    QList<FigureRow> rows;
+    for (const profile::Field field : kind.programFields) {
+        if (program::isRead(recipe.program, field))
+            rows << FigureRow{RecipeWords::fieldName(field),
+                              RefusalSentences::valueWithUnit(field, program::value(recipe, field))};
+    }
+    if (const auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
+        rows << FigureRow{tr("Knots"), Format().number(static_cast<double>(cam->knots.size()), 0)};
+    if (program::lawParameters(recipe.program))
+        rows << FigureRow{RecipeWords::choiceName(program::Choice::Law),
+                          RecipeWords::lawName(static_cast<profile::LawId>(
+                              program::choice(recipe.program, program::Choice::Law)))};
+    m_figures.setRows(rows);
+}
+
+void Recipes::setSearch(const QString& search)
+{
+    m_search = search.trimmed();
+    show();
+}
+
+int Recipes::chosen() const
+{
+    const auto found = std::ranges::find(m_list.rows(), m_chosenId, &RecipeRow::id);
+    return found == m_list.rows().end() ? -1 : static_cast<int>(found - m_list.rows().begin());
+}
+
+QString Recipes::chosenName() const
+{
+    const RecipeVersion* chosen = chosenRecipe();
+    return chosen ? nameOf(chosen->recipe) : QString();
+}
+
+QString Recipes::chosenNote() const
+{
+    const RecipeVersion* chosen = chosenRecipe();
+    if (!chosen)
+        return {};
+    return tr("%1 · version %2, %3", "kind of program, number, when it was saved")
+        .arg(RecipeWords::kindName(chosen->recipe.kind()))
+        .arg(chosen->version)
+        .arg(savedText(*chosen));
+}
+
+bool Recipes::chosenIsOpen() const
+{
+    return chosenRecipe() && chosenName() == m_editor.recipeName();
+}
+
+bool Recipes::chosenIsActive() const
+{
+    const auto& active = m_machine.program();
+    const RecipeVersion* chosen = chosenRecipe();
+    return active && chosen && active->recipe.name == chosen->recipe.name &&
+           active->recipe.version == chosen->version;
+}
+
+int Recipes::nextVersion() const
+{
+    return m_editor.recipe().version;
+}
+
+void Recipes::setWantedName(const QString& name)
+{
+    m_wantedName = name;
+    emit wantedNameChanged();
+}
+
+QString Recipes::nameProblem() const
+{
+    const QString name = m_wantedName.trimmed();
+    if (name.isEmpty())
+        return tr("Enter a name.");
+    if (name.toStdString().size() > program::longestNameBytes)
+        return tr("Too long: the controller keeps %1 letters of a name, or a third as many Chinese ones.")
+            .arg(program::longestNameBytes);
+    if (named(name))
+        return tr("There is a recipe of this name already.");
+    return {};
+}
+
+void Recipes::choose(int row)
+{
+    if (row < 0 || row >= m_list.count())
+        return;
+    m_chosenId = m_list.rows()[row].id;
+    show();
+}
+
+void Recipes::open()
+{
+    const RecipeVersion* chosen = chosenRecipe();
+    if (chosen && m_machine.gate().admits(Level::Operator)) {
+        m_editor.open(onThisMachine(chosen->recipe));
+        dismissMessage();
+    }
+}
+
+void Recipes::save()
+{
+    if (!m_machine.gate().admits(Level::Operator))
+        return;
+    keep(m_editor.recipe(), [this, before = m_editor.storedRecipe()](const RecipeVersion& kept) {
+        // Unless another recipe has been opened meanwhile.
+        if (sameRecipe(m_editor.storedRecipe(), before))
+            m_editor.takeStored(kept.recipe);
+        say(tr("Saved: %1, version %2.").arg(nameOf(kept.recipe)).arg(kept.version));
+    });
+}
+
+void Recipes::create(int kind)
+{
+    if (kind < 1 || kind > static_cast<int>(program::kinds().size()) || !nameProblem().isEmpty() ||
+        !m_machine.gate().admits(Level::Technician))
+        return;
+    keepAndOpen(renamed(m_editor.newRecipe(static_cast<profile::ProgramKind>(kind))), [](const Recipe& kept) {
+        return tr("%1 is new and open, with usual values. Set yours on the page Motion.").arg(nameOf(kept));
+    });
+}
+
+void Recipes::copy()
+{
+    const RecipeVersion* chosen = chosenRecipe();
+    if (chosen && nameProblem().isEmpty() && m_machine.gate().admits(Level::Technician))
+        keepAndOpen(renamed(onThisMachine(chosen->recipe)),
+                    [](const Recipe& kept) { return tr("%1 is a copy and open.").arg(nameOf(kept)); });
+}
+
+void Recipes::saveAs()
+{
+    if (nameProblem().isEmpty() && m_machine.gate().admits(Level::Technician))
+        keepAndOpen(renamed(m_editor.recipe()), [](const Recipe& kept) {
+            return tr("Saved: %1, version %2.").arg(nameOf(kept)).arg(kept.version);
+        });
+}
+
+Recipe Recipes::renamed(Recipe recipe) const
+{
+    recipe.name = m_wantedName.trimmed().toStdString();
+    recipe.version = 1;
+    return recipe;
+}
+
+void Recipes::rename()
+{
+    const RecipeVersion* chosen = chosenRecipe();
+    if (!chosen || !nameProblem().isEmpty() || !m_machine.gate().admits(Level::Technician))
+        return;
+    const QString before = nameOf(chosen->recipe);
+    const QString name = m_wantedName.trimmed();
+    m_records.store().run(
+        this,
+        [id = chosen->recipeId, name](store::Database& database) {
+            return store::RecipeLibrary(database).rename(id, name);
+        },
+        [this, before, name](const tl::expected<void, store::StoreError>& renamed) {
+            if (!renamed && renamed.error().kind == store::StoreError::Kind::Refused) {
+                say(tr("A deleted recipe has the name %1. Choose another name.").arg(name));
+                return;
+            }
+            if (!renamed) {
+                m_records.complain(renamed.error());
+                return;
+            }
+            if (nameOf(m_editor.storedRecipe()) == before) {
+                Recipe stored = m_editor.storedRecipe();
+                std::optional<Recipe> edited;
+                if (m_editor.edited())
+                    edited = m_editor.recipe();
+                stored.name = name.toStdString();
+                if (edited && nameOf(*edited) == before)
+                    edited->name = stored.name;
+                m_editor.open(stored, edited);
+            }
+            note(u"recipe.rename"_s, before, before, name);
+            reload();
+            say(tr("%1 is called %2 now.").arg(before, name));
+        });
+}
+
+void Recipes::remove()
+{
+    const RecipeVersion* chosen = chosenRecipe();
+    if (!chosen || !m_machine.gate().admits(Level::Technician))
+        return;
+    m_records.store().run(
+        this,
+        [id = chosen->recipeId](store::Database& database) {
+            return store::RecipeLibrary(database).setDeleted(id, true);
+        },
+        [this, id = chosen->recipeId,
+         name = chosenName()](const tl::expected<void, store::StoreError>& removed) {
+            if (!removed) {
+                m_records.complain(removed.error());
+                return;
+            }
+            note(u"recipe.delete"_s, name, {}, {});
+            m_deletedId = id;
+            m_deletedName = name;
+            m_message = tr("%1 was deleted. Its versions are kept.").arg(name);
+            emit messageChanged();
+            reload();
+        });
+}
+
+void Recipes::restore()
+{
+    if (!m_machine.gate().admits(Level::Technician))
+        return;
+    m_records.store().run(
+        this,
+        [id = m_deletedId](store::Database& database) {
+            return store::RecipeLibrary(database).setDeleted(id, false);
+        },
+        [this](const tl::expected<void, store::StoreError>& restored) {
+            if (!restored) {
+                m_records.complain(restored.error());
+                return;
+            }
+            note(u"recipe.restore"_s, m_deletedName, {}, {});
+            m_chosenId = m_deletedId;
+            dismissMessage();
+            reload();
+        });
+}
+
+void Recipes::note(const QString& what, const QString& name, const QString& before, const QString& after)
+{
+    store::AuditEntry entry;
+    entry.what = what;
+    entry.object = name;
+    entry.before = before;
+    entry.after = after;
+    entry.outcome = u"done"_s;
+    emit noted(entry);
+}
+
+void Recipes::say(const QString& text)
+{
+    m_message = text;
+    m_deletedId = 0;
+    emit messageChanged();
+}
+
+void Recipes::dismissMessage()
+{
+    say({});
+}
+
+bool Recipes::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance()) {
+        dismissMessage(); // it was told in the other language
+        show();
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace campanel::machine

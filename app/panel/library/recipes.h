@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// `Recipes` in QML: the recipes of this panel with all their versions. One is chosen in the list; what is
+// edited is the Editor's. Everything goes through the database's thread.
+#pragma once
+
+#include "app/panel/kit/difference_model.h"
+#include "app/panel/kit/figure_model.h"
+#include "app/panel/kit/offer_model.h"
+#include "app/panel/kit/report_files.h"
+#include "app/panel/library/recipe_files.h"
+#include "app/panel/library/recipe_list.h"
+#include "app/store/logs/audit_log.h"
+#include "app/store/recipes/recipe_library.h"
+
+#include <QDateTime>
+#include <QObject>
+#include <QtQml/qqmlregistration.h>
+
+#include <functional>
+#include <optional>
+
+class QJSEngine;
+class QQmlEngine;
+
+namespace campanel::machine {
+
+class Editor;
+class Machine;
+class Records;
+
+class Recipes : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_SINGLETON
+
+    // What the search lets through; the one saved last comes first.
+    Q_PROPERTY(campanel::machine::RecipeList* list READ list CONSTANT FINAL)
+    Q_PROPERTY(QString search READ search WRITE setSearch NOTIFY listChanged FINAL)
+    Q_PROPERTY(int total READ total NOTIFY listChanged FINAL)  // without the search
+    Q_PROPERTY(bool ready READ ready NOTIFY listChanged FINAL) // the database has been read
+
+    // The chosen one as a row of the list, -1: none, and what there is to know about it.
+    Q_PROPERTY(int chosen READ chosen NOTIFY listChanged FINAL)
+    Q_PROPERTY(QString chosenName READ chosenName NOTIFY listChanged FINAL)
+    Q_PROPERTY(QString chosenNote READ chosenNote NOTIFY listChanged FINAL)
+    Q_PROPERTY(bool chosenIsOpen READ chosenIsOpen NOTIFY listChanged FINAL)
+    Q_PROPERTY(bool chosenIsActive READ chosenIsActive NOTIFY listChanged FINAL)
+    Q_PROPERTY(campanel::machine::FigureModel* figures READ figures CONSTANT FINAL)
+
+    // The name that is being entered, and why it cannot be had; empty: it can.
+    Q_PROPERTY(QString wantedName READ wantedName WRITE setWantedName NOTIFY wantedNameChanged FINAL)
+    Q_PROPERTY(QString nameProblem READ nameProblem NOTIFY wantedNameChanged FINAL)
+
+    // What the chosen one is compared with: its versions or the other recipes, and what differs.
+    Q_PROPERTY(campanel::machine::OfferModel* candidates READ candidates CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::DifferenceModel* differences READ differences CONSTANT FINAL)
+    Q_PROPERTY(QString beforeTitle READ beforeTitle NOTIFY comparisonChanged FINAL)
+    Q_PROPERTY(QString afterTitle READ afterTitle NOTIFY comparisonChanged FINAL)
+    Q_PROPERTY(bool compared READ compared NOTIFY comparisonChanged FINAL)
+
+    Q_PROPERTY(int nextVersion READ nextVersion NOTIFY listChanged FINAL) // that the edited recipe would have
+    Q_PROPERTY(QString message READ message NOTIFY messageChanged FINAL)  // what became of the last verb
+    Q_PROPERTY(bool canRestore READ canRestore NOTIFY messageChanged FINAL) // what was deleted last
+    Q_PROPERTY(campanel::machine::RecipeFiles* files READ files CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::ReportFiles* exports READ exports CONSTANT FINAL)
+
+public:
+    using WallClock = std::function<QDateTime()>;
+    using Author = std::function<QString()>;
+
+    // All must outlive it. Files of its own are exchanged in a folder below `folder`.
+    Recipes(Machine& machine, Editor& editor, Records& records, const QString& folder, QObject* parent);
+    ~Recipes() override;
+
+    // The instance that attachToEngine() gave to this engine.
+    static Recipes* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
+
+    void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
+    // Who is at the panel; empty while nobody is known.
+    void setAuthor(Author author) { m_author = std::move(author); }
+
+    // Reads all again: something else has written the database.
+    void reload();
+
+    [[nodiscard]] RecipeList* list() { return &m_list; }
+    [[nodiscard]] QString search() const { return m_search; }
+    void setSearch(const QString& search);
+    [[nodiscard]] int total() const { return static_cast<int>(m_all.size()); }
+    [[nodiscard]] bool ready() const { return m_isReady; }
+    [[nodiscard]] int chosen() const;
+    [[nodiscard]] QString chosenName() const;
+    [[nodiscard]] QString chosenNote() const;
+    [[nodiscard]] bool chosenIsOpen() const;
+    [[nodiscard]] bool chosenIsActive() const;
+    [[nodiscard]] FigureModel* figures() { return &m_figures; }
+    [[nodiscard]] QString wantedName() const { return m_wantedName; }
+    void setWantedName(const QString& name);
+    [[nodiscard]] QString nameProblem() const;
+    [[nodiscard]] OfferModel* candidates() { return &m_candidates; }
+    [[nodiscard]] DifferenceModel* differences() { return &m_differences; }
+    [[nodiscard]] QString beforeTitle() const { return m_beforeTitle; }
+    [[nodiscard]] QString afterTitle() const { return m_afterTitle; }
+    [[nodiscard]] bool compared() const { return !m_afterTitle.isEmpty(); }
+    [[nodiscard]] int nextVersion() const;
+    [[nodiscard]] QString message() const { return m_message; }
+    [[nodiscard]] bool canRestore() const { return m_deletedId != 0; }
+    [[nodiscard]] RecipeFiles* files() { return &m_files; }
+    [[nodiscard]] ReportFiles* exports() { return &m_exports; }
+
+    Q_INVOKABLE void choose(int row);
+    // The chosen one into the Editor; edits that were not saved are gone.
+    Q_INVOKABLE void open();
+    // The edited recipe as the next version of its name.
+    Q_INVOKABLE void save();
+    // These take wantedName, which must have no problem. A new one and a copy are opened.
+    Q_INVOKABLE void create(int kind);
+    Q_INVOKABLE void copy(); // of the chosen one
+    Q_INVOKABLE void saveAs();
+    Q_INVOKABLE void rename();
+    Q_INVOKABLE void remove();
+    Q_INVOKABLE void restore();
+    Q_INVOKABLE void dismissMessage();
+
+    // Fills the candidates with the versions of the chosen recipe, or with the other recipes.
+    Q_INVOKABLE void lookAtVersions();
+    Q_INVOKABLE void lookAtOthers();
+    // Of the candidates: a version with the one before it or with the newest, another recipe with the chosen
+    // one.
+    Q_INVOKABLE void compareVersion(int row, bool withNewest);
+    Q_INVOKABLE void compareOther(int row);
+    Q_INVOKABLE void openVersion(int row);
+
+    // What will be written by `exports`: the chosen recipe, or all of them.
+    Q_INVOKABLE void offerExport(bool all);
+
+signals:
+    // For the audit trail.
+    void noted(const campanel::store::AuditEntry& entry);
+    void listChanged();
+    void wantedNameChanged();
+    void comparisonChanged();
+    void messageChanged();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    using Versions = QList<store::RecipeVersion>;
+
+    // Calls `job` with the library in its thread, then `done` here; an error is told.
+    template <typename Job, typename Done> void work(Job job, Done done);
+    // Saves it, tells of it (its `recipe` is the one that was given, under its version) and reads all again.
+    void keep(const program::Recipe& recipe, std::function<void(const store::RecipeVersion& kept)> done);
+    void keepAndOpen(const program::Recipe& recipe,
+                     std::function<QString(const program::Recipe& kept)> sentence);
+    void followEditor();
+    void show();
+    void showFigures();
+    void clearComparison();
+    void compare(const program::Recipe& before, const program::Recipe& after);
+    void say(const QString& text);
+    void note(const QString& what, const QString& name, const QString& before, const QString& after);
+    [[nodiscard]] const store::RecipeVersion* chosenRecipe() const;
+    [[nodiscard]] const store::RecipeVersion* named(const QString& name) const;
+    [[nodiscard]] program::Recipe onThisMachine(program::Recipe recipe) const;
+    // The first version under the wanted name.
+    [[nodiscard]] program::Recipe renamed(program::Recipe recipe) const;
+    [[nodiscard]] QString savedText(const store::RecipeVersion& version) const;
+    [[nodiscard]] QString consequence(const program::Recipe& recipe) const;
+
+    Machine& m_machine;
+    Editor& m_editor;
+    Records& m_records;
+    WallClock m_wallClock;
+    Author m_author;
+    Versions m_all; // the newest of each
+    RecipeList m_list{this};
+    FigureModel m_figures{this};
+    OfferModel m_candidates{this};
+    DifferenceModel m_differences{this};
+    RecipeFiles m_files;
+    ReportFiles m_exports;
+    Versions m_compared; // behind the candidates
+    QString m_beforeTitle;
+    QString m_afterTitle;
+    QString m_search;
+    QString m_wantedName;
+    QString m_shownName; // of the recipe in the Editor when the list was shown, and its next version
+    int m_shownNextVersion = 0;
+    QString m_message;
+    qint64 m_chosenId = 0;
+    qint64 m_deletedId = 0;
+    QString m_deletedName;
+    bool m_isReady = false;
+};
+
+} // namespace campanel::machine

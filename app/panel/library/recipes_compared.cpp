@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recipes against one another and against their own past, and their ways in and out.
+#include "app/panel/library/recipes.h"
+
+#include "app/panel/controller/machine.h"
+#include "app/panel/editor/editor.h"
+#include "app/panel/recipe/recipe_comparison.h"
+#include "app/panel/records/records.h"
+#include "app/store/recipes/recipe_json.h"
+
+#include <algorithm>
+
+namespace campanel::machine {
+
+using program::Recipe;
+using store::RecipeVersion;
+
+void Recipes::clearComparison()
+{
+    m_differences.setRows({});
+    m_beforeTitle.clear();
+    m_afterTitle.clear();
+    emit comparisonChanged();
+}
+
+void Recipes::compare(const Recipe& before, const Recipe& after)
+{
+    const auto title = [](const Recipe& recipe, bool isNamed) {
+        return isNamed ? tr("%1 · v%2").arg(QString::fromStdString(recipe.name)).arg(recipe.version)
+                       : tr("Version %1").arg(recipe.version);
+    };
+    const bool isNamed = before.name != after.name;
+    m_beforeTitle = title(before, isNamed);
+    m_afterTitle = title(after, isNamed);
+    m_differences.setRows(RecipeComparison::rows(before, after));
+    emit comparisonChanged();
+}
+
+void Recipes::lookAtVersions()
+{
+    clearComparison();
+    m_candidates.setRows({});
+    m_compared.clear();
+    if (!chosenRecipe())
+        return;
+    m_records.store().run(
+        this,
+        [id = m_chosenId](store::Database& database) { return store::RecipeLibrary(database).versions(id); },
+        [this](const tl::expected<Versions, store::StoreError>& versions) {
+            if (!versions) {
+                m_records.complain(versions.error());
+                return;
+            }
+            m_compared = *versions;
+            QList<OfferRow> rows;
+            for (const RecipeVersion& each : m_compared)
+                rows << OfferRow{tr("Version %1").arg(each.version), savedText(each), {}};
+            m_candidates.setRows(rows);
+        });
+}
+
+void Recipes::lookAtOthers()
+{
+    clearComparison();
+    m_compared.clear();
+    QList<OfferRow> rows;
+    for (const RecipeVersion& each : m_all) {
+        if (each.recipeId == m_chosenId)
+            continue;
+        m_compared << each;
+        rows << OfferRow{
+            QString::fromStdString(each.recipe.name), RecipeComparison::summary(each.recipe), {}};
+    }
+    m_candidates.setRows(rows);
+}
+
+void Recipes::compareVersion(int row, bool withNewest)
+{
+    if (row < 0 || row >= m_compared.size())
+        return;
+    const bool isFirst = row + 1 == m_compared.size();
+    if (withNewest && row > 0)
+        compare(m_compared[row].recipe, m_compared.first().recipe);
+    else if (!withNewest && !isFirst)
+        compare(m_compared[row + 1].recipe, m_compared[row].recipe);
+    else
+        clearComparison();
+}
+
+void Recipes::compareOther(int row)
+{
+    if (const RecipeVersion* chosen = chosenRecipe(); chosen && row >= 0 && row < m_compared.size())
+        compare(chosen->recipe, m_compared[row].recipe);
+}
+
+void Recipes::openVersion(int row)
+{
+    if (row < 0 || row >= m_compared.size() || !m_machine.gate().admits(Level::Operator))
+        return;
+    m_editor.open(onThisMachine(m_compared[row].recipe));
+    dismissMessage();
+}
+
+void Recipes::offerExport(bool all)
+{
+    QList<ReportFile> files;
+    for (const RecipeVersion& each : m_all) {
+        if (all || each.recipeId == m_chosenId)
+            files << ReportFile{QString::fromStdString(each.recipe.name), QStringLiteral("json"),
+                                [recipe = onThisMachine(each.recipe)] { return store::toJson(recipe); }};
+    }
+    m_exports.offer(files);
+}
+
+QString Recipes::consequence(const Recipe& recipe) const
+{
+    const QString name = QString::fromStdString(recipe.name);
+    const RecipeVersion* known = named(name);
+    if (!known)
+        return tr("It becomes a new recipe, %1. The data of this machine stay as they are.").arg(name);
+    if (RecipeComparison::rows(known->recipe, recipe).isEmpty())
+        return tr("It is the same as %1, version %2; nothing changes.").arg(name).arg(known->version);
+    return tr("It becomes version %2 of %1; the versions before are kept.")
+        .arg(name)
+        .arg(std::max(known->version + 1, recipe.version));
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// `Service.dryRun` in QML: the edited recipe turned by a finger. Computes what knife, film or axis would do
+// at each angle of the master; nothing of it goes to the controller. NaN while there is no motion.
+#pragma once
+
+#include "app/panel/kit/figure_model.h"
+#include "app/panel/kit/numbers.h"
+
+#include <QObject>
+#include <QPointF>
+#include <QTimer>
+#include <QtQml/qqmlregistration.h>
+
+namespace campanel::machine {
+
+class Editor;
+struct Solution;
+
+class DryRun : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("The dry run belongs to the Service")
+    // There is a motion to look at, even one that breaks a limit.
+    Q_PROPERTY(bool available READ available NOTIFY changed FINAL)
+    Q_PROPERTY(bool cutter READ cutter NOTIFY changed FINAL)
+    Q_PROPERTY(double masterDeg READ masterDeg NOTIFY changed FINAL) // 0..360, one cycle
+    Q_PROPERTY(double timeS READ timeS NOTIFY changed FINAL)         // in it, at full speed
+    Q_PROPERTY(bool playing READ playing WRITE setPlaying NOTIFY playingChanged FINAL)
+    Q_PROPERTY(campanel::machine::FigureModel* figures READ figures CONSTANT FINAL)
+
+    // Of a rotary cutter. Angles of the master, then of the knife's shaft in this cycle.
+    Q_PROPERTY(double syncStartMasterDeg READ syncStartMasterDeg NOTIFY changed FINAL)
+    Q_PROPERTY(double syncEndMasterDeg READ syncEndMasterDeg NOTIFY changed FINAL)
+    Q_PROPERTY(double cutMasterDeg READ cutMasterDeg NOTIFY changed FINAL)
+    Q_PROPERTY(double knifeDeg READ knifeDeg NOTIFY changed FINAL)
+    Q_PROPERTY(double syncStartDeg READ syncStartDeg NOTIFY changed FINAL)
+    Q_PROPERTY(double syncEndDeg READ syncEndDeg NOTIFY changed FINAL)
+    Q_PROPERTY(double cutDeg READ cutDeg NOTIFY changed FINAL)
+    Q_PROPERTY(bool synchronous READ synchronous NOTIFY changed FINAL)
+    Q_PROPERTY(double filmPositionMm READ filmPositionMm NOTIFY changed FINAL)
+    Q_PROPERTY(double bagLengthMm READ bagLengthMm NOTIFY changed FINAL)
+    // Bag boundaries as (mm before the knife, 0), as a FilmPicture draws them.
+    Q_PROPERTY(QList<QPointF> cuts READ cuts NOTIFY changed FINAL)
+
+public:
+    explicit DryRun(QObject* parent);
+
+    // The recipe that is turned; must outlive it.
+    void follow(const Editor& editor);
+
+    [[nodiscard]] bool available() const;
+    [[nodiscard]] bool cutter() const;
+    [[nodiscard]] double masterDeg() const { return m_masterDeg; }
+    [[nodiscard]] double timeS() const;
+    [[nodiscard]] bool playing() const { return m_timer.isActive(); }
+    void setPlaying(bool isPlaying);
+    [[nodiscard]] FigureModel* figures() { return &m_figures; }
+    [[nodiscard]] double syncStartMasterDeg() const;
+    [[nodiscard]] double syncEndMasterDeg() const;
+    [[nodiscard]] double cutMasterDeg() const;
+    [[nodiscard]] double knifeDeg() const { return knifeDegAt(m_masterDeg); }
+    [[nodiscard]] double syncStartDeg() const { return knifeDegAt(syncStartMasterDeg()); }
+    [[nodiscard]] double syncEndDeg() const { return knifeDegAt(syncEndMasterDeg()); }
+    [[nodiscard]] double cutDeg() const { return knifeDegAt(cutMasterDeg()); }
+    [[nodiscard]] bool synchronous() const;
+    [[nodiscard]] double filmPositionMm() const;
+    [[nodiscard]] double bagLengthMm() const;
+    [[nodiscard]] QList<QPointF> cuts() const;
+
+    // By so many degrees of the master; past 360 the next cycle begins.
+    Q_INVOKABLE void turn(double deg);
+    Q_INVOKABLE void toStart();
+    // A finger on the dial, by its place from the dial's center; then where it has gone.
+    Q_INVOKABLE void grab(double x, double y);
+    Q_INVOKABLE void drag(double x, double y);
+
+    void retranslate();
+
+signals:
+    void changed();
+    void playingChanged();
+
+private:
+    [[nodiscard]] const Solution* solution() const;
+    [[nodiscard]] double knifeDegAt(double masterDeg) const;
+    void tell();
+    void tellCutter(QList<FigureRow>& rows) const;
+
+    const Editor* m_editor = nullptr;
+    FigureModel m_figures{this};
+    QTimer m_timer;
+    double m_masterDeg = 0;
+    int m_cycle = 0;
+    double m_fingerDeg = 0;
+};
+
+} // namespace campanel::machine

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/maintenance/io_list.h"
+
+#include "app/panel/controller/machine.h"
+#include "app/panel/kit/format.h"
+#include "app/panel/words/alarm_catalogue.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+using namespace std::chrono_literals;
+
+namespace campanel::machine {
+
+namespace {
+
+// A lamp that shows something that came since the last look must be seen.
+constexpr auto lampLookPeriod = 300ms;
+
+using modbus::FaultBit;
+using modbus::WarningBit;
+
+constexpr std::array faultBits{FaultBit::FollowingError,    FaultBit::ActiveTableDamaged,
+                               FaultBit::DriveNotFollowing, FaultBit::ForceLimit,
+                               FaultBit::TouchedTooEarly,   FaultBit::NeverTouched,
+                               FaultBit::MasterTooFast};
+constexpr std::array warningBits{
+    WarningBit::HeartbeatLost,     WarningBit::NotHomed,       WarningBit::FlashSlotInvalid,
+    WarningBit::ClockNotSet,       WarningBit::MarksLost,      WarningBit::MarkPitchWrong,
+    WarningBit::CorrectionAtLimit, WarningBit::ProductTooLong, WarningBit::TooManySkips};
+
+IoList::Lamp lampOf(bool isOn)
+{
+    return isOn ? IoList::Lamp::On : IoList::Lamp::Off;
+}
+
+} // namespace
+
+IoList::IoList(Machine& machine, QObject* parent)
+    : QAbstractListModel(parent)
+    , m_machine(machine)
+    , m_timer(this)
+{
+    m_timer.setInterval(lampLookPeriod);
+    connect(&m_timer, &QTimer::timeout, this, &IoList::look);
+    for (const auto told : {&Machine::freshChanged, &Machine::connectionChanged})
+        connect(&machine, told, this, [this] {
+            if (watched())
+                look();
+        });
+}
+
+void IoList::setWatched(bool isWatched)
+{
+    if (isWatched == watched())
+        return;
+    if (isWatched) {
+        m_timer.start();
+        look();
+    } else {
+        m_timer.stop();
+    }
+    emit watchedChanged();
+}
+
+void IoList::look()
+{
+    QList<Row> rows;
+    const auto& status = m_machine.status();
+    if (status) {
+        addAxis(rows, *status);
+        addLine(rows);
+        addBits(rows, *status);
+    }
+    std::ranges::stable_sort(rows, {}, &Row::side);
+    const bool isStale = !m_machine.isConnected() || !m_machine.fresh();
+    if (std::exchange(m_isStale, isStale) != isStale)
+        emit staleChanged();
+    if (rows == m_rows)
+        return;
+    const bool isSameLength = rows.size() == m_rows.size();
+    if (!isSameLength)
+        beginResetModel();
+    m_rows = std::move(rows);
+    if (isSameLength)
+        emit dataChanged(index(0), index(rowCount() - 1));
+    else
+        endResetModel();
+}
+
+void IoList::addAxis(QList<Row>& rows, const modbus::StatusBlock& status) const
+{
+    const Format format;
+    const auto pulses = [&format](double count) { return tr("%1 pulses").arg(format.grouped(count, 0)); };
+    const auto hertz = [&format](double frequency) { return tr("%1 Hz").arg(format.grouped(frequency, 0)); };
+    rows << Row{Side::Input, tr("Encoder of the axis"), pulses(status.axisPositionPulses), Lamp::None}
+         << Row{Side::Input, tr("Encoder, speed"), hertz(status.actualFrequencyHz),
+                lampOf(status.actualFrequencyHz != 0)};
+    const bool isPress = status.press.has_value();
+    if (isPress)
+        rows << Row{Side::Input, tr("Force"), tr("%1 N").arg(format.grouped(status.press->forceN, 0)),
+                    Lamp::None};
+    else
+        rows << Row{Side::Input, tr("Index mark"),
+                    status.has(WarningBit::NotHomed) ? tr("not found yet") : tr("found, or not needed"),
+                    lampOf(!status.has(WarningBit::NotHomed))};
+    rows << Row{Side::Input, tr("Heartbeat of the panel"),
+                tr("no. %1", "of a heartbeat").arg(status.heartbeat),
+                lampOf(!status.has(WarningBit::HeartbeatLost))}
+         << Row{Side::Output, tr("Pulses to the axis"), hertz(status.commandedFrequencyHz),
+                lampOf(status.commandedFrequencyHz != 0)}
+         << Row{Side::Output, tr("Pulses sent"), pulses(status.commandedPositionPulses), Lamp::None}
+         << Row{Side::Output, tr("Sent minus encoder"), pulses(status.followingErrorPulses), Lamp::None};
+}
+
+// Of a packing machine, whose controller tells of film, marks and products.
+void IoList::addLine(QList<Row>& rows)
+{
+    const PackingLine& line = *m_machine.packing();
+    if (!line.known())
+        return;
+    const Format format;
+    const double marks = line.marks() + line.marksFalse();
+    rows << Row{Side::Input, tr("Mark sensor"), tr("%1 marks").arg(format.grouped(marks, 0)),
+                lampOf(std::exchange(m_marks, marks) < marks)}
+         << Row{Side::Input, tr("Product eye"),
+                tr("%1 products laid").arg(format.grouped(line.products(), 0)),
+                lampOf(std::exchange(m_products, line.products()) < line.products())}
+         << Row{Side::Input, tr("Encoder of the film"),
+                tr("%1 mm").arg(format.grouped(line.filmPositionMm(), 1)), Lamp::None};
+    const auto gate = [](modbus::GateState state) {
+        switch (state) {
+        case modbus::GateState::Running:
+            return tr("follows");
+        case modbus::GateState::Slowing:
+            return tr("slows down");
+        case modbus::GateState::Standing:
+            return tr("stands");
+        case modbus::GateState::Gaining:
+            return tr("gains speed");
+        }
+        return Format::unknownText();
+    };
+    const auto& packer = *line.status();
+    rows << Row{Side::Output, tr("Pulses to the film"), gate(packer.filmGate),
+                lampOf(packer.filmGate != modbus::GateState::Standing && line.filmSpeedMmPerS() != 0)}
+         << Row{Side::Output, tr("Knife with the film"), gate(packer.knifeGate),
+                lampOf(packer.knifeGate == modbus::GateState::Running)}
+         << Row{Side::Output, tr("Film, sent minus encoder"),
+                tr("%1 mm").arg(format.number(line.filmFollowingErrorMm(), 2)), Lamp::None};
+}
+
+void IoList::addBits(QList<Row>& rows, const modbus::StatusBlock& status) const
+{
+    for (const FaultBit bit : faultBits)
+        rows << Row{
+            Side::Fault, AlarmCatalogue::of(bit).title(), {}, status.has(bit) ? Lamp::Bad : Lamp::Off};
+    for (const WarningBit bit : warningBits)
+        rows << Row{
+            Side::Warning, AlarmCatalogue::of(bit).title(), {}, status.has(bit) ? Lamp::Bad : Lamp::Off};
+}
+
+int IoList::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+QVariant IoList::data(const QModelIndex& index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    const Row& row = m_rows[index.row()];
+    switch (role) {
+    case NameRole:
+        return row.name;
+    case ValueRole:
+        return row.value;
+    case SideRole:
+        return QVariant::fromValue(row.side);
+    case LampRole:
+        return QVariant::fromValue(row.lamp);
+    default:
+        return {};
+    }
+}
+
+QHash<int, QByteArray> IoList::roleNames() const
+{
+    return {{NameRole, "name"}, {ValueRole, "value"}, {SideRole, "side"}, {LampRole, "lamp"}};
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/maintenance/jog.h"
+
+#include "app/panel/controller/machine.h"
+
+#include <limits>
+#include <utility>
+
+using namespace std::chrono_literals;
+
+namespace campanel::machine {
+
+namespace {
+
+constexpr auto repeatPeriod = 50ms; // a quarter of link::jogCounts
+constexpr auto patience = 600ms;
+constexpr auto settleTime = 150ms; // an exchange and the controller's ramp
+
+unsigned bitOf(int direction)
+{
+    return direction > 0 ? 1U : 2U;
+}
+
+link::JogDirection linkDirection(int direction)
+{
+    return direction == 0  ? link::JogDirection::None
+           : direction > 0 ? link::JogDirection::Forward
+                           : link::JogDirection::Reverse;
+}
+
+bool isPress(const Machine& machine)
+{
+    return machine.activeKind() == static_cast<int>(profile::ProgramKind::Press);
+}
+
+bool isCutter(const Machine& machine)
+{
+    return machine.activeKind() == static_cast<int>(profile::ProgramKind::RotaryCutter);
+}
+
+} // namespace
+
+Jog::Jog(Machine& machine, QObject* parent)
+    : QObject(parent)
+    , m_machine(machine)
+    , m_speed(machine, AxisSpeed::Use::Jog, this)
+    , m_repeatTimer(this)
+    , m_patienceTimer(this)
+    , m_settleTimer(this)
+{
+    m_repeatTimer.setInterval(repeatPeriod);
+    m_repeatTimer.setTimerType(Qt::PreciseTimer);
+    connect(&m_repeatTimer, &QTimer::timeout, this,
+            [this] { m_machine.link().setJog(linkDirection(m_held)); });
+    m_patienceTimer.setSingleShot(true);
+    m_patienceTimer.setInterval(patience);
+    connect(&m_patienceTimer, &QTimer::timeout, this, [this] {
+        m_isRefused = m_machine.state() != Machine::State::Jogging;
+        emit changed();
+    });
+    m_settleTimer.setInterval(settleTime);
+    connect(&m_settleTimer, &QTimer::timeout, this, [this] {
+        if (m_machine.state() != Machine::State::Jogging)
+            tellEnd();
+    });
+    for (const auto told : {&Machine::stateChanged, &Machine::freshChanged, &Machine::connectionChanged,
+                            &Machine::programChanged})
+        connect(&machine, told, this, &Jog::check);
+    connect(&machine, &Machine::liveChanged, this, &Jog::positionChanged);
+    // Any command, Stop above all: whoever sends one does not jog.
+    connect(&machine, &Machine::commandSending, this, [this] { finish(End::Stopped); });
+}
+
+bool Jog::possible() const
+{
+    return blockedReason().isEmpty();
+}
+
+bool Jog::troubled() const
+{
+    return !possible() || m_isRefused || (m_pressed != 0 && m_held == 0);
+}
+
+double Jog::positionPulses() const
+{
+    const auto& status = m_machine.status();
+    return status ? status->axisPositionPulses : std::numeric_limits<double>::quiet_NaN();
+}
+
+QString Jog::forwardNote() const
+{
+    return isPress(m_machine) ? tr("towards the part") : QString();
+}
+
+QString Jog::reverseNote() const
+{
+    return isPress(m_machine) ? tr("away from the part") : QString();
+}
+
+QString Jog::blockedReason() const
+{
+    if (!m_machine.isConnected() || !m_machine.fresh())
+        return tr("There is no connection to the controller.");
+    switch (m_machine.state()) {
+    case Machine::State::Idle:
+    case Machine::State::Ready:
+    case Machine::State::Jogging:
+        return {};
+    case Machine::State::Running:
+        return tr("The machine is running. Stop it first.");
+    case Machine::State::Stopping:
+        return tr("The machine is stopping. Wait until it stands.");
+    case Machine::State::Homing:
+        return tr("The axis is homing. Wait until it stands.");
+    case Machine::State::Fault:
+        return tr("The controller is in fault. Reset the fault first.");
+    case Machine::State::Unknown:
+        break;
+    }
+    return tr("The state of the controller is not known.");
+}
+
+QString Jog::endText() const
+{
+    switch (m_end) {
+    case End::Stopped:
+        return tr("Stop has ended it. Let the key go before you jog again.");
+    case End::BothKeys:
+        return tr("Two keys at once: nothing moves. Let both go.");
+    case End::Released:
+    case End::Blocked:
+    case End::LeftScreen:
+        break;
+    }
+    return tr("Let the key go before you jog again.");
+}
+
+QString Jog::text() const
+{
+    const QString reason = blockedReason();
+    if (!reason.isEmpty())
+        return reason;
+    if (m_isRefused)
+        return isPress(m_machine) && m_held > 0
+                   ? tr("The controller does not move. A press does not go on against its force.")
+                   : tr("The controller does not move. Let the key go and try again.");
+    if (m_held > 0)
+        return tr("Forward, as long as you hold the key.");
+    if (m_held < 0)
+        return tr("In reverse, as long as you hold the key.");
+    if (m_pressed != 0)
+        return endText();
+    if (isCutter(m_machine))
+        return tr("Hold a key: the knife turns while your finger is on it. The film stands, and the next "
+                  "start homes "
+                  "first.");
+    return isPress(m_machine) ? tr("Hold a key: the ram moves while your finger is on it.")
+                              : tr("Hold a key: the axis moves while your finger is on it.");
+}
+
+void Jog::press(int direction)
+{
+    const bool isFirst = m_pressed == 0;
+    m_pressed |= bitOf(direction);
+    if (!isFirst) {
+        finish(End::BothKeys);
+        m_end = End::BothKeys;
+        emit changed();
+    } else if (possible() && m_machine.gate().admits(Level::Technician)) {
+        begin(direction);
+    } else {
+        m_end = End::Blocked;
+        emit changed();
+    }
+}
+
+void Jog::release(int direction)
+{
+    m_pressed &= ~bitOf(direction);
+    if (m_held == direction)
+        finish(End::Released);
+    emit changed();
+}
+
+void Jog::letGo()
+{
+    m_pressed = 0;
+    finish(End::LeftScreen);
+    emit changed();
+}
+
+void Jog::begin(int direction)
+{
+    tellEnd(); // of the one before
+    m_held = direction;
+    m_isRefused = false;
+    m_machine.link().setJog(linkDirection(direction));
+    m_repeatTimer.start();
+    m_patienceTimer.start();
+    emit begun(direction, positionPulses());
+    emit changed();
+}
+
+void Jog::finish(End end)
+{
+    if (m_held == 0)
+        return;
+    m_endedDirection = std::exchange(m_held, 0);
+    m_end = end;
+    m_isRefused = false;
+    m_repeatTimer.stop();
+    m_patienceTimer.stop();
+    m_machine.link().setJog(link::JogDirection::None);
+    m_settleTimer.start();
+    emit changed();
+}
+
+void Jog::check()
+{
+    if (!possible())
+        finish(End::Blocked);
+    if (m_held != 0 && m_machine.state() == Machine::State::Jogging)
+        m_isRefused = false;
+    if (m_endedDirection != 0 && !m_machine.isConnected())
+        tellEnd();
+    emit changed();
+}
+
+void Jog::tellEnd()
+{
+    m_settleTimer.stop();
+    if (m_endedDirection != 0)
+        emit ended(std::exchange(m_endedDirection, 0), m_end,
+                   m_machine.isConnected() ? positionPulses() : std::numeric_limits<double>::quiet_NaN());
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/maintenance/line_faults.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace campanel::machine {
+
+namespace {
+
+struct ReadyMade {
+    const char* name;
+    const char* note;
+    const char* sometimes; // rules of campanel-controller
+    const char* often;
+};
+
+// At full speed some 80 exchanges pass in a second: a probability of 0.001 is once in twelve seconds.
+constexpr std::array faults{
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Late answers"),
+              QT_TRANSLATE_NOOP("campanel::machine::LineFaults",
+                                "One and a half time-outs late: they meet the next question."),
+              "late times=1.5 probability=0.01", "late times=1.5 probability=0.1"},
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Lost frames"),
+              QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Questions and answers that never arrive."),
+              "lost-request probability=0.005; lost-answer probability=0.005",
+              "lost-request probability=0.05; lost-answer probability=0.05"},
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Corrupted answers"),
+              QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Flipped bits and answers cut short."),
+              "corrupt probability=0.01; truncate probability=0.005",
+              "corrupt probability=0.1; truncate probability=0.05"},
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Noise"),
+              QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Random bytes behind the answers."),
+              "noise probability=0.01", "noise probability=0.1"},
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "A second master"),
+              QT_TRANSLATE_NOOP("campanel::machine::LineFaults",
+                                "Its right answers stand where the panel's are expected."),
+              "second-master probability=0.01", "second-master probability=0.1"},
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Other devices answer"),
+              QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Wrong unit, wrong function, wrong length."),
+              "wrong-unit probability=0.005; wrong-function probability=0.005; wrong-count probability=0.005",
+              "wrong-unit probability=0.05; wrong-function probability=0.05; wrong-count probability=0.05"},
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Busy controller"),
+              QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "It refuses three questions in a row."),
+              "busy probability=0.005", "busy probability=0.05"},
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Silence"),
+              QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Nothing passes for two seconds."),
+              "silence time=2000 probability=0.001", "silence time=2000 probability=0.005"},
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Unplugged adapter"),
+              QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "The port is gone for two seconds."),
+              "unplug when=answer time=2000 probability=0.001",
+              "unplug when=answer time=2000 probability=0.005"},
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Restarts of the controller"),
+              QT_TRANSLATE_NOOP("campanel::machine::LineFaults",
+                                "Silence, then power-up from what was saved. The machine stops."),
+              "restart time=1500 probability=0.001", "restart time=1500 probability=0.005"},
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Another register map"),
+              QT_TRANSLATE_NOOP("campanel::machine::LineFaults",
+                                "Seen when the panel connects anew, after another fault."),
+              "map-version major=2 probability=0.5", "map-version major=2"},
+};
+
+constexpr qsizetype faultCount = static_cast<qsizetype>(faults.size());
+
+} // namespace
+
+LineFaults::LineFaults(link::Link& link, Gate& gate, QObject* parent)
+    : QAbstractListModel(parent)
+    , m_link(link)
+    , m_gate(gate)
+    , m_levels(faultCount, Off)
+    , m_wanted(m_levels)
+{
+    connect(&link, &link::Link::reported, this, &LineFaults::takeReport);
+    connect(&link, &link::Link::faultsSimulated, this, &LineFaults::takeOutcome);
+}
+
+QStringList LineFaults::rules(const QList<Level>& levels)
+{
+    QStringList rules;
+    for (qsizetype row = 0; row < std::min(faultCount, levels.size()); ++row) {
+        const ReadyMade& fault = faults[static_cast<std::size_t>(row)];
+        if (levels[row] != Off)
+            rules << QString::fromLatin1(levels[row] == Often ? fault.often : fault.sometimes);
+    }
+    return rules;
+}
+
+void LineFaults::setLevel(int row, int level)
+{
+    if (row < 0 || row >= faultCount || level < Off || level > Often ||
+        !m_gate.admits(machine::Level::Technician))
+        return;
+    m_wanted[row] = static_cast<Level>(level);
+    send();
+}
+
+void LineFaults::clear()
+{
+    if (!m_gate.admits(machine::Level::Technician))
+        return;
+    m_wanted.fill(Off);
+    send();
+}
+
+void LineFaults::send()
+{
+    if (m_sent)
+        return; // the answer goes on
+    m_sent = m_wanted;
+    m_link.simulateFaults(rules(m_wanted));
+}
+
+void LineFaults::takeOutcome(const link::FaultsOutcome& outcome)
+{
+    if (!m_sent)
+        return;
+    const QList<Level> sent = *std::exchange(m_sent, std::nullopt);
+    const bool isAccepted = outcome.end == link::FaultsEnd::Accepted;
+    m_failure = isAccepted ? std::nullopt : std::optional(outcome);
+    if (isAccepted)
+        setLevels(sent);
+    else
+        m_wanted = m_levels;
+    emit changed();
+    if (m_wanted != m_levels)
+        send();
+}
+
+// A simulated controller that was started anew by the choice of a connection has no faults.
+void LineFaults::takeReport(const link::LinkReport& report)
+{
+    const bool isAnother = report.simulator == link::SimulatorState::Starting || !report.simulated;
+    if (!isAnother || (activeCount() == 0 && !m_failure))
+        return;
+    m_failure.reset();
+    m_wanted.fill(Off);
+    setLevels(m_wanted);
+    emit changed();
+}
+
+void LineFaults::setLevels(const QList<Level>& levels)
+{
+    m_levels = levels;
+    emit dataChanged(index(0), index(rowCount() - 1), {LevelRole});
+}
+
+void LineFaults::retranslate()
+{
+    emit dataChanged(index(0), index(rowCount() - 1));
+    emit changed();
+}
+
+int LineFaults::activeCount() const
+{
+    return static_cast<int>(faultCount - m_levels.count(Off));
+}
+
+QString LineFaults::text() const
+{
+    if (activeCount() == 0)
+        return tr("No faults: the line is as good as it gets.");
+    QStringList names;
+    for (qsizetype row = 0; row < faultCount; ++row) {
+        if (m_levels[row] != Off)
+            names << tr(faults[static_cast<std::size_t>(row)].name);
+    }
+    return tr("Active: %1").arg(names.join(tr(", ", "between names")));
+}
+
+QString LineFaults::errorText() const
+{
+    if (!m_failure)
+        return {};
+    switch (m_failure->end) {
+    case link::FaultsEnd::Refused:
+        return tr("The simulated controller refused the fault: %1").arg(m_failure->detail);
+    case link::FaultsEnd::NotSimulated:
+        return tr("Faults are for the simulated controller only.");
+    case link::FaultsEnd::NotServing:
+        return tr("The simulated controller is not running. Try again when it is connected.");
+    case link::FaultsEnd::Accepted:
+        break;
+    }
+    return {};
+}
+
+int LineFaults::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(faultCount);
+}
+
+QVariant LineFaults::data(const QModelIndex& index, int role) const
+{
+    if (!index.isValid())
+        return {};
+    const ReadyMade& fault = faults[static_cast<std::size_t>(index.row())];
+    switch (role) {
+    case NameRole:
+        return tr(fault.name);
+    case NoteRole:
+        return tr(fault.note);
+    case LevelRole:
+        return static_cast<int>(m_levels[index.row()]);
+    default:
+        return {};
+    }
+}
+
+QHash<int, QByteArray> LineFaults::roleNames() const
+{
+    return {{NameRole, "name"}, {NoteRole, "note"}, {LevelRole, "level"}};
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/maintenance/line_figures.h"
+
+#include "app/panel/kit/format.h"
+#include "app/panel/kit/numbers.h"
+
+#include <numeric>
+
+namespace campanel::machine {
+
+namespace {
+
+QString count(std::uint64_t number)
+{
+    return Format().grouped(static_cast<double>(number), 0);
+}
+
+} // namespace
+
+LineFigures::LineFigures(link::Link& link, ReportFiles& files, QObject* parent)
+    : QObject(parent)
+    , m_link(link)
+    , m_files(files)
+{
+    connect(&link, &link::Link::figuresReported, this, &LineFigures::takeFigures);
+    showRows();
+}
+
+void LineFigures::setWatched(bool isWatched)
+{
+    if (m_isWatched == isWatched)
+        return;
+    m_isWatched = isWatched;
+    if (m_readers == 0)
+        m_link.watchFigures(isWatched);
+    emit watchedChanged();
+}
+
+void LineFigures::readOnce(QObject* context, const std::function<void(const link::FiguresReport&)>& take)
+{
+    ++m_readers;
+    connect(
+        &m_link, &link::Link::figuresReported, context,
+        [this, take](const link::FiguresReport& report) {
+            if (--m_readers == 0 && !m_isWatched)
+                m_link.watchFigures(false);
+            take(report);
+        },
+        Qt::SingleShotConnection);
+    m_link.watchFigures(true);
+}
+
+void LineFigures::reset()
+{
+    m_link.resetFigures();
+}
+
+void LineFigures::takeFigures(const link::FiguresReport& report)
+{
+    m_report = report;
+    showRows();
+    showStrip();
+}
+
+void LineFigures::showRows()
+{
+    const modbus::LinkFigures figures = m_report ? m_report->figures : modbus::LinkFigures();
+    const auto share = figures.wireShare();
+    const Format format;
+    m_exchanges.setRows(
+        {{tr("Requests"), count(figures.requests()), false},
+         {tr("Answers"), count(figures.answers()), false},
+         {tr("Asked again"), count(figures.retries()), figures.retries() > 0},
+         {tr("Bytes dropped"), count(figures.droppedBytes()), figures.droppedBytes() > 0},
+         {tr("Share of the wire's limit"),
+          share ? tr("%1 %").arg(format.number(100 * *share, 1)) : Format::unknownText(), false}});
+    showErrors();
+    showTimes();
+    showController();
+}
+
+void LineFigures::showErrors()
+{
+    const auto row = [this](const QString& label, modbus::LinkErrorKind kind) {
+        const std::uint32_t number = m_report ? m_report->figures.errors(kind) : 0;
+        return FigureRow{label, count(number), number > 0};
+    };
+    using modbus::LinkErrorKind;
+    m_errors.setRows({row(tr("No answer"), LinkErrorKind::NoAnswer),
+                      row(tr("Wrong checksum"), LinkErrorKind::BadChecksum),
+                      row(tr("Damaged frame"), LinkErrorKind::BadFrame),
+                      row(tr("Foreign answer"), LinkErrorKind::ForeignAnswer),
+                      row(tr("Refused by the controller"), LinkErrorKind::Exception),
+                      row(tr("Port gone"), LinkErrorKind::PortGone)});
+}
+
+void LineFigures::showTimes()
+{
+    const Format format;
+    const bool isKnown = m_report && m_report->figures.latency().count() > 0;
+    const auto ms = [&](std::chrono::microseconds time) {
+        return isKnown ? tr("%1 ms").arg(format.number(static_cast<double>(time.count()) / 1000, 1))
+                       : Format::unknownText();
+    };
+    const modbus::LatencyHistogram latency =
+        m_report ? m_report->figures.latency() : modbus::LatencyHistogram();
+    const auto allowance = m_report ? m_report->answerAllowance : std::chrono::milliseconds(0);
+    m_times.setRows(
+        {{tr("Half of all within"), ms(latency.percentile(0.5)), false},
+         {tr("95 % within"), ms(latency.percentile(0.95)), false},
+         {tr("99 % within"), ms(latency.percentile(0.99)), false},
+         {tr("Longest"), ms(latency.maximum()), false},
+         {tr("Allowed beyond wire time"),
+          allowance.count() > 0 ? tr("%1 ms").arg(allowance.count()) : Format::unknownText(), false}});
+}
+
+void LineFigures::showController()
+{
+    const bool isKnown = m_report && m_report->figures.controller();
+    const modbus::ControllerCounts counts =
+        isKnown ? *m_report->figures.controller() : modbus::ControllerCounts();
+    const auto row = [isKnown](const QString& label, std::uint32_t number, bool isError) {
+        return FigureRow{label, isKnown ? count(number) : Format::unknownText(), isError && number > 0};
+    };
+    m_controller.setRows({row(tr("Requests answered"), counts.requests, false),
+                          row(tr("Wrong checksum"), counts.crcErrors, true),
+                          row(tr("Damaged frame"), counts.frameErrors, true),
+                          row(tr("Refused"), counts.exceptions, true)});
+}
+
+void LineFigures::showStrip()
+{
+    constexpr qint64 secondsOfMinute = 60;
+    const std::vector<modbus::MinuteFigures> strip = m_report->figures.strip();
+    m_stripAnswers.clear();
+    m_stripErrors.clear();
+    m_stripP99Ms.clear();
+    for (const modbus::MinuteFigures& minute : strip) {
+        const auto errors = std::accumulate(minute.errors.begin(), minute.errors.end(), 0.0);
+        const bool isKnown = minute.answers > 0 || errors > 0; // else there was no connection, or no panel
+        m_stripAnswers << (isKnown ? minute.answers : unknown);
+        m_stripErrors << (isKnown ? errors : unknown);
+        m_stripP99Ms << (minute.answers > 0 ? minute.latencyP99Us / 1000.0 : unknown);
+    }
+    m_stripEnd =
+        strip.empty() ? QDateTime() : QDateTime::fromSecsSinceEpoch(strip.back().minute * secondsOfMinute);
+    emit stripChanged();
+}
+
+void LineFigures::exportCsv()
+{
+    const modbus::LinkFigures figures = m_report ? m_report->figures : modbus::LinkFigures();
+    m_files.offer({{tr("link figures"), QStringLiteral("csv"),
+                    [figures] { return QByteArray::fromStdString(modbus::figuresCsv(figures)); }},
+                   {tr("link 24 hours"), QStringLiteral("csv"),
+                    [figures] { return QByteArray::fromStdString(modbus::stripCsv(figures)); }}});
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// What has passed on the line, counted: exchanges, errors by class, times, the controller's own counters, and
+// the last 24 hours minute by minute. Comes once a second while it is watched.
+#pragma once
+
+#include "app/link/link.h"
+#include "app/panel/kit/figure_model.h"
+#include "app/panel/kit/report_files.h"
+
+#include <QDateTime>
+#include <QObject>
+#include <QtQml/qqmlregistration.h>
+
+#include <functional>
+#include <optional>
+
+namespace campanel::machine {
+
+class LineFigures : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("The figures belong to the Service")
+    Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
+    Q_PROPERTY(campanel::machine::FigureModel* exchanges READ exchanges CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::FigureModel* errors READ errors CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::FigureModel* times READ times CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::FigureModel* controller READ controller CONSTANT FINAL)
+    // One number for each minute, oldest first, the last one of the minute `stripEnd`; NaN: nothing happened.
+    Q_PROPERTY(QList<double> stripAnswers READ stripAnswers NOTIFY stripChanged FINAL)
+    Q_PROPERTY(QList<double> stripErrors READ stripErrors NOTIFY stripChanged FINAL)
+    Q_PROPERTY(QList<double> stripP99Ms READ stripP99Ms NOTIFY stripChanged FINAL)
+    Q_PROPERTY(QDateTime stripEnd READ stripEnd NOTIFY stripChanged FINAL)
+
+public:
+    // Both must outlive it.
+    LineFigures(link::Link& link, ReportFiles& files, QObject* parent);
+
+    [[nodiscard]] bool watched() const { return m_isWatched; }
+    void setWatched(bool isWatched);
+    [[nodiscard]] FigureModel* exchanges() { return &m_exchanges; }
+    [[nodiscard]] FigureModel* errors() { return &m_errors; }
+    [[nodiscard]] FigureModel* times() { return &m_times; }
+    [[nodiscard]] FigureModel* controller() { return &m_controller; }
+    [[nodiscard]] QList<double> stripAnswers() const { return m_stripAnswers; }
+    [[nodiscard]] QList<double> stripErrors() const { return m_stripErrors; }
+    [[nodiscard]] QList<double> stripP99Ms() const { return m_stripP99Ms; }
+    [[nodiscard]] QDateTime stripEnd() const { return m_stripEnd; }
+    // What came last; empty before the first.
+    [[nodiscard]] const std::optional<link::FiguresReport>& report() const { return m_report; }
+
+    // Tells `context` of the next report, which comes within a second also when nobody watches.
+    void readOnce(QObject* context, const std::function<void(const link::FiguresReport&)>& take);
+
+    // Counts from zero.
+    Q_INVOKABLE void reset();
+    // Offers figures and strip as two CSV files.
+    Q_INVOKABLE void exportCsv();
+
+    void retranslate() { showRows(); }
+
+signals:
+    void watchedChanged();
+    void stripChanged();
+
+private:
+    void takeFigures(const link::FiguresReport& report);
+    void showRows();
+    void showErrors();
+    void showTimes();
+    void showController();
+    void showStrip();
+
+    link::Link& m_link;
+    ReportFiles& m_files;
+    std::optional<link::FiguresReport> m_report; // the last one
+    FigureModel m_exchanges{this};
+    FigureModel m_errors{this};
+    FigureModel m_times{this};
+    FigureModel m_controller{this};
+    QList<double> m_stripAnswers;
+    QList<double> m_stripErrors;
+    QList<double> m_stripP99Ms;
+    QDateTime m_stripEnd;
+    bool m_isWatched = false;
+    int m_readers = 0; // who waits for one report
+};
+
+} // namespace campanel::machine

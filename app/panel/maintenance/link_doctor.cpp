@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/maintenance/link_doctor.h"
+
+#include "app/panel/controller/machine.h"
+#include "app/panel/settings/settings.h"
+#include "app/panel/words/doctor_sentences.h"
+
+namespace campanel::machine {
+
+using Depth = modbus::ScanPlan::Depth;
+
+LinkDoctor::LinkDoctor(Machine& machine, Settings& settings, QObject* parent)
+    : QObject(parent)
+    , m_machine(machine)
+    , m_settings(settings)
+{
+    connect(&machine.link(), &link::Link::reported, this, &LinkDoctor::takeLinkReport);
+    connect(&machine.link(), &link::Link::downloadReported, this, &LinkDoctor::takeDownload);
+    connect(&machine.link(), &link::Link::scanReported, this, &LinkDoctor::takeScan);
+    connect(&machine, &Machine::stateChanged, this, &LinkDoctor::changed);
+    connect(&settings, &Settings::connectionChanged, this, &LinkDoctor::changed);
+}
+
+QString LinkDoctor::blockedReason() const
+{
+    switch (m_machine.state()) {
+    case Machine::State::Running:
+    case Machine::State::Stopping:
+    case Machine::State::Jogging:
+    case Machine::State::Homing:
+        return tr("The machine is moving. Diagnosis and search close the connection, and the controller "
+                  "would miss this panel. Stop the machine first.");
+    default:
+        break;
+    }
+    if (m_isStopWaiting)
+        return tr("A Stop waits for the connection to come back. It goes first.");
+    if (m_isDownloading)
+        return tr("A download is under way. Wait for its end, or cancel it.");
+    return {};
+}
+
+QString LinkDoctor::triedText() const
+{
+    if (!running())
+        return {};
+    const modbus::ScanProgress& tried = m_report->progress;
+    return tr("Trying %1: %2", "port, settings")
+        .arg(QString::fromStdString(tried.port), DoctorSentences::settings(tried.line, tried.unit));
+}
+
+QString LinkDoctor::progressText() const
+{
+    return running() ? DoctorSentences::progress(m_report->progress) : QString();
+}
+
+double LinkDoctor::progress() const
+{
+    return running() && m_report->progress.total > 0
+               ? static_cast<double>(m_report->progress.done) / m_report->progress.total
+               : 0;
+}
+
+QString LinkDoctor::foundText() const
+{
+    if (!m_report || !m_report->found)
+        return {};
+    const link::ConnectionSettings& found = *m_report->found;
+    return found.simulated ? tr("simulated controller")
+                           : tr("%1, %2", "port, settings")
+                                 .arg(found.port, DoctorSentences::settings(found.line, found.unit));
+}
+
+bool LinkDoctor::canTake() const
+{
+    return m_report && !m_report->isRunning && m_report->found && !m_settings.isInUse(*m_report->found);
+}
+
+QString LinkDoctor::resultText() const
+{
+    if (!m_report)
+        return tr("Diagnose asks the port in use a few questions. Search tries every port, baud rate, parity "
+                  "and unit number, which may take long. Both only read, and close the connection "
+                  "meanwhile.");
+    if (m_report->isRunning)
+        return m_report->depth == Depth::Search
+                   ? tr("Searching. The connection comes back after it.")
+                   : tr("Asking the port in use. The connection comes back after it.");
+    if (canTake())
+        return tr("A controller answers: %1.").arg(foundText());
+    if (m_report->found)
+        return tr("The connection in use works: %1.").arg(foundText());
+    if (m_report->isCanceled)
+        return tr("Canceled. The connection comes back by itself.");
+    if (m_report->findings.isEmpty())
+        return tr("This computer has no serial port. Plug in the adapter and search again.");
+    return tr("No controller was found. This is what was seen:");
+}
+
+void LinkDoctor::diagnose()
+{
+    begin(Depth::Diagnosis);
+}
+
+void LinkDoctor::search()
+{
+    begin(Depth::Search);
+}
+
+void LinkDoctor::begin(Depth depth)
+{
+    if (canBegin())
+        m_machine.link().startScan(depth);
+}
+
+void LinkDoctor::cancel()
+{
+    if (running())
+        m_machine.link().cancelScan();
+}
+
+void LinkDoctor::take()
+{
+    if (canTake())
+        m_settings.takeConnection(*m_report->found);
+}
+
+void LinkDoctor::takeLinkReport(const link::LinkReport& report)
+{
+    m_isStopWaiting = report.pendingStop.has_value();
+    // Somebody pressed Stop: the ports are wanted for it now.
+    if (m_isStopWaiting && report.isScanning)
+        m_machine.link().cancelScan();
+    emit changed();
+}
+
+void LinkDoctor::takeDownload(const link::DownloadReport& report)
+{
+    const bool isBegun = report.stage == link::DownloadStage::Transferring ||
+                         report.stage == link::DownloadStage::Sealing ||
+                         report.stage == link::DownloadStage::Armed;
+    // One that lost its connection waits for what the doctor finds.
+    const bool isDownloading = isBegun && !report.isInterrupted;
+    if (isDownloading == m_isDownloading)
+        return;
+    m_isDownloading = isDownloading;
+    emit changed();
+}
+
+void LinkDoctor::takeScan(const link::ScanReport& report)
+{
+    m_report = report;
+    showFindings();
+    emit changed();
+}
+
+void LinkDoctor::showFindings()
+{
+    QList<OfferRow> rows;
+    if (m_report) {
+        for (const modbus::LineFinding& finding : m_report->findings)
+            rows << OfferRow{
+                tr("%1: %2", "port, what was found")
+                    .arg(QString::fromStdString(finding.port), DoctorSentences::condition(finding.condition)),
+                DoctorSentences::settings(finding.line, finding.unit), DoctorSentences::finding(finding),
+                finding.isController()};
+    }
+    m_findings.setRows(rows);
+}
+
+void LinkDoctor::retranslate()
+{
+    showFindings();
+    emit changed();
+}
+
+} // namespace campanel::machine

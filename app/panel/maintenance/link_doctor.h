@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Why there is no connection, and where the controller is: diagnosis and search, their findings in words, and
+// the found connection taken over. Never begins while something moves: a scan closes the connection.
+#pragma once
+
+#include "app/link/link.h"
+#include "app/panel/kit/offer_model.h"
+
+#include <QObject>
+#include <QtQml/qqmlregistration.h>
+
+#include <optional>
+
+namespace campanel::machine {
+
+class Machine;
+class Settings;
+
+class LinkDoctor : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("The doctor belongs to the Service")
+    Q_PROPERTY(bool running READ running NOTIFY changed FINAL)
+    // Why it may not begin now; empty when it may.
+    Q_PROPERTY(QString blockedReason READ blockedReason NOTIFY changed FINAL)
+    Q_PROPERTY(bool canBegin READ canBegin NOTIFY changed FINAL)
+    // While it runs: what is tried, how many of how many, and 0..1 of them.
+    Q_PROPERTY(QString triedText READ triedText NOTIFY changed FINAL)
+    Q_PROPERTY(QString progressText READ progressText NOTIFY changed FINAL)
+    Q_PROPERTY(double progress READ progress NOTIFY changed FINAL)
+    // What came of it, or what it would do.
+    Q_PROPERTY(QString resultText READ resultText NOTIFY changed FINAL)
+    // A controller answers on a connection that is not the one in use.
+    Q_PROPERTY(bool canTake READ canTake NOTIFY changed FINAL)
+    Q_PROPERTY(QString foundText READ foundText NOTIFY changed FINAL)
+    Q_PROPERTY(campanel::machine::OfferModel* findings READ findings CONSTANT FINAL)
+
+public:
+    // Both must outlive it.
+    LinkDoctor(Machine& machine, Settings& settings, QObject* parent);
+
+    [[nodiscard]] bool running() const { return m_report && m_report->isRunning; }
+    [[nodiscard]] QString blockedReason() const;
+    [[nodiscard]] bool canBegin() const { return !running() && blockedReason().isEmpty(); }
+    [[nodiscard]] QString triedText() const;
+    [[nodiscard]] QString progressText() const;
+    [[nodiscard]] double progress() const;
+    [[nodiscard]] QString resultText() const;
+    [[nodiscard]] bool canTake() const;
+    [[nodiscard]] QString foundText() const;
+    [[nodiscard]] OfferModel* findings() { return &m_findings; }
+
+    // The port in use, a few questions.
+    Q_INVOKABLE void diagnose();
+    // Every port with every setting; ends with the first controller.
+    Q_INVOKABLE void search();
+    Q_INVOKABLE void cancel();
+    // Connects as found, now and from now on.
+    Q_INVOKABLE void take();
+
+    void retranslate();
+
+signals:
+    void changed();
+
+private:
+    void begin(modbus::ScanPlan::Depth depth);
+    void takeLinkReport(const link::LinkReport& report);
+    void takeDownload(const link::DownloadReport& report);
+    void takeScan(const link::ScanReport& report);
+    void showFindings();
+
+    Machine& m_machine;
+    Settings& m_settings;
+    std::optional<link::ScanReport> m_report; // the last one
+    OfferModel m_findings{this};
+    bool m_isStopWaiting = false;
+    bool m_isDownloading = false;
+};
+
+} // namespace campanel::machine

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// The controller's registers, live: those in sight are read again and again, parameters can be written and
+// are shown as the controller gives them back.
+#pragma once
+
+#include "app/panel/maintenance/register_model.h"
+
+#include <QObject>
+#include <QSet>
+#include <QTimer>
+#include <QVariantList>
+#include <QtQml/qqmlregistration.h>
+
+namespace campanel::machine {
+
+class Machine;
+
+class RegisterInspector : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("The inspector belongs to the Service")
+    Q_PROPERTY(campanel::machine::RegisterModel* registers READ registers CONSTANT FINAL)
+    // Nothing is read while it is off.
+    Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
+    // A key of `groups`, "" for all.
+    Q_PROPERTY(QString group READ group WRITE setGroup NOTIFY filterChanged FINAL)
+    Q_PROPERTY(QString groupText READ groupText NOTIFY filterChanged FINAL)
+    Q_PROPERTY(QString nameFilter READ nameFilter WRITE setNameFilter NOTIFY filterChanged FINAL)
+    Q_PROPERTY(QVariantList groups READ groups NOTIFY filterChanged FINAL) // of {key, text}
+    // -1: none.
+    Q_PROPERTY(int selected READ selected NOTIFY selectionChanged FINAL)
+    Q_PROPERTY(QString selectedName READ selectedName NOTIFY selectionChanged FINAL)
+    // Why it cannot be written, its limits, or what became of the last write.
+    Q_PROPERTY(QString selectedText READ selectedText NOTIFY selectionChanged FINAL)
+    Q_PROPERTY(bool failed READ failed NOTIFY selectionChanged FINAL)
+    Q_PROPERTY(bool canWrite READ canWrite NOTIFY selectionChanged FINAL)
+    Q_PROPERTY(bool writable READ writable NOTIFY selectionChanged FINAL)
+    // Of the selected one, for the keypad.
+    Q_PROPERTY(QString unit READ unit NOTIFY selectionChanged FINAL)
+    Q_PROPERTY(QString valueText READ valueText NOTIFY selectionChanged FINAL)
+    Q_PROPERTY(double minimum READ minimum NOTIFY selectionChanged FINAL)
+    Q_PROPERTY(double maximum READ maximum NOTIFY selectionChanged FINAL)
+    Q_PROPERTY(double defaultValue READ defaultValue NOTIFY selectionChanged FINAL)
+    Q_PROPERTY(int decimals READ decimals NOTIFY selectionChanged FINAL)
+
+public:
+    // The machine must outlive it.
+    RegisterInspector(Machine& machine, QObject* parent);
+
+    [[nodiscard]] RegisterModel* registers() { return &m_registers; }
+    [[nodiscard]] bool watched() const { return m_isWatched; }
+    void setWatched(bool isWatched);
+    [[nodiscard]] QString group() const { return m_group; }
+    void setGroup(const QString& group);
+    [[nodiscard]] QString groupText() const;
+    [[nodiscard]] QString nameFilter() const { return m_nameFilter; }
+    void setNameFilter(const QString& name);
+    [[nodiscard]] QVariantList groups() const;
+    [[nodiscard]] int selected() const { return m_selected; }
+    [[nodiscard]] QString selectedName() const;
+    [[nodiscard]] QString selectedText() const;
+    [[nodiscard]] bool failed() const { return m_isFailed; }
+    [[nodiscard]] bool writable() const;
+    [[nodiscard]] bool canWrite() const;
+    [[nodiscard]] QString unit() const;
+    [[nodiscard]] QString valueText() const;
+    [[nodiscard]] double minimum() const;
+    [[nodiscard]] double maximum() const;
+    [[nodiscard]] double defaultValue() const;
+    [[nodiscard]] int decimals() const;
+
+    // The rows on the screen.
+    Q_INVOKABLE void setVisibleRows(int first, int last);
+    Q_INVOKABLE void select(int row);
+    // Writes the selected one and shows what the controller then holds.
+    Q_INVOKABLE void write(double value);
+    // Why the value may not be written; empty when it may.
+    [[nodiscard]] Q_INVOKABLE QString check(double value) const;
+
+    void retranslate();
+
+signals:
+    void watchedChanged();
+    void filterChanged();
+    void selectionChanged();
+
+private:
+    void applyFilter();
+    void noteConnection();
+    void noteProgram();
+    void readVisible();
+    void takeRead(const link::ReadOutcome& outcome);
+    void takeWritten(const link::ParameterOutcome& outcome);
+    [[nodiscard]] const RegisterRow* row() const { return m_registers.rowAt(m_selected); }
+    [[nodiscard]] QString number(double value) const; // as the selected one has it, with unit
+
+    Machine& m_machine;
+    RegisterModel m_registers{this};
+    QTimer m_readTimer;
+    QSet<quint32> m_reads; // under way
+    quint32 m_writeId = 0; // under way, else 0
+    int m_first = 0;
+    int m_last = -1;
+    int m_selected = -1;
+    QString m_group;
+    QString m_nameFilter;
+    QString m_outcome; // of the last write
+    bool m_isFailed = false;
+    bool m_isWatched = false;
+};
+
+} // namespace campanel::machine

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/maintenance/service.h"
+
+#include "app/panel/controller/machine.h"
+#include "app/panel/kit/engine_instances.h"
+#include "app/panel/settings/settings.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QEvent>
+
+namespace campanel::machine {
+
+Service::Service(Machine& machine, Settings& settings, const QString& folder, QObject* parent)
+    : QObject(parent)
+    , m_files(QDir(folder).filePath(QStringLiteral("reports")), this)
+    , m_doctor(machine, settings, this)
+    , m_lineFaults(machine.link(), machine.gate(), this)
+    , m_figures(machine.link(), m_files, this)
+    , m_inspector(machine, this)
+    , m_frames(machine.link(), m_files, this)
+    , m_packing(machine, this)
+    , m_jog(machine, this)
+    , m_homing(machine, this)
+    , m_io(machine, this)
+    , m_dryRun(this)
+{
+    QCoreApplication::instance()->installEventFilter(this);
+}
+
+Service* Service::create(QQmlEngine* qmlEngine, QJSEngine*)
+{
+    return attachedInstance<Service>(qmlEngine);
+}
+
+bool Service::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance()) {
+        m_doctor.retranslate();
+        m_lineFaults.retranslate();
+        m_figures.retranslate();
+        m_inspector.retranslate();
+        m_frames.retranslate();
+        m_packing.retranslate();
+        m_jog.retranslate();
+        m_homing.retranslate();
+        m_io.retranslate();
+        m_dryRun.retranslate();
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a cut falls: the controller cuts when distance + offset (its parameters) of film have passed since
+// the sensor saw the mark, and the mark has then passed the knife by distance + offset - true distance. So
+// the true distance is distance + offset - what was measured behind the mark. Whole bag lengths make no
+// difference: marks are alike.
+#include "app/panel/packing/mark_wizard.h"
+
+#include "app/panel/controller/machine.h"
+#include "app/panel/kit/format.h"
+#include "app/panel/packing/packing_fields.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace campanel::machine {
+
+namespace {
+
+constexpr auto distanceName = "parameter.mark_distance";
+constexpr auto offsetName = "parameter.mark_offset";
+constexpr auto phaseLimitName = "parameter.phase_limit";
+constexpr int watchedBags = 5;
+constexpr double rightWithinMm = 0.3; // mean mark error of those
+// The controller takes a quarter of a mark's error for slip (parameter.phase_gain): 0.75^20 of it is left.
+constexpr int settlingBags = 20;
+constexpr double scatterMm = 1.0; // measurements further apart are of other bags or marks
+constexpr double umPerMm = 1000.0;
+
+QString millimeters(double value, int decimals)
+{
+    return Format().number(value, decimals) + QStringLiteral(" mm");
+}
+
+} // namespace
+
+MarkWizard::MarkWizard(Machine& machine, PackingFields& fields, QObject* parent)
+    : QObject(parent)
+    , m_machine(machine)
+    , m_fields(fields)
+{
+    connect(machine.packing(), &PackingLine::changed, this, &MarkWizard::followBags);
+    connect(machine.packing(), &PackingLine::bagRecorded, this, [this](const modbus::BagRecord& bag) {
+        if (m_step != Step::Watch || !m_firstBag || !bag.isTracked ||
+            bag.number <= *m_firstBag + static_cast<std::uint32_t>(bagsUnderWay()))
+            return;
+        m_errorsMm << bag.markErrorMm;
+        if (m_errorsMm.size() > watchedBags)
+            m_errorsMm.removeFirst();
+    });
+    connect(&machine, &Machine::stateChanged, this, &MarkWizard::changed);
+    connect(&machine, &Machine::connectionChanged, this, [this] {
+        if (!m_machine.isConnected())
+            m_isRulerAsked = false;
+        emit changed();
+    });
+    connect(&fields, &PackingFields::changed, this, &MarkWizard::changed);
+    connect(&fields, &PackingFields::written, this, &MarkWizard::takeWritten);
+    connect(&machine.link(), &link::Link::rulerRead, this, &MarkWizard::takeRuler);
+}
+
+void MarkWizard::setStep(Step step)
+{
+    m_step = step;
+    m_steppedAt = m_machine.now();
+    const auto& status = m_machine.packing()->status();
+    // What was read before the new distance was written tells of bags cut with the old one.
+    m_firstBag.reset();
+    if (status && step != Step::Watch)
+        m_firstBag = status->bagNumber;
+    m_errorsMm.clear();
+    emit changed();
+}
+
+void MarkWizard::restart()
+{
+    m_measuredMm.clear();
+    m_ruler.reset();
+    m_isSameBag = false;
+    m_failure.clear();
+    m_newMm = unknown;
+    m_fields.read();
+    setStep(Step::Explain);
+}
+
+QString MarkWizard::blockedReason() const
+{
+    const bool needsRun = m_step == Step::Explain || m_step == Step::Cutting || m_step == Step::Watch;
+    if (m_step == Step::Done || m_step == Step::Failed || m_step == Step::Writing)
+        return {};
+    if (!m_machine.isConnected() || !m_machine.fresh())
+        return tr("There is no connection to the controller.");
+    if (!m_machine.packing()->known())
+        return tr("The controller does not run a packing machine's program.");
+    if (needsRun && m_machine.state() != Machine::State::Running)
+        return tr("Start the machine; this step goes on while it runs.");
+    if (needsRun && m_machine.packing()->markState() == PackingLine::MarkState::Off)
+        return tr("The cuts do not follow the marks. Switch that on first.");
+    if (needsRun && m_machine.packing()->markState() != PackingLine::MarkState::Tracking)
+        return tr("Waiting until the cuts have met the marks …");
+    if (!std::isfinite(m_fields.value(distanceName)) || !std::isfinite(m_fields.value(offsetName)))
+        return tr("Asking the controller …");
+    if (m_step == Step::Confirm && !std::isfinite(newDistanceMm()))
+        return tr("The corrected distance is none that the controller takes. Measure again.");
+    return {};
+}
+
+bool MarkWizard::canGoOn() const
+{
+    if (!blockedReason().isEmpty())
+        return false;
+    return m_step == Step::Explain || m_step == Step::Confirm ||
+           (m_step == Step::Measure && !m_measuredMm.isEmpty());
+}
+
+void MarkWizard::goOn()
+{
+    if (!canGoOn() || !m_machine.gate().admits(Level::Technician))
+        return;
+    switch (m_step) {
+    case Step::Explain:
+        m_oldMm = m_fields.value(distanceName);
+        m_offsetMm = m_fields.value(offsetName);
+        setStep(Step::Cutting);
+        return;
+    case Step::Measure:
+        setStep(Step::Confirm);
+        return;
+    case Step::Confirm:
+        m_newMm = newDistanceMm();
+        setStep(Step::Writing);
+        m_fields.write(distanceName, m_newMm);
+        return;
+    default:
+        return;
+    }
+}
+
+int MarkWizard::bagsSinceStep() const
+{
+    const auto& status = m_machine.packing()->status();
+    return status && m_firstBag && status->bagNumber >= *m_firstBag
+               ? static_cast<int>(status->bagNumber - *m_firstBag)
+               : 0;
+}
+
+// Bags whose marks had passed the sensor before the new distance, and one for each end.
+int MarkWizard::bagsUnderWay() const
+{
+    const double bagMm = m_machine.activeBagLengthMm();
+    const double distanceMm = std::isfinite(m_newMm) ? m_newMm : 0.0;
+    return bagMm > 0 ? static_cast<int>(std::ceil(distanceMm / bagMm)) + 2 : 0;
+}
+
+// At most: until the cuts have moved by the whole correction and have settled.
+int MarkWizard::bagsToWatch() const
+{
+    const double limitMm = m_fields.value(phaseLimitName);
+    const double correctionMm = std::isfinite(m_newMm) ? std::abs(m_newMm - m_oldMm) : 0.0;
+    const int moving = limitMm > 0 ? static_cast<int>(std::ceil(correctionMm / limitMm)) : 0;
+    return bagsUnderWay() + moving + settlingBags + watchedBags;
+}
+
+void MarkWizard::followBags()
+{
+    const auto& status = m_machine.packing()->status();
+    if (status && m_firstBag && status->bagNumber < *m_firstBag)
+        m_firstBag = status->bagNumber; // it counts anew
+    // What is not tracked does not count.
+    if (m_step == Step::Cutting && !blockedReason().isEmpty() && status)
+        m_firstBag = status->bagNumber;
+    if (m_step == Step::Cutting && bagsSinceStep() >= bagsToCut)
+        setStep(Step::Measure);
+    if (m_step == Step::Watch && status && !m_firstBag && m_machine.packing()->receivedAt() >= m_steppedAt)
+        m_firstBag = status->bagNumber;
+    if (m_step == Step::Watch && m_errorsMm.size() == watchedBags)
+        judgeBags();
+    emit changed();
+}
+
+// The last bags: right, or it is too late for them to become right.
+void MarkWizard::judgeBags()
+{
+    const double meanErrorMm = mean(m_errorsMm);
+    if (std::abs(meanErrorMm) <= rightWithinMm) {
+        setStep(Step::Done);
+    } else if (bagsSinceStep() >= bagsToWatch()) {
+        m_failure = tr("The distance is written, but the cuts of the last bags lay %1 from their marks "
+                       "on average. "
+                       "Look at gains and film before measuring again.")
+                        .arg(millimeters(meanErrorMm, 2));
+        setStep(Step::Failed);
+    }
+}
+
+double MarkWizard::mostMm() const
+{
+    const double bagMm = m_machine.activeBagLengthMm();
+    return std::isfinite(bagMm) ? bagMm : 0.0;
+}
+
+QString MarkWizard::check(double behindMm) const
+{
+    if (std::abs(behindMm) <= mostMm())
+        return {};
+    return tr("At most a bag length, %1, to either side.").arg(millimeters(mostMm(), 1));
+}
+
+void MarkWizard::addMeasurement(double behindMm)
+{
+    if (m_step != Step::Measure || m_measuredMm.size() >= mostMeasured || !check(behindMm).isEmpty())
+        return;
+    m_measuredMm << behindMm;
+    m_isSameBag = false;
+    emit changed();
+}
+
+void MarkWizard::dropMeasurement()
+{
+    if (m_step != Step::Measure || m_measuredMm.isEmpty())
+        return;
+    m_measuredMm.removeLast();
+    m_ruler.reset();
+    m_isSameBag = false;
+    emit changed();
+}
+
+bool MarkWizard::canReadRuler() const
+{
+    return m_step == Step::Measure && m_machine.simulated() && m_machine.isConnected() && !m_isRulerAsked &&
+           m_measuredMm.size() < mostMeasured;
+}
+
+void MarkWizard::readRuler()
+{
+    if (!canReadRuler())
+        return;
+    m_isRulerAsked = true;
+    m_machine.link().readRuler();
+    emit changed();
+}
+
+void MarkWizard::takeRuler(const link::RulerOutcome& outcome)
+{
+    if (!m_isRulerAsked)
+        return;
+    m_isRulerAsked = false;
+    const bool isSame = m_ruler && m_ruler->end == link::RulerEnd::Read &&
+                        outcome.end == link::RulerEnd::Read && m_ruler->lengthMm == outcome.lengthMm &&
+                        m_ruler->behindMarkMm == outcome.behindMarkMm;
+    m_ruler = outcome;
+    if (outcome.end == link::RulerEnd::Read && !isSame)
+        addMeasurement(outcome.behindMarkMm);
+    m_isSameBag = isSame;
+    emit changed();
+}
+
+double MarkWizard::meanMm() const
+{
+    return mean(m_measuredMm);
+}
+
+double MarkWizard::newDistanceMm() const
+{
+    const double bagMm = m_machine.activeBagLengthMm();
+    const modbus::RegisterInfo* info = modbus::findRegister(distanceName);
+    if (!(bagMm > 0) || !info)
+        return unknown;
+    const double correctionMm = std::remainder(m_offsetMm - meanMm(), bagMm);
+    const double wantedMm = std::round((m_oldMm + correctionMm) * umPerMm) / umPerMm;
+    return wantedMm >= info->minimum && wantedMm <= info->maximum ? wantedMm : unknown;
+}
+
+void MarkWizard::takeWritten(const QString& name, bool isDone, const QString& sentence)
+{
+    if (m_step != Step::Writing || name != QLatin1String(distanceName))
+        return;
+    if (!isDone)
+        m_failure = sentence;
+    setStep(isDone ? Step::Watch : Step::Failed);
+}
+
+double MarkWizard::progress() const
+{
+    const int wanted = m_step == Step::Cutting ? bagsToCut : m_step == Step::Watch ? bagsToWatch() : 0;
+    return wanted > 0 ? std::min(1.0, static_cast<double>(bagsSinceStep()) / wanted) : 0.0;
+}
+
+QString MarkWizard::measuredText() const
+{
+    QStringList texts;
+    for (const double value : m_measuredMm)
+        texts << Format().number(value, 2);
+    return texts.join(QStringLiteral(" · "));
+}
+
+QString MarkWizard::meanText() const
+{
+    return millimeters(meanMm(), 2);
+}
+
+QString MarkWizard::offsetText() const
+{
+    return millimeters(m_offsetMm, 2);
+}
+
+QString MarkWizard::oldText() const
+{
+    return millimeters(m_oldMm, 2);
+}
+
+QString MarkWizard::newText() const
+{
+    return millimeters(std::isfinite(m_newMm) ? m_newMm : newDistanceMm(), 2);
+}
+
+QString MarkWizard::rulerText() const
+{
+    if (m_isSameBag)
+        return tr("That bag has been measured already; wait for the next one.");
+    if (!m_ruler || m_ruler->end == link::RulerEnd::Read)
+        return {};
+    return m_ruler->end == link::RulerEnd::NoBag ? tr("No bag has been cut yet.")
+                                                 : tr("The simulated machine cannot be measured now.");
+}
+
+QString MarkWizard::watchedText() const
+{
+    return tr("The controller works with the new distance, and the cuts of the last bags lie within %1 of "
+              "where it wants "
+              "them. Measure one more bag to be sure. Without Save the controller forgets it at power-off.")
+        .arg(millimeters(rightWithinMm, 1));
+}
+
+QString MarkWizard::text() const
+{
+    switch (m_step) {
+    case Step::Explain:
+        return tr("When every cut lies off its mark by the same distance, the controller is wrong about how "
+                  "far the mark "
+                  "sensor is from the knife. This finds it out: the machine cuts a few bags, you measure how "
+                  "far their "
+                  "cuts lie behind their marks, and the distance is corrected. Nothing is changed before you "
+                  "confirm.");
+    case Step::Cutting:
+        return tr("%1 of %2 bags cut. Keep them in order and do not pull them.")
+            .arg(bagsSinceStep())
+            .arg(bagsToCut);
+    case Step::Measure: {
+        const auto [least, most] = std::minmax_element(m_measuredMm.begin(), m_measuredMm.end());
+        if (!rulerText().isEmpty())
+            return rulerText();
+        if (m_measuredMm.size() > 1 && *most - *least > scatterMm)
+            return tr("The measurements are %1 apart. Are they all from the same edge of the mark?")
+                .arg(millimeters(*most - *least, 1));
+        return tr("Measure from the printed mark to the cut: positive when the film passes the mark first "
+                  "and the cut comes "
+                  "behind it, negative when the cut comes before its mark. The mean of up to %1 bags counts.")
+            .arg(mostMeasured);
+    }
+    case Step::Confirm:
+        return tr(
+            "This becomes the distance from the mark sensor to the knife. The cuts move over the next bags.");
+    case Step::Writing:
+        return tr("Writing, and reading back …");
+    case Step::Watch:
+        return tr("Written and read back. The new distance reaches the knife with the film: bag %1 of at "
+                  "most "
+                  "%2.")
+            .arg(bagsSinceStep())
+            .arg(bagsToWatch());
+    case Step::Done:
+        return watchedText();
+    case Step::Failed:
+        return m_failure;
+    }
+    return {};
+}
+
+void MarkWizard::retranslate()
+{
+    emit changed();
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/packing/packing_setup.h"
+
+#include "app/panel/controller/machine.h"
+#include "app/panel/kit/format.h"
+#include "app/panel/words/connection_sentences.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace campanel::machine {
+
+namespace {
+
+constexpr auto phaseGainName = "parameter.phase_gain";
+constexpr auto lengthLimitName = "parameter.length_limit";
+constexpr double percent = 100.0;
+
+} // namespace
+
+PackingSetup::PackingSetup(Machine& machine, QObject* parent)
+    : QObject(parent)
+    , m_machine(machine)
+    , m_fields(machine, this)
+    , m_wizard(machine, m_fields, this)
+{
+    connect(machine.packing(), &PackingLine::changed, this, &PackingSetup::followMarks);
+    connect(&machine, &Machine::stateChanged, this, &PackingSetup::changed);
+    connect(&machine, &Machine::connectionChanged, this, [this] {
+        if (!m_machine.isConnected())
+            m_teaching = Teaching::No;
+        emit changed();
+    });
+    // Another film, another estimate.
+    connect(&machine, &Machine::programChanged, this, [this] {
+        m_estimate.clear();
+        m_fields.suggest(std::nullopt, 0);
+        emit changed();
+    });
+    connect(&m_fields, &PackingFields::changed, this, &PackingSetup::changed);
+    connect(&machine.link(), &link::Link::commandEnded, this, &PackingSetup::takeCommand);
+}
+
+bool PackingSetup::available() const
+{
+    return m_machine.packing()->known() && m_machine.packing()->fresh();
+}
+
+void PackingSetup::open()
+{
+    m_fields.read();
+}
+
+bool PackingSetup::canTeach() const
+{
+    return available() && m_machine.state() == Machine::State::Running && !teaching();
+}
+
+void PackingSetup::teach()
+{
+    if (!canTeach() || !m_machine.gate().admits(Level::Technician))
+        return;
+    m_refusal.clear();
+    m_teaching = Teaching::Asked;
+    m_machine.packing()->teach(marksToTeach);
+    emit changed();
+}
+
+void PackingSetup::takeCommand(const link::CommandOutcome& outcome)
+{
+    if (outcome.command != modbus::Command::TeachMarks || m_teaching != Teaching::Asked)
+        return;
+    const bool isDone = outcome.end == link::CommandEnd::Done;
+    m_refusal = isDone ? QString() : ConnectionSentences::command(outcome);
+    m_teaching = isDone ? Teaching::Accepted : Teaching::No;
+    emit changed();
+}
+
+// What comes first after the command was accepted may have been read before it.
+void PackingSetup::followTeaching()
+{
+    if (m_teaching == Teaching::Accepted)
+        m_teaching = Teaching::UnderWay;
+    else if (m_teaching == Teaching::UnderWay && m_machine.packing()->teachMarks() >= marksToTeach)
+        m_teaching = Teaching::No;
+}
+
+void PackingSetup::followMarks()
+{
+    followTeaching();
+    const auto& status = m_machine.packing()->status();
+    const double gain = m_fields.value(phaseGainName);
+    if (status && std::isfinite(gain) &&
+        m_machine.packing()->markState() == PackingLine::MarkState::Tracking) {
+        const int before = m_estimate.bags();
+        m_estimate.take({status->marks, status->marksMissing, status->lastMarkMm, status->markPitchMm}, gain);
+        if (m_estimate.bags() != before)
+            m_fields.suggest(m_estimate.suggestion(), m_estimate.bags());
+    }
+    emit changed();
+}
+
+double PackingSetup::teachProgress() const
+{
+    if (!available() || m_teaching == Teaching::Asked || m_teaching == Teaching::Accepted)
+        return 0.0;
+    return std::min(1.0, static_cast<double>(m_machine.packing()->teachMarks()) / marksToTeach);
+}
+
+bool PackingSetup::misfit() const
+{
+    const double bagMm = m_machine.activeBagLengthMm();
+    const double limit = m_fields.value(lengthLimitName);
+    const double pitchMm = m_machine.packing()->teachPitchMm();
+    return !teaching() && std::isfinite(limit) && std::abs(pitchMm - bagMm) > bagMm * limit / percent;
+}
+
+QString PackingSetup::teachText() const
+{
+    const PackingLine& packing = *m_machine.packing();
+    if (!available())
+        return tr(
+            "The controller tells nothing of a packing machine: connect it and download a cutter's recipe.");
+    if (!m_refusal.isEmpty())
+        return m_refusal;
+    if (teaching() && m_machine.state() != Machine::State::Running)
+        return tr("Waiting: the marks are measured while the film runs.");
+    if (teaching())
+        return tr("%1 of %2 marks measured …")
+            .arg(std::lround(teachProgress() * marksToTeach))
+            .arg(marksToTeach);
+    if (!std::isfinite(packing.teachPitchMm()))
+        return m_machine.state() == Machine::State::Running
+                   ? tr("Measures the distances between the next %1 marks. The machine keeps running.")
+                         .arg(marksToTeach)
+                   : tr("Start the machine: the marks are measured while the film runs, with or without "
+                        "following them.");
+    const Format format;
+    const QString pitch = format.number(packing.teachPitchMm(), 2);
+    const QString scatter = format.number(packing.teachScatterMm(), 2);
+    const QString bag = format.compact(m_machine.activeBagLengthMm(), 0, 2);
+    if (misfit())
+        return tr("The marks are %1 mm apart (± %2 mm); the recipe cuts %3 mm. That is more than the length "
+                  "limit allows: "
+                  "this film does not fit this recipe.")
+            .arg(pitch, scatter, bag);
+    return tr("The marks are %1 mm apart (± %2 mm); the recipe cuts %3 mm.").arg(pitch, scatter, bag);
+}
+
+void PackingSetup::retranslate()
+{
+    m_refusal.clear();
+    m_fields.retranslate();
+    m_wizard.retranslate();
+    emit changed();
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// `Service.packing` in QML: what a technician does when a packing machine is commissioned. The marks measured
+// and compared with the recipe, the way from their sensor to the knife, and the numbers with suggestions.
+#pragma once
+
+#include "app/panel/packing/gain_estimate.h"
+#include "app/panel/packing/mark_wizard.h"
+#include "app/panel/packing/packing_fields.h"
+
+#include <QObject>
+#include <QtQml/qqmlregistration.h>
+
+namespace campanel::machine {
+
+class PackingSetup : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("The packing setup belongs to the Service")
+    Q_PROPERTY(campanel::machine::PackingFields* fields READ fields CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::MarkWizard* wizard READ wizard CONSTANT FINAL)
+    // A packing machine's program is active and the controller tells of it.
+    Q_PROPERTY(bool available READ available NOTIFY changed FINAL)
+    Q_PROPERTY(bool teaching READ teaching NOTIFY changed FINAL)
+    Q_PROPERTY(bool canTeach READ canTeach NOTIFY changed FINAL)
+    // 0..1 of the marks that are measured.
+    Q_PROPERTY(double teachProgress READ teachProgress NOTIFY changed FINAL)
+    Q_PROPERTY(QString teachText READ teachText NOTIFY changed FINAL)
+    // The marks do not fit the recipe.
+    Q_PROPERTY(bool misfit READ misfit NOTIFY changed FINAL)
+
+public:
+    static constexpr int marksToTeach = 10;
+
+    // The machine must outlive it.
+    PackingSetup(Machine& machine, QObject* parent);
+
+    [[nodiscard]] PackingFields* fields() { return &m_fields; }
+    [[nodiscard]] MarkWizard* wizard() { return &m_wizard; }
+    [[nodiscard]] bool available() const;
+    [[nodiscard]] bool teaching() const { return m_teaching != Teaching::No; }
+    [[nodiscard]] bool canTeach() const;
+    [[nodiscard]] double teachProgress() const;
+    [[nodiscard]] QString teachText() const;
+    [[nodiscard]] bool misfit() const;
+
+    Q_INVOKABLE void teach();
+    // Reads all values; to be called when they come to be shown.
+    Q_INVOKABLE void open();
+    void retranslate();
+
+signals:
+    void changed();
+
+private:
+    enum class Teaching { No, Asked, Accepted, UnderWay };
+
+    void followMarks();
+    void followTeaching();
+    void takeCommand(const link::CommandOutcome& outcome);
+
+    Machine& m_machine;
+    PackingFields m_fields;
+    MarkWizard m_wizard;
+    GainEstimate m_estimate;
+    Teaching m_teaching = Teaching::No;
+    QString m_refusal; // of the last teaching
+};
+
+} // namespace campanel::machine

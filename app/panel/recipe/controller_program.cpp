@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/recipe/controller_program.h"
+
+#include "app/program/program_image.h"
+
+#include <QLoggingCategory>
+
+#include <cmath>
+#include <numbers>
+
+namespace campanel::machine {
+
+namespace {
+
+Q_LOGGING_CATEGORY(motionLog, "campanel.motion")
+
+// Angle of the knife's shaft at a master angle, 0 at the index mark.
+double knifeDegAt(const profile::RotaryCutter& cutter, double masterDeg)
+{
+    const double positionMm = cutter.motion.at(masterDeg / 360 * cutter.cycle.cycleTimeS).positionMm;
+    return positionMm / cutter.machine.knifeRadiusMm * 180 / std::numbers::pi;
+}
+
+} // namespace
+
+std::shared_ptr<const ControllerProgram> readProgram(const link::ActiveProgram& active,
+                                                     const modbus::Identity& identity)
+{
+    if (active.isEmpty())
+        return nullptr;
+    auto program = std::make_shared<ControllerProgram>();
+    program->generation = active.generation;
+    program->crc = active.crc;
+    program->registers = active.header;
+    program->knots = active.knots;
+    program->header = modbus::decodeBankHeader(active.header);
+    const auto recipe = program::decodeProgram(active.header, active.knots,
+                                               program::withController(profile::Machine(), identity));
+    if (!recipe) {
+        qCWarning(motionLog) << "active program:"
+                             << QString::fromStdString(program::describe(recipe.error()));
+        return program;
+    }
+    program->recipe = *recipe;
+    const auto solved = program::solveProgram(*recipe);
+    if (!solved) {
+        qCWarning(motionLog) << "active program:"
+                             << QString::fromStdString(profile::describe(solved.error()));
+        return program;
+    }
+    program->pulsesPerMm = solved->pulsesPerMm;
+    program->version = program->header.recipeVersion;
+    program->bagLengthMm = program->header.bagLengthMm;
+    // The rows of a press are stages: how long a stroke takes is not in the bank.
+    const std::uint32_t ticks = program->header.cycleTicks;
+    program->cycleSeconds = ticks > 0 ? static_cast<double>(ticks) / identity.timerClockHz : solved->cycleS();
+    program->rateBagsPerMin = ticks > 0 ? 60 / program->cycleSeconds : 0;
+    if (solved->cutter) {
+        program->syncStartDeg = knifeDegAt(*solved->cutter, program->header.syncStartDeg);
+        program->syncEndDeg = knifeDegAt(*solved->cutter, program->header.syncEndDeg);
+        program->cutDeg = knifeDegAt(*solved->cutter, program->header.cutAngleDeg);
+    }
+    program->marksS = solved->marksS;
+    program->curves = std::make_shared<const profile::Curves>(program::sampleCurves(*solved, curvePoints));
+    return program;
+}
+
+} // namespace campanel::machine

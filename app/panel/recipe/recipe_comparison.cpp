@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/recipe/recipe_comparison.h"
+
+#include "app/panel/recipe/recipe_edit.h"
+#include "app/panel/words/recipe_words.h"
+#include "app/panel/words/refusal_sentences.h"
+#include "profile/cutter/rotary_cutter.h"
+
+#include <algorithm>
+
+namespace campanel::machine {
+
+using program::Recipe;
+
+Recipe RecipeComparison::solved(Recipe recipe)
+{
+    if (recipe.isCutter()) {
+        if (const auto numbers = profile::solveNumbers(recipe.cutter(), recipe.machine))
+            adopt(recipe, *numbers);
+    }
+    return recipe;
+}
+
+QString RecipeComparison::pinnedText(const Recipe& recipe)
+{
+    QStringList names;
+    for (const profile::Field field : program::pinnableFields) {
+        if (profile::isPinned(recipe.cutter(), field))
+            names << RecipeWords::fieldName(field);
+    }
+    return names.join(QStringLiteral(" + "));
+}
+
+QString RecipeComparison::choiceText(const Recipe& recipe, program::Choice choice)
+{
+    const std::uint16_t code = program::choice(recipe.program, choice);
+    if (choice == program::Choice::Law)
+        return RecipeWords::lawName(static_cast<profile::LawId>(code));
+    const auto options = program::choiceInfo(recipe.kind(), choice).options;
+    const auto option = std::ranges::find(options, code, &program::ChoiceOption::code);
+    return option == options.end() ? Format::unknownText() : RecipeWords::optionName(option->key);
+}
+
+QList<DifferenceRow> RecipeComparison::rows(const Recipe& before, const Recipe& after)
+{
+    const Recipe a = solved(before);
+    const Recipe b = solved(after);
+    QList<DifferenceRow> rows;
+    const auto compare = [&rows](const QString& name, const QString& left, const QString& right) {
+        if (left != right)
+            rows << DifferenceRow{name, left, right};
+    };
+    compare(tr("Recipe"), QString::fromStdString(a.name), QString::fromStdString(b.name));
+    if (a.kind() != b.kind()) {
+        compare(tr("Kind of program"), RecipeWords::kindName(a.kind()), RecipeWords::kindName(b.kind()));
+        return rows; // the inputs of one kind say nothing about those of another
+    }
+    if (a.isCutter())
+        compare(tr("Pinned"), pinnedText(a), pinnedText(b));
+    const program::KindInfo& kind = program::kindInfo(a.kind());
+    for (const profile::Field field : kind.programFields) {
+        if (program::isRead(a.program, field) || program::isRead(b.program, field))
+            compare(RecipeWords::fieldName(field),
+                    RefusalSentences::valueWithUnit(field, program::value(a, field)),
+                    RefusalSentences::valueWithUnit(field, program::value(b, field)));
+    }
+    for (const program::Choice choice : kind.choices)
+        compare(RecipeWords::choiceName(choice), choiceText(a, choice), choiceText(b, choice));
+    const profile::LawParameters* left = program::lawParameters(a.program);
+    const profile::LawParameters* right = program::lawParameters(b.program);
+    for (std::size_t i = 0; left && right && i < left->size(); ++i)
+        compare(i == 0 ? tr("Law parameter 1") : tr("Law parameter 2"), Format().compact((*left)[i], 0, 3),
+                Format().compact((*right)[i], 0, 3));
+    const auto* knots = std::get_if<profile::PointCamProgram>(&a.program);
+    const auto* wanted = std::get_if<profile::PointCamProgram>(&b.program);
+    if (knots && wanted && knots->knots != wanted->knots)
+        rows << DifferenceRow{tr("Knots"), tr("%n knot(s)", nullptr, static_cast<int>(knots->knots.size())),
+                              tr("%n knot(s)", nullptr, static_cast<int>(wanted->knots.size()))};
+    return rows;
+}
+
+QString RecipeComparison::summary(const Recipe& recipe)
+{
+    const Recipe numbers = solved(recipe);
+    QStringList texts;
+    if (const auto* cam = std::get_if<profile::PointCamProgram>(&numbers.program))
+        texts << tr("%n knot(s)", nullptr, static_cast<int>(cam->knots.size()));
+    for (const profile::Field field : program::kindInfo(numbers.kind()).programFields) {
+        const bool isShown = numbers.isCutter()
+                                 ? field == profile::Field::BagLength || field == profile::Field::Rate
+                                 : program::isRead(numbers.program, field);
+        if (isShown && texts.size() < 2)
+            texts << RefusalSentences::valueWithUnit(field, program::value(numbers, field));
+    }
+    return texts.join(QStringLiteral(" · "));
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/recipe/solution.h"
+
+#include "app/panel/recipe/controller_program.h"
+
+#include <algorithm>
+
+namespace campanel::machine {
+
+bool Solution::isCloseToLimit() const
+{
+    constexpr double closeShare = 0.95;
+    if (!isFeasible())
+        return false;
+    const profile::Machine& machine = solved->machine;
+    const profile::AxisPeaks& peaks = solved->peaks;
+    const double speedShare = std::max(peaks.motorRpm / machine.maxMotorRpm,
+                                       peaks.pulseFrequencyHz / profile::pulseFrequencyLimitHz(machine));
+    // A press always ramps with the largest acceleration.
+    if (image->recipe.kind() == profile::ProgramKind::Press)
+        return speedShare > closeShare;
+    if (cutter())
+        return std::max(speedShare, peaks.accelerationMmPerS2 / machine.maxKnifeAccelerationMmPerS2) >
+               closeShare;
+    return std::max({speedShare, peaks.accelerationMmPerS2 / machine.maxAccelerationMmPerS2,
+                     peaks.torqueNm / machine.maxTorqueNm}) > closeShare;
+}
+
+Solution solveRecipe(const program::Recipe& recipe, const std::optional<modbus::Identity>& controller,
+                     TableWork work)
+{
+    Solution solution;
+    program::Recipe wanted = program::quantised(recipe);
+    if (controller)
+        wanted.machine = program::withController(wanted.machine, *controller);
+    auto solved = program::solveProgram(wanted);
+    if (!solved) {
+        solution.refusals.push_back(std::move(solved.error()));
+        return solution;
+    }
+    solution.solved = std::move(*solved);
+    solution.curves =
+        std::make_shared<const profile::Curves>(program::sampleCurves(*solution.solved, curvePoints));
+    if (const auto* cutter = solution.cutter())
+        solution.fastest = profile::fastestRate(*cutter);
+    const bool isSlow = program::choice(wanted.program, program::Choice::Execution) ==
+                        static_cast<std::uint16_t>(profile::Execution::Intervals);
+    if (isSlow && work == TableWork::WithoutSlow && solution.solved->broken.empty()) {
+        solution.isTablePending = true;
+        return solution;
+    }
+    auto image = program::buildProgram(wanted);
+    if (image) {
+        solution.image = std::make_shared<const program::ProgramImage>(std::move(*image));
+    } else {
+        solution.refusals = std::move(image.error().limits);
+        solution.unstorable = image.error().unstorable;
+    }
+    return solution;
+}
+
+} // namespace campanel::machine

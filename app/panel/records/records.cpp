@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/records/records.h"
+
+#include "app/store/files/store_logging.h"
+
+#include "app/panel/kit/engine_instances.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QEvent>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::machine {
+
+using store::storeLog;
+
+Records::Records(const QString& folder, QObject* parent)
+    : QObject(parent)
+    , m_store(folder)
+{
+    connect(&m_store, &store::StoreThread::opened, this, &Records::takeOpening);
+    QCoreApplication::instance()->installEventFilter(this);
+}
+
+Records::~Records() = default;
+
+Records* Records::create(QQmlEngine* qmlEngine, QJSEngine*)
+{
+    return attachedInstance<Records>(qmlEngine);
+}
+
+void Records::takeOpening(const store::StoreThread::Report& report)
+{
+    if (!report.error && !report.opening.isReplaced()) {
+        makeCopy(); // what could be read is worth one; should it fail, the file itself is still there
+        return;
+    }
+    m_opening = report;
+    if (report.error)
+        qCWarning(storeLog, "%s", qPrintable(store::StoreErrorText::describe(*report.error)));
+    else
+        noteReplacement(report.opening);
+    emit noticeChanged();
+}
+
+void Records::makeCopy()
+{
+    m_store.run(
+        this, [](store::Database& database) { return database.makeCopy(); },
+        [this](const tl::expected<void, store::StoreError>& copied) {
+            if (!copied)
+                complain(copied.error());
+        });
+}
+
+// Writes it into the system's log and the audit trail: the notice on the screen is gone once it was
+// dismissed.
+void Records::noteReplacement(const store::Database::Opening& opening)
+{
+    qCWarning(storeLog, "%s", qPrintable(replacementText(opening)));
+    store::AuditEntry entry;
+    entry.timeMs = QDateTime::currentMSecsSinceEpoch();
+    entry.what = opening.fromCopy ? u"memory.from_copy"_s : u"memory.lost"_s;
+    entry.object = opening.damagedKeptAs;
+    entry.outcome = u"done"_s;
+    m_store.run(
+        this, [entry](store::Database& database) { return store::appendAudit(database, entry); },
+        [this](const tl::expected<store::AuditRow, store::StoreError>& row) {
+            if (!row)
+                complain(row.error());
+        });
+}
+
+void Records::noteRestore(const store::FinishedRestore& restore)
+{
+    m_restore = restore;
+    emit noticeChanged();
+}
+
+void Records::complain(const store::StoreError& error)
+{
+    m_error = error;
+    qCWarning(storeLog, "%s", qPrintable(store::StoreErrorText::describe(error)));
+    emit troubled(error);
+    emit noticeChanged();
+}
+
+QString Records::notice() const
+{
+    if (m_error)
+        return store::StoreErrorText::describe(*m_error);
+    if (m_restore.isDone && !m_opening)
+        return m_restore.problem.isEmpty()
+                   ? tr("The backup has been restored. What was there before is kept in %1.")
+                         .arg(QDir::toNativeSeparators(m_restore.keptIn))
+                   : tr("The restore could not be finished: %1. It is tried again at the next start.")
+                         .arg(m_restore.problem);
+    if (!m_opening)
+        return {};
+    if (m_opening->error)
+        return tr("%1 Until then nothing is kept over a restart.", "%1: whole sentences")
+            .arg(store::StoreErrorText::describe(*m_opening->error));
+    return replacementText(m_opening->opening);
+}
+
+QString Records::replacementText(const store::Database::Opening& opening)
+{
+    if (opening.wasMissing)
+        return opening.fromCopy
+                   ? tr("The panel's memory was missing or empty. The last good copy was put in its place: "
+                        "what was saved after the last start is lost.")
+                   : tr("The panel's memory was missing or empty, and there was no good copy. A new, empty "
+                        "one was created. Restore a backup.");
+    const QString kept = QDir::toNativeSeparators(opening.damagedKeptAs);
+    return opening.fromCopy
+               ? tr("The panel's memory was damaged. It goes on with its last good copy; the damaged file is "
+                    "kept as %1.")
+                     .arg(kept)
+               : tr("The panel's memory was damaged and there was no copy. It begins anew; the damaged file "
+                    "is "
+                    "kept as %1.")
+                     .arg(kept);
+}
+
+void Records::dismissNotice()
+{
+    m_error.reset();
+    m_opening.reset();
+    m_restore = {};
+    emit noticeChanged();
+}
+
+bool Records::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance())
+        emit noticeChanged();
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace campanel::machine

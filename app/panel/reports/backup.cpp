@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/reports/backup.h"
+
+#include "app/panel/access/access.h"
+#include "app/panel/audit/audit_trail.h"
+#include "app/panel/controller/machine.h"
+#include "app/panel/editor/editor.h"
+#include "app/panel/kit/engine_instances.h"
+#include "app/panel/kit/format.h"
+#include "app/panel/records/records.h"
+#include "app/panel/settings/settings.h"
+#include "app/panel/trends/trends.h"
+#include "app/store/recipes/recipe_json.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QEvent>
+#include <QFileInfo>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::machine {
+
+namespace {
+
+constexpr qsizetype mostFound = 50; // of a place
+const QString suffix = u"zip"_s;
+
+QString snapshotName()
+{
+    return u"snapshot-"_s;
+}
+
+bool moves(Machine::State state)
+{
+    return state == Machine::State::Running || state == Machine::State::Stopping ||
+           state == Machine::State::Jogging || state == Machine::State::Homing;
+}
+
+// Number and hash of the newest row, which the restored trail will name.
+QString newestRowOf(store::Database& database)
+{
+    const auto rows = store::readAudit(database, {}, std::nullopt, 1);
+    if (!rows || rows->isEmpty())
+        return {};
+    return u"%1 %2"_s.arg(rows->first().sequence).arg(QString::fromLatin1(rows->first().hash.toHex()));
+}
+
+} // namespace
+
+Backup::Backup(const Parts& parts, const QString& folder, QObject* parent)
+    : QObject(parent)
+    , m_parts(parts)
+    , m_folder(folder)
+    , m_ownFolder(QDir(folder).filePath(u"backups"_s))
+    , m_places(m_ownFolder, this)
+    , m_looker(&store::exchangePlaces)
+    , m_wallClock([] { return QDateTime::currentDateTime(); })
+{
+    m_pool.setMaxThreadCount(1);
+    connect(&m_places, &ReportFiles::written, this, [this](const QStringList& paths, const QString& problem) {
+        store::AuditEntry entry;
+        entry.what = u"backup.make"_s;
+        entry.object = paths.value(0);
+        entry.outcome = problem.isEmpty() ? u"done"_s : u"failed"_s;
+        m_parts.trail.note(entry);
+    });
+    // Left by a panel that was killed.
+    QDir home(folder);
+    for (const QString& old : home.entryList({snapshotName() + u'*'}, QDir::Dirs))
+        QDir(home.filePath(old)).removeRecursively();
+    QCoreApplication::instance()->installEventFilter(this);
+}
+
+Backup::~Backup()
+{
+    m_pool.waitForDone();
+}
+
+Backup* Backup::create(QQmlEngine* qmlEngine, QJSEngine*)
+{
+    return attachedInstance<Backup>(qmlEngine);
+}
+
+void Backup::setLooker(Looker looker)
+{
+    m_looker = looker;
+    m_places.setLooker(std::move(looker));
+}
+
+bool Backup::admits()
+{
+    return !busy() && m_parts.machine.gate().admits(Level::Service);
+}
+
+void Backup::begin()
+{
+    ++m_jobs;
+    emit changed();
+}
+
+void Backup::end()
+{
+    --m_jobs;
+    emit changed();
+}
+
+void Backup::tell(const QString& message, bool failed)
+{
+    m_message = message;
+    m_failed = failed;
+    emit changed();
+}
+
+void Backup::snapshot(const std::function<void(const Snapshot&)>& then)
+{
+    Snapshot taken;
+    taken.folder = std::make_shared<QTemporaryDir>(QDir(m_folder).filePath(snapshotName() + u"XXXXXX"_s));
+    taken.parts = {m_parts.settings.contents(), store::toJson(m_parts.editor.storedRecipe()),
+                   store::toJson(m_parts.editor.recipe())};
+    begin();
+    m_parts.records.store().run(
+        this,
+        [taken](store::Database& database) -> tl::expected<Snapshot, store::StoreError> {
+            const auto manifest = store::takeSnapshot(database, taken.folder->path());
+            if (!manifest)
+                return tl::unexpected(manifest.error());
+            Snapshot whole = taken;
+            whole.manifest = *manifest;
+            whole.newestRow = newestRowOf(database);
+            return whole;
+        },
+        [this, then](const tl::expected<Snapshot, store::StoreError>& made) {
+            if (made)
+                addTrends(*made, then);
+            else
+                tell(store::StoreErrorText::describe(made.error()), true);
+            end();
+        });
+}
+
+void Backup::addTrends(const Snapshot& taken, const std::function<void(const Snapshot&)>& then)
+{
+    begin();
+    m_parts.trends.flush();
+    m_parts.trends.store().run(
+        this,
+        [folder = taken.folder](store::Database& database) {
+            return store::takeTrendSnapshot(database, folder->path());
+        },
+        [this, taken, then](const tl::expected<void, store::StoreError>& added) {
+            if (added) {
+                Snapshot whole = taken;
+                whole.manifest.program = QCoreApplication::applicationVersion();
+                whole.manifest.made = m_wallClock().toUTC();
+                whole.manifest.madeBy = m_parts.access.userName();
+                then(whole);
+            } else {
+                tell(store::StoreErrorText::describe(added.error()), true);
+            }
+            end();
+        });
+}
+
+void Backup::make()
+{
+    if (!admits())
+        return;
+    tell({}, false);
+    snapshot([this](const Snapshot& taken) {
+        const QString name =
+            tr("CamPanel backup %1", "name of a file").arg(m_wallClock().toString(u"yyyy-MM-dd HH-mm"_s));
+        m_places.offer({{name, suffix, {}, [taken](const QString& path) {
+                             return store::writeBackup(path, taken.manifest, taken.folder->path(),
+                                                       taken.parts);
+                         }}});
+        emit offered();
+    });
+}
+
+void Backup::look()
+{
+    tell({}, false);
+    begin();
+    search([this] { end(); });
+}
+
+void Backup::refresh()
+{
+    if (busy() || std::exchange(m_isRefreshing, true))
+        return;
+    search([this] { m_isRefreshing = false; });
+}
+
+void Backup::search(const std::function<void()>& done)
+{
+    m_pool.start([this, look = m_looker, folder = m_ownFolder, done] {
+        QList<Found> found;
+        for (const store::Place& place : look(folder)) {
+            for (const QFileInfo& file : store::filesIn(place, suffix, mostFound))
+                found << Found{file.filePath(), place.name, store::readManifest(file.filePath())};
+        }
+        QMetaObject::invokeMethod(this, [this, found, done] {
+            takeFound(found);
+            done();
+        });
+    });
+}
+
+void Backup::takeFound(const QList<Found>& found)
+{
+    m_files = found;
+    // The newest backup first, what is none last.
+    std::ranges::stable_sort(m_files, std::greater<>(), [](const Found& each) {
+        return each.manifest ? each.manifest->made.toMSecsSinceEpoch() : 0;
+    });
+    QList<OfferRow> rows;
+    for (const Found& each : m_files)
+        rows << row(each);
+    m_found.setRows(rows);
+}
+
+QString Backup::summary(const store::BackupManifest& manifest) const
+{
+    const QString date = Format::minute(manifest.made);
+    const QString maker =
+        manifest.madeBy.isEmpty() ? date : tr("%1 by %2", "date, person").arg(date, manifest.madeBy);
+    return tr("%1 · recipes: %2 · users: %3 · CamPanel %4", "when, how many, how many, version")
+        .arg(maker)
+        .arg(manifest.recipes)
+        .arg(manifest.users)
+        .arg(manifest.program);
+}
+
+OfferRow Backup::row(const Found& found) const
+{
+    OfferRow row;
+    row.title = QFileInfo(found.path).fileName();
+    row.usable = found.manifest.has_value();
+    row.note = row.usable
+                   ? tr("%1 · %2", "what is in it, place").arg(summary(*found.manifest), found.placeName)
+                   : tr("cannot be used · %1", "place").arg(found.placeName);
+    row.detail = row.usable ? tr("The file is checked first. Nothing is changed before you confirm.")
+                            : store::BackupErrorText::describe(found.manifest.error());
+    return row;
+}
+
+void Backup::check(int row)
+{
+    if (row < 0 || row >= m_files.size() || !m_files[row].manifest || !admits())
+        return;
+    m_checked.reset();
+    tell({}, false);
+    if (moves(m_parts.machine.state()))
+        return tell(tr("The machine moves. Stop it first: the panel starts anew after a restore."), true);
+    begin();
+    m_pool.start([this, path = m_files[row].path, folder = m_folder] {
+        const auto staged = store::stageRestore(path, folder);
+        QMetaObject::invokeMethod(this, [this, path, staged] {
+            if (staged)
+                m_checked = Checked{path, *staged};
+            else
+                tell(store::BackupErrorText::describe(staged.error()), true);
+            end();
+            if (staged)
+                emit checked();
+        });
+    });
+}
+
+QString Backup::question() const
+{
+    if (!m_checked)
+        return {};
+    return (m_checked->manifest.hasTrends()
+                ? tr("The file is whole: %1.\nRecipes, machine data, users with their PINs, alarms, audit "
+                     "trail, "
+                     "bags, trends and settings of this panel are replaced by those of the file. The present "
+                     "state "
+                     "is kept as a backup on this panel. The panel then starts anew.")
+                : tr("The file is whole: %1.\nRecipes, machine data, users with their PINs, alarms, audit "
+                     "trail and "
+                     "settings of this panel are replaced by those of the file. Bags and trends stay. The "
+                     "present "
+                     "state is kept as a backup on this panel. The panel then starts anew."))
+        .arg(summary(m_checked->manifest));
+}
+
+void Backup::restore()
+{
+    if (!m_checked || !admits())
+        return;
+    if (moves(m_parts.machine.state()))
+        return tell(tr("The machine moves. Stop it first: the panel starts anew after a restore."), true);
+    // Into the trail that goes, so that it tells its end too.
+    store::AuditEntry entry;
+    entry.what = u"backup.restore"_s;
+    entry.object = QFileInfo(m_checked->path).fileName();
+    entry.after = m_checked->manifest.made.toString(Qt::ISODate);
+    entry.outcome = u"done"_s;
+    m_parts.trail.note(entry);
+    snapshot([this](const Snapshot& present) { seal(present); });
+}
+
+void Backup::seal(const Snapshot& present)
+{
+    store::AuditEntry entry;
+    entry.timeMs = m_wallClock().toMSecsSinceEpoch();
+    entry.who = m_parts.access.userName();
+    entry.level = m_parts.access.level();
+    entry.what = u"backup.restored"_s;
+    entry.object = QFileInfo(m_checked->path).fileName();
+    entry.before = present.newestRow;
+    entry.after = m_checked->manifest.made.toString(Qt::ISODate);
+    entry.outcome = u"done"_s;
+    const QString name =
+        tr("CamPanel before restore %1", "name of a file").arg(m_wallClock().toString(u"yyyy-MM-dd HH-mm"_s));
+    begin();
+    m_pool.start([this, present, entry, name, folder = m_folder, own = m_ownFolder] {
+        QDir().mkpath(own);
+        const auto kept = store::writeNewFile({own, {}}, name, suffix, [&present](const QString& path) {
+            return store::writeBackup(path, present.manifest, present.folder->path(), present.parts);
+        });
+        const auto ready = kept.and_then([&](const QString&) { return store::commitRestore(folder, entry); });
+        QMetaObject::invokeMethod(this, [this, ready] {
+            m_checked.reset();
+            if (!ready)
+                tell(tr("The restore was not begun: %1. Nothing was changed.").arg(ready.error()), true);
+            end();
+            if (ready)
+                emit restartWanted();
+        });
+    });
+}
+
+bool Backup::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance()) {
+        takeFound(m_files);
+        tell({}, false); // it was told in the other language
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// `Backup` in QML: everything that the panel keeps into one file, and back. A restore is checked completely
+// before it may be confirmed; then the panel starts anew with what was in the file. For the level Service.
+#pragma once
+
+#include "app/panel/kit/offer_model.h"
+#include "app/panel/kit/report_files.h"
+#include "app/store/backup/restore.h"
+
+#include <QDateTime>
+#include <QObject>
+#include <QTemporaryDir>
+#include <QThreadPool>
+#include <QtQml/qqmlregistration.h>
+
+#include <functional>
+#include <memory>
+
+class QJSEngine;
+class QQmlEngine;
+
+namespace campanel::machine {
+
+class Access;
+class AuditTrail;
+class Editor;
+class Machine;
+class Records;
+class Settings;
+class Trends;
+
+class Backup : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_SINGLETON
+
+    Q_PROPERTY(campanel::machine::ReportFiles* places READ places CONSTANT FINAL)
+    // Backups on a stick or in the panel's own folder.
+    Q_PROPERTY(campanel::machine::OfferModel* found READ found CONSTANT FINAL)
+    Q_PROPERTY(bool busy READ busy NOTIFY changed FINAL)
+    // What became of the last thing that was asked for; empty: nothing to say.
+    Q_PROPERTY(QString message READ message NOTIFY changed FINAL)
+    Q_PROPERTY(bool failed READ failed NOTIFY changed FINAL)
+    // What restoring the checked one means; empty while none is.
+    Q_PROPERTY(QString question READ question NOTIFY changed FINAL)
+
+public:
+    using Looker = std::function<QList<store::Place>(const QString& ownFolder)>;
+    using WallClock = std::function<QDateTime()>;
+
+    // What goes into a backup and who is asked; all must outlive it.
+    struct Parts {
+        Machine& machine;
+        Editor& editor;
+        Records& records;
+        Trends& trends;
+        Settings& settings;
+        Access& access;
+        AuditTrail& trail;
+    };
+
+    // Files of its own are kept in a folder below `folder`, in which the database is.
+    Backup(const Parts& parts, const QString& folder, QObject* parent);
+    ~Backup() override;
+
+    // The instance that attachToEngine() gave to this engine.
+    static Backup* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
+
+    // Instead of the disks of this computer, for tests and captures.
+    void setLooker(Looker looker);
+    void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
+
+    // Reads what there is and offers it to `places`; then offered().
+    Q_INVOKABLE void make();
+    // Looks for backups; refresh() in silence, for who waits for a stick.
+    Q_INVOKABLE void look();
+    Q_INVOKABLE void refresh();
+    // Unpacks and checks it; then checked() and a question, or a message that says why not.
+    Q_INVOKABLE void check(int row);
+    // The checked one: keeps a backup of the present state, then restartWanted(), or a message.
+    Q_INVOKABLE void restore();
+
+    [[nodiscard]] ReportFiles* places() { return &m_places; }
+    [[nodiscard]] OfferModel* found() { return &m_found; }
+    [[nodiscard]] QString ownFolder() const { return m_ownFolder; }
+    [[nodiscard]] bool busy() const { return m_jobs > 0; }
+    [[nodiscard]] QString message() const { return m_message; }
+    [[nodiscard]] bool failed() const { return m_failed; }
+    [[nodiscard]] QString question() const;
+
+signals:
+    void changed();
+    void offered();
+    void checked();
+    // What was confirmed is ready on the disk: the panel is to be put together anew.
+    void restartWanted();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    struct Found {
+        QString path;
+        QString placeName;
+        tl::expected<store::BackupManifest, store::BackupError> manifest;
+    };
+    struct Checked {
+        QString path;
+        store::BackupManifest manifest;
+    };
+    // The present state in a folder that goes with the last one who holds it.
+    struct Snapshot {
+        std::shared_ptr<QTemporaryDir> folder;
+        store::BackupManifest manifest;
+        store::BackupParts parts;
+        QString newestRow; // of the audit trail: number and hash
+    };
+
+    [[nodiscard]] bool admits();
+    void snapshot(const std::function<void(const Snapshot& taken)>& then);
+    void addTrends(const Snapshot& taken, const std::function<void(const Snapshot& taken)>& then);
+    void seal(const Snapshot& present);
+    void search(const std::function<void()>& done);
+    void takeFound(const QList<Found>& found);
+    [[nodiscard]] OfferRow row(const Found& found) const;
+    [[nodiscard]] QString summary(const store::BackupManifest& manifest) const;
+    void begin();
+    void end();
+    void tell(const QString& message, bool failed);
+
+    Parts m_parts;
+    QString m_folder;
+    QString m_ownFolder;
+    ReportFiles m_places;
+    Looker m_looker;
+    WallClock m_wallClock;
+    OfferModel m_found{this};
+    QList<Found> m_files;
+    std::optional<Checked> m_checked;
+    QString m_message;
+    bool m_failed = false;
+    bool m_isRefreshing = false;
+    int m_jobs = 0;
+    QThreadPool m_pool; // one thread; waits for it at the end
+};
+
+} // namespace campanel::machine

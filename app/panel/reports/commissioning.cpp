@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/reports/commissioning.h"
+
+#include "app/panel/access/access.h"
+#include "app/panel/controller/machine.h"
+#include "app/panel/editor/editor.h"
+#include "app/panel/kit/engine_instances.h"
+#include "app/panel/kit/format.h"
+#include "app/panel/words/recipe_words.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::machine {
+
+namespace {
+
+using Rows = QList<std::pair<QString, QString>>;
+
+void addFields(Rows& rows, const QVariantList& fields)
+{
+    for (const QVariant& each : fields) {
+        const auto* field = each.value<EditorField*>();
+        if (field->visible())
+            rows.append({field->label(),
+                         field->unit().isEmpty() ? field->text() : field->text() + u' ' + field->unit()});
+    }
+}
+
+} // namespace
+
+Commissioning::Commissioning(Machine& machine, Editor& editor, Access& access, ReportFiles& files,
+                             QObject* parent)
+    : QObject(parent)
+    , m_machine(machine)
+    , m_editor(editor)
+    , m_access(access)
+    , m_files(files)
+    , m_wallClock([] { return QDateTime::currentDateTime(); })
+    , m_printer([](const ReportData&) { return QByteArray(); })
+{
+}
+
+Commissioning* Commissioning::create(QQmlEngine* qmlEngine, QJSEngine*)
+{
+    return attachedInstance<Commissioning>(qmlEngine);
+}
+
+void Commissioning::offer()
+{
+    const ReportData made = data();
+    const QByteArray pdf = m_printer(made);
+    m_files.offer({{tr("%1 commissioning %2", "name of a file: recipe, date")
+                        .arg(m_editor.recipeName(), m_wallClock().toString(u"yyyy-MM-dd HH-mm"_s)),
+                    u"pdf"_s, [pdf] { return pdf; }}});
+}
+
+ReportSection Commissioning::recipeSection() const
+{
+    ReportSection section{tr("Recipe"), {}, {}};
+    section.rows.append({tr("Program"), RecipeWords::kindName(m_editor.recipe().kind())});
+    addFields(section.rows, m_editor.fields());
+    const ChoiceModel& choices = *m_editor.choices();
+    for (int row = 0; row < choices.count(); ++row) {
+        const QModelIndex index = choices.index(row);
+        section.rows.append({choices.data(index, ChoiceModel::NameRole).toString(),
+                             choices.data(index, ChoiceModel::ValueTextRole).toString()});
+    }
+    if (m_editor.hasLaw())
+        section.rows.append({m_editor.lawTitle(), m_editor.lawName()});
+    if (m_editor.edited())
+        section.lines << tr("The recipe has been edited since it was saved or downloaded.");
+    return section;
+}
+
+ReportSection Commissioning::machineSection() const
+{
+    ReportSection section{tr("Machine data"), {}, {}};
+    addFields(section.rows, m_editor.machineFields());
+    return section;
+}
+
+ReportSection Commissioning::verdictSection() const
+{
+    return {tr("Limits"), {{tr("Peaks"), m_editor.peakText()}}, {m_editor.verdict()}};
+}
+
+ReportSection Commissioning::tableSection() const
+{
+    ReportSection section{tr("Table"), {}, m_editor.tableSummary()};
+    if (section.lines.isEmpty())
+        section.lines << tr("There is no table: the recipe cannot be downloaded.");
+    else
+        section.rows.append({tr("Rows"), QString::number(m_editor.table()->rowCount())});
+    return section;
+}
+
+ReportSection Commissioning::controllerSection() const
+{
+    ReportSection section{tr("Controller"), {}, {}};
+    const auto& identity = m_machine.identity();
+    if (identity) {
+        section.rows.append({tr("Serial number"), QString::number(identity->uniqueId, 16).toUpper()});
+        section.rows.append({tr("Firmware"), QString::fromStdString(identity->firmwareVersion())});
+        section.rows.append({tr("Register map"), u"%1.%2"_s.arg(identity->mapMajor).arg(identity->mapMinor)});
+        section.rows.append(
+            {tr("Connected by"), m_machine.simulated() ? tr("simulated controller") : m_machine.portName()});
+    }
+    const ProgramProof& proof = *m_editor.proof();
+    section.rows.append({tr("Active program"), proof.activeText()});
+    section.rows.append({tr("Saved program"), proof.savedText()});
+    section.lines << m_editor.controllerText();
+    section.lines << (proof.result() == ProgramProof::Result::None
+                          ? tr("Its table was not read back for this report.")
+                          : proof.text());
+    return section;
+}
+
+ReportSection Commissioning::bagSection() const
+{
+    ReportSection section{tr("Last bags"), {}, {}};
+    const Format format;
+    const auto add = [&](const QString& name, double value, int decimals, const QString& unit) {
+        if (!std::isnan(value))
+            section.rows.append({name, format.number(value, decimals) + u' ' + unit});
+    };
+    const auto bags = m_machine.bagSeries().size();
+    if (bags == 0) {
+        section.lines << tr("No bag has been measured.");
+        return section;
+    }
+    section.rows.append({tr("Measured"), QString::number(bags)});
+    add(tr("Mean length"), m_machine.bagMeanMm(), 2, u"mm"_s);
+    add(tr("Mean deviation"), m_machine.bagMeanDeviationMm(), 3, u"mm"_s);
+    add(tr("Scatter (standard deviation)"), m_machine.bagScatterMm(), 3, u"mm"_s);
+    section.rows.append({tr("Within ±%1 mm").arg(format.compact(m_machine.bagToleranceMm(), 0, 2)),
+                         tr("%1 of %2").arg(m_machine.bagsWithin()).arg(bags)});
+    return section;
+}
+
+ReportData Commissioning::data() const
+{
+    ReportData made;
+    made.title = tr("Commissioning report");
+    made.recipe = tr("%1 · version %2", "recipe").arg(m_editor.recipeName()).arg(m_editor.recipeVersion());
+    const QString when = Format::second(m_wallClock());
+    const QString maker = m_access.userName().isEmpty() ? tr("nobody logged in") : m_access.userName();
+    made.footer = tr("%1 · %2 · CamPanel %3", "date, person, version")
+                      .arg(when, maker, QCoreApplication::applicationVersion());
+    made.pageText = tr("Page %1");
+    made.sections = {verdictSection(), recipeSection(),     machineSection(),
+                     tableSection(),   controllerSection(), bagSection()};
+    made.isFeasible = m_editor.feasible();
+    made.curvesTitle = tr("Curves of one cycle");
+    made.curves = m_editor.curves();
+    made.quantities = QStringList{u"velocity"_s, u"acceleration"_s, u"frequency"_s};
+    made.titles = QStringList{tr("Velocity, mm/s"), tr("Acceleration, m/s²"), tr("Pulse frequency, kHz")};
+    made.markerTimes = m_editor.markTimes();
+    made.violations = m_editor.violations();
+    made.limitVelocity = m_editor.limitVelocity();
+    made.limitAcceleration = m_editor.limitAcceleration();
+    made.limitFrequency = m_editor.limitFrequency();
+    made.limitLabel = tr("limit");
+    return made;
+}
+
+} // namespace campanel::machine

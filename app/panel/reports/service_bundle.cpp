@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/reports/service_bundle.h"
+
+#include "app/panel/controller/machine.h"
+#include "app/panel/editor/editor.h"
+#include "app/panel/kit/engine_instances.h"
+#include "app/panel/kit/format.h"
+#include "app/panel/maintenance/line_figures.h"
+#include "app/panel/records/records.h"
+#include "app/program/program_image.h"
+#include "app/program/table_columns.h"
+#include "app/store/logs/log_export.h"
+#include "app/store/recipes/recipe_json.h"
+
+#include <QCoreApplication>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSysInfo>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::machine {
+
+namespace {
+
+constexpr qint64 daysOfLogs = 7;
+
+QByteArray readMe()
+{
+    return QByteArray(R"(CamPanel service bundle
+
+about.json               when it was made, by which CamPanel, on which system
+recipe.json              the recipe that is open on the panel, with the machine's data
+table.csv                the table that this recipe makes; not there when a limit forbids it
+controller.json          who the controller is, what it runs, what the panel last proved
+alarms.csv               alarms of the last 7 days, newest first
+audit.csv                changes of the last 7 days, newest first, with the hashes of the chain
+link_figures.csv         exchanges, errors and times of the line
+link_24_hours.csv        the same minute by minute
+trace.csv                every status of the last 10 seconds
+trace_before_fault.csv   the 10 seconds before the last fault since the panel started; not there without one
+
+All times are UTC. The texts in controller.json are in the language of the panel.
+)");
+}
+
+QJsonValue checksum(const std::optional<std::uint32_t>& crc)
+{
+    return crc ? QJsonValue(Format::hexDigits(*crc, 8)) : QJsonValue(QJsonValue::Null);
+}
+
+} // namespace
+
+ServiceBundle::ServiceBundle(const Parts& parts, QObject* parent)
+    : QObject(parent)
+    , m_parts(parts)
+    , m_wallClock([] { return QDateTime::currentDateTime(); })
+{
+    connect(&parts.machine.link(), &link::Link::statusReceived, this, [this](const link::StatusBatch& batch) {
+        for (const link::StatusSample& sample : batch.samples)
+            m_trace.add(sample);
+    });
+}
+
+ServiceBundle* ServiceBundle::create(QQmlEngine* qmlEngine, QJSEngine*)
+{
+    return attachedInstance<ServiceBundle>(qmlEngine);
+}
+
+void ServiceBundle::setBusy(bool isBusy)
+{
+    m_isBusy = isBusy;
+    emit busyChanged();
+}
+
+void ServiceBundle::make()
+{
+    if (m_isBusy)
+        return;
+    setBusy(true);
+    m_parts.figures.readOnce(this, [this](const link::FiguresReport& report) { gather(report); });
+}
+
+QByteArray ServiceBundle::about() const
+{
+    return QJsonDocument(QJsonObject{{u"program"_s, u"CamPanel "_s + QCoreApplication::applicationVersion()},
+                                     {u"made"_s, m_wallClock().toUTC().toString(Qt::ISODate)},
+                                     {u"system"_s, QSysInfo::prettyProductName()},
+                                     {u"kernel"_s, QSysInfo::kernelVersion()},
+                                     {u"processor"_s, QSysInfo::currentCpuArchitecture()},
+                                     {u"qt"_s, QString::fromLatin1(qVersion())}})
+        .toJson();
+}
+
+QByteArray ServiceBundle::controller() const
+{
+    const Machine& machine = m_parts.machine;
+    QJsonObject object{{u"connection"_s, machine.connectionText()},
+                       {u"port"_s, machine.portName()},
+                       {u"simulated"_s, machine.simulated()},
+                       {u"state"_s, machine.stateText()},
+                       {u"alarm"_s, machine.alarmText()}};
+    if (const auto& identity = machine.identity()) {
+        object[u"serial_number"_s] = Format::hexDigits(identity->uniqueId, 16);
+        object[u"firmware"_s] = QString::fromStdString(identity->firmwareVersion());
+        object[u"register_map"_s] = u"%1.%2"_s.arg(identity->mapMajor).arg(identity->mapMinor);
+        object[u"row_capacity"_s] = identity->rowCapacity;
+        object[u"timer_clock_hz"_s] = static_cast<qint64>(identity->timerClockHz);
+        object[u"max_pulse_frequency_hz"_s] = static_cast<qint64>(identity->maxPulseFrequencyHz);
+    }
+    if (const auto& status = machine.status()) {
+        object[u"generation"_s] = static_cast<qint64>(status->generation);
+        object[u"active_crc32"_s] = checksum(status->activeCrc);
+        object[u"saved_crc32"_s] = checksum(status->savedCrc);
+        object[u"uptime_s"_s] = static_cast<qint64>(status->uptimeS);
+    }
+    const ProgramProof& proof = *m_parts.editor.proof();
+    object[u"active_program"_s] = proof.activeText();
+    object[u"saved_program"_s] = proof.savedText();
+    object[u"proof"_s] = proof.text();
+    return QJsonDocument(object).toJson();
+}
+
+void ServiceBundle::gather(const link::FiguresReport& figures)
+{
+    const link::SteadyTime moment = m_parts.machine.now();
+    const QDateTime timeOfDay = m_wallClock();
+    Entries entries{
+        {u"README.txt"_s, readMe(), {}},
+        {u"about.json"_s, about(), {}},
+        {u"recipe.json"_s, store::toJson(m_parts.editor.recipe()), {}},
+        {u"controller.json"_s, controller(), {}},
+        {u"trace.csv"_s, StatusTrace::csv(m_trace.latest(), moment, timeOfDay), {}},
+        {u"link_figures.csv"_s, QByteArray::fromStdString(modbus::figuresCsv(figures.figures)), {}},
+        {u"link_24_hours.csv"_s, QByteArray::fromStdString(modbus::stripCsv(figures.figures)), {}}};
+    if (!m_trace.beforeFault().empty())
+        entries << store::ArchiveEntry{
+            u"trace_before_fault.csv"_s, StatusTrace::csv(m_trace.beforeFault(), moment, timeOfDay), {}};
+    const qint64 sinceMs = timeOfDay.addDays(-daysOfLogs).toMSecsSinceEpoch();
+    m_parts.records.store().run(
+        this,
+        [sinceMs](store::Database& database) -> tl::expected<Entries, store::StoreError> {
+            const auto alarms = store::alarmsSince(database, sinceMs);
+            if (!alarms)
+                return tl::unexpected(alarms.error());
+            const auto audit = store::auditSince(database, sinceMs);
+            if (!audit)
+                return tl::unexpected(audit.error());
+            return Entries{{u"alarms.csv"_s, store::alarmsCsv(*alarms), {}},
+                           {u"audit.csv"_s, store::auditCsv(*audit), {}}};
+        },
+        [this, entries](const tl::expected<Entries, store::StoreError>& logs) {
+            // Without its logs it helps too; the panel says by itself that they cannot be read.
+            if (!logs)
+                m_parts.records.complain(logs.error());
+            offer(entries + logs.value_or(Entries()));
+        });
+}
+
+void ServiceBundle::offer(Entries entries)
+{
+    const QString name =
+        tr("CamPanel service %1", "name of a file").arg(m_wallClock().toString(u"yyyy-MM-dd HH-mm"_s));
+    m_parts.files.offer(
+        {{name, u"zip"_s, {}, [entries, recipe = m_parts.editor.recipe()](const QString& path) {
+              Entries all = entries;
+              if (const auto image = program::buildProgram(recipe))
+                  all << store::ArchiveEntry{
+                      u"table.csv"_s,
+                      QByteArray::fromStdString(program::tableCsv(program::tableColumns(*image))),
+                      {}};
+              return store::writeArchive(path, all);
+          }}});
+    setBusy(false);
+    emit offered();
+}
+
+} // namespace campanel::machine

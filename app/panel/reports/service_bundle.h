@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// `ServiceBundle` in QML: one archive for the manufacturer who is asked for help: the open recipe with its
+// table, what the controller runs, alarms and changes of the last week, the figures of the line, the last ten
+// seconds of the machine and those before its last fault. No PIN and no hash of one is in it.
+#pragma once
+
+#include "app/panel/kit/report_files.h"
+#include "app/panel/reports/status_trace.h"
+#include "app/store/backup/archive.h"
+
+#include <QDateTime>
+#include <QObject>
+#include <QtQml/qqmlregistration.h>
+
+#include <functional>
+
+class QJSEngine;
+class QQmlEngine;
+
+namespace campanel::machine {
+
+class Editor;
+class LineFigures;
+class Machine;
+class Records;
+
+class ServiceBundle : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_SINGLETON
+    // Gathers what goes into it.
+    Q_PROPERTY(bool busy READ busy NOTIFY busyChanged FINAL)
+
+public:
+    using WallClock = std::function<QDateTime()>;
+
+    struct Parts {
+        Machine& machine;
+        Editor& editor;
+        Records& records;
+        LineFigures& figures;
+        ReportFiles& files;
+    };
+
+    // All must outlive it.
+    ServiceBundle(const Parts& parts, QObject* parent);
+
+    // The instance that attachToEngine() gave to this engine.
+    static ServiceBundle* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
+
+    void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
+
+    // Gathers what is so now and offers it to the files, then offered().
+    Q_INVOKABLE void make();
+
+    [[nodiscard]] bool busy() const { return m_isBusy; }
+    [[nodiscard]] const StatusTrace& trace() const { return m_trace; }
+
+signals:
+    void busyChanged();
+    void offered();
+
+private:
+    using Entries = QList<store::ArchiveEntry>;
+
+    [[nodiscard]] QByteArray about() const;
+    [[nodiscard]] QByteArray controller() const;
+    void gather(const link::FiguresReport& figures);
+    void offer(Entries entries);
+    void setBusy(bool isBusy);
+
+    Parts m_parts;
+    WallClock m_wallClock;
+    StatusTrace m_trace;
+    bool m_isBusy = false;
+};
+
+} // namespace campanel::machine

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/reports/status_trace.h"
+
+#include <QStringList>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::machine {
+
+namespace {
+
+QString number(const std::optional<double>& value, int decimals)
+{
+    return value ? QString::number(*value, 'f', decimals) : QString();
+}
+
+QString stateName(const std::optional<modbus::State>& state)
+{
+    if (!state)
+        return {};
+    for (const modbus::EnumInfo& each : modbus::enumerations()) {
+        if (each.name != "State")
+            continue;
+        for (const modbus::EnumValue& value : each.values) {
+            if (value.value == static_cast<std::uint16_t>(*state))
+                return QString::fromUtf8(value.name.data(), static_cast<qsizetype>(value.name.size()));
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+void StatusTrace::add(const link::StatusSample& sample)
+{
+    const bool wasFaulted = !m_latest.empty() && m_latest.back().status.faultBits != 0;
+    m_latest.push_back(sample);
+    while (sample.receivedAt - m_latest.front().receivedAt > length)
+        m_latest.pop_front();
+    if (!wasFaulted && sample.status.faultBits != 0)
+        m_beforeFault = m_latest;
+}
+
+QByteArray StatusTrace::csv(const std::deque<link::StatusSample>& samples, link::SteadyTime moment,
+                            const QDateTime& timeOfDay)
+{
+    QByteArray text(
+        "time_utc,state,fault_bits,warning_bits,generation,cycle,master_deg,master_percent,commanded_hz,"
+        "actual_hz,commanded_pulses,position_pulses,following_error_pulses,knife_deg,bag,bag_length_mm,"
+        "bag_deviation_mm,force_n,uptime_s,sample_ms,latency_ms\n");
+    for (const link::StatusSample& sample : samples) {
+        const modbus::StatusBlock& status = sample.status;
+        const auto since = std::chrono::duration_cast<std::chrono::milliseconds>(sample.receivedAt - moment);
+        const QStringList fields{
+            timeOfDay.toUTC().addMSecs(since.count()).toString(Qt::ISODateWithMs),
+            stateName(status.state),
+            QString::number(status.faultBits),
+            QString::number(status.warningBits),
+            QString::number(status.generation),
+            QString::number(status.cycleCount),
+            number(status.masterAngleDeg, 3),
+            number(status.masterSpeedPercent, 2),
+            QString::number(status.commandedFrequencyHz),
+            QString::number(status.actualFrequencyHz),
+            QString::number(status.commandedPositionPulses),
+            QString::number(status.axisPositionPulses),
+            QString::number(status.followingErrorPulses),
+            number(status.knifeAngleDeg, 3),
+            QString::number(status.bagCount),
+            number(status.bagLengthMm, 3),
+            number(status.bagDeviationMm, 3),
+            status.press ? QString::number(status.press->forceN) : QString(),
+            QString::number(status.uptimeS),
+            QString::number(status.sampleTimeMs),
+            number(std::chrono::duration<double, std::milli>(sample.latency).count(), 3),
+        };
+        text += fields.join(u',').toLatin1() + '\n';
+    }
+    return text;
+}
+
+} // namespace campanel::machine

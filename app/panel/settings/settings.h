@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+// `Settings` in QML: what this panel remembers for itself (language, looks, connection), kept in a file.
+// Connection fields are a draft until applyConnection().
+#pragma once
+
+#include "app/link/link_values.h"
+#include "app/panel/kit/gate.h"
+#include "app/panel/settings/port_model.h"
+#include "app/store/files/settings_file.h"
+
+#include <QObject>
+#include <QPointer>
+#include <QStringList>
+#include <QtQml/qqmlregistration.h>
+
+class QJSEngine;
+class QQmlEngine;
+
+namespace campanel::machine {
+
+// How to reach the controller.
+struct ConnectionChoice {
+    bool simulated = true;
+    QString portName; // "/dev/ttyUSB0"
+    int baud = 115200;
+    QString parity = QStringLiteral("N"); // N, E, O
+    int stopBits = 1;
+    int unit = 1;
+
+    bool operator==(const ConnectionChoice&) const = default;
+};
+
+// What holds until somebody sets another value on the panel.
+struct StandardSettings {
+    ConnectionChoice connection;
+    QString language; // empty: the system's, or English
+    QString theme = QStringLiteral("light");
+    bool gloves = false;
+    double bagToleranceMm = 0.5;
+    int autoLogoutMinutes = 5;
+    bool operatorsLogIn = false;
+};
+
+class Settings : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_SINGLETON
+
+    Q_PROPERTY(QString language READ language WRITE setLanguage NOTIFY languageChanged FINAL)
+    Q_PROPERTY(QStringList languages READ languages CONSTANT FINAL)
+    Q_PROPERTY(QStringList languageNames READ languageNames CONSTANT FINAL)
+    Q_PROPERTY(QString theme READ theme WRITE setTheme NOTIFY themeChanged FINAL)
+    Q_PROPERTY(QStringList themes READ themes CONSTANT FINAL)
+    // Keys for a hand in a thick glove: a quarter larger.
+    Q_PROPERTY(bool gloves READ gloves WRITE setGloves NOTIFY glovesChanged FINAL)
+    // +- mm that a bag's length may be off; only shown, the controller does not know it.
+    Q_PROPERTY(
+        double bagToleranceMm READ bagToleranceMm WRITE setBagToleranceMm NOTIFY bagToleranceChanged FINAL)
+    Q_PROPERTY(double leastBagToleranceMm READ leastBagToleranceMm CONSTANT FINAL)
+    Q_PROPERTY(double mostBagToleranceMm READ mostBagToleranceMm CONSTANT FINAL)
+    Q_PROPERTY(double defaultBagToleranceMm READ defaultBagToleranceMm CONSTANT FINAL)
+
+    Q_PROPERTY(bool simulated READ simulated WRITE setSimulated NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(QString portName READ portName WRITE setPortName NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(int baud READ baud WRITE setBaud NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(QString parity READ parity WRITE setParity NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(int stopBits READ stopBits WRITE setStopBits NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(int unit READ unit WRITE setUnit NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(bool connectionDirty READ connectionDirty NOTIFY connectionChanged FINAL)
+    Q_PROPERTY(QList<int> bauds READ bauds CONSTANT FINAL)
+
+    // Minutes without a touch until whoever is logged in is logged out.
+    Q_PROPERTY(
+        int autoLogoutMinutes READ autoLogoutMinutes WRITE setAutoLogoutMinutes NOTIFY accessChanged FINAL)
+    Q_PROPERTY(QList<int> autoLogoutChoices READ autoLogoutChoices CONSTANT FINAL)
+    // Without a login one may only look and stop, not operate.
+    Q_PROPERTY(bool operatorsLogIn READ operatorsLogIn WRITE setOperatorsLogIn NOTIFY accessChanged FINAL)
+    Q_PROPERTY(campanel::machine::PortModel* ports READ ports CONSTANT FINAL)
+    // The panel is new: language, controller, PINs, machine and a first recipe are to be set.
+    Q_PROPERTY(bool firstStart READ firstStart NOTIFY firstStartChanged FINAL)
+    // What the operator must know about the settings: they were damaged; empty: nothing.
+    Q_PROPERTY(QString notice READ notice NOTIFY noticeChanged FINAL)
+
+public:
+    // `storage` as an ini file's path; empty for the user's usual place.
+    explicit Settings(const QString& storage, QObject* parent, const StandardSettings& standard = {});
+
+    // What can be chosen, and the limits of the tolerance.
+    [[nodiscard]] static QList<int> possibleBauds();
+    [[nodiscard]] static QStringList possibleParities();
+    [[nodiscard]] static QStringList possibleLanguages();
+    [[nodiscard]] static QStringList possibleThemes();
+    [[nodiscard]] static QList<int> possibleLogouts();
+    static constexpr double leastToleranceMm = 0.05;
+    static constexpr double mostToleranceMm = 5;
+
+    // Where they are kept for that `storage`.
+    [[nodiscard]] static QString fileName(const QString& storage);
+    // The keys that the file can have.
+    [[nodiscard]] static QStringList fileKeys();
+    // The file as it is now; the screen keeps its own settings in it too.
+    [[nodiscard]] QByteArray contents() const { return m_file.contents(); }
+    [[nodiscard]] store::SettingsFile& file() { return m_file; }
+
+    // What was set last has been written.
+    [[nodiscard]] bool areKept() const { return m_file.isKept(); }
+
+    [[nodiscard]] QString notice() const;
+    Q_INVOKABLE void dismissNotice();
+
+    // The instance that attachToEngine() gave to this engine.
+    static Settings* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
+
+    [[nodiscard]] QString language() const { return m_language; }
+    void setLanguage(const QString& language);
+    [[nodiscard]] QStringList languages() const { return possibleLanguages(); }
+    [[nodiscard]] QStringList languageNames() const; // each in its own language
+    [[nodiscard]] QString theme() const { return m_theme; }
+    void setTheme(const QString& theme);
+    [[nodiscard]] QStringList themes() const { return possibleThemes(); }
+    [[nodiscard]] bool gloves() const { return m_gloves; }
+    void setGloves(bool gloves);
+    [[nodiscard]] double bagToleranceMm() const { return m_bagToleranceMm; }
+    void setBagToleranceMm(double toleranceMm); // what is beyond the limits becomes the limit
+    [[nodiscard]] double leastBagToleranceMm() const { return leastToleranceMm; }
+    [[nodiscard]] double mostBagToleranceMm() const { return mostToleranceMm; }
+    [[nodiscard]] double defaultBagToleranceMm() const { return m_standardToleranceMm; }
+
+    [[nodiscard]] bool simulated() const { return m_draft.simulated; }
+    void setSimulated(bool simulated);
+    [[nodiscard]] QString portName() const { return m_draft.portName; }
+    void setPortName(const QString& portName);
+    [[nodiscard]] int baud() const { return m_draft.baud; }
+    void setBaud(int baud);
+    [[nodiscard]] QString parity() const { return m_draft.parity; }
+    void setParity(const QString& parity);
+    [[nodiscard]] int stopBits() const { return m_draft.stopBits; }
+    void setStopBits(int stopBits);
+    [[nodiscard]] int unit() const { return m_draft.unit; }
+    void setUnit(int unit);
+    [[nodiscard]] bool connectionDirty() const { return m_draft != m_applied; }
+    [[nodiscard]] QList<int> bauds() const { return possibleBauds(); }
+    [[nodiscard]] PortModel* ports() { return &m_ports; }
+
+    [[nodiscard]] int autoLogoutMinutes() const { return m_autoLogoutMinutes; }
+    void setAutoLogoutMinutes(int minutes);
+    [[nodiscard]] QList<int> autoLogoutChoices() const { return possibleLogouts(); }
+    [[nodiscard]] bool operatorsLogIn() const { return m_operatorsLogIn; }
+    void setOperatorsLogIn(bool logIn);
+    // From now on it is asked before a change: connection and tolerance are for technicians, logging in and
+    // out for service, language and looks for everybody.
+    void guardBy(Gate& gate) { m_gate = &gate; }
+
+    [[nodiscard]] bool firstStart() const { return m_isFirstStart; }
+    // It is one when nothing has been set yet, or when the last one was not brought to its end.
+    void offerFirstStart();
+    void beginFirstStart();
+    Q_INVOKABLE void endFirstStart();
+
+    Q_INVOKABLE void refreshPorts();
+    Q_INVOKABLE void applyConnection();
+
+    // The connection in use, and the same for the link.
+    [[nodiscard]] const ConnectionChoice& connection() const { return m_applied; }
+    [[nodiscard]] link::ConnectionSettings linkSettings() const;
+    // Uses this connection from now on and stores it; a draft is given up.
+    void takeConnection(const link::ConnectionSettings& settings);
+    [[nodiscard]] bool isInUse(const link::ConnectionSettings& settings) const;
+    // Runs this program as the simulated controller instead of the one that is found, with its flash there.
+    void overrideSimulator(const QString& program, const QString& stateDir);
+    // For this run only, as the command line wants it; nothing is stored.
+    void overrideConnection(const ConnectionChoice& choice);
+    void overrideLanguage(const QString& language);
+    void overrideTheme(const QString& theme);
+    void overrideGloves(bool gloves);
+
+signals:
+    void languageChanged();
+    void themeChanged();
+    void glovesChanged();
+    void bagToleranceChanged();
+    void connectionChanged();
+    void connectionApplied();
+    void accessChanged();
+    void firstStartChanged();
+    void noticeChanged();
+
+private:
+    void forgetController(ConnectionChoice standard);
+    void edit(ConnectionChoice choice);
+    [[nodiscard]] bool admits(Level needed) const { return !m_gate || m_gate->admits(needed); }
+
+    store::SettingsFile m_file;
+    QString m_language;
+    QString m_theme;
+    bool m_gloves;
+    double m_standardToleranceMm;
+    double m_bagToleranceMm;
+    int m_autoLogoutMinutes;
+    bool m_operatorsLogIn;
+    bool m_isNoticed; // the notice was not dismissed yet
+    bool m_isFirstStart = false;
+    QPointer<Gate> m_gate;
+    ConnectionChoice m_draft;
+    ConnectionChoice m_applied;
+    PortModel m_ports;
+    QString m_simulatorProgram;
+    QString m_simulatorStateDir;
+};
+
+} // namespace campanel::machine

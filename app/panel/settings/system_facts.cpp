@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/settings/system_facts.h"
+
+#include "app/panel/kit/format.h"
+
+#include <QNetworkInterface>
+#include <QTimeZone>
+
+#include <optional>
+
+using namespace Qt::StringLiterals;
+using namespace std::chrono_literals;
+
+namespace campanel::machine {
+
+namespace {
+
+std::optional<SystemFacts::Fixed>& fixedFacts()
+{
+    static std::optional<SystemFacts::Fixed> facts;
+    return facts;
+}
+
+QStringList networksNow()
+{
+    QStringList lines;
+    for (const QNetworkInterface& each : QNetworkInterface::allInterfaces()) {
+        const auto flags = each.flags();
+        if (flags.testFlag(QNetworkInterface::IsLoopBack) || !flags.testFlag(QNetworkInterface::IsRunning))
+            continue;
+        QStringList addresses;
+        for (const QNetworkAddressEntry& entry : each.addressEntries())
+            addresses << entry.ip().toString().section(u'%', 0, 0);
+        if (!addresses.isEmpty())
+            lines << u"%1: %2"_s.arg(each.humanReadableName(), addresses.join(u", "_s));
+    }
+    return lines;
+}
+
+} // namespace
+
+SystemFacts::SystemFacts(QObject* parent)
+    : QObject(parent)
+{
+    m_timer.callOnTimeout(this, &SystemFacts::look);
+    m_timer.start(1s);
+    look();
+}
+
+void SystemFacts::fix(const Fixed& facts)
+{
+    fixedFacts() = facts;
+}
+
+void SystemFacts::look()
+{
+    m_now = fixedFacts() ? fixedFacts()->now : QDateTime::currentDateTime();
+    m_networks = fixedFacts() ? fixedFacts()->networks : networksNow();
+    emit changed();
+}
+
+QString SystemFacts::clockText() const
+{
+    const QLocale locale = Format().locale();
+    return locale.toString(m_now.date(), QLocale::LongFormat) + u' ' + m_now.time().toString(u"HH:mm:ss"_s);
+}
+
+QString SystemFacts::zoneText() const
+{
+    const int minutes = m_now.offsetFromUtc() / 60;
+    const QString offset = u"UTC%1%2:%3"_s.arg(QChar(minutes < 0 ? u'-' : u'+'))
+                               .arg(std::abs(minutes) / 60, 2, 10, QLatin1Char('0'))
+                               .arg(std::abs(minutes) % 60, 2, 10, QLatin1Char('0'));
+    return u"%1 (%2)"_s.arg(QString::fromLatin1(m_now.timeZone().id()), offset);
+}
+
+} // namespace campanel::machine

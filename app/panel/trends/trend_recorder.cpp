@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/trends/trend_recorder.h"
+
+#include "app/panel/controller/machine.h"
+#include "app/panel/settings/settings.h"
+
+#include <QDateTime>
+
+#include <cmath>
+
+namespace campanel::machine {
+
+namespace {
+
+using store::TrendQuantity;
+
+constexpr qint64 msPerSecond = 1000;
+constexpr std::size_t mostParts = 600 * store::trendQuantities;
+constexpr qsizetype mostBags = 600 * 5;
+
+bool turns(const modbus::StatusBlock& status)
+{
+    return status.state == modbus::State::Running || status.state == modbus::State::Stopping;
+}
+
+} // namespace
+
+TrendRecorder::TrendRecorder(Machine& machine, Settings& settings)
+    : m_machine(machine)
+    , m_settings(settings)
+    , m_clock(&QDateTime::currentMSecsSinceEpoch)
+{
+    // After the machine, which took the signal first.
+    connect(&machine.link(), &link::Link::statusReceived, this, &TrendRecorder::takeStatus);
+    connect(machine.packing(), &PackingLine::bagRecorded, this, &TrendRecorder::takeBag);
+    connect(&machine, &Machine::programChanged, this, [this] {
+        m_isNextOfTwoPrograms = true;
+        m_worstFollowingMm.reset();
+    });
+}
+
+TrendRecorder::Batch TrendRecorder::take()
+{
+    Batch batch;
+    batch.bags = std::exchange(m_bags, {});
+    for (const auto& [place, bucket] : std::exchange(m_parts, {}))
+        batch.parts << store::TrendPart{place.first, place.second, bucket};
+    return batch;
+}
+
+void TrendRecorder::takeStatus(const link::StatusBatch& batch)
+{
+    const qint64 nowMs = m_clock();
+    for (const link::StatusSample& sample : batch.samples) {
+        if (sample.latency.count() > 0)
+            add(TrendQuantity::Latency, nowMs,
+                std::chrono::duration<double, std::milli>(sample.latency).count());
+        noteMotion(sample.status, nowMs);
+        noteBag(sample.status);
+    }
+}
+
+void TrendRecorder::noteMotion(const modbus::StatusBlock& status, qint64 nowMs)
+{
+    const auto& program = m_machine.program();
+    if (!program || program->generation != status.generation || program->crc != status.activeCrc)
+        return;
+    const double rate = turns(status) ? program->rateBagsPerMin * status.masterSpeedPercent / 100 : 0;
+    if (std::isfinite(program->rateBagsPerMin) && program->rateBagsPerMin > 0)
+        add(TrendQuantity::Rate, nowMs, rate);
+    if (!turns(status) || !(program->pulsesPerMm > 0))
+        return;
+    const double errorMm = status.followingErrorPulses / program->pulsesPerMm;
+    add(TrendQuantity::FollowingError, nowMs, errorMm);
+    if (!m_worstFollowingMm || std::abs(errorMm) > std::abs(*m_worstFollowingMm))
+        m_worstFollowingMm = errorMm;
+}
+
+void TrendRecorder::noteBag(const modbus::StatusBlock& status)
+{
+    const std::optional<std::uint32_t> before = std::exchange(m_bagCount, status.bagCount);
+    if (m_machine.packing()->recordsBags() || before == m_bagCount || !before)
+        return;
+    if (!status.bagLengthMm || !status.bagDeviationMm)
+        return;
+    store::Bag bag;
+    bag.setLengthMm = *status.bagLengthMm - *status.bagDeviationMm;
+    bag.deviationMm = *status.bagDeviationMm;
+    add(bag);
+}
+
+void TrendRecorder::takeBag(const modbus::BagRecord& record)
+{
+    store::Bag bag;
+    bag.setLengthMm = m_machine.activeBagLengthMm();
+    bag.lengths = std::max(1, record.lengths);
+    bag.deviationMm = record.deviationMm;
+    if (record.isTracked)
+        bag.markErrorMm = record.markErrorMm;
+    bag.flags = static_cast<quint8>(
+        (record.isTracked ? store::Bag::Tracked : 0) | (record.isMarkMissed ? store::Bag::MarkMissed : 0) |
+        (record.isProductAcross ? store::Bag::ProductAcross : 0) | (record.isEmpty ? store::Bag::Empty : 0));
+    add(bag);
+}
+
+void TrendRecorder::add(store::Bag bag)
+{
+    bag.followingErrorMm = std::exchange(m_worstFollowingMm, std::nullopt);
+    if (std::exchange(m_isNextOfTwoPrograms, false) || !std::isfinite(bag.setLengthMm))
+        return;
+    bag.timeMs = m_clock();
+    bag.programName = m_machine.activeName();
+    bag.programVersion =
+        std::isfinite(m_machine.activeVersion()) ? static_cast<int>(m_machine.activeVersion()) : 0;
+    const double rate = m_machine.rateBagsPerMin();
+    if (std::isfinite(rate))
+        bag.rateBagsPerMin = rate;
+    // One of several lengths counts by one of them: it would flatten the curve of all others.
+    const bool isWithin = std::abs(bag.deviationMm) <= m_settings.bagToleranceMm();
+    add(TrendQuantity::BagLength, bag.timeMs, bag.setLengthMm + bag.deviationMm, isWithin);
+    add(TrendQuantity::Deviation, bag.timeMs, bag.deviationMm, isWithin);
+    if (bag.markErrorMm)
+        add(TrendQuantity::MarkError, bag.timeMs, *bag.markErrorMm);
+    m_bags << bag;
+    if (m_bags.size() > mostBags)
+        m_bags.removeFirst();
+}
+
+void TrendRecorder::add(TrendQuantity quantity, qint64 nowMs, double value, bool isWithin)
+{
+    m_parts[{nowMs / msPerSecond, quantity}].add(value, isWithin);
+    if (m_parts.size() > mostParts)
+        m_parts.erase(m_parts.begin());
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Gathers what the controller tells - bags, mark errors, following errors, rate, times of answers - into one
+// bucket per second and quantity, until somebody takes them to keep them.
+#pragma once
+
+#include "app/link/link_values.h"
+#include "app/store/logs/bag_log.h"
+#include "app/store/logs/trend_log.h"
+
+#include <QObject>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace campanel::machine {
+
+class Machine;
+class Settings;
+
+class TrendRecorder : public QObject {
+    Q_OBJECT
+
+public:
+    struct Batch {
+        QList<store::Bag> bags;
+        QList<store::TrendPart> parts;
+
+        [[nodiscard]] bool isEmpty() const { return bags.isEmpty() && parts.isEmpty(); }
+    };
+    // ms since 1970 UTC.
+    using WallClock = std::function<qint64()>;
+
+    // Both must outlive it.
+    TrendRecorder(Machine& machine, Settings& settings);
+
+    void setWallClock(WallClock clock) { m_clock = std::move(clock); }
+    // What has come since the last time. Nobody takes it for long: what is older than ten minutes is dropped.
+    [[nodiscard]] Batch take();
+
+private:
+    void takeStatus(const link::StatusBatch& batch);
+    void takeBag(const modbus::BagRecord& bag);
+    // Of a controller that does not record its bags.
+    void noteBag(const modbus::StatusBlock& status);
+    void noteMotion(const modbus::StatusBlock& status, qint64 nowMs);
+    void add(store::Bag bag);
+    void add(store::TrendQuantity quantity, qint64 nowMs, double value, bool isWithin = true);
+
+    Machine& m_machine;
+    Settings& m_settings;
+    WallClock m_clock;
+    QList<store::Bag> m_bags;
+    std::map<std::pair<qint64, store::TrendQuantity>, store::TrendBucket> m_parts;
+    std::optional<double> m_worstFollowingMm; // since the last bag
+    std::optional<std::uint32_t> m_bagCount;
+    bool m_isNextOfTwoPrograms = false; // it was begun under another one: its deviation says nothing
+};
+
+} // namespace campanel::machine

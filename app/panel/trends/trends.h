@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// `Trends` in QML: keeps every bag and the course of what is measured, and shows a window of it. Reading and
+// writing happen in the thread of their own database; what is asked meanwhile waits for one answer.
+#pragma once
+
+#include "app/panel/trends/trend_recorder.h"
+#include "app/store/logs/trend_window.h"
+#include "app/store/store_thread.h"
+
+#include <QObject>
+#include <QTimer>
+#include <QVariant>
+#include <QtQml/qqmlregistration.h>
+
+class QJSEngine;
+class QQmlEngine;
+
+namespace campanel::machine {
+
+class Records;
+class ReportFiles;
+
+class Trends : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_SINGLETON
+    // Quantities from top to bottom, at least one, at most `mostChosen`.
+    Q_PROPERTY(QList<int> chosen READ chosen NOTIFY chosenChanged FINAL)
+    // The window in ms since 1970 UTC. It moves with the time while `live`.
+    Q_PROPERTY(double fromMs READ fromMs NOTIFY windowChanged FINAL)
+    Q_PROPERTY(double toMs READ toMs NOTIFY windowChanged FINAL)
+    Q_PROPERTY(double spanMs READ spanMs NOTIFY windowChanged FINAL)
+    Q_PROPERTY(bool live READ live NOTIFY windowChanged FINAL)
+    // Somebody looks: the window is read again while it moves.
+    Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
+    // For the plot: std::shared_ptr<const QList<QList<QPointF>>>, of each chosen quantity the means, the
+    // lowest and the highest values over the time in ms, half a window more on both sides. A point whose y is
+    // NaN is a gap.
+    Q_PROPERTY(QVariant curves READ curves NOTIFY shownChanged FINAL)
+    // Of each chosen quantity {count, mean, scatter, low, high, within}; NaN: none; within: share, 0..1.
+    Q_PROPERTY(QVariantList statistics READ statistics NOTIFY shownChanged FINAL)
+    Q_PROPERTY(Content content READ content NOTIFY shownChanged FINAL)
+    // A CSV is being made; then exportReady() comes.
+    Q_PROPERTY(bool exporting READ exporting NOTIFY exportingChanged FINAL)
+
+public:
+    enum Quantity { BagLength, Deviation, MarkError, FollowingError, Rate, Latency };
+    Q_ENUM(Quantity)
+    // Unread: nothing was asked yet. NothingYet: nothing was ever recorded. NothingHere: not in this window.
+    enum Content { Unread, NothingYet, NothingHere, Shown };
+    Q_ENUM(Content)
+
+    static constexpr int mostChosen = 3;
+    static constexpr qint64 shortestSpanMs = 60'000;
+    static constexpr qint64 longestSpanMs = 30LL * 24 * 3'600'000;
+    static constexpr int writePeriodMs = 5000;
+
+    // All must outlive it. The database is kept in `folder`.
+    Trends(Machine& machine, Settings& settings, Records& records, ReportFiles& files, const QString& folder,
+           QObject* parent);
+    // Keeps what is not yet kept.
+    ~Trends() override;
+
+    // Opens the database; what comes until then waits for it.
+    void open() { m_store.open(); }
+
+    // The instance that attachToEngine() gave to this engine.
+    static Trends* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
+
+    // What was measured and is not yet kept goes into the database before what store() is asked for next.
+    void flush();
+
+    // For tests and captures: the time of day instead of the computer's.
+    void setWallClock(const TrendRecorder::WallClock& clock);
+    [[nodiscard]] store::StoreThread& store() { return m_store; }
+
+    [[nodiscard]] QList<int> chosen() const { return m_chosen; }
+    [[nodiscard]] double fromMs() const { return static_cast<double>(m_toMs - m_spanMs); }
+    [[nodiscard]] double toMs() const { return static_cast<double>(m_toMs); }
+    [[nodiscard]] double spanMs() const { return static_cast<double>(m_spanMs); }
+    [[nodiscard]] bool live() const { return m_isLive; }
+    [[nodiscard]] bool watched() const { return m_isWatched; }
+    void setWatched(bool isWatched);
+    [[nodiscard]] QVariant curves() const { return m_curves; }
+    [[nodiscard]] QVariantList statistics() const { return m_statistics; }
+    [[nodiscard]] Content content() const { return m_content; }
+    [[nodiscard]] qint64 columnMs() const { return m_columnMs; } // of the curves; 0 before the first answer
+    [[nodiscard]] bool exporting() const { return m_isExporting; }
+
+    // Takes the quantity in or out; the last one stays, a fourth one takes the place of the lowest.
+    Q_INVOKABLE void toggle(int quantity);
+    // A span about the middle of the window; while it is live, up to now.
+    Q_INVOKABLE void showSpan(double spanMs);
+    // A shorter (below 1) or longer one.
+    Q_INVOKABLE void zoom(double factor) { showSpan(spanMs() * factor); }
+    // What lies in the future is not shown; up to now it is live again.
+    Q_INVOKABLE void showWindow(double fromMs, double toMs);
+    Q_INVOKABLE void showNow();
+    // Makes CSV files of the window and offers them: each bag while there are not too many, and the columns
+    // of the chosen quantities.
+    Q_INVOKABLE void exportCsv();
+    // Reads the window again, with what has come since.
+    void refresh();
+
+signals:
+    void chosenChanged();
+    void windowChanged();
+    void watchedChanged();
+    void shownChanged();
+    void exportingChanged();
+    void exportReady();
+
+private:
+    struct Answer {
+        tl::expected<void, store::StoreError> kept;
+        tl::expected<store::TrendWindow, store::StoreError> window;
+    };
+
+    void write();
+    void follow();
+    void setWindow(qint64 toMs, qint64 spanMs, bool isLive);
+    [[nodiscard]] store::TrendQuestion question() const;
+    void takeAnswer(const Answer& answer);
+    void takeOpening(const store::StoreThread::Report& report);
+    void takeKept(const tl::expected<void, store::StoreError>& kept);
+    void complain(const store::StoreError& error);
+    void show(const store::TrendWindow& window);
+
+    Records& m_records;
+    ReportFiles& m_files;
+    TrendRecorder m_recorder;
+    TrendRecorder::WallClock m_clock;
+    store::StoreThread m_store;
+    QTimer m_writeTimer;
+    QTimer m_followTimer;
+    QList<int> m_chosen{Deviation, MarkError};
+    qint64 m_toMs = 0;
+    qint64 m_spanMs = 600'000;
+    qint64 m_columnMs = 0;
+    bool m_isLive = true;
+    bool m_isWatched = false;
+    bool m_isAsked = false;  // one answer is awaited
+    bool m_isWanted = false; // and another one is wanted after it
+    bool m_isWriting = false;
+    bool m_hasComplained = false; // until something was kept again
+    bool m_isExporting = false;
+    QVariant m_curves;
+    QVariantList m_statistics;
+    Content m_content = Unread;
+};
+
+} // namespace campanel::machine

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Levels, PINs and logging in, in words.
+#pragma once
+
+#include "app/panel/kit/gate.h"
+#include "app/store/database/store_error.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+namespace campanel::machine {
+
+class AccessSentences {
+    Q_DECLARE_TR_FUNCTIONS(AccessSentences)
+
+public:
+    [[nodiscard]] static QString level(Level level);
+    // What somebody of that level may do.
+    [[nodiscard]] static QString permission(Level level);
+    // Who may do what was just refused.
+    [[nodiscard]] static QString refusal(Level needed);
+    // Why nobody can log in and be more than an operator, and what brings the logins back.
+    [[nodiscard]] static QString locked(const store::StoreError& reason);
+    [[nodiscard]] static int minPinDigits(Level level);
+    // Why a user of that level cannot choose this PIN; empty when they can.
+    [[nodiscard]] static QString pinRefusal(const QString& pin, Level level);
+    [[nodiscard]] static QString wrongPin(qint64 waitMs);
+    [[nodiscard]] static QString mustWait(qint64 waitMs);
+
+private:
+    [[nodiscard]] static QString seconds(qint64 waitMs);
+};
+
+} // namespace campanel::machine

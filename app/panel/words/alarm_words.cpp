@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/words/alarm_words.h"
+
+#include "app/panel/kit/format.h"
+
+#include <QDateTime>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::machine {
+
+using store::AlarmRow;
+
+QHash<int, QByteArray> AlarmWords::roles()
+{
+    return {{CodeRole, "code"},       {TitleRole, "title"}, {SeverityRole, "severity"}, {TimeRole, "time"},
+            {StateRole, "stateText"}, {CallsRole, "calls"}, {LiveRole, "live"},         {CountRole, "times"}};
+}
+
+QVariant AlarmWords::role(const AlarmRow& row, int role, const QDate& today)
+{
+    switch (role) {
+    case CodeRole:
+        return row.code;
+    case TitleRole:
+        return title(row.code);
+    case SeverityRole:
+        return static_cast<int>(severity(row.code));
+    case TimeRole:
+        return time(row.raisedMs, today);
+    case StateRole:
+        return state(row);
+    case CallsRole:
+        return row.wantsAcknowledgement && row.acknowledgedMs == 0;
+    case LiveRole:
+        return row.end == AlarmRow::End::Active;
+    case CountRole:
+        return row.count;
+    default:
+        return {};
+    }
+}
+
+QString AlarmWords::title(const QString& code)
+{
+    const AlarmKind* kind = AlarmCatalogue::find(code);
+    return kind ? kind->title() : tr("Alarm of a newer version");
+}
+
+AlarmSeverity AlarmWords::severity(const QString& code)
+{
+    const AlarmKind* kind = AlarmCatalogue::find(code);
+    return kind ? kind->severity : AlarmSeverity::Warning;
+}
+
+QString AlarmWords::state(const AlarmRow& row)
+{
+    const bool isActive = row.end == AlarmRow::End::Active;
+    const bool isUnknown = row.end == AlarmRow::End::Unknown;
+    if (row.acknowledgedMs > 0)
+        return isActive    ? tr("Active, acknowledged")
+               : isUnknown ? tr("End unknown, acknowledged")
+                           : tr("Gone, acknowledged");
+    if (row.wantsAcknowledgement)
+        return isActive    ? tr("Active, not acknowledged")
+               : isUnknown ? tr("End unknown, not acknowledged")
+                           : tr("Gone, not acknowledged");
+    if (row.isShelved)
+        return isActive    ? tr("Active, shelved")
+               : isUnknown ? tr("End unknown, shelved")
+                           : tr("Gone, shelved");
+    return isActive ? tr("Active") : isUnknown ? tr("End unknown") : tr("Gone");
+}
+
+QString AlarmWords::time(qint64 utcMs, const QDate& today)
+{
+    const QDateTime local = QDateTime::fromMSecsSinceEpoch(utcMs);
+    return local.date() == today ? local.toString(u"HH:mm:ss"_s) : Format::second(local);
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/words/refusal_sentences.h"
+
+#include "app/panel/words/recipe_words.h"
+
+#include <cmath>
+
+namespace campanel::machine {
+
+using profile::Limit;
+
+namespace {
+
+// What the machine would do, in the units of the plots: accelerations in m/s².
+QString quantityText(profile::Field field, double value)
+{
+    if (field != profile::Field::MaxKnifeAcceleration && field != profile::Field::MaxAcceleration)
+        return RefusalSentences::valueWithUnit(field, value);
+    constexpr double mmPerM = 1000;
+    return RefusalSentences::tr("%1 %2", "%1: number, %2: unit")
+        .arg(Format().grouped(value / mmPerM, 2), QStringLiteral("m/s²"));
+}
+
+} // namespace
+
+QString RefusalSentences::valueWithUnit(profile::Field field, double value)
+{
+    const profile::FieldInfo& info = profile::info(field);
+    const QString number = Format().grouped(value, info.decimals);
+    return info.unit.empty() ? number
+                             : tr("%1 %2", "%1: number, %2: unit").arg(number, RecipeWords::unit(info.unit));
+}
+
+QString RefusalSentences::suggestion(const profile::Suggestion& suggestion)
+{
+    return tr("%1 %2", "%1: name of a field, %2: value with unit")
+        .arg(RecipeWords::fieldName(suggestion.field), valueWithUnit(suggestion.field, suggestion.value));
+}
+
+QString RefusalSentences::withinLimits(const std::optional<profile::FastestRate>& fastest)
+{
+    if (!fastest)
+        return tr("Within all limits.");
+    return tr("Within all limits. Fastest possible: %1 (%2).", "%1: rate with unit, %2: name of the limit")
+        .arg(valueWithUnit(profile::Field::Rate, fastest->rateBagsPerMin),
+             RecipeWords::limitName(fastest->limitedBy));
+}
+
+QString RefusalSentences::closeToLimits(const std::optional<profile::FastestRate>& fastest)
+{
+    if (!fastest)
+        return tr("Just within the limits.");
+    return tr("Just within the limits. Fastest possible: %1 (%2).",
+              "%1: rate with unit, %2: name of the limit")
+        .arg(valueWithUnit(profile::Field::Rate, fastest->rateBagsPerMin),
+             RecipeWords::limitName(fastest->limitedBy));
+}
+
+QString RefusalSentences::axisLimitBrokenAt(Limit limit, const QString& actual, const QString& allowed,
+                                            const QString& time)
+{
+    switch (limit) {
+    case Limit::MotorSpeed:
+        return tr("The motor would turn at %1 at %3 s; the limit is %2.").arg(actual, allowed, time);
+    case Limit::AxisAcceleration:
+        return tr("The acceleration would be %1 at %3 s; the limit is %2.").arg(actual, allowed, time);
+    case Limit::MotorTorque:
+        return tr("The motor would need %1 at %3 s; it has %2.").arg(actual, allowed, time);
+    case Limit::MasterTooFast:
+        return tr("Following the master would take %1 at %3 s; the limit is %2.").arg(actual, allowed, time);
+    default:
+        return tr("The pulse frequency would be %1 at %3 s; the limit is %2.").arg(actual, allowed, time);
+    }
+}
+
+QString RefusalSentences::limitBrokenAt(const profile::Refusal& refusal)
+{
+    const Format format;
+    const QString actual = quantityText(refusal.field, refusal.actual);
+    const QString allowed = quantityText(refusal.field, refusal.allowed);
+    const QString time = format.number(*refusal.timeS, 3);
+    if (!refusal.angleDeg)
+        return axisLimitBrokenAt(refusal.limit, actual, allowed, time);
+    const QString angle = format.number(*refusal.angleDeg, 0);
+    switch (refusal.limit) {
+    case Limit::MotorSpeed:
+        return tr("The motor would turn at %1 at %3 s (%4°); the limit is %2.")
+            .arg(actual, allowed, time, angle);
+    case Limit::KnifeAcceleration:
+        return tr("The knife would accelerate with %1 at %3 s (%4°); the limit is %2.")
+            .arg(actual, allowed, time, angle);
+    case Limit::AxisAcceleration:
+        return tr("The acceleration would be %1 at %3 s (%4°); the limit is %2.")
+            .arg(actual, allowed, time, angle);
+    case Limit::MotorTorque:
+        return tr("The motor would need %1 at %3 s (%4°); it has %2.").arg(actual, allowed, time, angle);
+    case Limit::MasterTooFast:
+        return tr("Following the master would take %1 at %3 s (%4°); the limit is %2.")
+            .arg(actual, allowed, time, angle);
+    default:
+        return tr("The pulse frequency would be %1 at %3 s (%4°); the limit is %2.")
+            .arg(actual, allowed, time, angle);
+    }
+}
+
+QString RefusalSentences::limitBroken(const profile::Refusal& refusal)
+{
+    if (refusal.timeS && refusal.limit != Limit::MachineRate)
+        return limitBrokenAt(refusal);
+    return tr("%1 would be needed; the limit of the machine is %2.")
+        .arg(valueWithUnit(refusal.field, refusal.actual), valueWithUnit(refusal.field, refusal.allowed));
+}
+
+QString RefusalSentences::knot(const profile::Refusal& refusal)
+{
+    const Format format;
+    const int number = refusal.index + 1;
+    const QString unit = RecipeWords::unit(refusal.unit);
+    const QString actual =
+        tr("%1 %2", "%1: number, %2: unit").arg(format.compact(refusal.actual, 0, 3), unit);
+    const QString allowed =
+        tr("%1 %2", "%1: number, %2: unit").arg(format.compact(refusal.allowed, 0, 3), unit);
+    switch (refusal.limit) {
+    case Limit::KnotCount:
+        return tr("The cam has %1 knots; the nearest possible number is %2.")
+            .arg(format.number(refusal.actual, 0), format.number(refusal.allowed, 0));
+    case Limit::KnotOrder:
+        return tr("Knot %1 at %2 must come after the one before it at %3.").arg(number).arg(actual, allowed);
+    case Limit::KnotSpacing:
+        return tr("Knot %1 is only %2 after the one before it; keep %3.").arg(number).arg(actual, allowed);
+    case Limit::KnotRange:
+        return tr("Knot %1 at %2 is out of range; the nearest place is %3.").arg(number).arg(actual, allowed);
+    case Limit::KnotEnds:
+        return tr("Knot %1 is at %2, but the cam needs one at %3.").arg(number).arg(actual, allowed);
+    case Limit::Overshoot:
+        return tr("Near knot %1 the curve reaches %2, beyond the range of the knots, which ends at %3. Move "
+                  "the knot "
+                  "or add one beside it.")
+            .arg(number)
+            .arg(actual, allowed);
+    case Limit::WrapJump:
+        if (refusal.lawParameter == "position")
+            return tr("The position jumps by %1 where the cycle closes. Choose periodic ends.").arg(actual);
+        if (refusal.lawParameter == "speed")
+            return tr("The speed jumps by %1 where the cycle closes. Choose periodic ends.").arg(actual);
+        return tr("The acceleration jumps by %1 where the cycle closes. Choose periodic ends.").arg(actual);
+    default:
+        return {};
+    }
+}
+
+QString RefusalSentences::refusal(const profile::Refusal& refusal)
+{
+    const Format format;
+    const profile::FieldInfo& field = profile::info(refusal.field);
+    const QString name = RecipeWords::fieldName(refusal.field);
+    switch (refusal.limit) {
+    case Limit::FieldRange:
+        if (!std::isfinite(refusal.actual))
+            return tr("%1 has no value. Enter %2 to %3.")
+                .arg(name, format.number(field.min, field.decimals), valueWithUnit(refusal.field, field.max));
+        return tr("%1 would be %2; possible is %3 to %4.")
+            .arg(name, valueWithUnit(refusal.field, refusal.actual), format.number(field.min, field.decimals),
+                 valueWithUnit(refusal.field, field.max));
+    case Limit::PinnedPair:
+        return tr("Pin two different ones of bag length, rate, base speed and film speed.");
+    case Limit::LawUnknown:
+        return tr("This speed law is not known. Choose another one.");
+    case Limit::LawParameter:
+        return tr("%1 is %2; the nearest possible value is %3.")
+            .arg(RecipeWords::lawParameterName(refusal.lawParameter), format.compact(refusal.actual, 0, 3),
+                 format.compact(refusal.allowed, 0, 3));
+    case Limit::RatioOrder:
+        return tr("The ratios must descend from k1 to k4: %1 is %2 and must stay below %3.")
+            .arg(name, format.compact(refusal.actual, 2, 4), format.compact(refusal.allowed, 2, 4));
+    case Limit::StrokeCannotClose:
+        return tr("A bag of %1 takes more than the knife's stroke; with these ratios %2 is the longest.")
+            .arg(valueWithUnit(profile::Field::BagLength, refusal.actual),
+                 valueWithUnit(profile::Field::BagLength, refusal.allowed));
+    case Limit::RowCapacity:
+        return tr("The table needs %1 rows, the controller holds %2. Use fewer slices per ramp.")
+            .arg(format.number(refusal.actual, 0), format.number(refusal.allowed, 0));
+    case Limit::TooFewPulses:
+        return tr("A cycle has only %1 pulses. Check pulses per revolution, gear and knives.")
+            .arg(format.compact(refusal.actual, 0, 3));
+    case Limit::MotorSpeed:
+    case Limit::KnifeAcceleration:
+    case Limit::PulseFrequency:
+    case Limit::MachineRate:
+    case Limit::AxisAcceleration:
+    case Limit::MotorTorque:
+    case Limit::MasterTooFast:
+        return limitBroken(refusal);
+    case Limit::NoMotion:
+        return tr("%1 is %2: nothing would move. Enter another value.")
+            .arg(name, valueWithUnit(refusal.field, refusal.actual));
+    case Limit::DistanceTooShort:
+        return tr("The speeds need at least %1, not %2.")
+            .arg(valueWithUnit(profile::Field::Distance, refusal.allowed),
+                 valueWithUnit(profile::Field::Distance, refusal.actual));
+    case Limit::DistanceSign:
+        return tr("A distance of %1 points the other way than the speeds. Change its sign.")
+            .arg(valueWithUnit(profile::Field::Distance, refusal.actual));
+    case Limit::StageOrder:
+        return tr("%1 %2 must be beyond %3.")
+            .arg(name, valueWithUnit(refusal.field, refusal.actual),
+                 valueWithUnit(refusal.field, refusal.allowed));
+    case Limit::ForceOrder:
+        return tr("%1 %2 must be at most %3.")
+            .arg(name, valueWithUnit(refusal.field, refusal.actual),
+                 valueWithUnit(refusal.field, refusal.allowed));
+    case Limit::TableRange:
+        return tr(
+            "The table does not fit the controller. Use fewer pulses per revolution or a shorter motion.");
+    case Limit::Reversal:
+        return tr("The motion turns round, and intervals go one way. Choose cam points.");
+    case Limit::SpeedError:
+        return tr("Whole pulses cannot keep the speed within %1 mm/s. Use more pulses per revolution.")
+            .arg(format.compact(refusal.actual, 0, 3));
+    case Limit::RampTooLong:
+        return tr("%1 needs a ramp of %2 ms with the largest acceleration; the controller takes at most %3 "
+                  "ms. Enter a lower speed or a larger acceleration.")
+            .arg(name, format.number(refusal.actual, 0), format.number(refusal.allowed, 0));
+    case Limit::KnotCount:
+    case Limit::KnotOrder:
+    case Limit::KnotSpacing:
+    case Limit::KnotRange:
+    case Limit::KnotEnds:
+    case Limit::Overshoot:
+    case Limit::WrapJump:
+        return knot(refusal);
+    }
+    return {};
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Refusals and limits of a program as whole translated sentences: which limit, by how much, where, what to
+// do.
+#pragma once
+
+#include "app/panel/kit/format.h"
+#include "profile/cutter/limits.h"
+
+#include <QCoreApplication>
+
+namespace campanel::machine {
+
+class RefusalSentences {
+    Q_DECLARE_TR_FUNCTIONS(RefusalSentences)
+
+public:
+    [[nodiscard]] static QString refusal(const profile::Refusal& refusal);
+    // For a button: "Rate 143.2 bags/min".
+    [[nodiscard]] static QString suggestion(const profile::Suggestion& suggestion);
+    [[nodiscard]] static QString withinLimits(const std::optional<profile::FastestRate>& fastest);
+    [[nodiscard]] static QString closeToLimits(const std::optional<profile::FastestRate>& fastest);
+    // "60.0 mm"
+    [[nodiscard]] static QString valueWithUnit(profile::Field field, double value);
+
+private:
+    [[nodiscard]] static QString limitBroken(const profile::Refusal& refusal);
+    [[nodiscard]] static QString limitBrokenAt(const profile::Refusal& refusal);
+    [[nodiscard]] static QString axisLimitBrokenAt(profile::Limit limit, const QString& actual,
+                                                   const QString& allowed, const QString& time);
+    [[nodiscard]] static QString knot(const profile::Refusal& refusal);
+};
+
+} // namespace campanel::machine

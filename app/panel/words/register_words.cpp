@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/words/register_words.h"
+
+#include "app/panel/kit/format.h"
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::machine {
+
+QString RegisterWords::group(const QString& group)
+{
+    if (group == u"identity")
+        return tr("Identity");
+    if (group == u"clock")
+        return tr("Clock");
+    if (group == u"parameter")
+        return tr("Parameters");
+    if (group == u"status")
+        return tr("Status");
+    if (group == u"exchange")
+        return tr("Exchange");
+    if (group == u"command")
+        return tr("Command");
+    if (group == u"result")
+        return tr("Command result");
+    if (group == u"transfer")
+        return tr("Transfer");
+    if (group == u"transfer_result")
+        return tr("Transfer result");
+    if (group == u"readback")
+        return tr("Read-back");
+    if (group == u"readback_result")
+        return tr("Read-back result");
+    if (group == u"active")
+        return tr("Active program");
+    if (group == u"staged")
+        return tr("Staged program");
+    return group;
+}
+
+QString RegisterWords::readOnlyReason(const QString& group)
+{
+    if (group == u"parameter")
+        return {};
+    if (group == u"exchange")
+        return tr("Read only: the panel writes this register itself with every status.");
+    if (group == u"command")
+        return tr("Read only: commands go out by their keys, each once and with a counter of its own.");
+    if (group == u"transfer")
+        return tr("Read only: written by downloads.");
+    if (group == u"readback")
+        return tr("Read only: the panel writes this register itself to read others.");
+    if (group == u"active" || group == u"staged")
+        return tr("Read only: changed by the download of a whole program.");
+    if (group == u"clock")
+        return tr("Read only: set by the panel after connecting.");
+    return tr("Read only: the controller alone writes this register.");
+}
+
+QString RegisterWords::value(const modbus::NamedValue& value)
+{
+    if (!value.info)
+        return QString::fromUtf8(value.text());
+    if (value.info->type == modbus::RegisterType::Text)
+        return QString::fromUtf8(value.words);
+    if (!value.physical)
+        return QString::fromUtf8(value.text());
+    const QString number = Format().number(*value.physical, decimals(*value.info));
+    return value.info->unit.empty() ? number : number + u' ' + QString::fromUtf8(value.info->unit);
+}
+
+QString RegisterWords::raw(const modbus::NamedValue& value)
+{
+    constexpr int digitsOfRegister = 4;
+    if (value.info && value.info->type == modbus::RegisterType::Text)
+        return {};
+    const auto bits = static_cast<quint32>(value.raw);
+    return value.count > 1 ? Format::hex(bits, 2 * digitsOfRegister)
+                           : Format::hex(bits & 0xFFFFU, digitsOfRegister);
+}
+
+QString RegisterWords::address(quint16 address)
+{
+    constexpr int digitsOfRegister = 4;
+    return Format::hex(address, digitsOfRegister);
+}
+
+int RegisterWords::decimals(const modbus::RegisterInfo& info)
+{
+    return std::max(0, static_cast<int>(std::lround(-std::log10(info.scale))));
+}
+
+QString RegisterWords::type(const modbus::RegisterInfo& info)
+{
+    switch (info.type) {
+    case modbus::RegisterType::U16:
+        return u"u16"_s;
+    case modbus::RegisterType::I16:
+        return u"i16"_s;
+    case modbus::RegisterType::U32:
+        return u"u32"_s;
+    case modbus::RegisterType::I32:
+        return u"i32"_s;
+    case modbus::RegisterType::Text:
+        return u"text"_s;
+    case modbus::RegisterType::Block:
+        break;
+    }
+    return u"block"_s;
+}
+
+} // namespace campanel::machine

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// The panel's executable: reads the options and puts the parts together.
+#include "app/link/threaded_link.h"
+#include "app/shell/configuration.h"
+#include "app/shell/end_signals.h"
+#include "app/shell/fonts.h"
+#include "app/shell/kiosk.h"
+#include "app/shell/memory.h"
+#include "app/shell/options.h"
+#include "app/shell/panel.h"
+#include "app/shell/qml_modules.h"
+#include "app/shell/renderer.h"
+#include "app/shell/self_test.h"
+#include "app/shell/service_watchdog.h"
+#include "app/store/files/folder_lock.h"
+
+#include <QFile>
+#include <QGuiApplication>
+#include <QLoggingCategory>
+#include <QStandardPaths>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace {
+
+using namespace campanel;
+
+using Arguments = std::span<char*>;
+
+// Some options count before there is an application to ask.
+bool isGiven(Arguments arguments, std::string_view option)
+{
+    return std::find(arguments.begin() + 1, arguments.end(), option) != arguments.end();
+}
+
+QString valueOf(Arguments arguments, const std::string& option)
+{
+    for (std::size_t i = 1; i < arguments.size(); ++i) {
+        const std::string_view argument = arguments[i];
+        if (argument == option && i + 1 < arguments.size())
+            return QFile::decodeName(arguments[i + 1]);
+        if (argument.starts_with(option + '='))
+            return QFile::decodeName(arguments[i] + option.size() + 1);
+    }
+    return {};
+}
+
+// The self-test needs neither a display nor the configuration of this machine.
+bool isOffscreen(Arguments arguments)
+{
+    return std::any_of(arguments.begin() + 1, arguments.end(), [](std::string_view argument) {
+        return argument == "--self-test" || argument == "--help" || argument == "-h" ||
+               argument == "--version" || argument == "-v";
+    });
+}
+
+panel::Configuration configurationOf(Arguments arguments)
+{
+    const QString named = valueOf(arguments, "--config");
+    const panel::ReadConfiguration read =
+        panel::readConfiguration(named.isEmpty() ? panel::configurationFile() : named);
+    for (const QString& complaint : read.complaints)
+        std::fprintf(stderr, "campanel: %s\n", qPrintable(complaint));
+    if (!named.isEmpty() && !QFile::exists(named))
+        std::fprintf(stderr, "campanel: %s: there is no such file.\n", qPrintable(named));
+    QLoggingCategory::setFilterRules(read.values.logRules.join(u'\n'));
+    return read.values;
+}
+
+constexpr std::chrono::seconds screenAwaited{30};
+
+// False: there is no screen. Who sets the platform from outside has chosen already.
+bool prepareScreen(panel::ScreenAccess wanted)
+{
+    if (!qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+        return true;
+    const panel::ScreenPlaces places;
+    const panel::ScreenChoice choice = panel::waitForScreen(wanted, places, screenAwaited);
+    std::fprintf(stderr, "campanel: %s\n", qPrintable(choice.reason));
+    if (choice.platform.isEmpty())
+        return false;
+    qputenv("QT_QPA_PLATFORM", choice.platform.toLatin1());
+    if (qEnvironmentVariableIsEmpty("QT_QPA_EGLFS_INTEGRATION"))
+        qputenv("QT_QPA_EGLFS_INTEGRATION", "eglfs_kms");
+    panel::noteScreenTried(choice.platform, places);
+    return true;
+}
+
+// Says which packages are missing.
+bool hasFonts()
+{
+    const QStringList missing = panel::missingFonts();
+    for (const QString& sentence : missing)
+        std::fprintf(stderr, "campanel: %s\n", qPrintable(sentence));
+    return missing.isEmpty();
+}
+
+// Out of the event loop, to put the panel together anew from what is on the disk.
+constexpr int restartCode = 1000;
+
+int runPanel(const panel::Options& options, const panel::Configuration& configuration,
+             const panel::ServiceManager& manager)
+{
+    link::ThreadedLink link(nullptr);
+    panel::Panel panel(link, {{}, {}, configuration.standard});
+    hasFonts(); // reads all fonts while the QML is being loaded; without them the panel still works
+    if (options.connection)
+        panel.settings().overrideConnection(*options.connection);
+    if (!options.language.isEmpty())
+        panel.settings().overrideLanguage(options.language);
+    if (!options.theme.isEmpty())
+        panel.settings().overrideTheme(options.theme);
+    constexpr QSize usualSize(1024, 600);
+    if (!panel.load(options.size.value_or(configuration.windowSize.value_or(usualSize))))
+        return EXIT_FAILURE;
+    const panel::ServiceWatchdog watchdog(manager, link, panel.window());
+    if (options.isFullScreen || options.isKiosk || configuration.isFullScreen)
+        panel.window().showFullScreen();
+    else
+        panel.window().show();
+    QGuiApplication::setQuitOnLastWindowClosed(true);
+    QObject::connect(&panel, &panel::Panel::restartWanted, [] {
+        QGuiApplication::setQuitOnLastWindowClosed(false); // the next one is about to open
+        QGuiApplication::exit(restartCode);
+    });
+    QObject::connect(
+        &panel.window(), &QQuickWindow::frameSwapped, &panel,
+        [&panel, &options] {
+            if (options.isKiosk)
+                panel::noteScreenWorks({});
+            if (options.isFirstFrameAnnounced) {
+                std::puts("first frame");
+                std::fflush(stdout);
+            }
+            panel.settings().offerFirstStart();
+            panel.open();
+        },
+        Qt::ConnectionType(Qt::AutoConnection | Qt::SingleShotConnection));
+    return QGuiApplication::exec();
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    panel::keepMemoryFlat();
+    const Arguments arguments(argv, static_cast<std::size_t>(argc));
+    panel::Configuration configuration;
+    if (isOffscreen(arguments))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    else
+        configuration = configurationOf(arguments);
+    if (!isOffscreen(arguments) && isGiven(arguments, "--kiosk") && !prepareScreen(configuration.screen))
+        return EXIT_FAILURE;
+    const panel::ServiceManager manager;
+    QGuiApplication application(argc, argv);
+    QGuiApplication::setApplicationName(QStringLiteral("campanel"));
+    QGuiApplication::setOrganizationName(QStringLiteral("campanel"));
+    QGuiApplication::setApplicationVersion(QStringLiteral(CAMPANEL_VERSION));
+    const panel::Options options = panel::readOptions(application);
+
+    panel::applyFonts();
+    if (options.isSelfTest)
+        return hasFonts() ? panel::selfTest() : EXIT_FAILURE;
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+    const store::FolderLock lock(folder);
+    if (lock.isHeldByAnother()) {
+        std::fprintf(stderr, "campanel: another CamPanel uses the data in %s. Close that one first.\n",
+                     qPrintable(folder));
+        return EXIT_FAILURE;
+    }
+    panel::chooseRenderer();
+    const panel::EndSignals endSignals;
+    int code = restartCode;
+    while (code == restartCode)
+        code = runPanel(options, configuration, manager);
+    manager.tell("STOPPING=1");
+    return code;
+}

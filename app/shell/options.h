@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line of the panel as values.
+#pragma once
+
+#include "app/panel/settings/settings.h"
+
+#include <QSize>
+#include <QString>
+
+#include <optional>
+
+class QCoreApplication;
+
+namespace campanel::panel {
+
+struct Options {
+    std::optional<machine::ConnectionChoice> connection; // empty: as in the settings
+    QString language;                                    // empty: as in the settings
+    QString theme;
+    std::optional<QSize> size; // empty: as configured
+    bool isFullScreen = false;
+    bool isKiosk = false;
+    bool isSelfTest = false;
+    bool isFirstFrameAnnounced = false; // a line on stdout, for measuring the start
+};
+
+// Prints and ends the process for --help, --version and for what it does not understand (exit code 2).
+[[nodiscard]] Options readOptions(const QCoreApplication& application);
+
+} // namespace campanel::panel

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// The panel put together; see panel.h.
+#include "app/shell/panel.h"
+
+#include "app/panel/kit/engine_instances.h"
+#include "app/report/commissioning_pdf.h"
+#include "app/store/files/private_files.h"
+
+#include <QCoreApplication>
+#include <QEventLoop>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QLoggingCategory>
+#include <QStandardPaths>
+
+namespace campanel::panel {
+namespace {
+
+Q_LOGGING_CATEGORY(uiLog, "campanel.ui")
+
+QString recipeFolder(const Storage& storage)
+{
+    return storage.recipeFolder.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)
+                                          : storage.recipeFolder;
+}
+
+// Also takes from others what an older version has let them read.
+QString privateDataFolder(const Storage& storage)
+{
+    const QString folder = recipeFolder(storage);
+    (void)store::makePrivateFolder(folder); // should it fail, opening the database says so
+    store::makePrivate(folder);
+    return folder;
+}
+
+} // namespace
+
+Panel::Panel(link::Link& link, const Storage& storage)
+    : m_restore(
+          store::finishRestore(privateDataFolder(storage), machine::Settings::fileName(storage.settingsFile)))
+    , m_settings(storage.settingsFile, nullptr, storage.standard)
+    , m_machine(link, m_settings, nullptr)
+    , m_editor(m_machine, recipeFolder(storage), nullptr)
+    , m_records(recipeFolder(storage), nullptr)
+    , m_alarms(m_machine, m_editor, m_records, m_settings, nullptr)
+    , m_recipes(m_machine, m_editor, m_records, recipeFolder(storage), nullptr)
+    , m_service(m_machine, m_settings, recipeFolder(storage), nullptr)
+    , m_trends(m_machine, m_settings, m_records, *m_service.files(), recipeFolder(storage), nullptr)
+    , m_access(m_records, m_machine, m_settings, nullptr)
+    , m_trail(m_records, {m_machine, m_editor, m_settings, m_service, m_access}, nullptr)
+    , m_audit(m_records, m_trail, *m_service.files(), nullptr)
+    , m_backup({m_machine, m_editor, m_records, m_trends, m_settings, m_access, m_trail},
+               recipeFolder(storage), nullptr)
+    , m_commissioning(m_machine, m_editor, m_access, *m_service.files(), nullptr)
+    , m_bundle({m_machine, m_editor, m_records, *m_service.figures(), *m_service.files()}, nullptr)
+    , m_display(m_machine, m_settings, nullptr)
+    , m_explanations({m_machine, m_editor, *m_service.figures(), m_trends}, nullptr)
+    , m_pageMemory(recipeFolder(storage) + QStringLiteral("/open-page"))
+{
+    m_commissioning.setPrinter(&report::commissioningPdf);
+    m_records.noteRestore(m_restore);
+    connect(&m_backup, &machine::Backup::restartWanted, this, &Panel::restartWanted);
+    m_service.dryRun()->follow(m_editor);
+    m_recipes.setAuthor([this] { return m_access.userName(); });
+    connect(&m_recipes, &machine::Recipes::noted, &m_trail, &machine::AuditTrail::note);
+    connect(&m_access, &machine::Access::changed, this, [this] { m_alarms.setPerson(m_access.userName()); });
+    m_engine.addImportPath(QStringLiteral("qrc:/qt/qml"));
+    machine::attachToEngine(m_engine, m_access, m_alarms, m_audit, m_backup, m_commissioning, m_display,
+                            m_machine, m_editor, m_explanations, m_records, m_recipes, m_service, m_bundle,
+                            m_settings, m_trends);
+    connect(&m_settings, &machine::Settings::languageChanged, this, &Panel::translate);
+    translate();
+    m_component.loadUrl(QUrl(QStringLiteral("qrc:/qt/qml/CamPanel/Pages/Main.qml")),
+                        QQmlComponent::Asynchronous);
+}
+
+Panel::~Panel()
+{
+    for (QTranslator& translator : m_translators)
+        QCoreApplication::removeTranslator(&translator);
+}
+
+void Panel::open()
+{
+    m_machine.open();
+    m_records.open();
+    m_trends.open();
+    m_access.open();
+    m_trail.open();
+}
+
+bool Panel::load(QSize size)
+{
+    QEventLoop untilLoaded;
+    connect(&m_component, &QQmlComponent::statusChanged, &untilLoaded, &QEventLoop::quit);
+    while (m_component.isLoading())
+        untilLoaded.exec();
+    m_window.reset(qobject_cast<QQuickWindow*>(m_component.createWithInitialProperties(
+        {{QStringLiteral("width"), size.width()},
+         {QStringLiteral("height"), size.height()},
+         {QStringLiteral("page"), m_pageMemory.left().value_or(0)}})));
+    if (!m_window) {
+        qCritical("%s", qPrintable(m_component.errorString()));
+        return false;
+    }
+    if (m_pageMemory.left())
+        qCInfo(uiLog, "the last run was not ended in order; it had page %d open", *m_pageMemory.left());
+    m_pageMemory.follow(*m_window);
+    return true;
+}
+
+void Panel::translate()
+{
+    const QLocale locale(m_settings.language());
+    const std::array names{QStringLiteral("campanel_qml"), QStringLiteral("campanel_app"),
+                           QStringLiteral("qtbase")};
+    const std::array folders{QStringLiteral(":/i18n"), QStringLiteral(":/i18n"),
+                             QLibraryInfo::path(QLibraryInfo::TranslationsPath)};
+    for (std::size_t i = 0; i < m_translators.size(); ++i) {
+        QCoreApplication::removeTranslator(&m_translators[i]);
+        if (m_translators[i].load(locale, names[i], QStringLiteral("_"), folders[i]))
+            QCoreApplication::installTranslator(&m_translators[i]);
+    }
+    QLocale::setDefault(locale);
+    m_engine.retranslate();
+}
+
+} // namespace campanel::panel

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tells the service manager that the panel is ready, and again and again that it still works. It counts as
+// working when, since the last time, the GUI thread came round, the link thread answered it, and a frame was
+// painted: a panel that shows old numbers is restarted.
+#pragma once
+
+#include "app/link/link.h"
+#include "app/shell/service_manager.h"
+
+#include <QObject>
+#include <QQuickWindow>
+#include <QTimer>
+
+namespace campanel::panel {
+
+class ServiceWatchdog : public QObject {
+    Q_OBJECT
+
+public:
+    // All three must outlive it.
+    ServiceWatchdog(const ServiceManager& manager, link::Link& link, QQuickWindow& window);
+
+private:
+    void beginTurn();
+    void noteAnswer(quint32 turn);
+    void notePainted();
+    void feedWhenComplete();
+
+    const ServiceManager& m_manager;
+    link::Link& m_link;
+    QQuickWindow& m_window;
+    QTimer m_timer;
+    quint32 m_turn = 0;
+    bool m_isReady = false;
+    bool m_isOpen = false; // the turn waits for the two below
+    bool m_isAnswered = false;
+    bool m_isPainted = false;
+};
+
+} // namespace campanel::panel

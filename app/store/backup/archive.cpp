@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/store/backup/archive.h"
+
+#include "app/store/files/file_error.h"
+
+#include <QCryptographicHash>
+#include <QFile>
+#include <QFileInfo>
+
+#include <functional>
+#include <zip.h>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::store {
+
+namespace {
+
+constexpr qint64 pieceBytes = 65'536;
+
+struct EntryCloser {
+    void operator()(zip_file_t* entry) const { (void)zip_fclose(entry); }
+};
+using Entry = std::unique_ptr<zip_file_t, EntryCloser>;
+
+using Error = ArchiveReader::Error;
+using Fault = ArchiveReader::Fault;
+
+QString reasonOf(int code)
+{
+    zip_error_t error;
+    zip_error_init_with_code(&error, code);
+    const QString text = QString::fromLocal8Bit(zip_error_strerror(&error));
+    zip_error_fini(&error);
+    return text;
+}
+
+// Null when it cannot be read.
+zip_source_t* sourceOf(zip_t* archive, const ArchiveEntry& entry)
+{
+    if (!entry.file.isEmpty())
+        return zip_source_file(archive, QFile::encodeName(entry.file).constData(), 0, -1);
+    return zip_source_buffer(archive, entry.bytes.constData(), static_cast<zip_uint64_t>(entry.bytes.size()),
+                             0);
+}
+
+bool addEntry(zip_t* archive, const ArchiveEntry& entry)
+{
+    zip_source_t* source = sourceOf(archive, entry);
+    if (!source)
+        return false;
+    if (zip_file_add(archive, entry.name.toUtf8().constData(), source, ZIP_FL_ENC_UTF_8) < 0) {
+        zip_source_free(source);
+        return false;
+    }
+    return true;
+}
+
+// Every piece of the entry that is `name`, of at most `mostBytes` together.
+tl::expected<void, Error> readPieces(zip_t* archive, const QString& name, qint64 mostBytes,
+                                     const std::function<bool(const QByteArray&)>& take)
+{
+    const Entry entry(zip_fopen(archive, name.toUtf8().constData(), 0));
+    if (!entry)
+        return tl::unexpected(Error{Fault::Damaged, name});
+    qint64 total = 0;
+    for (;;) {
+        QByteArray piece(pieceBytes, Qt::Uninitialized);
+        const zip_int64_t got = zip_fread(entry.get(), piece.data(), pieceBytes);
+        total += got;
+        if (got < 0 || total > mostBytes) // the checksum of the entry is wrong, or it is another one
+            return tl::unexpected(Error{Fault::Damaged, name});
+        if (got == 0)
+            return {};
+        piece.truncate(got);
+        if (!take(piece))
+            return tl::unexpected(Error{Fault::NotWritable, {}});
+    }
+}
+
+} // namespace
+
+tl::expected<void, QString> writeArchive(const QString& path, const QList<ArchiveEntry>& entries)
+{
+    int code = 0;
+    zip_t* archive = zip_open(QFile::encodeName(path).constData(), ZIP_CREATE | ZIP_EXCL, &code);
+    if (!archive)
+        return tl::unexpected(reasonOf(code));
+    bool isWritten = true;
+    for (const ArchiveEntry& entry : entries)
+        isWritten = isWritten && addEntry(archive, entry);
+    // Writes beside, then renames.
+    if (isWritten && zip_close(archive) == 0)
+        return {};
+    const QString reason = QString::fromLocal8Bit(zip_strerror(archive));
+    zip_discard(archive);
+    return tl::unexpected(reason);
+}
+
+void ArchiveReader::Closer::operator()(zip* archive) const
+{
+    zip_discard(archive); // nothing was changed
+}
+
+tl::expected<ArchiveReader, Error> ArchiveReader::open(const QString& path)
+{
+    QFile file(path);
+    if (const QFileInfo present(path); present.exists() && !present.isFile()) // a pipe would be waited for
+        return tl::unexpected(Error{Fault::NotReadable, FileErrorText::notAFile()});
+    if (!file.open(QIODevice::ReadOnly))
+        return tl::unexpected(Error{Fault::NotReadable, file.errorString()});
+    const bool beginsAsOne = file.read(4) == QByteArray("PK\x03\x04", 4);
+    file.close();
+    int code = 0;
+    zip_t* archive = zip_open(QFile::encodeName(path).constData(), ZIP_RDONLY | ZIP_CHECKCONS, &code);
+    if (archive)
+        return ArchiveReader(archive);
+    return tl::unexpected(Error{beginsAsOne ? Fault::Damaged : Fault::NotAnArchive, reasonOf(code)});
+}
+
+tl::expected<QByteArray, Error> ArchiveReader::read(const QString& name, qint64 mostBytes)
+{
+    QByteArray bytes;
+    const auto done = readPieces(m_archive.get(), name, mostBytes, [&bytes](const QByteArray& piece) {
+        bytes += piece;
+        return true;
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    return bytes;
+}
+
+tl::expected<QByteArray, Error> ArchiveReader::extract(const QString& name, qint64 bytes,
+                                                       const QString& target)
+{
+    QFile file(target);
+    if (!file.open(QIODevice::WriteOnly | QIODevice::NewOnly))
+        return tl::unexpected(Error{Fault::NotWritable, file.errorString()});
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    auto done = readPieces(m_archive.get(), name, bytes, [&](const QByteArray& piece) {
+        hash.addData(piece);
+        return file.write(piece) == piece.size();
+    });
+    if (done && !file.flush())
+        done = tl::unexpected(Error{Fault::NotWritable, {}});
+    if (!done && done.error().fault == Fault::NotWritable)
+        done.error().detail = file.errorString();
+    if (!done)
+        return tl::unexpected(done.error());
+    if (file.size() != bytes)
+        return tl::unexpected(Error{Fault::Damaged, name});
+    return hash.result();
+}
+
+} // namespace campanel::store

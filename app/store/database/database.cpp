@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/store/database/database.h"
+
+#include "app/store/database/schema.h"
+
+#include <QSqlError>
+#include <QUuid>
+
+#include <utility>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::store {
+
+namespace {
+
+const QString inMemoryPath = u":memory:"_s;
+
+// SQLite's result codes, the lower byte of the extended ones.
+enum class Code {
+    Logic = 1, // a statement that does not fit the tables
+    Busy = 5,
+    Locked = 6,
+    ReadOnly = 8,
+    Corrupt = 11,
+    Full = 13,
+    CannotOpen = 14,
+    Constraint = 19,
+    NotADatabase = 26
+};
+
+StoreError::Kind kindOf(int code)
+{
+    switch (static_cast<Code>(code & 0xFF)) {
+    case Code::Full:
+        return StoreError::Kind::Full;
+    case Code::ReadOnly:
+        return StoreError::Kind::ReadOnly;
+    case Code::Corrupt:
+    case Code::NotADatabase:
+        return StoreError::Kind::Damaged;
+    case Code::CannotOpen:
+        return StoreError::Kind::CannotOpen;
+    case Code::Constraint:
+        return StoreError::Kind::Refused;
+    case Code::Busy:
+    case Code::Locked:
+        return StoreError::Kind::InUse;
+    case Code::Logic:
+        break;
+    }
+    return StoreError::Kind::Failed;
+}
+
+} // namespace
+
+const DatabaseFile& mainDatabase()
+{
+    static const DatabaseFile file{u"campanel.sqlite"_s, &migrations, true};
+    return file;
+}
+
+int schemaVersion()
+{
+    return static_cast<int>(migrations().size());
+}
+
+Database::Database(QString path, const DatabaseFile& file)
+    : m_path(std::move(path))
+    , m_file(file)
+    , m_connection(QUuid::createUuid().toString())
+    , m_database(QSqlDatabase::addDatabase(u"QSQLITE"_s, m_connection))
+{
+    m_database.setDatabaseName(m_path);
+}
+
+Database::~Database()
+{
+    close();
+    m_database = {};
+    QSqlDatabase::removeDatabase(m_connection);
+}
+
+bool Database::isInMemory() const
+{
+    return m_path == inMemoryPath;
+}
+
+void Database::close()
+{
+    m_database.close();
+}
+
+StoreError Database::errorOf(const QSqlError& error) const
+{
+    return {kindOf(error.nativeErrorCode().toInt()), m_path, error.databaseText()};
+}
+
+std::unique_ptr<Database> Database::inMemory(const DatabaseFile& file, std::optional<StoreError> failure)
+{
+    std::unique_ptr<Database> database(new Database(inMemoryPath, file));
+    // An empty one takes every statement.
+    (void)database->connect().and_then([&] { return database->configure(); }).and_then([&] {
+        return database->migrate();
+    });
+    database->m_opening.isNew = true;
+    database->m_failure = std::move(failure);
+    return database;
+}
+
+tl::expected<void, StoreError> Database::connect()
+{
+    if (!m_database.open())
+        return tl::unexpected(errorOf(m_database.lastError()));
+    return {};
+}
+
+tl::expected<void, StoreError> Database::configure()
+{
+    const QString synchronous =
+        m_file.isPrecious ? u"PRAGMA synchronous = FULL"_s : u"PRAGMA synchronous = NORMAL"_s;
+    for (const QString& pragma : {u"PRAGMA journal_mode = WAL"_s, synchronous, u"PRAGMA foreign_keys = ON"_s,
+                                  u"PRAGMA busy_timeout = 5000"_s}) {
+        if (const auto done = execute(pragma); !done)
+            return tl::unexpected(done.error());
+    }
+    return {};
+}
+
+// A disk that cannot be read now is no damage: nothing is moved aside for it.
+tl::expected<void, StoreError> Database::checkSound()
+{
+    if (!m_file.isPrecious)
+        return {};
+    auto check = execute(u"PRAGMA quick_check(1)"_s);
+    if (!check)
+        return tl::unexpected(check.error());
+    if (!check->next())
+        return stepped(*check).and_then([&]() -> tl::expected<void, StoreError> {
+            return tl::unexpected(StoreError{StoreError::Kind::Damaged, m_path, {}});
+        });
+    const QString verdict = check->value(0).toString();
+    if (verdict != u"ok")
+        return tl::unexpected(StoreError{StoreError::Kind::Damaged, m_path, verdict});
+    return {};
+}
+
+// Returns the number of steps that have made the tables, checked: it is an index into them.
+tl::expected<int, StoreError> Database::version()
+{
+    auto asked = execute(u"PRAGMA user_version"_s);
+    if (!asked || !asked->next())
+        return tl::unexpected(asked ? StoreError{StoreError::Kind::Damaged, m_path, {}} : asked.error());
+    const int found = asked->value(0).toInt();
+    if (found < 0)
+        return tl::unexpected(StoreError{StoreError::Kind::Damaged, m_path, u"user_version %1"_s.arg(found)});
+    if (found > static_cast<int>(m_file.steps().size()))
+        return tl::unexpected(StoreError{StoreError::Kind::NewerSchema, m_path, QString::number(found)});
+    return found;
+}
+
+tl::expected<void, StoreError> Database::migrate()
+{
+    const auto found = version();
+    if (!found)
+        return tl::unexpected(found.error());
+    const std::vector<QStringList>& steps = m_file.steps();
+    const int newest = static_cast<int>(steps.size());
+    m_opening.migratedFrom = *found > 0 && *found < newest ? *found : 0;
+    if (*found == newest)
+        return {};
+    return transaction([&]() -> tl::expected<void, StoreError> {
+        for (int version = *found; version < newest; ++version) {
+            for (const QString& statement : steps[static_cast<std::size_t>(version)]) {
+                QSqlQuery step(m_database);
+                if (step.exec(statement))
+                    continue;
+                StoreError error = errorOf(step.lastError());
+                // The tables are not those of the version that the file names.
+                if (step.lastError().nativeErrorCode().toInt() == static_cast<int>(Code::Logic))
+                    error.kind = StoreError::Kind::Damaged;
+                return tl::unexpected(error);
+            }
+        }
+        // A pragma takes no bound value.
+        const auto noted = execute(u"PRAGMA user_version = %1"_s.arg(newest));
+        return noted ? tl::expected<void, StoreError>() : tl::unexpected(noted.error());
+    });
+}
+
+Database::Result Database::execute(const QString& statement, std::initializer_list<QVariant> values)
+{
+    QSqlQuery query(m_database);
+    query.setForwardOnly(true);
+    if (!query.prepare(statement))
+        return tl::unexpected(errorOf(query.lastError()));
+    for (const QVariant& value : values) {
+        // An empty text, not NULL: that is a QVariant without a value.
+        const bool isEmptyText = value.typeId() == QMetaType::QString && value.toString().isEmpty();
+        query.addBindValue(isEmptyText ? QVariant(u""_s) : value);
+    }
+    if (!query.exec())
+        return tl::unexpected(errorOf(query.lastError()));
+    return query;
+}
+
+tl::expected<void, StoreError> Database::stepped(const QSqlQuery& query) const
+{
+    if (query.lastError().type() == QSqlError::NoError)
+        return {};
+    return tl::unexpected(errorOf(query.lastError()));
+}
+
+tl::expected<void, StoreError>
+Database::transaction(const std::function<tl::expected<void, StoreError>()>& work)
+{
+    if (const auto begun = execute(u"BEGIN IMMEDIATE"_s); !begun)
+        return tl::unexpected(begun.error());
+    auto done = work();
+    if (done) {
+        const auto committed = execute(u"COMMIT"_s);
+        if (committed)
+            return {};
+        done = tl::unexpected(committed.error());
+    }
+    (void)execute(u"ROLLBACK"_s); // refused when the failure has rolled it back already
+    return done;
+}
+
+} // namespace campanel::store

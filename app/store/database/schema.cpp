@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// Times are milliseconds since 1970 UTC.
+#include "app/store/database/schema.h"
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::store {
+
+const std::vector<QStringList>& migrations()
+{
+    static const std::vector<QStringList> steps{
+        {
+            // The present versions are the highest of each recipe; a deleted recipe keeps its history.
+            uR"(CREATE TABLE recipe (
+                    id INTEGER PRIMARY KEY,
+                    name TEXT NOT NULL UNIQUE COLLATE NOCASE,
+                    deleted INTEGER NOT NULL DEFAULT 0))"_s,
+            uR"(CREATE TABLE recipe_version (
+                    recipe INTEGER NOT NULL REFERENCES recipe (id),
+                    version INTEGER NOT NULL,
+                    saved_ms INTEGER NOT NULL,
+                    saved_by TEXT NOT NULL,
+                    kind TEXT NOT NULL,
+                    json BLOB NOT NULL,
+                    PRIMARY KEY (recipe, version)) WITHOUT ROWID)"_s,
+        },
+        {
+            // What the machine is, one for each kind of program; apart from the recipes, which it outlives.
+            uR"(CREATE TABLE machine_data (
+                    kind TEXT PRIMARY KEY,
+                    saved_ms INTEGER NOT NULL,
+                    saved_by TEXT NOT NULL,
+                    json BLOB NOT NULL) WITHOUT ROWID)"_s,
+        },
+        {
+            // Alarms: one row per occurrence, ids in their order; see AlarmRow. The indices hold only the few
+            // rows that are still open.
+            uR"(CREATE TABLE alarm (
+                    id INTEGER PRIMARY KEY,
+                    code TEXT NOT NULL,
+                    raised_ms INTEGER NOT NULL,
+                    ending INTEGER NOT NULL,
+                    returned_ms INTEGER,
+                    wants_acknowledgement INTEGER NOT NULL,
+                    acknowledged_ms INTEGER,
+                    acknowledged_by TEXT NOT NULL,
+                    count INTEGER NOT NULL,
+                    shelved INTEGER NOT NULL,
+                    detail TEXT NOT NULL))"_s,
+            uR"(CREATE INDEX alarm_active ON alarm (ending) WHERE ending = 0)"_s,
+            uR"(CREATE INDEX alarm_unacknowledged ON alarm (code, id)
+                    WHERE acknowledged_ms IS NULL AND wants_acknowledgement = 1)"_s,
+            uR"(CREATE TABLE alarm_shelf (
+                    code TEXT PRIMARY KEY,
+                    since_ms INTEGER NOT NULL,
+                    until_ms INTEGER NOT NULL,
+                    shelved_by TEXT NOT NULL) WITHOUT ROWID)"_s,
+        },
+        {
+            // People with their PINs, and what was changed by whom. A removed user stays as a name without a
+            // PIN. audit_start has at most one row: the last one that the trail has dropped.
+            uR"(CREATE TABLE user (
+                    id INTEGER PRIMARY KEY,
+                    name TEXT NOT NULL COLLATE NOCASE,
+                    level INTEGER NOT NULL,
+                    pin TEXT NOT NULL,
+                    failed INTEGER NOT NULL DEFAULT 0,
+                    locked_until_ms INTEGER NOT NULL DEFAULT 0,
+                    deleted INTEGER NOT NULL DEFAULT 0))"_s,
+            u"CREATE UNIQUE INDEX user_name ON user (name) WHERE deleted = 0"_s,
+            uR"(CREATE TABLE audit (
+                    sequence INTEGER PRIMARY KEY,
+                    time_ms INTEGER NOT NULL,
+                    who TEXT NOT NULL,
+                    level INTEGER NOT NULL,
+                    what TEXT NOT NULL,
+                    object TEXT NOT NULL,
+                    before TEXT NOT NULL,
+                    after TEXT NOT NULL,
+                    read_back TEXT NOT NULL,
+                    outcome TEXT NOT NULL,
+                    previous BLOB NOT NULL,
+                    hash BLOB NOT NULL))"_s,
+            u"CREATE TABLE audit_start (sequence INTEGER NOT NULL, hash BLOB NOT NULL)"_s,
+        },
+    };
+    return steps;
+}
+
+} // namespace campanel::store

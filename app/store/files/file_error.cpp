@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sentences about recipe files.
+#include "app/store/files/file_error.h"
+
+#include <QDir>
+
+namespace campanel::store {
+
+QString FileErrorText::describe(const FileError& error)
+{
+    const QString path = QDir::toNativeSeparators(error.path);
+    switch (error.kind) {
+    case FileError::Kind::NotFound:
+        return tr("The recipe file %1 does not exist. Check its name.").arg(path);
+    case FileError::Kind::NotReadable:
+        return tr("The recipe file %1 cannot be read: %2.").arg(path, error.found);
+    case FileError::Kind::NotWritable:
+        return tr("The recipe could not be saved to %1: %2. The stored recipe is unchanged. "
+                  "Make room there or check the permissions, then save again.")
+            .arg(path, error.found);
+    case FileError::Kind::NotJson:
+        return tr("The recipe file %1 is damaged at byte %2: %3. Restore it from a copy.")
+            .arg(path)
+            .arg(error.offset)
+            .arg(error.found);
+    case FileError::Kind::NotARecipe:
+        return tr("%1 is not a CamPanel recipe: the key \"format\" must be \"campanel-recipe\".").arg(path);
+    case FileError::Kind::NewerVersion:
+        return tr("The recipe file %1 has format version %2, this program reads version %3. Update the "
+                  "program.")
+            .arg(path, error.found, error.expected);
+    case FileError::Kind::UnknownKey:
+        return tr("In the recipe file %1 the key %2 is not known. Correct or remove it.")
+            .arg(path, error.key);
+    case FileError::Kind::MissingKey:
+        return tr("In the recipe file %1 the key %2 is missing. Add it.").arg(path, error.key);
+    case FileError::Kind::WrongType:
+        return tr("In the recipe file %1 %2 must be %3.").arg(path, error.key, error.expected);
+    case FileError::Kind::OutOfRange:
+        return tr("In the recipe file %1 %2 is %3; enter %4.")
+            .arg(path, error.key, error.found, error.expected);
+    case FileError::Kind::NotAChoice:
+        return tr("In the recipe file %1 %2 is \"%3\"; choose one of: %4.")
+            .arg(path, error.key, error.found, error.expected);
+    case FileError::Kind::TooLong:
+        return tr("In the recipe file %1 %2 is longer than %3 bytes. Shorten it.")
+            .arg(path, error.key, error.expected);
+    case FileError::Kind::RepeatedKey:
+        return tr("In the recipe file %1 the key %2 occurs twice. Remove one of them.").arg(path, error.key);
+    }
+    return {};
+}
+
+QString FileErrorText::notAFile()
+{
+    return tr("it is not a regular file");
+}
+
+QString FileErrorText::tooLarge()
+{
+    return tr("it is larger than 1 MB");
+}
+
+QString FileErrorText::aNumber()
+{
+    return tr("a number");
+}
+
+QString FileErrorText::aWholeNumber()
+{
+    return tr("a whole number");
+}
+
+QString FileErrorText::aText()
+{
+    return tr("a text");
+}
+
+QString FileErrorText::anObject()
+{
+    return tr("an object in braces");
+}
+
+QString FileErrorText::twoPinnedKeys()
+{
+    return tr("a list of two different ones of bag_length_mm, rate_bags_per_min, base_speed_mm_per_s, "
+              "film_speed_mm_per_s");
+}
+
+QString FileErrorText::pairsOfNumbers()
+{
+    return tr("pairs of master angle and slave position");
+}
+
+QString FileErrorText::range(double minimum, double maximum, const QString& unit)
+{
+    constexpr int significant = 9;
+    const QString low = QString::number(minimum, 'g', significant);
+    const QString high = QString::number(maximum, 'g', significant);
+    return unit.isEmpty() ? tr("%1 to %2").arg(low, high) : tr("%1 to %2 %3").arg(low, high, unit);
+}
+
+} // namespace campanel::store

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/store/logs/audit_log.h"
+
+#include "app/store/files/files.h"
+#include "app/store/files/private_files.h"
+
+#include <QCryptographicHash>
+#include <QFile>
+#include <QtEndian>
+
+#include <limits>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::store {
+
+namespace {
+
+constexpr auto columns =
+    "SELECT sequence, time_ms, who, level, what, object, before, after, read_back, outcome, previous, hash "
+    "FROM audit "_L1;
+constexpr qint64 newestOfAll = std::numeric_limits<qint64>::max();
+
+// A place in the chain: a row, and its hash.
+struct Link {
+    qint64 sequence = 0;
+    QByteArray hash = QByteArray(32, '\0');
+};
+
+void addNumber(QByteArray& bytes, qint64 value)
+{
+    const qint64 wire = qToBigEndian(value);
+    bytes.append(reinterpret_cast<const char*>(&wire), sizeof wire);
+}
+
+void addText(QByteArray& bytes, const QString& text)
+{
+    const QByteArray utf8 = text.toUtf8();
+    const auto length = qToBigEndian(static_cast<quint32>(utf8.size()));
+    bytes.append(reinterpret_cast<const char*>(&length), sizeof length);
+    bytes.append(utf8);
+}
+
+// A null string would be stored as NULL.
+QString stored(const QString& text)
+{
+    return text.isNull() ? u""_s : text;
+}
+
+AuditRow auditRowOf(const QSqlQuery& row)
+{
+    return {row.value(0).toLongLong(),
+            {row.value(1).toLongLong(), row.value(2).toString(), row.value(3).toInt(),
+             row.value(4).toString(), row.value(5).toString(), row.value(6).toString(),
+             row.value(7).toString(), row.value(8).toString(), row.value(9).toString()},
+            row.value(10).toByteArray(),
+            row.value(11).toByteArray()};
+}
+
+QString anchorPath(const Database& database)
+{
+    return database.path() + u".audit"_s;
+}
+
+bool isOnDisk(const Database& database)
+{
+    return database.path() != u":memory:";
+}
+
+std::optional<Link> anchor(const Database& database)
+{
+    QFile file(anchorPath(database));
+    if (!isOnDisk(database) || !file.open(QIODevice::ReadOnly))
+        return std::nullopt;
+    const QList<QByteArray> words = file.read(200).trimmed().split(' ');
+    Link link{words.first().toLongLong(), QByteArray::fromHex(words.last())};
+    return link.sequence > 0 && link.hash.size() == 32 ? std::optional(link) : std::nullopt;
+}
+
+tl::expected<void, StoreError> setAnchor(const Database& database, const Link& link)
+{
+    if (!isOnDisk(database))
+        return {};
+    const QByteArray line = QByteArray::number(link.sequence) + ' ' + link.hash.toHex() + '\n';
+    const QString path = anchorPath(database);
+    const auto written = replaceBytes(path, line).map_error([](const FileError& error) {
+        return StoreError{StoreError::Kind::Failed, error.path, error.found};
+    });
+    if (written)
+        makePrivate(path);
+    return written;
+}
+
+// Where the chain begins: the last row that is not kept any more.
+tl::expected<Link, StoreError> beginning(Database& database)
+{
+    auto found = database.execute(u"SELECT sequence, hash FROM audit_start"_s);
+    if (!found)
+        return tl::unexpected(found.error());
+    return found->next() ? Link{found->value(0).toLongLong(), found->value(1).toByteArray()} : Link{};
+}
+
+tl::expected<Link, StoreError> newest(Database& database)
+{
+    auto found = database.execute(u"SELECT sequence, hash FROM audit ORDER BY sequence DESC LIMIT 1"_s);
+    if (!found)
+        return tl::unexpected(found.error());
+    return found->next() ? Link{found->value(0).toLongLong(), found->value(1).toByteArray()}
+                         : beginning(database);
+}
+
+tl::expected<AuditRow, StoreError> add(Database& database, const Link& last, const AuditEntry& entry)
+{
+    AuditRow row{last.sequence + 1, entry, last.hash, {}};
+    row.hash = auditHash(row.sequence, row.entry, row.previous);
+    const auto added =
+        database.execute(u"INSERT INTO audit (sequence, time_ms, who, level, what, object, before, after, "
+                         "read_back, outcome, previous, hash) VALUES (?,?,?,?,?,?,?,?,?,?,?,?)"_s,
+                         {row.sequence, entry.timeMs, stored(entry.who), entry.level, stored(entry.what),
+                          stored(entry.object), stored(entry.before), stored(entry.after),
+                          stored(entry.readBack), stored(entry.outcome), row.previous, row.hash});
+    if (!added)
+        return tl::unexpected(added.error());
+    return row;
+}
+
+AuditEntry ownEntry(const AuditEntry& like, const QString& what)
+{
+    AuditEntry entry;
+    entry.timeMs = like.timeMs;
+    entry.what = what;
+    entry.outcome = u"done"_s;
+    return entry;
+}
+
+// The end of the trail cannot be told without the file beside. It is written after the first row: a process
+// that is killed in between leaves one row without it.
+bool mustKnowEnd(const Database& database, qint64 lastSequence)
+{
+    return isOnDisk(database) && lastSequence > 1;
+}
+
+// The file beside knows newer rows than there are, or is gone.
+tl::expected<Link, StoreError> noteLoss(Database& database, const Link& last, const AuditEntry& before)
+{
+    const auto known = anchor(database);
+    const bool isGone = !known && mustKnowEnd(database, last.sequence);
+    const bool isShort = known && known->sequence > last.sequence;
+    if (!isGone && !isShort)
+        return last;
+    AuditEntry loss = ownEntry(before, isGone ? u"audit.end_unknown"_s : u"audit.loss"_s);
+    if (isShort) {
+        loss.object = u"%1..%2"_s.arg(last.sequence + 1).arg(known->sequence);
+        loss.before = QString::fromLatin1(known->hash.toHex());
+    }
+    return add(database, last, loss).map([](const AuditRow& row) { return Link{row.sequence, row.hash}; });
+}
+
+// Makes room for what is to come.
+tl::expected<Link, StoreError> trim(Database& database, const Link& last, const AuditEntry& before,
+                                    const AuditBounds& bounds)
+{
+    const auto start = beginning(database);
+    if (!start)
+        return tl::unexpected(start.error());
+    if (last.sequence - start->sequence < bounds.most)
+        return last;
+    const qint64 until = start->sequence + bounds.dropped;
+    for (const auto& [statement, values] :
+         {std::pair{u"DELETE FROM audit_start"_s, QVariantList{}},
+          {u"INSERT INTO audit_start (sequence, hash) SELECT sequence, hash FROM audit WHERE sequence = ?"_s,
+           {until}},
+          {u"DELETE FROM audit WHERE sequence <= ?"_s, {until}}}) {
+        const auto done =
+            values.isEmpty() ? database.execute(statement) : database.execute(statement, {values.first()});
+        if (!done)
+            return tl::unexpected(done.error());
+    }
+    AuditEntry trimmed = ownEntry(before, u"audit.trimmed"_s);
+    trimmed.object = u"%1..%2"_s.arg(start->sequence + 1).arg(until);
+    return add(database, last, trimmed).map([](const AuditRow& row) { return Link{row.sequence, row.hash}; });
+}
+
+} // namespace
+
+QByteArray auditHash(qint64 sequence, const AuditEntry& entry, const QByteArray& previous)
+{
+    QByteArray bytes;
+    addNumber(bytes, sequence);
+    addNumber(bytes, entry.timeMs);
+    addNumber(bytes, entry.level);
+    for (const QString& text :
+         {entry.who, entry.what, entry.object, entry.before, entry.after, entry.readBack, entry.outcome})
+        addText(bytes, text);
+    bytes.append(previous);
+    return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
+}
+
+tl::expected<AuditRow, StoreError> appendAudit(Database& database, const AuditEntry& entry,
+                                               const AuditBounds& bounds)
+{
+    AuditRow row;
+    const auto done = database.transaction([&]() -> tl::expected<void, StoreError> {
+        auto last = newest(database);
+        if (last)
+            last = noteLoss(database, *last, entry);
+        if (last)
+            last = trim(database, *last, entry, bounds);
+        if (!last)
+            return tl::unexpected(last.error());
+        const auto added = add(database, *last, entry);
+        if (!added)
+            return tl::unexpected(added.error());
+        row = *added;
+        return {};
+    });
+    if (!done)
+        return tl::unexpected(done.error());
+    if (const auto noted = setAnchor(database, {row.sequence, row.hash}); !noted)
+        return tl::unexpected(noted.error());
+    return row;
+}
+
+tl::expected<QList<AuditRow>, StoreError> readAudit(Database& database, const AuditFilter& filter,
+                                                    std::optional<qint64> before, int most)
+{
+    const QString name = stored(filter.who.value_or(QString()));
+    auto found = database.execute(
+        columns +
+            u"WHERE sequence < ? AND (? OR who = ?) AND (? OR what GLOB ?) ORDER BY sequence DESC LIMIT ?"_s,
+        {before.value_or(newestOfAll), !filter.who, name, filter.area.isEmpty(), filter.area + u".*"_s,
+         most});
+    if (!found)
+        return tl::unexpected(found.error());
+    QList<AuditRow> rows;
+    while (found->next())
+        rows << auditRowOf(*found);
+    return rows;
+}
+
+tl::expected<QStringList, StoreError> auditNames(Database& database)
+{
+    auto found = database.execute(u"SELECT DISTINCT who FROM audit WHERE who <> '' ORDER BY who"_s);
+    if (!found)
+        return tl::unexpected(found.error());
+    QStringList names;
+    while (found->next())
+        names << found->value(0).toString();
+    return names;
+}
+
+tl::expected<void, StoreError> ChainCheck::begin(Database& database)
+{
+    const auto start = beginning(database);
+    if (!start)
+        return tl::unexpected(start.error());
+    m_isBegun = true;
+    m_next = start->sequence + 1;
+    m_previous = start->hash;
+    return {};
+}
+
+void ChainCheck::end(Fault fault, qint64 sequence)
+{
+    m_isOver = true;
+    m_fault = fault;
+    m_brokenSequence = sequence;
+}
+
+void ChainCheck::look(const AuditRow& row)
+{
+    if (row.sequence != m_next)
+        end(row.sequence > m_next ? Fault::Missing : Fault::Altered, std::min(row.sequence, m_next));
+    else if (row.previous != m_previous || row.hash != auditHash(row.sequence, row.entry, row.previous))
+        end(Fault::Altered, row.sequence);
+    if (m_isOver)
+        return;
+    m_previous = row.hash;
+    m_losses += row.entry.what == u"audit.loss" || row.entry.what == u"audit.end_unknown" ? 1 : 0;
+    ++m_next;
+    ++m_rows;
+}
+
+tl::expected<void, StoreError> ChainCheck::advance(Database& database, int rows)
+{
+    if (m_isOver)
+        return {};
+    if (!m_isBegun) {
+        if (const auto begun = begin(database); !begun)
+            return begun;
+    }
+    // The first part begins with whatever there is, also before where the chain should begin.
+    auto found = database.execute(columns + u"WHERE sequence >= ? ORDER BY sequence LIMIT ?"_s,
+                                  {m_rows == 0 ? std::numeric_limits<qint64>::min() : m_next, rows});
+    if (!found)
+        return tl::unexpected(found.error());
+    const auto known = anchor(database);
+    int seen = 0;
+    for (; !m_isOver && found->next(); ++seen) {
+        look(auditRowOf(*found));
+        if (!m_isOver && known && known->sequence == m_next - 1 && known->hash != m_previous)
+            end(Fault::Altered, known->sequence);
+    }
+    if (m_isOver || seen == rows)
+        return {};
+    if (known && known->sequence >= m_next)
+        end(Fault::MissingAtEnd, m_next);
+    else if (!known && mustKnowEnd(database, m_next - 1))
+        end(Fault::EndUnknown, m_next);
+    else
+        end(Fault::None, 0);
+    return {};
+}
+
+tl::expected<ChainCheck, StoreError> verifyChain(Database& database)
+{
+    constexpr int part = 10'000;
+    ChainCheck check;
+    while (!check.isOver()) {
+        if (const auto done = check.advance(database, part); !done)
+            return tl::unexpected(done.error());
+    }
+    return check;
+}
+
+} // namespace campanel::store

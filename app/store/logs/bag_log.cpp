@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/store/logs/bag_log.h"
+
+#include "app/store/database/ring.h"
+#include "app/store/logs/trend_bucket.h"
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::store {
+
+namespace {
+
+const QString bagTable = u"bag"_s;
+
+qint64 scaled(double value)
+{
+    return std::llround(value * thousandthsPerUnit);
+}
+
+QVariant scaled(const std::optional<double>& value)
+{
+    return value ? QVariant(scaled(*value)) : QVariant(QMetaType::fromType<qint64>());
+}
+
+std::optional<double> unscaled(const QVariant& value)
+{
+    return value.isNull() ? std::nullopt : std::optional(value.toDouble() / thousandthsPerUnit);
+}
+
+} // namespace
+
+tl::expected<void, StoreError> BagLog::add(const QList<Bag>& bags)
+{
+    qint64 askedMs = 0;
+    qint64 givenMs = 0; // all from the one to the other are taken
+    for (const Bag& bag : bags) {
+        const auto program = programOf(bag);
+        if (!program)
+            return tl::unexpected(program.error());
+        const auto inserted = insert(bag, *program, bag.timeMs == askedMs ? givenMs : bag.timeMs);
+        if (!inserted)
+            return tl::unexpected(inserted.error());
+        askedMs = bag.timeMs;
+        givenMs = *inserted;
+    }
+    if (bags.isEmpty())
+        return {};
+    if (const auto kept = noteRows(m_database, bagTable, u"time_ms"_s, bags.size(), m_kept); !kept)
+        return kept;
+    return forgetPrograms();
+}
+
+tl::expected<qint64, StoreError> BagLog::programOf(const Bag& bag)
+{
+    auto noted =
+        m_database.execute(uR"(INSERT INTO program (name, version, length_um, last_ms) VALUES (?, ?, ?, ?)
+            ON CONFLICT (name, version, length_um) DO UPDATE SET last_ms = max(last_ms, excluded.last_ms)
+            RETURNING id)"_s,
+                           {bag.programName, bag.programVersion, scaled(bag.setLengthMm), bag.timeMs});
+    if (!noted)
+        return tl::unexpected(noted.error());
+    if (!noted->next())
+        return tl::unexpected(StoreError{StoreError::Kind::Failed, m_database.path(), {}});
+    return noted->value(0).toLongLong();
+}
+
+tl::expected<qint64, StoreError> BagLog::insert(const Bag& bag, qint64 program, qint64 timeMs)
+{
+    auto taken = m_database.execute(u"SELECT 1 FROM bag WHERE time_ms = ?"_s, {timeMs});
+    if (!taken)
+        return tl::unexpected(taken.error());
+    if (taken->next()) {
+        auto free = m_database.execute(uR"(SELECT time_ms + 1 FROM bag AS this WHERE time_ms >= ?
+            AND NOT EXISTS (SELECT 1 FROM bag WHERE time_ms = this.time_ms + 1) ORDER BY time_ms LIMIT 1)"_s,
+                                       {timeMs});
+        if (!free)
+            return tl::unexpected(free.error());
+        timeMs = free->next() ? free->value(0).toLongLong() : timeMs;
+    }
+    const auto inserted = m_database.execute(u"INSERT INTO bag VALUES (?, ?, ?, ?, ?, ?, ?, ?)"_s,
+                                             {timeMs, program, scaled(bag.deviationMm), bag.lengths,
+                                              scaled(bag.markErrorMm), scaled(bag.followingErrorMm),
+                                              scaled(bag.rateBagsPerMin), static_cast<int>(bag.flags)});
+    if (!inserted)
+        return tl::unexpected(inserted.error());
+    return timeMs;
+}
+
+// Of which no bag is left.
+tl::expected<void, StoreError> BagLog::forgetPrograms()
+{
+    const auto done =
+        m_database.execute(u"DELETE FROM program WHERE last_ms < (SELECT min(time_ms) FROM bag)"_s);
+    return done ? tl::expected<void, StoreError>() : tl::unexpected(done.error());
+}
+
+tl::expected<qint64, StoreError> BagLog::count()
+{
+    return rowsOf(m_database, bagTable);
+}
+
+tl::expected<qint64, StoreError> BagLog::countBetween(qint64 fromMs, qint64 toMs, qint64 most)
+{
+    auto counted = m_database.execute(
+        u"SELECT count(*) FROM (SELECT 1 FROM bag WHERE time_ms >= ? AND time_ms < ? LIMIT ?)"_s,
+        {fromMs, toMs, most});
+    if (!counted)
+        return tl::unexpected(counted.error());
+    return counted->next() ? counted->value(0).toLongLong() : 0;
+}
+
+tl::expected<void, StoreError> BagLog::forEach(qint64 fromMs, qint64 toMs,
+                                               const std::function<void(const Bag&)>& take)
+{
+    auto rows =
+        m_database.execute(uR"(SELECT time_ms, name, version, length_um, lengths, deviation_um, mark_error_um,
+                   following_error_um, rate, flags
+            FROM bag JOIN program ON program.id = bag.program
+            WHERE time_ms >= ? AND time_ms < ? ORDER BY time_ms)"_s,
+                           {fromMs, toMs});
+    if (!rows)
+        return tl::unexpected(rows.error());
+    while (rows->next()) {
+        Bag bag;
+        bag.timeMs = rows->value(0).toLongLong();
+        bag.programName = rows->value(1).toString();
+        bag.programVersion = rows->value(2).toInt();
+        bag.setLengthMm = rows->value(3).toDouble() / thousandthsPerUnit;
+        bag.lengths = rows->value(4).toInt();
+        bag.deviationMm = rows->value(5).toDouble() / thousandthsPerUnit;
+        bag.markErrorMm = unscaled(rows->value(6));
+        bag.followingErrorMm = unscaled(rows->value(7));
+        bag.rateBagsPerMin = unscaled(rows->value(8));
+        bag.flags = static_cast<quint8>(rows->value(9).toUInt());
+        take(bag);
+    }
+    return m_database.stepped(*rows);
+}
+
+} // namespace campanel::store

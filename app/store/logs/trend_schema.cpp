@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// Times are milliseconds since 1970 UTC, lengths micrometers, rates thousandths of a bag per minute. Integers
+// throughout: SQLite keeps a small one in one to three bytes, and 0 and 1 in none.
+#include "app/store/logs/trend_schema.h"
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::store {
+
+namespace {
+
+const std::vector<QStringList>& steps()
+{
+    static const std::vector<QStringList> all{
+        {
+            uR"(CREATE TABLE program (
+                    id INTEGER PRIMARY KEY,
+                    name TEXT NOT NULL,
+                    version INTEGER NOT NULL,
+                    length_um INTEGER NOT NULL,
+                    last_ms INTEGER NOT NULL,
+                    UNIQUE (name, version, length_um)))"_s,
+            // The time is the key: a bag at a time that is taken already has the next free millisecond.
+            uR"(CREATE TABLE bag (
+                    time_ms INTEGER PRIMARY KEY,
+                    program INTEGER NOT NULL,
+                    deviation_um INTEGER NOT NULL,
+                    lengths INTEGER NOT NULL,
+                    mark_error_um INTEGER,
+                    following_error_um INTEGER,
+                    rate INTEGER,
+                    flags INTEGER NOT NULL))"_s,
+            // slot: start of the stretch in units of its length, times 8, plus the quantity.
+            uR"(CREATE TABLE trend_second (
+                    slot INTEGER PRIMARY KEY,
+                    count INTEGER NOT NULL,
+                    sum INTEGER NOT NULL,
+                    squares INTEGER NOT NULL,
+                    low INTEGER NOT NULL,
+                    high INTEGER NOT NULL,
+                    inside INTEGER NOT NULL))"_s,
+            uR"(CREATE TABLE trend_minute (
+                    slot INTEGER PRIMARY KEY,
+                    count INTEGER NOT NULL,
+                    sum INTEGER NOT NULL,
+                    squares INTEGER NOT NULL,
+                    low INTEGER NOT NULL,
+                    high INTEGER NOT NULL,
+                    inside INTEGER NOT NULL))"_s,
+            uR"(CREATE TABLE trend_hour (
+                    slot INTEGER PRIMARY KEY,
+                    count INTEGER NOT NULL,
+                    sum INTEGER NOT NULL,
+                    squares INTEGER NOT NULL,
+                    low INTEGER NOT NULL,
+                    high INTEGER NOT NULL,
+                    inside INTEGER NOT NULL))"_s,
+            // How many rows each of these has: counting ten million takes seconds.
+            u"CREATE TABLE ring (name TEXT PRIMARY KEY, held INTEGER NOT NULL) WITHOUT ROWID"_s,
+            u"INSERT INTO ring VALUES ('bag', 0), ('trend_second', 0), ('trend_minute', 0), ('trend_hour', 0)"_s,
+        },
+    };
+    return all;
+}
+
+} // namespace
+
+const DatabaseFile& trendDatabase()
+{
+    static const DatabaseFile file{u"trends.sqlite"_s, &steps, false};
+    return file;
+}
+
+} // namespace campanel::store

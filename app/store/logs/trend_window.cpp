@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/store/logs/trend_window.h"
+
+#include <QHash>
+
+#include <algorithm>
+
+namespace campanel::store {
+
+namespace {
+
+using Level = TrendLog::Level;
+
+constexpr qint64 msPerHour = 3'600'000;
+constexpr qint64 longestOfSeconds = 2 * msPerHour;
+constexpr qint64 longestOfMinutes = 8 * 24 * msPerHour;
+
+using Firsts = std::array<std::optional<qint64>, 3>;
+
+// What is older than a level reaches is asked of the next one, unless that has no more either.
+bool reaches(const Firsts& firstMs, Level level, qint64 fromMs)
+{
+    const auto& first = firstMs[static_cast<std::size_t>(level)];
+    const Level coarser = level == Level::Second ? Level::Minute : Level::Hour;
+    const auto& before = firstMs[static_cast<std::size_t>(coarser)];
+    return first && (*first <= fromMs || !before || *first - *before < TrendLog::lengthMs(coarser));
+}
+
+qint64 columnLength(const TrendQuestion& question, Level level)
+{
+    const qint64 bucketMs = TrendLog::lengthMs(level);
+    const qint64 wanted = (question.toMs - question.fromMs) / std::max(1, question.columns);
+    return std::max<qint64>(1, (wanted + bucketMs - 1) / bucketMs) * bucketMs;
+}
+
+} // namespace
+
+Level levelFor(qint64 fromMs, qint64 toMs, const Firsts& firstMs)
+{
+    if (toMs - fromMs <= longestOfSeconds && reaches(firstMs, Level::Second, fromMs))
+        return Level::Second;
+    if (toMs - fromMs <= longestOfMinutes && reaches(firstMs, Level::Minute, fromMs))
+        return Level::Minute;
+    return Level::Hour;
+}
+
+tl::expected<TrendWindow, StoreError> readTrends(Database& database, const TrendQuestion& question)
+{
+    TrendLog log(database);
+    Firsts firstMs;
+    for (const Level level : {Level::Second, Level::Minute, Level::Hour}) {
+        const auto first = log.firstMs(level);
+        if (!first)
+            return tl::unexpected(first.error());
+        firstMs[static_cast<std::size_t>(level)] = *first;
+    }
+    TrendWindow window;
+    const auto hasAny = log.hasAny(question.quantities);
+    if (!hasAny)
+        return tl::unexpected(hasAny.error());
+    window.hasAny = *hasAny;
+    window.level = levelFor(question.fromMs, question.toMs, firstMs);
+    window.columnMs = columnLength(question, window.level);
+    QHash<TrendQuantity, qsizetype> places;
+    for (const TrendQuantity quantity : question.quantities) {
+        places.insert(quantity, window.curves.size());
+        window.curves << TrendCurve{quantity};
+    }
+    // Whole columns, always cut at the same times: a curve that is moved does not change its shape.
+    const qint64 margin = (question.toMs - question.fromMs) / 2;
+    const qint64 begin = (question.fromMs - margin) / window.columnMs * window.columnMs;
+    const auto read = log.forEach(window.level, begin, question.toMs + margin, question.quantities,
+                                  [&](qint64 startMs, TrendQuantity quantity, const TrendBucket& bucket) {
+                                      QList<TrendColumn>& columns =
+                                          window.curves[places.value(quantity)].columns;
+                                      const qint64 column = startMs / window.columnMs * window.columnMs;
+                                      if (columns.isEmpty() || columns.last().startMs != column)
+                                          columns << TrendColumn{column, {}};
+                                      columns.last().bucket.merge(bucket);
+                                  });
+    if (!read)
+        return tl::unexpected(read.error());
+    for (TrendCurve& curve : window.curves) {
+        for (const TrendColumn& column : curve.columns) {
+            if (column.startMs + window.columnMs > question.fromMs && column.startMs < question.toMs)
+                curve.statistics.add(column.bucket);
+        }
+    }
+    return window;
+}
+
+} // namespace campanel::store

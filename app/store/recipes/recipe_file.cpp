@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The copy before the last one is kept only while it is a recipe.
+#include "app/store/recipes/recipe_file.h"
+
+#include "app/store/files/files.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace campanel::store {
+
+tl::expected<program::Recipe, FileError> readRecipe(const QString& path)
+{
+    return readBytes(path).and_then([&path](const QByteArray& bytes) { return fromJson(bytes, path); });
+}
+
+tl::expected<void, FileError> writeRecipe(const program::Recipe& recipe, const QString& path)
+{
+    QDir().mkpath(QFileInfo(path).absolutePath());
+    // A damaged file must not push out the last good copy.
+    if (const auto before = readBytes(path); before && fromJson(*before, path)) {
+        if (const auto kept = replaceBytes(backupPath(path), *before); !kept)
+            return kept;
+    }
+    return replaceBytes(path, toJson(recipe));
+}
+
+QList<RecipeOffer> offeredRecipes(const QList<Place>& places)
+{
+    constexpr qsizetype mostFiles = 200; // of one place
+    QList<RecipeOffer> offers;
+    for (const Place& place : places) {
+        for (const QFileInfo& file : filesIn(place, QStringLiteral("json"), mostFiles))
+            offers << RecipeOffer{file.filePath(), place.name, file.lastModified(),
+                                  readRecipe(file.filePath())};
+    }
+    std::ranges::stable_sort(offers, std::ranges::greater(), &RecipeOffer::changed);
+    return offers;
+}
+
+} // namespace campanel::store

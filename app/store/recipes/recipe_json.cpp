@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// The envelope of the recipe format. Reading stops at the first thing that is wrong, with the key and what
+// was expected.
+#include "app/store/recipes/recipe_json.h"
+
+#include "app/store/files/json_keys.h"
+#include "app/store/files/json_reader.h"
+#include "app/store/recipes/program_json.h"
+
+#include <QJsonDocument>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::store {
+namespace {
+
+using program::Recipe;
+
+const QString recipeFormat = u"campanel-recipe"_s;
+
+std::optional<FileError> wrongFormat(const QJsonObject& root)
+{
+    if (root.value(u"format"_s).toString() != recipeFormat)
+        return FileError{FileError::Kind::NotARecipe, {}, u"format"_s, {}, recipeFormat, 0};
+    const int version = root.value(u"format_version"_s).toInt(0);
+    if (version < 1)
+        return FileError{FileError::Kind::WrongType,    {}, u"format_version"_s, {},
+                         FileErrorText::aWholeNumber(), 0};
+    if (version > recipeFormatVersion)
+        return FileError{
+            FileError::Kind::NewerVersion,        {}, u"format_version"_s, QString::number(version),
+            QString::number(recipeFormatVersion), 0};
+    return std::nullopt;
+}
+
+} // namespace
+
+QByteArray toJson(const Recipe& recipe)
+{
+    return QJsonDocument(QJsonObject{{u"format"_s, recipeFormat},
+                                     {u"format_version"_s, recipeFormatVersion},
+                                     {u"name"_s, QString::fromStdString(recipe.name)},
+                                     {u"version"_s, recipe.version},
+                                     {u"program"_s, programJson(recipe)},
+                                     {u"machine"_s, machineJson(recipe)}})
+        .toJson();
+}
+
+tl::expected<Recipe, FileError> fromJson(const QByteArray& json, const QString& path)
+{
+    const auto refuse = [&path](FileError error) {
+        error.path = path;
+        return tl::unexpected(error);
+    };
+    QJsonParseError parseError;
+    const QJsonDocument document = QJsonDocument::fromJson(json, &parseError);
+    if (parseError.error != QJsonParseError::NoError)
+        return refuse({FileError::Kind::NotJson, {}, {}, parseError.errorString(), {}, parseError.offset});
+    const QJsonObject root = document.object();
+    if (const auto key = repeatedKey(json))
+        return refuse({FileError::Kind::RepeatedKey, {}, *key, {}, {}, 0});
+    if (const auto wrong = wrongFormat(root))
+        return refuse(*wrong);
+
+    Recipe recipe;
+    std::optional<FileError> failure;
+    ObjectReader reader(root, {}, failure);
+    reader.take(u"format"_s);
+    reader.take(u"format_version"_s);
+    const QString name = reader.text(u"name"_s);
+    recipe.name = name.toStdString();
+    if (recipe.name.size() > program::longestNameBytes)
+        reader.fail(u"name"_s, FileError::Kind::TooLong, name, QString::number(program::longestNameBytes));
+    profile::FieldInfo versions;
+    versions.min = 1;
+    versions.max = program::largestVersion;
+    if (reader.has(u"version"_s))
+        recipe.version = static_cast<int>(reader.number(u"version"_s, true, versions));
+    readProgram(reader.object(u"program"_s), recipe, failure);
+    if (reader.has(u"machine"_s))
+        readMachine(reader.object(u"machine"_s), recipe, failure);
+    reader.refuseUnknownKeys();
+    if (failure)
+        return refuse(*failure);
+    return recipe;
+}
+
+} // namespace campanel::store

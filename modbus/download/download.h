@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// Download of one bank as a state machine of small steps: begin, blocks, seal (CRC-32 compared), optionally a
+// comparison of every register read back, apply, wait until the status block shows it active. Each step is
+// one exchange, so that status and stop go in between; after a broken connection it goes on at the missing
+// block, after a restart of the controller it begins again.
+#pragma once
+
+#include "modbus/download/bank_reader.h"
+#include "modbus/line/rtu_client.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace campanel::modbus {
+
+enum class DownloadErrorKind : std::uint8_t {
+    Link,             // `link`; the download can go on after resume()
+    ImageTooLong,     // more registers than the controller's bank holds
+    KindNotSupported, // the controller cannot execute this program kind
+    TransferRefused,  // `transfer` says why
+    ChecksumDiffers,  // the controller sealed other bytes than were sent
+    RowsDiffer,       // the register at offset `offset` reads back differently
+    CommandRefused,   // `refusal` says why
+    Withdrawn,        // the armed change was cancelled or discarded before it became active
+};
+
+struct DownloadError {
+    DownloadErrorKind kind = DownloadErrorKind::Link;
+    LinkError link;
+    TransferAnswer transfer;
+    Refusal refusal = Refusal::None;
+    std::uint32_t offset = 0;
+    std::uint32_t expected = 0;
+    std::uint32_t actual = 0;
+};
+
+// One or two sentences; the running program is untouched in every case, and they say so.
+[[nodiscard]] std::string describe(const DownloadError& error);
+
+class Download {
+public:
+    enum class Phase : std::uint8_t {
+        Begin,
+        Resuming, // asking which block is missing
+        Blocks,
+        Seal,
+        Verify, // reading back, only when asked for
+        Apply,
+        AwaitActive,
+        Active,
+        Failed,
+        Cancelled,
+    };
+
+    struct Options {
+        ApplyMode mode = ApplyMode::NextCycle;
+        std::uint16_t session = 1; // not 0, and not that of the last download
+        bool verify = false;       // read every staged register back before applying
+    };
+
+    // `image`: header and rows of the bank. The kind of program is announced as its header names it.
+    Download(std::vector<std::uint16_t> image, const Identity& controller, Options options);
+
+    // One exchange, none while waiting in AwaitActive or when ended. A Link error leaves the phase: the step
+    // may be repeated, or resume() called after reopening the port. Any other error ends the download.
+    [[nodiscard]] tl::expected<Phase, DownloadError> advance(RtuClient& client);
+
+    // To be given every status block: it carries the generation before, and the proof of being active.
+    [[nodiscard]] tl::expected<Phase, DownloadError> noteStatus(const StatusBlock& status);
+
+    // After the connection was lost and found again.
+    void resume();
+
+    // Disarms if armed, and empties the shadow bank. What is active stays so. Errors: Link (repeat), or
+    // CommandRefused when it became active meanwhile.
+    [[nodiscard]] tl::expected<Phase, DownloadError> cancel(RtuClient& client);
+
+    [[nodiscard]] Phase phase() const { return m_phase; }
+    [[nodiscard]] bool ended() const;
+    // 0..1 over the frames up to and including apply.
+    [[nodiscard]] double progress() const;
+    [[nodiscard]] std::uint32_t crc() const { return m_crc; }
+    [[nodiscard]] const std::vector<std::uint16_t>& image() const { return m_image; }
+
+private:
+    using Step = tl::expected<Phase, DownloadError>;
+
+    [[nodiscard]] Step begin(RtuClient& client);
+    [[nodiscard]] Step askMissing(RtuClient& client);
+    [[nodiscard]] Step sendBlock(RtuClient& client);
+    [[nodiscard]] Step seal(RtuClient& client);
+    [[nodiscard]] Step verify(RtuClient& client);
+    [[nodiscard]] Step apply(RtuClient& client);
+    [[nodiscard]] Step fail(DownloadError error);
+    [[nodiscard]] Step refused(const TransferAnswer& answer);
+    [[nodiscard]] bool beginAgain();
+    [[nodiscard]] static Step linkFailed(const LinkError& error);
+    [[nodiscard]] std::uint16_t blockCount() const;
+
+    std::vector<std::uint16_t> m_image;
+    Options m_options;
+    std::uint16_t m_blockRegisters = 0;
+    std::uint16_t m_bankRegisters = 0;
+    std::uint16_t m_kind = 0; // of the image
+    bool m_kindSupported = false;
+    std::uint32_t m_crc = 0;
+    Phase m_phase = Phase::Begin;
+    std::uint16_t m_nextBlock = 0;
+    std::optional<BankReader> m_reader;
+    std::optional<std::uint32_t> m_generationBefore;
+    bool m_applySent = false;
+    int m_beginnings = 0; // again, after the controller had lost the session
+    bool m_isMismatchKnown = false;
+};
+
+} // namespace campanel::modbus

@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: Apache-2.0
+// The questions of the contract, and for each the proof that an answer belongs to it.
+#include "modbus/line/rtu_client.h"
+
+#include "modbus/map/codec.h"
+#include "modbus/map/function_codes.h"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+
+namespace campanel::modbus {
+namespace {
+
+using std::chrono::milliseconds;
+using Clock = std::chrono::steady_clock;
+
+// Writing flash or checking all rows takes the controller longer than answering a question. A lost answer
+// costs the panel that time too: sealing must leave room to find a restarted controller within two seconds.
+constexpr milliseconds flashAllowance{2000};
+constexpr milliseconds sealAllowance{1000};
+constexpr int resolveAttempts = 3;
+
+std::string commandName(Command code)
+{
+    for (const EnumInfo& info : enumerations()) {
+        if (info.name != "Command")
+            continue;
+        for (const EnumValue& value : info.values) {
+            if (value.value == static_cast<std::uint16_t>(code))
+                return std::string(value.name);
+        }
+    }
+    return "command " + std::to_string(static_cast<unsigned>(code));
+}
+
+// Never 0: that is what a controller has which has restarted, and it would take the command for an old one.
+std::uint16_t counterAfter(std::uint16_t counter)
+{
+    return counter == 0xFFFF ? std::uint16_t{1} : static_cast<std::uint16_t>(counter + 1u);
+}
+
+void appendWords(std::vector<std::uint8_t>& bytes, std::initializer_list<int> words)
+{
+    for (const int word : words) {
+        bytes.push_back(static_cast<std::uint8_t>(static_cast<unsigned>(word) >> 8));
+        bytes.push_back(static_cast<std::uint8_t>(word));
+    }
+}
+
+// What follows the byte count of a reading answer; empty when the count is not that of what follows.
+std::vector<std::uint16_t> registersIn(std::span<const std::uint8_t> data)
+{
+    if (data.empty() || data[0] + 1u != data.size())
+        return {};
+    std::vector<std::uint16_t> registers(data[0] / 2u);
+    for (std::size_t i = 0; i < registers.size(); ++i)
+        registers[i] = static_cast<std::uint16_t>((data[1 + 2 * i] << 8) | data[2 + 2 * i]);
+    return registers;
+}
+
+} // namespace
+
+RtuClient::RtuClient(LinkSettings settings, std::shared_ptr<LinkRecord> record)
+    : m_record(std::move(record))
+    , m_line(std::move(settings), *m_record)
+    , m_tag(static_cast<std::uint16_t>(Clock::now().time_since_epoch() / milliseconds{1}))
+{
+}
+
+RtuClient::~RtuClient() = default;
+
+LinkError RtuClient::error(LinkErrorKind kind, std::string request, std::string detail, int code) const
+{
+    return {kind, settings().port, std::move(request), std::move(detail), code};
+}
+
+tl::expected<void, LinkError> RtuClient::open()
+{
+    m_commandCounter.reset();
+    return m_line.open();
+}
+
+void RtuClient::close()
+{
+    m_line.close();
+    m_commandCounter.reset();
+}
+
+tl::expected<RtuClient::Registers, LinkError>
+RtuClient::writeAndRead(const std::string& request, const WindowRead& window, const Proof& isMine)
+{
+    const auto written = static_cast<int>(window.written.size());
+    Question question{request,
+                      {functionWriteAndRead},
+                      writeReadFrames(written, window.readCount),
+                      window.readAddress,
+                      window.readCount,
+                      window.extraAllowance,
+                      window.isRepeatable};
+    appendWords(question.pdu, {window.readAddress, window.readCount, window.writeAddress, written});
+    question.pdu.push_back(static_cast<std::uint8_t>(2 * written));
+    for (const std::uint16_t value : window.written)
+        appendWords(question.pdu, {value});
+    Registers answer;
+    return m_line
+        .ask(question,
+             [&](std::span<const std::uint8_t> data) {
+                 answer = registersIn(data);
+                 return answer.size() == window.readCount && isMine(answer);
+             })
+        .map([&](const RtuLine::Bytes&) { return std::move(answer); });
+}
+
+tl::expected<RtuClient::Registers, LinkError> RtuClient::readPlain(const std::string& request,
+                                                                   std::uint16_t address, std::uint16_t count)
+{
+    Question question{request, {functionRead}, readFrames(count), address, count, milliseconds{0}, true};
+    appendWords(question.pdu, {address, count});
+    Registers answer;
+    return m_line
+        .ask(question,
+             [&](std::span<const std::uint8_t> data) {
+                 answer = registersIn(data);
+                 return answer.size() == count;
+             })
+        .map([&](const RtuLine::Bytes&) { return std::move(answer); });
+}
+
+tl::expected<Identity, LinkError> RtuClient::identityIn(const Registers& registers) const
+{
+    const Identity identity = decodeIdentity(registers);
+    if (identity.deviceType != deviceType)
+        return tl::unexpected(error(LinkErrorKind::NotCamPanel, "identity", {}, identity.deviceType));
+    if (identity.mapMajor != mapMajor)
+        return tl::unexpected(error(LinkErrorKind::WrongMapMajor, "identity", {}, identity.mapMajor));
+    if (const auto impossible = impossibleValue(identity))
+        return tl::unexpected(error(LinkErrorKind::WrongIdentity, "identity", std::string(impossible->name),
+                                    static_cast<int>(impossible->value)));
+    return identity;
+}
+
+tl::expected<Identity, LinkError> RtuClient::probe(int unit)
+{
+    m_line.setUnit(unit);
+    const auto plain = readPlain("identity", identityAddress, identityRegisters);
+    if (!plain) {
+        // No such function or registers; a device that is busy or has failed may be any.
+        const bool isForeign = plain.error().kind == LinkErrorKind::Exception &&
+                               plain.error().code <= MODBUS_EXCEPTION_ILLEGAL_DATA_VALUE;
+        return tl::unexpected(isForeign ? error(LinkErrorKind::NotCamPanel, "identity") : plain.error());
+    }
+    return identityIn(*plain);
+}
+
+tl::expected<Identity, LinkError> RtuClient::identify()
+{
+    // Reads before it writes.
+    if (const auto plain = probe(settings().unit); !plain)
+        return plain;
+    const auto proven = readProven(identityAddress, identityRegisters);
+    if (!proven)
+        return tl::unexpected(proven.error());
+    return identityIn(*proven);
+}
+
+tl::expected<StatusBlock, LinkError> RtuClient::exchangeStatus(std::uint16_t heartbeat, std::uint16_t jogBits)
+{
+    const std::array<std::uint16_t, 3> written{++m_tag, heartbeat, jogBits};
+    static const std::uint16_t exchangeAddress = registerNamed("exchange.tag").address;
+    StatusBlock status;
+    const auto answer =
+        writeAndRead("status", {exchangeAddress, written, statusAddress, statusRegisters, milliseconds{0}},
+                     [&](const Registers& registers) {
+                         status = decodeStatus(registers);
+                         return status.tag == m_tag && status.heartbeat == heartbeat;
+                     });
+    if (!answer)
+        return tl::unexpected(answer.error());
+    m_commandCounter = status.commandCounter;
+    m_record->figures.noteController(status);
+    return status;
+}
+
+tl::expected<std::vector<std::uint16_t>, LinkError> RtuClient::readProven(std::uint16_t address,
+                                                                          std::uint16_t count)
+{
+    const std::string request = "registers from " + std::to_string(address);
+    if (count < 1 || count > readbackRegisters)
+        return tl::unexpected(error(LinkErrorKind::ValueRefused, request,
+                                    "1 to " + std::to_string(readbackRegisters) +
+                                        " registers can be read at once, not " + std::to_string(count) +
+                                        "."));
+    static const std::uint16_t questionAddress = registerNamed("readback.tag").address;
+    static const std::uint16_t answerAddress = registerNamed("readback_result.tag").address;
+    constexpr std::uint16_t echoed = 3;
+    const std::array<std::uint16_t, echoed> written{++m_tag, address, count};
+    auto answer = writeAndRead(
+        request,
+        {questionAddress, written, answerAddress, static_cast<std::uint16_t>(echoed + count),
+         milliseconds{0}},
+        [&](const Registers& registers) { return registers[0] == m_tag && registers[1] == address; });
+    if (!answer)
+        return answer;
+    if ((*answer)[2] != count)
+        return tl::unexpected(error(LinkErrorKind::RangeNotReadable, request,
+                                    std::to_string(count) + " from " + std::to_string(address)));
+    answer->erase(answer->begin(), answer->begin() + echoed);
+    return answer;
+}
+
+tl::expected<CommandResult, LinkError> RtuClient::command(Command code, CommandArguments arguments)
+{
+    const std::string request = commandName(code);
+    static const std::uint16_t commandAddress = registerNamed("command.counter").address;
+    static const std::uint16_t resultAddress = registerNamed("result.counter").address;
+    if (!m_commandCounter) {
+        const auto last = readProven(resultAddress, commandResultRegisters);
+        if (!last)
+            return tl::unexpected(last.error());
+        m_commandCounter = decodeCommandResult(*last).counter;
+    }
+    const std::uint16_t counter = counterAfter(*m_commandCounter);
+    const std::array<std::uint16_t, 6> written{counter,
+                                               static_cast<std::uint16_t>(code),
+                                               arguments.argument0,
+                                               arguments.argument1,
+                                               static_cast<std::uint16_t>(arguments.argument2 >> 16),
+                                               static_cast<std::uint16_t>(arguments.argument2 & 0xFFFFu)};
+    const auto allowance = code == Command::SaveToFlash ? flashAllowance : milliseconds{0};
+    CommandResult result;
+    constexpr bool isRepeatable = false;
+    const auto answer = writeAndRead(
+        request, {commandAddress, written, resultAddress, commandResultRegisters, allowance, isRepeatable},
+        [&](const Registers& registers) {
+            result = decodeCommandResult(registers);
+            return result.counter == counter && result.code == code;
+        });
+    m_commandCounter.reset();
+    if (!answer) {
+        if (answer.error().kind == LinkErrorKind::NotOpen)
+            return tl::unexpected(answer.error());
+        auto found = resolve(request, counter);
+        // The exception was this command's own when the controller has not carried it out.
+        if (!found && found.error().kind == LinkErrorKind::CommandLost &&
+            answer.error().kind == LinkErrorKind::Exception)
+            return tl::unexpected(answer.error());
+        return found;
+    }
+    m_commandCounter = counter;
+    return result;
+}
+
+tl::expected<CommandResult, LinkError> RtuClient::resolve(const std::string& request, std::uint16_t counter)
+{
+    for (int attempt = 0; attempt < resolveAttempts; ++attempt) {
+        const auto found = findResult(counter);
+        if (found && *found)
+            return **found;
+        // Not received for certain only when the controller still has the one before: a restarted one has
+        // none, and has perhaps carried it out before.
+        if (found && counterAfter(*m_commandCounter) == counter)
+            return tl::unexpected(error(LinkErrorKind::CommandLost, request, {}, counter));
+        if (found)
+            break;
+        if (portIsLost(found.error()))
+            break;
+    }
+    return tl::unexpected(error(LinkErrorKind::OutcomeUnknown, request, {}, counter));
+}
+
+tl::expected<std::optional<CommandResult>, LinkError> RtuClient::findResult(std::uint16_t counter)
+{
+    const auto registers = readProven(registerNamed("result.counter").address, commandResultRegisters);
+    if (!registers)
+        return tl::unexpected(registers.error());
+    const CommandResult result = decodeCommandResult(*registers);
+    m_commandCounter = result.counter;
+    return result.counter == counter ? std::optional(result) : std::nullopt;
+}
+
+tl::expected<TransferAnswer, LinkError> RtuClient::transfer(const TransferFrame& frame)
+{
+    const std::string request = "transfer of block " + std::to_string(frame.block);
+    if (frame.data.size() > blockRegisters)
+        return tl::unexpected(error(LinkErrorKind::ValueRefused, request, "the block is too long."));
+    static const std::uint16_t transferAddress = registerNamed("transfer.session").address;
+    static const std::uint16_t resultAddress = registerNamed("transfer_result.session").address;
+    std::vector<std::uint16_t> written{frame.session, static_cast<std::uint16_t>(frame.operation),
+                                       frame.block, static_cast<std::uint16_t>(frame.data.size())};
+    written.insert(written.end(), frame.data.begin(), frame.data.end());
+    const auto allowance = frame.operation == TransferOperation::Seal ? sealAllowance : milliseconds{0};
+    TransferAnswer answer;
+    const auto isMine = [&](const Registers& registers) {
+        answer = decodeTransferAnswer(registers);
+        const bool sessionIsMine =
+            answer.session == frame.session || answer.result == TransferResult::WrongSession ||
+            answer.result == TransferResult::NotReceiving || frame.operation == TransferOperation::Begin;
+        return answer.operation == frame.operation && answer.block == frame.block && sessionIsMine;
+    };
+    const auto registers = writeAndRead(
+        request, {transferAddress, written, resultAddress, transferResultRegisters, allowance}, isMine);
+    if (!registers)
+        return tl::unexpected(registers.error());
+    return answer;
+}
+
+tl::expected<TransferAnswer, LinkError> RtuClient::readTransferResult()
+{
+    return readProven(registerNamed("transfer_result.session").address, transferResultRegisters)
+        .map([](const std::vector<std::uint16_t>& registers) { return decodeTransferAnswer(registers); });
+}
+
+tl::expected<void, LinkError> RtuClient::writeParameter(const RegisterInfo& info, double physical)
+{
+    const std::string request(info.name);
+    const auto raw = toRaw(info, physical);
+    if (!raw || info.access != Access::ReadWrite)
+        return tl::unexpected(error(LinkErrorKind::ValueRefused, request,
+                                    raw ? request + " cannot be written." : describe(raw.error())));
+    std::array<std::uint16_t, 2> registers{};
+    RegisterWriter writer{std::span(registers).first(info.count), info.address};
+    static_cast<void>(writer.physical(info, physical)); // fits: toRaw() said so
+    Question question{request, {functionWrite}, writeFrames(info.count), 0, 0, milliseconds{0}, true};
+    appendWords(question.pdu, {info.address, info.count});
+    const RtuLine::Bytes echo(question.pdu.begin() + 1, question.pdu.end());
+    question.pdu.push_back(static_cast<std::uint8_t>(2 * info.count));
+    for (const std::uint16_t value : std::span(registers).first(info.count))
+        appendWords(question.pdu, {value});
+    const auto sent = m_line.ask(
+        question, [&](std::span<const std::uint8_t> data) { return std::ranges::equal(data, echo); });
+    std::optional<LinkError> refusal;
+    if (!sent) {
+        if (portIsLost(sent.error()))
+            return tl::unexpected(sent.error());
+        if (sent.error().kind == LinkErrorKind::Exception) // perhaps the late one to another question
+            refusal = sent.error();
+    }
+    // Whatever became of the answer, the registers themselves tell.
+    const auto kept = readProven(info.address, info.count);
+    if (!kept)
+        return tl::unexpected(kept.error());
+    if (std::equal(kept->begin(), kept->end(), registers.begin()))
+        return {};
+    if (refusal)
+        return tl::unexpected(*refusal);
+    return tl::unexpected(
+        error(LinkErrorKind::ReadBackDiffers, request,
+              request + " reads " + std::to_string(RegisterReader(*kept, info.address).physical(info))));
+}
+
+} // namespace campanel::modbus

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "modbus/line/rtu_line.h"
+
+#include "modbus/line/crc16.h"
+#include "modbus/map/function_codes.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <thread>
+
+#include <poll.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+namespace campanel::modbus {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::nanoseconds;
+
+// Nothing for this long after a doubt: the line is quiet. Longer than the 16 ms that USB adapters collect.
+constexpr milliseconds quietTime{25};
+constexpr milliseconds longestDrain{600};
+constexpr std::size_t exceptionBytes = 5;
+
+enum class Readiness { Input, Nothing, Gone };
+
+Readiness waitForInput(int descriptor, std::chrono::steady_clock::time_point deadline)
+{
+    const auto left = std::max(nanoseconds{0}, nanoseconds(deadline - std::chrono::steady_clock::now()));
+    constexpr long long perSecond = 1'000'000'000;
+    const timespec limit{left.count() / perSecond, left.count() % perSecond};
+    struct pollfd watched {
+        descriptor, POLLIN, 0
+    };
+    const int ready = ppoll(&watched, 1, &limit, nullptr);
+    if (ready == 0)
+        return Readiness::Nothing;
+    if (ready > 0 && (watched.revents & POLLIN) == 0)
+        return Readiness::Gone;
+    return Readiness::Input; // or interrupted: the read tells
+}
+
+// Returns the length of the answer that begins with these bytes; 0 when no answer begins so.
+std::size_t answerLength(std::span<const std::uint8_t> begin)
+{
+    if (begin.size() < 2 || (begin[1] & exceptionFlag) != 0 || begin.size() < 3)
+        return exceptionBytes;
+    switch (begin[1]) {
+    case 1:
+    case 2:
+    case 3:
+    case 4:
+    case 23: {
+        const std::size_t length = 5u + begin[2];
+        return length <= FrameRecord::mostBytes ? length : 0;
+    }
+    case 5:
+    case 6:
+    case 15:
+    case 16:
+        return 8;
+    default:
+        return 0;
+    }
+}
+
+// Returns true when the bytes are the beginning of the question itself, or all of it. An answer that begins
+// as its question does has its checksum where the question has other bytes.
+bool mayBeEcho(std::span<const std::uint8_t> bytes, std::span<const std::uint8_t> sent)
+{
+    return bytes.size() <= sent.size() && std::ranges::equal(bytes, sent.first(bytes.size())) &&
+           (bytes.size() == sent.size() || !endsWithCrc16(bytes));
+}
+
+LinkErrorKind kindOf(FrameVerdict verdict)
+{
+    switch (verdict) {
+    case FrameVerdict::Exception:
+        return LinkErrorKind::Exception;
+    case FrameVerdict::Foreign:
+        return LinkErrorKind::ForeignAnswer;
+    case FrameVerdict::BadChecksum:
+        return LinkErrorKind::BadChecksum;
+    case FrameVerdict::Malformed:
+        return LinkErrorKind::BadFrame;
+    case FrameVerdict::PortGone:
+        return LinkErrorKind::PortGone;
+    default:
+        return LinkErrorKind::NoAnswer;
+    }
+}
+
+bool isGone(int errorNumber)
+{
+    switch (errorNumber) {
+    case EIO:
+    case ECONNRESET:
+    case EBADF:
+    case ENXIO:
+    case ENODEV:
+    case EPIPE:
+        return true;
+    default:
+        return false;
+    }
+}
+
+} // namespace
+
+struct RtuLine::Received {
+    enum class End { Complete, Malformed, TimedOut, Gone };
+
+    std::array<std::uint8_t, FrameRecord::mostBytes> data{};
+    std::size_t count = 0;
+    End end = End::TimedOut;
+
+    [[nodiscard]] std::span<const std::uint8_t> bytes() const { return std::span(data).first(count); }
+};
+
+void RtuLine::ContextDeleter::operator()(modbus_t* context) const
+{
+    modbus_close(context);
+    modbus_free(context);
+}
+
+RtuLine::RtuLine(LinkSettings settings, LinkRecord& record)
+    : m_settings(std::move(settings))
+    , m_record(record)
+    , m_allowance(m_settings.answerAllowance)
+{
+}
+
+RtuLine::~RtuLine()
+{
+    close();
+}
+
+LinkError RtuLine::error(LinkErrorKind kind, std::string request, std::string detail, int code) const
+{
+    return {kind, m_settings.port, std::move(request), std::move(detail), code};
+}
+
+tl::expected<void, LinkError> RtuLine::open()
+{
+    close();
+    const LineSettings& line = m_settings.line;
+    const auto refuse = [this](std::string detail) {
+        return tl::unexpected(error(LinkErrorKind::PortSettings, {}, std::move(detail)));
+    };
+    if (std::ranges::find(supportedBauds, line.baud) == supportedBauds.end())
+        return refuse("baud rate " + std::to_string(line.baud) +
+                      " is not one of 9600, 19200, 38400, 57600, 115200.");
+    if (line.stopBits < 1 || line.stopBits > 2)
+        return refuse("there are 1 or 2 stop bits, not " + std::to_string(line.stopBits) + ".");
+    if (m_settings.unit < 1 || m_settings.unit > lastUnit)
+        return refuse("unit numbers go from 1 to 247, not " + std::to_string(m_settings.unit) + ".");
+
+    auto claim = PortClaim::take(m_settings.port);
+    if (!claim)
+        return tl::unexpected(claim.error());
+    decltype(m_context) context(modbus_new_rtu(m_settings.port.c_str(), static_cast<int>(line.baud),
+                                               static_cast<char>(line.parity), 8, line.stopBits));
+    if (!context)
+        return refuse("not enough memory.");
+    modbus_set_error_recovery(context.get(), MODBUS_ERROR_RECOVERY_NONE);
+    if (modbus_connect(context.get()) != 0)
+        return refuse(std::string(modbus_strerror(errno)) + ".");
+    // The kernel may round this thread's sleeps up by 50 us; the silence between frames is cut finer.
+    constexpr unsigned long timerSlackNs = 1000;
+    prctl(PR_SET_TIMERSLACK, timerSlackNs);
+    claim->excludeOthers();
+    m_claim = std::move(*claim);
+    m_context = std::move(context);
+    m_lineFreeAt = Clock::now();
+    drainLine(Drain::Opening);
+    m_record.allowance = m_allowance.value();
+    return {};
+}
+
+void RtuLine::close()
+{
+    m_context.reset();
+    m_claim = PortClaim();
+    m_failedRequest.reset();
+    m_record.allowance = milliseconds{0};
+}
+
+tl::expected<RtuLine::Bytes, LinkError> RtuLine::send(const Question& question)
+{
+    Bytes frame;
+    frame.reserve(question.pdu.size() + 3);
+    frame.push_back(static_cast<std::uint8_t>(m_settings.unit));
+    frame.insert(frame.end(), question.pdu.begin(), question.pdu.end());
+    const int sent = modbus_send_raw_request(m_context.get(), frame.data(), static_cast<int>(frame.size()));
+    const int errorNumber = errno;
+    const std::uint16_t crc = crc16(frame); // as libmodbus has added it
+    frame.push_back(static_cast<std::uint8_t>(crc & 0xFFu));
+    frame.push_back(static_cast<std::uint8_t>(crc >> 8));
+    if (sent == static_cast<int>(frame.size())) {
+        m_record.frames.add(FrameVerdict::Sent, frame, question.readAddress, question.readCount);
+        m_record.figures.noteRequest(sent, question.isRepeatable && m_failedRequest == question.name);
+        return frame;
+    }
+    const bool gone = sent < 0 && isGone(errorNumber);
+    const auto kind = gone ? LinkErrorKind::PortGone : LinkErrorKind::BadFrame;
+    m_record.frames.add(gone ? FrameVerdict::PortGone : FrameVerdict::Malformed, {});
+    m_record.figures.noteError(kind, nanoseconds{0}, LinkFigures::WallTime::clock::now());
+    return tl::unexpected(error(kind, question.name, gone ? std::string() : modbus_strerror(errorNumber)));
+}
+
+RtuLine::Received RtuLine::receive(std::span<const std::uint8_t> sent, Clock::time_point deadline)
+{
+    Received received;
+    const int descriptor = modbus_get_socket(m_context.get());
+    m_isEchoing = false;
+    // No answer is shorter; how long this one is its first bytes tell. What follows it is none of it.
+    std::size_t wanted = exceptionBytes;
+    while (received.count < wanted) {
+        const Readiness readiness = waitForInput(descriptor, deadline);
+        if (readiness == Readiness::Nothing)
+            return received;
+        ssize_t count = 0;
+        if (readiness == Readiness::Input)
+            count = read(descriptor, received.data.data() + received.count, wanted - received.count);
+        if (count < 0 && (errno == EAGAIN || errno == EINTR))
+            continue;
+        if (count <= 0) {
+            received.end = Received::End::Gone;
+            return received;
+        }
+        received.count += static_cast<std::size_t>(count);
+        wanted = answerLength(received.bytes());
+        if (m_isEchoing || received.count < wanted || !mayBeEcho(received.bytes(), sent))
+            continue;
+        m_isEchoing = received.count == sent.size();
+        wanted = m_isEchoing ? exceptionBytes : sent.size();
+        if (m_isEchoing)
+            received.count = 0;
+    }
+    received.end = wanted == 0 ? Received::End::Malformed : Received::End::Complete;
+    return received;
+}
+
+FrameVerdict RtuLine::judge(const Question& question, const Received& received, const Proof& isMine) const
+{
+    switch (received.end) {
+    case Received::End::Gone:
+        return FrameVerdict::PortGone;
+    case Received::End::TimedOut:
+        return received.count == 0 ? FrameVerdict::Silence : FrameVerdict::Incomplete;
+    case Received::End::Malformed:
+        return FrameVerdict::Malformed;
+    case Received::End::Complete:
+        break;
+    }
+    const auto frame = received.bytes();
+    if (!endsWithCrc16(frame))
+        return FrameVerdict::BadChecksum;
+    const std::uint8_t function = question.pdu.front();
+    if (frame[0] != m_settings.unit || (frame[1] & ~exceptionFlag) != function)
+        return FrameVerdict::Foreign;
+    if ((frame[1] & exceptionFlag) != 0)
+        return FrameVerdict::Exception;
+    const bool isWhole = frame.size() == static_cast<std::size_t>(question.frames.answerBytes);
+    return isWhole && isMine(frame.subspan(2, frame.size() - 4)) ? FrameVerdict::Answer
+                                                                 : FrameVerdict::Foreign;
+}
+
+tl::expected<RtuLine::Bytes, LinkError> RtuLine::ask(const Question& question, const Proof& isMine)
+{
+    if (!m_context)
+        return tl::unexpected(error(LinkErrorKind::NotOpen, question.name));
+    std::this_thread::sleep_until(m_lineFreeAt);
+    // Bytes that nobody asked for: a late answer, or noise. They must not become this question's answer.
+    if (hasInput(modbus_get_socket(m_context.get())))
+        drainLine();
+    const auto startedAt = Clock::now();
+    const auto sent = send(question);
+    if (!sent)
+        return tl::unexpected(sent.error());
+    const auto wire = pairTime(m_settings.line, question.frames);
+    const auto deadline = startedAt + wire + m_allowance.value() + question.extraAllowance;
+    Received received;
+    FrameVerdict verdict = FrameVerdict::Silence;
+    // A whole answer of this unit that is not this question's is the late one to an earlier question. This
+    // one's is still to come: giving up here would keep the panel one answer behind for good.
+    bool isLate = false;
+    do {
+        Received next = receive(*sent, deadline);
+        const FrameVerdict nextVerdict = judge(question, next, isMine);
+        m_record.figures.noteReceived(static_cast<int>(next.count));
+        if (isLate && nextVerdict == FrameVerdict::Silence)
+            break;
+        m_record.frames.add(nextVerdict, next.bytes(), question.readAddress, question.readCount);
+        verdict = nextVerdict;
+        received = next;
+        isLate = isLate || (verdict == FrameVerdict::Foreign && received.data[0] == m_settings.unit);
+        if (isLate && verdict == FrameVerdict::Foreign)
+            m_record.figures.noteDrain(static_cast<int>(received.count));
+    } while (isLate && verdict == FrameVerdict::Foreign);
+    const auto completeAt = Clock::now();
+    if (isLate && m_settings.isAllowanceMeasured)
+        m_allowance.noteSilence();
+    if (verdict != FrameVerdict::Answer)
+        return tl::unexpected(fail(question, verdict, received, startedAt));
+
+    const auto silence = frameSilence(m_settings.line);
+    m_lineFreeAt = completeAt + silence;
+    m_failedRequest.reset();
+    m_record.figures.noteAnswer(completeAt - startedAt, wire, completeAt + silence - startedAt,
+                                LinkFigures::WallTime::clock::now());
+    // What was allowed extra was work that a usual answer does not need.
+    if (m_settings.isAllowanceMeasured && question.extraAllowance == milliseconds{0})
+        m_allowance.noteTurnaround(completeAt - startedAt - (wire - silence));
+    m_record.allowance = m_allowance.value();
+    const auto frame = received.bytes();
+    return Bytes(frame.begin() + 2, frame.end() - 2);
+}
+
+LinkError RtuLine::fail(const Question& question, FrameVerdict verdict, const Received& received,
+                        Clock::time_point startedAt)
+{
+    const LinkErrorKind kind = kindOf(verdict);
+    // An exception carries no tag either: it may be the late answer to another question, and this one's still
+    // to come. A port that is gone has nothing to drain.
+    if (kind != LinkErrorKind::PortGone)
+        drainLine();
+    if (m_settings.isAllowanceMeasured && kind == LinkErrorKind::NoAnswer)
+        m_allowance.noteSilence();
+    m_record.allowance = m_allowance.value();
+    m_record.figures.noteError(kind, Clock::now() - startedAt, LinkFigures::WallTime::clock::now());
+    m_failedRequest = question.name;
+    const bool isException = kind == LinkErrorKind::Exception;
+    return error(kind, question.name, {}, isException ? received.data[2] : 0);
+}
+
+void RtuLine::drainLine(Drain reason)
+{
+    const auto quiet = std::max(quietTime, std::chrono::ceil<milliseconds>(frameSilence(m_settings.line)));
+    int dropped = 0;
+    // A port that is gone shows itself at the next request, with its own error.
+    static_cast<void>(drain(modbus_get_socket(m_context.get()), quiet, longestDrain,
+                            [this, &dropped](std::span<const std::uint8_t> bytes) {
+                                dropped += static_cast<int>(bytes.size());
+                                m_record.frames.add(FrameVerdict::Drained, bytes);
+                            }));
+    if (reason == Drain::Doubt || dropped > 0)
+        m_record.figures.noteDrain(dropped);
+    m_lineFreeAt = Clock::now();
+}
+
+} // namespace campanel::modbus

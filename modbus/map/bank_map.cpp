@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// The header of a program bank: what all banks share, what belongs to a layout of the table, and the inputs
+// of each kind of program, which lie over one another.
+#include "modbus/map/register_rows.h"
+
+namespace campanel::modbus {
+namespace {
+
+using namespace rows;
+using Layout = TableLayout;
+
+constexpr RegisterInfo step(RegisterInfo row)
+{
+    return withLayout(row, Layout::StepTable);
+}
+
+constexpr RegisterInfo positionMove(RegisterInfo row)
+{
+    return withKind(ProgramKind::PositionMove, row);
+}
+
+constexpr RegisterInfo speedMove(RegisterInfo row)
+{
+    return withKind(ProgramKind::SpeedMove, row);
+}
+
+constexpr RegisterInfo pointCam(RegisterInfo row)
+{
+    return withKind(ProgramKind::PointCam, row);
+}
+
+constexpr RegisterInfo press(RegisterInfo row)
+{
+    return withKind(ProgramKind::Press, row);
+}
+
+constexpr std::array bankTable{
+    ro16("bank.layout", 0, "what the rows are", "TableLayout"),
+    ro16("bank.kind", 1, "program kind", "ProgramKind"),
+    ro16("bank.row_count", 2, "rows that follow the header"),
+    ro32("bank.cycle_ticks", 3,
+         "timer ticks of one cycle at full speed; the ticks of a step table's rows add up to it", 1.0,
+         "ticks"),
+    step(ro32("bank.cycle_pulses", 5, "whole pulses of one cycle; the rows' pulses add up to it", 1.0,
+              "pulses")),
+    withLayout(roI32("bank.advance", 5, "whole pulses from the beginning of a cycle to its end", "pulses"),
+               Layout::CamPoints, Layout::Intervals),
+    ro32("bank.remainder", 7, "numerator of the fraction of a pulse that each cycle owes", 1.0, "pulses"),
+    ro32("bank.divisor", 9, "its denominator; 1 when there is no fraction"),
+    step(ro16("bank.carry_row", 11, "row that takes one pulse more whenever a whole one is owed")),
+    withLayout(ro16("bank.end_behavior", 11, "what happens at the end", "EndBehavior"), Layout::CamPoints,
+               Layout::Intervals),
+    step(ro16("bank.cut_angle", 12, "master angle at which the knife closes", {}, 0.01, "deg")),
+    step(ro16("bank.sync_start", 13, "master angle at which knife and film start to move together", {}, 0.01,
+              "deg")),
+    step(ro16("bank.sync_end", 14, "master angle at which they stop doing so", {}, 0.01, "deg")),
+    withLayout(ro16("cam.master_ramp", 12, "time of the master from standstill to full speed; 0: at once", {},
+                    1.0, "ms"),
+               Layout::CamPoints),
+    withLayout(ro16("interval.fraction_bits", 12,
+                    "speeds and accelerations of the rows count 2^-bits; 0 as published, at most 8"),
+               Layout::Intervals),
+    withLayout(ro16("cam.ramp_shape", 13, "how the master gets there", "RampShape"), Layout::CamPoints),
+    withLayout(ro16("cam.knot_count", 14, "knots after the rows"), Layout::CamPoints),
+    cutter(ro32("program.knife_radius", 15, "knife-tip radius", 0.001, "mm")),
+    cutter(ro16("program.knives", 17, "knives on the shaft")),
+    cutter(ro32("program.pulses_per_motor_rev", 18, "pulses per motor revolution K", 1.0, "pulses")),
+    cutter(ro16("program.gear_numerator", 20, "motor revolutions per knife revolution Z, numerator")),
+    cutter(ro16("program.gear_denominator", 21, "Z, denominator")),
+    cutter(
+        ro16("program.pinned", 22, "the two inputs: bit 0 bag length, 1 rate, 2 base speed, 3 film speed")),
+    cutter(ro32("program.bag_length", 23, "bag length L: film fed per cycle", 0.001, "mm")),
+    cutter(ro32("program.rate", 25, "bags per minute", 0.0001, "bags/min")),
+    cutter(ro32("program.base_speed", 27, "v_a", 0.001, "mm/s")),
+    cutter(ro32("program.film_speed", 29, "v_b", 0.001, "mm/s")),
+    cutter(ro32("program.sync_ratio", 31, "v_b over film speed", 0.000001)),
+    cutter(ro32("program.k1", 33, "T / t_a", 0.000001)),
+    cutter(ro32("program.k2", 35, "T / t_b", 0.000001)),
+    cutter(ro32("program.k3", 37, "T / t_c", 0.000001)),
+    cutter(ro32("program.k4", 39, "T / t_d", 0.000001)),
+    cutter(ro16("program.law", 41, "speed law", "Law")),
+    cutter(ro32("program.law_parameter1", 42, "first parameter of the law, 0 when it has none", 0.000001)),
+    cutter(ro32("program.law_parameter2", 44, "second parameter of the law, 0 when it has none", 0.000001)),
+    cutter(ro16("program.ramp_slices", 46, "slices per ramp of the step table")),
+    positionMove(roScaled32("position_move.distance", 15, "distance, negative: backwards", 0.001, "mm")),
+    positionMove(ro16("position_move.duration", 17, "which input is given", "MoveDuration")),
+    positionMove(ro32("position_move.time", 18, "given time", 0.000001, "s")),
+    positionMove(ro16("position_move.law", 20, "displacement law", "Law")),
+    positionMove(
+        ro32("position_move.law_parameter1", 21, "first parameter of the law, 0 when it has none", 0.000001)),
+    positionMove(ro32("position_move.law_parameter2", 23, "second parameter of the law, 0 when it has none",
+                      0.000001)),
+    positionMove(ro16("position_move.cam_points", 25, "intervals of the cam table")),
+    positionMove(ro32("position_move.feed", 26, "feed per motor revolution", 0.001, "mm")),
+    positionMove(
+        ro32("position_move.pulses_per_motor_rev", 28, "pulses per motor revolution K", 1.0, "pulses")),
+    positionMove(ro32("position_move.inertia", 30, "inertia at the motor", 0.001, "kg cm^2")),
+    positionMove(ro32("position_move.friction", 32, "friction at the motor", 0.001, "Nm")),
+    speedMove(roScaled32("speed_move.start_speed", 15, "V0", 0.001, "mm/s")),
+    speedMove(roScaled32("speed_move.end_speed", 17, "V1", 0.001, "mm/s")),
+    speedMove(ro16("speed_move.duration", 19, "which input is given", "MoveDuration")),
+    speedMove(ro32("speed_move.time", 20, "given time", 0.000001, "s")),
+    speedMove(roScaled32("speed_move.distance", 22, "given distance", 0.001, "mm")),
+    speedMove(ro16("speed_move.law", 24, "speed law", "Law")),
+    speedMove(
+        ro32("speed_move.law_parameter1", 25, "first parameter of the law, 0 when it has none", 0.000001)),
+    speedMove(
+        ro32("speed_move.law_parameter2", 27, "second parameter of the law, 0 when it has none", 0.000001)),
+    speedMove(ro16("speed_move.cam_points", 29, "intervals of the cam table")),
+    speedMove(ro32("speed_move.feed", 30, "feed per motor revolution", 0.001, "mm")),
+    speedMove(ro32("speed_move.pulses_per_motor_rev", 32, "pulses per motor revolution K", 1.0, "pulses")),
+    speedMove(ro32("speed_move.inertia", 34, "inertia at the motor", 0.001, "kg cm^2")),
+    speedMove(ro32("speed_move.friction", 36, "friction at the motor", 0.001, "Nm")),
+    pointCam(roI16("point_cam.master_rate", 15, "speed of the master, negative: backwards", 0.1, "r/min")),
+    pointCam(ro16("point_cam.ends", 16, "ends of the spline", "SplineEnds")),
+    pointCam(ro32("point_cam.master_ratio", 17, "master revolutions per cam cycle", 0.001)),
+    pointCam(ro32("point_cam.master_scale", 19, "stretch of the cam over the master", 0.001)),
+    pointCam(roScaled32("point_cam.slave_scale", 21, "stretch of the cam over the slave", 0.001, {})),
+    pointCam(roI16("point_cam.phase", 23, "of the cam, at which the master starts", 0.1, "deg")),
+    pointCam(ro16("point_cam.cam_points", 24, "intervals of the cam table")),
+    pointCam(ro32("point_cam.feed", 25, "feed per motor revolution", 0.001, "mm")),
+    pointCam(ro32("point_cam.pulses_per_motor_rev", 27, "pulses per motor revolution K", 1.0, "pulses")),
+    pointCam(ro32("point_cam.inertia", 29, "inertia at the motor", 0.001, "kg cm^2")),
+    pointCam(ro32("point_cam.friction", 31, "friction at the motor", 0.001, "Nm")),
+    press(ro32("press.approach_position", 15, "end of the approach", 0.001, "mm")),
+    press(ro16("press.approach_speed", 17, "speed of the approach", {}, 0.1, "mm/s")),
+    press(ro16("press.probe_speed", 18, "speed of the probing", {}, 0.1, "mm/s")),
+    press(ro16("press.probe_force", 19, "force by which the work piece is felt", {}, 1.0, "N")),
+    press(ro32("press.probe_end", 20, "where it must have been felt", 0.001, "mm")),
+    press(ro16("press.press_speed", 22, "speed of the pressing", {}, 0.1, "mm/s")),
+    press(ro32("press.press_position", 23, "stop position", 0.001, "mm")),
+    press(ro16("press.hold_time", 25, "time under force", {}, 0.01, "s")),
+    press(ro16("press.return_speed", 26, "speed of the return", {}, 0.1, "mm/s")),
+    press(ro16("press.max_force", 27, "force at which the stroke is broken off", {}, 1.0, "N")),
+    press(ro16("press.position_tolerance", 28, "of the stop position, to both sides", {}, 0.001, "mm")),
+    press(ro16("press.min_stop_force", 29, "least force at the stop", {}, 1.0, "N")),
+    press(ro16("press.max_stop_force", 30, "most force at the stop", {}, 1.0, "N")),
+    press(ro32("press.feed", 31, "feed per motor revolution", 0.001, "mm")),
+    press(ro32("press.pulses_per_motor_rev", 33, "pulses per motor revolution K", 1.0, "pulses")),
+    press(ro32("press.max_acceleration", 35, "acceleration that the ramps keep to", 1.0, "mm/s^2")),
+    ro16("program.recipe_version", 47, "version of the recipe that this was built from"),
+    RegisterInfo{"program.recipe_name",
+                 48,
+                 RegisterType::Text,
+                 16,
+                 Access::ReadOnly,
+                 1.0,
+                 {},
+                 0,
+                 0,
+                 0,
+                 {},
+                 "name of the recipe"},
+    block("bank.rows", bankHeaderRegisters, bankRegisters - bankHeaderRegisters, Access::ReadOnly,
+          "row_count rows as bank.layout says"),
+};
+
+static_assert(isConsistent(bankTable));
+
+} // namespace
+
+std::span<const RegisterInfo> bankFields()
+{
+    return bankTable;
+}
+
+} // namespace campanel::modbus

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// The register map as documents: REGISTERS.md and the controller's C header, as text.
+#pragma once
+
+#include "modbus/map/register_map.h"
+
+#include <string>
+#include <string_view>
+
+namespace campanel::modbus {
+
+[[nodiscard]] std::string registersMarkdown();
+[[nodiscard]] std::string registersCHeader();
+
+// "u16", "text" ...
+[[nodiscard]] std::string_view typeName(RegisterType type);
+// "0x011B"
+[[nodiscard]] std::string hexAddress(unsigned address);
+
+} // namespace campanel::modbus

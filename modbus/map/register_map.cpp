@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+// The registers at fixed addresses. Addresses and encodings are the contract: change them only with a new map
+// version.
+#include "modbus/map/register_map.h"
+
+#include "modbus/map/register_rows.h"
+
+#include <unordered_map>
+
+namespace campanel::modbus {
+namespace {
+
+using namespace rows;
+
+constexpr double max32 = 4294967295.0;
+
+constexpr std::array registerTable{
+    ro16("identity.device_type", 0x0000, "0xCA3D on every CamPanel controller"),
+    ro16("identity.map_major", 0x0001,
+         "register-map version; a panel of another major version refuses to work"),
+    ro16("identity.map_minor", 0x0002, "a higher minor version only adds registers"),
+    ro16("identity.firmware_major", 0x0003, "firmware version"),
+    ro16("identity.firmware_minor", 0x0004, "firmware version"),
+    ro16("identity.firmware_patch", 0x0005, "firmware version"),
+    ro32("identity.unique_id_high", 0x0006, "unique id, upper half"),
+    ro32("identity.unique_id_low", 0x0008, "unique id, lower half"),
+    ro16("identity.program_kinds", 0x000A, "bit n set: program kind n can be executed", "ProgramKind"),
+    ro16("identity.row_capacity", 0x000B, "rows that a step table may have"),
+    ro16("identity.bank_registers", 0x000C, "registers that a bank holds, header included"),
+    ro16("identity.block_registers", 0x000D, "payload registers of one transfer block"),
+    ro32("identity.timer_clock", 0x000E, "clock of the pulse timer", 1.0, "Hz"),
+    ro16("identity.timer_bits", 0x0010, "width of the pulse timer"),
+    ro32("identity.max_pulse_frequency", 0x0011, "highest pulse frequency of the output stage", 1.0, "Hz"),
+    ro32("clock.unix_time", 0x0060, "seconds since 1970-01-01 UTC, 0 until set", 1.0, "s"),
+
+    rw16("parameter.heartbeat_timeout", 0x0080,
+         "silence of the panel after which the heartbeat counts as lost", {}, 200, 60000, 2000, 1.0, "ms"),
+    rw16("parameter.heartbeat_lost_action", 0x0081, "what a running machine does then", "HeartbeatLostAction",
+         0, 1, 0),
+    rw16("parameter.ramp_time", 0x0082, "time from standstill to full speed, and back", {}, 50, 10000, 800,
+         1.0, "ms"),
+    rw32("parameter.jog_frequency", 0x0083, "pulse frequency while jogging", 10, 20000, 1000, 1.0, "Hz"),
+    rw32("parameter.home_frequency", 0x0085, "pulse frequency while homing", 10, 20000, 2000, 1.0, "Hz"),
+    rw32("parameter.following_error_limit", 0x0087, "following error that becomes a fault", 10, 1000000, 3000,
+         1.0, "pulses"),
+    rw16("parameter.master_direction", 0x0089,
+         "of the master of a point cam: 0 forward, 1 backward; a running one ramps through zero", {}, 0, 1,
+         0),
+
+    // Film, marks and products of a packing machine; see controller/README.md, "Packing".
+    rw16("parameter.mark_tracking", 0x008A, "1: cuts follow the printed marks", {}, 0, 1, 1),
+    rw32("parameter.mark_distance", 0x008B, "film between the mark sensor and the knife", 10, 5000, 900,
+         0.001, "mm"),
+    rw32("parameter.mark_offset", 0x008D, "film from a mark to the cut behind it", 0, 2000, 0, 0.001, "mm"),
+    rw16("parameter.mark_window", 0x008F,
+         "a mark counts when it is no farther than this from where it is expected", {}, 0.5, 30, 6, 0.001,
+         "mm"),
+    rw16("parameter.mark_missing_limit", 0x0090, "so many missing in a row: tracking is lost", {}, 1, 100, 5),
+    rw16("parameter.phase_gain", 0x0091, "share of a mark's error that is taken for slip of the film", {}, 0,
+         1, 0.25, 0.001),
+    rw16("parameter.length_gain", 0x0092, "share of a mark's error that changes the length between marks", {},
+         0, 1, 0.1, 0.001),
+    rw16("parameter.phase_limit", 0x0093, "most that one bag's cut is shifted besides the length", {}, 0.05,
+         20, 1, 0.001, "mm"),
+    rw16("parameter.length_limit", 0x0094, "most that the film of a bag differs from its length", {}, 0, 10,
+         2, 0.01, "%"),
+    rwI16("parameter.length_trim", 0x0095, "added to every bag while the marks are not followed", -5, 5, 0,
+          0.001, "mm"),
+    rw16("parameter.anti_cut", 0x0096, "1: the knife stays open where a product lies across its path", {}, 0,
+         1, 1),
+    rw16("parameter.cut_clearance", 0x0097, "film that must be free of products on both sides of a cut", {},
+         0.5, 60, 5, 0.001, "mm"),
+    rw16("parameter.empty_bag", 0x0098, "1: film and knife wait a cycle for a product that is missing", {}, 0,
+         1, 0),
+    rw16("parameter.skip_limit", 0x0099, "so many cuts skipped in a row end the run", {}, 1, 100, 5),
+    rw32("parameter.film_feed", 0x009A, "film per revolution of the film motor", 1, 2000, 150, 0.001, "mm"),
+    rw32("parameter.film_pulses", 0x009C, "pulses per revolution of the film motor", 100, 1000000, 10000, 1.0,
+         "pulses"),
+    rw32("parameter.product_distance", 0x009E,
+         "film between the knife and where products are laid, to the nearest half bag", 50, 5000, 700, 0.001,
+         "mm"),
+    rw32("parameter.flight_pitch", 0x00A0, "distance of the products on the infeed", 20, 2000, 500, 0.001,
+         "mm"),
+    rw32("parameter.flight_pulses", 0x00A2, "pulses of the infeed motor per product", 100, 10000000, 20000,
+         1.0, "pulses"),
+    rw32("parameter.eye_distance", 0x00A4,
+         "infeed between the product eye and where products are laid on the film", 20, 10000, 1000, 0.001,
+         "mm"),
+
+    // Status block: the answer to the periodic FC23 exchange. 40 registers, so that 9600 baud still carries 8
+    // a second.
+    ro16("status.tag", 0x0100, "echo of exchange.tag"),
+    ro16("status.heartbeat", 0x0101, "echo of exchange.heartbeat"),
+    ro16("status.state", 0x0102, "what the controller is doing", "State"),
+    ro16("status.fault", 0x0103, "fault bits", "FaultBit"),
+    ro16("status.warning", 0x0104, "warning bits", "WarningBit"),
+    ro16("status.program_kind", 0x0105, "kind of the active program", "ProgramKind"),
+    ro16("status.staged_state", 0x0106, "state of the shadow bank", "StagedState"),
+    ro32("status.generation", 0x0107, "counts every program that became active since first power-up"),
+    ro32("status.active_crc", 0x0109, "CRC-32 of the active bank's bytes, 0 when there is none"),
+    ro32("status.saved_crc", 0x010B,
+         "CRC-32 of the bank in the newest valid flash slot, 0 when there is none"),
+    ro32("status.cycle_count", 0x010D,
+         "cycles completed since power-up; of a press the strokes, however they ended"),
+    ro16("status.master_angle", 0x010F, "position in the cycle", {}, 0.01, "deg"),
+    ro16("status.master_speed", 0x0110, "speed of the cycle against the table's: 100 % when not ramping", {},
+         0.01, "%"),
+    roI32("status.commanded_frequency", 0x0111, "pulse frequency sent to the drive", "Hz"),
+    roI32("status.actual_frequency", 0x0113, "encoder speed in pulses of the command", "Hz"),
+    roI32("status.commanded_position", 0x0115, "pulses sent since homing, lower 32 bits", "pulses"),
+    roI32("status.axis_position", 0x0117, "encoder position in pulses since homing, lower 32 bits", "pulses"),
+    roI16("status.following_error", 0x0119, "commanded minus actual, saturating", 1.0, "pulses"),
+    withKind(ProgramKind::RotaryCutter,
+             ro16("status.knife_angle", 0x011A, "knife angle from the encoder, 0 at the index mark", {}, 0.01,
+                  "deg")),
+    withKind(ProgramKind::RotaryCutter,
+             ro32("status.bag_length", 0x011B,
+                  "last bag as measured on the cut film; 0 until one was measured", 0.001, "mm")),
+    withKind(ProgramKind::RotaryCutter,
+             roI16("status.bag_deviation", 0x011D, "last measured length minus set length, saturating", 0.001,
+                   "mm")),
+    withKind(ProgramKind::RotaryCutter, ro32("status.bag_count", 0x011E, "bags cut since power-up")),
+    withKind(ProgramKind::Press, ro16("status.press_stage", 0x011A, "stage of the stroke", "PressStage")),
+    withKind(ProgramKind::Press, ro16("status.press_force", 0x011B, "force now, saturating", {}, 1.0, "N")),
+    withKind(ProgramKind::Press,
+             roI16("status.stop_error", 0x011C,
+                   "last stroke: where it stopped minus where it should have, saturating", 1.0, "pulses")),
+    withKind(ProgramKind::Press,
+             ro16("status.stop_force", 0x011D, "last stroke: force at the stop", {}, 1.0, "N")),
+    withKind(ProgramKind::Press,
+             ro16("status.stroke_result", 0x011E, "last stroke: outcome", "StrokeResult")),
+    withKind(ProgramKind::Press,
+             ro16("status.peak_force", 0x011F, "last stroke: largest force", {}, 1.0, "N")),
+    ro32("status.uptime", 0x0120, "time since power-up", 1.0, "s"),
+    ro16("status.command_counter", 0x0122, "counter of the last command received"),
+    ro16("status.link_crc_errors", 0x0123, "frames with a wrong CRC-16, wrapping"),
+    ro16("status.link_frame_errors", 0x0124, "frames cut short, too long or with a line error, wrapping"),
+    ro16("status.link_exceptions", 0x0125, "exception answers sent, wrapping"),
+    ro16("status.link_requests", 0x0126, "requests answered, wrapping"),
+    ro16("status.sample_time", 0x0127, "controller time at which this block was taken, wrapping", {}, 1.0,
+         "ms"),
+
+    // Film, marks and products; as a whole one proven reading. 0 while the program has no knife.
+    cutter(ro16("packer.mark_state", 0x0140, "how the marks are followed", "MarkState")),
+    cutter(roI16("packer.mark_error", 0x0141, "last cut: where it was minus where its mark wanted it", 0.001,
+                 "mm")),
+    cutter(ro32("packer.mark_pitch", 0x0142,
+                "film from mark to mark, filtered, as the film motor measures it", 0.001, "mm")),
+    cutter(roI16("packer.phase_correction", 0x0144, "shift of the next cut besides the length", 0.001, "mm")),
+    cutter(roI16("packer.length_correction", 0x0145, "film of the next bag minus its length", 0.001, "mm")),
+    cutter(roI16("packer.last_mark", 0x0146, "last mark: where it came minus where it was expected", 0.001,
+                 "mm")),
+    cutter(roI16("packer.film_following_error", 0x0147, "film motor: commanded minus actual", 0.001, "mm")),
+    cutter(ro32("packer.marks", 0x0148, "marks followed since power-up")),
+    cutter(ro32("packer.marks_missing", 0x014A, "marks expected that did not come")),
+    cutter(ro32("packer.marks_false", 0x014C, "marks where none was expected")),
+    cutter(ro32("packer.products", 0x014E, "products laid on the film since power-up")),
+    cutter(ro32("packer.cuts_skipped", 0x0150, "cuts not made because a product lay across")),
+    cutter(ro32("packer.empty_bags", 0x0152,
+                "bags without a product: saved, or cut empty when film is not saved")),
+    cutter(ro32("packer.film_saved", 0x0154, "film not used up by empty bags", 0.001, "m")),
+    cutter(ro16("packer.last_skip", 0x0156, "why a cut or a bag was last left out", "SkipCause")),
+    cutter(ro16("packer.skips_in_a_row", 0x0157, "cuts skipped since the last one made")),
+    cutter(ro32("packer.corrections_limited", 0x0158, "corrections that a limit cut short")),
+    cutter(ro16("packer.film_angle", 0x015A, "position of the film in its cycle", {}, 0.01, "deg")),
+    cutter(ro16("packer.knife_gate", 0x015B, "whether the knife follows the film", "GateState")),
+    cutter(ro16("packer.film_gate", 0x015C, "whether the film follows the infeed", "GateState")),
+    cutter(
+        ro16("packer.teach_marks", 0x015D, "marks measured by TeachMarks; it ends at the number asked for")),
+    cutter(ro32("packer.teach_pitch", 0x015E, "their mean distance", 0.001, "mm")),
+    cutter(ro16("packer.teach_scatter", 0x0160, "standard deviation of that", {}, 0.001, "mm")),
+    cutter(ro16("packer.marks_wait", 0x0161, "marks between sensor and knife")),
+    cutter(ro32("packer.bag_number", 0x0162, "bags recorded since power-up: number of the newest record")),
+    cutter(block("packer.bags", 0x0164, 4 * bagRecords, Access::ReadOnly,
+                 "the newest records; bag n is the one at (n mod 8) x 4: deviation, mark error, distance "
+                 "from its mark to the one before minus bag length (i16, 0.001 mm, saturating), BagBit")),
+    cutter(ro32("packer.film_position", 0x0184,
+                "film motor's position, lower 32 bits; all below is relative to it", 0.001, "mm")),
+    cutter(block(
+        "packer.cuts", 0x0186, viewCuts, Access::ReadOnly,
+        "the next cuts by their distance to the knife, i16, 0.1 mm; 0x8000: none. An odd one is left out")),
+    cutter(block("packer.seen_marks", 0x018C, viewMarks, Access::ReadOnly,
+                 "the marks on the film, the same way; an odd one was not seen but reckoned")),
+    cutter(block("packer.seen_products", 0x0198, 2 * viewProducts, Access::ReadOnly,
+                 "the products on the film: leading and trailing edge, the same way")),
+
+    rw16("exchange.tag", 0x0200, "any value that differs from the last one; comes back as status.tag"),
+    rw16("exchange.heartbeat", 0x0201, "must advance; jog dies 200 ms after it last did"),
+    rw16("exchange.jog", 0x0202, "held jog keys", "JogBit", 0, 3, 0),
+
+    rw16("command.counter", 0x0220,
+         "sets off command.code, which must be in the same frame; the last counter again does nothing"),
+    rw16("command.code", 0x0221, "what to do", "Command", 0, 11, 0),
+    rw16("command.argument0", 0x0222, "see the command"),
+    rw16("command.argument1", 0x0223, "see the command"),
+    rw32("command.argument2", 0x0224, "see the command", 0, max32, 0),
+    ro16("result.counter", 0x0230, "echo of command.counter"),
+    ro16("result.code", 0x0231, "echo of command.code", "Command"),
+    ro16("result.status", 0x0232, "outcome", "CommandStatus"),
+    ro16("result.reason", 0x0233, "why it was refused", "Refusal"),
+
+    rw16("transfer.session", 0x0240, "chosen by the panel at Begin; 0 is not allowed"),
+    rw16("transfer.operation", 0x0241, "what this frame does", "TransferOperation", 0, 3, 0),
+    rw16("transfer.block", 0x0242, "block number, from 0"),
+    rw16("transfer.length", 0x0243, "registers of data that count", {}, 0, blockRegisters, 0),
+    block("transfer.data", 0x0244, blockRegisters, Access::ReadWrite, "payload"),
+    ro16("transfer_result.session", 0x02C0, "session of the transfer under way, 0 when there is none"),
+    ro16("transfer_result.operation", 0x02C1, "echo of transfer.operation", "TransferOperation"),
+    ro16("transfer_result.block", 0x02C2, "echo of transfer.block"),
+    ro16("transfer_result.result", 0x02C3, "outcome", "TransferResult"),
+    ro16("transfer_result.detail", 0x02C4, "row or header register that was refused"),
+    ro16("transfer_result.next_missing", 0x02C5,
+         "lowest block not yet received; the number of blocks when all are here"),
+    ro32("transfer_result.staged_crc", 0x02C6, "CRC-32 of the sealed bytes, 0 until sealed"),
+
+    // Proven reading: written and read in one FC23, so that the answer carries the question.
+    rw16("readback.tag", 0x0300, "any value that differs from the last one"),
+    rw16("readback.address", 0x0301, "first register wanted"),
+    rw16("readback.count", 0x0302, "registers wanted", {}, 1, readbackRegisters, 1),
+    ro16("readback_result.tag", 0x0310, "echo of readback.tag"),
+    ro16("readback_result.address", 0x0311, "echo of readback.address"),
+    ro16("readback_result.count", 0x0312, "echo of readback.count, 0 when the range cannot be read"),
+    block("readback_result.data", 0x0313, readbackRegisters, Access::ReadOnly,
+          "the registers as they were when the question came"),
+
+    block("active", activeBankBase, bankRegisters, Access::ReadOnly, "the bank being executed; layout below"),
+    block("staged", stagedBankBase, bankRegisters, Access::ReadOnly, "the shadow bank; layout below"),
+};
+
+static_assert(isConsistent(registerTable));
+
+} // namespace
+
+std::span<const RegisterInfo> registers()
+{
+    return registerTable;
+}
+
+const RegisterInfo* findRegister(std::string_view name)
+{
+    // Every status block is read by names, some eighty a second.
+    static const std::unordered_map<std::string_view, const RegisterInfo*> byName = [] {
+        std::unordered_map<std::string_view, const RegisterInfo*> index;
+        for (const std::span<const RegisterInfo> rows : {registers(), bankFields()}) {
+            for (const RegisterInfo& row : rows)
+                index.emplace(row.name, &row);
+        }
+        return index;
+    }();
+    const auto found = byName.find(name);
+    return found == byName.end() ? nullptr : found->second;
+}
+
+} // namespace campanel::modbus

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one register table: every holding register that panel and controller share. The controller's C header,
+// REGISTERS.md, `campanelctl registers` and the limits of fields that are registers all come from here.
+// Values of two registers are sent high word first; text is UTF-8, two bytes a register, padded with zeros.
+#pragma once
+
+#include "modbus/map/protocol.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace campanel::modbus {
+
+enum class Access : std::uint8_t { ReadOnly, ReadWrite };
+enum class RegisterType : std::uint8_t { U16, I16, U32, I32, Text, Block };
+
+struct RegisterInfo {
+    std::string_view name;     // "status.state": group and name, stable
+    std::uint16_t address = 0; // absolute; within a bank: offset from the bank's base
+    RegisterType type = RegisterType::U16;
+    std::uint16_t count = 1; // registers occupied
+    Access access = Access::ReadOnly;
+    double scale = 1.0;    // physical value = raw * scale
+    std::string_view unit; // unit of the physical value, empty when it has none
+    double minimum = 0.0;  // physical limits of writable values; equal when there is none
+    double maximum = 0.0;
+    double defaultValue = 0.0;
+    std::string_view
+        enumName; // enumeration of protocol.h that explains the values; bits when it ends in "Bit"
+    std::string_view text;
+    // Only with these program kinds or table layouts (bit n: kind or layout n); 0: always.
+    std::uint16_t kinds = 0;
+    std::uint16_t layouts = 0;
+
+    [[nodiscard]] constexpr bool appliesTo(ProgramKind kind, TableLayout layout) const
+    {
+        return (kinds == 0 || (kinds & bitOf(kind)) != 0) && (layouts == 0 || (layouts & bitOf(layout)) != 0);
+    }
+    template <typename E> [[nodiscard]] static constexpr std::uint16_t bitOf(E value)
+    {
+        return static_cast<std::uint16_t>(1u << static_cast<unsigned>(value));
+    }
+};
+
+// First address of the two program banks; both have the layout of bankFields().
+inline constexpr std::uint16_t activeBankBase = 0x4000;
+inline constexpr std::uint16_t stagedBankBase = 0x8000;
+inline constexpr std::uint16_t bankHeaderRegisters = 64;
+inline constexpr std::uint16_t rowRegisters = 3;      // of a step table: pulses u16, ticks u32
+inline constexpr std::uint16_t rowCapacity = 2048;    // of a step table
+inline constexpr std::uint16_t camPointRegisters = 4; // position i32, slope i32
+inline constexpr std::uint16_t camPointCapacity = 2001;
+inline constexpr std::uint16_t knotRegisters = 4; // master u32, slave i32
+inline constexpr std::uint16_t knotCapacity = 100;
+inline constexpr std::uint16_t intervalRegisters = 8; // distance, first speed, last speed, acceleration u32
+inline constexpr std::uint16_t intervalCapacity = 1024;
+inline constexpr std::uint16_t stageRegisters = 8; // speed u32, position i32, force u32, time u32
+inline constexpr std::uint16_t stageCount = 5;
+inline constexpr std::uint16_t bankRegisters =
+    bankHeaderRegisters + camPointRegisters * camPointCapacity + knotRegisters * knotCapacity;
+inline constexpr std::uint16_t blockRegisters =
+    116; // payload of one transfer block: the most that one FC23 request holds
+inline constexpr std::uint16_t readbackRegisters = 122; // payload of one read-back answer
+// Of the group `packer`: bags remembered (four registers each), and what is told of the film before the
+// knife.
+inline constexpr std::uint16_t bagRecords = 8;
+inline constexpr std::uint16_t viewCuts = 6;
+inline constexpr std::uint16_t viewMarks = 12;
+inline constexpr std::uint16_t viewProducts = 8;
+
+// Registers at absolute addresses, ascending.
+[[nodiscard]] std::span<const RegisterInfo> registers();
+// Fields of a bank's header, as offsets from its base, ascending.
+[[nodiscard]] std::span<const RegisterInfo> bankFields();
+// By name in either table; nullptr when there is none.
+[[nodiscard]] const RegisterInfo* findRegister(std::string_view name);
+
+} // namespace campanel::modbus

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// Walks through the parts in which the table is one cubic and the motion smooth. What the motion does between
+// two places that are looked at is bounded by the largest fourth derivative of its position.
+#include "profile/cam/cam_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace campanel::profile {
+namespace {
+
+// A stretch of the motion without a joint inside.
+struct SmoothStretch {
+    const Segment* segment = nullptr;
+    double fromS = 0;
+    double toS = 0;
+    double snapMmPerS4 = 0; // no fourth derivative of the position is larger
+};
+
+std::vector<SmoothStretch> smoothStretches(const MotionProfile& motion)
+{
+    std::vector<SmoothStretch> stretches;
+    for (const Segment& s : motion.segments()) {
+        if (s.law == nullptr || !(s.durationS > 0)) {
+            stretches.push_back({&s, s.startS, s.endS(), 0});
+            continue;
+        }
+        const LawPieces pieces = s.law->pieces(s.parameters);
+        const bool isRamp = s.form == SegmentForm::Ramp;
+        const double cubedS = s.durationS * s.durationS * s.durationS;
+        const double snap = isRamp
+                                ? std::abs(s.endVelocityMmPerS - s.startVelocityMmPerS) * pieces.g3 / cubedS
+                                : std::abs(s.distanceMm) * pieces.g4 / (cubedS * s.durationS);
+        std::vector<double> ends(pieces.joints.begin(), pieces.joints.end());
+        if (s.isMirrored) {
+            std::ranges::reverse(ends);
+            for (double& x : ends)
+                x = 1 - x;
+        }
+        ends.push_back(1);
+        double from = s.startS;
+        for (const double x : ends) {
+            const double to = std::min(s.startS + x * s.durationS, s.endS());
+            stretches.push_back({&s, from, to, snap});
+            from = to;
+        }
+    }
+    return stretches;
+}
+
+// The table less the motion at one time.
+struct Difference {
+    double timeS = 0;
+    double positionMm = 0;
+    double velocityMmPerS = 0;
+    double jerkMmPerS3 = 0;
+};
+
+// Where the cubic with these values and slopes per unit turns, as far as that is in 0..1.
+std::array<double, 2> turns(double first, double firstSlope, double last, double lastSlope)
+{
+    const double c2 = 3 * (last - first) - 2 * firstSlope - lastSlope;
+    const double c3 = firstSlope + lastSlope - 2 * (last - first);
+    const double q = -(c2 + std::copysign(std::sqrt(std::max(c2 * c2 - 3 * c3 * firstSlope, 0.0)), c2));
+    const auto inside = [](double x) { return x > 0 && x < 1 ? x : 0; };
+    return {inside(q / (3 * c3)), inside(firstSlope / q)};
+}
+
+class CamErrorSearch {
+public:
+    CamErrorSearch(const CamTable& table, const MotionProfile& motion, const Machine& machine)
+        : m_table(table)
+        , m_unitsPerMm(camUnitsPerPulse * axisPulsesPerMm(machine))
+        , m_intervalS(motion.durationS() / static_cast<double>(table.rows.size() - 1))
+        , m_startMm(motion.at(0).positionMm)
+    {
+    }
+
+    void walk(const SmoothStretch& stretch)
+    {
+        const auto last = static_cast<double>(m_table.rows.size() - 2);
+        const auto indexAt = [&](double timeS) {
+            return static_cast<std::size_t>(std::clamp(std::floor(timeS / m_intervalS), 0.0, last));
+        };
+        for (std::size_t i = indexAt(stretch.fromS); i <= indexAt(stretch.toS); ++i) {
+            const double fromS = std::max(stretch.fromS, static_cast<double>(i) * m_intervalS);
+            const double toS = static_cast<double>(i) < last
+                                   ? std::min(stretch.toS, static_cast<double>(i + 1) * m_intervalS)
+                                   : stretch.toS;
+            if (toS > fromS)
+                walkInterval(stretch, i, fromS, toS);
+        }
+    }
+
+    [[nodiscard]] const CamErrors& errors() const { return m_errors; }
+
+private:
+    [[nodiscard]] Difference at(const SmoothStretch& stretch, std::size_t index, double timeS) const
+    {
+        const double share = timeS / m_intervalS - static_cast<double>(index);
+        const CamPoint point = interpolate(m_table, index, share);
+        const MotionPoint exact = stretch.segment->at(timeS);
+        const CamRow& a = m_table.rows[index];
+        const CamRow& b = m_table.rows[index + 1];
+        const double third = static_cast<double>(a.slope256) + b.slope256 -
+                             2 * (static_cast<double>(b.position256) - a.position256);
+        return {timeS, point.position256 / m_unitsPerMm - (exact.positionMm - m_startMm),
+                point.slope256 / m_unitsPerMm / m_intervalS - exact.velocityMmPerS,
+                6 * third / m_unitsPerMm / (m_intervalS * m_intervalS * m_intervalS) - exact.jerkMmPerS3};
+    }
+
+    void walkInterval(const SmoothStretch& stretch, std::size_t index, double fromS, double toS)
+    {
+        const int parts = stretch.snapMmPerS4 > 0 ? 8 : 1;
+        const double partS = (toS - fromS) / parts;
+        Difference a = at(stretch, index, fromS);
+        for (int part = 1; part <= parts; ++part) {
+            const Difference b = at(stretch, index, part < parts ? fromS + part * partS : toS);
+            const Difference middle = at(stretch, index, (a.timeS + b.timeS) / 2);
+            keepSpeed(a, b, middle.jerkMmPerS3, stretch.snapMmPerS4);
+            keepPosition(a, b, stretch.snapMmPerS4);
+            a = b;
+        }
+    }
+
+    // The speed is a parabola with the jerk of the middle; the jerk departs from that by at most snap times
+    // half the width, which makes at most snap width^3 / 16 of speed.
+    void keepSpeed(const Difference& a, const Difference& b, double jerk, double snap)
+    {
+        const double width = b.timeS - a.timeS;
+        const double room = snap * width * width * width / 16;
+        const double change = b.velocityMmPerS - a.velocityMmPerS;
+        const double x = jerk == 0 ? 0 : std::clamp(0.5 - change / (jerk * width * width), 0.0, 1.0);
+        for (const double share : {0.0, x, 1.0}) {
+            const double faster =
+                std::abs(a.velocityMmPerS + share * change - jerk * width * width / 2 * share * (1 - share)) +
+                room;
+            if (faster <= m_errors.speedMmPerS)
+                continue;
+            m_errors.speedMmPerS = faster;
+            m_errors.speedTimeS = a.timeS + share * width;
+        }
+    }
+
+    // The cubic through both ends misses the position by at most snap width^4 / 384.
+    void keepPosition(const Difference& a, const Difference& b, double snap)
+    {
+        const double width = b.timeS - a.timeS;
+        const double room = snap * width * width * width * width / 384;
+        const double slopeA = a.velocityMmPerS * width;
+        const double slopeB = b.velocityMmPerS * width;
+        const double step = b.positionMm - a.positionMm;
+        const auto inner = turns(a.positionMm, slopeA, b.positionMm, slopeB);
+        for (const double share : {0.0, inner[0], inner[1], 1.0}) {
+            const double curved = 3 * step - 2 * slopeA - slopeB + share * (slopeA + slopeB - 2 * step);
+            const double away = std::abs(a.positionMm + share * (slopeA + share * curved)) + room;
+            if (away <= m_errors.positionMm)
+                continue;
+            m_errors.positionMm = away;
+            m_errors.positionTimeS = a.timeS + share * width;
+        }
+    }
+
+    const CamTable& m_table;
+    double m_unitsPerMm;
+    double m_intervalS;
+    double m_startMm;
+    CamErrors m_errors;
+};
+
+} // namespace
+
+CamErrors camErrors(const CamTable& table, const MotionProfile& motion, const Machine& machine, CamUse use)
+{
+    CamErrorSearch search(table, motion, machine);
+    for (const SmoothStretch& stretch : smoothStretches(motion))
+        search.walk(stretch);
+    CamErrors errors = search.errors();
+    errors.positionPulses = errors.positionMm * axisPulsesPerMm(machine);
+    if (use == CamUse::Repeats)
+        errors.wrapSpeedStepMmPerS =
+            std::abs(static_cast<double>(table.rows.front().slope256) - table.rows.back().slope256) /
+            (camUnitsPerPulse * axisPulsesPerMm(machine)) / motion.durationS() *
+            static_cast<double>(table.rows.size() - 1);
+    return errors;
+}
+
+} // namespace campanel::profile

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every edit leaves knots that pass checkKnots, on the grid that the controller keeps them in.
+#include "profile/cam/point_cam_edit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace campanel::profile {
+namespace {
+
+double onGrid(double value, double step)
+{
+    const double perUnit = std::round(1 / step);
+    return std::round(value * perUnit) / perUnit;
+}
+
+double slaveOnGrid(double slaveMm)
+{
+    return std::isfinite(slaveMm) ? onGrid(std::clamp(slaveMm, -mostSlaveMm, mostSlaveMm), knotSlaveStepMm)
+                                  : 0;
+}
+
+// The angle on the grid nearest to masterDeg that is far enough from both neighbors, if there is one.
+std::optional<double> placeBetween(const Knot& before, const Knot& after, double masterDeg)
+{
+    const double perDeg = std::round(1 / knotMasterStepDeg);
+    constexpr double rounding = 1e-6; // of a grid step
+    const double low = std::ceil((before.masterDeg + leastKnotSpacingDeg) * perDeg - rounding);
+    const double high = std::floor((after.masterDeg - leastKnotSpacingDeg) * perDeg + rounding);
+    if (!(low <= high))
+        return std::nullopt;
+    const double wanted = std::isfinite(masterDeg) ? std::round(masterDeg * perDeg) : low;
+    return std::clamp(wanted, low, high) / perDeg;
+}
+
+double slaveSpanMm(const PointCamProgram& program)
+{
+    const auto [least, most] =
+        std::minmax_element(program.knots.begin(), program.knots.end(),
+                            [](const Knot& a, const Knot& b) { return a.slaveMm < b.slaveMm; });
+    return most->slaveMm - least->slaveMm;
+}
+
+bool isMeantToBeClosed(const PointCamProgram& program)
+{
+    return std::abs(netAdvanceMm(program)) <= closingShare * slaveSpanMm(program);
+}
+
+} // namespace
+
+WrapCheck wrapCheck(const PointCamProgram& program)
+{
+    const Spline curve = camCurve(program);
+    const SplinePoint first = curve.pieces().front().at0;
+    const SplinePoint last = curve.at(camCycleDeg);
+    WrapCheck wrap;
+    if (isMeantToBeClosed(program))
+        wrap.positionMm = program.knots.front().slaveMm - program.knots.back().slaveMm;
+    else
+        wrap.advanceMm = netAdvanceMm(program);
+    wrap.speedMmPerDeg = first.slope - last.slope;
+    wrap.accelerationMmPerDeg2 = first.curvature - last.curvature;
+    const double tolerance = 1e-9 * slaveSpanMm(program);
+    wrap.isSmooth = std::abs(wrap.positionMm) <= tolerance && std::abs(wrap.speedMmPerDeg) <= tolerance &&
+                    std::abs(wrap.accelerationMmPerDeg2) <= tolerance;
+    return wrap;
+}
+
+PointCamProgram repaired(PointCamProgram program)
+{
+    program.ends = SplineEnds::Periodic;
+    if (program.knots.size() >= leastKnots && isMeantToBeClosed(program))
+        program.knots.back().slaveMm = program.knots.front().slaveMm;
+    return program;
+}
+
+std::optional<std::size_t> insertKnot(PointCamProgram& program, double masterDeg)
+{
+    std::vector<Knot>& knots = program.knots;
+    if (knots.size() >= mostKnots || !std::isfinite(masterDeg))
+        return std::nullopt;
+    const auto next = std::upper_bound(knots.begin() + 1, knots.end() - 1, masterDeg,
+                                       [](double deg, const Knot& knot) { return deg < knot.masterDeg; });
+    const auto place = placeBetween(*(next - 1), *next, masterDeg);
+    if (!place)
+        return std::nullopt;
+    const Knot knot{*place, slaveOnGrid(camCurve(program).at(*place).value)};
+    const auto inserted = knots.insert(next, knot);
+    return static_cast<std::size_t>(inserted - knots.begin());
+}
+
+bool removeKnot(PointCamProgram& program, std::size_t index)
+{
+    std::vector<Knot>& knots = program.knots;
+    if (knots.size() <= leastKnots || index == 0 || index + 1 >= knots.size())
+        return false;
+    knots.erase(knots.begin() + static_cast<std::ptrdiff_t>(index));
+    return true;
+}
+
+Knot moveKnot(PointCamProgram& program, std::size_t index, const Knot& wanted)
+{
+    std::vector<Knot>& knots = program.knots;
+    Knot& knot = knots[index];
+    const bool isClosed = program.ends == SplineEnds::Periodic && netAdvanceMm(program) == 0;
+    const bool isEnd = index == 0 || index + 1 == knots.size();
+    if (std::isfinite(wanted.slaveMm))
+        knot.slaveMm = slaveOnGrid(wanted.slaveMm);
+    if (isEnd && isClosed) {
+        knots.front().slaveMm = knot.slaveMm;
+        knots.back().slaveMm = knot.slaveMm;
+    }
+    if (!isEnd && std::isfinite(wanted.masterDeg))
+        knot.masterDeg =
+            placeBetween(knots[index - 1], knots[index + 1], wanted.masterDeg).value_or(knot.masterDeg);
+    return knot;
+}
+
+} // namespace campanel::profile

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// The two equations that tie bag length, rate, v_a and v_b together, solved for every pair of inputs.
+// Internal to profile/.
+#pragma once
+
+#include "profile/cutter/rotary_cutter.h"
+
+namespace campanel::profile::detail {
+
+// What the ratios, the law and the machine give before any of the four values is known.
+struct CycleShape {
+    double strokeMm = 0; // h
+    double weight = 0;   // w = W / T, in (0, 1)
+    double syncRatio = 1;
+    double shortestRamp = 0; // of the two, as a fraction of T
+    LawPeaks lawPeaks;
+};
+
+// The program's ratios and law must have been validated.
+[[nodiscard]] CycleShape cycleShape(const RotaryCutterProgram& program, const Machine& machine);
+
+// The four values; not finite or negative where no cycle exists.
+struct CycleValues {
+    double bagLengthMm = 0;
+    double cycleTimeS = 0;
+    double baseSpeedMmPerS = 0;
+    double filmSpeedMmPerS = 0;
+
+    [[nodiscard]] double of(Field field) const;
+};
+
+struct FieldValue {
+    Field field = Field::BagLength;
+    double value = 0;
+};
+
+// h = v_a (T - W) + v_b W and v_b = c L / T with two different ones of L, n, v_a, v_b given.
+[[nodiscard]] CycleValues closeCycle(const CycleShape& shape, FieldValue first, FieldValue second);
+
+} // namespace campanel::profile::detail

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// Formulas with their numbers, for each pair of inputs.
+#include "profile/cutter/explain.h"
+
+#include "profile/cutter/limits.h"
+#include "profile/laws/laws.h"
+#include "profile/model/text.h"
+
+namespace campanel::profile {
+namespace {
+
+using detail::concat;
+using detail::significantText;
+
+std::string n(double value)
+{
+    return significantText(value);
+}
+
+std::string product(double a, double b)
+{
+    return concat({n(a), " * ", n(b)});
+}
+
+Explanation explainBagLength(const RotaryCutter& cutter)
+{
+    const CycleNumbers& c = cutter.cycle;
+    return {"L = v_b T / c",
+            concat({product(c.filmSpeedMmPerS, c.cycleTimeS), " / ", n(cutter.program.syncRatio)}),
+            c.bagLengthMm, "mm"};
+}
+
+Explanation explainRate(const RotaryCutter& cutter)
+{
+    const CycleNumbers& c = cutter.cycle;
+    const double w = c.weightS / c.cycleTimeS;
+    const double ratio = cutter.program.syncRatio;
+    Explanation e{"", "", c.rateBagsPerMin, "bags/min"};
+    if (!isPinned(cutter.program, Field::BaseSpeed)) {
+        e.formula = "n = 60 v_b / (c L)";
+        e.numbers = concat({product(60, c.filmSpeedMmPerS), " / (", product(ratio, c.bagLengthMm), ")"});
+    } else if (!isPinned(cutter.program, Field::FilmSpeed)) {
+        e.formula = "n = 60 v_a (1 - w) / (h - c L w), w = W / T";
+        e.numbers = concat({product(60, c.baseSpeedMmPerS), " * (1 - ", n(w), ") / (", n(c.strokeMm), " - ",
+                            product(ratio, c.bagLengthMm), " * ", n(w), ")"});
+    } else {
+        e.formula = "n = 60 (v_a (1 - w) + v_b w) / h, w = W / T";
+        e.numbers = concat({"60 * (", n(c.baseSpeedMmPerS), " * (1 - ", n(w), ") + ",
+                            product(c.filmSpeedMmPerS, w), ") / ", n(c.strokeMm)});
+    }
+    return e;
+}
+
+Explanation explainBaseSpeed(const RotaryCutter& cutter)
+{
+    const CycleNumbers& c = cutter.cycle;
+    return {"v_a = (h - v_b W) / (T - W)",
+            concat({"(", n(c.strokeMm), " - ", product(c.filmSpeedMmPerS, c.weightS), ") / (",
+                    n(c.cycleTimeS), " - ", n(c.weightS), ")"}),
+            c.baseSpeedMmPerS, "mm/s"};
+}
+
+Explanation explainFilmSpeed(const RotaryCutter& cutter)
+{
+    const CycleNumbers& c = cutter.cycle;
+    if (isPinned(cutter.program, Field::BagLength)) {
+        return {"v_b = c L / T",
+                concat({product(cutter.program.syncRatio, c.bagLengthMm), " / ", n(c.cycleTimeS)}),
+                c.filmSpeedMmPerS, "mm/s"};
+    }
+    return {"v_b = (h - v_a (T - W)) / W",
+            concat({"(", n(c.strokeMm), " - ", n(c.baseSpeedMmPerS), " * (", n(c.cycleTimeS), " - ",
+                    n(c.weightS), ")) / ", n(c.weightS)}),
+            c.filmSpeedMmPerS, "mm/s"};
+}
+
+Explanation explainWeight(const RotaryCutter& cutter)
+{
+    const CycleNumbers& c = cutter.cycle;
+    const double travel = findLaw(cutter.program.speedLaw)->at(1, cutter.program.speedLawParameters).integral;
+    return {"W = (tc - tb) + G(1) ((tb - ta) + (td - tc))",
+            concat({"(", n(c.tcS), " - ", n(c.tbS), ") + ", n(travel), " * ((", n(c.tbS), " - ", n(c.taS),
+                    ") + (", n(c.tdS), " - ", n(c.tcS), "))"}),
+            c.weightS, "s"};
+}
+
+Explanation explainRpm(const RotaryCutter& cutter)
+{
+    const Machine& m = cutter.machine;
+    const Peaks peak = peaks(cutter);
+    return {"60 Z max(v_a, v_b) / (2 pi R)",
+            concat({"60 * ", n(m.gearNumerator), " / ", n(m.gearDenominator), " * ", n(peak.speedMmPerS),
+                    " / (2 pi * ", n(m.knifeRadiusMm), ")"}),
+            peak.motorRpm, "r/min"};
+}
+
+Explanation explainAcceleration(const RotaryCutter& cutter)
+{
+    const CycleNumbers& c = cutter.cycle;
+    const double cv = findLaw(cutter.program.speedLaw)->peaks(cutter.program.speedLawParameters).cv;
+    const bool there = c.tbS - c.taS <= c.tdS - c.tcS;
+    return {there ? "Cv |v_b - v_a| / (tb - ta)" : "Cv |v_b - v_a| / (td - tc)",
+            concat({n(cv), " * |", n(c.filmSpeedMmPerS), " - ", n(c.baseSpeedMmPerS), "| / (",
+                    n(there ? c.tbS : c.tdS), " - ", n(there ? c.taS : c.tcS), ")"}),
+            peaks(cutter).accelerationMmPerS2, "mm/s^2"};
+}
+
+Explanation explainFrequency(const RotaryCutter& cutter)
+{
+    const Machine& m = cutter.machine;
+    const Peaks peak = peaks(cutter);
+    return {"K Z max(v_a, v_b) / (2 pi R)",
+            concat({n(m.pulsesPerMotorRev), " * ", n(m.gearNumerator), " / ", n(m.gearDenominator), " * ",
+                    n(peak.speedMmPerS), " / (2 pi * ", n(m.knifeRadiusMm), ")"}),
+            peak.pulseFrequencyHz, "Hz"};
+}
+
+Explanation explainPinned(const RotaryCutter& cutter, Field field)
+{
+    const double given = value(cutter.program, field);
+    return {std::string(info(field).symbol), n(given), given, info(field).unit};
+}
+
+} // namespace
+
+Explanation explain(const RotaryCutter& cutter, Quantity quantity)
+{
+    const auto pinnedOr = [&](Field field, Explanation (*derived)(const RotaryCutter&)) {
+        return isPinned(cutter.program, field) ? explainPinned(cutter, field) : derived(cutter);
+    };
+    switch (quantity) {
+    case Quantity::BagLength:
+        return pinnedOr(Field::BagLength, explainBagLength);
+    case Quantity::Rate:
+        return pinnedOr(Field::Rate, explainRate);
+    case Quantity::BaseSpeed:
+        return pinnedOr(Field::BaseSpeed, explainBaseSpeed);
+    case Quantity::FilmSpeed:
+        return pinnedOr(Field::FilmSpeed, explainFilmSpeed);
+    case Quantity::Weight:
+        return explainWeight(cutter);
+    case Quantity::PeakMotorRpm:
+        return explainRpm(cutter);
+    case Quantity::PeakAcceleration:
+        return explainAcceleration(cutter);
+    case Quantity::PeakFrequency:
+        return explainFrequency(cutter);
+    }
+    return {};
+}
+
+} // namespace campanel::profile

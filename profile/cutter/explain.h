@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a derived number comes about: the formula, the numbers put in, the result. Symbols only, no words to
+// translate.
+#pragma once
+
+#include "profile/cutter/rotary_cutter.h"
+
+#include <string>
+#include <string_view>
+
+namespace campanel::profile {
+
+enum class Quantity : std::uint8_t {
+    BagLength,
+    Rate,
+    BaseSpeed,
+    FilmSpeed,
+    Weight, // W
+    PeakMotorRpm,
+    PeakAcceleration,
+    PeakFrequency,
+};
+
+struct Explanation {
+    std::string formula; // "v_a = (h - v_b W) / (T - W)"
+    std::string numbers; // "(376.991 - 250 * 0.35) / (1 - 0.35)"
+    double result = 0;
+    std::string_view unit;
+};
+
+// For a pinned quantity formula and numbers are the value itself.
+[[nodiscard]] Explanation explain(const RotaryCutter& cutter, Quantity quantity);
+
+} // namespace campanel::profile

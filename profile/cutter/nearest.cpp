@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// The feasible values of a pinned input form intervals, and each end of an interval is a place where one
+// limit is met exactly. All these places have closed forms, so the nearest feasible value is the nearest of
+// them that passes the whole check, rounded to the field's grid towards the feasible side.
+#include "profile/cutter/nearest.h"
+
+#include "profile/cutter/cycle_shape.h"
+#include "profile/cutter/limits.h"
+#include "profile/cutter/validate.h"
+#include "profile/model/grid_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace campanel::profile::detail {
+namespace {
+
+constexpr std::array cycleFields{Field::BagLength, Field::Rate, Field::BaseSpeed, Field::FilmSpeed};
+
+// Cycle times at which the acceleration's peak equals +-limit while `kept` keeps its value. With D = limit *
+// shortest ramp / Cv and both signs of D: v_b - v_a = D T.
+std::vector<double> accelerationTimes(const CycleShape& shape, FieldValue kept, double d)
+{
+    const double h = shape.strokeMm;
+    const double w = shape.weight;
+    const auto roots = [](double a, double b, double c) { // a T^2 + b T + c = 0
+        const double root = std::sqrt(b * b - 4 * a * c);
+        return std::vector{(-b - root) / (2 * a), (-b + root) / (2 * a)};
+    };
+    switch (kept.field) {
+    case Field::BagLength: {
+        const double film = shape.syncRatio * kept.value;
+        return {std::sqrt((film - (h - film * w) / (1 - w)) / d)};
+    }
+    case Field::BaseSpeed:
+        return roots(w * d, kept.value, -h);
+    case Field::FilmSpeed:
+        return roots(-(1 - w) * d, kept.value, -h);
+    default:
+        return {60 / kept.value};
+    }
+}
+
+std::vector<double> candidates(const RotaryCutterProgram& program, const Machine& machine, Field field)
+{
+    const CycleShape shape = cycleShape(program, machine);
+    const Field keptField = program.pinned[0] == field ? program.pinned[1] : program.pinned[0];
+    const FieldValue kept{keptField, value(program, keptField)};
+    std::vector<double> found{info(field).min, info(field).max};
+
+    const auto meet = [&](Field other, double bound) {
+        if (other == field)
+            found.push_back(bound);
+        else if (other != keptField)
+            found.push_back(closeCycle(shape, kept, {other, bound}).of(field));
+    };
+    for (const Field other : cycleFields) {
+        meet(other, info(other).min);
+        meet(other, info(other).max);
+    }
+    meet(Field::Rate, machine.maxRateBagsPerMin);
+    for (const double speed : {machine.maxMotorRpm / motorRpmPerMmPerS(machine),
+                               pulseFrequencyLimitHz(machine) / pulsesPerMm(machine)}) {
+        meet(Field::BaseSpeed, speed);
+        meet(Field::FilmSpeed, speed);
+    }
+    const double limit = machine.maxKnifeAccelerationMmPerS2 * shape.shortestRamp / shape.lawPeaks.cv;
+    for (const double d : {limit, -limit}) {
+        for (const double time : accelerationTimes(shape, kept, d)) {
+            if (keptField == Field::Rate)
+                meet(Field::BaseSpeed, shape.strokeMm / time - shape.weight * d * time);
+            else
+                meet(Field::Rate, 60 / time);
+        }
+    }
+    return found;
+}
+
+std::optional<Suggestion> nearestPinned(const RotaryCutterProgram& program, const Machine& machine,
+                                        Field field)
+{
+    RotaryCutterProgram mendable = program;
+    setValue(mendable, field, info(field).defaultValue);
+    if (findInvalid(mendable, machine))
+        return std::nullopt; // something else is wrong as well
+    GridSearch search(program, machine, field);
+    search.tryAround(search.present()); // feasible when only the value's grid or finiteness was wrong
+    for (const double candidate : candidates(program, machine, field))
+        search.tryAround(candidate);
+    return search.best();
+}
+
+// A ratio between its neighbors: coarse steps away from the neighbor that it offends, then bisection on the
+// grid.
+std::optional<Suggestion> nearestRatio(const RotaryCutterProgram& program, const Machine& machine,
+                                       Field field)
+{
+    const std::size_t i = static_cast<std::size_t>(field) - static_cast<std::size_t>(Field::K1);
+    const double step = info(field).resolution();
+    const double low = (i + 1 < program.k.size() ? program.k[i + 1] + step : info(field).min);
+    const double high = (i > 0 ? program.k[i - 1] - step : info(field).max);
+    if (!(low <= high))
+        return std::nullopt;
+    GridSearch search(program, machine, field);
+    const bool fromAbove = search.present() > high;
+    const auto place = [&](double share) { // share 0: at the offended neighbor
+        return snapToGrid(field, fromAbove ? high - share * (high - low) : low + share * (high - low));
+    };
+    constexpr int coarseSteps = 256;
+    double before = place(0);
+    for (int s = 0; s <= coarseSteps; ++s) {
+        double feasible = place(std::pow(static_cast<double>(s) / coarseSteps, 2));
+        if (!search.isFeasibleAt(feasible)) {
+            before = feasible;
+            continue;
+        }
+        while (std::abs(feasible - before) > 1.5 * step) {
+            const double middle = snapToGrid(field, (feasible + before) / 2);
+            (search.isFeasibleAt(middle) ? feasible : before) = middle;
+        }
+        return Suggestion{field, feasible};
+    }
+    return std::nullopt;
+}
+
+// Sorts first what a person would rather change: a machine that cannot follow runs slower; the product stays.
+std::pair<bool, double> cost(const RotaryCutterProgram& program, const Refusal& refusal,
+                             const Suggestion& suggestion)
+{
+    const bool isTooDemanding =
+        refusal.limit != Limit::FieldRange && refusal.limit != Limit::StrokeCannotClose;
+    const double present = value(program, suggestion.field);
+    const double change = std::abs(suggestion.value - present);
+    return {isTooDemanding && suggestion.field != Field::Rate,
+            change / std::max(std::abs(present), info(suggestion.field).resolution())};
+}
+
+} // namespace
+
+std::vector<Suggestion> nearestFeasible(const RotaryCutterProgram& program, const Machine& machine,
+                                        const Refusal& refusal)
+{
+    std::vector<Suggestion> found;
+    const auto keep = [&found](std::optional<Suggestion> suggestion) {
+        if (suggestion)
+            found.push_back(*suggestion);
+    };
+    switch (refusal.limit) {
+    case Limit::PinnedPair:
+    case Limit::LawUnknown:
+    case Limit::LawParameter:
+        return {};
+    case Limit::RatioOrder:
+        keep(nearestRatio(program, machine, refusal.field));
+        keep(nearestRatio(program, machine, static_cast<Field>(static_cast<int>(refusal.field) - 1)));
+        break;
+    default: {
+        const bool isCycleField =
+            std::find(cycleFields.begin(), cycleFields.end(), refusal.field) != cycleFields.end();
+        if (refusal.limit == Limit::FieldRange && !isCycleField) {
+            keep(nearestInRange(program, machine, refusal));
+            break;
+        }
+        for (const Field field : program.pinned)
+            keep(nearestPinned(program, machine, field));
+    }
+    }
+    std::stable_sort(found.begin(), found.end(), [&](const Suggestion& a, const Suggestion& b) {
+        return cost(program, refusal, a) < cost(program, refusal, b);
+    });
+    return found;
+}
+
+} // namespace campanel::profile::detail

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Solving a rotary cutter program. Equation (8) of the paper holds only for symmetric ramps; the weight W
+// here does not need symmetry, because a mirrored ramp travels exactly as far as the ramp itself.
+#include "profile/cutter/rotary_cutter.h"
+
+#include "profile/cutter/cycle_shape.h"
+#include "profile/cutter/nearest.h"
+#include "profile/cutter/validate.h"
+#include "profile/laws/laws.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace campanel::profile {
+namespace {
+
+// Derived base speeds this little below zero are rounding of an exactly closing stroke.
+constexpr double zeroSpeedToleranceMmPerS = 1e-6;
+
+Refusal strokeCannotClose(const detail::CycleShape& shape, double bagLengthMm)
+{
+    Refusal refusal;
+    refusal.limit = Limit::StrokeCannotClose;
+    refusal.field = Field::BagLength;
+    refusal.actual = bagLengthMm;
+    refusal.allowed = shape.strokeMm / (shape.weight * shape.syncRatio);
+    refusal.unit = info(Field::BagLength).unit;
+    return refusal;
+}
+
+MotionProfile cycleMotion(const RotaryCutterProgram& program, const CycleNumbers& cycle)
+{
+    const Law& law = *findLaw(program.speedLaw);
+    const double va = cycle.baseSpeedMmPerS;
+    const double vb = cycle.filmSpeedMmPerS;
+    MotionProfile motion;
+    motion.addConstant(cycle.taS, va);
+    motion.addRamp(cycle.tbS - cycle.taS, va, vb, law, program.speedLawParameters, false);
+    motion.addConstant(cycle.tcS - cycle.tbS, vb);
+    motion.addRamp(cycle.tdS - cycle.tcS, vb, va, law, program.speedLawParameters, true);
+    motion.addConstant(cycle.cycleTimeS - cycle.tdS, va);
+    return motion;
+}
+
+} // namespace
+
+double value(const RotaryCutterProgram& program, Field field)
+{
+    switch (field) {
+    case Field::BagLength:
+        return program.bagLengthMm;
+    case Field::Rate:
+        return program.rateBagsPerMin;
+    case Field::BaseSpeed:
+        return program.baseSpeedMmPerS;
+    case Field::FilmSpeed:
+        return program.filmSpeedMmPerS;
+    case Field::K1:
+        return program.k[0];
+    case Field::K2:
+        return program.k[1];
+    case Field::K3:
+        return program.k[2];
+    case Field::K4:
+        return program.k[3];
+    case Field::SyncRatio:
+        return program.syncRatio;
+    case Field::SlicesPerRamp:
+        return program.slicesPerRamp;
+    default:
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+}
+
+void setValue(RotaryCutterProgram& program, Field field, double value)
+{
+    switch (field) {
+    case Field::BagLength:
+        program.bagLengthMm = value;
+        break;
+    case Field::Rate:
+        program.rateBagsPerMin = value;
+        break;
+    case Field::BaseSpeed:
+        program.baseSpeedMmPerS = value;
+        break;
+    case Field::FilmSpeed:
+        program.filmSpeedMmPerS = value;
+        break;
+    case Field::K1:
+        program.k[0] = value;
+        break;
+    case Field::K2:
+        program.k[1] = value;
+        break;
+    case Field::K3:
+        program.k[2] = value;
+        break;
+    case Field::K4:
+        program.k[3] = value;
+        break;
+    case Field::SyncRatio:
+        program.syncRatio = value;
+        break;
+    case Field::SlicesPerRamp:
+        program.slicesPerRamp = static_cast<int>(std::clamp(std::round(value), -1e9, 1e9));
+        break;
+    default:
+        break;
+    }
+}
+
+bool isPinned(const RotaryCutterProgram& program, Field field)
+{
+    return program.pinned[0] == field || program.pinned[1] == field;
+}
+
+tl::expected<CycleNumbers, Refusal> solveNumbers(const RotaryCutterProgram& program, const Machine& machine)
+{
+    if (auto refusal = detail::findInvalid(program, machine))
+        return tl::unexpected(*std::move(refusal));
+    const detail::CycleShape shape = detail::cycleShape(program, machine);
+    detail::CycleValues values =
+        detail::closeCycle(shape, {program.pinned[0], value(program, program.pinned[0])},
+                           {program.pinned[1], value(program, program.pinned[1])});
+    if (values.baseSpeedMmPerS < -zeroSpeedToleranceMmPerS || values.cycleTimeS <= 0)
+        return tl::unexpected(strokeCannotClose(shape, values.bagLengthMm));
+    values.baseSpeedMmPerS = std::max(values.baseSpeedMmPerS, 0.0);
+    for (const Field field : {Field::Rate, Field::FilmSpeed, Field::BaseSpeed, Field::BagLength}) {
+        if (!isPinned(program, field) && !inRange(field, values.of(field)))
+            return tl::unexpected(detail::outOfRange(field, values.of(field)));
+    }
+
+    const double time = values.cycleTimeS;
+    CycleNumbers cycle;
+    cycle.bagLengthMm = values.bagLengthMm;
+    cycle.rateBagsPerMin = 60 / time;
+    cycle.baseSpeedMmPerS = values.baseSpeedMmPerS;
+    cycle.filmSpeedMmPerS = values.filmSpeedMmPerS;
+    cycle.cycleTimeS = time;
+    cycle.strokeMm = shape.strokeMm;
+    cycle.weightS = shape.weight * time;
+    cycle.speedRatio = values.filmSpeedMmPerS / values.baseSpeedMmPerS;
+    cycle.taS = time / program.k[0];
+    cycle.tbS = time / program.k[1];
+    cycle.tcS = time / program.k[2];
+    cycle.tdS = time / program.k[3];
+    return cycle;
+}
+
+tl::expected<RotaryCutter, Refusal> solve(const RotaryCutterProgram& program, const Machine& machine)
+{
+    tl::expected<CycleNumbers, Refusal> cycle = solveNumbers(program, machine);
+    if (!cycle) {
+        cycle.error().nearest = detail::nearestFeasible(program, machine, cycle.error());
+        return tl::unexpected(std::move(cycle.error()));
+    }
+    return RotaryCutter{program, machine, *cycle, cycleMotion(program, *cycle)};
+}
+
+} // namespace campanel::profile

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rotary cutter cam: base speed v_a, a ramp, film speed v_b while the knife seals, the ramp mirrored, v_a
+// again. Any two of bag length, rate, v_a and v_b are given ("pinned"); the other two follow.
+#pragma once
+
+#include "profile/model/fields.h"
+#include "profile/model/law.h"
+#include "profile/model/machine.h"
+#include "profile/model/motion_profile.h"
+#include "profile/model/refusal.h"
+
+#include <array>
+#include <cstddef>
+#include <tl/expected.hpp>
+
+namespace campanel::profile {
+
+struct RotaryCutterProgram {
+    std::array<Field, 2> pinned{Field::BagLength, Field::Rate};
+    // Of these four only the pinned two are read.
+    double bagLengthMm = info(Field::BagLength).defaultValue;
+    double rateBagsPerMin = info(Field::Rate).defaultValue;
+    double baseSpeedMmPerS = info(Field::BaseSpeed).defaultValue; // v_a
+    double filmSpeedMmPerS = info(Field::FilmSpeed).defaultValue; // v_b
+    // Ends of the stretches as T/k: k1 > k2 > k3 > k4 > 1.
+    std::array<double, 4> k{info(Field::K1).defaultValue, info(Field::K2).defaultValue,
+                            info(Field::K3).defaultValue, info(Field::K4).defaultValue};
+    LawId speedLaw = LawId::Cubic;
+    LawParameters speedLawParameters{};
+    double syncRatio = 1; // v_b = syncRatio * L / T
+    int slicesPerRamp = static_cast<int>(info(Field::SlicesPerRamp).defaultValue);
+};
+
+[[nodiscard]] double value(const RotaryCutterProgram& program,
+                           Field field);                                // field must be one of the program's
+void setValue(RotaryCutterProgram& program, Field field, double value); // integers are rounded
+[[nodiscard]] bool isPinned(const RotaryCutterProgram& program, Field field);
+
+// All numbers of one cycle.
+struct CycleNumbers {
+    double bagLengthMm = 0;
+    double rateBagsPerMin = 0;
+    double baseSpeedMmPerS = 0; // v_a
+    double filmSpeedMmPerS = 0; // v_b
+    double cycleTimeS = 0;      // T
+    double strokeMm = 0;        // h = 2 pi R / N
+    double weightS = 0;    // W = (tc - tb) + G(1) [(tb - ta) + (td - tc)], so that h = v_a (T - W) + v_b W
+    double speedRatio = 0; // k0 = v_b / v_a; infinite when v_a = 0
+    double taS = 0;
+    double tbS = 0;
+    double tcS = 0;
+    double tdS = 0;
+};
+
+// A solved program: immutable numbers and curves. It may still break limits of the machine: see limits.h.
+struct RotaryCutter {
+    RotaryCutterProgram program;
+    Machine machine;
+    CycleNumbers cycle;
+    MotionProfile motion;
+
+    [[nodiscard]] double angleDegAt(double timeS) const { return 360 * timeS / cycle.cycleTimeS; }
+};
+
+// Solves the geometry. Refuses what cannot be a cycle at all: values out of range or not finite, k not
+// descending, v_a < 0. A refusal names the nearest value of each pinned input with which the whole recipe
+// would be feasible.
+[[nodiscard]] tl::expected<RotaryCutter, Refusal> solve(const RotaryCutterProgram& program,
+                                                        const Machine& machine);
+
+// The numbers alone, without curves and without suggestions in the refusal: for searches.
+[[nodiscard]] tl::expected<CycleNumbers, Refusal> solveNumbers(const RotaryCutterProgram& program,
+                                                               const Machine& machine);
+
+} // namespace campanel::profile

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Samples each segment by itself, so that a joint keeps its value before and after.
+#include "profile/cutter/sampling.h"
+
+#include <algorithm>
+
+namespace campanel::profile {
+
+Curves sampleCurves(const MotionProfile& motion, double pulsesPerMm, std::size_t points)
+{
+    const std::size_t intervals = std::max<std::size_t>(points, 2) - 1;
+    const double total = motion.durationS();
+    const auto segments = motion.segments();
+
+    Curves curves;
+    const std::size_t capacity = intervals + 1 + 2 * segments.size();
+    for (auto* array : {&curves.timeS, &curves.positionMm, &curves.velocityMmPerS,
+                        &curves.accelerationMmPerS2, &curves.jerkMmPerS3, &curves.frequencyHz})
+        array->reserve(capacity);
+
+    const auto append = [&](const Segment& segment, double timeS) {
+        const MotionPoint p = segment.at(timeS);
+        curves.timeS.push_back(timeS);
+        curves.positionMm.push_back(p.positionMm);
+        curves.velocityMmPerS.push_back(p.velocityMmPerS);
+        curves.accelerationMmPerS2.push_back(p.accelerationMmPerS2);
+        curves.jerkMmPerS3.push_back(p.jerkMmPerS3);
+        curves.frequencyHz.push_back(p.velocityMmPerS * pulsesPerMm);
+    };
+    std::size_t next = 1; // the even grid; its first and last points are the ends of segments
+    for (const Segment& segment : segments) {
+        append(segment, segment.startS);
+        for (; next < intervals; ++next) {
+            const double timeS = total * static_cast<double>(next) / static_cast<double>(intervals);
+            if (timeS >= segment.endS())
+                break;
+            if (timeS > segment.startS)
+                append(segment, timeS);
+        }
+        append(segment, segment.endS());
+    }
+    return curves;
+}
+
+Curves sampleCurves(const RotaryCutter& cutter, std::size_t points)
+{
+    return sampleCurves(cutter.motion, pulsesPerMm(cutter.machine), points);
+}
+
+} // namespace campanel::profile

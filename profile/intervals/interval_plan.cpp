@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "profile/intervals/interval_plan.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace campanel::profile::detail {
+
+namespace {
+
+constexpr double noLimit = std::numeric_limits<double>::infinity();
+constexpr std::size_t coarsestSamples = 1024;
+constexpr std::size_t samplesPerLine = 32;
+constexpr std::array styles{LineStyle{Flats::None, 0}, LineStyle{Flats::Peaks, 0},
+                            LineStyle{Flats::PeaksAndEnd, 0}};
+// They take more error for the same rows, the smoothest first.
+constexpr std::array smoothStyles{LineStyle{Flats::None, 1}, LineStyle{Flats::None, 0.5}};
+
+constexpr std::size_t maxFineCount = 64; // up to it every number of rows is tried
+
+// Later in steps of a thirty-second part.
+std::vector<std::size_t> rowCounts(std::size_t max)
+{
+    constexpr std::size_t stepsPerDouble = 32;
+    std::vector<std::size_t> result;
+    for (std::size_t count = 1; count <= max; count += count < maxFineCount ? 1 : count / stepsPerDouble)
+        result.push_back(count);
+    return result;
+}
+
+// No rows need more.
+double largestErrorHz(const SpeedCurve& curve)
+{
+    return 4 * curve.fastestHz();
+}
+
+// The largest error of an even speed change over the first pulse.
+double firstPulseErrorHz(const SpeedCurve& curve, double firstHz, double lastHz)
+{
+    constexpr int checks = 10;
+    const double endS = 2 / (firstHz + lastHz);
+    double error = 0;
+    for (int i = 0; i <= checks; ++i) {
+        const double share = static_cast<double>(i) / checks;
+        const double speedHz = firstHz + (lastHz - firstHz) * share;
+        error = std::max(error, std::abs(speedHz - curve.speedAt(endS * share)));
+    }
+    return error;
+}
+
+// The smallest that this can be where the motion begins at rest: no rows keep less. Both speeds are searched
+// for around the best ones so far, ever more closely.
+double firstPulseErrorHz(const SpeedCurve& curve)
+{
+    if (!curve.beginsAtRest())
+        return 0;
+    constexpr int passes = 10;
+    constexpr int choices = 6; // on both sides
+    constexpr double closer = 0.4;
+    double firstHz = 0;
+    double lastHz = 2 / curve.timeAt(1);
+    double width = lastHz;
+    double best = firstPulseErrorHz(curve, firstHz, lastHz);
+    for (int pass = 0; pass < passes; ++pass, width *= closer) {
+        const double middleFirstHz = firstHz;
+        const double middleLastHz = lastHz;
+        for (int i = -choices; i <= choices; ++i) {
+            for (int j = -choices; j <= choices; ++j) {
+                const double first = std::max(0.0, middleFirstHz + width * i / choices);
+                const double last = std::max(0.0, middleLastHz + width * j / choices);
+                const double error = first + last > 0 ? firstPulseErrorHz(curve, first, last) : best;
+                if (error < best) {
+                    best = error;
+                    firstHz = first;
+                    lastHz = last;
+                }
+            }
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+IntervalPlanner::IntervalPlanner(const MotionProfile& motion, double pulsesPerMm, const RowRules& rules,
+                                 std::size_t maxRows)
+    : m_motion(motion)
+    , m_pulsesPerMm(pulsesPerMm)
+    , m_rules(rules)
+    , m_unitHz(1 / std::ldexp(rules.iterationS, accumulatorBits + rules.fractionBits))
+    , m_counts(rowCounts(maxRows))
+{
+}
+
+IntervalPlanner::Level& IntervalPlanner::levelOf(std::size_t lineCount)
+{
+    std::size_t level = 0;
+    while ((coarsestSamples << level) < samplesPerLine * lineCount)
+        ++level;
+    if (m_levels.size() <= level)
+        m_levels.resize(level + 1);
+    if (!m_levels[level])
+        m_levels[level] = std::make_unique<Level>(m_motion, m_pulsesPerMm, m_rules,
+                                                  static_cast<int>(coarsestSamples << level));
+    return *m_levels[level];
+}
+
+std::size_t IntervalPlanner::fewestLines(double errorMmPerS)
+{
+    const double errorHz = errorMmPerS * m_pulsesPerMm + m_unitHz;
+    const std::size_t max = 2 * m_counts.back();
+    std::size_t lines = 1;
+    while (true) {
+        Level& level = levelOf(lines);
+        lines = level.lines.fewest(errorHz, max);
+        if (lines == 0 || &levelOf(lines) == &level)
+            return lines;
+    }
+}
+
+std::optional<IntervalPlan> IntervalPlanner::plan(std::size_t rowCount, const LineStyle& style,
+                                                  double errorMmPerS)
+{
+    Level& level = levelOf(rowCount);
+    const SpeedCurve& curve = level.curve;
+    const std::size_t lineCount = rowCount + level.lines.flatCount(style.flats);
+    // The curve searched is stretched to whole pulses.
+    const double stretchHz = std::abs(1 - 1 / curve.stretch()) * curve.fastestHz();
+    const double allowedHz = std::min(errorMmPerS * m_pulsesPerMm + stretchHz, largestErrorHz(curve));
+    if (!level.lines.canKeep(allowedHz / (1 + style.evenness / 3), lineCount, style.evenness))
+        return std::nullopt;
+    const auto lines = level.lines.find(lineCount, style);
+    if (!lines || lines->errorHz > allowedHz || rowsOf(lines->knots) > rowCount)
+        return std::nullopt;
+    constexpr double firstFactor = 1.02;
+    constexpr double fineFactor = 1.2;
+    constexpr double coarseFactor = 1.5; // where whole pulses need far more than the lines
+    constexpr double far = 4;
+    double failedHz = lines->errorHz;
+    double factor = firstFactor;
+    while (failedHz <= allowedHz) {
+        const double toleranceHz = factor * failedHz + m_unitHz;
+        if (auto rows = rowsAlong(lines->knots, curve, m_rules, toleranceHz)) {
+            IntervalPlan result{std::move(*rows), {}, 0};
+            result.errors = intervalErrors(result.rows, m_rules.fractionBits, m_rules.iterationS, m_motion,
+                                           m_pulsesPerMm);
+            result.errorMmPerS = std::max(result.errors.speedMmPerS, failedHz / m_pulsesPerMm);
+            // So the smallest number that is kept has the fewest rows of all.
+            if (result.errorMmPerS <= errorMmPerS && result.rows.size() + 1 >= rowCount)
+                return result;
+            return std::nullopt;
+        }
+        failedHz = toleranceHz;
+        factor = failedHz < far * lines->errorHz ? fineFactor : coarseFactor;
+    }
+    return std::nullopt;
+}
+
+// The error of lines below which rows beside them gain nothing: they have whole pulses and whole speeds.
+double IntervalPlanner::finestHz()
+{
+    if (!m_finestHz) {
+        constexpr double share = 0.7;
+        constexpr double smallestShare = 1e-6; // of the largest speed
+        const SpeedCurve& curve = levelOf(1).curve;
+        m_finestHz =
+            std::max(share * std::max(m_unitHz, firstPulseErrorHz(curve)), smallestShare * curve.fastestHz());
+    }
+    return *m_finestHz;
+}
+
+// Would fewer lines be as fine as rows can be?
+bool IntervalPlanner::isTooMany(std::size_t count)
+{
+    return count > 1 && levelOf(count).lines.fewest(finestHz(), count - 1) != 0;
+}
+
+std::optional<IntervalPlan> IntervalPlanner::fewestRows(double errorMmPerS)
+{
+    const std::size_t lines = fewestLines(errorMmPerS);
+    if (lines == 0)
+        return std::nullopt;
+    for (const std::size_t count : m_counts) {
+        if (count + levelOf(count).lines.flatCount(Flats::PeaksAndEnd) < lines)
+            continue;
+        if (isTooMany(count))
+            break;
+        // A row that level lines save is not seen between large numbers.
+        const std::size_t styleCount = count <= maxFineCount ? styles.size() : 1;
+        std::optional<IntervalPlan> result;
+        for (std::size_t i = 0; i < styleCount; ++i) {
+            auto found = plan(count, styles[i], errorMmPerS);
+            if (found && (!result || found->rows.size() < result->rows.size()))
+                result = std::move(found);
+        }
+        if (!result)
+            continue;
+        for (const LineStyle& style : smoothStyles) {
+            auto smoother = plan(count, style, errorMmPerS);
+            if (smoother && smoother->rows.size() <= result->rows.size())
+                return smoother;
+        }
+        return result;
+    }
+    return std::nullopt;
+}
+
+double IntervalPlanner::keptErrorMmPerS(double triedMmPerS)
+{
+    constexpr std::size_t stride = 24; // of the numbers of rows
+    constexpr int tries = 5;
+    const std::size_t lines = fewestLines(triedMmPerS);
+    std::size_t i = m_counts.size() - 1;
+    while (i > 0 && ((lines > 0 && m_counts[i] > lines) || isTooMany(m_counts[i])))
+        --i;
+    double best = noLimit;
+    for (int tried = 0; tried < tries || best == noLimit; ++tried) {
+        const std::size_t styleCount = m_counts[i] <= maxFineCount ? styles.size() : 1;
+        for (std::size_t j = 0; j < styleCount; ++j) {
+            if (const auto found = plan(m_counts[i], styles[j], noLimit))
+                best = std::min(best, found->errorMmPerS);
+        }
+        if (i == 0)
+            break;
+        i -= std::min(i, std::max<std::size_t>(1, std::min(stride, i / 4)));
+    }
+    return best;
+}
+
+} // namespace campanel::profile::detail

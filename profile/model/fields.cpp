@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Look-ups in the table of fields.
+#include "profile/model/fields.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace campanel::profile {
+namespace {
+
+constexpr bool indexedByField()
+{
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        if (static_cast<std::size_t>(fields[i].field) != i)
+            return false;
+    }
+    return true;
+}
+static_assert(indexedByField(), "fields must stand in the order of enum Field");
+
+// Room for the rounding of derived values at the edges of a range: this share of its upper end, but never
+// anything that a person could enter.
+constexpr double rangeTolerance = 1e-9;
+constexpr double resolutionShare = 1e-3; // of the smallest step
+
+} // namespace
+
+std::optional<Field> fieldById(std::string_view id)
+{
+    const auto found =
+        std::find_if(fields.begin(), fields.end(), [id](const FieldInfo& f) { return f.id == id; });
+    if (found == fields.end())
+        return std::nullopt;
+    return found->field;
+}
+
+bool inRange(Field field, double value)
+{
+    const FieldInfo& f = info(field);
+    const double room = std::min(rangeTolerance * f.max, resolutionShare * f.resolution());
+    return std::isfinite(value) && value >= f.min - room && value <= f.max + room;
+}
+
+double snapToGrid(Field field, double value)
+{
+    const FieldInfo& f = info(field);
+    const double scale = std::round(1 / f.resolution());
+    return std::clamp(std::round(value * scale) / scale, f.min, f.max);
+}
+
+} // namespace campanel::profile

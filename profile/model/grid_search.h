@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// The nearest feasible value of one field: candidates, rounded to the field's grid, put through the whole
+// check. A Program has value(), setValue() and isFeasible() of its own. Internal to profile/.
+#pragma once
+
+#include "profile/model/machine.h"
+#include "profile/model/refusal.h"
+
+#include <cmath>
+#include <optional>
+
+namespace campanel::profile::detail {
+
+// Tests values of one field and keeps the feasible one nearest to the present value.
+template <typename Program> class GridSearch {
+public:
+    GridSearch(const Program& program, const Machine& machine, Field field)
+        : m_program(program)
+        , m_machine(machine)
+        , m_field(field)
+        , m_present(value(program, field))
+    {
+        if (!std::isfinite(m_present))
+            m_present = info(field).defaultValue;
+    }
+
+    // Tries the grid points around a candidate; from its nearest one, or rounding could skip one of them.
+    void tryAround(double candidate)
+    {
+        if (!std::isfinite(candidate))
+            return;
+        const double step = info(m_field).resolution();
+        const double nearest = snapToGrid(m_field, candidate);
+        for (const int offset : {-1, 0, 1})
+            tryValue(snapToGrid(m_field, nearest + offset * step));
+    }
+
+    [[nodiscard]] bool isFeasibleAt(double x)
+    {
+        setValue(m_program, m_field, x);
+        return isFeasible(m_program, m_machine);
+    }
+
+    [[nodiscard]] std::optional<Suggestion> best() const
+    {
+        if (!m_best)
+            return std::nullopt;
+        return Suggestion{m_field, *m_best};
+    }
+
+    [[nodiscard]] double present() const { return m_present; }
+
+private:
+    void tryValue(double x)
+    {
+        if (m_best && std::abs(x - m_present) >= std::abs(*m_best - m_present))
+            return;
+        if (isFeasibleAt(x))
+            m_best = x;
+    }
+
+    Program m_program;
+    Machine m_machine;
+    Field m_field;
+    double m_present;
+    std::optional<double> m_best;
+};
+
+// A refused value outside its range becomes the range's nearest end, when the whole program then is feasible.
+template <typename Program>
+[[nodiscard]] std::optional<Suggestion> nearestInRange(Program program, Machine machine,
+                                                       const Refusal& refusal)
+{
+    const double inside = std::isfinite(refusal.actual) ? refusal.allowed : info(refusal.field).defaultValue;
+    setValue(program, refusal.field, inside);
+    setValue(machine, refusal.field, inside);
+    if (!isFeasible(program, machine))
+        return std::nullopt;
+    return Suggestion{refusal.field, inside};
+}
+
+} // namespace campanel::profile::detail

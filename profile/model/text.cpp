@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers as text through std::to_chars, which knows no locale.
+#include "profile/model/text.h"
+
+#include <array>
+#include <charconv>
+
+namespace campanel::profile::detail {
+namespace {
+
+// Room for the longest double in fixed notation: 309 digits, sign, point and decimals.
+using Buffer = std::array<char, 352>;
+
+} // namespace
+
+std::string fixedText(double value, int decimals)
+{
+    Buffer buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                   std::chars_format::fixed, decimals);
+    return {buffer.data(), end.ptr};
+}
+
+std::string significantText(double value)
+{
+    constexpr int digits = 7;
+    Buffer buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                   std::chars_format::general, digits);
+    return {buffer.data(), end.ptr};
+}
+
+std::string concat(std::initializer_list<std::string_view> parts)
+{
+    std::string whole;
+    for (const std::string_view part : parts)
+        whole.append(part);
+    return whole;
+}
+
+std::string withUnit(std::string number, std::string_view unit)
+{
+    if (!unit.empty())
+        number.append(" ").append(unit);
+    return number;
+}
+
+} // namespace campanel::profile::detail

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// What position and speed moves share.
+#include "profile/moves/move_time.h"
+
+#include "profile/cutter/validate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace campanel::profile::detail {
+
+Refusal noMotion(Field field, double value)
+{
+    Refusal refusal;
+    refusal.limit = Limit::NoMotion;
+    refusal.field = field;
+    refusal.actual = value;
+    refusal.unit = info(field).unit;
+    return refusal;
+}
+
+Refusal noTorqueLeft(const Machine& machine)
+{
+    Refusal refusal;
+    refusal.limit = Limit::MotorTorque;
+    refusal.field = Field::MaxTorque;
+    refusal.actual = machine.frictionNm;
+    refusal.allowed = machine.maxTorqueNm;
+    refusal.unit = info(Field::MaxTorque).unit;
+    return refusal;
+}
+
+tl::expected<double, Refusal> timeOnGrid(double shortestS)
+{
+    // A time that is a grid point but for rounding stays that point; far less than limits tolerate.
+    constexpr double roundingShare = 2e-10;
+    const FieldInfo& f = info(Field::MoveTime);
+    const double steps = std::ceil(shortestS / f.resolution() * (1 - roundingShare));
+    const double timeS = std::max(steps * f.resolution(), f.min);
+    if (!inRange(Field::MoveTime, timeS))
+        return tl::unexpected(outOfRange(Field::MoveTime, shortestS));
+    return snapToGrid(Field::MoveTime, timeS);
+}
+
+AxisMotion checkedMotion(MotionProfile motion, const Machine& machine)
+{
+    AxisMotion result;
+    result.peaks = axisPeaks(motion, machine);
+    result.broken = checkAxis(motion, result.peaks, machine);
+    result.motion = std::move(motion);
+    return result;
+}
+
+} // namespace campanel::profile::detail

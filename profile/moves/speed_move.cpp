@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+// Solving a speed move. The peak acceleration is |v1 - v0| Cv / T and the travel T (v0 + (v1 - v0) w), where
+// w is G(1), or 1 - G(1) mirrored; each limit is met exactly at a root of these in one of the inputs.
+#include "profile/moves/speed_move.h"
+
+#include "profile/cutter/validate.h"
+#include "profile/laws/laws.h"
+#include "profile/model/grid_search.h"
+#include "profile/moves/move_time.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace campanel::profile {
+namespace {
+
+bool isMirrored(const SpeedMoveProgram& program)
+{
+    return std::abs(program.endSpeedMmPerS) < std::abs(program.startSpeedMmPerS);
+}
+
+double changeMmPerS(const SpeedMoveProgram& program)
+{
+    return program.endSpeedMmPerS - program.startSpeedMmPerS;
+}
+
+// G(1) of the law as it stands in the table, exactly 1/2 for a symmetric one.
+double lawTravel(const SpeedMoveProgram& program)
+{
+    const Law& law = *findLaw(program.law);
+    return law.isSymmetric ? 0.5 : law.at(1, program.lawParameters).integral;
+}
+
+double lawCv(const SpeedMoveProgram& program)
+{
+    return findLaw(program.law)->peaks(program.lawParameters).cv;
+}
+
+// True for a value that solve() reads.
+bool isRead(const SpeedMoveProgram& program, Field field)
+{
+    switch (field) {
+    case Field::StartSpeed:
+    case Field::EndSpeed:
+    case Field::CamPoints:
+        return true;
+    case Field::MoveTime:
+        return program.duration == MoveDuration::GivenTime;
+    case Field::Distance:
+        return program.duration == MoveDuration::OverDistance;
+    default:
+        return false;
+    }
+}
+
+std::optional<Refusal> findInvalidSpeedInput(const SpeedMoveProgram& program, const Machine& machine)
+{
+    if (auto refusal = detail::findInvalidAxis(machine))
+        return refusal;
+    for (const Field field :
+         {Field::StartSpeed, Field::EndSpeed, Field::MoveTime, Field::Distance, Field::CamPoints}) {
+        if (isRead(program, field) && !inRange(field, value(program, field)))
+            return detail::outOfRange(field, value(program, field));
+    }
+    if (auto refusal = detail::findInvalidLaw(program.law, program.lawParameters, detail::LawUse::Speed))
+        return refusal;
+    if (program.startSpeedMmPerS == program.endSpeedMmPerS)
+        return detail::noMotion(Field::EndSpeed, program.endSpeedMmPerS);
+    return std::nullopt;
+}
+
+double shortestSpeedMoveS(const SpeedMoveProgram& program, const Machine& machine)
+{
+    return std::abs(changeMmPerS(program)) * lawCv(program) / axisAllowance(machine).accelerationMmPerS2;
+}
+
+Refusal distanceRefusal(Limit limit, double actualMm, double allowedMm)
+{
+    Refusal refusal;
+    refusal.limit = limit;
+    refusal.field = Field::Distance;
+    refusal.actual = actualMm;
+    refusal.allowed = allowedMm;
+    refusal.unit = info(Field::Distance).unit;
+    return refusal;
+}
+
+tl::expected<double, Refusal> timeOverDistanceS(const SpeedMoveProgram& program)
+{
+    constexpr double rounding = 1e-12; // of the speeds: the way there and back cancel
+    const double mean = meanSpeedMmPerS(program);
+    const double speeds = std::abs(program.startSpeedMmPerS) + std::abs(program.endSpeedMmPerS);
+    if (std::abs(mean) <= rounding * speeds)
+        return tl::unexpected(detail::noMotion(Field::EndSpeed, program.endSpeedMmPerS));
+    const double timeS = program.distanceMm / mean;
+    if (timeS < 0)
+        return tl::unexpected(distanceRefusal(Limit::DistanceSign, program.distanceMm, -program.distanceMm));
+    // Closer than inRange(), whose room is that of a value that a person enters.
+    if (timeS > info(Field::MoveTime).max * (1 + rounding))
+        return tl::unexpected(detail::outOfRange(Field::MoveTime, timeS));
+    if (timeS >= info(Field::MoveTime).min * (1 - rounding))
+        return timeS;
+    const double step = info(Field::Distance).resolution();
+    const double least = std::ceil(std::abs(mean) * info(Field::MoveTime).min / step - rounding) * step;
+    return tl::unexpected(
+        distanceRefusal(Limit::DistanceTooShort, program.distanceMm, std::copysign(least, mean)));
+}
+
+// The time of the move, without suggestions in the refusal.
+tl::expected<double, Refusal> speedMoveTimeS(const SpeedMoveProgram& program, const Machine& machine)
+{
+    if (auto refusal = findInvalidSpeedInput(program, machine))
+        return tl::unexpected(*std::move(refusal));
+    if (program.duration == MoveDuration::GivenTime)
+        return program.timeS;
+    if (program.duration == MoveDuration::OverDistance)
+        return timeOverDistanceS(program);
+    if (!(axisAllowance(machine).accelerationMmPerS2 > 0))
+        return tl::unexpected(detail::noTorqueLeft(machine));
+    return detail::timeOnGrid(shortestSpeedMoveS(program, machine));
+}
+
+MotionProfile speedMotion(const SpeedMoveProgram& program, double timeS)
+{
+    MotionProfile motion;
+    motion.addRamp(timeS, program.startSpeedMmPerS, program.endSpeedMmPerS, *findLaw(program.law),
+                   program.lawParameters, isMirrored(program));
+    return motion;
+}
+
+// Changes of speed x at which a x^2 + b x = c.
+void appendRoots(std::vector<double>& changes, double a, double b, double c)
+{
+    const double root = std::sqrt(b * b + 4 * a * c);
+    changes.push_back((-b + root) / (2 * a));
+    changes.push_back((-b - root) / (2 * a));
+}
+
+// Changes v1 - v0 at which a limit of the acceleration or of the time is met exactly while the other speed
+// keeps its value.
+std::vector<double> changesAtLimits(const SpeedMoveProgram& program, const Machine& machine, Field field)
+{
+    const FieldInfo& time = info(Field::MoveTime);
+    const double perTime = axisAllowance(machine).accelerationMmPerS2 / lawCv(program);
+    std::vector<double> changes;
+    if (program.duration != MoveDuration::OverDistance) {
+        const double timeS = program.duration == MoveDuration::GivenTime ? program.timeS : time.max;
+        return {perTime * timeS, -perTime * timeS};
+    }
+    // The mean speed is kept + share x, with x the change; T = D / mean, and |x| = perTime T at the limit.
+    const double kept = field == Field::EndSpeed ? program.startSpeedMmPerS : program.endSpeedMmPerS;
+    const double g1 = lawTravel(program);
+    for (const double travel : {g1, 1 - g1}) {
+        const double share = field == Field::EndSpeed ? travel : travel - 1;
+        appendRoots(changes, share, kept, perTime * program.distanceMm);
+        appendRoots(changes, share, kept, -perTime * program.distanceMm);
+        for (const double timeS : {time.min, time.max})
+            changes.push_back((program.distanceMm / timeS - kept) / share);
+    }
+    return changes;
+}
+
+std::vector<double> speedCandidates(const SpeedMoveProgram& program, const Machine& machine, Field field)
+{
+    const bool isEnd = field == Field::EndSpeed;
+    const double kept = isEnd ? program.startSpeedMmPerS : program.endSpeedMmPerS;
+    const double limit = axisAllowance(machine).speedMmPerS;
+    std::vector<double> found{limit, -limit, kept, -kept, 0};
+    for (const double change : changesAtLimits(program, machine, field))
+        found.push_back(isEnd ? kept + change : kept - change);
+    return found;
+}
+
+std::vector<double> distanceCandidates(const SpeedMoveProgram& program, const Machine& machine)
+{
+    const double mean = meanSpeedMmPerS(program);
+    return {-program.distanceMm, mean * shortestSpeedMoveS(program, machine),
+            mean * info(Field::MoveTime).min, mean * info(Field::MoveTime).max};
+}
+
+std::optional<Suggestion> nearestSpeedInput(const SpeedMoveProgram& program, const Machine& machine,
+                                            Field field)
+{
+    detail::GridSearch search(program, machine, field);
+    search.tryAround(search.present());
+    search.tryAround(info(field).min);
+    search.tryAround(info(field).max);
+    if (field == Field::MoveTime)
+        search.tryAround(shortestSpeedMoveS(program, machine));
+    if (field == Field::Distance) {
+        for (const double candidate : distanceCandidates(program, machine))
+            search.tryAround(candidate);
+    }
+    if (field == Field::StartSpeed || field == Field::EndSpeed) {
+        for (const double candidate : speedCandidates(program, machine, field))
+            search.tryAround(candidate);
+    }
+    return search.best();
+}
+
+std::vector<Suggestion> speedSuggestions(const SpeedMoveProgram& program, const Machine& machine,
+                                         const Refusal& refusal)
+{
+    if (refusal.limit == Limit::NoMotion ||
+        detail::findInvalidLaw(program.law, program.lawParameters, detail::LawUse::Speed))
+        return {};
+    std::vector<Suggestion> found;
+    const auto keep = [&found](std::optional<Suggestion> suggestion) {
+        if (suggestion)
+            found.push_back(*suggestion);
+    };
+    if (refusal.limit == Limit::FieldRange && isRead(program, refusal.field)) {
+        keep(nearestSpeedInput(program, machine, refusal.field));
+        return found;
+    }
+    if (refusal.limit == Limit::FieldRange && refusal.field != Field::MoveTime) {
+        keep(detail::nearestInRange(program, machine, refusal));
+        return found;
+    }
+    for (const Field field : {Field::MoveTime, Field::Distance, Field::EndSpeed, Field::StartSpeed}) {
+        if (isRead(program, field))
+            keep(nearestSpeedInput(program, machine, field));
+    }
+    return found;
+}
+
+} // namespace
+
+double meanSpeedMmPerS(const SpeedMoveProgram& program)
+{
+    const double travel = lawTravel(program);
+    return program.startSpeedMmPerS + changeMmPerS(program) * (isMirrored(program) ? 1 - travel : travel);
+}
+
+tl::expected<AxisMotion, Refusal> solve(const SpeedMoveProgram& program, const Machine& machine)
+{
+    tl::expected<double, Refusal> timeS = speedMoveTimeS(program, machine);
+    if (!timeS) {
+        timeS.error().nearest = speedSuggestions(program, machine, timeS.error());
+        return tl::unexpected(std::move(timeS.error()));
+    }
+    AxisMotion result = detail::checkedMotion(speedMotion(program, *timeS), machine);
+    if (!result.broken.empty()) {
+        const auto nearest = speedSuggestions(program, machine, result.broken.front());
+        for (Refusal& refusal : result.broken)
+            refusal.nearest = nearest;
+    }
+    return result;
+}
+
+bool isFeasible(const SpeedMoveProgram& program, const Machine& machine)
+{
+    const tl::expected<double, Refusal> timeS = speedMoveTimeS(program, machine);
+    return timeS && isWithinLimits(axisPeaks(speedMotion(program, *timeS), machine), machine);
+}
+
+} // namespace campanel::profile

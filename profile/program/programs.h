@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// The inputs of every kind of program, as a person enters them. What follows from them is in the header of
+// each kind: rotary_cutter.h, position_move.h, speed_move.h, point_cam.h, press.h.
+#pragma once
+
+#include "profile/cutter/rotary_cutter.h"
+#include "profile/model/fields.h"
+#include "profile/model/law.h"
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+namespace campanel::profile {
+
+// Stable codes: they travel to the controller.
+enum class ProgramKind : std::uint16_t {
+    RotaryCutter = 1,
+    PositionMove = 2,
+    SpeedMove = 3,
+    PointCam = 4,
+    Press = 5,
+};
+
+// How the controller executes a move. Stable codes.
+enum class Execution : std::uint16_t { CamPoints = 0, Intervals = 1 };
+
+// Which of the inputs of a move is given. Stable codes.
+enum class MoveDuration : std::uint16_t {
+    GivenTime = 0,
+    Fastest = 1,      // as fast as the limits of the machine allow
+    OverDistance = 2, // a speed move only
+};
+
+// From rest to rest over a distance, by a displacement law.
+struct PositionMoveProgram {
+    double distanceMm = info(Field::Distance).defaultValue; // negative: backwards
+    MoveDuration duration = MoveDuration::GivenTime;
+    double timeS = info(Field::MoveTime).defaultValue; // read when given
+    LawId law = LawId::Quintic;
+    LawParameters lawParameters{};
+    int camPoints = static_cast<int>(info(Field::CamPoints).defaultValue); // intervals of the cam table
+    Execution execution = Execution::CamPoints;
+};
+
+// From one speed to another by a speed law; then that speed is held until a stop.
+struct SpeedMoveProgram {
+    double startSpeedMmPerS = 0;
+    double endSpeedMmPerS = info(Field::EndSpeed).defaultValue;
+    MoveDuration duration = MoveDuration::GivenTime;
+    double timeS = info(Field::MoveTime).defaultValue;
+    double distanceMm = info(Field::Distance).defaultValue; // travelled while the speed changes
+    LawId law = LawId::HalfModifiedSine;
+    LawParameters lawParameters{};
+    int camPoints = static_cast<int>(info(Field::CamPoints).defaultValue);
+    Execution execution = Execution::CamPoints;
+};
+
+// What the spline does at its ends. Stable codes.
+enum class SplineEnds : std::uint16_t {
+    Natural = 0,  // no curvature
+    Clamped = 1,  // no speed
+    Periodic = 2, // speed and acceleration continue at the wrap; with a net advance for a progressive cam
+};
+
+// Shape of the master's own ramp. Stable codes.
+enum class RampShape : std::uint16_t { Trapezoid = 0, SCurve = 1 };
+
+struct Knot {
+    double masterDeg = 0; // 0..360 of a cam cycle
+    double slaveMm = 0;
+
+    bool operator==(const Knot&) const = default;
+};
+
+// Five points as the EtherCAT paper draws them: a rise, a dwell, a return.
+[[nodiscard]] inline std::vector<Knot> defaultKnots()
+{
+    return {{0, 0}, {90, 20}, {180, 50}, {270, 20}, {360, 0}};
+}
+
+struct PointCamProgram {
+    std::vector<Knot> knots = defaultKnots(); // 5..100, ascending
+    SplineEnds ends = SplineEnds::Periodic;
+    double masterRateRevPerMin = info(Field::MasterRate).defaultValue; // negative: the master runs backwards
+    double masterRampS = info(Field::MasterRamp).defaultValue;
+    RampShape masterRamp = RampShape::Trapezoid;
+    double masterRatio = 1; // master revolutions per cam cycle, before scaling
+    double masterScale = 1; // stretches the cam over the master
+    double slaveScale = 1;  // stretches the cam over the slave
+    double phaseDeg = 0;    // of a cam cycle, at which the master starts
+    int camPoints = 1000;
+};
+
+struct PressProgram {
+    double approachPositionMm = info(Field::ApproachPosition).defaultValue; // B
+    double approachSpeedMmPerS = info(Field::ApproachSpeed).defaultValue;   // A to B
+    double probeSpeedMmPerS = info(Field::ProbeSpeed).defaultValue;         // B to C
+    double probeForceN = info(Field::ProbeForce).defaultValue;              // C is where it is felt
+    double probeEndMm = info(Field::ProbeEnd).defaultValue;                 // C must come before
+    double pressSpeedMmPerS = info(Field::PressSpeed).defaultValue;         // C to D
+    double pressPositionMm = info(Field::PressPosition).defaultValue;       // D
+    double holdTimeS = info(Field::HoldTime).defaultValue;                  // D to E
+    double returnSpeedMmPerS = info(Field::ReturnSpeed).defaultValue;       // E to F
+    double maxForceN = info(Field::MaxForce).defaultValue;                  // stop at once and return
+    // A stroke is in order when it stops and presses within these.
+    double positionToleranceMm = info(Field::PositionTolerance).defaultValue;
+    double minStopForceN = info(Field::MinStopForce).defaultValue;
+    double maxStopForceN = info(Field::MaxStopForce).defaultValue;
+};
+
+// Access by field, which must be one of the program's; NaN and no effect otherwise. Counts are rounded.
+[[nodiscard]] double value(const PositionMoveProgram& program, Field field);
+[[nodiscard]] double value(const SpeedMoveProgram& program, Field field);
+[[nodiscard]] double value(const PointCamProgram& program, Field field);
+[[nodiscard]] double value(const PressProgram& program, Field field);
+void setValue(PositionMoveProgram& program, Field field, double value);
+void setValue(SpeedMoveProgram& program, Field field, double value);
+void setValue(PointCamProgram& program, Field field, double value);
+void setValue(PressProgram& program, Field field, double value);
+
+using Program =
+    std::variant<RotaryCutterProgram, PositionMoveProgram, SpeedMoveProgram, PointCamProgram, PressProgram>;
+
+[[nodiscard]] inline ProgramKind kindOf(const Program& program)
+{
+    return static_cast<ProgramKind>(program.index() + 1);
+}
+
+} // namespace campanel::profile

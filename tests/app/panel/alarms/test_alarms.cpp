@@ -1,0 +1,487 @@
+// SPDX-License-Identifier: Apache-2.0
+// Alarms come, are acknowledged, go, come again, flood, are shelved, and outlive the panel.
+#include "alarm_fill.h"
+#include "tests/app/panel/alarm_rig.h"
+#include "tests/support/test_program.h"
+
+#include <QAbstractItemModelTester>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QSignalSpy>
+#include <QTranslator>
+
+namespace test_alarms {
+
+using namespace campanel;
+using namespace std::chrono_literals;
+using store::AlarmRow;
+using test::AlarmRig;
+
+namespace {
+
+constexpr unsigned jam = 1U << static_cast<unsigned>(modbus::FaultBit::FollowingError);
+constexpr unsigned tooFast = 1U << static_cast<unsigned>(modbus::FaultBit::MasterTooFast);
+constexpr unsigned notHomed = 1U << static_cast<unsigned>(modbus::WarningBit::NotHomed);
+constexpr unsigned flash = 1U << static_cast<unsigned>(modbus::WarningBit::FlashSlotInvalid);
+constexpr unsigned marksLost = 1U << static_cast<unsigned>(modbus::WarningBit::MarksLost);
+
+using Lines = QStringList;
+
+} // namespace
+
+class TestAlarms : public QObject {
+    Q_OBJECT
+
+private slots:
+    void comesIsAcknowledgedAndGoes()
+    {
+        AlarmRig rig;
+        rig.open();
+        rig.panel.connectIdle();
+        rig.alarms->setPerson(QStringLiteral("Li"));
+        rig.setFaults(jam);
+        QCOMPARE(rig.live(), Lines{"C-01 active calls"});
+        QCOMPARE(rig.alarms->active(), 1);
+        QCOMPARE(rig.alarms->unacknowledged(), 1);
+        QCOMPARE(rig.alarms->callingSeverity(), machine::Alarms::Severity::Fault);
+        QCOMPARE(rig.alarms->urgentCode(), "C-01");
+        QVERIFY(!rig.alarms->seen());
+        rig.pass(5s);
+        rig.alarms->acknowledge(0);
+        QCOMPARE(rig.live(), Lines{"C-01 active"});
+        QVERIFY(rig.alarms->seen());
+        rig.pass(5s);
+        rig.setFaults(0);
+        QCOMPARE(rig.live(), Lines());
+        QVERIFY(!rig.alarms->seen());
+        QTRY_COMPARE(rig.logged().size(), 1);
+        QTRY_COMPARE(rig.logged()[0].end, AlarmRow::End::Returned);
+        const AlarmRow row = rig.logged()[0];
+        QCOMPARE(row.code, "C-01");
+        QCOMPARE(row.raisedMs, rig.day.toMSecsSinceEpoch());
+        QCOMPARE(row.acknowledgedMs, row.raisedMs + 5000);
+        QCOMPARE(row.acknowledgedBy, "Li");
+        QCOMPARE(row.returnedMs, row.raisedMs + 10'000);
+        QCOMPARE(row.count, 1);
+    }
+
+    void goneUnseenStaysUntilAcknowledged()
+    {
+        AlarmRig rig;
+        rig.panel.connectIdle();
+        rig.setFaults(jam);
+        rig.setFaults(0);
+        QCOMPARE(rig.live(), Lines{"C-01 gone calls"});
+        QCOMPARE(rig.alarms->active(), 0);
+        QCOMPARE(rig.alarms->unacknowledged(), 1);
+        QVERIFY(rig.alarms->urgentCode().isEmpty());
+        rig.alarms->acknowledgeAll();
+        QCOMPARE(rig.live(), Lines());
+    }
+
+    void mostUrgentIsFirst()
+    {
+        AlarmRig rig;
+        const QAbstractItemModelTester rowsAreTold(rig.alarms->live());
+        const QSignalSpy reset(rig.alarms->live(), &QAbstractItemModel::modelReset);
+        rig.panel.connectIdle();
+        rig.setWarnings(notHomed | flash);
+        QCOMPARE(rig.live(), (Lines{"W-03 active calls", "W-02 active"}));
+        const QPersistentModelIndex asked(rig.alarms->live()->index(0));
+        rig.setFaults(tooFast);
+        QCOMPARE(rig.live(), (Lines{"C-07 active calls", "W-03 active calls", "W-02 active"}));
+        QCOMPARE(asked.row(), 1);
+        QCOMPARE(rig.alarms->urgentCode(), "C-07");
+        rig.alarms->acknowledge(0);
+        QCOMPARE(rig.live(), (Lines{"W-03 active calls", "C-07 active", "W-02 active"}));
+        QCOMPARE(asked.row(), 0);
+        QCOMPARE(rig.alarms->callingSeverity(), machine::Alarms::Severity::Warning);
+        QCOMPARE(rig.alarms->urgentCode(), "C-07");
+        rig.setFaults(0);
+        rig.setWarnings(notHomed);
+        rig.alarms->acknowledgeAll();
+        QCOMPARE(rig.live(), Lines{"W-02 active"});
+        QVERIFY2(rig.alarms->urgentCode().isEmpty(), "a notice is not urgent");
+        QVERIFY(!asked.isValid());
+        QVERIFY2(reset.isEmpty(), "a list that is made anew loses its place and what is pressed");
+    }
+
+    void comingAndGoingQuicklyIsOneOccurrence()
+    {
+        AlarmRig rig;
+        rig.open();
+        rig.panel.connectIdle();
+        for (int i = 0; i < 7; ++i) {
+            rig.setFaults(jam);
+            rig.pass(100ms);
+            rig.setFaults(0);
+            rig.pass(9s);
+        }
+        rig.pass(2s);
+        rig.setFaults(jam);
+        QTRY_COMPARE(rig.logged().size(), 2);
+        QCOMPARE(rig.logged()[1].count, 7);
+        QCOMPARE(rig.logged()[0].count, 1);
+        QCOMPARE(rig.live(), Lines{"C-01 active calls"});
+        // Acknowledging covers the earlier one too, which is only in the log by now.
+        rig.alarms->acknowledgeAll();
+        QTRY_VERIFY(rig.logged()[1].acknowledgedMs > 0);
+        QVERIFY(rig.logged()[0].acknowledgedMs > 0);
+    }
+
+    void chatterOfAnAcknowledgedOneDoesNotCallAgain()
+    {
+        AlarmRig rig;
+        rig.panel.connectIdle();
+        rig.setFaults(jam);
+        rig.alarms->acknowledgeAll();
+        rig.setFaults(0);
+        rig.pass(3s);
+        rig.setFaults(jam);
+        QCOMPARE(rig.live(), Lines{"C-01 active"});
+        rig.setFaults(0);
+        rig.pass(11s);
+        rig.setFaults(jam);
+        QCOMPARE(rig.live(), Lines{"C-01 active calls"});
+    }
+
+    void floodIsBounded_data()
+    {
+        QTest::addColumn<int>("apartMs");
+        QTest::newRow("a millisecond apart") << 1;
+        QTest::newRow("too far apart to be the same") << 11'000;
+    }
+    void floodIsBounded()
+    {
+        QFETCH(int, apartMs);
+        constexpr int changes = 100'000;
+        AlarmRig rig;
+        rig.open();
+        rig.panel.connectIdle();
+        QSignalSpy shown(rig.alarms.get(), &machine::Alarms::changed);
+        QElapsedTimer timer;
+        timer.start();
+        for (int i = 0; i < changes; ++i) {
+            rig.setFaults(i % 2 == 0 ? jam : 0);
+            rig.pass(std::chrono::milliseconds(apartMs));
+        }
+        qInfo("%d changes: %lld ms", changes, timer.elapsed());
+        QCOMPARE(rig.live(), Lines{"C-01 gone calls"});
+        QVERIFY2(shown.size() < 50, "what nobody can see is not shown");
+        rig.end();
+        rig.start();
+        rig.open();
+        qint64 times = 0;
+        qint64 rows = 0;
+        rig.records->store().run(
+            this,
+            [](store::Database& database) {
+                return store::AlarmLog::page(database, 0, changes).value_or(QList<AlarmRow>());
+            },
+            [&](const QList<AlarmRow>& all) {
+                rows = all.size();
+                for (const AlarmRow& row : all)
+                    times += row.count;
+            });
+        QTRY_VERIFY(rows > 0);
+        QCOMPARE(times, qint64(changes / 2)); // each one is counted
+        QVERIFY2(rows <= qint64(machine::AlarmBook::waitingRows), qPrintable(QString::number(rows)));
+    }
+
+    void linkHasAMomentToComeUp()
+    {
+        AlarmRig rig;
+        rig.alarms->watch().setPatienceMs(50);
+        link::LinkReport searching;
+        searching.simulated = false;
+        searching.error = modbus::LinkError{modbus::LinkErrorKind::PortAbsent, "/dev/fake", {}, {}, 0};
+        emit rig.panel.link.reported(searching);
+        QCOMPARE(rig.live(), Lines());
+        QTRY_COMPARE(rig.live(), Lines{"L-01 active calls"});
+        QVERIFY(rig.alarms->live()->entries()[0].row.detail.contains(QStringLiteral("/dev/fake")));
+        searching.state = link::LinkState::Connecting;
+        emit rig.panel.link.reported(searching);
+        QCOMPARE(rig.live(), Lines{"L-01 active calls"}); // until it is seen to be something else
+        searching.state = link::LinkState::WrongDevice;
+        emit rig.panel.link.reported(searching);
+        QCOMPARE(rig.live(), (Lines{"L-04 active calls", "L-01 gone calls"}));
+        rig.panel.link.becomeConnected();
+        rig.alarms->acknowledgeAll();
+        QCOMPARE(rig.live(), Lines());
+        rig.panel.link.becomeLost();
+        QCOMPARE(rig.live(), Lines{"L-03 active calls"});
+    }
+
+    void scanIsNoTrouble()
+    {
+        AlarmRig rig;
+        rig.panel.connectIdle();
+        link::LinkReport scanning;
+        scanning.isScanning = true;
+        scanning.state = link::LinkState::Lost;
+        emit rig.panel.link.reported(scanning);
+        QCOMPARE(rig.live(), Lines());
+    }
+
+    void whatCannotBeSeenHasNotEnded()
+    {
+        AlarmRig rig;
+        rig.open();
+        rig.panel.connectIdle();
+        rig.setFaults(jam);
+        rig.panel.link.becomeLost();
+        QCOMPARE(rig.live(), (Lines{"C-01 active calls", "L-03 active calls"}));
+        rig.panel.link.becomeConnected();
+        QCOMPARE(rig.live(), (Lines{"C-01 active calls", "L-03 gone calls"}));
+        emit rig.panel.link.reported({}); // another controller
+        QCOMPARE(rig.live()[0], "C-01 gone calls");
+        QTRY_COMPARE(rig.logged().size(), 2);
+        QTRY_COMPARE(rig.logged()[1].end, AlarmRow::End::Unknown);
+    }
+
+    void bitThatIsNotKnownHasItsAlarm()
+    {
+        AlarmRig rig;
+        rig.panel.connectIdle();
+        rig.setFaults(0x8000);
+        QCOMPARE(rig.live(), Lines{"C-99 active calls"});
+        rig.alarms->showLive(0);
+        QCOMPARE(rig.alarms->detail()->detail(), "0x8000 0x0000");
+    }
+
+    void shelvedDoesNotCall()
+    {
+        AlarmRig rig;
+        rig.open();
+        rig.panel.connectIdle();
+        rig.setWarnings(flash);
+        QCOMPARE(rig.live(), Lines{"W-03 active calls"});
+        rig.alarms->showLive(0);
+        QVERIFY(rig.alarms->detail()->shelvable());
+        rig.alarms->shelveShown(1);
+        QCOMPARE(rig.live(), Lines{"W-03 active shelved"});
+        QCOMPARE(rig.alarms->active(), 0);
+        QCOMPARE(rig.alarms->unacknowledged(), 0);
+        QVERIFY(rig.alarms->urgentCode().isEmpty());
+        rig.setWarnings(0);
+        rig.pass(20s);
+        QCOMPARE(rig.live(), Lines());
+        rig.setWarnings(flash);
+        QCOMPARE(rig.live(), Lines{"W-03 active shelved"});
+        QTRY_COMPARE(rig.logged().size(), 2);
+        QVERIFY(rig.logged()[0].isShelved);
+        QVERIFY(rig.logged()[1].isShelved);
+        rig.pass(59min);
+        rig.alarms->look();
+        QCOMPARE(rig.alarms->shelved()->count(), 1);
+        rig.pass(1min);
+        rig.alarms->look();
+        QCOMPARE(rig.live(), Lines{"W-03 active calls"});
+        QCOMPARE(rig.alarms->shelved()->count(), 0);
+    }
+
+    void whatStopsTheMachineIsNotShelved()
+    {
+        AlarmRig rig;
+        rig.panel.connectIdle();
+        rig.setFaults(jam);
+        rig.setWarnings(marksLost);
+        QCOMPARE(rig.live(), (Lines{"C-01 active calls", "M-01 active calls"}));
+        for (int row = 0; row < 2; ++row) {
+            rig.alarms->showLive(row);
+            QVERIFY(!rig.alarms->detail()->shelvable());
+            rig.alarms->shelveShown(1);
+            QCOMPARE(rig.alarms->shelved()->count(), 0);
+        }
+        QCOMPARE(rig.alarms->unacknowledged(), 2);
+    }
+
+    void takenOffTheShelfItCallsAgain()
+    {
+        AlarmRig rig;
+        rig.panel.connectIdle();
+        rig.setWarnings(flash);
+        (void)rig.live();
+        rig.alarms->showLive(0);
+        rig.alarms->shelveShown(8);
+        rig.alarms->unshelve(0);
+        QCOMPARE(rig.live(), Lines{"W-03 active calls"});
+        rig.alarms->shelveShown(8);
+        rig.day = rig.day.addDays(-400); // the clock was set: it would stay for more than a year
+        rig.alarms->look();
+        QCOMPARE(rig.live(), Lines{"W-03 active calls"});
+    }
+
+    void shelfAndLogOutliveThePanel()
+    {
+        AlarmRig rig;
+        rig.open();
+        rig.panel.connectIdle();
+        rig.setWarnings(flash);
+        rig.setFaults(jam);
+        (void)rig.live();
+        rig.alarms->showLive(1);
+        rig.alarms->shelveShown(8);
+        QTRY_COMPARE(rig.logged().size(), 2);
+        rig.end();
+        rig.start();
+        rig.open();
+        QTRY_COMPARE(rig.alarms->shelved()->count(), 1);
+        QTRY_COMPARE(rig.live(), (Lines{"C-01 active calls", "W-03 active shelved"}));
+        QTRY_COMPARE(rig.logged().size(), 4);
+        QCOMPARE(rig.logged()[2].end, AlarmRow::End::Unknown);
+        QCOMPARE(rig.logged()[3].end, AlarmRow::End::Unknown);
+        QCOMPARE(rig.logged()[0].end, AlarmRow::End::Active);
+    }
+
+    void lastChangesAreWrittenAtTheEnd()
+    {
+        AlarmRig rig;
+        rig.open();
+        rig.panel.connectIdle();
+        QTRY_COMPARE(rig.logged().size(), 0);
+        rig.setFaults(jam);
+        rig.end();
+        rig.start();
+        rig.open();
+        QTRY_VERIFY(rig.logged().size() >= 1);
+        QCOMPARE(rig.logged().last().end, AlarmRow::End::Unknown);
+    }
+
+    void fullDiskIsAnAlarmUntilThereIsRoom()
+    {
+        AlarmRig rig;
+        rig.open();
+        rig.records->complain({store::StoreError::Kind::Full, QStringLiteral("x"), {}});
+        QCOMPARE(rig.live(), Lines{"P-04 active calls"});
+        QTRY_COMPARE(rig.live(), Lines{"P-04 gone calls"}); // its own row found room
+    }
+
+    void whatFoundNoRoomIsWrittenLater()
+    {
+        AlarmRig rig;
+        rig.open();
+        rig.panel.connectIdle();
+        const auto limit = [&](int pages) {
+            bool isDone = false;
+            rig.records->store().run(
+                this,
+                [pages](store::Database& database) {
+                    return database.execute(QStringLiteral("PRAGMA max_page_count = %1").arg(pages))
+                        .has_value();
+                },
+                [&](bool) { isDone = true; });
+            QTRY_VERIFY(isDone);
+        };
+        limit(1); // as many as there are
+        constexpr int occurrences = 150;
+        for (int i = 0; i < occurrences; ++i) {
+            rig.setFaults(jam);
+            rig.setFaults(0);
+            rig.pass(11s);
+        }
+        QTRY_COMPARE(rig.live().first(), "P-04 active calls");
+        QVERIFY(rig.records->notice().contains(QStringLiteral("full")));
+        QVERIFY(rig.logged().isEmpty());
+        limit(100'000);
+        QTRY_COMPARE_WITH_TIMEOUT(rig.live().last(), "P-04 gone calls", 8000);
+        QTRY_COMPARE(rig.logged().size(), occurrences + 1);
+        QTRY_COMPARE(rig.logged()[0].end, AlarmRow::End::Returned);
+    }
+
+    void damagedMemoryIsToldOnce()
+    {
+        AlarmRig rig;
+        rig.end();
+        QFile file(rig.folder.filePath(QStringLiteral("campanel.sqlite")));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(QByteArray(9000, 'x')) == 9000);
+        file.close();
+        rig.start();
+        rig.open();
+        QTRY_COMPARE(rig.live(), Lines{"P-02 gone calls"});
+        QTRY_COMPARE(rig.logged().size(), 1);
+    }
+
+    void memoryThatCannotBeOpenedStaysAnAlarm()
+    {
+        AlarmRig rig;
+        machine::Records records(QStringLiteral("/proc/no/such/folder"), nullptr);
+        machine::Alarms alarms(rig.panel.machine, rig.panel.editor, records, rig.panel.settings, nullptr);
+        records.open();
+        QTRY_COMPARE(alarms.urgentCode(), "P-03");
+        QVERIFY(alarms.live()->entries()[0].row.detail.contains(QStringLiteral("/proc/no/such/folder")));
+    }
+
+    void historyIsReadByPagesAndFollows()
+    {
+        AlarmRig rig;
+        rig.open();
+        rig.panel.connectIdle();
+        bool isFilled = false;
+        rig.records->store().run(
+            this,
+            [](store::Database& database) { return test::fillAlarmLog(database, store::AlarmLog::capacity); },
+            [&](bool filled) { isFilled = filled; });
+        QTRY_VERIFY(isFilled);
+        rig.end();
+        rig.start();
+        rig.open();
+        machine::AlarmHistory& history = *rig.alarms->history();
+        QElapsedTimer timer;
+        timer.start();
+        history.setWatched(true);
+        QVERIFY(history.loading());
+        QTRY_VERIFY(!history.loading());
+        qInfo("100 000 alarms shown after %lld ms, the opening of the database with it", timer.elapsed());
+        QCOMPARE(history.count(), store::AlarmLog::pageRows);
+        QCOMPARE(history.rows()[0].id, store::AlarmLog::capacity);
+        QVERIFY(history.canFetchMore({}));
+        history.fetchMore({});
+        QVERIFY(!history.canFetchMore({}));
+        QTRY_COMPARE(history.count(), 2 * store::AlarmLog::pageRows);
+        QCOMPARE(history.rows().last().id, store::AlarmLog::capacity - 2 * store::AlarmLog::pageRows + 1);
+
+        rig.setFaults(jam);
+        QTRY_COMPARE(history.count(), 2 * store::AlarmLog::pageRows + 1);
+        QCOMPARE(history.rows()[0].code, "C-01");
+        QCOMPARE(history.rows()[0].id, store::AlarmLog::capacity + 1);
+        QCOMPARE(history.rows()[0].end, AlarmRow::End::Active);
+        rig.setFaults(0);
+        QTRY_COMPARE(history.rows()[0].end, AlarmRow::End::Returned);
+        rig.alarms->showHistory(0);
+        QVERIFY(rig.alarms->detail()->calls());
+        rig.alarms->acknowledgeShown();
+        QVERIFY(!rig.alarms->detail()->calls());
+        QTRY_VERIFY(history.rows()[0].acknowledgedMs > 0);
+        history.setWatched(false);
+        QCOMPARE(history.count(), 0);
+    }
+
+    void textsFollowTheLanguage()
+    {
+        AlarmRig rig;
+        rig.panel.connectIdle();
+        rig.setFaults(jam);
+        (void)rig.live();
+        const auto title = [&] {
+            const machine::LiveAlarms& live = *rig.alarms->live();
+            return live.data(live.index(0), live.roleNames().key("title")).toString();
+        };
+        QCOMPARE(title(), "Axis does not follow");
+        QSignalSpy changed(rig.alarms->live(), &machine::LiveAlarms::dataChanged);
+        QTranslator translator;
+        QVERIFY(translator.load(QStringLiteral(":/i18n/campanel_app_zh_CN.qm")));
+        QVERIFY(QCoreApplication::installTranslator(&translator));
+        QCOMPARE(title(), "跟随误差过大");
+        QCOMPARE(rig.alarms->urgentTitle(), "跟随误差过大");
+        QCOMPARE(changed.size(), 1);
+        QCOMPARE(rig.panel.machine.alarmText(), "轴跟不上指令。请检查是否卡阻，然后复位故障并回零。");
+        QCoreApplication::removeTranslator(&translator);
+    }
+};
+
+CAMPANEL_TEST(TestAlarms)
+
+} // namespace test_alarms
+
+#include "test_alarms.moc"

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the panel expects the controller to refuse is what its core refuses, in every state.
+#include "app/panel/controller/command_rules.h"
+#include "app/program/program_image.h"
+#include "app/program/recipe.h"
+#include "controller/rig.h"
+#include "modbus/line/wire_time.h"
+#include "modbus/map/blocks.h"
+#include "tests/support/test_program.h"
+
+#include <QTest>
+
+#include <array>
+#include <memory>
+
+namespace test_command_rules {
+
+using namespace campanel;
+using machine::expectedRefusal;
+using modbus::Command;
+using modbus::Refusal;
+using modbus::State;
+using test::Rig;
+
+namespace {
+
+enum class Situation {
+    Idle,
+    JoggingWithoutProgram,
+    FaultWithoutProgram,
+    Ready,
+    Jogging,
+    Homing,
+    Running,
+    Stopping,
+    Fault
+};
+
+void jog(Rig& rig)
+{
+    constexpr std::uint64_t slice = 10'000;
+    for (int i = 0; i < 10; ++i) {
+        rig.heartbeat(1U << CTL_JOG_BIT_FORWARD);
+        rig.run(slice);
+    }
+}
+
+std::unique_ptr<Rig> rigIn(Situation situation, profile::ProgramKind kind)
+{
+    auto rig = std::make_unique<Rig>();
+    if (situation > Situation::FaultWithoutProgram) {
+        const auto image = program::buildProgram(program::defaultRecipe(kind));
+        rig->install(image->registers);
+    }
+    switch (situation) {
+    case Situation::Idle:
+    case Situation::Ready:
+        break;
+    case Situation::JoggingWithoutProgram:
+    case Situation::Jogging:
+        jog(*rig);
+        break;
+    case Situation::FaultWithoutProgram:
+    case Situation::Fault:
+        ctl_motion_fault(&rig->core(), CTL_FAULT_BIT_FOLLOWING_ERROR);
+        break;
+    case Situation::Homing:
+        rig->command(CTL_COMMAND_HOME);
+        break;
+    case Situation::Running:
+    case Situation::Stopping:
+        rig->start();
+        if (situation == Situation::Stopping)
+            rig->command(CTL_COMMAND_STOP_AT_CYCLE_END);
+        break;
+    }
+    return rig;
+}
+
+modbus::StatusBlock statusOf(Rig& rig)
+{
+    return modbus::decodeStatus(rig.read(modbus::statusAddress, modbus::statusRegisters));
+}
+
+} // namespace
+
+class TestCommandRules : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theCoreRefusesWhatIsExpected_data()
+    {
+        QTest::addColumn<int>("situation");
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<int>("state");
+        const auto row = [](const char* tag, Situation situation, State state,
+                            profile::ProgramKind kind = profile::ProgramKind::RotaryCutter) {
+            QTest::newRow(tag) << static_cast<int>(situation) << static_cast<int>(kind)
+                               << static_cast<int>(state);
+        };
+        row("no program", Situation::Idle, State::Idle);
+        row("jogging without a program", Situation::JoggingWithoutProgram, State::Jogging);
+        row("fault without a program", Situation::FaultWithoutProgram, State::Fault);
+        row("ready", Situation::Ready, State::Ready);
+        row("ready with a press", Situation::Ready, State::Ready, profile::ProgramKind::Press);
+        row("ready with a move", Situation::Ready, State::Ready, profile::ProgramKind::PositionMove);
+        row("jogging", Situation::Jogging, State::Jogging);
+        row("homing", Situation::Homing, State::Homing);
+        row("running", Situation::Running, State::Running);
+        row("stopping", Situation::Stopping, State::Stopping);
+        row("fault", Situation::Fault, State::Fault);
+    }
+
+    void theCoreRefusesWhatIsExpected()
+    {
+        QFETCH(int, situation);
+        QFETCH(int, kind);
+        QFETCH(int, state);
+        for (const Command command : std::array{Command::Start, Command::Home, Command::ResetFault}) {
+            const auto rig =
+                rigIn(static_cast<Situation>(situation), static_cast<profile::ProgramKind>(kind));
+            const modbus::StatusBlock status = statusOf(*rig);
+            QCOMPARE(status.state, std::optional(static_cast<State>(state)));
+            const std::uint16_t refused = rig->command(static_cast<std::uint16_t>(command));
+            QCOMPARE(static_cast<int>(expectedRefusal(status, command)), static_cast<int>(refused));
+        }
+    }
+};
+
+CAMPANEL_TEST(TestCommandRules)
+
+} // namespace test_command_rules
+
+#include "test_command_rules.moc"

@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the panel says about the line: lost and back, a Stop that waits, the proof of the active program, and
+// the faults of a simulated line.
+#include "tests/app/panel/panel_rig.h"
+#include "tests/support/test_program.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include <cmath>
+
+namespace test_line_honesty {
+
+using namespace campanel;
+using link::CommandEnd;
+using link::ComparisonReport;
+using link::ComparisonStage;
+using machine::LineFaults;
+using machine::Machine;
+using machine::ProgramProof;
+using modbus::Command;
+using test::PanelRig;
+using namespace std::chrono_literals;
+
+class TestLineHonesty : public QObject {
+    Q_OBJECT
+
+private slots:
+    void lostLineSaysSinceWhenAndWhatIsTried();
+    void stopWaitsAndIsToldOf_data();
+    void stopWaitsAndIsToldOf();
+    void stopPressedAgainIsMoreUrgent();
+    void othersAreNeverSentLater();
+    void changesMeanwhileAreTold();
+    void valuesOfAnotherProgramAreNotScaled();
+    void lostLineClaimsNothingOfTheController();
+    void proofComparesWithWhatWasDownloaded();
+    void proofIsRebuiltFromTheController_data();
+    void proofIsRebuiltFromTheController();
+    void proofNamesTheFirstDifference();
+    void proofEndsInWords_data();
+    void proofEndsInWords();
+    void proofIsOfOneProgram();
+    void faultsAreThoseThatTheControllerTook();
+    void faultsEndWithTheirController();
+
+private:
+    static link::CommandOutcome outcomeOf(const link::CommandRequest& request, CommandEnd end,
+                                          modbus::Refusal reason = modbus::Refusal::None)
+    {
+        return {request.id, request.command, end, reason, std::nullopt};
+    }
+};
+
+void TestLineHonesty::lostLineSaysSinceWhenAndWhatIsTried()
+{
+    PanelRig rig;
+    rig.machine.setWallClock([] { return QDateTime(QDate(2026, 1, 15), QTime(14, 7, 5)); });
+    rig.connectRunning();
+    rig.link.becomeLost();
+    rig.machine.setWallClock([] { return QDateTime(QDate(2026, 1, 15), QTime(14, 8, 0)); });
+    rig.link.becomeLost(); // tried again
+    const QString text = rig.machine.connectionText();
+    for (const char* words : {"since 14:07:05", "/dev/fake", "four times a second", "reconnects by itself"})
+        QVERIFY2(text.contains(QLatin1String(words)), qPrintable(text));
+    // The age goes on.
+    rig.now += 4s;
+    QCOMPARE(rig.machine.ageMs(), 4000.0);
+    rig.now += 60s;
+    QCOMPARE(rig.machine.ageMs(), 64000.0);
+}
+
+void TestLineHonesty::stopWaitsAndIsToldOf_data()
+{
+    QTest::addColumn<int>("end");
+    QTest::addColumn<int>("reason");
+    QTest::addColumn<QString>("words");
+    const auto none = static_cast<int>(modbus::Refusal::None);
+    QTest::newRow("sent") << static_cast<int>(CommandEnd::Done) << none
+                          << "The line is back: Stop was sent and the controller has taken it.";
+    QTest::newRow("no longer running")
+        << static_cast<int>(CommandEnd::Refused) << static_cast<int>(modbus::Refusal::NotRunning)
+        << "The line is back: Stop was sent, but the machine was no longer running.";
+    QTest::newRow("withdrawn") << static_cast<int>(CommandEnd::Withdrawn) << none
+                               << "Stop was withdrawn: it is not sent any more.";
+    QTest::newRow("another machine")
+        << static_cast<int>(CommandEnd::NotSent) << none
+        << "Stop was not sent: it was meant for the machine that was connected before.";
+}
+
+void TestLineHonesty::stopWaitsAndIsToldOf()
+{
+    QFETCH(int, end);
+    QFETCH(int, reason);
+    QFETCH(QString, words);
+    PanelRig rig;
+    rig.connectRunning();
+    rig.link.becomeLost();
+    rig.machine.stop();
+    QCOMPARE(rig.link.requests.size(), 1);
+    QCOMPARE(rig.link.requests.last().command, Command::StopAtCycleEnd);
+    rig.link.becomeLost(Command::StopAtCycleEnd);
+    QVERIFY(rig.machine.stopWaits());
+    QVERIFY2(rig.machine.stopWaitsText().startsWith("Stop waits for the line"),
+             qPrintable(rig.machine.stopWaitsText()));
+    rig.machine.withdrawStop();
+    QCOMPARE(rig.link.withdrawals, 1);
+    rig.link.becomeConnected(); // what waited is on its way
+    QVERIFY(!rig.machine.stopWaits());
+    emit rig.link.commandEnded(outcomeOf(rig.link.requests.last(), static_cast<CommandEnd>(end),
+                                         static_cast<modbus::Refusal>(reason)));
+    QCOMPARE(rig.machine.commandMessage(), words);
+}
+
+void TestLineHonesty::stopPressedAgainIsMoreUrgent()
+{
+    PanelRig rig;
+    rig.connectRunning();
+    rig.link.becomeLost();
+    rig.machine.stop();
+    rig.link.becomeLost(Command::StopAtCycleEnd);
+    rig.machine.stop();
+    QCOMPARE(rig.link.requests.last().command, Command::StopNow);
+    // The one that it took the place of ends first; that is not told.
+    emit rig.link.commandEnded(outcomeOf(rig.link.requests.first(), CommandEnd::Withdrawn));
+    QVERIFY(rig.machine.commandMessage().isEmpty());
+}
+
+void TestLineHonesty::othersAreNeverSentLater()
+{
+    PanelRig rig;
+    rig.connectRunning();
+    rig.link.becomeLost();
+    rig.machine.start();
+    QVERIFY(rig.link.requests.isEmpty());
+    QCOMPARE(rig.machine.commandMessage(), "There is no connection to the controller.");
+    rig.machine.home();
+    emit rig.link.commandEnded(outcomeOf(rig.link.requests.last(), CommandEnd::NotSent));
+    QCOMPARE(rig.machine.commandMessage(), "Home was not sent: there is no connection to the controller.");
+    rig.link.becomeConnected();
+    rig.link.sendStatus(rig.now);
+    QCOMPARE(rig.link.requests.size(), 1);
+}
+
+void TestLineHonesty::changesMeanwhileAreTold()
+{
+    PanelRig rig;
+    rig.connectRunning();
+    rig.link.becomeLost();
+    rig.link.becomeConnected();
+    rig.link.sendStatus(rig.now);
+    QVERIFY2(rig.machine.commandMessage().isEmpty(), qPrintable(rig.machine.commandMessage()));
+    rig.link.becomeLost();
+    rig.link.status.state = modbus::State::Ready;
+    rig.link.becomeConnected();
+    rig.link.sendStatus(rig.now);
+    QCOMPARE(rig.machine.commandMessage(), "The line is back. Before: Running. Now: Ready.");
+    QCOMPARE(rig.machine.state(), Machine::State::Ready);
+    rig.link.becomeLost(); // it is not back any more
+    QVERIFY2(rig.machine.commandMessage().isEmpty(), qPrintable(rig.machine.commandMessage()));
+}
+
+void TestLineHonesty::valuesOfAnotherProgramAreNotScaled()
+{
+    PanelRig rig;
+    rig.connectRunning();
+    rig.link.status.axisPositionPulses = 5000;
+    rig.link.sendStatus(rig.now);
+    QVERIFY(!std::isnan(rig.machine.positionMm()));
+    ++rig.link.status.generation; // its header is still to be read
+    rig.link.sendStatus(rig.now);
+    QVERIFY(std::isnan(rig.machine.positionMm()));
+    QVERIFY(std::isnan(rig.machine.knifeSpeedMmPerS()));
+    QVERIFY(std::isnan(rig.machine.followingErrorMm()));
+    QVERIFY(std::isnan(rig.machine.rateBagsPerMin()));
+}
+
+void TestLineHonesty::lostLineClaimsNothingOfTheController()
+{
+    PanelRig rig;
+    rig.connectRunning();
+    rig.editor.download();
+    QVERIFY(rig.editor.controllerText().contains("the same"));
+    rig.link.becomeLost();
+    QCOMPARE(rig.editor.controllerText(), "No connection. Last known in the controller: generation 1");
+    QVERIFY(!rig.editor.canDownload());
+    QCOMPARE(rig.editor.downloadText(), "Not possible now: there is no connection to the controller.");
+    QVERIFY(!rig.editor.canSave());
+    QVERIFY(!rig.editor.proof()->canCompare());
+}
+
+void TestLineHonesty::proofComparesWithWhatWasDownloaded()
+{
+    PanelRig rig;
+    rig.connectIdle();
+    QVERIFY(!rig.editor.proof()->canCompare());
+    const auto image = rig.image();
+    rig.editor.download();
+    QCOMPARE(rig.link.banks.size(), 1);
+    link::DownloadReport active;
+    active.stage = link::DownloadStage::Active;
+    active.crc = image.crc;
+    rig.link.activate(image, rig.now);
+    emit rig.link.downloadReported(active);
+    ProgramProof& proof = *rig.editor.proof();
+    QVERIFY(proof.canCompare());
+    proof.compare();
+    QVERIFY(proof.running());
+    QCOMPARE(rig.link.comparisons.size(), 1);
+    QVERIFY(rig.link.comparisons.last() == image.registers);
+    ComparisonReport report;
+    report.fraction = 0.5;
+    report.generation = rig.link.status.generation;
+    emit rig.link.comparisonReported(report);
+    QCOMPARE(proof.progress(), 0.5);
+    report.isInterrupted = true;
+    emit rig.link.comparisonReported(report);
+    QCOMPARE(proof.text(), "The connection is lost; the comparison goes on when it is back.");
+    proof.cancel();
+    QCOMPARE(rig.link.comparisonCancels, 1);
+    report.stage = ComparisonStage::Equal;
+    report.readCrc = image.crc;
+    emit rig.link.comparisonReported(report);
+    QCOMPARE(proof.result(), ProgramProof::Result::Equal);
+    QVERIFY2(proof.text().contains(QString::number(image.registers.size()) +
+                                   " registers of generation 1 are what this panel downloaded"),
+             qPrintable(proof.text()));
+    QVERIFY(proof.text().contains(QString::number(image.crc, 16).toUpper()));
+}
+
+void TestLineHonesty::proofIsRebuiltFromTheController_data()
+{
+    QTest::addColumn<int>("kind");
+    for (const program::KindInfo& kind : program::kinds())
+        QTest::addRow("kind %d", static_cast<int>(kind.kind)) << static_cast<int>(kind.kind);
+}
+
+void TestLineHonesty::proofIsRebuiltFromTheController()
+{
+    QFETCH(int, kind);
+    PanelRig rig;
+    rig.connectIdle();
+    auto recipe = program::defaultRecipe(static_cast<profile::ProgramKind>(kind));
+    recipe.machine = program::withController(recipe.machine, test::FakeLink::identity());
+    const auto image = program::buildProgram(recipe);
+    QVERIFY(image);
+    rig.link.activate(*image, rig.now);
+    rig.editor.proof()->compare();
+    QCOMPARE(rig.link.comparisons.size(), 1);
+    QVERIFY(rig.link.comparisons.last() == image->registers);
+}
+
+void TestLineHonesty::proofNamesTheFirstDifference()
+{
+    PanelRig rig;
+    rig.connectRunning();
+    ProgramProof& proof = *rig.editor.proof();
+    proof.compare();
+    ComparisonReport report;
+    report.stage = ComparisonStage::Different;
+    report.generation = rig.link.status.generation;
+    report.differingRegisters = 3;
+    const modbus::RegisterSpan span = modbus::findSpan("program.bag_length").value();
+    report.firstDifference = {static_cast<quint16>(span.address - modbus::activeBankBase), 0x10, 0x1F};
+    emit rig.link.comparisonReported(report);
+    QCOMPARE(proof.result(), ProgramProof::Result::Different);
+    for (const char* words : {"Different: 3 of ", "first program.bag_length: 0x001F instead of 0x0010"})
+        QVERIFY2(proof.text().contains(QLatin1String(words)), qPrintable(proof.text()));
+    proof.compare();
+    report.differingRegisters = 1;
+    report.firstDifference->offset = modbus::bankHeaderRegisters + 6;
+    emit rig.link.comparisonReported(report);
+    QVERIFY2(proof.text().contains("first register 7 of the rows"), qPrintable(proof.text()));
+    proof.compare();
+    report.firstDifference.reset();
+    report.readCrc = 0xAB;
+    emit rig.link.comparisonReported(report);
+    QVERIFY2(proof.text().contains("has CRC-32 0x000000AB"), qPrintable(proof.text()));
+}
+
+void TestLineHonesty::proofEndsInWords_data()
+{
+    QTest::addColumn<int>("stage");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("changed") << static_cast<int>(ComparisonStage::ProgramChanged)
+                             << "The controller's program changed during the comparison. Compare again.";
+    QTest::newRow("none") << static_cast<int>(ComparisonStage::NoProgram)
+                          << "The controller has no program. Download a recipe first.";
+    QTest::newRow("canceled") << static_cast<int>(ComparisonStage::Canceled)
+                              << "Canceled. Nothing was found out.";
+    QTest::newRow("no connection") << static_cast<int>(ComparisonStage::Failed)
+                                   << "Not compared: there is no connection to the controller.";
+}
+
+void TestLineHonesty::proofEndsInWords()
+{
+    QFETCH(int, stage);
+    QFETCH(QString, words);
+    PanelRig rig;
+    rig.connectRunning();
+    rig.editor.proof()->compare();
+    ComparisonReport report;
+    report.stage = static_cast<ComparisonStage>(stage);
+    report.generation = rig.link.status.generation;
+    report.isConnectionMissing = report.stage == ComparisonStage::Failed;
+    emit rig.link.comparisonReported(report);
+    QVERIFY(!rig.editor.proof()->running());
+    QCOMPARE(rig.editor.proof()->result(), ProgramProof::Result::Undecided);
+    QCOMPARE(rig.editor.proof()->text(), words);
+}
+
+void TestLineHonesty::proofIsOfOneProgram()
+{
+    PanelRig rig;
+    rig.connectRunning();
+    ProgramProof& proof = *rig.editor.proof();
+    proof.compare();
+    ComparisonReport report;
+    report.stage = ComparisonStage::Equal;
+    report.generation = rig.link.status.generation;
+    emit rig.link.comparisonReported(report);
+    QCOMPARE(proof.result(), ProgramProof::Result::Equal);
+    rig.link.activate(rig.image(), rig.now);
+    QCOMPARE(proof.result(), ProgramProof::Result::None);
+    proof.compare();
+    report.generation = rig.link.status.generation;
+    emit rig.link.comparisonReported(report);
+    QCOMPARE(proof.result(), ProgramProof::Result::Equal);
+    rig.link.becomeLost();
+    QCOMPARE(proof.result(), ProgramProof::Result::None);
+}
+
+void TestLineHonesty::faultsAreThoseThatTheControllerTook()
+{
+    PanelRig rig;
+    LineFaults& faults = *rig.service.lineFaults();
+    const auto level = [&](int row) { return faults.data(faults.index(row), LineFaults::LevelRole).toInt(); };
+    QVERIFY(faults.rowCount() >= 8);
+    faults.setLevel(0, LineFaults::Often);
+    QCOMPARE(level(0), int{LineFaults::Off}); // not yet answered
+    faults.setLevel(7, LineFaults::Sometimes);
+    QCOMPARE(rig.link.faults.size(), 1);
+    emit rig.link.faultsSimulated({});
+    QCOMPARE(level(0), int{LineFaults::Often});
+    QCOMPARE(rig.link.faults.size(), 2); // the second wish went out after the first answer
+    QCOMPARE(rig.link.faults.last().size(), 2);
+    emit rig.link.faultsSimulated({});
+    QCOMPARE(faults.activeCount(), 2);
+    QCOMPARE(faults.text(), "Active: Late answers, Silence");
+    faults.setLevel(1, LineFaults::Often);
+    emit rig.link.faultsSimulated({link::FaultsEnd::Refused, "line 1: 'x' is wrong"});
+    QCOMPARE(level(1), int{LineFaults::Off});
+    QVERIFY(faults.errorText().contains("line 1: 'x' is wrong"));
+    faults.clear();
+    QVERIFY(rig.link.faults.last().isEmpty());
+    emit rig.link.faultsSimulated({});
+    QCOMPARE(faults.activeCount(), 0);
+    QVERIFY(faults.errorText().isEmpty());
+}
+
+void TestLineHonesty::faultsEndWithTheirController()
+{
+    PanelRig rig;
+    LineFaults& faults = *rig.service.lineFaults();
+    faults.setLevel(2, LineFaults::Often);
+    emit rig.link.faultsSimulated({});
+    link::LinkReport report;
+    report.simulator = link::SimulatorState::Ended; // started again with its faults
+    emit rig.link.reported(report);
+    QCOMPARE(faults.activeCount(), 1);
+    report.simulator = link::SimulatorState::Starting;
+    emit rig.link.reported(report);
+    QCOMPARE(faults.activeCount(), 0);
+}
+
+CAMPANEL_TEST(TestLineHonesty)
+
+} // namespace test_line_honesty
+
+#include "test_line_honesty.moc"

@@ -1,0 +1,456 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the panel shows of the controller: nothing before there is data, its age, the trace, the bags,
+// commands.
+#include "app/panel/display/display.h"
+#include "app/panel/kit/engine_instances.h"
+#include "tests/app/panel/panel_rig.h"
+#include "tests/support/test_program.h"
+
+#include <QFile>
+#include <QLocale>
+#include <QQmlComponent>
+#include <QRegularExpression>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+
+namespace test_machine {
+
+using namespace campanel;
+using machine::Machine;
+using test::PanelRig;
+using namespace std::chrono_literals;
+
+class TestMachine : public QObject {
+    Q_OBJECT
+
+private slots:
+    void showsNothingBeforeItKnows()
+    {
+        PanelRig rig;
+        for (const double value : {rig.machine.rateBagsPerMin(),
+                                   rig.machine.masterAngleDeg(),
+                                   rig.machine.knifeAngleDeg(),
+                                   rig.machine.knifeSpeedMmPerS(),
+                                   rig.machine.followingErrorPulses(),
+                                   rig.machine.followingErrorMm(),
+                                   rig.machine.pulseFrequencyHz(),
+                                   rig.machine.cycleCount(),
+                                   rig.machine.bagCount(),
+                                   rig.machine.bagLengthMm(),
+                                   rig.machine.bagDeviationMm(),
+                                   rig.machine.bagMeanMm(),
+                                   rig.machine.bagScatterMm(),
+                                   rig.machine.generation(),
+                                   rig.machine.activeVersion(),
+                                   rig.machine.activeBagLengthMm(),
+                                   rig.machine.activeRateBagsPerMin(),
+                                   rig.machine.cycleSeconds(),
+                                   rig.machine.syncStartDeg(),
+                                   rig.machine.syncEndDeg(),
+                                   rig.machine.cutAngleDeg(),
+                                   rig.machine.ageMs(),
+                                   rig.machine.statusPerSecond()})
+            QVERIFY(std::isnan(value));
+        QVERIFY(rig.machine.activeName().isEmpty());
+        QVERIFY(!rig.machine.targetCurves().isValid());
+        QVERIFY(!rig.machine.fresh());
+        QVERIFY(!rig.machine.canStart());
+        QVERIFY(!rig.machine.startBlockedReason().isEmpty());
+        QCOMPARE(rig.machine.state(), Machine::State::Unknown);
+    }
+
+    void dataGrowsOldAfterASecond()
+    {
+        PanelRig rig;
+        rig.connectRunning();
+        QVERIFY(rig.machine.fresh());
+        QCOMPARE(rig.machine.ageMs(), 0.0);
+        rig.now += 999ms;
+        rig.machine.setClock([&] { return rig.now; });
+        QVERIFY(rig.machine.fresh());
+        QSignalSpy changed(&rig.machine, &Machine::freshChanged);
+        rig.now += 1ms;
+        rig.machine.setClock([&] { return rig.now; });
+        QVERIFY(!rig.machine.fresh());
+        QCOMPARE(changed.size(), 1);
+        QCOMPARE(rig.machine.ageMs(), 1000.0);
+        QVERIFY(!std::isnan(rig.machine.bagCount())); // the old value stays, grey
+        QVERIFY(!rig.machine.canStart());
+    }
+
+    void showsTheActiveProgramFromTheController()
+    {
+        PanelRig rig;
+        rig.connectRunning();
+        QVERIFY(rig.machine.hasActiveProgram());
+        QCOMPARE(rig.machine.activeName(), "Biscuit 250");
+        QCOMPARE(rig.machine.activeVersion(), 1.0);
+        QCOMPARE(rig.machine.activeBagLengthMm(), 250.0);
+        QCOMPARE(rig.machine.cycleSeconds(), 1.0);
+        QCOMPARE(rig.machine.rateBagsPerMin(), 60.0);
+        QVERIFY(rig.machine.targetCurves().isValid());
+        // One knife: the shaft turns once a cycle, slower than the master while it seals.
+        QVERIFY(rig.machine.syncStartDeg() > 0);
+        QVERIFY(rig.machine.syncStartDeg() < rig.machine.cutAngleDeg());
+        QVERIFY(rig.machine.cutAngleDeg() < rig.machine.syncEndDeg());
+        QVERIFY(rig.machine.syncEndDeg() < 360);
+        QVERIFY(std::abs(rig.machine.cutAngleDeg() - 180) < 0.1); // the recipe is symmetric but for rounding
+        emit rig.link.programRead({rig.link.status.generation, 0, {}});
+        QVERIFY(!rig.machine.hasActiveProgram());
+        QVERIFY(std::isnan(rig.machine.rateBagsPerMin()));
+    }
+
+    void garbageHeaderGivesNoNumbers()
+    {
+        PanelRig rig;
+        rig.connectRunning();
+        std::vector<std::uint16_t> header(modbus::bankHeaderRegisters, 0xFFFF);
+        header[modbus::registerNamed("bank.kind").address] =
+            static_cast<std::uint16_t>(modbus::ProgramKind::RotaryCutter);
+        header[modbus::registerNamed("bank.layout").address] =
+            static_cast<std::uint16_t>(modbus::TableLayout::StepTable);
+        emit rig.link.programRead({rig.link.status.generation, *rig.link.status.activeCrc, header});
+        QVERIFY(rig.machine.hasActiveProgram());
+        for (const double number : {rig.machine.activeVersion(), rig.machine.activeBagLengthMm(),
+                                    rig.machine.activeRateBagsPerMin(), rig.machine.cycleSeconds(),
+                                    rig.machine.rateBagsPerMin(), rig.machine.syncStartDeg()})
+            QVERIFY2(std::isnan(number), qPrintable(QString::number(number)));
+    }
+
+    void traceRunsLikeARecordersPen()
+    {
+        PanelRig rig;
+        rig.connectRunning();
+        const auto sampleAt = [&](std::uint32_t cycle, double angleDeg, std::int32_t frequencyHz) {
+            rig.link.status.cycleCount = cycle;
+            rig.link.status.masterAngleDeg = angleDeg;
+            rig.link.status.actualFrequencyHz = frequencyHz;
+            rig.link.sendStatus(rig.now);
+        };
+        for (int step = 0; step < 36; ++step)
+            sampleAt(1, step * 10, 1000);
+        QCOMPARE(rig.machine.actualTrace().size(), 36);
+        for (int step = 0; step < 10; ++step)
+            sampleAt(2, 5 + step * 10, 2000);
+        const auto points = rig.machine.actualTrace();
+        for (qsizetype i = 1; i < points.size(); ++i)
+            QVERIFY(points[i].x() > points[i - 1].x());
+        // The new cycle up to the pen at 95 degrees, the last one behind it.
+        const double newSpeed = points.first().y();
+        for (const QPointF& point : points)
+            QCOMPARE(point.y(), point.x() * 360 < 95.1 ? newSpeed : newSpeed / 2);
+        QCOMPARE(points.size(), 10 + 26);
+        // More than a cycle was missed: nothing of the old is left.
+        sampleAt(5, 180, 1000);
+        QCOMPARE(rig.machine.actualTrace().size(), 1);
+    }
+
+    void traceStaysShort()
+    {
+        PanelRig rig;
+        rig.connectRunning();
+        for (int step = 0; step < 5000; ++step) {
+            rig.link.status.cycleCount = 1;
+            rig.link.status.masterAngleDeg = step * 0.07;
+            rig.link.sendStatus(rig.now);
+        }
+        QVERIFY(rig.machine.actualTrace().size() <= 1000);
+        QVERIFY(rig.machine.actualTrace().size() > 500);
+    }
+
+    void bagsAreCountedOnceAndMeasured()
+    {
+        PanelRig rig;
+        rig.connectRunning();
+        // Begun before the program became active: shown, not counted.
+        rig.link.status.bagCount = 1;
+        rig.link.status.bagDeviationMm = -25;
+        rig.link.status.bagLengthMm = 225;
+        rig.link.sendStatus(rig.now);
+        QCOMPARE(rig.machine.bagLengthMm(), 225.0);
+        QVERIFY(std::isnan(rig.machine.bagMeanMm()));
+        const QList<double> deviations{0.1, -0.1, 0.3, 0.1};
+        for (qsizetype i = 0; i < deviations.size(); ++i) {
+            rig.link.status.bagCount = static_cast<std::uint32_t>(i + 2);
+            rig.link.status.bagDeviationMm = deviations[i];
+            rig.link.status.bagLengthMm = 250 + deviations[i];
+            for (int repeat = 0; repeat < 3; ++repeat)
+                rig.link.sendStatus(rig.now);
+        }
+        QCOMPARE(rig.machine.bagSeries(), deviations);
+        QCOMPARE(rig.machine.bagCount(), 5.0);
+        QCOMPARE(rig.machine.bagLengthMm(), 250.1);
+        QVERIFY(std::abs(rig.machine.bagMeanMm() - 250.1) < 1e-9);
+        QVERIFY(std::abs(rig.machine.bagScatterMm() - std::sqrt(0.08 / 3)) < 1e-9);
+        for (int i = 0; i < 100; ++i) {
+            ++rig.link.status.bagCount;
+            rig.link.sendStatus(rig.now);
+        }
+        QCOMPARE(rig.machine.bagSeries().size(), 60);
+    }
+
+    void stopIsAlwaysSentAndAPressMoreStopsNow()
+    {
+        PanelRig rig;
+        rig.machine.stop(); // also without a connection: the link answers that
+        QCOMPARE(rig.link.requests.last().command, modbus::Command::StopAtCycleEnd);
+        emit rig.link.commandEnded({rig.link.requests.last().id, modbus::Command::StopAtCycleEnd,
+                                    link::CommandEnd::NotSent, modbus::Refusal::None, std::nullopt});
+        QVERIFY(rig.machine.commandMessage().contains("not sent"));
+        rig.connectRunning();
+        rig.machine.stop();
+        QCOMPARE(rig.link.requests.last().command, modbus::Command::StopAtCycleEnd);
+        QVERIFY(rig.machine.commandMessage().isEmpty());
+        rig.link.status.state = modbus::State::Stopping;
+        rig.link.sendStatus(rig.now);
+        rig.machine.stop();
+        QCOMPARE(rig.link.requests.last().command, modbus::Command::StopNow);
+    }
+
+    void startIsRefusedHereWhenItCannotBe()
+    {
+        PanelRig rig;
+        rig.connectIdle();
+        rig.machine.start();
+        QVERIFY(rig.link.requests.isEmpty());
+        QVERIFY(rig.machine.commandMessage().contains("Download"));
+        rig.machine.dismissMessage();
+        QVERIFY(rig.machine.commandMessage().isEmpty());
+        rig.link.activate(rig.image(), rig.now);
+        QVERIFY(rig.machine.canStart());
+        rig.machine.start();
+        QCOMPARE(rig.link.requests.last().command, modbus::Command::Start);
+    }
+
+    void refusalOfTheLastCommandIsShown()
+    {
+        PanelRig rig;
+        rig.connectRunning();
+        rig.machine.home();
+        const quint32 id = rig.link.requests.last().id;
+        emit rig.link.commandEnded({id + 1000,
+                                    modbus::Command::SetClock,
+                                    link::CommandEnd::Refused,
+                                    modbus::Refusal::BadArgument,
+                                    {}});
+        QVERIFY(rig.machine.commandMessage().isEmpty());
+        emit rig.link.commandEnded(
+            {id, modbus::Command::Home, link::CommandEnd::Refused, modbus::Refusal::NotStandstill, {}});
+        QVERIFY(rig.machine.commandMessage().startsWith("Home was refused"));
+        QVERIFY(rig.machine.commandMessage().contains("standstill"));
+    }
+
+    void faultsSayWhatToDo()
+    {
+        PanelRig rig;
+        rig.connectRunning();
+        QVERIFY(rig.machine.alarmText().isEmpty());
+        rig.link.status.state = modbus::State::Fault;
+        rig.link.status.faultBits = 1u << static_cast<unsigned>(modbus::FaultBit::FollowingError);
+        rig.link.sendStatus(rig.now);
+        QVERIFY(rig.machine.faulted());
+        QCOMPARE(rig.machine.stateText(), "Fault");
+        QVERIFY(rig.machine.alarmText().contains("reset the fault"));
+    }
+
+    void stateOfANewerControllerIsUnknown()
+    {
+        PanelRig rig;
+        rig.connectRunning();
+        rig.link.status.state.reset();
+        rig.link.sendStatus(rig.now);
+        QCOMPARE(rig.machine.state(), Machine::State::Unknown);
+        QCOMPARE(rig.machine.stateText(), "Unknown state");
+    }
+
+    void lostConnectionKeepsTheLastValuesAndSaysSo()
+    {
+        PanelRig rig;
+        rig.connectRunning();
+        rig.link.becomeLost();
+        QCOMPARE(rig.machine.connection(), Machine::Connection::Lost);
+        QCOMPARE(rig.machine.state(), Machine::State::Unknown);
+        QVERIFY(rig.machine.connectionText().contains("reconnects by itself"));
+        QVERIFY(rig.machine.hasActiveProgram());
+        QCOMPARE(rig.machine.linkQuality(), 0);
+    }
+
+    void linkQualityFollowsTheFailures()
+    {
+        PanelRig rig;
+        rig.connectRunning();
+        const auto run = [&](int good, int failed) {
+            for (int i = 0; i < good; ++i) {
+                rig.now += 12ms;
+                rig.link.sendStatus(rig.now);
+            }
+            for (int i = 0; i < failed; ++i)
+                emit rig.link.statusReceived({{}, 1});
+        };
+        run(200, 0);
+        QCOMPARE(rig.machine.linkQuality(), 4);
+        QVERIFY(std::abs(rig.machine.statusPerSecond() - 83) <= 1);
+        run(0, 1);
+        QCOMPARE(rig.machine.linkQuality(), 3);
+        run(0, 5);
+        QCOMPARE(rig.machine.linkQuality(), 2);
+        run(0, 50);
+        QCOMPARE(rig.machine.linkQuality(), 1);
+        rig.now += 6s;
+        QCOMPARE(rig.machine.linkQuality(), 0);
+    }
+
+    void opensTheConnectionOfTheSettings()
+    {
+        PanelRig rig;
+        rig.settings.setSimulated(false);
+        rig.settings.setPortName("/dev/ttyUSB7");
+        rig.settings.setBaud(19200);
+        rig.settings.setParity("E");
+        QVERIFY(rig.settings.connectionDirty());
+        rig.machine.open();
+        QVERIFY(rig.link.connections.last().simulated);
+        rig.settings.applyConnection();
+        QVERIFY(!rig.settings.connectionDirty());
+        QCOMPARE(rig.link.connections.size(), 2);
+        QCOMPARE(rig.link.connections.last().port, "/dev/ttyUSB7");
+        QCOMPARE(rig.link.connections.last().line.baud, 19200u);
+        QCOMPARE(rig.link.connections.last().line.parity, modbus::Parity::Even);
+        machine::Settings again(rig.folder.filePath("settings.ini"), nullptr);
+        QCOMPARE(again.portName(), "/dev/ttyUSB7");
+        QCOMPARE(again.parity(), "E");
+    }
+
+    void nonsenseInTheSettingsFileBecomesTheStandard()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("settings.ini");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("language=tlh\ntheme=pink\n[connection]\nbaud=1\nparity=X\nunit=9999\nstop_bits=-3\n");
+        file.close();
+        const machine::Settings settings(path, nullptr);
+        QVERIFY(settings.languages().contains(settings.language()));
+        QCOMPARE(settings.theme(), "light");
+        QCOMPARE(settings.baud(), 115200);
+        QCOMPARE(settings.parity(), "N");
+        QCOMPARE(settings.unit(), 247);
+        QCOMPARE(settings.stopBits(), 1);
+    }
+
+    // As a power cut leaves it.
+    void damagedSettingsNeverChooseAnotherController()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("settings.ini");
+        const machine::ConnectionChoice real{false, "/dev/ttyUSB7", 19200, "E", 2, 9};
+        {
+            machine::Settings settings(path, nullptr);
+            settings.setTheme("dark");
+            settings.setSimulated(false);
+            settings.setPortName(real.portName);
+            settings.setBaud(real.baud);
+            settings.setParity(real.parity);
+            settings.setStopBits(real.stopBits);
+            settings.setUnit(real.unit);
+            settings.applyConnection();
+            QCOMPARE(settings.notice(), QString());
+        }
+        QVERIFY(QFile::resize(path, 20));
+        QTest::ignoreMessage(QtWarningMsg, QRegularExpression("settings file .* damaged .* last good copy"));
+        machine::Settings mended(path, nullptr);
+        QCOMPARE(mended.connection(), real);
+        QCOMPARE(mended.theme(), "dark");
+        QVERIFY2(mended.notice().contains("last good copy"), qPrintable(mended.notice()));
+        mended.dismissNotice();
+        QCOMPARE(mended.notice(), QString());
+        QCOMPARE(machine::Settings(path, nullptr).notice(), QString());
+
+        QVERIFY(QFile::resize(path, 0));
+        QVERIFY(QFile::remove(path + ".bak"));
+        QTest::ignoreMessage(QtWarningMsg, QRegularExpression("settings file .* no good copy"));
+        const machine::Settings lost(path, nullptr);
+        QVERIFY(!lost.connection().simulated);
+        QCOMPARE(lost.connection().portName, QString());
+        QVERIFY2(lost.notice().contains("No controller"), qPrintable(lost.notice()));
+        // Not by the next start either, and the panel is not a new one.
+        machine::Settings next(path, nullptr);
+        QVERIFY(!next.connection().simulated);
+        next.offerFirstStart();
+        QVERIFY(!next.firstStart());
+    }
+
+    void withoutAChosenControllerItSaysSo()
+    {
+        PanelRig rig;
+        link::LinkReport report;
+        report.simulated = false;
+        report.state = link::LinkState::PortProblem;
+        report.error = modbus::LinkError{modbus::LinkErrorKind::PortAbsent, {}, {}, {}, 0};
+        emit rig.link.reported(report);
+        QVERIFY2(rig.machine.connectionText().startsWith("No controller is chosen."),
+                 qPrintable(rig.machine.connectionText()));
+    }
+
+    // A file of an earlier version has no checksum: a key that is not known is damage in it.
+    void everyKeyOfTheSettingsIsKnown()
+    {
+        PanelRig rig;
+        rig.settings.setLanguage("zh_CN");
+        rig.settings.setTheme("dark");
+        rig.settings.setGloves(true);
+        rig.settings.setBagToleranceMm(1.5);
+        rig.settings.setAutoLogoutMinutes(30);
+        rig.settings.setOperatorsLogIn(true);
+        rig.settings.beginFirstStart();
+        rig.settings.applyConnection();
+        machine::Display display(rig.machine, rig.settings, nullptr);
+        display.setBrightness(50);
+        display.setDarkAfterMinutes(30);
+        const QByteArray written = rig.settings.contents();
+        const QString path = rig.folder.filePath("earlier.ini");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(written.mid(written.indexOf('\n') + 1));
+        file.close();
+        machine::Settings again(path, nullptr);
+        QVERIFY(again.file().origin() == store::SettingsFile::Origin::File);
+        QCOMPARE(again.contents(), written);
+        QCOMPARE(written.count('='), machine::Settings::fileKeys().size() + 1);
+        QLocale::setDefault(QLocale("en"));
+    }
+
+    void qmlSeesTheAttachedObjects()
+    {
+        PanelRig rig;
+        rig.connectRunning();
+        QQmlEngine engine;
+        machine::attachToEngine(engine, rig.alarms, rig.machine, rig.editor, rig.records, rig.service,
+                                rig.settings, rig.trends);
+        QQmlComponent component(&engine);
+        component.setData("import QtQuick\nimport CamPanel.Machine\nQtObject {\n"
+                          "  property double length: Editor.bagLength.value\n"
+                          "  property bool running: Machine.state === Machine.State.Running\n"
+                          "  property bool connected: Machine.connection === Machine.Connection.Connected\n"
+                          "  property string language: Settings.language\n"
+                          "  property int laws: Editor.laws.count\n}",
+                          QUrl());
+        const std::unique_ptr<QObject> object(component.create());
+        QVERIFY2(object, qPrintable(component.errorString()));
+        QCOMPARE(object->property("length").toDouble(), 250.0);
+        QVERIFY(object->property("running").toBool());
+        QVERIFY(object->property("connected").toBool());
+        QVERIFY(object->property("laws").toInt() > 5);
+        rig.editor.bagLength()->set(260);
+        QCOMPARE(object->property("length").toDouble(), 260.0);
+    }
+};
+
+CAMPANEL_TEST(TestMachine)
+
+} // namespace test_machine
+
+#include "test_machine.moc"

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: Apache-2.0
+// The packing line as its controller tells it: asked only where there is one, each bag told once, and what it
+// makes of bags of several lengths.
+#include "tests/app/panel/kind_steps.h"
+#include "tests/support/test_program.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include <cmath>
+
+namespace test_packing_line {
+
+using namespace campanel;
+using namespace campanel::test;
+using machine::PackingLine;
+
+namespace {
+
+constexpr double bagMm = 250;
+
+// The group `packer` as registers.
+struct Film {
+    std::vector<std::uint16_t> registers = std::vector<std::uint16_t>(modbus::packerRegisters, 0);
+
+    Film()
+    {
+        for (const char* name : {"packer.cuts", "packer.seen_marks", "packer.seen_products"}) {
+            for (std::uint16_t i = 0; i < modbus::findSpan(name)->count; ++i)
+                put(name, 0x8000, i);
+        }
+    }
+    void put(const char* name, unsigned value, std::size_t at = 0)
+    {
+        registers[modbus::findSpan(name)->address - modbus::packerAddress + at] =
+            static_cast<std::uint16_t>(value);
+    }
+    void putWide(const char* name, std::uint32_t value)
+    {
+        put(name, value >> 16);
+        put(name, value & 0xFFFFu, 1);
+    }
+    // The newest bag.
+    void addBag(std::uint32_t number, double deviationMm, unsigned lengths = 1)
+    {
+        const std::size_t at = 4 * (number % modbus::bagRecords);
+        put("packer.bags", static_cast<unsigned>(std::lround(1000 * deviationMm)), at);
+        put("packer.bags", lengths << 8, at + 3);
+        putWide("packer.bag_number", number);
+    }
+};
+
+struct Rig : PanelRig {
+    Film film;
+
+    explicit Rig(std::uint8_t mapMinor = modbus::mapMinor)
+    {
+        connect(mapMinor);
+        link.activate(image(), now);
+        link.status.state = modbus::State::Running;
+        link.status.masterSpeedPercent = 100;
+        link.sendStatus(now);
+    }
+    void connect(std::uint8_t mapMinor = modbus::mapMinor)
+    {
+        link::LinkReport report;
+        report.state = link::LinkState::Connected;
+        report.portName = QStringLiteral("/dev/fake");
+        report.simulator = link::SimulatorState::Serving;
+        report.identity = FakeLink::identity();
+        report.identity->mapMinor = mapMinor;
+        emit link.reported(report);
+    }
+    [[nodiscard]] PackingLine& line() { return *machine.packing(); }
+    void answer(link::ReadEnd end = link::ReadEnd::Done)
+    {
+        const bool isDone = end == link::ReadEnd::Done;
+        emit link.registersRead({link.reads.last(), end,
+                                 isDone ? film.registers : std::vector<std::uint16_t>(), now, std::nullopt});
+    }
+    // The next question comes by itself.
+    void answerNext()
+    {
+        const qsizetype before = link.reads.size();
+        QTRY_VERIFY(link.reads.size() > before);
+        answer();
+    }
+    void answerParameter(const char* name, double value)
+    {
+        for (const link::ParameterRequest& asked : link.parameters) {
+            if (asked.name == name)
+                emit link.parameterEnded({asked.id, name, link::ParameterEnd::Done, value, std::nullopt});
+        }
+    }
+};
+
+} // namespace
+
+class TestPackingLine : public QObject {
+    Q_OBJECT
+
+private slots:
+    void isAskedForOfACutterAlone()
+    {
+        PanelRig other;
+        begin(other, ProgramKind::PositionMove);
+        other.connectRunning();
+        QCOMPARE(other.link.reads.size(), 0);
+        QVERIFY(!other.machine.packing()->present());
+        Rig old(1);
+        QCOMPARE(old.link.reads.size(), 0);
+        QCOMPARE(old.link.parameters.size(), 0);
+        QVERIFY(!old.line().present());
+        Rig rig;
+        QCOMPARE(rig.link.reads.size(), 1);
+        QCOMPARE(rig.link.reads[0].address, modbus::packerAddress);
+        QCOMPARE(rig.link.reads[0].count, modbus::packerRegisters);
+        QVERIFY(rig.line().present());
+        QVERIFY(!rig.line().known());
+        QVERIFY(std::isnan(rig.line().markErrorMm()));
+        QVERIFY(rig.line().cuts().isEmpty());
+    }
+
+    void isNotAskedWithoutAConnection()
+    {
+        Rig rig;
+        rig.answer();
+        QVERIFY(rig.line().known());
+        rig.link.becomeLost();
+        const qsizetype before = rig.link.reads.size();
+        Rig other; // a line that goes on, as the clock
+        other.answer();
+        for (int i = 0; i < 3; ++i)
+            other.answerNext();
+        QCOMPARE(rig.link.reads.size(), before);
+        QVERIFY2(rig.line().present(), "what was known stays, old");
+        rig.connect();
+        QTRY_VERIFY(rig.link.reads.size() > before);
+    }
+
+    void ages()
+    {
+        Rig rig;
+        rig.answer();
+        QVERIFY(rig.line().fresh());
+        rig.now += std::chrono::milliseconds(1100);
+        QVERIFY(!rig.line().fresh());
+        QVERIFY(rig.line().known());
+    }
+
+    void aFailedReadIsRepeated()
+    {
+        Rig rig;
+        rig.answer(link::ReadEnd::Failed);
+        QVERIFY(!rig.line().known());
+        rig.answerNext();
+        QVERIFY(rig.line().known());
+    }
+
+    void whatLiesOnTheFilm()
+    {
+        Rig rig;
+        rig.film.put("packer.mark_state", static_cast<unsigned>(modbus::MarkState::Tracking));
+        rig.film.putWide("packer.mark_pitch", 251'000);
+        rig.film.put("packer.cuts", 1000, 0);
+        rig.film.put("packer.cuts", 3501, 1);
+        rig.film.put("packer.seen_marks", 1000, 0);
+        rig.film.put("packer.seen_marks", 3501, 1);
+        rig.film.put("packer.seen_products", 200, 0);
+        rig.film.put("packer.seen_products", 1700, 1);
+        rig.film.putWide("packer.film_position", 1'234'500);
+        rig.answer();
+        const PackingLine& line = rig.line();
+        QCOMPARE(line.cuts(), (QList<QPointF>{{100, 0}, {350, 1}}));
+        QCOMPARE(line.seenMarks(), (QList<QPointF>{{100, 0}, {350, 1}}));
+        QCOMPARE(line.seenProducts(), (QList<QPointF>{{20, 170}}));
+        QCOMPARE(line.filmPositionMm(), 1234.5);
+        QCOMPARE(line.nextMarkMm(), 601.0);
+        QCOMPARE(line.markStateText(), "Following the marks");
+        QCOMPARE(line.filmSpeedMmPerS(), bagMm / rig.machine.cycleSeconds());
+        QVERIFY(line.gateText().isEmpty());
+        rig.film.put("packer.knife_gate", static_cast<unsigned>(modbus::GateState::Standing));
+        rig.film.put("packer.mark_state", static_cast<unsigned>(modbus::MarkState::Searching));
+        rig.answerNext();
+        QVERIFY(line.knifeOpen());
+        QCOMPARE(line.gateText(), "Knife stays open: product across");
+        QVERIFY2(std::isnan(line.nextMarkMm()), "none is expected while they are looked for");
+        rig.film.put("packer.film_gate", static_cast<unsigned>(modbus::GateState::Standing));
+        rig.answerNext();
+        QCOMPARE(line.filmSpeedMmPerS(), 0.0);
+        QCOMPARE(line.gateText(), "Film waits for a product");
+    }
+
+    void sensorAndWindowAreReadOnceAndFollowEveryWrite()
+    {
+        Rig rig;
+        QCOMPARE(rig.link.parameters.size(), 2);
+        QVERIFY(std::isnan(rig.line().sensorMm()));
+        rig.answerParameter("parameter.mark_distance", 900);
+        rig.answerParameter("parameter.mark_window", 6);
+        QCOMPARE(rig.line().sensorMm(), 900.0);
+        QCOMPARE(rig.line().windowMm(), 6.0);
+        rig.answer();
+        rig.answerNext();
+        QCOMPARE(rig.link.parameters.size(), 2);
+        emit rig.link.parameterEnded(
+            {9000, "parameter.mark_distance", link::ParameterEnd::Done, 850, std::nullopt});
+        QCOMPARE(rig.line().sensorMm(), 850.0);
+        // A write of which nobody knows whether it arrived.
+        emit rig.link.parameterEnded({9001, "parameter.mark_distance", link::ParameterEnd::OutcomeUnknown,
+                                      std::nullopt, std::nullopt});
+        rig.answerNext();
+        QTRY_COMPARE(rig.link.parameters.size(), 3);
+        rig.answerParameter("parameter.mark_distance", 860);
+        QCOMPARE(rig.line().sensorMm(), 860.0);
+        // After the line was gone, who knows.
+        rig.link.becomeLost();
+        QCOMPARE(rig.line().sensorMm(), 860.0);
+        rig.connect();
+        QTRY_COMPARE(rig.link.parameters.size(), 5);
+    }
+
+    void eachBagIsToldOnce()
+    {
+        Rig rig;
+        QSignalSpy told(&rig.line(), &PackingLine::bagRecorded);
+        rig.film.addBag(41, 0.1);
+        rig.answer();
+        QVERIFY2(told.isEmpty(), "what was made before is of another program, perhaps");
+        rig.film.addBag(42, 0.2);
+        rig.film.addBag(43, 0.3);
+        rig.answerNext();
+        QCOMPARE(told.size(), 2);
+        QCOMPARE(told[0][0].value<modbus::BagRecord>().number, 42u);
+        QCOMPARE(told[1][0].value<modbus::BagRecord>().number, 43u);
+        rig.answerNext();
+        QCOMPARE(told.size(), 2);
+        // A controller that started anew counts anew.
+        rig.film.addBag(1, 0);
+        rig.answerNext();
+        QCOMPARE(told.size(), 2);
+        rig.film.addBag(2, 0);
+        rig.answerNext();
+        QCOMPARE(told.size(), 3);
+    }
+
+    void aBagOfTwoLengthsSpoilsNothing()
+    {
+        Rig rig;
+        rig.settings.setBagToleranceMm(0.15);
+        rig.film.addBag(1, 0);
+        rig.answer();
+        rig.film.addBag(2, 20); // begun under another program
+        rig.answerNext();
+        QVERIFY(rig.machine.bagSeries().isEmpty());
+        rig.film.addBag(3, 0.1);
+        rig.film.addBag(4, -0.2, 2);
+        rig.film.addBag(5, 0.1);
+        // The status tells the same bags: they count once.
+        rig.link.status.bagCount = 5;
+        rig.link.status.bagLengthMm = 499.8;
+        rig.link.status.bagDeviationMm = 249.8;
+        rig.link.sendStatus(rig.now);
+        rig.answerNext();
+        QCOMPARE(rig.machine.bagSeries(), (QList<double>{0.1, -0.2, 0.1}));
+        QVERIFY(std::abs(rig.machine.bagMeanMm() - bagMm) < 1e-9);
+        QVERIFY(std::abs(rig.machine.bagScatterMm() - std::sqrt(0.03)) < 1e-9);
+        QCOMPARE(rig.machine.bagsWithin(), 2);
+        QCOMPARE(rig.machine.bagLengthMm(), bagMm + 0.1);
+        rig.film.addBag(6, 0.05, 3);
+        rig.answerNext();
+        QCOMPARE(rig.machine.bagLengthMm(), 3 * bagMm + 0.05);
+        QCOMPARE(rig.machine.bagLengths(), 3);
+    }
+
+    void toleranceIsKept()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("settings.ini"));
+        {
+            machine::Settings settings(path, nullptr);
+            QCOMPARE(settings.bagToleranceMm(), 0.5);
+            QSignalSpy changed(&settings, &machine::Settings::bagToleranceChanged);
+            settings.setBagToleranceMm(0.2);
+            settings.setBagToleranceMm(0.2);
+            QCOMPARE(changed.size(), 1);
+        }
+        machine::Settings settings(path, nullptr);
+        QCOMPARE(settings.bagToleranceMm(), 0.2);
+        settings.setBagToleranceMm(NAN);
+        QCOMPARE(settings.bagToleranceMm(), 0.2);
+        settings.setBagToleranceMm(100);
+        QCOMPARE(settings.bagToleranceMm(), settings.mostBagToleranceMm());
+    }
+};
+
+CAMPANEL_TEST(TestPackingLine)
+
+} // namespace test_packing_line
+
+#include "test_packing_line.moc"

@@ -1,0 +1,472 @@
+// SPDX-License-Identifier: Apache-2.0
+// The editor: pairs of inputs, undo, suggestions, dragged ratios, differences and the way into the
+// controller.
+#include "profile/cutter/limits.h"
+#include "profile/laws/laws.h"
+#include "tests/app/panel/panel_rig.h"
+#include "tests/support/test_program.h"
+
+#include <QRandomGenerator>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <cmath>
+
+namespace test_editor {
+
+using namespace campanel;
+using machine::Editor;
+using machine::EditorField;
+using test::PanelRig;
+
+namespace {
+
+// The four numbers of a cycle, as shown.
+std::array<double, 4> cycleOf(Editor& editor)
+{
+    return {editor.bagLength()->value(), editor.rate()->value(), editor.baseSpeed()->value(),
+            editor.filmSpeed()->value()};
+}
+
+EditorField* fieldAt(Editor& editor, int index)
+{
+    return std::array{editor.bagLength(), editor.rate(), editor.baseSpeed(),
+                      editor.filmSpeed()}[static_cast<std::size_t>(index)];
+}
+
+std::shared_ptr<const profile::Curves> curvesOf(const QVariant& variant)
+{
+    return variant.value<std::shared_ptr<const profile::Curves>>();
+}
+
+} // namespace
+
+class TestEditor : public QObject {
+    Q_OBJECT
+
+private slots:
+    void beginsWithTheRecipeOfThePaper()
+    {
+        PanelRig rig;
+        QVERIFY(rig.editor.solvable());
+        QVERIFY(rig.editor.feasible());
+        QVERIFY(!rig.editor.edited());
+        QCOMPARE(rig.editor.bagLength()->text(), "250.0");
+        QCOMPARE(rig.editor.k1()->text(), "4.00");
+        QCOMPARE(rig.editor.k3()->text(), "1.6667");
+        QVERIFY(std::abs(rig.editor.baseSpeed()->value() - 445.371) < 0.05);
+        QVERIFY(rig.editor.baseSpeed()->derived());
+        QVERIFY(rig.editor.bagLength()->pinned());
+        QCOMPARE(rig.editor.severity(), Editor::Severity::Good);
+        const auto fastest = profile::fastestRate(rig.image().cutter());
+        QVERIFY(fastest);
+        QVERIFY2(rig.editor.verdict().contains(QString::number(fastest->rateBagsPerMin, 'f', 1)),
+                 qPrintable(rig.editor.verdict()));
+        QVERIFY(curvesOf(rig.editor.curves())->timeS.size() >= 1000);
+    }
+
+    // All six pairs: the derived two, entered as inputs, give the first two back.
+    void everyPairLeadsToTheSameCycle_data()
+    {
+        QTest::addColumn<int>("first");
+        QTest::addColumn<int>("second");
+        const std::array names{"L", "rate", "v_a", "v_b"};
+        for (int first = 0; first < 4; ++first) {
+            for (int second = first + 1; second < 4; ++second)
+                QTest::addRow("%s and %s", names[static_cast<std::size_t>(first)],
+                              names[static_cast<std::size_t>(second)])
+                    << first << second;
+        }
+    }
+
+    void everyPairLeadsToTheSameCycle()
+    {
+        QFETCH(int, first);
+        QFETCH(int, second);
+        PanelRig rig;
+        const auto before = cycleOf(rig.editor);
+        for (const int index : {first, second}) {
+            if (fieldAt(rig.editor, index)->derived())
+                fieldAt(rig.editor, index)->togglePin();
+        }
+        // Pinning another one may have released the first.
+        for (const int index : {first, second}) {
+            if (fieldAt(rig.editor, index)->derived())
+                fieldAt(rig.editor, index)->togglePin();
+        }
+        QVERIFY(fieldAt(rig.editor, first)->pinned());
+        QVERIFY(fieldAt(rig.editor, second)->pinned());
+        const auto after = cycleOf(rig.editor);
+        for (std::size_t i = 0; i < before.size(); ++i)
+            QVERIFY2(std::abs(after[i] - before[i]) < 1e-2,
+                     qPrintable(QString::number(after[i] - before[i])));
+    }
+
+    void releasesTheInputThatWasEditedLongestAgo()
+    {
+        PanelRig rig;
+        rig.editor.rate()->set(70);
+        rig.editor.bagLength()->set(260);
+        rig.editor.baseSpeed()->set(500); // releases the rate
+        QVERIFY(rig.editor.baseSpeed()->pinned());
+        QVERIFY(rig.editor.bagLength()->pinned());
+        QVERIFY(rig.editor.rate()->derived());
+        QCOMPARE(rig.editor.bagLength()->value(), 260.0);
+        rig.editor.filmSpeed()->set(300); // releases the bag length
+        QVERIFY(rig.editor.filmSpeed()->pinned());
+        QVERIFY(rig.editor.baseSpeed()->pinned());
+    }
+
+    void releasingAPinChangesNoNumber()
+    {
+        PanelRig rig;
+        const auto before = cycleOf(rig.editor);
+        rig.editor.bagLength()->togglePin();
+        QVERIFY(rig.editor.bagLength()->derived());
+        QVERIFY(rig.editor.filmSpeed()->pinned());
+        const auto after = cycleOf(rig.editor);
+        for (std::size_t i = 0; i < before.size(); ++i)
+            QVERIFY(std::abs(after[i] - before[i]) < 1e-2);
+    }
+
+    void refusesEntriesOutsideTheirLimits()
+    {
+        PanelRig rig;
+        QVERIFY(rig.editor.bagLength()->check(250).isEmpty());
+        QVERIFY(rig.editor.bagLength()->check(9).contains("10 mm"));
+        QVERIFY(rig.editor.bagLength()->check(2001).contains("2000 mm"));
+        QVERIFY(!rig.editor.bagLength()->check(NAN).isEmpty());
+        rig.editor.bagLength()->set(9);
+        QCOMPARE(rig.editor.bagLength()->value(), 250.0);
+        QVERIFY(!rig.editor.canUndo());
+        // A ratio only between its neighbors.
+        QVERIFY(!rig.editor.k2()->check(4.0).isEmpty());
+        QVERIFY(!rig.editor.k2()->check(1.6667).isEmpty());
+        QVERIFY(rig.editor.k2()->check(3.9).isEmpty());
+    }
+
+    void undoAndRedoWalkThroughEveryEdit()
+    {
+        PanelRig rig;
+        const QList<double> lengths{250, 260, 270, 280};
+        for (const double length : lengths.mid(1))
+            rig.editor.bagLength()->set(length);
+        rig.editor.setLaw("quintic");
+        rig.editor.undo();
+        QCOMPARE(rig.editor.lawName(), "Cubic (paper)");
+        for (qsizetype i = lengths.size() - 2; i >= 0; --i) {
+            rig.editor.undo();
+            QCOMPARE(rig.editor.bagLength()->value(), lengths[i]);
+        }
+        QVERIFY(!rig.editor.canUndo());
+        QVERIFY(!rig.editor.edited());
+        for (const double length : lengths.mid(1)) {
+            rig.editor.redo();
+            QCOMPARE(rig.editor.bagLength()->value(), length);
+        }
+        rig.editor.redo();
+        QCOMPARE(rig.editor.lawName(), "Quintic 3-4-5");
+        QVERIFY(!rig.editor.canRedo());
+        rig.editor.undo();
+        rig.editor.rate()->set(50);
+        QVERIFY(!rig.editor.canRedo());
+    }
+
+    void revertIsOneStepThatCanBeUndone()
+    {
+        PanelRig rig;
+        rig.editor.bagLength()->set(300);
+        rig.editor.rate()->set(80);
+        QVERIFY(rig.editor.edited());
+        rig.editor.revert();
+        QVERIFY(!rig.editor.edited());
+        QCOMPARE(rig.editor.bagLength()->value(), 250.0);
+        rig.editor.undo();
+        QCOMPARE(rig.editor.bagLength()->value(), 300.0);
+        QCOMPARE(rig.editor.rate()->value(), 80.0);
+    }
+
+    void dragKeepsTheOrderAndIsOneUndoStep_data()
+    {
+        QTest::addColumn<int>("index");
+        QTest::addColumn<double>("time");
+        QTest::newRow("within") << 0 << 0.2;
+        QTest::newRow("past its right neighbor") << 0 << 0.9;
+        QTest::newRow("past its left neighbor") << 2 << 0.1;
+        QTest::newRow("before the cycle") << 0 << -5.0;
+        QTest::newRow("after the cycle") << 3 << 5.0;
+        QTest::newRow("nowhere") << 1 << std::numeric_limits<double>::quiet_NaN();
+    }
+
+    void dragKeepsTheOrderAndIsOneUndoStep()
+    {
+        QFETCH(int, index);
+        QFETCH(double, time);
+        PanelRig rig;
+        const auto before = rig.editor.ratioTimes();
+        for (int step = 1; step <= 20; ++step)
+            rig.editor.dragRatio(index, before[index] + (time - before[index]) * step / 20);
+        const auto times = rig.editor.ratioTimes();
+        double last = 0;
+        for (const double end : times) {
+            QVERIFY(end > last);
+            last = end;
+        }
+        QVERIFY(last < rig.editor.cycleSeconds());
+        rig.editor.commitDrag();
+        QVERIFY(rig.editor.canUndo());
+        rig.editor.undo();
+        QVERIFY(!rig.editor.canUndo());
+        QCOMPARE(rig.editor.ratioTimes(), before);
+    }
+
+    void aDragWithoutMovementLeavesNothingToUndo()
+    {
+        PanelRig rig;
+        rig.editor.dragRatio(0, rig.editor.ratioTimes().first());
+        rig.editor.commitDrag();
+        QVERIFY(!rig.editor.canUndo());
+    }
+
+    void namesTheBrokenLimitAndOffersWhatWorks_data()
+    {
+        QTest::addColumn<double>("bagLength");
+        QTest::addColumn<double>("rate");
+        QTest::addColumn<QString>("word");
+        QTest::addColumn<bool>("solvable");
+        QTest::newRow("too fast") << 100.0 << 390.0 << "accelerate" << true;
+        QTest::newRow("film faster than the stroke") << 1500.0 << 60.0 << "stroke" << false;
+    }
+
+    void namesTheBrokenLimitAndOffersWhatWorks()
+    {
+        QFETCH(double, bagLength);
+        QFETCH(double, rate);
+        QFETCH(QString, word);
+        QFETCH(bool, solvable);
+        PanelRig rig;
+        rig.editor.bagLength()->set(bagLength);
+        rig.editor.rate()->set(rate);
+        QVERIFY(!rig.editor.feasible());
+        QCOMPARE(rig.editor.solvable(), solvable);
+        QCOMPARE(rig.editor.severity(), Editor::Severity::Bad);
+        QVERIFY2(rig.editor.verdict().contains(word), qPrintable(rig.editor.verdict()));
+        QCOMPARE(rig.editor.curves().isValid(), solvable);
+        QCOMPARE(!rig.editor.violations().isEmpty(), solvable);
+        QCOMPARE(std::isnan(rig.editor.baseSpeed()->value()), !solvable);
+        QVERIFY(rig.editor.hasSuggestion());
+        rig.editor.applySuggestion();
+        QVERIFY2(rig.editor.feasible(), qPrintable(rig.editor.verdict()));
+        rig.editor.undo();
+        QVERIFY(!rig.editor.feasible());
+    }
+
+    void suggestionsOfRandomRecipesWork()
+    {
+        const quint32 seed = QRandomGenerator::global()->generate();
+        qInfo("seed %u", seed);
+        QRandomGenerator random(seed);
+        PanelRig rig;
+        int offered = 0;
+        for (int i = 0; i < 200; ++i) {
+            rig.editor.bagLength()->set(10 + random.bounded(1990.0));
+            rig.editor.rate()->set(1 + random.bounded(599.0));
+            rig.editor.setLaw(i % 2 ? "quintic" : "cubic");
+            if (!rig.editor.hasSuggestion())
+                continue;
+            ++offered;
+            rig.editor.applySuggestion();
+            QVERIFY2(rig.editor.feasible(), qPrintable(rig.editor.verdict()));
+        }
+        QVERIFY(offered > 50);
+    }
+
+    void listsWhatEachLawWouldDemand()
+    {
+        PanelRig rig;
+        machine::LawModel* laws = rig.editor.laws();
+        QCOMPARE(laws->count(), static_cast<int>(profile::laws().size()));
+        const auto text = [&](int row, machine::LawModel::Role role) {
+            return laws->data(laws->index(row), role).toString();
+        };
+        QCOMPARE(text(0, machine::LawModel::LawIdRole), "cubic");
+        QCOMPARE(text(0, machine::LawModel::CurrentRole), "true");
+        QCOMPARE(text(0, machine::LawModel::PeakRpmTextRole), "71 r/min");
+        QCOMPARE(text(0, machine::LawModel::PeakAccelerationTextRole), "1.95 m/s²");
+        QCOMPARE(text(0, machine::LawModel::PeakFrequencyTextRole), "11.8 kHz");
+        QVERIFY(rig.editor.peakText().contains("71 r/min · 1.95 m/s² · 11.8 kHz"));
+        for (int row = 0; row < laws->count(); ++row) {
+            QVERIFY(!text(row, machine::LawModel::NameRole).isEmpty());
+            const profile::Law& law = profile::laws()[static_cast<std::size_t>(row)];
+            QCOMPARE(text(row, machine::LawModel::StrengthRole), QString::fromUtf8(law.strength));
+            QCOMPARE(text(row, machine::LawModel::WeaknessRole), QString::fromUtf8(law.weakness));
+        }
+        QVERIFY(!rig.editor.lawParameter1()->visible());
+        rig.editor.setLaw("s_curve");
+        QVERIFY(rig.editor.lawParameter1()->visible());
+        QVERIFY(rig.editor.lawParameter2()->visible());
+        QCOMPARE(rig.editor.lawParameter1()->value(), 0.25);
+        rig.editor.lawParameter1()->set(0.4);
+        QCOMPARE(rig.editor.lawParameter1()->value(), 0.4);
+        rig.editor.setLaw("no such law");
+        QCOMPARE(rig.editor.lawName(), "Seven-segment S");
+    }
+
+    void tableAddsUpToTheCycle()
+    {
+        PanelRig rig;
+        machine::TableModel* table = rig.editor.table();
+        QVERIFY(table->count() > 100);
+        qint64 pulses = 0;
+        qint64 ticks = 0;
+        for (int row = 0; row < table->count(); ++row) {
+            const QStringList cells =
+                table->data(table->index(row), machine::TableModel::CellsRole).toStringList();
+            QCOMPARE(cells.size(), table->columns().size());
+            pulses += cells[4].toInt();
+            ticks += cells[5].toInt();
+        }
+        QCOMPARE(pulses, 10000);
+        QCOMPARE(ticks, 8000000);
+        QVERIFY(rig.editor.tableSummary().first().contains("10000 pulses"));
+    }
+
+    void downloadTakesTheRecipeIntoTheControllerAndCountsItsVersion()
+    {
+        PanelRig rig;
+        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Blocked);
+        QVERIFY(!rig.editor.canDownload());
+        rig.connectRunning();
+        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::NothingToDo);
+        rig.editor.bagLength()->set(260);
+        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Ready);
+        QCOMPARE(rig.editor.differenceCount(), 1);
+        QCOMPARE(rig.editor.differences()->rows().first().activeText, "250.0 mm");
+        QCOMPARE(rig.editor.differences()->rows().first().editedText, "260.0 mm");
+        QVERIFY(rig.editor.controllerText().contains("1 value differs"));
+        QCOMPARE(rig.editor.bagLength()->activeText(), "250.0");
+
+        rig.editor.download();
+        QCOMPARE(rig.link.banks.size(), 1);
+        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Transferring);
+        QVERIFY(!rig.editor.canDownload());
+        link::DownloadReport report;
+        report.stage = link::DownloadStage::Sealing;
+        report.fraction = 0.9;
+        emit rig.link.downloadReported(report);
+        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Sealing);
+        QCOMPARE(rig.editor.downloadProgress(), 0.9);
+        report.stage = link::DownloadStage::Armed;
+        emit rig.link.downloadReported(report);
+        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Armed);
+
+        const auto image = rig.image();
+        QCOMPARE(rig.link.banks.first(), image.registers);
+        ++rig.link.status.generation;
+        rig.link.status.activeCrc = image.crc;
+        rig.link.sendStatus(rig.now);
+        report.stage = link::DownloadStage::Active;
+        report.crc = image.crc;
+        emit rig.link.downloadReported(report);
+        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Applied);
+        QVERIFY(!rig.editor.edited());
+        QCOMPARE(rig.editor.recipeVersion(), 2);
+        QCOMPARE(rig.editor.recipeName(), "Biscuit 250");
+        rig.editor.bagLength()->set(261);
+        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Ready);
+    }
+
+    void failedDownloadSaysWhyAndCanBeRepeated()
+    {
+        PanelRig rig;
+        rig.connectRunning();
+        rig.editor.bagLength()->set(260);
+        rig.editor.download();
+        link::DownloadReport report;
+        report.stage = link::DownloadStage::Failed;
+        report.error = modbus::DownloadError{};
+        report.error->kind = modbus::DownloadErrorKind::ChecksumDiffers;
+        emit rig.link.downloadReported(report);
+        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Failed);
+        QVERIFY(rig.editor.downloadText().contains("unchanged"));
+        QVERIFY(rig.editor.canDownload());
+        QCOMPARE(rig.editor.recipeVersion(), 1);
+        QVERIFY(rig.editor.edited());
+    }
+
+    void machineDataChangeOnlyAtStandstill()
+    {
+        PanelRig rig;
+        rig.connectRunning();
+        rig.editor.item(profile::Field::KnifeRadius)->set(61);
+        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Blocked);
+        QVERIFY(rig.editor.downloadText().contains("standstill"));
+        rig.link.status.state = modbus::State::Ready;
+        rig.link.sendStatus(rig.now);
+        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Ready);
+    }
+
+    void infeasibleRecipesAreNotSent()
+    {
+        PanelRig rig;
+        rig.connectRunning();
+        rig.editor.rate()->set(600);
+        QVERIFY(!rig.editor.feasible());
+        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Blocked);
+        rig.editor.download();
+        QVERIFY(rig.link.banks.isEmpty());
+    }
+
+    void savesTheActiveProgramOnly()
+    {
+        PanelRig rig;
+        rig.connectIdle();
+        QVERIFY(!rig.editor.canSave());
+        rig.link.activate(rig.image(), rig.now);
+        QVERIFY(rig.editor.canSave());
+        QVERIFY(!rig.editor.saved());
+        rig.editor.saveToFlash();
+        QCOMPARE(rig.link.requests.last().command, modbus::Command::SaveToFlash);
+        QCOMPARE(rig.link.requests.last().arguments.argument2, *rig.link.status.activeCrc);
+        rig.link.status.savedCrc = rig.link.status.activeCrc;
+        rig.link.sendStatus(rig.now);
+        QVERIFY(rig.editor.saved());
+        QVERIFY(!rig.editor.canSave());
+    }
+
+    void theRecipeSurvivesARestart()
+    {
+        QTemporaryDir folder;
+        test::FakeLink link;
+        machine::Settings settings(folder.filePath("settings.ini"), nullptr);
+        machine::Machine machine(link, settings, nullptr);
+        {
+            Editor editor(machine, folder.path(), nullptr);
+            editor.bagLength()->set(333);
+            editor.setRecipeName("Cookies");
+            editor.setLaw("quintic");
+        }
+        Editor editor(machine, folder.path(), nullptr);
+        QCOMPARE(editor.bagLength()->value(), 333.0);
+        QCOMPARE(editor.recipeName(), "Cookies");
+        QCOMPARE(editor.lawName(), "Quintic 3-4-5");
+        QVERIFY(editor.edited());
+        QVERIFY(editor.notice().isEmpty());
+        editor.revert();
+        QCOMPARE(editor.bagLength()->value(), 250.0);
+    }
+
+    void explainsDerivedNumbersOnly()
+    {
+        PanelRig rig;
+        QVERIFY(rig.editor.baseSpeed()->explanation().startsWith("v_a = "));
+        QVERIFY(rig.editor.baseSpeed()->explanation().contains("445.37"));
+        QVERIFY(rig.editor.bagLength()->explanation().isEmpty());
+    }
+};
+
+CAMPANEL_TEST(TestEditor)
+
+} // namespace test_editor
+
+#include "test_editor.moc"

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// CSV files of knots as the panel offers them: looked at, refused, taken as one edit, written to a place.
+#include "tests/app/panel/kind_steps.h"
+#include "tests/support/test_program.h"
+
+#include <QFile>
+#include <QTest>
+
+namespace test_knot_files {
+
+using namespace campanel;
+using namespace campanel::test;
+using namespace Qt::StringLiterals;
+using machine::KnotFiles;
+using machine::OfferRow;
+
+namespace {
+
+constexpr int timeoutMs = 15'000;
+
+// A stick and the panel's own folder, of which the test knows what is in them.
+struct Disks {
+    QTemporaryDir stick;
+    bool isStickReadOnly = false;
+
+    void plugInto(PanelRig& rig) const
+    {
+        const store::Place place{stick.path(), u"STICK"_s, isStickReadOnly};
+        rig.editor.knotFiles()->setLooker([place](const QString& own) {
+            QList<store::Place> places{place};
+            for (const store::Place& each : store::exchangePlaces(own)) {
+                if (each.path == own)
+                    places << each;
+            }
+            return KnotFiles::Found{places, store::offeredKnots(places)};
+        });
+    }
+    void put(const QString& name, const QByteArray& bytes) const
+    {
+        QFile file(stick.filePath(name));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+    }
+};
+
+} // namespace
+
+class TestKnotFiles : public QObject {
+    Q_OBJECT
+
+    static void look(PanelRig& rig)
+    {
+        rig.editor.knotFiles()->look();
+        QVERIFY(rig.editor.knotFiles()->busy());
+        QTRY_VERIFY_WITH_TIMEOUT(!rig.editor.knotFiles()->busy(), timeoutMs);
+    }
+    static void write(PanelRig& rig, int place)
+    {
+        rig.editor.knotFiles()->write(place);
+        QTRY_VERIFY_WITH_TIMEOUT(!rig.editor.knotFiles()->busy(), timeoutMs);
+    }
+
+private slots:
+    void aFileIsLookedAtThenTakenAsOneEdit()
+    {
+        PanelRig rig;
+        begin(rig, ProgramKind::PointCam);
+        const auto before = camOf(rig.editor).knots;
+        const Disks disks;
+        disks.plugInto(rig);
+        disks.put(u"cam.csv"_s, "master_deg;slave_mm\n0;0\n60;3,5\n120;9\n200;8\n300;-1,25\n360;0\n");
+        look(rig);
+        const QList<OfferRow>& files = rig.editor.knotFiles()->files()->rows();
+        QCOMPARE(files.size(), 1);
+        QCOMPARE(files[0].title, u"cam.csv"_s);
+        QVERIFY(files[0].usable);
+        QVERIFY2(files[0].note.startsWith(u"6 knots"_s) && files[0].note.endsWith(u"STICK"_s),
+                 qPrintable(files[0].note));
+        QVERIFY2(files[0].detail.contains(u"slave −1.25 to 9 mm"_s), qPrintable(files[0].detail));
+        QVERIFY(camOf(rig.editor).knots == before); // looking takes nothing
+        rig.editor.knotFiles()->take(0);
+        QCOMPARE(rig.editor.knots()->count(), 6);
+        QVERIFY(camOf(rig.editor).knots[1] == (profile::Knot{60, 3.5}));
+        rig.editor.undo();
+        QVERIFY(camOf(rig.editor).knots == before);
+        rig.editor.redo();
+        QCOMPARE(rig.editor.knots()->count(), 6);
+    }
+
+    void whatIsWrongIsSaidAndNotTaken_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("order") << QByteArray("master_deg,slave_mm\n0,0\n90,1\n80,2\n270,1\n360,0\n")
+                               << u"Line 4: Knot 3 at 80"_s;
+        QTest::newRow("too few") << QByteArray("master_deg,slave_mm\n0,0\n360,1\n") << u"2 knots"_s;
+        QTest::newRow("a word") << QByteArray("master_deg,slave_mm\n0,0\n90,one\n")
+                                << u"line 3: expected a number, found \"one\""_s;
+        QTest::newRow("empty") << QByteArray() << u"line 1: expected the header"_s;
+    }
+    void whatIsWrongIsSaidAndNotTaken()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QString, words);
+        PanelRig rig;
+        begin(rig, ProgramKind::PointCam);
+        const auto before = camOf(rig.editor).knots;
+        const Disks disks;
+        disks.plugInto(rig);
+        disks.put(u"cam.csv"_s, text);
+        look(rig);
+        const OfferRow row = rig.editor.knotFiles()->files()->rows().value(0);
+        QVERIFY(!row.usable);
+        QVERIFY2(row.detail.contains(words) && row.detail.endsWith(u"Correct the file and look again."_s),
+                 qPrintable(row.detail));
+        for (const int index : {-1, 0, 1})
+            rig.editor.knotFiles()->take(index);
+        QVERIFY(camOf(rig.editor).knots == before);
+    }
+
+    void aFileIsWrittenUnderItsOwnName()
+    {
+        PanelRig rig;
+        begin(rig, ProgramKind::PointCam);
+        rig.editor.setRecipeName(u"Pusher 3/4"_s);
+        const Disks disks;
+        disks.plugInto(rig);
+        look(rig);
+        KnotFiles& files = *rig.editor.knotFiles();
+        QCOMPARE(files.files()->count(), 0);
+        QCOMPARE(files.places()->count(), 2);
+        const QString expected = disks.stick.filePath(u"Pusher 3_4.csv"_s);
+        QVERIFY2(files.places()->rows()[0].detail.contains(expected),
+                 qPrintable(files.places()->rows()[0].detail));
+        write(rig, 0);
+        QVERIFY(!files.failed());
+        QVERIFY2(files.message().endsWith(expected), qPrintable(files.message()));
+        QCOMPARE(files.files()->count(), 1); // it is on offer at once
+        const auto read = store::readKnots(expected);
+        QVERIFY(read && *read == camOf(rig.editor).knots);
+        rig.editor.knots()->slave()->set(1.5);
+        write(rig, 0);
+        QVERIFY2(files.message().endsWith(u"Pusher 3_4-2.csv"_s), qPrintable(files.message()));
+        QVERIFY(*store::readKnots(expected) == *read); // the first one is as it was
+        write(rig, 1);
+        QVERIFY2(files.message().contains(files.ownFolder()), qPrintable(files.message()));
+        look(rig);
+        QVERIFY(files.message().isEmpty());
+    }
+
+    void aStickThatIsReadOnlyOrGoneIsSaid()
+    {
+        PanelRig rig;
+        begin(rig, ProgramKind::PointCam);
+        Disks disks;
+        disks.isStickReadOnly = true;
+        disks.plugInto(rig);
+        look(rig);
+        KnotFiles& files = *rig.editor.knotFiles();
+        QVERIFY(!files.places()->rows()[0].usable);
+        QVERIFY2(files.places()->rows()[0].detail.contains(u"can only be read"_s),
+                 qPrintable(files.places()->rows()[0].detail));
+        files.write(0);
+        QVERIFY(!files.busy());
+        disks.isStickReadOnly = false;
+        disks.plugInto(rig);
+        look(rig);
+        QVERIFY(disks.stick.remove()); // pulled out after it was seen
+        write(rig, 0);
+        QVERIFY(files.failed());
+        QVERIFY2(files.message().contains(u"cannot be written"_s), qPrintable(files.message()));
+    }
+};
+
+CAMPANEL_TEST(TestKnotFiles)
+
+} // namespace test_knot_files
+
+#include "test_knot_files.moc"

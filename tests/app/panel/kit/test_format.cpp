@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers and moments as text, in both languages.
+#include "app/panel/kit/format.h"
+#include "tests/support/test_program.h"
+
+#include <QTest>
+
+#include <limits>
+
+namespace test_format {
+
+using campanel::machine::Format;
+using namespace Qt::StringLiterals;
+
+class FormatTest : public QObject {
+    Q_OBJECT
+
+public:
+    static void initMain()
+    {
+        qputenv("TZ", "Asia/Shanghai");
+    } // or UTC would be the local time of many a build machine
+
+private slots:
+    void numbers_data();
+    void numbers();
+    void groupsOnlyWhereNobodyEdits();
+    void withoutSuperfluousZeros();
+    void momentsAreOfTheLocalTime();
+};
+
+void FormatTest::numbers_data()
+{
+    QTest::addColumn<double>("value");
+    QTest::addColumn<int>("decimals");
+    QTest::addColumn<QString>("text");
+    QTest::newRow("plain") << 249.996 << 2 << u"250.00"_s;
+    QTest::newRow("no groups") << 34641.0 << 0 << u"34641"_s;
+    QTest::newRow("a minus sign, not a hyphen") << -0.31 << 2 << u"\u22120.31"_s;
+    QTest::newRow("no negative zero") << -0.004 << 2 << u"0.00"_s;
+    QTest::newRow("just below zero") << -0.006 << 2 << u"\u22120.01"_s;
+    QTest::newRow("unknown") << std::numeric_limits<double>::quiet_NaN() << 2 << u"--"_s;
+    QTest::newRow("not finite") << -std::numeric_limits<double>::infinity() << 2 << u"--"_s;
+}
+
+void FormatTest::numbers()
+{
+    QFETCH(const double, value);
+    QFETCH(const int, decimals);
+    QFETCH(const QString, text);
+    for (const auto language : {QLocale::English, QLocale::Chinese})
+        QCOMPARE(Format(QLocale(language)).number(value, decimals), text);
+}
+
+void FormatTest::groupsOnlyWhereNobodyEdits()
+{
+    const Format format{QLocale(QLocale::English)};
+    QCOMPARE(format.grouped(-50000, 0), u"\u221250,000"_s);
+    QCOMPARE(format.grouped(9999, 0), u"9999"_s);
+}
+
+void FormatTest::withoutSuperfluousZeros()
+{
+    const Format format{QLocale(QLocale::English)};
+    QCOMPARE(format.compact(2.5, 2, 4), u"2.50"_s);
+    QCOMPARE(format.compact(5.0 / 3, 2, 4), u"1.6667"_s);
+    QCOMPARE(format.compact(-3.0, 0, 3), u"\u22123"_s);
+}
+
+void FormatTest::momentsAreOfTheLocalTime()
+{
+    const QDateTime local(QDate(2026, 8, 1), QTime(9, 5, 7));
+    QCOMPARE(Format::minute(local), u"2026-08-01 09:05"_s);
+    QCOMPARE(Format::second(local.toUTC()), u"2026-08-01 09:05:07"_s);
+}
+
+CAMPANEL_TEST(FormatTest)
+
+} // namespace test_format
+
+#include "test_format.moc"

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: Apache-2.0
+// The recipes as QML sees them, on a database of their own.
+#include "app/panel/library/recipes.h"
+#include "tests/app/panel/panel_rig.h"
+
+#include "app/store/recipes/recipe_json.h"
+#include "tests/support/test_program.h"
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QTest>
+
+namespace campanel::machine::test_recipes {
+
+using test::PanelRig;
+
+namespace {
+
+struct RecipesRig : PanelRig {
+    Recipes recipes{machine, editor, records, folder.path(), nullptr};
+
+    RecipesRig()
+    {
+        recipes.setWallClock([] { return QDateTime(QDate(2026, 1, 15), QTime(14, 7)); });
+        recipes.setAuthor([] { return QStringLiteral("Anna"); });
+        records.open();
+        if (!QTest::qWaitFor([this] { return recipes.total() == 1; }))
+            qFatal("the database was not read");
+    }
+
+    [[nodiscard]] QStringList names()
+    {
+        QStringList found;
+        for (const RecipeRow& row : recipes.list()->rows())
+            found << QStringLiteral("%1 v%2").arg(row.name).arg(row.version);
+        return found;
+    }
+    void choose(const QString& name)
+    {
+        for (int row = 0; row < recipes.list()->count(); ++row) {
+            if (recipes.list()->rows()[row].name == name)
+                recipes.choose(row);
+        }
+    }
+    void create(const QString& name)
+    {
+        const int before = recipes.total();
+        recipes.setWantedName(name);
+        recipes.create(1);
+        QTRY_COMPARE(recipes.total(), before + 1);
+    }
+};
+
+} // namespace
+
+class TestRecipes : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::C); }
+
+    void beginsWithTheRecipeOfThePanel()
+    {
+        RecipesRig rig;
+        QCOMPARE(rig.names(), QStringList{QStringLiteral("Biscuit 250 v1")});
+        QVERIFY(rig.recipes.ready());
+        QVERIFY(rig.recipes.chosenIsOpen());
+        QCOMPARE(rig.recipes.list()->rows().first().summary, QStringLiteral("250.0 mm · 60.0 bags/min"));
+        QVERIFY(rig.recipes.chosenNote().contains(QStringLiteral("by Anna")));
+    }
+
+    void savesAnEditAsTheNextVersion()
+    {
+        RecipesRig rig;
+        rig.editor.bagLength()->set(240);
+        QVERIFY(rig.editor.edited());
+        QCOMPARE(rig.recipes.nextVersion(), 2);
+        rig.recipes.save();
+        QTRY_COMPARE(rig.names(), QStringList{QStringLiteral("Biscuit 250 v2")});
+        QVERIFY(!rig.editor.edited());
+        QCOMPARE(rig.editor.recipeVersion(), 2);
+        QCOMPARE(rig.recipes.message(), QStringLiteral("Saved: Biscuit 250, version 2."));
+    }
+
+    // While a finger drags, the list of all recipes is left alone.
+    void changesAreNotedForTheAuditTrail()
+    {
+        RecipesRig rig;
+        QSignalSpy noted(&rig.recipes, &Recipes::noted);
+        const auto last = [&] { return noted.last().first().value<store::AuditEntry>(); };
+        rig.editor.bagLength()->set(240);
+        rig.recipes.save();
+        QTRY_COMPARE(noted.count(), 1);
+        QCOMPARE(last().what, QStringLiteral("recipe.save"));
+        QCOMPARE(last().object, QStringLiteral("Biscuit 250"));
+        QVERIFY2(last().before.startsWith(QStringLiteral("version 1: ")) &&
+                     last().before.contains(QStringLiteral("bag_length_mm 250")),
+                 qPrintable(last().before));
+        QVERIFY2(last().after.startsWith(QStringLiteral("version 2: ")) &&
+                     last().after.contains(QStringLiteral("bag_length_mm 240")),
+                 qPrintable(last().after));
+        QVERIFY(!last().after.contains(QStringLiteral("law")));
+        QCOMPARE(last().readBack, QStringLiteral("version 2"));
+
+        rig.create(QStringLiteral("Soap"));
+        QCOMPARE(noted.count(), 2);
+        QCOMPARE(last().what, QStringLiteral("recipe.new"));
+        QCOMPARE(last().object, QStringLiteral("Soap"));
+        rig.recipes.setWantedName(QStringLiteral("Hand soap"));
+        rig.recipes.rename();
+        QTRY_COMPARE(noted.count(), 3);
+        QCOMPARE(last().what, QStringLiteral("recipe.rename"));
+        QCOMPARE(last().before, QStringLiteral("Soap"));
+        QCOMPARE(last().after, QStringLiteral("Hand soap"));
+        QTRY_COMPARE(rig.recipes.chosenName(), QStringLiteral("Hand soap"));
+        rig.recipes.remove();
+        QTRY_COMPARE(noted.count(), 4);
+        QCOMPARE(last().what, QStringLiteral("recipe.delete"));
+        rig.recipes.restore();
+        QTRY_COMPARE(noted.count(), 5);
+        QCOMPARE(last().what, QStringLiteral("recipe.restore"));
+        QCOMPARE(last().object, QStringLiteral("Hand soap"));
+    }
+
+    void isNotMadeAnewByEachStepOfAnEdit()
+    {
+        RecipesRig rig;
+        QSignalSpy shown(&rig.recipes, &Recipes::listChanged);
+        rig.editor.dragRatio(0, 0.26);
+        QCOMPARE(shown.size(), 1); // it is edited now
+        QCOMPARE(rig.recipes.nextVersion(), 2);
+        for (const double timeS : {0.27, 0.28, 0.29})
+            rig.editor.dragRatio(0, timeS);
+        rig.editor.commitDrag();
+        QCOMPARE(shown.size(), 1);
+        rig.editor.undo();
+        QCOMPARE(shown.size(), 2);
+        QCOMPARE(rig.recipes.nextVersion(), 1);
+    }
+
+    void aDownloadIsAVersionToo()
+    {
+        RecipesRig rig;
+        rig.connectRunning();
+        rig.editor.bagLength()->set(245);
+        rig.editor.download();
+        const program::ProgramImage sent = rig.image();
+        link::DownloadReport report;
+        report.stage = link::DownloadStage::Active;
+        report.crc = sent.crc;
+        emit rig.link.downloadReported(report);
+        QTRY_COMPARE(rig.names(), QStringList{QStringLiteral("Biscuit 250 v2")});
+        QVERIFY(!rig.editor.edited());
+    }
+
+    void createsCopiesAndOpens()
+    {
+        RecipesRig rig;
+        rig.create(QStringLiteral("Rusk 310"));
+        QCOMPARE(rig.editor.recipeName(), QStringLiteral("Rusk 310"));
+        QVERIFY(!rig.editor.edited());
+        rig.choose(QStringLiteral("Biscuit 250"));
+        QVERIFY(!rig.recipes.chosenIsOpen());
+        rig.recipes.open();
+        QCOMPARE(rig.editor.recipeName(), QStringLiteral("Biscuit 250"));
+        QVERIFY(!rig.editor.canUndo());
+        rig.recipes.setWantedName(QStringLiteral("Biscuit copy"));
+        rig.recipes.copy();
+        QTRY_COMPARE(rig.recipes.total(), 3);
+        QCOMPARE(rig.editor.recipeName(), QStringLiteral("Biscuit copy"));
+        QCOMPARE(rig.recipes.chosenName(), QStringLiteral("Biscuit copy"));
+    }
+
+    void refusesNames_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<bool>("isTaken");
+        QTest::newRow("good") << QStringLiteral("Wafer 90") << true;
+        QTest::newRow("empty") << QString() << false;
+        QTest::newRow("only spaces") << QStringLiteral("   ") << false;
+        QTest::newRow("same in capitals") << QStringLiteral("BISCUIT 250") << false;
+        QTest::newRow("32 letters") << QString(32, u'x') << true;
+        QTest::newRow("33 letters") << QString(33, u'x') << false;
+        QTest::newRow("11 Chinese letters") << QString(11, QChar(0x82CF)) << false;
+    }
+    void refusesNames()
+    {
+        QFETCH(QString, name);
+        QFETCH(bool, isTaken);
+        RecipesRig rig;
+        rig.recipes.setWantedName(name);
+        QCOMPARE(rig.recipes.nameProblem().isEmpty(), isTaken);
+        rig.recipes.copy();
+        rig.recipes.reload();
+        QSignalSpy changed(&rig.recipes, &Recipes::listChanged);
+        QVERIFY(changed.wait());
+        QTRY_COMPARE(rig.recipes.total(), isTaken ? 2 : 1);
+    }
+
+    // The machine is not the recipe's: what was set for this one stays whatever is opened.
+    void opensForThisMachine()
+    {
+        RecipesRig rig;
+        rig.create(QStringLiteral("Rusk 310"));
+        rig.editor.item(profile::Field::KnifeRadius)->set(75);
+        rig.recipes.save();
+        QTRY_VERIFY(!rig.editor.edited());
+        rig.choose(QStringLiteral("Biscuit 250"));
+        QTRY_COMPARE(rig.recipes.chosenName(), QStringLiteral("Biscuit 250"));
+        rig.recipes.reload();
+        QSignalSpy changed(&rig.recipes, &Recipes::listChanged);
+        QVERIFY(changed.wait());
+        rig.recipes.open();
+        QCOMPARE(rig.editor.recipe().machine.knifeRadiusMm, 75.0);
+        QVERIFY(!rig.editor.edited());
+    }
+
+    void comparesVersionsAndRecipes()
+    {
+        RecipesRig rig;
+        for (const double lengthMm : {240.0, 230.0}) {
+            rig.editor.bagLength()->set(lengthMm);
+            rig.recipes.save();
+            QTRY_VERIFY(!rig.editor.edited());
+        }
+        QTRY_COMPARE(rig.names(), QStringList{QStringLiteral("Biscuit 250 v3")});
+        rig.recipes.lookAtVersions();
+        QTRY_COMPARE(rig.recipes.candidates()->count(), 3);
+        rig.recipes.compareVersion(1, false); // version 2 with version 1
+        QCOMPARE(rig.recipes.beforeTitle(), QStringLiteral("Version 1"));
+        const auto bagLength = [&rig] {
+            for (const DifferenceRow& row : rig.recipes.differences()->rows()) {
+                if (row.name == QStringLiteral("Bag length"))
+                    return row.activeText + QStringLiteral(" to ") + row.editedText;
+            }
+            return QString();
+        };
+        QCOMPARE(bagLength(), QStringLiteral("250.0 mm to 240.0 mm"));
+        rig.recipes.compareVersion(2, true); // version 1 with the newest
+        QCOMPARE(bagLength(), QStringLiteral("250.0 mm to 230.0 mm"));
+        rig.recipes.compareVersion(2, false);
+        QVERIFY(!rig.recipes.compared());
+        // An older version that is opened and edited becomes the newest, not a second of its number.
+        rig.recipes.openVersion(2);
+        QCOMPARE(rig.editor.recipeVersion(), 1);
+        rig.editor.bagLength()->set(235);
+        QCOMPARE(rig.recipes.nextVersion(), 4);
+    }
+
+    void renamesWhatIsOpenWithItsEdits()
+    {
+        RecipesRig rig;
+        rig.editor.bagLength()->set(240);
+        rig.recipes.setWantedName(QStringLiteral("Biscuit large"));
+        rig.recipes.rename();
+        QTRY_COMPARE(rig.names(), QStringList{QStringLiteral("Biscuit large v1")});
+        QCOMPARE(rig.editor.recipeName(), QStringLiteral("Biscuit large"));
+        QVERIFY(rig.editor.edited());
+        QCOMPARE(rig.editor.bagLength()->value(), 240.0);
+    }
+
+    void deletesAndBringsBack()
+    {
+        RecipesRig rig;
+        rig.create(QStringLiteral("Rusk 310"));
+        rig.choose(QStringLiteral("Biscuit 250"));
+        rig.recipes.remove();
+        QTRY_COMPARE(rig.names(), QStringList{QStringLiteral("Rusk 310 v1")});
+        QVERIFY(rig.recipes.canRestore());
+        rig.recipes.restore();
+        QTRY_COMPARE(rig.recipes.total(), 2);
+        QCOMPARE(rig.recipes.chosenName(), QStringLiteral("Biscuit 250"));
+        QVERIFY(!rig.recipes.canRestore());
+    }
+
+    void searches()
+    {
+        RecipesRig rig;
+        rig.create(QStringLiteral("Rusk 310"));
+        rig.recipes.setSearch(QStringLiteral("rUsK"));
+        QCOMPARE(rig.names(), QStringList{QStringLiteral("Rusk 310 v1")});
+        QCOMPARE(rig.recipes.total(), 2);
+        rig.recipes.setSearch(QStringLiteral("pretzel"));
+        QCOMPARE(rig.recipes.chosen(), -1);
+    }
+
+    void importsFilesAndRefusesBadOnes()
+    {
+        RecipesRig rig;
+        const auto write = [&rig](const char* name, const QByteArray& bytes) {
+            QDir(rig.folder.path()).mkpath(QStringLiteral("recipes"));
+            QFile file(rig.folder.filePath(QStringLiteral("recipes/") + QString::fromLatin1(name)));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(bytes);
+        };
+        program::Recipe good;
+        good.name = "Rusk 310";
+        good.version = 7;
+        good.machine.knifeRadiusMm = 99;
+        write("good.json", store::toJson(good));
+        write("bad.json", "{\"format\": \"something else\"}");
+        rig.recipes.files()->look();
+        QTRY_COMPARE(rig.recipes.files()->files()->count(), 2);
+        int usable = -1;
+        for (int row = 0; row < 2; ++row) {
+            const OfferRow& offer = rig.recipes.files()->files()->rows()[row];
+            if (offer.usable)
+                usable = row;
+            else
+                QVERIFY(offer.detail.contains(QStringLiteral("Correct the file")));
+            rig.recipes.files()->take(row);
+        }
+        QVERIFY(usable >= 0);
+        QTRY_COMPARE(rig.recipes.total(), 2);
+        QCOMPARE(rig.recipes.chosenName(), QStringLiteral("Rusk 310"));
+        QVERIFY(rig.recipes.message().contains(QStringLiteral("version 7")));
+        rig.recipes.open();
+        QCOMPARE(rig.editor.recipe().machine.knifeRadiusMm, 60.0); // of this machine
+    }
+
+    void exportsWhatCanBeImported()
+    {
+        RecipesRig rig;
+        rig.create(QStringLiteral("Rusk 310"));
+        rig.recipes.exports()->setLooker([](const QString& folder) {
+            return QList<store::Place>{{folder, QStringLiteral("STICK"), false, true}};
+        });
+        QDir(rig.folder.path()).mkpath(QStringLiteral("recipes"));
+        rig.recipes.offerExport(true);
+        QTRY_VERIFY(!rig.recipes.exports()->busy());
+        rig.recipes.exports()->write(0);
+        QTRY_VERIFY(!rig.recipes.exports()->message().isEmpty());
+        QVERIFY2(!rig.recipes.exports()->failed(), qPrintable(rig.recipes.exports()->message()));
+        QVERIFY(rig.recipes.exports()->message().contains(QStringLiteral("taken out")));
+        const auto read = store::readRecipe(rig.folder.filePath(QStringLiteral("recipes/Rusk 310.json")));
+        QVERIFY(read);
+        QCOMPARE(read->name, std::string("Rusk 310"));
+    }
+
+    void survivesARestart()
+    {
+        PanelRig rig;
+        for (int start = 0; start < 2; ++start) {
+            Records records(rig.folder.path(), nullptr);
+            Recipes recipes(rig.machine, rig.editor, records, rig.folder.path(), nullptr);
+            records.open();
+            QTRY_COMPARE(recipes.total(), start + 1);
+            recipes.setWantedName(QStringLiteral("Number %1").arg(start));
+            recipes.copy();
+        }
+    }
+};
+
+CAMPANEL_TEST(TestRecipes)
+
+} // namespace campanel::machine::test_recipes
+
+#include "test_recipes.moc"

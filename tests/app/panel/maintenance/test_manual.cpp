@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a technician does by hand: jog, homing, inputs and outputs, dry run, and what of it is in the audit
+// trail.
+#include "tests/app/panel/access_rig.h"
+#include "tests/support/test_program.h"
+
+#include <QSignalSpy>
+
+#include <algorithm>
+#include <cmath>
+
+namespace test_manual {
+
+using namespace campanel;
+using namespace std::chrono_literals;
+using link::JogDirection;
+using machine::DryRun;
+using machine::Homing;
+using machine::IoList;
+using machine::Jog;
+using modbus::State;
+using modbus::WarningBit;
+using test::AccessRig;
+using test::PanelRig;
+
+namespace {
+
+constexpr auto notHomed = static_cast<std::uint16_t>(1U << static_cast<unsigned>(WarningBit::NotHomed));
+
+void become(PanelRig& rig, State state, std::uint16_t warningBits = 0)
+{
+    rig.link.status.state = state;
+    rig.link.status.warningBits = warningBits;
+    rig.link.sendStatus(rig.now);
+}
+
+QString valueOf(const IoList& io, const QString& name)
+{
+    for (const IoList::Row& row : io.rows()) {
+        if (row.name == name)
+            return row.value;
+    }
+    return QStringLiteral("no such row");
+}
+
+IoList::Lamp lampOf(const IoList& io, const QString& name)
+{
+    for (const IoList::Row& row : io.rows()) {
+        if (row.name == name)
+            return row.lamp;
+    }
+    return IoList::Lamp::None;
+}
+
+double figure(DryRun& run, const QString& label)
+{
+    for (const machine::FigureRow& row : run.figures()->rows()) {
+        if (row.label == label)
+            return row.value.section(u' ', 0, 0).toDouble();
+    }
+    return std::nan("");
+}
+
+} // namespace
+
+class TestManual : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale(QLocale::English)); }
+
+    void theLinkIsToldAgainAsLongAsTheKeyIsHeld()
+    {
+        PanelRig rig;
+        rig.connectIdle();
+        Jog& jog = *rig.service.jog();
+        QVERIFY(jog.possible());
+        jog.press(1);
+        QCOMPARE(jog.held(), 1);
+        QTRY_VERIFY(rig.link.jogs.size() >= 4);
+        for (const JogDirection told : rig.link.jogs)
+            QCOMPARE(told, JogDirection::Forward);
+        jog.release(1);
+        QCOMPARE(rig.link.jogs.last(), JogDirection::None);
+        rig.link.jogs.clear();
+        jog.press(-1);
+        QCOMPARE(rig.link.jogs, QList<JogDirection>{JogDirection::Reverse});
+        jog.release(-1);
+    }
+
+    void whateverComesInBetweenEndsItUntilTheKeyIsLetGo_data()
+    {
+        QTest::addColumn<int>("what");
+        QTest::newRow("Stop") << 0;
+        QTest::newRow("the other key") << 1;
+        QTest::newRow("fault") << 2;
+        QTest::newRow("line lost") << 3;
+        QTest::newRow("old status") << 4;
+    }
+
+    void whateverComesInBetweenEndsItUntilTheKeyIsLetGo()
+    {
+        QFETCH(int, what);
+        PanelRig rig;
+        rig.connectIdle();
+        Jog& jog = *rig.service.jog();
+        jog.press(1);
+        become(rig, State::Jogging);
+        QCOMPARE(jog.held(), 1);
+        QVERIFY(!jog.troubled());
+        if (what == 0)
+            rig.machine.stop();
+        else if (what == 1)
+            jog.press(-1);
+        else if (what == 2)
+            become(rig, State::Fault);
+        else if (what == 3)
+            rig.link.becomeLost();
+        else {
+            rig.now += 1500ms;
+            rig.machine.setClock([&rig] { return rig.now; }); // looks at it
+        }
+        QCOMPARE(jog.held(), 0);
+        QCOMPARE(rig.link.jogs.last(), JogDirection::None);
+        QVERIFY(jog.troubled());
+        if (what == 1)
+            jog.release(-1);
+        rig.link.becomeConnected();
+        become(rig, State::Idle);
+        const auto told = rig.link.jogs.size();
+        QTest::qWait(120); // longer than a held key takes to tell again
+        QCOMPARE(rig.link.jogs.size(), told);
+        QVERIFY(jog.troubled()); // the first key is still down
+        jog.release(1);
+        QVERIFY(!jog.troubled());
+        jog.press(1);
+        QCOMPARE(jog.held(), 1);
+        jog.letGo();
+        QCOMPARE(rig.link.jogs.last(), JogDirection::None);
+    }
+
+    void doesNotBeginWhileItIsBlockedAndSaysWhy()
+    {
+        PanelRig rig;
+        Jog& jog = *rig.service.jog();
+        jog.press(1);
+        QVERIFY(rig.link.jogs.isEmpty());
+        QCOMPARE(jog.text(), QStringLiteral("There is no connection to the controller."));
+        jog.release(1);
+        rig.connectRunning();
+        QCOMPARE(jog.text(), QStringLiteral("The machine is running. Stop it first."));
+        jog.press(1);
+        become(rig, State::Ready); // under the finger: that is no new touch
+        QCOMPARE(jog.held(), 0);
+        QVERIFY(rig.link.jogs.isEmpty());
+        jog.release(1);
+        jog.press(1);
+        QCOMPARE(jog.held(), 1);
+        QTRY_VERIFY(jog.troubled()); // the controller does not begin
+        QVERIFY(jog.text().startsWith(QStringLiteral("The controller does not move.")));
+        become(rig, State::Jogging);
+        QVERIFY(!jog.troubled());
+        jog.release(1);
+    }
+
+    void aTechnicianJogsAndTheTrailSaysSo()
+    {
+        AccessRig rig;
+        rig.addAnnaAndBo();
+        rig.connectIdle();
+        Jog& jog = *rig.service.jog();
+        jog.press(1);
+        QCOMPARE(jog.held(), 0);
+        QVERIFY(rig.link.jogs.isEmpty());
+        jog.release(1);
+        rig.logIn(QStringLiteral("Bo"), QStringLiteral("1470"));
+        rig.link.status.axisPositionPulses = 100;
+        become(rig, State::Idle);
+        jog.press(1);
+        become(rig, State::Jogging);
+        jog.release(1);
+        rig.link.status.axisPositionPulses = 1250; // once it stands
+        become(rig, State::Idle);
+        QSignalSpy ended(&jog, &Jog::ended);
+        QTRY_COMPARE(ended.size(), 1);
+        const auto entries = rig.entries();
+        const store::AuditEntry& end = entries.last();
+        const store::AuditEntry& begin = entries[entries.size() - 2];
+        QCOMPARE(begin.what, QStringLiteral("command.jog_forward"));
+        QCOMPARE(begin.who, QStringLiteral("Bo"));
+        QCOMPARE(begin.before, QStringLiteral("100 pulses"));
+        QCOMPARE(end.what, QStringLiteral("command.jog_end"));
+        QCOMPARE(end.after, QStringLiteral("1250 pulses"));
+        QCOMPARE(end.outcome, QStringLiteral("released"));
+    }
+
+    void homingIsFollowedToItsEnd_data()
+    {
+        QTest::addColumn<QList<State>>("states");
+        QTest::addColumn<bool>("homed");
+        QTest::addColumn<QString>("outcome");
+        QTest::newRow("found") << QList{State::Homing, State::Ready} << true << QStringLiteral("done");
+        QTest::newRow("start after it")
+            << QList{State::Homing, State::Running} << true << QStringLiteral("done");
+        QTest::newRow("stopped") << QList{State::Homing, State::Stopping, State::Ready} << false
+                                 << QStringLiteral("stopped");
+        QTest::newRow("no mark") << QList{State::Homing, State::Fault} << false << QStringLiteral("failed");
+    }
+
+    void homingIsFollowedToItsEnd()
+    {
+        QFETCH(const QList<State>, states);
+        QFETCH(const bool, homed);
+        QFETCH(const QString, outcome);
+        AccessRig rig;
+        rig.connectIdle();
+        rig.link.activate(rig.image(), rig.now);
+        become(rig, State::Ready, notHomed);
+        Homing& homing = *rig.service.homing();
+        QCOMPARE(homing.place(), Homing::Place::NotHomed);
+        QVERIFY(homing.possible());
+        homing.home();
+        QCOMPARE(rig.link.requests.last().command, modbus::Command::Home);
+        for (const State state : states) {
+            become(rig, state, homed && state != State::Homing ? std::uint16_t{0} : notHomed);
+            if (state == State::Homing)
+                QVERIFY(!homing.possible());
+        }
+        QCOMPARE(homing.failed(), !homed);
+        QVERIFY(!homing.resultText().isEmpty());
+        QCOMPARE(homing.place(), homed ? Homing::Place::Homed : Homing::Place::NotHomed);
+        const auto entries = rig.entries();
+        QCOMPARE(entries.last().what, QStringLiteral("command.home_end"));
+        QCOMPARE(entries.last().outcome, outcome);
+    }
+
+    void aPressTakesThePlaceWhereItStands()
+    {
+        PanelRig rig;
+        rig.editor.newProgram(static_cast<int>(profile::ProgramKind::Press));
+        rig.connectIdle();
+        rig.link.activate(rig.image(), rig.now);
+        become(rig, State::Ready, notHomed);
+        Homing& homing = *rig.service.homing();
+        QVERIFY(!homing.moves());
+        QVERIFY(homing.explanation().startsWith(
+            QStringLiteral("Nothing moves: the place where the ram stands now")));
+        homing.home();
+        emit rig.link.commandEnded({rig.link.requests.last().id, modbus::Command::Home,
+                                    link::CommandEnd::Done, modbus::Refusal::None, std::nullopt});
+        QVERIFY(!homing.failed());
+        QCOMPARE(homing.resultText(),
+                 QStringLiteral("The place where the ram stood has become its upper position."));
+    }
+
+    void withoutAProgramThereIsNothingToHome()
+    {
+        PanelRig rig;
+        rig.connectIdle();
+        Homing& homing = *rig.service.homing();
+        QVERIFY(!homing.possible());
+        homing.home();
+        QVERIFY(rig.link.requests.isEmpty());
+    }
+
+    void speedIsReadAndWrittenWithProof()
+    {
+        PanelRig rig;
+        rig.connectIdle();
+        machine::AxisSpeed& speed = *rig.service.jog()->speed();
+        QCOMPARE(speed.text(), QStringLiteral("--"));
+        speed.read();
+        QCOMPARE(rig.link.parameters.last().name, std::string("parameter.jog_frequency"));
+        emit rig.link.parameterEnded({rig.link.parameters.last().id, "parameter.jog_frequency",
+                                      link::ParameterEnd::Done, 1000, std::nullopt});
+        QCOMPARE(speed.text(), QStringLiteral("1000 Hz"));
+        speed.write(2500);
+        QCOMPARE(rig.link.parameters.last().value, 2500.0);
+        emit rig.link.parameterEnded({rig.link.parameters.last().id, "parameter.jog_frequency",
+                                      link::ParameterEnd::OutcomeUnknown, std::nullopt, std::nullopt});
+        QVERIFY(std::isnan(speed.frequencyHz()));
+        QVERIFY(!speed.failure().isEmpty());
+    }
+
+    void inputsAndOutputsAreWhatTheControllerTells()
+    {
+        PanelRig rig;
+        IoList& io = *rig.service.io();
+        io.setWatched(true);
+        QVERIFY(io.rows().isEmpty());
+        QVERIFY(io.stale());
+        rig.connectIdle();
+        rig.link.status.axisPositionPulses = 12345;
+        rig.link.status.commandedFrequencyHz = 1000;
+        become(rig, State::Jogging, notHomed);
+        io.retranslate();
+        QVERIFY(!io.stale());
+        QCOMPARE(valueOf(io, QStringLiteral("Encoder of the axis")), QStringLiteral("12,345 pulses"));
+        QCOMPARE(lampOf(io, QStringLiteral("Pulses to the axis")), IoList::Lamp::On);
+        QCOMPARE(lampOf(io, QStringLiteral("Encoder, speed")), IoList::Lamp::Off);
+        QCOMPARE(lampOf(io, QStringLiteral("Index mark")), IoList::Lamp::Off);
+        QCOMPARE(valueOf(io, QStringLiteral("Mark sensor")), QStringLiteral("no such row"));
+        rig.link.becomeLost();
+        io.retranslate();
+        QVERIFY(io.stale());
+        QCOMPARE(valueOf(io, QStringLiteral("Encoder of the axis")), QStringLiteral("12,345 pulses"));
+    }
+
+    void everyBitHasItsLamp()
+    {
+        PanelRig rig;
+        rig.connectIdle();
+        rig.link.status.faultBits = 0x7F;
+        become(rig, State::Fault, 0x1FF);
+        IoList& io = *rig.service.io();
+        io.setWatched(true);
+        const auto lit = std::ranges::count_if(
+            io.rows(), [](const IoList::Row& row) { return row.lamp == IoList::Lamp::Bad; });
+        QCOMPARE(lit, 7 + 9);
+    }
+
+    void aTurnOfTheMasterIsOneBag()
+    {
+        PanelRig rig;
+        DryRun& run = *rig.service.dryRun();
+        QVERIFY(run.available() && run.cutter());
+        const double bagMm = run.bagLengthMm();
+        QCOMPARE(bagMm, 250.0);
+        const double before = run.filmPositionMm();
+        for (int i = 0; i < 360; ++i)
+            run.turn(1);
+        QVERIFY(std::abs(run.masterDeg()) < 1e-6 || std::abs(run.masterDeg() - 360) < 1e-6);
+        QVERIFY(std::abs(run.filmPositionMm() - before - bagMm) < 1e-6);
+        run.turn(-360);
+        QVERIFY(std::abs(run.filmPositionMm() - before) < 1e-6);
+    }
+
+    // At the cut the boundary of a bag is under the knife, and there they move together.
+    void theCutIsAtTheKnife()
+    {
+        PanelRig rig;
+        DryRun& run = *rig.service.dryRun();
+        run.turn(run.cutMasterDeg());
+        QVERIFY(run.synchronous());
+        QVERIFY(std::ranges::any_of(run.cuts(), [](QPointF cut) { return std::abs(cut.x()) < 1e-9; }));
+        QVERIFY(std::abs(run.knifeDeg() - run.cutDeg()) < 1e-9);
+        QVERIFY(std::abs(figure(run, QStringLiteral("Knife against film")) - 100) < 0.05);
+        run.turn(-run.cutMasterDeg());
+        QVERIFY(!run.synchronous());
+        const auto& curves = *rig.editor.solution().curves;
+        QCOMPARE(figure(run, QStringLiteral("Knife speed")),
+                 std::round(curves.velocityMmPerS.front() * 10) / 10);
+    }
+
+    void aFingerTurnsItRoundTheCenter()
+    {
+        PanelRig rig;
+        DryRun& run = *rig.service.dryRun();
+        run.setPlaying(true);
+        run.grab(0, -50); // at the top
+        QVERIFY(!run.playing());
+        run.drag(50, 0);
+        QVERIFY(std::abs(run.masterDeg() - 90) < 1e-9);
+        run.drag(0, 50);
+        run.drag(-50, 0);
+        run.drag(0, -20);
+        run.drag(20, 0);
+        QVERIFY(std::abs(run.masterDeg() - 90) < 1e-6); // of the next cycle
+        run.drag(0, -20);
+        run.drag(-20, 0); // back through the start
+        QVERIFY(std::abs(run.masterDeg() - 270) < 1e-6);
+        QVERIFY(rig.link.requests.isEmpty() && rig.link.jogs.isEmpty() && rig.link.parameters.isEmpty());
+    }
+
+    void itPlaysUntilTheRecipeCannotMove()
+    {
+        PanelRig rig;
+        DryRun& run = *rig.service.dryRun();
+        run.setPlaying(true);
+        QTRY_VERIFY(run.masterDeg() > 2);
+        rig.editor.newProgram(static_cast<int>(profile::ProgramKind::PointCam));
+        QVERIFY(!run.cutter() && run.available());
+        QVERIFY(run.cuts().isEmpty());
+        QVERIFY(!std::isnan(figure(run, QStringLiteral("Position"))));
+        run.toStart();
+        QVERIFY(!run.playing());
+        QCOMPARE(run.masterDeg(), 0.0);
+    }
+};
+
+CAMPANEL_TEST(TestManual)
+
+} // namespace test_manual
+
+#include "test_manual.moc"

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+// Link doctor, figures and reports of the Service page, on a fake link.
+#include "tests/app/panel/panel_rig.h"
+#include "tests/support/test_program.h"
+
+#include <QDir>
+#include <QFile>
+#include <QSet>
+#include <QTest>
+
+#include <cmath>
+
+namespace test_service {
+
+using namespace campanel;
+using namespace std::chrono_literals;
+using modbus::LineCondition;
+using test::PanelRig;
+using Depth = modbus::ScanPlan::Depth;
+
+namespace {
+
+modbus::LineFinding finding(LineCondition condition)
+{
+    modbus::LineFinding finding;
+    finding.condition = condition;
+    finding.port = "/dev/ttyUSB1";
+    finding.line = {19200, modbus::Parity::Even, 2};
+    finding.unit = 7;
+    finding.group = "dialout";
+    finding.bytesSeen = 12;
+    return finding;
+}
+
+link::ScanReport found()
+{
+    link::ScanReport report;
+    report.depth = Depth::Search;
+    report.findings = {finding(LineCondition::NoBytes), finding(LineCondition::WrongUnit)};
+    link::ConnectionSettings settings;
+    settings.simulated = false;
+    settings.port = QStringLiteral("/dev/ttyUSB1");
+    settings.line = {19200, modbus::Parity::Even, 2};
+    settings.unit = 7;
+    report.found = settings;
+    return report;
+}
+
+QString textAt(const QAbstractItemModel& model, int row, int role)
+{
+    return model.data(model.index(row, 0), role).toString();
+}
+
+} // namespace
+
+class TestService : public QObject {
+    Q_OBJECT
+
+private slots:
+    void doctorLeavesAMovingMachineAlone_data()
+    {
+        QTest::addColumn<int>("state");
+        QTest::addColumn<bool>("begins");
+        QTest::newRow("idle") << static_cast<int>(modbus::State::Idle) << true;
+        QTest::newRow("ready") << static_cast<int>(modbus::State::Ready) << true;
+        QTest::newRow("fault") << static_cast<int>(modbus::State::Fault) << true;
+        QTest::newRow("running") << static_cast<int>(modbus::State::Running) << false;
+        QTest::newRow("stopping") << static_cast<int>(modbus::State::Stopping) << false;
+        QTest::newRow("jogging") << static_cast<int>(modbus::State::Jogging) << false;
+        QTest::newRow("homing") << static_cast<int>(modbus::State::Homing) << false;
+    }
+    void doctorLeavesAMovingMachineAlone()
+    {
+        QFETCH(int, state);
+        QFETCH(bool, begins);
+        PanelRig rig;
+        rig.connectIdle();
+        rig.link.status.state = static_cast<modbus::State>(state);
+        rig.link.sendStatus(rig.now);
+        QCOMPARE(rig.service.doctor()->blockedReason().isEmpty(), begins);
+        rig.service.doctor()->search();
+        rig.service.doctor()->diagnose();
+        QCOMPARE(rig.link.scans.size(), begins ? 2 : 0);
+    }
+
+    void doctorLeavesADownloadAlone()
+    {
+        PanelRig rig;
+        rig.connectIdle();
+        link::DownloadReport report;
+        emit rig.link.downloadReported(report);
+        QVERIFY(!rig.service.doctor()->canBegin());
+        report.isInterrupted = true; // it waits for what the doctor finds
+        emit rig.link.downloadReported(report);
+        QVERIFY(rig.service.doctor()->canBegin());
+        report = {};
+        report.stage = link::DownloadStage::Active;
+        emit rig.link.downloadReported(report);
+        QVERIFY(rig.service.doctor()->canBegin());
+    }
+
+    void aStopEndsTheSearch()
+    {
+        PanelRig rig;
+        link::LinkReport report;
+        report.isScanning = true;
+        emit rig.link.reported(report);
+        QCOMPARE(rig.link.scanCancels, 0);
+        QVERIFY(rig.machine.connectionText().startsWith("The link doctor has the ports."));
+        report.pendingStop = modbus::Command::StopNow;
+        emit rig.link.reported(report);
+        QCOMPARE(rig.link.scanCancels, 1);
+        QVERIFY(!rig.service.doctor()->canBegin());
+    }
+
+    void searchSaysHowFarItIs()
+    {
+        PanelRig rig;
+        machine::LinkDoctor& doctor = *rig.service.doctor();
+        doctor.search();
+        QCOMPARE(rig.link.scans, QList<Depth>{Depth::Search});
+        link::ScanReport report;
+        report.depth = Depth::Search;
+        report.isRunning = true;
+        report.progress = {30, 120, "/dev/ttyUSB1", {19200, modbus::Parity::Even, 2}, 7, 11500ms};
+        emit rig.link.scanReported(report);
+        QVERIFY(doctor.running());
+        QCOMPARE(doctor.triedText(), "Trying /dev/ttyUSB1: 19200 baud, 8E2, unit 7");
+        QCOMPARE(doctor.progressText(), "30 of 120, at most 12 s more");
+        QCOMPARE(doctor.progress(), 0.25);
+        report.progress.remaining = 301s;
+        emit rig.link.scanReported(report);
+        QCOMPARE(doctor.progressText(), "30 of 120, at most 6 min more");
+        doctor.cancel();
+        QCOMPARE(rig.link.scanCancels, 1);
+        report.isRunning = false;
+        report.isCanceled = true;
+        emit rig.link.scanReported(report);
+        QVERIFY(!doctor.running() && !doctor.canTake());
+    }
+
+    void aFoundConnectionIsTakenOver()
+    {
+        PanelRig rig;
+        rig.machine.open();
+        machine::LinkDoctor& doctor = *rig.service.doctor();
+        emit rig.link.scanReported(found());
+        QVERIFY(doctor.canTake());
+        QCOMPARE(doctor.foundText(), "/dev/ttyUSB1, 19200 baud, 8E2, unit 7");
+        doctor.take();
+        QCOMPARE(rig.link.connections.size(), 2);
+        const link::ConnectionSettings& used = rig.link.connections.last();
+        QVERIFY(!used.simulated);
+        QCOMPARE(used.port, "/dev/ttyUSB1");
+        QCOMPARE(used.line.baud, 19200U);
+        QCOMPARE(used.line.parity, modbus::Parity::Even);
+        QCOMPARE(used.line.stopBits, std::uint8_t{2});
+        QCOMPARE(used.unit, 7);
+        QVERIFY(!doctor.canTake()); // it is in use
+        const machine::Settings stored(rig.folder.filePath(QStringLiteral("settings.ini")), nullptr);
+        QCOMPARE(stored.connection(), rig.settings.connection());
+    }
+
+    void everyConditionHasItsSentence()
+    {
+        PanelRig rig;
+        QStringList sentences;
+        QStringList titles;
+        for (int i = 0; i <= static_cast<int>(LineCondition::PortGone); ++i) {
+            link::ScanReport report;
+            report.findings = {finding(static_cast<LineCondition>(i))};
+            emit rig.link.scanReported(report);
+            titles << textAt(*rig.service.doctor()->findings(), 0, machine::OfferModel::TitleRole);
+            sentences << textAt(*rig.service.doctor()->findings(), 0, machine::OfferModel::DetailRole);
+            QVERIFY2(sentences.last().endsWith(u'.'), qPrintable(titles.last()));
+        }
+        QCOMPARE(QSet<QString>(sentences.begin(), sentences.end()).size(), sentences.size());
+        QCOMPARE(QSet<QString>(titles.begin(), titles.end()).size(), titles.size());
+    }
+
+    void findingsNameWhatToDo()
+    {
+        PanelRig rig;
+        const auto detail = [&rig](const modbus::LineFinding& finding) {
+            link::ScanReport report;
+            report.findings = {finding};
+            emit rig.link.scanReported(report);
+            return textAt(*rig.service.doctor()->findings(), 0, machine::OfferModel::DetailRole);
+        };
+        auto busy = finding(LineCondition::PortBusy);
+        busy.holders = {{812, "screen"}};
+        QVERIFY(detail(busy).contains("screen (process 812)"));
+        QVERIFY(detail(finding(LineCondition::PortNotPermitted)).contains("\"dialout\""));
+        auto slow = finding(LineCondition::Controller);
+        slow.latencyTimerMs = 16;
+        QVERIFY(detail(slow).contains("16 ms"));
+        slow.latencyTimerMs = 1;
+        QVERIFY(!detail(slow).contains("latency timer"));
+    }
+
+    void figuresComeWhileWatched()
+    {
+        PanelRig rig;
+        machine::LineFigures& figures = *rig.service.figures();
+        figures.setWatched(true);
+        QVERIFY(rig.link.areFiguresWatched);
+        QCOMPARE(figures.times()->rows().first().value, "--");
+        link::FiguresReport report;
+        report.answerAllowance = 50ms;
+        const std::chrono::system_clock::time_point at{std::chrono::minutes(29'000'000)};
+        for (int i = 0; i < 10; ++i) {
+            report.figures.noteRequest(20, false);
+            report.figures.noteAnswer(8ms, 6ms, 8ms, at);
+        }
+        report.figures.noteError(modbus::LinkErrorKind::BadChecksum, 8ms, at + 2min);
+        emit rig.link.figuresReported(report);
+        QCOMPARE(figures.exchanges()->rows()[0].value, "10");
+        QCOMPARE(figures.exchanges()->rows()[4].value, "68.2 %");
+        QCOMPARE(figures.errors()->rows()[1].value, "1");
+        QVERIFY(figures.errors()->rows()[1].isNotable && !figures.errors()->rows()[0].isNotable);
+        QCOMPARE(figures.times()->rows()[3].value, "8.0 ms");
+        QCOMPARE(figures.times()->rows()[4].value, "50 ms");
+        QCOMPARE(figures.controller()->rows()[0].value, "--");
+        QCOMPARE(figures.stripEnd(), QDateTime::fromSecsSinceEpoch(29'000'002LL * 60));
+        const qsizetype last = figures.stripErrors().size() - 1;
+        QCOMPARE(figures.stripErrors()[last], 1.0);
+        QVERIFY(std::isnan(figures.stripP99Ms()[last]));
+        QVERIFY(std::isnan(figures.stripAnswers()[last - 1])); // nothing passed in that minute
+        QCOMPARE(figures.stripAnswers()[last - 2], 10.0);
+        figures.reset();
+        QCOMPARE(rig.link.figuresResets, 1);
+        figures.setWatched(false);
+        QVERIFY(!rig.link.areFiguresWatched);
+    }
+
+    void figuresAreWrittenAsCsv()
+    {
+        PanelRig rig;
+        link::FiguresReport report;
+        report.figures.noteRequest(20, false);
+        emit rig.link.figuresReported(report);
+        machine::ReportFiles& files = *rig.service.files();
+        files.setLooker([](const QString& folder) { return store::exchangePlaces(folder).last(1); });
+        rig.service.figures()->exportCsv();
+        QTRY_VERIFY(!files.busy());
+        files.write(0);
+        QTRY_VERIFY(!files.busy());
+        QVERIFY2(!files.failed(), qPrintable(files.message()));
+        const QDir folder(rig.folder.filePath(QStringLiteral("reports")));
+        QCOMPARE(folder.entryList(QDir::Files), (QStringList{"link 24 hours.csv", "link figures.csv"}));
+        QFile file(folder.filePath(QStringLiteral("link figures.csv")));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.readAll().contains("requests,1\n"));
+    }
+
+    void aPlaceThatCannotBeWrittenIsSaid()
+    {
+        PanelRig rig;
+        machine::ReportFiles& files = *rig.service.files();
+        const QString nowhere = rig.folder.filePath(QStringLiteral("nowhere"));
+        files.setLooker([nowhere](const QString&) {
+            return QList<store::Place>{{nowhere, QStringLiteral("NOWHERE"), false}};
+        });
+        rig.service.figures()->exportCsv();
+        QTRY_VERIFY(!files.busy());
+        files.write(0);
+        QTRY_VERIFY(!files.busy());
+        QVERIFY(files.failed());
+        QVERIFY2(files.message().contains("choose another place"), qPrintable(files.message()));
+    }
+};
+
+CAMPANEL_TEST(TestService)
+
+} // namespace test_service
+
+#include "test_service.moc"

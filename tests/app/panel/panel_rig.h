@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Settings, Machine, Editor, Records, Alarms and Service on a fake link, a fake clock and a folder of their
+// own.
+#pragma once
+
+#include "app/panel/alarms/alarms.h"
+#include "app/panel/controller/machine.h"
+#include "app/panel/editor/editor.h"
+#include "app/panel/maintenance/service.h"
+#include "app/panel/records/records.h"
+#include "app/panel/settings/settings.h"
+#include "app/panel/trends/trends.h"
+#include "fake_link.h"
+
+#include <QTemporaryDir>
+
+namespace campanel::test {
+
+struct PanelRig {
+    QTemporaryDir folder;
+    FakeLink link;
+    machine::Settings settings{folder.filePath(QStringLiteral("settings.ini")), nullptr};
+    link::SteadyTime now{std::chrono::hours(1)};
+    machine::Machine machine{link, settings, nullptr};
+    machine::Editor editor{machine, folder.path(), nullptr};
+    machine::Records records{folder.path(), nullptr};
+    machine::Alarms alarms{machine, editor, records, settings, nullptr};
+    machine::Service service{machine, settings, folder.path(), nullptr};
+    machine::Trends trends{machine, settings, records, *service.files(), folder.path(), nullptr};
+
+    PanelRig()
+    {
+        machine.setClock([this] { return now; });
+        service.dryRun()->follow(editor);
+    }
+
+    void connectIdle()
+    {
+        link.becomeConnected();
+        link.sendStatus(now);
+        emit link.programRead({link.status.generation, 0, {}});
+    }
+
+    // The controller runs the recipe that is being edited.
+    void connectRunning()
+    {
+        connectIdle();
+        link.activate(image(), now);
+        link.status.state = modbus::State::Running;
+        link.status.masterSpeedPercent = 100;
+        link.sendStatus(now);
+    }
+
+    [[nodiscard]] program::ProgramImage image() const
+    {
+        const auto image = program::buildProgram(editor.recipe());
+        if (!image)
+            qFatal("%s", program::describe(image.error()).c_str());
+        return *image;
+    }
+};
+
+} // namespace campanel::test

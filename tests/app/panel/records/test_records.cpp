@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an operator is told of the panel's memory when it was damaged or cannot be opened.
+#include "app/panel/records/records.h"
+#include "tests/support/test_program.h"
+
+#include <QFile>
+#include <QRegularExpression>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace test_records {
+
+using campanel::machine::Records;
+namespace store = campanel::store;
+
+class TestRecords : public QObject {
+    Q_OBJECT
+
+private slots:
+    void soundMemoryIsCopiedInSilence()
+    {
+        const QTemporaryDir folder;
+        Records records(folder.path(), nullptr);
+        records.open();
+        QTRY_VERIFY(QFile::exists(folder.filePath(QStringLiteral("campanel.sqlite.copy"))));
+        QVERIFY(records.notice().isEmpty());
+    }
+
+    void damageIsToldUntilDismissed()
+    {
+        const QTemporaryDir folder;
+        QFile file(folder.filePath(QStringLiteral("campanel.sqlite")));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(QByteArray(9000, 'x')) == 9000);
+        file.close();
+        QTest::ignoreMessage(QtWarningMsg, QRegularExpression(QStringLiteral("memory was damaged")));
+        Records records(folder.path(), nullptr);
+        QSignalSpy told(&records, &Records::noticeChanged);
+        records.open();
+        QTRY_VERIFY(records.notice().contains(QStringLiteral("damaged")));
+        records.dismissNotice();
+        QVERIFY(records.notice().isEmpty());
+        QCOMPARE(told.count(), 2);
+    }
+
+    void missingMemoryIsToldAndRecorded()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("campanel.sqlite"));
+        QVERIFY((*store::Database::open(folder.path()))->makeCopy());
+        QVERIFY(QFile::remove(path));
+        QTest::ignoreMessage(QtWarningMsg, QRegularExpression(QStringLiteral("memory was missing")));
+        {
+            Records records(folder.path(), nullptr);
+            records.open();
+            QTRY_VERIFY(records.notice().contains(QStringLiteral("last good copy")));
+        }
+        const auto database = store::Database::open(folder.path());
+        const auto rows = store::readAudit(**database, {}, std::nullopt, 10);
+        QVERIFY(rows);
+        QCOMPARE(rows->size(), 1);
+        QCOMPARE(rows->first().entry.what, QStringLiteral("memory.from_copy"));
+    }
+
+    void memoryThatCannotBeOpenedIsTold()
+    {
+        QTest::ignoreMessage(QtWarningMsg, QRegularExpression(QStringLiteral("cannot be opened")));
+        Records records(QStringLiteral("/proc/no/such/folder"), nullptr);
+        records.open();
+        QTRY_VERIFY(records.notice().contains(QStringLiteral("nothing is kept")));
+    }
+};
+
+CAMPANEL_TEST(TestRecords)
+
+} // namespace test_records
+
+#include "test_records.moc"

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Chinese texts of app/: complete, with the same places for values, and switched at run time.
+#include "tests/app/panel/panel_rig.h"
+#include "tests/support/places.h"
+#include "tests/support/test_program.h"
+
+#include <QFile>
+#include <QRegularExpression>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTranslator>
+#include <QXmlStreamReader>
+
+namespace test_translation {
+
+using namespace campanel;
+using test::PanelRig;
+
+namespace {
+
+QStringList placesIn(const QString& text)
+{
+    static const QRegularExpression place(QStringLiteral("%[0-9]"));
+    QStringList places;
+    for (const QRegularExpressionMatch& match : place.globalMatch(text))
+        places << match.captured();
+    places.sort();
+    return places;
+}
+
+} // namespace
+
+class TestTranslation : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyTextIsTranslatedWithItsPlaces()
+    {
+        QFile file(campanel::test::sourcePath("app/i18n/campanel_app_zh_CN.ts"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QXmlStreamReader xml(&file);
+        QString source;
+        int texts = 0;
+        while (!xml.atEnd()) {
+            if (xml.readNext() != QXmlStreamReader::StartElement)
+                continue;
+            if (xml.name() == QLatin1String("source")) {
+                source = xml.readElementText();
+            } else if (xml.name() == QLatin1String("translation")) {
+                QVERIFY2(!xml.attributes().hasAttribute(QLatin1String("type")), qPrintable(source));
+                const QString translation =
+                    xml.readElementText(QXmlStreamReader::IncludeChildElements).trimmed(); // of plurals
+                QVERIFY2(!translation.isEmpty(), qPrintable(source));
+                QVERIFY2(placesIn(source) == placesIn(translation), qPrintable(source));
+                ++texts;
+            }
+        }
+        QVERIFY(!xml.hasError());
+        QVERIFY(texts > 200);
+    }
+
+    void switchesWhileItRuns()
+    {
+        PanelRig rig;
+        rig.connectRunning();
+        QCOMPARE(rig.machine.stateText(), "Running");
+        QCOMPARE(rig.editor.bagLength()->label(), "Bag length");
+        QSignalSpy states(&rig.machine, &machine::Machine::stateChanged);
+        QTranslator translator;
+        QVERIFY(translator.load(QStringLiteral(":/i18n/campanel_app_zh_CN.qm")));
+        QVERIFY(QCoreApplication::installTranslator(&translator));
+        QCOMPARE(rig.machine.stateText(), "运行");
+        QCOMPARE(states.size(), 1);
+        QCOMPARE(rig.editor.bagLength()->label(), "袋长");
+        QCOMPARE(rig.editor.rate()->unit(), "袋/分");
+        QVERIFY(rig.editor.verdict().startsWith("在所有限制之内"));
+        QCOMPARE(rig.editor.laws()->data(rig.editor.laws()->index(0), machine::LawModel::NameRole).toString(),
+                 "三次（论文）");
+        QCoreApplication::removeTranslator(&translator);
+        QCOMPARE(rig.editor.bagLength()->label(), "Bag length");
+    }
+};
+
+CAMPANEL_TEST(TestTranslation)
+
+} // namespace test_translation
+
+#include "test_translation.moc"
