@@ -70,7 +70,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
                             m_settings, m_trends);
     connect(&m_settings, &machine::Settings::languageChanged, this, &Panel::translate);
     translate();
-    m_component.loadUrl(QUrl(QStringLiteral("qrc:/qt/qml/CamPanel/Pages/Main.qml")),
+    m_component.loadUrl(QUrl(QStringLiteral("qrc:/qt/qml/CamPanel/Frame/Main.qml")),
                         QQmlComponent::Asynchronous);
 }
 

@@ -108,15 +108,39 @@ const QList<Rule>& includeRules()
     return rules;
 }
 
+// The rooms of qml/, as those of the houses. A room's module has its name with a capital letter.
+const QList<QStringList>& qmlLevels()
+{
+    static const QList<QStringList> levels{{u"parts"_s},
+                                           {u"explain"_s, u"access"_s, u"audit"_s, u"download"_s, u"alarms"_s,
+                                            u"trends"_s, u"run"_s, u"packing"_s, u"maintenance"_s,
+                                            u"reports"_s},
+                                           {u"editor"_s},
+                                           {u"library"_s, u"settings"_s, u"first"_s},
+                                           {u"frame"_s}};
+    return levels;
+}
+
+QString moduleOf(const QString& room)
+{
+    return u"CamPanel\\.%1%2"_s.arg(room.at(0).toUpper()).arg(room.sliced(1));
+}
+
 const QList<Rule>& importRules()
 {
-    static const QStringList base{u"QtQml"_s, u"QtQuick(\\.(Window|Templates|Layouts))?"_s};
-    static const QList<Rule> rules{
-        {u"qml/Theme"_s, base},
-        {u"qml/Controls"_s, base + QStringList{u"CamPanel\\.(Theme|Controls)"_s}},
-        {u"qml/Widgets"_s, base + QStringList{u"CamPanel\\.(Theme|Controls|Widgets|Machine|Plot)"_s}},
-        {u"qml/Pages"_s, base + QStringList{u"CamPanel\\.(Theme|Controls|Widgets|Pages|Machine|Plot)"_s}},
-    };
+    static const QList<Rule> rules = [] {
+        const QStringList base{u"QtQml"_s, u"QtQuick(\\.(Window|Templates|Layouts))?"_s};
+        QList<Rule> all{{u"qml/Theme"_s, base},
+                        {u"qml/Controls"_s, base + QStringList{u"CamPanel\\.(Theme|Controls)"_s}}};
+        QStringList lower = base + QStringList{u"CamPanel\\.(Theme|Controls|Machine|Plot)"_s};
+        for (const QStringList& level : qmlLevels()) {
+            for (const QString& room : level)
+                all.append({u"qml/"_s + room, lower});
+            for (const QString& room : level)
+                lower.append(moduleOf(room));
+        }
+        return all;
+    }();
     return rules;
 }
 

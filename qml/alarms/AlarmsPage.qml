@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// Alarms: what is wrong now, what was, what is shelved. A tap shows cause and what to do.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Machine
+
+Page {
+    id: page
+
+    property int section
+
+    Segmented {
+        id: tabs
+        // Beside the other key also while that is not there: an alarm that comes moves nothing under a finger.
+        anchors { left: parent.left; right: acknowledgeAll.left; top: parent.top; rightMargin: Theme.size.spacing }
+        color: Theme.color.surface
+        choices: [{ key: 0, name: "alarmsLive", text: Alarms.active > 0 ? qsTr("Active: %1").arg(Alarms.active) : qsTr("Active") },
+            { key: 1, name: "alarmsHistory", text: qsTr("History") },
+            { key: 2, name: "alarmsShelved", text: Alarms.shelved.count > 0 ? qsTr("Shelved: %1").arg(Alarms.shelved.count) : qsTr("Shelved") }]
+        current: page.section
+        onChosen: key => page.section = key
+    }
+    Button {
+        id: acknowledgeAll
+        objectName: "alarmsAcknowledgeAll"
+        anchors { right: parent.right; top: parent.top }
+        visible: page.section === 0 && Alarms.unacknowledged > 0
+        kind: Button.Primary
+        text: qsTr("Acknowledge all")
+        onClicked: Alarms.acknowledgeAll()
+    }
+    Card {
+        anchors { left: parent.left; right: parent.right; top: tabs.bottom; topMargin: Theme.size.spacing; bottom: parent.bottom; bottomMargin: page.bottomInset }
+        AlarmList {
+            anchors { fill: parent; margins: Theme.size.spacing }
+            visible: page.section === 0
+            rows: Alarms.live
+            listName: "liveAlarm"
+            emptyText: qsTr("No alarm is active and none waits to be acknowledged.")
+            emptyGlyph: Theme.icon.good
+            onOpened: row => {
+                Alarms.showLive(row)
+                page.sheetRequested(detailSheet)
+            }
+        }
+        AlarmList {
+            anchors { fill: parent; margins: Theme.size.spacing }
+            visible: page.section === 1
+            rows: Alarms.history
+            listName: "pastAlarm"
+            emptyText: Alarms.history.loading ? qsTr("The log is being read …") : qsTr("No alarm has come yet since this log was begun.")
+            onOpened: row => {
+                Alarms.showHistory(row)
+                page.sheetRequested(detailSheet)
+            }
+        }
+        ShelvedList {
+            anchors { fill: parent; margins: Theme.size.spacing }
+            visible: page.section === 2
+        }
+    }
+    Binding {
+        target: Alarms.history
+        property: "watched"
+        value: page.visible && page.section === 1
+    }
+    Component {
+        id: detailSheet
+        AlarmSheet {}
+    }
+}

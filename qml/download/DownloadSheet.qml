@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a download would change, how far it is, and how to stop it. Closes when it is done; the page says the next step.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Machine
+
+Sheet {
+    id: sheet
+
+    readonly property bool busy: Editor.downloadState === Editor.DownloadState.Transferring
+        || Editor.downloadState === Editor.DownloadState.Sealing || Editor.downloadState === Editor.DownloadState.Armed
+    readonly property bool failed: Editor.downloadState === Editor.DownloadState.Failed
+
+    signal proofRequested()
+
+    title: qsTr("Download to the controller")
+    panelHeight: Math.max(2, list.count + 1) * head.implicitHeight + 3 * Theme.size.touch + 2 * Theme.size.padding
+    panelWidth: width * 0.86
+
+    Connections {
+        target: Editor
+        function onDownloadChanged() {
+            if (Editor.downloadState === Editor.DownloadState.Applied)
+                sheet.closed()
+        }
+    }
+    DifferenceRow {
+        id: head
+        anchors { left: parent.left; right: parent.right; top: parent.top }
+        visible: list.count > 0
+        name: ""
+        activeText: qsTr("In the controller")
+        editedText: qsTr("On this panel")
+        header: true
+    }
+    ListView {
+        id: list
+        anchors { left: parent.left; right: parent.right; top: head.bottom; bottom: status.top; bottomMargin: Theme.size.spacing }
+        clip: true
+        boundsBehavior: Flickable.StopAtBounds
+        model: Editor.differences
+        delegate: DifferenceRow { width: list.width }
+    }
+    ScrollMark { view: list }
+    Label {
+        anchors.fill: list
+        visible: list.count === 0
+        horizontalAlignment: Text.AlignHCenter
+        wrapMode: Text.WordWrap
+        text: !Machine.fresh ? qsTr("Without a connection it is not known what the controller runs now.")
+            : Machine.hasActiveProgram ? qsTr("The controller already has exactly this recipe.")
+            : qsTr("The controller has no program yet; this recipe will be its first.")
+        color: Theme.color.secondaryInk
+    }
+    Column {
+        id: status
+        anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+        spacing: Theme.size.accent
+        Label {
+            width: parent.width
+            visible: text.length > 0
+            wrapMode: Text.WordWrap
+            text: Theme.unbroken(Editor.downloadText)
+            color: sheet.failed ? Theme.color.fault : Theme.color.ink
+        }
+        ProgressBar {
+            width: parent.width
+            visible: sheet.busy
+            progress: Editor.downloadProgress
+        }
+    }
+    footer: [
+        Button {
+            objectName: "downloadCancel"
+            text: sheet.busy ? qsTr("Cancel download") : qsTr("Close")
+            onClicked: sheet.busy ? Editor.cancelDownload() : sheet.closed()
+        },
+        Button {
+            objectName: "downloadProof"
+            visible: !Editor.canDownload && !sheet.busy && Machine.hasActiveProgram
+            text: qsTr("Compare")
+            onClicked: sheet.proofRequested()
+        },
+        Button {
+            visible: Editor.canSave && !sheet.busy
+            glyph: Theme.icon.save
+            text: qsTr("Save")
+            onClicked: Editor.saveToFlash()
+        },
+        Button {
+            objectName: "downloadStart"
+            kind: Button.Primary
+            glyph: Theme.icon.download
+            enabled: Editor.canDownload
+            text: sheet.failed ? qsTr("Try again") : qsTr("Download")
+            onClicked: Editor.download()
+        }
+    ]
+}

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// The motion as curves, with the handles that a finger drags: the four ends of stretches of a cutter, the knots of a point cam. The
+// cursor's values stand above the curves, not under the finger.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Machine
+
+Card {
+    id: editor
+
+    required property bool showPosition
+    required property bool showJerk
+    required property bool compare
+    readonly property bool hasKnots: Editor.kind === Editor.Kind.PointCam
+    readonly property list<real> handleTimes: hasKnots ? Editor.knots.times : Editor.ratioTimes
+    readonly property int handlePanel: quantities.indexOf(hasKnots ? "position" : "velocity")
+    readonly property var quantities: [...(showPosition || hasKnots ? ["position"] : []), "velocity", "acceleration",
+        ...(showJerk ? ["jerk"] : []), "frequency"]
+    readonly property list<string> units: ["mm", "mm/s", "m/s²", "m/s³", "kHz"]
+    readonly property list<string> allQuantities: ["position", "velocity", "acceleration", "jerk", "frequency"]
+    property int dragged: -1
+    property real cursor: NaN
+    property int revision
+
+    // Handles and readout follow the curves; `at` is the revision of the mapping that a binding depends on.
+    function handleX(index: int, at: int): real { return plot.xOfTime(editor.handleTimes[index]) }
+    function handleY(index: int, at: int): real {
+        return plot.yOfValue(editor.handlePanel, plot.valuesAt(editor.handleTimes[index])[editor.handlePanel])
+    }
+    function handleAt(x: real, y: real): int {
+        const reach = Theme.size.touch / 2
+        const near = editor.handleTimes.map((time, i) => i).filter(i => Math.hypot(editor.handleX(i, 0) - x, (editor.handleY(i, 0) - y) / 2) <= reach)
+        return near.reduce((best, i) => best < 0 || Math.abs(editor.handleX(i, 0) - x) < Math.abs(editor.handleX(best, 0) - x) ? i : best, -1)
+    }
+    function readout(time: real, at: int): string {
+        const values = Array.from(plot.valuesAt(time)).map((value, i) => Theme.number(value, 2) + " " + editor.units[editor.allQuantities.indexOf(editor.quantities[i])])
+        return [Theme.number(time, 3) + " s", ...values].join("  ·  ")
+    }
+
+    Label {
+        id: line
+        anchors { left: parent.left; right: parent.right; top: parent.top; margins: Theme.size.padding; topMargin: Theme.size.spacing }
+        horizontalAlignment: Text.AlignRight
+        fontSizeMode: Text.HorizontalFit
+        minimumPixelSize: Theme.size.caption - 3
+        text: isNaN(editor.cursor) ? (editor.overlayText || Editor.peakText) : editor.readout(editor.cursor, editor.revision)
+        color: isNaN(editor.cursor) ? Theme.color.secondaryInk : Theme.color.ink
+        font { pixelSize: Theme.size.caption; weight: isNaN(editor.cursor) ? Font.Normal : Font.DemiBold }
+    }
+    StyledCurves {
+        id: plot
+        objectName: "motionPlot"
+        visible: Editor.solvable
+        anchors { left: parent.left; right: parent.right; top: line.bottom; bottom: parent.bottom; margins: Theme.size.spacing; topMargin: Theme.size.outline }
+        curves: Editor.curves
+        overlayCurves: editor.compare ? Editor.overlayCurves : undefined
+        quantities: editor.quantities
+        titles: editor.quantities.map(quantity => editor.titleOf(quantity))
+        markerTimes: editor.hasKnots ? [] : Editor.markTimes
+        cursorTime: editor.cursor
+        cursorDotsVisible: editor.dragged < 0
+        limitVelocity: Editor.limitVelocity
+        limitAcceleration: Editor.limitAcceleration
+        limitFrequency: Editor.limitFrequency
+        limitLabel: qsTr("limit")
+        violations: Editor.violations
+        onLayoutChanged: ++editor.revision
+        onCurvesChanged: ++editor.revision
+    }
+    readonly property string overlayText: plot.overlayCurves && Editor.overlayName.length > 0
+        ? qsTr("grey: %1").arg(Editor.overlayName) : ""
+    function titleOf(quantity: string): string {
+        return ({ position: qsTr("Position mm"), velocity: qsTr("Velocity mm/s"), acceleration: qsTr("Acceleration m/s²"),
+            jerk: qsTr("Jerk m/s³"), frequency: qsTr("Pulse frequency kHz") })[quantity]
+    }
+    Repeater {
+        model: Editor.solvable ? editor.handleTimes.length : 0
+        Rectangle {
+            required property int index
+            readonly property bool holds: editor.hasKnots ? Editor.knots.selected === index : editor.dragged === index
+            objectName: "handle" + index
+            width: editor.handleTimes.length > 12 ? Theme.size.handle / 2 : Theme.size.handle
+            height: width
+            radius: width / 2
+            x: plot.x + editor.handleX(index, editor.revision) - width / 2
+            y: plot.y + editor.handleY(index, editor.revision) - height / 2
+            color: holds ? Theme.color.touch : Theme.color.surface
+            border { width: Theme.size.curve; color: Theme.color.touch }
+        }
+    }
+    MouseArea {
+        id: finger
+        objectName: "curveFinger"
+        anchors.fill: plot
+        preventStealing: true
+        enabled: Editor.solvable
+        property real grab                 // px from the finger to the handle
+        property point start               // where the finger was put down
+        property real pixelSeconds         // of the scales at that moment: they follow the curve
+        property real pixelMm
+        property bool hideCursor
+
+        onPressed: mouse => {
+            editor.dragged = editor.handleAt(mouse.x, mouse.y)
+            grab = editor.dragged < 0 ? 0 : editor.handleX(editor.dragged, 0) - mouse.x
+            hideCursor = editor.dragged < 0 && Math.abs(plot.xOfTime(editor.cursor) - mouse.x) < Theme.size.touch / 2
+            start = Qt.point(mouse.x, mouse.y)
+            pixelSeconds = plot.timeOfX(1) - plot.timeOfX(0)
+            pixelMm = plot.valuePerPixel(editor.handlePanel)
+            if (editor.hasKnots && editor.dragged >= 0)
+                Editor.knots.beginDrag(editor.dragged)
+            plot.timeMaximum = Editor.cycleSeconds
+            follow(mouse.x, mouse.y)
+        }
+        onPositionChanged: mouse => {
+            hideCursor = false
+            follow(mouse.x, mouse.y)
+        }
+        onReleased: finish()
+        onCanceled: finish()
+
+        function follow(x: real, y: real) {
+            if (editor.dragged >= 0 && editor.hasKnots)
+                Editor.knots.drag((x - start.x) * pixelSeconds, (start.y - y) * pixelMm)
+            else if (editor.dragged >= 0)
+                Editor.dragRatio(editor.dragged, plot.timeOfX(x + grab))
+            editor.cursor = editor.dragged >= 0 ? editor.handleTimes[editor.dragged]
+                : Math.max(0, Math.min(Editor.cycleSeconds, plot.timeOfX(x)))
+        }
+        function finish() {
+            if (editor.dragged >= 0 && editor.hasKnots)
+                Editor.knots.endDrag()
+            else if (editor.dragged >= 0)
+                Editor.commitDrag()
+            if (editor.dragged >= 0 || hideCursor)
+                editor.cursor = NaN
+            editor.dragged = -1
+            plot.timeMaximum = NaN
+        }
+    }
+    Label {
+        anchors.centerIn: plot
+        visible: !Editor.solvable
+        width: plot.width - 2 * Theme.size.padding
+        horizontalAlignment: Text.AlignHCenter
+        wrapMode: Text.WordWrap
+        text: Theme.unbroken(Editor.verdict)
+        color: Theme.color.secondaryInk
+    }
+}

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// The inputs of a rotary cutter: four values of which two are pinned, the ratios, the law.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Machine
+
+Item {
+    id: inputs
+
+    signal editRequested(var fields, int index, Item source)
+    signal explainRequested(EditorField field)
+    signal lawRequested()
+    signal moreRequested()
+
+    readonly property var ratios: [Editor.k1, Editor.k2, Editor.k3, Editor.k4]
+    readonly property int columns: Theme.size.fieldColumns
+    readonly property int rows: 4 / columns + 2
+    readonly property real rowHeight: (height - (rows - 1) * Theme.size.spacing) / rows
+
+    Grid {
+        id: grid
+        width: parent.width
+        columns: inputs.columns
+        spacing: Theme.size.spacing
+        Repeater {
+            model: [Editor.bagLength, Editor.rate, Editor.baseSpeed, Editor.filmSpeed]
+            FieldTile {
+                required property var modelData
+                objectName: "field_" + field.fieldId
+                field: modelData as EditorField
+                compact: inputs.columns > 1
+                width: (grid.width - (inputs.columns - 1) * grid.spacing) / inputs.columns
+                height: inputs.rowHeight
+                onEditRequested: (field, source) => inputs.editRequested([field], 0, source)
+                onExplainRequested: field => inputs.explainRequested(field)
+            }
+        }
+    }
+    RatioGroup {
+        id: ratioGroup
+        objectName: "ratios"
+        anchors { left: grid.left; right: grid.right; top: grid.bottom; topMargin: Theme.size.spacing }
+        height: inputs.rowHeight
+        fields: inputs.ratios
+        onEditRequested: index => inputs.editRequested(inputs.ratios, index, ratioGroup)
+    }
+    SettingRow {
+        objectName: "lawButton"
+        anchors { left: grid.left; right: moreButton.left; rightMargin: Theme.size.spacing; top: moreButton.top }
+        height: inputs.rowHeight
+        label: qsTr("Speed law")
+        value: Editor.lawName
+        onClicked: inputs.lawRequested()
+    }
+    Button {
+        id: moreButton
+        objectName: "more"
+        anchors { right: grid.right; top: ratioGroup.bottom; topMargin: Theme.size.spacing }
+        width: Theme.size.touch
+        height: inputs.rowHeight
+        glyph: Theme.icon.more
+        onClicked: inputs.moreRequested()
+    }
+}

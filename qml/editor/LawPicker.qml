@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// The speed laws with what each would mean for this recipe, not only their names.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Machine
+
+Sheet {
+    id: sheet
+
+    signal editRequested(var fields, int index, Item source)
+
+    title: Editor.lawTitle
+    note: qsTr("What each law asks of this recipe; hold one to draw its curves in grey behind")
+
+    LawRow {
+        id: head
+        anchors { left: parent.left; right: parent.right; rightMargin: 2 * Theme.size.accent; top: parent.top }
+        height: Theme.size.caption * 2
+        header: true
+        cells: [qsTr("Peak speed"), qsTr("Acceleration"), qsTr("Jerk"), Editor.kind === Editor.Kind.RotaryCutter ? qsTr("Frequency") : qsTr("Torque")]
+    }
+    ListView {
+        id: list
+        objectName: "lawList"
+        anchors { left: parent.left; right: parent.right; top: head.bottom; bottom: parameters.visible ? parameters.top : parent.bottom; bottomMargin: parameters.visible ? Theme.size.spacing : 0 }
+        clip: true
+        spacing: Theme.size.spacing
+        boundsBehavior: Flickable.StopAtBounds
+        model: Editor.laws
+        delegate: LawRow {
+            required property string lawId
+            required property string name
+            required property string strength
+            required property string weakness
+            required property string peakRpmText
+            required property string peakAccelerationText
+            required property string peakFrequencyText
+            required property string peakJerkText
+            required property bool current
+            required property bool compared
+            required usable
+            objectName: "law_" + lawId
+            width: list.width - 2 * Theme.size.accent
+            text: name
+            notes: [strength, weakness]
+            holds: current
+            cells: [peakRpmText, peakAccelerationText, peakJerkText, peakFrequencyText]
+            marked: compared
+            onClicked: {
+                if (usable)
+                    Editor.setLaw(lawId)
+            }
+            onPressAndHold: Editor.compareLaw(compared ? "" : lawId)
+        }
+    }
+    ScrollMark { view: list }
+    Row {
+        id: parameters
+        anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+        height: Theme.size.touch
+        spacing: Theme.size.spacing
+        visible: Editor.lawParameter1.visible || Editor.lawParameter2.visible
+        Repeater {
+            model: [Editor.lawParameter1, Editor.lawParameter2]
+            FieldTile {
+                required property var modelData
+                field: modelData as EditorField
+                compact: false
+                width: (parameters.width - parameters.spacing) / 2
+                height: parameters.height
+                onEditRequested: (field, source) => sheet.editRequested([field], 0, source)
+            }
+        }
+    }
+}

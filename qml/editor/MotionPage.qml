@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// Motion: the recipe as numbers at the left, as curves at the right, and the verdict with the next step below.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Download
+import CamPanel.Machine
+
+Page {
+    id: page
+
+    property bool showPosition
+    property bool showJerk
+    property bool compare: true
+    readonly property bool isCutter: Editor.kind === Editor.Kind.RotaryCutter
+
+    bannerLeft: side.width + Theme.size.gap
+    bannerBottom: verdict.height + Theme.size.gap
+
+    Card {
+        id: side
+        width: Theme.size.sideColumn
+        anchors { left: parent.left; top: parent.top; bottom: verdict.top; bottomMargin: Theme.size.gap }
+
+        CutterInputs {
+            visible: page.isCutter
+            anchors { fill: parent; margins: Theme.size.spacing }
+            onEditRequested: (fields, index, source) => page.editRequested(fields, index, source)
+            onExplainRequested: field => page.explainRequested(field)
+            onLawRequested: page.sheetRequested(page.lawSheet)
+            onMoreRequested: page.sheetRequested(page.moreSheet)
+        }
+        KindInputs {
+            visible: !page.isCutter
+            anchors { fill: parent; margins: Theme.size.spacing }
+            onEditRequested: (fields, index, source) => page.editRequested(fields, index, source)
+            onExplainRequested: field => page.explainRequested(field)
+            onLawRequested: page.sheetRequested(page.lawSheet)
+            onKnotsRequested: page.sheetRequested(page.knotSheet)
+            onChoiceRequested: (row, name, options, option) => {
+                page.chosen = { row: row, title: name, options: options, current: option }
+                page.sheetRequested(page.choiceSheet)
+            }
+            onMoreRequested: page.sheetRequested(page.moreSheet)
+        }
+    }
+    CurveEditor {
+        anchors { left: side.right; leftMargin: Theme.size.gap; right: parent.right; top: side.top; bottom: side.bottom; bottomMargin: page.bottomInset }
+        showPosition: page.showPosition
+        showJerk: page.showJerk
+        compare: page.compare && (Editor.differenceCount > 0 || Editor.overlayName.length > 0)
+    }
+    VerdictBar {
+        id: verdict
+        anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+        onDownloadRequested: page.sheetRequested(page.downloadSheet)
+        onExplainRequested: quantities => page.numbersExplainRequested(quantities)
+    }
+
+    readonly property Component lawSheet: Component {
+        LawPicker { onEditRequested: (fields, index, source) => page.editRequested(fields, index, source) }
+    }
+    property var chosen: ({ row: 0, title: "", options: [], current: 0 })
+    readonly property Component choiceSheet: Component {
+        ChoiceSheet {
+            title: page.chosen.title
+            row: page.chosen.row
+            options: page.chosen.options
+            current: page.chosen.current
+        }
+    }
+    readonly property Component knotSheet: Component {
+        KnotSheet {
+            onEditRequested: (fields, index, source) => page.editRequested(fields, index, source)
+            onFilesRequested: page.sheetRequested(page.knotFilesSheet)
+        }
+    }
+    readonly property Component knotFilesSheet: Component {
+        KnotFilesSheet { onKnotsTaken: page.sheetRequested(page.knotSheet) }
+    }
+    readonly property Component kindSheet: Component {
+        KindSheet {
+            onChosen: key => {
+                Editor.newProgram(key)
+                closed()
+            }
+        }
+    }
+    readonly property Component downloadSheet: Component {
+        DownloadSheet { onProofRequested: page.sheetRequested(page.proofSheet) }
+    }
+    readonly property Component proofSheet: Component {
+        ProofSheet {}
+    }
+    readonly property Component tableSheet: Component {
+        TableSheet {}
+    }
+    readonly property Component moreSheet: Component {
+        MoreSheet {
+            showPosition: page.showPosition
+            showJerk: page.showJerk
+            compare: page.compare
+            onPositionToggled: on => page.showPosition = on
+            onJerkToggled: on => page.showJerk = on
+            onCompareToggled: on => page.compare = on
+            onTableRequested: page.sheetRequested(page.tableSheet)
+            onProofRequested: page.sheetRequested(page.proofSheet)
+            onKindRequested: page.sheetRequested(page.kindSheet)
+            onEditRequested: (fields, index, source) => page.editRequested(fields, index, source)
+        }
+    }
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether the recipe can be done, what the controller runs instead, and the next step as one large button.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Machine
+
+Card {
+    id: bar
+
+    signal downloadRequested()
+    signal explainRequested(var quantities)
+
+    readonly property bool good: Editor.severity === Editor.Severity.Good
+    readonly property color verdictColor: good ? Theme.color.good
+        : Editor.severity === Editor.Severity.Warning ? Theme.color.warning : Theme.color.fault
+
+    implicitHeight: Theme.size.actionBar
+
+    IconLabel {
+        id: mark
+        anchors { left: parent.left; leftMargin: Theme.size.padding; top: verdict.top; bottom: verdict.bottom }
+        code: bar.good ? Theme.icon.good : Theme.icon.alert
+        color: bar.verdictColor
+    }
+    Label {
+        id: verdict
+        objectName: "verdict"
+        anchors { left: mark.right; leftMargin: Theme.size.spacing; right: tools.left; rightMargin: Theme.size.padding; top: parent.top; topMargin: Theme.size.spacing }
+        height: (parent.height - 2 * Theme.size.spacing) * (bar.good ? 0.56 : 1)
+        wrapMode: Text.WordWrap
+        fontSizeMode: Text.Fit
+        minimumPixelSize: Theme.size.caption - 5
+        text: Theme.unbroken(Editor.verdict)
+        font.weight: Font.DemiBold
+    }
+    Label {
+        visible: bar.good                  // a refused recipe has only one thing to say
+        anchors { left: verdict.left; right: verdict.right; top: verdict.bottom; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
+        wrapMode: Text.WordWrap
+        fontSizeMode: Text.Fit
+        minimumPixelSize: Theme.size.caption - 3
+        text: Theme.unbroken(Editor.downloadState === Editor.DownloadState.Failed || Editor.downloadState === Editor.DownloadState.Applied
+            ? Editor.downloadText : Editor.controllerText)
+        color: Theme.color.secondaryInk
+        font.pixelSize: Theme.size.caption
+    }
+    Explained {
+        objectName: "verdictNumbers"
+        anchors.right: tools.left
+        quantities: []
+        onPressAndHold: {
+            const told = Explanations.ofVerdict()
+            if (told.length > 0)
+                bar.explainRequested(told)
+        }
+    }
+    Row {
+        id: tools
+        readonly property bool goesBack: Editor.canUndo || Editor.canRedo   // before the first edit the words have their room
+        anchors { right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+        spacing: Theme.size.spacing
+        Button {
+            objectName: "undo"
+            visible: tools.goesBack
+            width: Theme.size.touch
+            kind: Button.Quiet
+            glyph: Theme.icon.undo
+            enabled: Editor.canUndo
+            onClicked: Editor.undo()
+        }
+        Button {
+            objectName: "redo"
+            visible: tools.goesBack
+            width: Theme.size.touch
+            kind: Button.Quiet
+            glyph: Theme.icon.redo
+            enabled: Editor.canRedo
+            onClicked: Editor.redo()
+        }
+        NextStepButton {
+            onDownloadRequested: bar.downloadRequested()
+        }
+    }
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Name, bag length and rate of the first recipe; the rest has good values to begin with.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Machine
+
+FirstStep {
+    id: step
+
+    readonly property real half: (width - Theme.size.spacing) / 2
+
+    Column {
+        width: parent.width
+        spacing: Theme.size.spacing
+        SettingRow {
+            objectName: "firstName"
+            width: parent.width
+            label: qsTr("Name")
+            value: Editor.recipeName
+            onClicked: {
+                Recipes.wantedName = Editor.recipeName
+                step.page.sheetRequested(nameSheet)
+            }
+        }
+        Row {
+            spacing: Theme.size.spacing
+            FieldTile {
+                objectName: "first_bagLength"
+                field: Editor.bagLength
+                compact: false
+                width: step.half
+                onEditRequested: (field, source) => step.page.editRequested([field], 0, source)
+                onExplainRequested: field => step.page.explainRequested(field)
+            }
+            FieldTile {
+                objectName: "first_rate"
+                field: Editor.rate
+                compact: false
+                width: step.half
+                onEditRequested: (field, source) => step.page.editRequested([field], 0, source)
+                onExplainRequested: field => step.page.explainRequested(field)
+            }
+        }
+        Label {
+            objectName: "firstVerdict"
+            width: parent.width
+            wrapMode: Text.WordWrap
+            text: Theme.unbroken(Editor.verdict)
+            color: Editor.severity === Editor.Severity.Bad ? Theme.color.fault : Theme.color.ink
+        }
+        Button {
+            visible: Editor.hasSuggestion
+            text: Editor.suggestionText
+            onClicked: Editor.applySuggestion()
+        }
+        Label {
+            width: parent.width
+            wrapMode: Text.WordWrap
+            text: qsTr("Then: Download on the page Motion, and Start.")
+            color: Theme.color.secondaryInk
+        }
+    }
+    Component {
+        id: nameSheet
+        TextSheet {
+            title: qsTr("Name of the recipe")
+            text: Recipes.wantedName
+            problem: Recipes.nameProblem
+            onEdited: text => Recipes.wantedName = text
+            onAccepted: {
+                Recipes.rename()
+                closed()
+            }
+        }
+    }
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a new panel asks for, one step after the other: language, controller, PINs, machine, a first recipe.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Machine
+
+Page {
+    id: page
+
+    property int step
+    signal finished()
+
+    readonly property var steps: [
+        { title: qsTr("Language"), source: "FirstLanguage.qml" },
+        { title: qsTr("Controller"), source: "FirstController.qml" },
+        { title: qsTr("Who may change things"), source: "FirstPin.qml" },
+        { title: qsTr("The machine"), source: "FirstMachine.qml" },
+        { title: qsTr("A first recipe"), source: "FirstRecipe.qml" }
+    ]
+    readonly property bool isLast: step === steps.length - 1
+
+    function goOn(): void {
+        if (!page.isLast) {
+            page.step += 1
+            return
+        }
+        if (Editor.edited)
+            Recipes.save()
+        page.finished()
+        Settings.endFirstStart() // takes this page away
+    }
+
+    Rectangle {
+        anchors.fill: parent
+        color: Theme.color.ground
+        MouseArea { anchors.fill: parent }
+    }
+    Card {
+        anchors { fill: parent; margins: Theme.size.gap }
+        Label {
+            id: count
+            anchors { left: parent.left; top: parent.top; margins: Theme.size.padding }
+            text: qsTr("First start · %1 of %2").arg(page.step + 1).arg(page.steps.length)
+            color: Theme.color.secondaryInk
+            font.pixelSize: Theme.size.caption
+        }
+        Label {
+            id: heading
+            objectName: "firstTitle"
+            anchors { left: count.left; top: count.bottom }
+            text: page.steps[page.step].title
+            font { pixelSize: Theme.size.title; bold: true }
+        }
+        Loader {
+            id: loader
+            anchors { left: parent.left; right: parent.right; top: heading.bottom; bottom: backKey.top; margins: Theme.size.padding; topMargin: Theme.size.spacing }
+            source: page.steps[page.step].source
+            onLoaded: (item as FirstStep).page = page
+        }
+        Button {
+            id: backKey
+            objectName: "firstBack"
+            anchors { left: parent.left; bottom: parent.bottom; margins: Theme.size.padding }
+            width: 2 * Theme.size.touch
+            visible: page.step > 0
+            text: qsTr("Back")
+            onClicked: page.step -= 1
+        }
+        Button {
+            objectName: "firstNext"
+            anchors { right: parent.right; bottom: parent.bottom; margins: Theme.size.padding }
+            width: Math.max(implicitWidth, 2.4 * Theme.size.touch)
+            kind: Button.Primary
+            text: page.isLast ? qsTr("Finish") : qsTr("Next")
+            onClicked: page.goOn()
+        }
+    }
+}

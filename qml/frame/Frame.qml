@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every page stands in: top bar, navigation, page, banner, sheets and keypad, and the command column that nothing covers.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Parts
+import CamPanel.Machine
+
+Rectangle {
+    id: frame
+
+    property int page
+    property bool showsPages               // off until the frame itself is on the screen: Start and Stop come first
+    readonly property list<string> sources: ["../Run/RunPage.qml", "../Editor/MotionPage.qml", "../Settings/SettingsPage.qml", "../Maintenance/ServicePage.qml", "../Library/RecipesPage.qml",
+        "../Trends/TrendsPage.qml", "../Alarms/AlarmsPage.qml"]
+    readonly property int pageCount: sources.length
+    readonly property Page openPageItem: pages.count > 0 ? (pages.itemAt(frame.page) as Loader)?.item as Page : null
+    // What is not on the screen at the start is named by its file: naming its type would load it at once.
+    readonly property url explanation: "../Explain/ExplanationSheet.qml"
+    readonly property url numbersExplained: "../Explain/NumbersSheet.qml"
+    readonly property url morePages: "PagesSheet.qml"
+    readonly property bool wiped: Display.wipeSeconds > 0
+    property alias clockRuns: topBar.clockRuns
+    property alias now: topBar.now
+    property var sheet: null               // the open dialog
+    property int userOfShortPin            // whoever has to choose a longer one
+    property real shift                    // the page moves aside, so that the keypad does not cover the field
+
+    function openPage(index: int): void {
+        frame.closeAll()
+        frame.page = index
+    }
+    function openSheet(sheet: Component, values: var): void {
+        frame.closeAll()
+        frame.sheet = sheet.createObject(sheetHost, Object.assign({ width: Qt.binding(() => sheetHost.width), height: Qt.binding(() => sheetHost.height) }, values))
+        const opened = frame.sheet
+        opened.closed.connect(() => frame.closeSheet(opened))
+    }
+    function openMorePages(): void {
+        frame.openSheet(Qt.createComponent(frame.morePages), { pages: navigation.pagesBehind, current: frame.page })
+        frame.sheet.chosen.connect(page => frame.openPage(page))
+    }
+    // Another one may have taken its place by then.
+    function closeSheet(sheet: var): void {
+        if (frame.sheet !== sheet)
+            return
+        frame.closeKeypad()
+        frame.sheet.destroy()
+        frame.sheet = null
+    }
+    function closeAll(): void {
+        frame.closeKeypad()
+        loginLoader.active = false
+        if (frame.sheet)
+            frame.sheet.destroy()
+        frame.sheet = null
+    }
+    // Whoever may do what needs that level logs in, above whatever is open.
+    function openLogin(level: int): void {
+        if (loginLoader.active)
+            return
+        loginLoader.setSource("../Access/LoginSheet.qml", { level: level })
+        loginLoader.active = true
+    }
+    // In the place of the login that has shown it.
+    function openShortPin(user: int): void {
+        frame.userOfShortPin = user
+        loginLoader.setSource("../Access/NewPinSheet.qml", { title: qsTr("Your PIN is too short"), level: Access.Service })
+        loginLoader.active = true
+    }
+    function closeKeypad(): void {
+        keypadLoader.active = false
+        frame.shift = 0
+    }
+    function edit(fields: var, index: int, source: Item): void {
+        if (!Access.ask((fields[index] as EditorField).neededLevel))
+            return
+        const right = source.mapToItem(overlay, source.width, 0).x - frame.shift
+        keypadLoader.setSource("KeypadOverlay.qml", { fields: fields, index: index, field: source })
+        keypadLoader.active = true
+        frame.shift = Math.min(0, (keypadLoader.item as Overlay).free - Theme.size.spacing - right)
+    }
+
+    color: Theme.color.ground
+
+    Item {
+        id: pageArea
+        visible: !frame.wiped
+        clip: true
+        anchors { left: navigation.right; right: commands.left; top: topBar.bottom; bottom: parent.bottom }
+
+        Item {
+            id: pageFrame
+            anchors { fill: parent; margins: Theme.size.gap }
+            transform: Translate { x: frame.shift }
+            Repeater {
+                id: pages
+                model: frame.showsPages ? frame.sources : []
+                Loader {
+                    id: loader
+                    required property int index
+                    required property string modelData
+                    property bool wanted: frame.page === index
+                    property bool opened
+                    anchors.fill: parent
+                    onWantedChanged: opened = opened || wanted
+                    Component.onCompleted: opened = wanted
+                    source: opened ? modelData : ""
+                    visible: wanted
+                    Connections {
+                        target: loader.item as Page
+                        function onEditRequested(fields: var, index: int, source: Item) { frame.edit(fields, index, source) }
+                        function onExplainRequested(field: EditorField) { frame.openSheet(Qt.createComponent(frame.explanation), { field: field }) }
+                        function onNumbersExplainRequested(quantities: var) { frame.openSheet(Qt.createComponent(frame.numbersExplained), { quantities: quantities }) }
+                        function onExplanationsRequested(title: string, explanations: var) { frame.openSheet(Qt.createComponent(frame.numbersExplained), { heading: title, told: explanations }) }
+                        function onSheetRequested(sheet: Component) { frame.openSheet(sheet, {}) }
+                    }
+                    Binding {
+                        target: loader.item
+                        property: "bottomInset"
+                        value: banner.shown && !banner.above ? banner.height + Theme.size.gap : 0
+                    }
+                    Binding {
+                        target: loader.item
+                        property: "covered"
+                        value: frame.sheet !== null || keypadLoader.active || loginLoader.active
+                    }
+                }
+            }
+        }
+    }
+    NavigationBar {
+        id: navigation
+        visible: !frame.wiped
+        anchors { left: parent.left; top: parent.top; bottom: parent.bottom }
+        current: frame.page
+        onChosen: page => frame.openPage(page)
+        onMoreChosen: frame.openMorePages()
+    }
+    TopBar {
+        id: topBar
+        visible: !frame.wiped
+        // At the first start there is no other page to go to.
+        anchors { left: firstStart.active ? parent.left : navigation.right; right: parent.right; top: parent.top }
+    }
+    // What of the navigation stands above the sheets' region is dimmed with the rest of it, and cannot be touched.
+    Rectangle {
+        anchors { left: navigation.left; right: navigation.right; top: parent.top; bottom: topBar.bottom }
+        visible: frame.sheet !== null || loginLoader.active || firstStart.active
+        color: firstStart.active ? "transparent" : Theme.color.scrim
+        MouseArea {
+            anchors.fill: parent
+            onClicked: frame.closeAll()
+        }
+    }
+    // Sheets and keypad live here: everything but the top bar and the command column.
+    Item {
+        id: overlay
+        objectName: "overlay"
+        visible: !frame.wiped
+        anchors { left: parent.left; right: commands.left; rightMargin: Theme.size.spacing; top: topBar.bottom; bottom: parent.bottom }
+
+        Loader {
+            id: firstStart
+            objectName: "firstStart"
+            anchors.fill: parent
+            active: Settings.firstStart && frame.showsPages
+            source: "../First/FirstStart.qml"
+            transform: Translate { x: frame.shift }
+            Connections {
+                target: firstStart.item
+                ignoreUnknownSignals: true
+                function onEditRequested(fields: var, index: int, source: Item) { frame.edit(fields, index, source) }
+                function onExplainRequested(field: EditorField) { frame.openSheet(Qt.createComponent(frame.explanation), { field: field }) }
+                function onSheetRequested(sheet: Component) { frame.openSheet(sheet, {}) }
+                function onFinished() { frame.openPage(1) }
+            }
+        }
+        Item {
+            id: sheetHost
+            objectName: "sheetHost"
+            anchors.fill: parent
+            transform: Translate { x: frame.shift }
+        }
+        Loader {
+            id: keypadLoader
+            objectName: "keypadLoader"
+            anchors.fill: parent
+            active: false
+            Connections {
+                target: keypadLoader.item
+                ignoreUnknownSignals: true
+                function onClosed() { frame.closeKeypad() }
+            }
+        }
+        Loader {
+            id: loginLoader
+            objectName: "loginLoader"
+            anchors.fill: parent
+            active: false
+            Connections {
+                target: loginLoader.item
+                ignoreUnknownSignals: true
+                function onClosed() { loginLoader.active = false }
+                function onEntered(pin: string) {
+                    Access.changePin(frame.userOfShortPin, pin)
+                    loginLoader.active = false
+                }
+            }
+            Connections {
+                target: Access
+                function onNewPinWanted(user: int) { frame.openShortPin(user) }
+                function onLoginRequested(level: int) { frame.openLogin(level) }
+                function onLoginSucceeded() { loginLoader.active = false }
+                function onLeftAlone() { frame.openPage(0) }
+            }
+        }
+    }
+    // On a page at its lower edge; over a sheet, a keypad or the first start at the upper one, where nothing is confirmed.
+    BannerHost {
+        id: banner
+        readonly property real leftEdge: above ? overlay.x : pageArea.x + (frame.openPageItem?.bannerLeft ?? 0)
+        readonly property real free: keypadLoader.active ? (keypadLoader.item as Overlay).free : overlay.width
+        above: frame.sheet !== null || keypadLoader.active || loginLoader.active || firstStart.active
+        x: leftEdge + Theme.size.gap
+        y: above ? overlay.y + Theme.size.gap : parent.height - height - Theme.size.gap - (frame.openPageItem?.bannerBottom ?? 0)
+        width: (above ? free : pageArea.x + pageArea.width - leftEdge) - 2 * Theme.size.gap
+        // What is lost in width is given in height.
+        height: width < 0.75 * pageArea.width ? Math.round(1.5 * Theme.size.actionBar) : Theme.size.actionBar
+        visible: shown && !frame.wiped
+        onAlarmsRequested: frame.openPage(6)
+    }
+    CommandColumn {
+        id: commands
+        anchors { right: parent.right; rightMargin: Theme.size.gap; top: topBar.bottom; bottom: parent.bottom; topMargin: Theme.size.gap; bottomMargin: Theme.size.gap }
+        onStartRefused: banner.refuseStart()
+    }
+    Loader {
+        anchors { left: parent.left; right: commands.left; top: parent.top; bottom: parent.bottom }
+        active: frame.wiped
+        source: "WipeCover.qml"
+    }
+    Behavior on shift { NumberAnimation { duration: Theme.shortTime; easing.type: Easing.OutCubic } }
+}

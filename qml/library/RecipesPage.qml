@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recipes: a list with a search at the left, the chosen one at the right; what was edited and not saved stands above both.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Download
+import CamPanel.Editor
+import CamPanel.Machine
+
+Page {
+    id: page
+
+    property int newKind: 1
+    property int wantedVersion: -1         // to be opened once the edits are settled, -1: the chosen recipe
+
+    // What is edited and not saved would be gone: the person decides.
+    function open(version: int): void {
+        page.wantedVersion = version
+        if (Editor.edited)
+            page.sheetRequested(unsavedSheet)
+        else
+            page.reallyOpen()
+    }
+    function reallyOpen(): void {
+        if (page.wantedVersion >= 0)
+            Recipes.openVersion(page.wantedVersion)
+        else
+            Recipes.open()
+        page.sheetRequested(downloadSheet)
+    }
+    function name(sheet: Component, suggestion: string): void {
+        Recipes.wantedName = suggestion
+        page.sheetRequested(sheet)
+    }
+
+    Row {
+        id: tools
+        anchors { left: parent.left; right: parent.right; top: parent.top }
+        spacing: Theme.size.spacing
+        SettingRow {
+            objectName: "recipeSearch"
+            width: tools.width - newButton.width - importButton.width - exportButton.width - 3 * tools.spacing
+            label: qsTr("Search")
+            value: Recipes.search.length > 0 ? Recipes.search : qsTr("all %1 recipes").arg(Recipes.total)
+            onClicked: page.sheetRequested(searchSheet)
+        }
+        Button {
+            id: newButton
+            objectName: "recipeNew"
+            text: qsTr("New …")
+            onClicked: page.sheetRequested(kindSheet)
+        }
+        Button {
+            id: importButton
+            objectName: "recipeImport"
+            text: qsTr("Import …")
+            onClicked: page.sheetRequested(importSheet)
+        }
+        Button {
+            id: exportButton
+            objectName: "recipeExportAll"
+            text: qsTr("Export all …")
+            enabled: Recipes.total > 0
+            onClicked: {
+                Recipes.offerExport(true)
+                page.sheetRequested(exportSheet)
+            }
+        }
+    }
+    Card {
+        id: state
+        anchors { left: parent.left; right: parent.right; top: tools.bottom; topMargin: Theme.size.spacing }
+        height: visible ? Theme.size.actionBar : 0
+        visible: Editor.edited || Recipes.message.length > 0
+        Label {
+            objectName: "recipeMessage"
+            anchors { left: parent.left; leftMargin: Theme.size.padding; right: stateKeys.left; rightMargin: Theme.size.padding; verticalCenter: parent.verticalCenter }
+            height: parent.height - Theme.size.spacing
+            wrapMode: Text.WordWrap
+            fontSizeMode: Text.Fit
+            minimumPixelSize: Theme.size.caption - 2
+            text: Recipes.message.length > 0 ? Recipes.message : qsTr("%1 was edited and is not saved.").arg(Editor.recipeName)
+        }
+        Row {
+            id: stateKeys
+            anchors { right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+            spacing: Theme.size.spacing
+            Button {
+                objectName: "recipeRestore"
+                visible: Recipes.canRestore
+                text: qsTr("Bring back")
+                onClicked: Recipes.restore()
+            }
+            Button {
+                objectName: "recipeMessageOk"
+                visible: Recipes.message.length > 0
+                text: qsTr("OK")
+                onClicked: Recipes.dismissMessage()
+            }
+            Button {
+                objectName: "recipeSaveAs"
+                visible: Recipes.message.length === 0
+                text: qsTr("Save as …")
+                onClicked: page.name(saveAsSheet, Editor.recipeName)
+            }
+            Button {
+                objectName: "recipeSave"
+                visible: Recipes.message.length === 0
+                kind: Button.Primary
+                text: qsTr("Save as version %1").arg(Recipes.nextVersion)
+                onClicked: Recipes.save()
+            }
+        }
+    }
+    Card {
+        id: left
+        anchors { left: parent.left; top: state.bottom; topMargin: Theme.size.spacing; bottom: parent.bottom; bottomMargin: page.bottomInset }
+        width: Math.round(parent.width * 0.48)
+        ListView {
+            id: list
+            objectName: "recipeList"
+            anchors { fill: parent; margins: Theme.size.spacing }
+            clip: true
+            spacing: Theme.size.spacing
+            boundsBehavior: Flickable.StopAtBounds
+            model: Recipes.list
+            delegate: RecipeRow {
+                required property int index
+                objectName: "recipe" + index
+                width: list.width - 2 * Theme.size.accent
+                holds: Recipes.chosen === index
+                onClicked: Recipes.choose(index)
+            }
+        }
+        ScrollMark { view: list }
+        Label {
+            objectName: "recipesEmpty"
+            anchors { fill: parent; margins: Theme.size.padding }
+            visible: list.count === 0
+            wrapMode: Text.WordWrap
+            text: !Recipes.ready ? qsTr("The recipes are being read …")
+                : Recipes.search.length > 0 ? qsTr("No recipe has \"%1\" in its name. Change or clear the search.").arg(Recipes.search)
+                : qsTr("There is no recipe yet. Make a new one, or import one from a USB stick.")
+            color: Theme.color.secondaryInk
+        }
+    }
+    RecipeCard {
+        anchors { left: left.right; leftMargin: Theme.size.gap; right: parent.right; top: left.top; bottom: left.bottom }
+        visible: Recipes.chosenName.length > 0
+        onOpenRequested: Recipes.chosenIsOpen && !Editor.edited ? page.sheetRequested(downloadSheet) : page.open(-1)
+        onCopyRequested: page.name(copySheet, qsTr("%1 copy").arg(Recipes.chosenName))
+        onRenameRequested: page.name(renameSheet, Recipes.chosenName)
+        onVersionsRequested: page.sheetRequested(versionsSheet)
+        onCompareRequested: page.sheetRequested(compareSheet)
+        onRemoveRequested: page.sheetRequested(removeSheet)
+        onExportRequested: {
+            Recipes.offerExport(false)
+            page.sheetRequested(exportSheet)
+        }
+    }
+
+    component NameSheet: TextSheet {
+        text: Recipes.wantedName
+        problem: Recipes.nameProblem
+        onEdited: text => Recipes.wantedName = text
+    }
+
+    Component {
+        id: searchSheet
+        TextSheet {
+            title: qsTr("Search for a recipe")
+            note: Recipes.list.count === 1 ? qsTr("1 recipe") : qsTr("%1 recipes").arg(Recipes.list.count)
+            text: Recipes.search
+            onEdited: text => Recipes.search = text
+            onAccepted: closed()
+        }
+    }
+    Component {
+        id: kindSheet
+        KindSheet {
+            note: qsTr("A new recipe of this kind, with the data of this machine")
+            current: 0
+            onChosen: key => {
+                page.newKind = key
+                page.name(newSheet, "")
+            }
+        }
+    }
+    Component {
+        id: newSheet
+        NameSheet {
+            title: qsTr("Name of the new recipe")
+            onAccepted: {
+                Recipes.create(page.newKind)
+                closed()
+            }
+        }
+    }
+    Component {
+        id: copySheet
+        NameSheet {
+            title: qsTr("Name of the copy")
+            onAccepted: {
+                Recipes.copy()
+                closed()
+            }
+        }
+    }
+    Component {
+        id: saveAsSheet
+        NameSheet {
+            title: qsTr("Save under another name")
+            onAccepted: {
+                Recipes.saveAs()
+                closed()
+            }
+        }
+    }
+    Component {
+        id: renameSheet
+        NameSheet {
+            title: qsTr("New name of %1").arg(Recipes.chosenName)
+            onAccepted: {
+                Recipes.rename()
+                closed()
+            }
+        }
+    }
+    Component {
+        id: versionsSheet
+        RecipeComparisonSheet {
+            versions: true
+            onVersionOpened: row => page.open(row)
+        }
+    }
+    Component {
+        id: compareSheet
+        RecipeComparisonSheet { versions: false }
+    }
+    Component {
+        id: importSheet
+        RecipeImportSheet {}
+    }
+    Component {
+        id: exportSheet
+        ReportFilesSheet {
+            title: qsTr("Export as JSON")
+            files: Recipes.exports
+        }
+    }
+    Component {
+        id: removeSheet
+        ConfirmSheet {
+            title: qsTr("Delete %1?").arg(Recipes.chosenName)
+            question: qsTr("It leaves the list. Its versions are kept: it comes back when a recipe is saved under its name.")
+            ways: [{ key: "remove", text: qsTr("Delete"), primary: true }]
+            onChosen: Recipes.remove()
+        }
+    }
+    Component {
+        id: unsavedSheet
+        ConfirmSheet {
+            title: qsTr("%1 is not saved").arg(Editor.recipeName)
+            question: qsTr("It was edited. If another recipe is opened without saving, the edits are gone.")
+            ways: [{ key: "discard", text: qsTr("Discard edits"), primary: false },
+                { key: "save", text: qsTr("Save as version %1").arg(Recipes.nextVersion), primary: true }]
+            onChosen: key => {
+                if (key === "save")
+                    Recipes.save()
+                page.reallyOpen()
+            }
+        }
+    }
+    Component {
+        id: proofSheet
+        ProofSheet {}
+    }
+    Component {
+        id: downloadSheet
+        DownloadSheet { onProofRequested: page.sheetRequested(proofSheet) }
+    }
+}

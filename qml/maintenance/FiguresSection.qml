@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// What has passed on the line, in figures and as the picture of a day.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Machine
+import CamPanel.Plot
+
+ServiceSection {
+    id: section
+
+    readonly property LineFigures figures: Service.figures
+
+    onShownChanged: shown => section.figures.watched = shown
+
+    Row {
+        id: columns
+        anchors { left: parent.left; right: parent.right; top: parent.top }
+        spacing: Theme.size.padding * 2
+        readonly property real columnWidth: (width - 2 * spacing) / 3
+        FigureColumn {
+            width: columns.columnWidth
+            objectName: "figuresExchanges"
+            title: qsTr("Exchanges")
+            figures: section.figures.exchanges
+            quantities: [Explanations.WireShare]
+            onExplainRequested: quantities => section.page.numbersExplainRequested(quantities)
+        }
+        FigureColumn {
+            width: columns.columnWidth
+            title: qsTr("Errors")
+            figures: section.figures.errors
+        }
+        FigureColumn {
+            width: columns.columnWidth
+            objectName: "figuresTimes"
+            title: qsTr("Time of answers")
+            figures: section.figures.times
+            quantities: [Explanations.AnswersHalf, Explanations.Answers95, Explanations.Answers99, Explanations.AnswersLongest, Explanations.AnswerAllowance]
+            onExplainRequested: quantities => section.page.numbersExplainRequested(quantities)
+        }
+    }
+    Flow {
+        id: counted
+        anchors { left: parent.left; right: parent.right; top: columns.bottom }
+        spacing: Theme.size.padding * 2
+        Label {
+            text: qsTr("Controller:")
+            color: Theme.color.secondaryInk
+            font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
+        }
+        Repeater {
+            model: section.figures.controller
+            Row {
+                id: pair
+                required property string label
+                required property string value
+                required property bool notable
+                spacing: Theme.size.spacing
+                Label {
+                    text: pair.label
+                    font.pixelSize: Theme.size.caption
+                }
+                Label {
+                    text: pair.value
+                    color: pair.notable ? Theme.color.warning : Theme.color.ink
+                    font { pixelSize: Theme.size.caption; weight: Font.Bold }
+                }
+            }
+        }
+    }
+    StripChart {
+        objectName: "stripChart"
+        anchors { left: parent.left; right: foot.left; rightMargin: Theme.size.padding; top: counted.bottom; bottom: parent.bottom; topMargin: Theme.size.spacing }
+        answers: section.figures.stripAnswers
+        errors: section.figures.stripErrors
+        timesMs: section.figures.stripP99Ms
+        end: section.figures.stripEnd
+        answersTitle: qsTr("Answers, at most %1 a minute")
+        timesTitle: qsTr("99 % answered within, at most %1 ms")
+        errorsTitle: qsTr("Errors, at most %1 a minute")
+        localeName: Theme.language
+        textFont: Theme.captionFont
+        textColor: Theme.color.secondaryInk
+        backgroundColor: Theme.color.surface
+        gridColor: Theme.color.line
+        answersColor: Theme.color.touch
+        timesColor: Theme.color.position
+        errorsColor: Theme.color.fault
+    }
+    Column {
+        id: foot
+        readonly property real keyWidth: Math.max(resetButton.implicitWidth, exportButton.implicitWidth)
+        anchors { right: parent.right; bottom: parent.bottom }
+        spacing: Theme.size.spacing
+        Button {
+            id: resetButton
+            objectName: "figuresReset"
+            width: foot.keyWidth
+            glyph: Theme.icon.refresh
+            text: qsTr("Count from zero")
+            onClicked: section.figures.reset()
+        }
+        Button {
+            id: exportButton
+            objectName: "figuresExport"
+            width: foot.keyWidth
+            glyph: Theme.icon.save
+            text: qsTr("Export CSV")
+            onClicked: {
+                section.figures.exportCsv()
+                section.page.sheetRequested(exportSheet)
+            }
+        }
+    }
+    Component {
+        id: exportSheet
+        ReportFilesSheet { title: qsTr("Figures as CSV") }
+    }
+}

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Homing: whether the controller knows where its axis is, what the key does to this machine, and what came of the last time.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Machine
+
+ServiceSection {
+    id: section
+
+    readonly property Homing homing: Service.homing
+    readonly property bool good: section.homing.place === Homing.Place.Homed || section.homing.place === Homing.Place.NotNeeded
+
+    onShownChanged: shown => {
+        if (shown)
+            section.homing.speed.read()
+    }
+    Connections {
+        target: Machine
+        enabled: section.visible
+        function onConnectionChanged() { section.homing.speed.read() }
+    }
+
+    Row {
+        id: state
+        anchors { left: parent.left; right: key.left; rightMargin: Theme.size.padding; top: parent.top }
+        height: Theme.size.touch
+        spacing: Theme.size.spacing
+        IconLabel {
+            id: sign
+            anchors.verticalCenter: parent.verticalCenter
+            code: section.good ? Theme.icon.check : section.homing.place === Homing.Place.NotHomed ? Theme.icon.alert : Theme.icon.unknown
+            color: section.good ? Theme.color.good : section.homing.place === Homing.Place.NotHomed ? Theme.color.warning : Theme.color.disabledInk
+        }
+        Label {
+            objectName: "homingPlace"
+            width: parent.width - sign.width - parent.spacing
+            height: parent.height
+            fontSizeMode: Text.HorizontalFit
+            minimumPixelSize: Theme.size.body
+            text: section.homing.placeText
+            color: section.homing.place === Homing.Place.Unknown ? Theme.color.disabledInk : Theme.color.ink
+            font { pixelSize: Theme.size.value; bold: true }
+        }
+    }
+    Label {
+        id: explanation
+        objectName: "homingExplanation"
+        anchors { left: parent.left; right: key.left; rightMargin: Theme.size.padding; top: state.bottom; bottom: result.top; bottomMargin: Theme.size.spacing }
+        wrapMode: Text.WordWrap
+        verticalAlignment: Text.AlignTop
+        fontSizeMode: Text.Fit
+        minimumPixelSize: Theme.size.caption - 2
+        text: section.homing.explanation
+    }
+    Label {
+        id: result
+        objectName: "homingResult"
+        anchors { left: parent.left; right: key.left; rightMargin: Theme.size.padding; bottom: speed.top; bottomMargin: Theme.size.spacing }
+        wrapMode: Text.WordWrap
+        text: section.homing.speed.failure.length > 0 ? section.homing.speed.failure
+            : !section.homing.possible ? section.homing.blockedReason : section.homing.resultText
+        color: section.homing.failed || !section.homing.possible || section.homing.speed.failure.length > 0 ? Theme.color.warning : Theme.color.good
+        font.weight: Font.DemiBold
+    }
+    Row {
+        id: speed
+        readonly property real cell: (width - spacing) / 2
+        anchors { left: parent.left; right: key.left; rightMargin: Theme.size.padding; bottom: parent.bottom }
+        spacing: Theme.size.spacing
+        ValueTile {
+            objectName: "homingPosition"
+            width: speed.cell
+            stale: !Machine.fresh
+            label: qsTr("Position since then")
+            value: !section.good || isNaN(Machine.positionMm) ? Theme.unknownText : qsTr("%1 mm").arg(Theme.number(Machine.positionMm, 2))
+        }
+        SettingRow {
+            objectName: "homingSpeed"
+            visible: section.homing.moves
+            width: speed.cell
+            label: section.homing.speed.label
+            value: section.homing.speed.text
+            onClicked: {
+                if (Access.ask(Access.Technician))
+                    section.page.sheetRequested(speedKeypad)
+            }
+        }
+    }
+    CommandKey {
+        id: key
+        objectName: "homingKey"
+        anchors { right: parent.right; top: parent.top; bottom: parent.bottom }
+        width: Math.round(1.6 * Theme.size.commandKey)
+        glyph: Theme.icon.home
+        text: section.homing.keyText
+        ready: section.homing.possible
+        baseColor: Theme.color.touch
+        onClicked: section.homing.home()
+    }
+    Component {
+        id: speedKeypad
+        SpeedKeypad { speed: section.homing.speed }
+    }
+}

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Jog: two keys that move the axis while a finger holds them, where it is, and in a sentence what it does or why it does not. Whatever
+// takes the keys off the screen lets go.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Machine
+
+ServiceSection {
+    id: section
+
+    readonly property Jog jog: Service.jog
+    readonly property bool cutter: Machine.activeKind === 1 && !isNaN(Machine.knifeAngleDeg)    // Editor.Kind.RotaryCutter
+    readonly property bool covered: section.page !== null && section.page.covered
+    readonly property bool inFront: Window.active
+
+    onShownChanged: shown => {
+        if (shown)
+            section.jog.speed.read()
+        else
+            section.jog.letGo()
+    }
+    onCoveredChanged: {
+        if (covered)
+            section.jog.letGo()
+    }
+    onInFrontChanged: {
+        if (!inFront)
+            section.jog.letGo()
+    }
+    Connections {
+        target: Machine
+        enabled: section.visible
+        function onConnectionChanged() { section.jog.speed.read() }
+    }
+
+    Row {
+        id: values
+        readonly property real cell: (width - 2 * spacing) / 3
+        anchors { left: parent.left; right: parent.right; top: parent.top }
+        spacing: Theme.size.spacing
+        ValueTile {
+            objectName: "jogPosition"
+            width: values.cell
+            stale: !Machine.fresh
+            label: section.cutter ? qsTr("Knife angle") : qsTr("Position")
+            value: section.cutter ? Theme.number(Machine.knifeAngleDeg, 1) + "°"
+                : isNaN(Machine.positionMm) ? qsTr("%1 pulses").arg(Theme.count(section.jog.positionPulses, 0))
+                : qsTr("%1 mm").arg(Theme.number(Machine.positionMm, 2))
+        }
+        ValueTile {
+            objectName: "jogState"
+            width: values.cell
+            stale: !Machine.fresh
+            label: Machine.fresh ? qsTr("%1 Hz now").arg(Theme.count(Machine.pulseFrequencyHz, 0)) : qsTr("State")
+            value: Machine.stateText
+        }
+        SettingRow {
+            objectName: "jogSpeed"
+            width: values.cell
+            label: section.jog.speed.label
+            value: section.jog.speed.text
+            onClicked: {
+                if (Access.ask(Access.Technician))
+                    section.page.sheetRequested(speedKeypad)
+            }
+        }
+    }
+    Row {
+        id: line
+        anchors { left: parent.left; right: parent.right; top: values.bottom; topMargin: Theme.size.spacing }
+        height: 2 * Theme.size.title + Theme.size.spacing
+        spacing: Theme.size.spacing
+        IconLabel {
+            id: sign
+            anchors.verticalCenter: parent.verticalCenter
+            code: section.jog.troubled ? Theme.icon.alert : section.jog.held !== 0 ? Theme.icon.moving : Theme.icon.information
+            color: section.jog.troubled ? Theme.color.warning : section.jog.held !== 0 ? Theme.color.touch : Theme.color.secondaryInk
+        }
+        Label {
+            objectName: "jogText"
+            width: parent.width - sign.width - parent.spacing
+            height: parent.height
+            wrapMode: Text.WordWrap
+            fontSizeMode: Text.Fit
+            minimumPixelSize: Theme.size.caption - 2
+            text: section.jog.speed.failure.length > 0 ? section.jog.speed.failure : section.jog.text
+            color: section.jog.troubled || section.jog.speed.failure.length > 0 ? Theme.color.warning : Theme.color.ink
+        }
+    }
+    Row {
+        id: keys
+        anchors { left: parent.left; right: parent.right; top: line.bottom; bottom: parent.bottom; topMargin: Theme.size.spacing }
+        spacing: 2 * Theme.size.gap
+        JogKey {
+            objectName: "jogReverse"
+            width: (keys.width - keys.spacing) / 2
+            height: keys.height
+            jog: section.jog
+            direction: -1
+            glyph: Theme.icon.jogReverse
+            text: qsTr("Reverse")
+            note: section.jog.reverseNote
+        }
+        JogKey {
+            objectName: "jogForward"
+            width: (keys.width - keys.spacing) / 2
+            height: keys.height
+            jog: section.jog
+            direction: 1
+            glyph: Theme.icon.jogForward
+            text: qsTr("Forward")
+            note: section.jog.forwardNote
+        }
+    }
+    Component {
+        id: speedKeypad
+        SpeedKeypad { speed: section.jog.speed }
+    }
+}

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// What goes wrong, on purpose, on the line to the simulated controller: ready-made faults, each off, sometimes or often.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Machine
+
+ServiceSection {
+    id: section
+
+    readonly property LineFaults faults: Service.lineFaults
+
+    ListView {
+        id: list
+        objectName: "faultList"
+        anchors { left: parent.left; right: parent.right; top: parent.top; bottom: foot.top; bottomMargin: Theme.size.spacing }
+        clip: true
+        spacing: Theme.size.spacing
+        boundsBehavior: Flickable.StopAtBounds
+        model: section.faults
+        delegate: Item {
+            id: row
+            required property int index
+            required property string name
+            required property string note
+            required property int level
+            width: list.width - Theme.size.spacing
+            height: Theme.size.touch
+            Column {
+                anchors { left: parent.left; right: choice.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+                Label {
+                    width: parent.width
+                    fontSizeMode: Text.HorizontalFit
+                    minimumPixelSize: Theme.size.caption - 2
+                    text: row.name
+                    color: row.level === LineFaults.Off ? Theme.color.ink : Theme.color.warning
+                    font.weight: Font.DemiBold
+                }
+                Label {
+                    width: parent.width
+                    wrapMode: Text.WordWrap
+                    maximumLineCount: 2
+                    text: row.note
+                    color: Theme.color.secondaryInk
+                    font.pixelSize: Theme.size.caption - 2
+                }
+            }
+            Segmented {
+                id: choice
+                anchors { right: parent.right; verticalCenter: parent.verticalCenter }
+                width: Math.round(parent.width * 0.56)
+                choices: [{ key: LineFaults.Off, text: qsTr("Off"), name: "fault" + row.index + "off" },
+                    { key: LineFaults.Sometimes, text: qsTr("Sometimes"), name: "fault" + row.index + "sometimes" },
+                    { key: LineFaults.Often, text: qsTr("Often"), name: "fault" + row.index + "often" }]
+                current: row.level
+                onChosen: key => section.faults.setLevel(row.index, key)
+            }
+        }
+    }
+    ScrollMark { view: list }
+    Item {
+        id: foot
+        anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+        height: Theme.size.touch
+        Label {
+            objectName: "faultsText"
+            anchors { left: parent.left; right: off.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+            height: parent.height
+            wrapMode: Text.WordWrap
+            fontSizeMode: Text.Fit
+            minimumPixelSize: Theme.size.caption - 2
+            text: section.faults.errorText.length > 0 ? section.faults.errorText : section.faults.text
+            color: section.faults.errorText.length > 0 ? Theme.color.fault : section.faults.activeCount > 0 ? Theme.color.warning : Theme.color.secondaryInk
+        }
+        Button {
+            id: off
+            objectName: "faultsOff"
+            anchors { right: parent.right; verticalCenter: parent.verticalCenter }
+            text: qsTr("All off")
+            enabled: section.faults.activeCount > 0
+            onClicked: section.faults.clear()
+        }
+    }
+}

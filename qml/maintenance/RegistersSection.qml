@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// The controller's registers, live: found by group and name, read while they are in sight, parameters written here.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Machine
+
+ServiceSection {
+    id: section
+
+    readonly property RegisterInspector inspector: Service.inspector
+    readonly property int rowPitch: Theme.size.touch + Theme.size.outline
+
+    function showRows(): void {
+        section.inspector.setVisibleRows(Math.floor(list.contentY / section.rowPitch),
+            Math.floor((list.contentY + list.height - 1) / section.rowPitch))
+    }
+
+    onShownChanged: shown => section.inspector.watched = shown
+
+    Row {
+        id: filters
+        anchors { left: parent.left; right: parent.right; top: parent.top }
+        spacing: Theme.size.spacing
+        SettingRow {
+            objectName: "registerGroup"
+            width: (filters.width - 2 * filters.spacing - clearButton.width) / 2
+            label: qsTr("Group")
+            value: section.inspector.groupText
+            onClicked: section.page.sheetRequested(groupSheet)
+        }
+        SettingRow {
+            objectName: "registerName"
+            width: (filters.width - 2 * filters.spacing - clearButton.width) / 2
+            label: qsTr("Name contains")
+            value: section.inspector.nameFilter.length > 0 ? section.inspector.nameFilter : qsTr("anything")
+            onClicked: section.page.sheetRequested(nameSheet)
+        }
+        Button {
+            id: clearButton
+            objectName: "registerClear"
+            glyph: Theme.icon.close
+            enabled: section.inspector.group.length > 0 || section.inspector.nameFilter.length > 0
+            onClicked: {
+                section.inspector.group = ""
+                section.inspector.nameFilter = ""
+            }
+        }
+    }
+    ListView {
+        id: list
+        objectName: "registerList"
+        anchors { left: parent.left; right: parent.right; top: filters.bottom; bottom: foot.top; topMargin: Theme.size.spacing; bottomMargin: Theme.size.spacing }
+        clip: true
+        spacing: Theme.size.outline
+        boundsBehavior: Flickable.StopAtBounds
+        model: section.inspector.registers
+        onContentYChanged: section.showRows()
+        onHeightChanged: section.showRows()
+        onCountChanged: section.showRows()
+        delegate: RegisterRow {
+            required property int index
+            objectName: "register" + index
+            width: list.width - 2 * Theme.size.accent
+            holds: section.inspector.selected === index
+            onClicked: section.inspector.select(index)
+        }
+    }
+    ScrollMark { view: list }
+    Label {
+        anchors.fill: list
+        visible: list.count === 0
+        wrapMode: Text.WordWrap
+        horizontalAlignment: Text.AlignHCenter
+        text: qsTr("No register has this in its name.")
+        color: Theme.color.secondaryInk
+    }
+    Item {
+        id: foot
+        anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+        height: Theme.size.touch
+        Label {
+            objectName: "registerText"
+            anchors { left: parent.left; right: writeButton.visible ? writeButton.left : parent.right; rightMargin: Theme.size.padding; top: parent.top; bottom: parent.bottom }
+            wrapMode: Text.WordWrap
+            fontSizeMode: Text.Fit
+            minimumPixelSize: Theme.size.caption - 3
+            text: section.inspector.selectedText
+            color: section.inspector.failed ? Theme.color.fault : section.inspector.selected < 0 ? Theme.color.secondaryInk : Theme.color.ink
+        }
+        Button {
+            id: writeButton
+            objectName: "registerWrite"
+            anchors { right: parent.right; top: parent.top; bottom: parent.bottom }
+            visible: section.inspector.writable
+            enabled: section.inspector.canWrite
+            kind: Button.Primary
+            text: qsTr("Write …")
+            onClicked: {
+                if (Access.ask(Access.Service))
+                    section.page.sheetRequested(valueSheet)
+            }
+        }
+    }
+
+    Component {
+        id: groupSheet
+        ListPicker {
+            title: qsTr("Group of registers")
+            choices: section.inspector.groups
+            current: section.inspector.group
+            onChosen: key => {
+                section.inspector.group = key
+                closed()
+            }
+        }
+    }
+    Component {
+        id: nameSheet
+        NameKeypad {
+            title: qsTr("Name contains")
+            note: qsTr("%1 registers").arg(section.inspector.registers.count)
+            text: section.inspector.nameFilter
+            onEdited: text => section.inspector.nameFilter = text
+        }
+    }
+    Component {
+        id: valueSheet
+        RegisterKeypad {}
+    }
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Service: what a technician needs, one section at a time in the full width. Three groups: the line to the controller, the machine, and what the panel keeps.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Machine
+
+Page {
+    id: page
+
+    property int group
+    property var chosen: [0, 0, 0]         // the key of each group's section
+    readonly property var line: [
+        { key: 0, name: "service0", text: qsTr("Link doctor"), source: "DoctorSection.qml" },
+        { key: 1, name: "service1", text: qsTr("Figures"), source: "FiguresSection.qml" },
+        { key: 2, name: "service2", text: qsTr("Registers"), source: "RegistersSection.qml" },
+        { key: 3, name: "service3", text: qsTr("Frames"), source: "FramesSection.qml" }
+    ]
+    readonly property var simulatedLine: page.line.concat([{ key: 4, name: "service4", text: qsTr("Faults"), source: "LineFaultsSection.qml" }])
+    readonly property var machine: [
+        { key: 0, name: "serviceJog", text: qsTr("Jog"), source: "JogSection.qml" },
+        { key: 1, name: "serviceHoming", text: qsTr("Homing"), source: "HomingSection.qml" },
+        { key: 2, name: "serviceIo", text: qsTr("I/O"), source: "IoSection.qml" },
+        { key: 3, name: "servicePacking", text: qsTr("Packing"), source: "../Packing/PackingSection.qml" },
+        { key: 4, name: "serviceDryRun", text: qsTr("Dry run"), source: "DryRunSection.qml" }
+    ]
+    readonly property var memory: [{ key: 0, name: "serviceBackup", text: qsTr("Backup"), source: "../Reports/BackupSection.qml" }]
+    readonly property var groups: [
+        { key: 0, name: "serviceLine", text: "", glyph: Theme.icon.serialPort },
+        { key: 1, name: "serviceMachine", text: "", glyph: Theme.icon.machine },
+        { key: 2, name: "servicePanel", text: "", glyph: Theme.icon.save }
+    ]
+    // With keys for gloves they do not fit beside the longest group: then one key opens the choice of them.
+    readonly property bool oneGroupKey: width < (groups.length + machine.length) * Theme.size.touch + Theme.size.spacing
+    readonly property var all: [Machine.simulated ? page.simulatedLine : page.line, page.machine, page.memory]
+    readonly property var shown: page.all[page.group][Math.min(page.chosen[page.group], page.all[page.group].length - 1)]
+
+    Segmented {
+        id: groupKeys
+        visible: !page.oneGroupKey
+        anchors { left: parent.left; top: parent.top }
+        width: page.groups.length * Theme.size.touch
+        color: Theme.color.surface
+        choices: page.groups
+        current: page.group
+        onChosen: key => page.group = key
+    }
+    Button {
+        id: groupKey
+        objectName: "serviceGroup"
+        visible: page.oneGroupKey
+        anchors { left: parent.left; top: parent.top }
+        width: Theme.size.touch
+        glyph: page.groups[page.group].glyph
+        onClicked: page.sheetRequested(groupSheet)
+    }
+    Segmented {
+        id: tabs
+        anchors { left: page.oneGroupKey ? groupKey.right : groupKeys.right; leftMargin: Theme.size.spacing; right: parent.right; top: parent.top }
+        color: Theme.color.surface
+        choices: page.all[page.group]
+        current: page.shown.key
+        onChosen: key => page.chosen = page.chosen.map((before, group) => group === page.group ? key : before)
+    }
+    Card {
+        anchors { left: parent.left; right: parent.right; top: tabs.bottom; topMargin: Theme.size.spacing; bottom: parent.bottom; bottomMargin: page.bottomInset }
+        Loader {
+            anchors { fill: parent; margins: Theme.size.padding }
+            source: page.shown.source
+            onLoaded: (item as ServiceSection).page = page
+        }
+    }
+    Component {
+        id: groupSheet
+        ListPicker {
+            title: qsTr("Service")
+            choices: [{ key: 0, text: qsTr("The line to the controller") }, { key: 1, text: qsTr("The machine") }, { key: 2, text: qsTr("What the panel keeps") }]
+            current: page.group
+            onChosen: key => {
+                page.group = key
+                closed()
+            }
+        }
+    }
+}

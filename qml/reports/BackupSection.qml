@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is taken to a stick: everything that the panel keeps, and back; the report of a machine that runs; what a
+// manufacturer needs who is asked for help.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Machine
+
+ServiceSection {
+    id: section
+
+    readonly property real keyWidth: Math.max(backupRow.naturalKeyWidth, restoreRow.naturalKeyWidth, reportRow.naturalKeyWidth, bundleRow.naturalKeyWidth)
+
+    Connections {
+        target: Backup
+        enabled: section.visible
+        function onOffered() { section.page.sheetRequested(backupPlaces) }
+        function onChecked() { section.page.sheetRequested(restoreQuestion) }
+    }
+    Connections {
+        target: ServiceBundle
+        enabled: section.visible
+        function onOffered() { section.page.sheetRequested(bundlePlaces) }
+    }
+    Column {
+        id: rows
+        anchors { left: parent.left; right: parent.right; top: parent.top }
+        spacing: Theme.size.spacing
+        TaskRow {
+            id: backupRow
+            width: rows.width
+            title: qsTr("Backup")
+            note: qsTr("All that this panel keeps in one file: recipes with their versions, machine data, users, alarms, audit trail, bags, trends, settings.")
+            action: qsTr("Make a backup")
+            name: "backupMake"
+            glyph: Theme.icon.save
+            keyWidth: section.keyWidth
+            usable: !Backup.busy
+            onClicked: Backup.make()
+        }
+        TaskRow {
+            id: restoreRow
+            width: rows.width
+            title: qsTr("Restore")
+            note: qsTr("Puts a backup in the place of all that. The file is checked first, and what is here now is kept as a backup too.")
+            action: qsTr("Choose a file")
+            name: "backupRestore"
+            glyph: Theme.icon.undo
+            keyWidth: section.keyWidth
+            usable: !Backup.busy
+            onClicked: if (Access.ask(Access.Service)) section.page.sheetRequested(restoreSheet)
+        }
+        TaskRow {
+            id: reportRow
+            width: rows.width
+            title: qsTr("Commissioning report")
+            note: qsTr("A PDF of the open recipe with its curves, limits and table, of the machine data, of what the controller runs and of the last bags.")
+            action: qsTr("Make a report")
+            name: "reportMake"
+            glyph: Theme.icon.save
+            keyWidth: section.keyWidth
+            onClicked: {
+                Commissioning.offer()
+                section.page.sheetRequested(reportPlaces)
+            }
+        }
+        TaskRow {
+            id: bundleRow
+            width: rows.width
+            title: qsTr("Service bundle")
+            note: qsTr("For a manufacturer who helps: open recipe, table, controller, alarms and changes of 7 days, link, the last 10 seconds. No PINs.")
+            action: qsTr("Make a bundle")
+            name: "bundleMake"
+            glyph: Theme.icon.save
+            keyWidth: section.keyWidth
+            usable: !ServiceBundle.busy
+            onClicked: ServiceBundle.make()
+        }
+    }
+    Label {
+        objectName: "backupMessage"
+        anchors { left: parent.left; right: parent.right; bottom: parent.bottom; top: rows.bottom; topMargin: Theme.size.spacing }
+        verticalAlignment: Text.AlignBottom
+        wrapMode: Text.Wrap
+        fontSizeMode: Text.Fit
+        minimumPixelSize: Theme.size.caption - 3
+        text: Backup.busy ? qsTr("Working …") : Backup.message
+        color: Backup.failed ? Theme.color.fault : Theme.color.secondaryInk
+    }
+    Component {
+        id: backupPlaces
+        ReportFilesSheet {
+            title: qsTr("Where to write the backup")
+            files: Backup.places
+        }
+    }
+    Component {
+        id: reportPlaces
+        ReportFilesSheet { title: qsTr("Where to write the report") }
+    }
+    Component {
+        id: bundlePlaces
+        ReportFilesSheet { title: qsTr("Where to write the service bundle") }
+    }
+    Component {
+        id: restoreSheet
+        RestoreSheet {}
+    }
+    Component {
+        id: restoreQuestion
+        ConfirmSheet {
+            title: qsTr("Restore this backup?")
+            panelHeight: 6 * Theme.size.touch
+            question: Backup.question
+            ways: [{ key: "restore", text: qsTr("Restore"), primary: true }]
+            onChosen: Backup.restore()
+        }
+    }
+}

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// The last bag's length, and the last sixty as points in the tolerance band.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Machine
+import CamPanel.Plot
+
+Card {
+    id: card
+
+    signal explainRequested(var quantities)
+
+    readonly property bool measured: !isNaN(Machine.bagLengthMm)
+    readonly property color figureColor: Machine.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
+
+    Label {
+        id: caption
+        anchors { left: parent.left; top: parent.top; leftMargin: Theme.size.padding; topMargin: Theme.size.spacing }
+        text: qsTr("Bag length")
+        color: Theme.color.secondaryInk
+    }
+    Readout {
+        id: number
+        anchors { left: caption.left; top: caption.bottom; right: figures.left; rightMargin: Theme.size.padding; topMargin: -Theme.size.accent }
+        text: Theme.number(Machine.bagLengthMm, 1)
+        unit: "mm"
+        stale: !Machine.fresh
+    }
+    Column {
+        id: figures
+        anchors { right: parent.right; rightMargin: Theme.size.padding; bottom: number.bottom; bottomMargin: Theme.size.spacing }
+        Label {
+            anchors.right: parent.right
+            text: qsTr("mean %1").arg(Theme.number(Machine.bagMeanMm, 2))
+            color: card.figureColor
+            font.pixelSize: Theme.size.caption
+        }
+        Label {
+            anchors.right: parent.right
+            text: qsTr("scatter %1").arg(Theme.number(Machine.bagScatterMm, 2))
+            color: card.figureColor
+            font.pixelSize: Theme.size.caption
+        }
+    }
+    BagChart {
+        id: chart
+        objectName: "bagChart"
+        visible: card.measured
+        anchors { left: parent.left; right: parent.right; top: number.bottom; bottom: foot.top; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; bottomMargin: Theme.size.accent }
+        values: Machine.bagSeries
+        tolerance: Machine.bagToleranceMm
+        stale: !Machine.fresh
+        backgroundColor: Theme.color.inset
+        gridColor: Theme.color.target
+        pointColor: Theme.color.touch
+        staleColor: Theme.color.target
+        toleranceColor: Theme.color.warning
+        violationColor: Theme.color.fault
+        pointSize: Theme.size.accent + Theme.size.hairline
+    }
+    Label {
+        anchors.centerIn: chart
+        visible: !card.measured
+        width: chart.width - 2 * Theme.size.padding
+        horizontalAlignment: Text.AlignHCenter
+        wrapMode: Text.WordWrap
+        text: qsTr("No bag measured yet. Press Start.")
+        color: Theme.color.secondaryInk
+        font.pixelSize: Theme.size.caption
+    }
+    Label {
+        id: foot
+        objectName: "toleranceText"
+        anchors { left: caption.left; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
+        width: Math.min(implicitWidth, chart.width / 2)
+        fontSizeMode: Text.HorizontalFit
+        minimumPixelSize: Theme.size.caption - 5
+        text: qsTr("tolerance ±%1 mm").arg(Theme.number(Machine.bagToleranceMm, 2))
+        color: Theme.color.secondaryInk
+        font.pixelSize: Theme.size.caption
+    }
+    Label {
+        anchors { right: chart.right; verticalCenter: foot.verticalCenter }
+        visible: card.measured
+        width: Math.min(implicitWidth, chart.width / 2 - Theme.size.accent)
+        fontSizeMode: Text.HorizontalFit
+        minimumPixelSize: Theme.size.caption - 4
+        text: qsTr("last %1").arg(Theme.signedNumber(Machine.bagDeviationMm, 2))
+        color: card.figureColor
+        font.pixelSize: Theme.size.caption
+    }
+    Explained {
+        objectName: "bagNumbers"
+        quantities: [Explanations.BagMean, Explanations.BagScatter, Explanations.BagDeviation]
+        onExplainRequested: quantities => card.explainRequested(quantities)
+    }
+}

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// The last bag's length, large, and beside it the last sixty as points in the tolerance band with their mean and scatter.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Machine
+import CamPanel.Plot
+
+Card {
+    id: card
+
+    signal explainRequested(var quantities)
+
+    readonly property bool measured: !isNaN(Machine.bagMeanMm)
+    readonly property color figureColor: Machine.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
+    readonly property var deviations: Machine.bagSeries
+
+    Item {
+        id: last
+        width: Math.round((card.width - 3 * Theme.size.padding) * 0.46)
+        anchors { left: parent.left; leftMargin: Theme.size.padding; top: parent.top; topMargin: Theme.size.spacing; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
+        Label {
+            id: caption
+            objectName: "bagCaption"
+            width: parent.width
+            fontSizeMode: Text.HorizontalFit
+            minimumPixelSize: Theme.size.caption - 2
+            font.pixelSize: Theme.size.caption
+            text: Machine.bagLengths > 1 ? qsTr("Bag of %1 lengths, cut left out").arg(Machine.bagLengths) : qsTr("Bag length")
+            color: !Machine.fresh ? Theme.color.disabledInk : Machine.bagLengths > 1 ? Theme.color.warning : Theme.color.secondaryInk
+        }
+        Readout {
+            objectName: "bagLength"
+            anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; verticalCenterOffset: Theme.size.outline }
+            text: Theme.number(Machine.bagLengthMm, 1)
+            unit: "mm"
+            stale: !Machine.fresh
+        }
+        Label {
+            objectName: "bagFigures"
+            anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+            fontSizeMode: Text.HorizontalFit
+            minimumPixelSize: Theme.size.caption - 3
+            text: qsTr("mean %1, scatter %2").arg(Theme.number(Machine.bagMeanMm, 2)).arg(Theme.number(Machine.bagScatterMm, 2))
+            color: card.figureColor
+            font.pixelSize: Theme.size.caption
+        }
+    }
+    BagChart {
+        id: chart
+        objectName: "bagChart"
+        visible: card.measured
+        anchors { left: last.right; leftMargin: Theme.size.padding; right: parent.right; rightMargin: Theme.size.padding; top: parent.top; topMargin: Theme.size.padding; bottom: foot.top; bottomMargin: Theme.size.accent }
+        values: Machine.bagSeries
+        mean: Machine.bagMeanDeviationMm
+        scatter: Machine.bagScatterMm
+        tolerance: Machine.bagToleranceMm
+        stale: !Machine.fresh
+        backgroundColor: Theme.color.inset
+        gridColor: Theme.color.target
+        pointColor: Theme.color.touch
+        staleColor: Theme.color.target
+        toleranceColor: Theme.color.warning
+        violationColor: Theme.color.fault
+        pointSize: Theme.size.accent
+    }
+    Label {
+        anchors.centerIn: chart
+        visible: !card.measured
+        width: chart.width
+        horizontalAlignment: Text.AlignHCenter
+        wrapMode: Text.WordWrap
+        text: qsTr("No bag measured yet. Press Start.")
+        color: Theme.color.secondaryInk
+        font.pixelSize: Theme.size.caption
+    }
+    Label {
+        id: foot
+        objectName: "toleranceText"
+        anchors { left: chart.left; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
+        width: chart.width * 0.5 - Theme.size.accent
+        fontSizeMode: Text.HorizontalFit
+        minimumPixelSize: Theme.size.caption - 3
+        text: qsTr("±%1 mm").arg(Theme.number(Machine.bagToleranceMm, 2))
+        color: Theme.color.secondaryInk
+        font.pixelSize: Theme.size.caption
+    }
+    Label {
+        objectName: "bagsWithin"
+        visible: card.measured
+        anchors { right: chart.right; verticalCenter: foot.verticalCenter }
+        width: chart.width * 0.5
+        horizontalAlignment: Text.AlignRight
+        fontSizeMode: Text.HorizontalFit
+        minimumPixelSize: Theme.size.caption - 3
+        text: qsTr("%1 of %2 within").arg(Machine.bagsWithin).arg(card.deviations.length)
+        color: !Machine.fresh ? Theme.color.disabledInk : Machine.bagsWithin < card.deviations.length ? Theme.color.fault : Theme.color.secondaryInk
+        font.pixelSize: Theme.size.caption
+    }
+    Explained {
+        objectName: "bagNumbers"
+        quantities: [Explanations.BagMean, Explanations.BagScatter, Explanations.BagsWithin, Explanations.BagDeviation]
+        onExplainRequested: quantities => card.explainRequested(quantities)
+    }
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// The film from the mark sensor to the knife as a moving picture, and in words how the marks are followed. A tap asks for the numbers behind it.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Machine
+import CamPanel.Plot
+
+Card {
+    id: card
+
+    readonly property PackingLine line: Machine.packing
+    readonly property bool fresh: Machine.fresh && line.fresh
+    readonly property bool follows: line.markState === PackingLine.Tracking
+    readonly property bool marksUsed: line.markState !== PackingLine.Off && line.markState !== PackingLine.Unknown
+    signal tapped()
+    signal explainRequested(var quantities)
+
+    IconLabel {
+        id: sign
+        visible: card.marksUsed
+        anchors { left: parent.left; leftMargin: Theme.size.padding; verticalCenter: state.verticalCenter }
+        code: card.follows ? Theme.icon.check : Theme.icon.alert
+        color: !card.fresh ? Theme.color.disabledInk : card.follows ? Theme.color.good : Theme.color.warning
+        font.pixelSize: Theme.size.body
+    }
+    Label {
+        id: state
+        objectName: "markState"
+        anchors { left: sign.visible ? sign.right : parent.left; leftMargin: sign.visible ? Theme.size.accent : Theme.size.padding; top: parent.top; topMargin: Theme.size.spacing }
+        text: card.line.known ? card.line.markStateText : Theme.unknownText
+        color: !card.fresh ? Theme.color.disabledInk : card.follows || !card.marksUsed ? Theme.color.ink : Theme.color.warning
+        font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
+    }
+    Label {
+        id: markError
+        objectName: "markError"
+        visible: card.follows && !gate.visible
+        anchors { right: more.left; rightMargin: Theme.size.padding; left: state.right; leftMargin: Theme.size.padding; verticalCenter: state.verticalCenter }
+        horizontalAlignment: Text.AlignRight
+        fontSizeMode: Text.HorizontalFit
+        minimumPixelSize: Theme.size.caption - 2
+        text: qsTr("mark error %1 mm").arg(Theme.signedNumber(card.line.markErrorMm, 2))
+        color: card.fresh ? Theme.color.ink : Theme.color.disabledInk
+        font.pixelSize: Theme.size.caption
+    }
+    Label {
+        id: gate
+        objectName: "packingGate"
+        visible: card.line.gateText.length > 0
+        anchors { right: more.left; rightMargin: Theme.size.padding; left: state.right; leftMargin: Theme.size.padding; verticalCenter: state.verticalCenter }
+        horizontalAlignment: Text.AlignRight
+        fontSizeMode: Text.HorizontalFit
+        minimumPixelSize: Theme.size.caption - 2
+        text: card.line.gateText
+        color: card.fresh ? Theme.color.warning : Theme.color.disabledInk
+        font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
+    }
+    IconLabel {
+        id: more
+        anchors { right: parent.right; rightMargin: Theme.size.padding; verticalCenter: state.verticalCenter }
+        code: Theme.icon.next
+        color: Theme.color.touch
+        font.pixelSize: Theme.size.title
+    }
+    FilmPicture {
+        id: picture
+        objectName: "filmPicture"
+        anchors { left: parent.left; right: parent.right; top: state.bottom; bottom: parent.bottom; margins: Theme.size.padding; topMargin: Theme.size.accent; bottomMargin: Theme.size.accent }
+        cuts: card.line.cuts
+        marks: card.line.seenMarks
+        products: card.line.seenProducts
+        nextMark: card.line.nextMarkMm
+        position: card.line.filmPositionMm
+        speed: card.line.filmSpeedMmPerS
+        bagLength: Machine.activeBagLengthMm
+        sensor: card.marksUsed ? card.line.sensorMm : NaN
+        window: card.line.windowMm
+        knifeOpen: card.line.knifeOpen
+        stale: !card.fresh
+        live: Theme.animated
+        sensorText: qsTr("Mark sensor")
+        knifeText: qsTr("Knife")
+        textFont: Theme.captionFont
+        filmColor: card.fresh ? Theme.color.touchTint : Theme.color.inset
+        edgeColor: Theme.color.target
+        markColor: Theme.color.ink
+        windowColor: Theme.color.touch
+        productColor: Theme.color.sync
+        cutColor: Theme.color.ink
+        leftOutColor: Theme.color.warning
+        knifeColor: Theme.color.ink
+        textColor: card.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
+        staleColor: Theme.color.target
+        Binding {
+            target: picture
+            property: "locale"
+            value: Theme.locale
+        }
+    }
+    Explained {
+        objectName: "filmCard"
+        quantities: [Explanations.MarkError]
+        onExplainRequested: quantities => card.explainRequested(quantities)
+        onClicked: card.tapped()
+    }
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the packing machine left out and why, and the film that this saved. A tap asks for the numbers behind it.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Machine
+
+Card {
+    id: card
+
+    readonly property PackingLine line: Machine.packing
+    readonly property color inkColor: Machine.fresh && line.fresh ? Theme.color.ink : Theme.color.disabledInk
+    signal tapped()
+    signal explainRequested(var quantities)
+
+    component Figure: Item {
+        id: figure
+        required property string label
+        required property string value
+        width: parent ? parent.width : 0
+        height: amount.implicitHeight
+        Label {
+            anchors { left: parent.left; right: amount.left; rightMargin: Theme.size.accent; verticalCenter: parent.verticalCenter }
+            text: figure.label
+            fontSizeMode: Text.HorizontalFit
+            minimumPixelSize: Theme.size.caption - 3
+            color: Theme.color.secondaryInk
+            font.pixelSize: Theme.size.caption
+        }
+        Label {
+            id: amount
+            anchors.right: parent.right
+            text: figure.value
+            color: card.inkColor
+            font { pixelSize: Theme.size.title; bold: true }
+        }
+    }
+
+    Column {
+        anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; margins: Theme.size.padding }
+        spacing: Theme.size.outline
+        Figure {
+            objectName: "cutsLeftOut"
+            label: qsTr("Cuts left out")
+            value: Theme.count(card.line.cutsSkipped, 0)
+        }
+        Figure {
+            objectName: "emptyBags"
+            label: qsTr("Bags without product")
+            value: Theme.count(card.line.emptyBags, 0)
+        }
+        Figure {
+            objectName: "filmSaved"
+            label: qsTr("Film saved")
+            value: isNaN(card.line.filmSavedM) ? Theme.unknownText : qsTr("%1 m").arg(Theme.number(card.line.filmSavedM, 1))
+        }
+        Label {
+            objectName: "lastSkip"
+            visible: card.line.lastSkipText.length > 0
+            width: parent.width
+            height: Math.max(Theme.size.caption, card.height - Theme.size.padding - y)
+            verticalAlignment: Text.AlignTop
+            wrapMode: Text.WordWrap
+            fontSizeMode: Text.Fit
+            minimumPixelSize: Theme.size.caption - 4
+            text: qsTr("Last: %1").arg(card.line.lastSkipText)
+            color: card.inkColor
+            font.pixelSize: Theme.size.caption
+        }
+    }
+    Explained {
+        objectName: "leftOutCard"
+        quantities: [Explanations.FilmSaved]
+        onExplainRequested: quantities => card.explainRequested(quantities)
+        onClicked: card.tapped()
+    }
+}

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Run of a move or a point cam: speed, position, count, and the speed over its target; of a point cam also its master.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Parts
+import CamPanel.Machine
+
+Item {
+    id: view
+
+    readonly property int gap: Theme.size.gap
+    property real bottomInset
+    signal explainRequested(var quantities)
+    readonly property bool isCam: Machine.activeKind === 4    // Editor.Kind.PointCam
+    readonly property real upper: Math.round((height - gap) * (isCam ? 0.4 : 0.28))
+    readonly property real start: isCam ? dial.width + gap : 0
+    readonly property real cell: isCam ? (width - start - gap) / 2 : (width - 2 * gap) / 3
+    readonly property real row: isCam ? (upper - gap) / 2 : upper
+
+    MasterDialCard {
+        id: dial
+        visible: view.isCam
+        width: view.upper
+        height: view.upper
+    }
+    NumberCard {
+        objectName: "axisSpeed"
+        x: view.start
+        width: view.cell
+        height: view.row
+        value: Machine.knifeSpeedMmPerS
+        decimals: 1
+        caption: qsTr("Speed mm/s")
+    }
+    NumberCard {
+        objectName: "axisPosition"
+        x: view.start + view.cell + view.gap
+        width: view.cell
+        height: view.row
+        value: Machine.positionMm
+        decimals: 2
+        caption: qsTr("Position mm")
+    }
+    NumberCard {
+        objectName: "axisCount"
+        x: view.isCam ? view.start : 2 * (view.cell + view.gap)
+        y: view.isCam ? view.row + view.gap : 0
+        width: view.cell
+        height: view.row
+        value: Machine.cycleCount
+        decimals: 0
+        caption: view.isCam ? qsTr("cycles") : qsTr("moves")
+    }
+    NumberCard {
+        objectName: "masterSpeed"
+        visible: view.isCam
+        x: view.start + view.cell + view.gap
+        y: view.row + view.gap
+        width: view.cell
+        height: view.row
+        value: Machine.masterSpeedPercent
+        decimals: 0
+        caption: qsTr("Master speed %")
+    }
+    DirectionCard {
+        id: direction
+        visible: view.isCam
+        y: view.upper + view.gap
+        width: parent.width
+    }
+    SpeedCard {
+        anchors { left: parent.left; right: parent.right; top: parent.top; topMargin: view.upper + view.gap + (view.isCam ? direction.height + view.gap : 0); bottom: parent.bottom; bottomMargin: view.bottomInset }
+        title: qsTr("Axis speed mm/s")
+        onExplainRequested: quantities => view.explainRequested(quantities)
+    }
+}

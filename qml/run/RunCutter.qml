@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Run of a rotary cutter: knife, rate, count, bag length, and the knife's speed over its target.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Parts
+import CamPanel.Machine
+
+Item {
+    id: view
+
+    readonly property int gap: Theme.size.gap
+    property real bottomInset
+    signal explainRequested(var quantities)
+    readonly property real upper: Math.round((height - gap) * 0.48)
+
+    DialCard {
+        id: dial
+        width: view.upper
+        height: view.upper
+    }
+    NumberCard {
+        id: rate
+        anchors { left: dial.right; leftMargin: view.gap }
+        width: Math.round((view.width - dial.width - 2 * view.gap) * 0.37)
+        height: (view.upper - view.gap) / 2
+        value: Machine.rateBagsPerMin
+        decimals: 1
+        caption: qsTr("bags/min")
+        quantities: [Explanations.Rate]
+        onExplainRequested: quantities => view.explainRequested(quantities)
+    }
+    NumberCard {
+        anchors { left: rate.left; right: rate.right; top: rate.bottom; topMargin: view.gap }
+        height: rate.height
+        value: Machine.bagCount
+        decimals: 0
+        caption: qsTr("bags")
+    }
+    BagCard {
+        anchors { left: rate.right; leftMargin: view.gap; right: parent.right }
+        height: view.upper
+        onExplainRequested: quantities => view.explainRequested(quantities)
+    }
+    SpeedCard {
+        anchors { left: parent.left; right: parent.right; top: dial.bottom; topMargin: view.gap; bottom: parent.bottom; bottomMargin: view.bottomInset }
+        title: qsTr("Knife speed mm/s")
+        onExplainRequested: quantities => view.explainRequested(quantities)
+    }
+}

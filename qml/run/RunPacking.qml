@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Run of a packing machine: rate and bag length first, then the film as a picture, the knife's speed over its target and what was left out.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Parts
+import CamPanel.Machine
+
+Item {
+    id: view
+
+    readonly property int gap: Theme.size.gap
+    property real bottomInset
+    readonly property real room: height - bottomInset - 2 * gap
+    readonly property Component details: PackingSheet {}
+    signal sheetRequested(sheet: Component)
+    signal explainRequested(var quantities)
+
+    NumberCard {
+        id: rate
+        objectName: "packingRate"
+        width: Math.round((view.width - view.gap) * 0.32)
+        height: Math.round(view.room * 0.3)
+        value: Machine.rateBagsPerMin
+        decimals: 1
+        caption: qsTr("bags/min · %1 bags").arg(Theme.count(Machine.bagCount, 0))
+        captionColor: Machine.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
+        quantities: [Explanations.Rate]
+        onExplainRequested: quantities => view.explainRequested(quantities)
+    }
+    BagStrip {
+        anchors { left: rate.right; leftMargin: view.gap; right: parent.right }
+        height: rate.height
+        onExplainRequested: quantities => view.explainRequested(quantities)
+    }
+    FilmCard {
+        id: film
+        anchors { left: parent.left; right: parent.right; top: rate.bottom; topMargin: view.gap }
+        height: Math.round(view.room * 0.36)
+        onTapped: view.sheetRequested(view.details)
+        onExplainRequested: quantities => view.explainRequested(quantities)
+    }
+    SpeedCard {
+        anchors { left: parent.left; right: leftOut.left; rightMargin: view.gap; top: film.bottom; topMargin: view.gap; bottom: leftOut.bottom }
+        compact: Theme.size.name === "small"
+        title: qsTr("Knife speed mm/s")
+        onExplainRequested: quantities => view.explainRequested(quantities)
+    }
+    LeftOutCard {
+        id: leftOut
+        anchors { right: parent.right; top: film.bottom; topMargin: view.gap; bottom: parent.bottom; bottomMargin: view.bottomInset }
+        width: Math.round((view.width - view.gap) * 0.36)
+        onTapped: view.sheetRequested(view.details)
+        onExplainRequested: quantities => view.explainRequested(quantities)
+    }
+}

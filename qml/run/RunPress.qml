@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Run of a press: force and position now, the stage, the newest stroke as a curve and the strokes before it.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Parts
+import CamPanel.Machine
+
+Item {
+    id: view
+
+    readonly property int gap: Theme.size.gap
+    property real bottomInset
+    signal explainRequested(var quantities)
+    readonly property real upper: Math.round((height - gap) * 0.26)
+    readonly property real cell: (width - 2 * gap) / 3
+
+    NumberCard {
+        id: force
+        objectName: "pressForce"
+        width: view.cell
+        height: view.upper
+        value: Machine.forceN
+        decimals: 0
+        caption: qsTr("Force N")
+    }
+    NumberCard {
+        id: position
+        objectName: "pressPosition"
+        anchors { left: force.right; leftMargin: view.gap }
+        width: view.cell
+        height: view.upper
+        value: Machine.positionMm
+        decimals: 2
+        caption: qsTr("Position mm")
+    }
+    TextCard {
+        objectName: "goodStrokes"
+        anchors { left: position.right; leftMargin: view.gap; right: parent.right }
+        height: view.upper
+        text: Machine.strokes.count > 0 ? Theme.count(Machine.strokes.goodCount, 0) + " / " + Theme.count(Machine.strokes.count, 0) : Theme.unknownText
+        caption: qsTr("good of the last strokes")
+        quantities: [Explanations.GoodStrokes]
+        onExplainRequested: quantities => view.explainRequested(quantities)
+    }
+    StageStrip {
+        id: stages
+        anchors { left: parent.left; right: parent.right; top: force.bottom; topMargin: view.gap }
+        height: Theme.size.value + Theme.size.padding
+    }
+    ForceCard {
+        id: curve
+        anchors { left: parent.left; top: stages.bottom; topMargin: view.gap; bottom: parent.bottom; bottomMargin: view.bottomInset }
+        width: Math.round((view.width - view.gap) * 0.6)
+    }
+    StrokeCard {
+        anchors { left: curve.right; leftMargin: view.gap; right: parent.right; top: curve.top; bottom: curve.bottom }
+    }
+}

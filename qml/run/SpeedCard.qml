@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Speed over one cycle: what the program asks for, and what the axis did in the newest cycle.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Machine
+
+Card {
+    id: card
+
+    signal explainRequested(var quantities)
+
+    required property string title
+    property bool compact                  // there is no room for many words
+    readonly property color traceColor: Machine.fresh ? Theme.color.touch : Theme.color.disabledInk
+
+    component Key: Row {
+        id: key
+        required property string text
+        required property color color
+        spacing: Theme.size.accent
+        Rectangle {
+            anchors.verticalCenter: parent.verticalCenter
+            width: Theme.size.icon
+            height: Theme.size.accent
+            radius: height / 2
+            color: key.color
+        }
+        Label {
+            text: key.text
+            color: Theme.color.secondaryInk
+            font.pixelSize: Theme.size.caption
+        }
+    }
+
+    Label {
+        id: caption
+        anchors { left: parent.left; top: parent.top; leftMargin: Theme.size.padding; topMargin: Theme.size.spacing }
+        width: Math.min(implicitWidth, 0.3 * card.width)
+        fontSizeMode: Text.HorizontalFit
+        minimumPixelSize: Theme.size.caption - 4
+        text: card.title
+        color: Theme.color.secondaryInk
+        font.pixelSize: Theme.size.caption
+    }
+    Row {
+        id: keys
+        anchors { right: parent.right; rightMargin: Theme.size.padding; verticalCenter: caption.verticalCenter }
+        spacing: card.compact ? Theme.size.spacing : Theme.size.padding
+        Label {
+            objectName: "followingError"
+            id: followingError
+            readonly property real room: 0.7 * card.width - 3 * Theme.size.padding - target.width - actual.width - 2 * keys.spacing
+            width: Math.min(implicitWidth, room)
+            fontSizeMode: Text.HorizontalFit
+            minimumPixelSize: Theme.size.caption - 5
+            readonly property string number: Theme.number(Machine.followingErrorMm, 2)
+            text: card.compact || words.advanceWidth > followingError.room ? qsTr("error %1 mm").arg(number) : words.text
+            TextMetrics {
+                id: words
+                font: Theme.captionFont
+                text: qsTr("following error %1 mm").arg(followingError.number)
+            }
+            color: Machine.fresh ? Theme.color.ink : Theme.color.disabledInk
+            font.pixelSize: Theme.size.caption
+        }
+        Key { id: target; text: qsTr("target"); color: Theme.color.target }
+        Key { id: actual; text: qsTr("actual"); color: card.traceColor }
+    }
+    StyledCurves {
+        anchors { left: parent.left; right: parent.right; top: caption.bottom; bottom: parent.bottom; margins: Theme.size.spacing; topMargin: Theme.size.outline }
+        curves: Machine.targetCurves
+        quantities: ["velocity"]
+        velocityColor: Theme.color.target
+        lineWidth: 2 * Theme.size.curve
+        trace: Machine.actualTrace
+        traceColor: card.traceColor
+        inkColor: Machine.fresh ? Theme.color.ink : Theme.color.disabledInk
+        cursorTime: Machine.masterAngleDeg / 360 * Machine.cycleSeconds
+        cursorDotsVisible: false
+    }
+    Explained {
+        objectName: "speedNumbers"
+        quantities: [Explanations.FollowingError]
+        onExplainRequested: quantities => card.explainRequested(quantities)
+    }
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Settings: sections at the left, the chosen one at the right.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+
+Page {
+    id: page
+
+    function openSystem(): void {
+        page.section = page.inMenu
+    }
+
+    property int section
+    readonly property var sections: [
+        { name: "section0", text: qsTr("Display"), note: qsTr("language, theme, gloves"), source: "DisplaySection.qml" },
+        { name: "section1", text: qsTr("Connection"), note: qsTr("simulated or serial port"), source: "ConnectionSection.qml" },
+        { name: "section2", text: qsTr("Machine"), note: qsTr("drive, gear, motor limits"), source: "MachineSection.qml" },
+        { name: "sectionUsers", text: qsTr("Users"), note: qsTr("PINs, levels, audit"), source: "UsersSection.qml" },
+        { name: "section3", text: qsTr("About"), note: qsTr("version, safety"), source: "AboutSection.qml" },
+        { source: "SystemSection.qml" } // behind Display
+    ]
+    readonly property int inMenu: sections.length - 1
+
+    Card {
+        id: side
+        width: Theme.size.sideColumn
+        anchors { top: parent.top; bottom: parent.bottom; bottomMargin: page.bottomInset }
+        Column {
+            id: menu
+            anchors { fill: parent; margins: Theme.size.spacing }
+            spacing: Theme.size.spacing
+            Repeater {
+                model: page.sections.slice(0, page.inMenu)
+                ChoiceRow {
+                    required property int index
+                    required property var modelData
+                    objectName: modelData.name
+                    width: menu.width
+                    height: (menu.height - (page.inMenu - 1) * menu.spacing) / page.inMenu
+                    text: modelData.text
+                    note: modelData.note
+                    holds: page.section === index || (index === 0 && page.section === page.inMenu)
+                    onClicked: page.section = index
+                }
+            }
+        }
+    }
+    Card {
+        anchors { left: side.right; leftMargin: Theme.size.gap; right: parent.right; top: parent.top; bottom: side.bottom }
+        Loader {
+            anchors { fill: parent; margins: Theme.size.padding }
+            source: page.sections[page.section].source
+            onLoaded: (item as SettingsSection).page = page
+        }
+    }
+}

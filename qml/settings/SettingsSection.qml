@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Base of a section of the Settings page: a title, and the page to ask for keypad and sheets.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+
+Item {
+    id: section
+
+    required property string title
+    property Page page
+    readonly property real bodyTop: heading.height + Theme.size.spacing
+
+    Label {
+        id: heading
+        width: parent.width
+        text: section.title
+        font { pixelSize: Theme.size.title; bold: true }
+    }
+}

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who may do what at this panel: the people with their levels, logging in and out, and the audit trail.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Access
+import CamPanel.Audit
+import CamPanel.Machine
+
+SettingsSection {
+    id: section
+
+    readonly property real half: (width - Theme.size.spacing) / 2
+    readonly property var people: Access.users
+    property int userId
+    property int newLevel
+    property string newName
+
+    title: qsTr("Users")
+    Component.onCompleted: Access.clearMessage()
+
+    function addUser(): void {
+        if (Access.ask(Access.Service)) {
+            section.newName = ""
+            section.page.sheetRequested(newUserSheet)
+        }
+    }
+    function openUser(id: int): void {
+        if (Access.ask(Access.Service)) {
+            section.userId = id
+            section.page.sheetRequested(userSheet)
+        }
+    }
+
+    Item {
+        id: now
+        anchors { left: parent.left; right: parent.right; top: parent.top; topMargin: section.bodyTop }
+        height: Access.protectedByPins ? Theme.size.touch : nobody.height
+        Label {
+            id: nobody
+            objectName: "usersNobody"
+            visible: !Access.protectedByPins
+            width: parent.width
+            wrapMode: Text.WordWrap
+            text: qsTr("No PIN is set: everybody may do everything. With the first user that changes. Viewing and Stop never need a login.")
+            color: Theme.color.secondaryInk
+        }
+        Column {
+            visible: Access.protectedByPins
+            anchors { left: parent.left; right: loginButton.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+            Label {
+                objectName: "usersNow"
+                width: parent.width
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption - 2
+                text: Access.loggedIn ? qsTr("%1 · %2").arg(Access.userName).arg(Access.levelText) : qsTr("Nobody logged in · %1").arg(Access.levelText)
+                font.weight: Font.DemiBold
+            }
+            Label {
+                objectName: "usersMessage"
+                width: parent.width
+                height: Theme.size.touch - 2 * Theme.size.title
+                wrapMode: Text.WordWrap
+                fontSizeMode: Text.Fit
+                minimumPixelSize: Theme.size.caption - 3
+                text: Access.message.length > 0 ? Access.message : Access.permissionText(Access.level)
+                color: Access.failed ? Theme.color.fault : Theme.color.secondaryInk
+                font.pixelSize: Theme.size.caption
+            }
+        }
+        Button {
+            id: loginButton
+            objectName: "usersLogin"
+            visible: Access.protectedByPins
+            anchors { right: parent.right; verticalCenter: parent.verticalCenter }
+            glyph: Access.loggedIn ? Theme.icon.logOut : Theme.icon.logIn
+            text: Access.loggedIn ? qsTr("Log out") : qsTr("Log in")
+            onClicked: Access.loggedIn ? Access.logOut() : Access.loginRequested(Access.Viewer)
+        }
+    }
+    Flickable {
+        id: list
+        objectName: "usersList"
+        anchors { left: parent.left; right: parent.right; top: now.bottom; bottom: foot.top; topMargin: Theme.size.spacing; bottomMargin: Theme.size.spacing }
+        contentHeight: rows.height
+        clip: true
+        boundsBehavior: Flickable.StopAtBounds
+        Column {
+            id: rows
+            width: list.width - 2 * Theme.size.accent
+            spacing: Theme.size.spacing
+            Repeater {
+                model: section.people
+                ChoiceRow {
+                    required property var modelData
+                    objectName: "user_" + modelData.name
+                    width: rows.width
+                    text: modelData.name
+                    note: modelData.levelText
+                    holds: modelData.current
+                    onClicked: section.openUser(modelData.id)
+                }
+            }
+        }
+    }
+    ScrollMark { view: list }
+    Grid {
+        id: foot
+        anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+        columns: 2
+        spacing: Theme.size.spacing
+        SettingRow {
+            objectName: "autoLogout"
+            visible: Access.protectedByPins
+            width: section.half
+            label: qsTr("Log out by itself after")
+            value: qsTr("%1 min").arg(Settings.autoLogoutMinutes)
+            onClicked: section.page.sheetRequested(logoutPicker)
+        }
+        SettingRow {
+            objectName: "withoutLogin"
+            visible: Access.protectedByPins
+            width: section.half
+            label: qsTr("Without a login")
+            value: Settings.operatorsLogIn ? qsTr("look and stop") : qsTr("operate")
+            onClicked: section.page.sheetRequested(withoutLoginPicker)
+        }
+        SettingRow {
+            objectName: "auditButton"
+            width: section.half
+            label: qsTr("Who changed what")
+            value: qsTr("Audit trail")
+            onClicked: section.page.sheetRequested(auditSheet)
+        }
+        Button {
+            objectName: "userAdd"
+            width: section.half
+            kind: Access.protectedByPins ? Button.Normal : Button.Primary
+            glyph: Theme.icon.addUser
+            text: Access.protectedByPins ? qsTr("Add a user") : qsTr("First user")
+            onClicked: section.addUser()
+        }
+    }
+
+    Component {
+        id: userSheet
+        UserSheet {
+            userId: section.userId
+            onPinRequested: section.page.sheetRequested(changePinSheet)
+        }
+    }
+    Component {
+        id: changePinSheet
+        NewPinSheet {
+            title: qsTr("New PIN")
+            level: section.people.find(each => each.id === section.userId)?.level ?? Access.Service
+            onEntered: pin => {
+                Access.changePin(section.userId, pin)
+                closed()
+            }
+        }
+    }
+    Component {
+        id: newUserSheet
+        NewUserSheet {
+            onNameRequested: {
+                section.newLevel = level
+                section.newName = name
+                section.page.sheetRequested(nameSheet)
+            }
+            onPinRequested: {
+                section.newLevel = level
+                section.newName = name
+                section.page.sheetRequested(newPinSheet)
+            }
+            Component.onCompleted: {
+                if (section.newName.length === 0)
+                    return
+                level = section.newLevel
+                name = section.newName
+            }
+        }
+    }
+    Component {
+        id: nameSheet
+        TextSheet {
+            title: qsTr("Name of the user")
+            text: section.newName
+            problem: Access.nameRefusal(section.newName)
+            onEdited: text => section.newName = text
+            onAccepted: section.page.sheetRequested(newUserSheet)
+        }
+    }
+    Component {
+        id: newPinSheet
+        NewPinSheet {
+            title: qsTr("PIN of %1").arg(section.newName)
+            level: section.newLevel
+            onEntered: pin => {
+                Access.addUser(section.newName, section.newLevel, pin)
+                closed()
+            }
+        }
+    }
+    Component {
+        id: logoutPicker
+        ListPicker {
+            readonly property var minutes: Settings.autoLogoutChoices
+            title: qsTr("Log out without a touch after")
+            choices: minutes.map(key => ({ key: key, text: qsTr("%1 min").arg(key) }))
+            current: Settings.autoLogoutMinutes
+            onChosen: key => {
+                Settings.autoLogoutMinutes = key
+                closed()
+            }
+        }
+    }
+    Component {
+        id: withoutLoginPicker
+        ListPicker {
+            title: qsTr("Without a login")
+            choices: [{ key: false, text: qsTr("Operate"), note: Access.permissionText(Access.Operator) },
+                { key: true, text: qsTr("Look and stop"), note: qsTr("operators log in too") }]
+            current: Settings.operatorsLogIn
+            onChosen: key => {
+                Settings.operatorsLogIn = key
+                closed()
+            }
+        }
+    }
+    Component {
+        id: auditSheet
+        AuditSheet { onExportRequested: section.page.sheetRequested(exportSheet) }
+    }
+    Component {
+        id: exportSheet
+        ReportFilesSheet { title: qsTr("Audit trail as CSV") }
+    }
+}

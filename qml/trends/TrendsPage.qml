@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// Trends: the course of bags, rate and line over minutes to days, moved and zoomed by fingers, as CSV on demand.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Machine
+
+Page {
+    id: page
+
+    readonly property var spans: [
+        { key: 600000, name: "span10min", text: qsTr("10 min") },
+        { key: 3600000, name: "span1h", text: qsTr("1 h") },
+        { key: 28800000, name: "span8h", text: qsTr("8 h") },
+        { key: 86400000, name: "span1d", text: qsTr("1 day") },
+        { key: 604800000, name: "span7d", text: qsTr("7 days") }
+    ]
+
+    Binding {
+        target: Trends
+        property: "watched"
+        value: page.visible
+    }
+    Connections {
+        target: Trends
+        function onExportReady() { page.sheetRequested(exportSheet) }
+    }
+    Segmented {
+        id: spanRow
+        anchors { left: parent.left; right: parent.right; top: parent.top }
+        color: Theme.color.surface
+        choices: page.spans
+        current: Trends.spanMs
+        onChosen: key => Trends.showSpan(key)
+    }
+    TrendCard {
+        id: card
+        objectName: "trendCard"
+        onExplanationsRequested: (title, explanations) => page.explanationsRequested(title, explanations)
+        anchors { left: parent.left; right: parent.right; top: spanRow.bottom; bottom: actions.top; topMargin: Theme.size.spacing; bottomMargin: Theme.size.spacing }
+    }
+    Row {
+        id: actions
+        anchors { left: parent.left; bottom: parent.bottom; bottomMargin: page.bottomInset }
+        spacing: Theme.size.spacing
+        Button {
+            objectName: "trendCurves"
+            glyph: Theme.icon.view
+            text: qsTr("Curves")
+            onClicked: page.sheetRequested(curvesSheet)
+        }
+        Button {
+            objectName: "trendExport"
+            glyph: Theme.icon.save
+            text: qsTr("CSV")
+            enabled: Trends.content === Trends.Shown && !Trends.exporting
+            onClicked: Trends.exportCsv()
+        }
+    }
+    Label {
+        objectName: "trendRange"
+        anchors { left: actions.right; right: zoomRow.left; top: actions.top; bottom: actions.bottom; leftMargin: Theme.size.spacing; rightMargin: Theme.size.spacing }
+        horizontalAlignment: Text.AlignHCenter
+        wrapMode: Text.WordWrap
+        text: qsTr("%1 –\n%2", "from, to").arg(card.momentOf(Trends.fromMs)).arg(card.momentOf(Trends.toMs))
+        color: Theme.color.secondaryInk
+        font.pixelSize: Theme.size.caption
+    }
+    Row {
+        id: zoomRow
+        anchors { right: parent.right; top: actions.top }
+        spacing: Theme.size.spacing
+        Button {
+            objectName: "trendLonger"
+            text: "−"
+            onClicked: Trends.zoom(2)
+        }
+        Button {
+            objectName: "trendShorter"
+            text: "+"
+            onClicked: Trends.zoom(0.5)
+        }
+        Button {
+            objectName: "trendNow"
+            text: qsTr("Now")
+            enabled: !Trends.live
+            onClicked: Trends.showNow()
+        }
+    }
+    Component {
+        id: curvesSheet
+        TrendCurvesSheet {}
+    }
+    Component {
+        id: exportSheet
+        ReportFilesSheet { title: qsTr("Bags and trends as CSV") }
+    }
+}
