@@ -51,7 +51,7 @@ Sheet {
         horizontalAlignment: Text.AlignHCenter
         wrapMode: Text.WordWrap
         text: !Machine.fresh ? qsTr("Without a connection it is not known what the controller runs now.")
-            : Machine.hasActiveProgram ? qsTr("The controller already has exactly this recipe.")
+            : Machine.active.isPresent ? qsTr("The controller already has exactly this recipe.")
             : qsTr("The controller has no program yet; this recipe will be its first.")
         color: Theme.color.secondaryInk
     }
@@ -80,7 +80,7 @@ Sheet {
         },
         Button {
             objectName: "downloadProof"
-            visible: !Editor.canDownload && !sheet.busy && Machine.hasActiveProgram
+            visible: !Editor.canDownload && !sheet.busy && Machine.active.isPresent
             text: qsTr("Compare")
             onClicked: sheet.proofRequested()
         },

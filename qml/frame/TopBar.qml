@@ -20,8 +20,8 @@ Rectangle {
     readonly property color stateColor: Machine.fresh ? stateColors[Machine.state] : Theme.color.disabledInk
 
     // The recipe on this panel is not the one that the controller has.
-    readonly property bool runsAnother: Machine.hasActiveProgram && (Machine.activeName !== Editor.recipeName
-        || Machine.activeVersion !== Editor.recipeVersion || Machine.activeKind !== Editor.kind)
+    readonly property bool runsAnother: Machine.active.isPresent && (Machine.active.name !== Editor.recipeName
+        || Machine.active.version !== Editor.recipeVersion || Machine.active.kind !== Editor.kind)
 
     implicitHeight: Theme.size.topBar
     color: Theme.color.surface
@@ -54,7 +54,7 @@ Rectangle {
                 elide: Text.ElideRight
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: 0.6 * Theme.size.caption
-                text: qsTr("in the controller: %1 · v%2").arg(Machine.activeName).arg(Machine.activeVersion)
+                text: qsTr("in the controller: %1 · v%2").arg(Machine.active.name).arg(Machine.active.version)
                 color: Machine.fresh ? Theme.color.warning : Theme.color.disabledInk
                 font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
             }

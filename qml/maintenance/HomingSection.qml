@@ -75,7 +75,7 @@ ServiceSection {
             width: speed.cell
             stale: !Machine.fresh
             label: qsTr("Position since then")
-            value: !section.good || isNaN(Machine.positionMm) ? Theme.unknownText : qsTr("%1 mm").arg(Theme.number(Machine.positionMm, 2))
+            value: !section.good || isNaN(Machine.live.positionMm) ? Theme.unknownText : qsTr("%1 mm").arg(Theme.number(Machine.live.positionMm, 2))
         }
         SettingRow {
             objectName: "homingSpeed"

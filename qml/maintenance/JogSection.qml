@@ -12,7 +12,7 @@ ServiceSection {
     id: section
 
     readonly property Jog jog: Service.jog
-    readonly property bool cutter: Machine.activeKind === 1 && !isNaN(Machine.knifeAngleDeg)    // Editor.Kind.RotaryCutter
+    readonly property bool cutter: Machine.active.kind === 1 && !isNaN(Machine.live.knifeAngleDeg)    // Editor.Kind.RotaryCutter
     readonly property bool covered: section.page !== null && section.page.covered
     readonly property bool inFront: Window.active
 
@@ -46,15 +46,15 @@ ServiceSection {
             width: values.cell
             stale: !Machine.fresh
             label: section.cutter ? qsTr("Knife angle") : qsTr("Position")
-            value: section.cutter ? Theme.number(Machine.knifeAngleDeg, 1) + "°"
-                : isNaN(Machine.positionMm) ? qsTr("%1 pulses").arg(Theme.count(section.jog.positionPulses, 0))
-                : qsTr("%1 mm").arg(Theme.number(Machine.positionMm, 2))
+            value: section.cutter ? Theme.number(Machine.live.knifeAngleDeg, 1) + "°"
+                : isNaN(Machine.live.positionMm) ? qsTr("%1 pulses").arg(Theme.count(section.jog.positionPulses, 0))
+                : qsTr("%1 mm").arg(Theme.number(Machine.live.positionMm, 2))
         }
         ValueTile {
             objectName: "jogState"
             width: values.cell
             stale: !Machine.fresh
-            label: Machine.fresh ? qsTr("%1 Hz now").arg(Theme.count(Machine.pulseFrequencyHz, 0)) : qsTr("State")
+            label: Machine.fresh ? qsTr("%1 Hz now").arg(Theme.count(Machine.live.pulseFrequencyHz, 0)) : qsTr("State")
             value: Machine.stateText
         }
         SettingRow {

@@ -13,7 +13,7 @@ Card {
 
     signal explainRequested(var quantities)
 
-    readonly property bool measured: !isNaN(Machine.bagLengthMm)
+    readonly property bool measured: !isNaN(Machine.bags.lengthMm)
     readonly property color figureColor: Machine.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
 
     Label {
@@ -25,7 +25,7 @@ Card {
     Readout {
         id: number
         anchors { left: caption.left; top: caption.bottom; right: figures.left; rightMargin: Theme.size.padding; topMargin: -Theme.size.accent }
-        text: Theme.number(Machine.bagLengthMm, 1)
+        text: Theme.number(Machine.bags.lengthMm, 1)
         unit: "mm"
         stale: !Machine.fresh
     }
@@ -34,13 +34,13 @@ Card {
         anchors { right: parent.right; rightMargin: Theme.size.padding; bottom: number.bottom; bottomMargin: Theme.size.spacing }
         Label {
             anchors.right: parent.right
-            text: qsTr("mean %1").arg(Theme.number(Machine.bagMeanMm, 2))
+            text: qsTr("mean %1").arg(Theme.number(Machine.bags.meanMm, 2))
             color: card.figureColor
             font.pixelSize: Theme.size.caption
         }
         Label {
             anchors.right: parent.right
-            text: qsTr("scatter %1").arg(Theme.number(Machine.bagScatterMm, 2))
+            text: qsTr("scatter %1").arg(Theme.number(Machine.bags.scatterMm, 2))
             color: card.figureColor
             font.pixelSize: Theme.size.caption
         }
@@ -50,8 +50,8 @@ Card {
         objectName: "bagChart"
         visible: card.measured
         anchors { left: parent.left; right: parent.right; top: number.bottom; bottom: foot.top; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; bottomMargin: Theme.size.accent }
-        values: Machine.bagSeries
-        tolerance: Machine.bagToleranceMm
+        values: Machine.bags.series
+        tolerance: Machine.bags.toleranceMm
         stale: !Machine.fresh
         backgroundColor: Theme.color.inset
         gridColor: Theme.color.target
@@ -78,7 +78,7 @@ Card {
         width: Math.min(implicitWidth, chart.width / 2)
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 5
-        text: qsTr("tolerance ±%1 mm").arg(Theme.number(Machine.bagToleranceMm, 2))
+        text: qsTr("tolerance ±%1 mm").arg(Theme.number(Machine.bags.toleranceMm, 2))
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }
@@ -88,7 +88,7 @@ Card {
         width: Math.min(implicitWidth, chart.width / 2 - Theme.size.accent)
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 4
-        text: qsTr("last %1").arg(Theme.signedNumber(Machine.bagDeviationMm, 2))
+        text: qsTr("last %1").arg(Theme.signedNumber(Machine.bags.deviationMm, 2))
         color: card.figureColor
         font.pixelSize: Theme.size.caption
     }

@@ -13,9 +13,9 @@ Card {
 
     signal explainRequested(var quantities)
 
-    readonly property bool measured: !isNaN(Machine.bagMeanMm)
+    readonly property bool measured: !isNaN(Machine.bags.meanMm)
     readonly property color figureColor: Machine.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
-    readonly property var deviations: Machine.bagSeries
+    readonly property var deviations: Machine.bags.series
 
     Item {
         id: last
@@ -28,13 +28,13 @@ Card {
             fontSizeMode: Text.HorizontalFit
             minimumPixelSize: Theme.size.caption - 2
             font.pixelSize: Theme.size.caption
-            text: Machine.bagLengths > 1 ? qsTr("Bag of %1 lengths, cut left out").arg(Machine.bagLengths) : qsTr("Bag length")
-            color: !Machine.fresh ? Theme.color.disabledInk : Machine.bagLengths > 1 ? Theme.color.warning : Theme.color.secondaryInk
+            text: Machine.bags.lengths > 1 ? qsTr("Bag of %1 lengths, cut left out").arg(Machine.bags.lengths) : qsTr("Bag length")
+            color: !Machine.fresh ? Theme.color.disabledInk : Machine.bags.lengths > 1 ? Theme.color.warning : Theme.color.secondaryInk
         }
         Readout {
             objectName: "bagLength"
             anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; verticalCenterOffset: Theme.size.outline }
-            text: Theme.number(Machine.bagLengthMm, 1)
+            text: Theme.number(Machine.bags.lengthMm, 1)
             unit: "mm"
             stale: !Machine.fresh
         }
@@ -43,7 +43,7 @@ Card {
             anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
             fontSizeMode: Text.HorizontalFit
             minimumPixelSize: Theme.size.caption - 3
-            text: qsTr("mean %1, scatter %2").arg(Theme.number(Machine.bagMeanMm, 2)).arg(Theme.number(Machine.bagScatterMm, 2))
+            text: qsTr("mean %1, scatter %2").arg(Theme.number(Machine.bags.meanMm, 2)).arg(Theme.number(Machine.bags.scatterMm, 2))
             color: card.figureColor
             font.pixelSize: Theme.size.caption
         }
@@ -53,10 +53,10 @@ Card {
         objectName: "bagChart"
         visible: card.measured
         anchors { left: last.right; leftMargin: Theme.size.padding; right: parent.right; rightMargin: Theme.size.padding; top: parent.top; topMargin: Theme.size.padding; bottom: foot.top; bottomMargin: Theme.size.accent }
-        values: Machine.bagSeries
-        mean: Machine.bagMeanDeviationMm
-        scatter: Machine.bagScatterMm
-        tolerance: Machine.bagToleranceMm
+        values: Machine.bags.series
+        mean: Machine.bags.meanDeviationMm
+        scatter: Machine.bags.scatterMm
+        tolerance: Machine.bags.toleranceMm
         stale: !Machine.fresh
         backgroundColor: Theme.color.inset
         gridColor: Theme.color.target
@@ -83,7 +83,7 @@ Card {
         width: chart.width * 0.5 - Theme.size.accent
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 3
-        text: qsTr("±%1 mm").arg(Theme.number(Machine.bagToleranceMm, 2))
+        text: qsTr("±%1 mm").arg(Theme.number(Machine.bags.toleranceMm, 2))
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }
@@ -95,8 +95,8 @@ Card {
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 3
-        text: qsTr("%1 of %2 within").arg(Machine.bagsWithin).arg(card.deviations.length)
-        color: !Machine.fresh ? Theme.color.disabledInk : Machine.bagsWithin < card.deviations.length ? Theme.color.fault : Theme.color.secondaryInk
+        text: qsTr("%1 of %2 within").arg(Machine.bags.within).arg(card.deviations.length)
+        color: !Machine.fresh ? Theme.color.disabledInk : Machine.bags.within < card.deviations.length ? Theme.color.fault : Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }
     Explained {

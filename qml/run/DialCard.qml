@@ -28,17 +28,17 @@ Card {
     Label {
         id: angle
         anchors { right: parent.right; rightMargin: Theme.size.padding; top: parent.top; topMargin: Theme.size.outline }
-        text: isNaN(Machine.knifeAngleDeg) ? Theme.unknownText : Theme.number(Machine.knifeAngleDeg, 0) + "°"
+        text: isNaN(Machine.live.knifeAngleDeg) ? Theme.unknownText : Theme.number(Machine.live.knifeAngleDeg, 0) + "°"
         color: Machine.fresh ? Theme.color.ink : Theme.color.disabledInk
         font { pixelSize: Theme.size.value; bold: true }
     }
     KnifeDial {
         objectName: "knifeDial"
         anchors { left: parent.left; right: parent.right; top: angle.bottom; bottom: parent.bottom; margins: Theme.size.spacing; topMargin: 0 }
-        angleDeg: Machine.knifeAngleDeg
-        syncStartDeg: Machine.syncStartDeg
-        syncEndDeg: Machine.syncEndDeg
-        cutAngleDeg: Machine.cutAngleDeg
+        angleDeg: Machine.live.knifeAngleDeg
+        syncStartDeg: Machine.active.syncStartDeg
+        syncEndDeg: Machine.active.syncEndDeg
+        cutAngleDeg: Machine.active.cutAngleDeg
         stale: !Machine.fresh
         ringColor: Theme.color.line
         syncColor: Theme.color.sync

@@ -75,7 +75,7 @@ Card {
         nextMark: card.line.nextMarkMm
         position: card.line.filmPositionMm
         speed: card.line.filmSpeedMmPerS
-        bagLength: Machine.activeBagLengthMm
+        bagLength: Machine.active.bagLengthMm
         sensor: card.marksUsed ? card.line.sensorMm : NaN
         window: card.line.windowMm
         knifeOpen: card.line.knifeOpen

@@ -26,10 +26,10 @@ Card {
         objectName: "forcePlot"
         anchors { left: parent.left; right: parent.right; top: caption.bottom; bottom: key.top; margins: Theme.size.spacing; topMargin: Theme.size.outline; bottomMargin: 0 }
         curve: Machine.strokes.forceCurve
-        fromPosition: Machine.approachPositionMm
-        gatePosition: Machine.pressPositionMm
-        gateLow: Machine.minStopForceN
-        gateHigh: Machine.maxStopForceN
+        fromPosition: Machine.active.approachPositionMm
+        gatePosition: Machine.active.pressPositionMm
+        gateLow: Machine.active.minStopForceN
+        gateHigh: Machine.active.maxStopForceN
         gridColor: Theme.color.line
         secondaryInkColor: Theme.color.secondaryInk
         curveColor: Machine.fresh ? Theme.color.touch : Theme.color.disabledInk
@@ -56,8 +56,8 @@ Card {
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; bottomMargin: Theme.size.spacing }
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 2
-        text: qsTr("at the stop: %1 mm, %2 to %3 N").arg(Theme.number(Machine.pressPositionMm, 2))
-            .arg(Theme.number(Machine.minStopForceN, 0)).arg(Theme.number(Machine.maxStopForceN, 0))
+        text: qsTr("at the stop: %1 mm, %2 to %3 N").arg(Theme.number(Machine.active.pressPositionMm, 2))
+            .arg(Theme.number(Machine.active.minStopForceN, 0)).arg(Theme.number(Machine.active.maxStopForceN, 0))
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }

@@ -21,14 +21,14 @@ Card {
     Label {
         id: angle
         anchors { right: parent.right; rightMargin: Theme.size.padding; top: parent.top; topMargin: Theme.size.outline }
-        text: isNaN(Machine.masterAngleDeg) ? Theme.unknownText : Theme.number(Machine.masterAngleDeg, 0) + "°"
+        text: isNaN(Machine.live.masterAngleDeg) ? Theme.unknownText : Theme.number(Machine.live.masterAngleDeg, 0) + "°"
         color: Machine.fresh ? Theme.color.ink : Theme.color.disabledInk
         font { pixelSize: Theme.size.value; bold: true }
     }
     KnifeDial {
         objectName: "knifeDial"
         anchors { left: parent.left; right: parent.right; top: angle.bottom; bottom: parent.bottom; margins: Theme.size.spacing; topMargin: 0 }
-        angleDeg: Machine.masterAngleDeg
+        angleDeg: Machine.live.masterAngleDeg
         stale: !Machine.fresh
         ringColor: Theme.color.line
         handColor: Theme.color.ink

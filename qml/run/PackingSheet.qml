@@ -63,7 +63,7 @@ Sheet {
         Figure { label: qsTr("Cuts left out, product across"); value: Theme.count(sheet.line.cutsSkipped, 0) }
         Figure { label: qsTr("Bags without product"); value: Theme.count(sheet.line.emptyBags, 0) }
         Figure { label: qsTr("Film saved"); value: isNaN(sheet.line.filmSavedM) ? Theme.unknownText : qsTr("%1 m").arg(Theme.number(sheet.line.filmSavedM, 1)) }
-        Figure { label: qsTr("Following error of the knife"); value: sheet.millimeters(Machine.followingErrorMm) }
+        Figure { label: qsTr("Following error of the knife"); value: sheet.millimeters(Machine.live.followingErrorMm) }
         Figure { label: qsTr("Following error of the film"); value: sheet.millimeters(sheet.line.filmFollowingErrorMm) }
         Item { width: 1; height: Theme.size.spacing }
         FilmLegend { width: sheet.half }

@@ -12,7 +12,7 @@ Item {
     readonly property int gap: Theme.size.gap
     property real bottomInset
     signal explainRequested(var quantities)
-    readonly property bool isCam: Machine.activeKind === 4    // Editor.Kind.PointCam
+    readonly property bool isCam: Machine.active.kind === 4    // Editor.Kind.PointCam
     readonly property real upper: Math.round((height - gap) * (isCam ? 0.4 : 0.28))
     readonly property real start: isCam ? dial.width + gap : 0
     readonly property real cell: isCam ? (width - start - gap) / 2 : (width - 2 * gap) / 3
@@ -29,7 +29,7 @@ Item {
         x: view.start
         width: view.cell
         height: view.row
-        value: Machine.knifeSpeedMmPerS
+        value: Machine.live.knifeSpeedMmPerS
         decimals: 1
         caption: qsTr("Speed mm/s")
     }
@@ -38,7 +38,7 @@ Item {
         x: view.start + view.cell + view.gap
         width: view.cell
         height: view.row
-        value: Machine.positionMm
+        value: Machine.live.positionMm
         decimals: 2
         caption: qsTr("Position mm")
     }
@@ -48,7 +48,7 @@ Item {
         y: view.isCam ? view.row + view.gap : 0
         width: view.cell
         height: view.row
-        value: Machine.cycleCount
+        value: Machine.live.cycleCount
         decimals: 0
         caption: view.isCam ? qsTr("cycles") : qsTr("moves")
     }
@@ -59,7 +59,7 @@ Item {
         y: view.row + view.gap
         width: view.cell
         height: view.row
-        value: Machine.masterSpeedPercent
+        value: Machine.live.masterSpeedPercent
         decimals: 0
         caption: qsTr("Master speed %")
     }

@@ -21,9 +21,9 @@ Item {
         objectName: "packingRate"
         width: Math.round((view.width - view.gap) * 0.32)
         height: Math.round(view.room * 0.3)
-        value: Machine.rateBagsPerMin
+        value: Machine.live.rateBagsPerMin
         decimals: 1
-        caption: qsTr("bags/min · %1 bags").arg(Theme.count(Machine.bagCount, 0))
+        caption: qsTr("bags/min · %1 bags").arg(Theme.count(Machine.bags.count, 0))
         captionColor: Machine.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
         quantities: [Explanations.Rate]
         onExplainRequested: quantities => view.explainRequested(quantities)

@@ -8,9 +8,9 @@ import CamPanel.Machine
 Page {
     id: page
 
-    // By Machine.activeKind: no program, cutter (of a controller that tells nothing of film and marks), position move, speed move, point cam, press.
+    // By Machine.active.kind: no program, cutter (of a controller that tells nothing of film and marks), position move, speed move, point cam, press.
     readonly property list<string> views: ["RunEmpty.qml", "RunCutter.qml", "RunAxis.qml", "RunAxis.qml", "RunAxis.qml", "RunPress.qml"]
-    readonly property string view: Machine.activeKind === 1 && Machine.packing.present ? "RunPacking.qml" : page.views[Machine.activeKind]
+    readonly property string view: Machine.active.kind === 1 && Machine.packing.present ? "RunPacking.qml" : page.views[Machine.active.kind]
 
     Loader {
         id: loader

@@ -20,7 +20,7 @@ Item {
         objectName: "pressForce"
         width: view.cell
         height: view.upper
-        value: Machine.forceN
+        value: Machine.live.forceN
         decimals: 0
         caption: qsTr("Force N")
     }
@@ -30,7 +30,7 @@ Item {
         anchors { left: force.right; leftMargin: view.gap }
         width: view.cell
         height: view.upper
-        value: Machine.positionMm
+        value: Machine.live.positionMm
         decimals: 2
         caption: qsTr("Position mm")
     }

@@ -56,7 +56,7 @@ Card {
             width: Math.min(implicitWidth, room)
             fontSizeMode: Text.HorizontalFit
             minimumPixelSize: Theme.size.caption - 5
-            readonly property string number: Theme.number(Machine.followingErrorMm, 2)
+            readonly property string number: Theme.number(Machine.live.followingErrorMm, 2)
             text: card.compact || words.advanceWidth > followingError.room ? qsTr("error %1 mm").arg(number) : words.text
             TextMetrics {
                 id: words
@@ -71,14 +71,14 @@ Card {
     }
     StyledCurves {
         anchors { left: parent.left; right: parent.right; top: caption.bottom; bottom: parent.bottom; margins: Theme.size.spacing; topMargin: Theme.size.outline }
-        curves: Machine.targetCurves
+        curves: Machine.active.curves
         quantities: ["velocity"]
         velocityColor: Theme.color.target
         lineWidth: 2 * Theme.size.curve
         trace: Machine.actualTrace
         traceColor: card.traceColor
         inkColor: Machine.fresh ? Theme.color.ink : Theme.color.disabledInk
-        cursorTime: Machine.masterAngleDeg / 360 * Machine.cycleSeconds
+        cursorTime: Machine.live.masterAngleDeg / 360 * Machine.active.cycleSeconds
         cursorDotsVisible: false
     }
     Explained {

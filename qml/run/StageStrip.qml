@@ -17,7 +17,7 @@ Row {
             id: stage
             required property string modelData
             required property int index
-            readonly property bool current: Machine.stage === index
+            readonly property bool current: Machine.live.stage === index
             objectName: "stage" + index
             width: (strip.width - 4 * strip.spacing) / 5
             height: strip.height

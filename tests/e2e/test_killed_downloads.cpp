@@ -90,7 +90,7 @@ class TestKilledDownloads : public QObject {
         QTRY_VERIFY_WITH_TIMEOUT(machine.isConnected() && machine.status(), timeoutMs);
         if (m_crc.isEmpty())
             return;
-        QTRY_VERIFY_WITH_TIMEOUT(machine.hasActiveProgram(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(machine.active().isPresent, timeoutMs);
         const auto status = *machine.status();
         QVERIFY(status.activeCrc.has_value());
         const QString crc = QString::number(*status.activeCrc, 16).toUpper().rightJustified(8, u'0');

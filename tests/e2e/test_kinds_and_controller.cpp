@@ -98,7 +98,7 @@ private:
         QTRY_COMPARE_WITH_TIMEOUT(panel.editor.downloadState(), Editor::DownloadState::Applied, timeoutMs);
         QTRY_VERIFY2_WITH_TIMEOUT(panel.machine.canStart(), qPrintable(panel.machine.startBlockedReason()),
                                   timeoutMs);
-        QTRY_VERIFY_WITH_TIMEOUT(panel.machine.hasActiveProgram(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.machine.active().isPresent, timeoutMs);
         panel.machine.start();
     }
 };
@@ -213,7 +213,7 @@ void TestKindsAndController::anotherPanelSeesTheKnots()
         begin(panel);
         if (QTest::currentTestFailed())
             return;
-        QTRY_VERIFY_WITH_TIMEOUT(panel.machine.cycleCount() >= 5, timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.machine.live().cycleCount >= 5, timeoutMs);
         QCOMPARE(panel.machine.state(), Machine::State::Running);
         // The slave stays within the span of its cam.
         QVERIFY(panel.status().axisPositionPulses > -30 && panel.status().axisPositionPulses < 550);
@@ -223,10 +223,10 @@ void TestKindsAndController::anotherPanelSeesTheKnots()
         QVERIFY2(panel.machine.alarmText().isEmpty(), qPrintable(panel.machine.alarmText()));
     }
     Panel other(controller.port());
-    QTRY_VERIFY_WITH_TIMEOUT(other.machine.hasActiveProgram(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(other.machine.active().isPresent, timeoutMs);
     const program::Recipe& shown = other.machine.program()->recipe;
     QCOMPARE(shown.kind(), ProgramKind::PointCam);
-    QCOMPARE(other.machine.activeName(), "Petal");
+    QCOMPARE(other.machine.active().name, "Petal");
     const auto& cam = std::get<profile::PointCamProgram>(shown.program);
     QCOMPARE(cam.masterRateRevPerMin, rate);
     QCOMPARE(cam.knots.size(), knots.size());
@@ -234,8 +234,8 @@ void TestKindsAndController::anotherPanelSeesTheKnots()
         QVERIFY(std::abs(cam.knots[i].masterDeg - knots[i].masterDeg) <= 0.5e-4);
         QVERIFY(std::abs(cam.knots[i].slaveMm - knots[i].slaveMm) <= 0.5e-3);
     }
-    QVERIFY(other.machine.targetCurves().isValid());
-    QCOMPARE(other.machine.cycleSeconds(), 0.5);
+    QVERIFY(other.machine.active().curves.isValid());
+    QCOMPARE(other.machine.active().cycleSeconds, 0.5);
 }
 
 void TestKindsAndController::aStrokeStopsWhereItShould()

@@ -68,7 +68,7 @@ struct Panel {
         QTRY_VERIFY2_WITH_TIMEOUT(editor.canDownload(), qPrintable(editor.downloadText()), timeoutMs);
         editor.download();
         QTRY_COMPARE_WITH_TIMEOUT(editor.downloadState(), Editor::DownloadState::Applied, timeoutMs);
-        QTRY_VERIFY_WITH_TIMEOUT(machine.hasActiveProgram(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(machine.active().isPresent, timeoutMs);
     }
 
     QTemporaryDir folder;
@@ -84,8 +84,8 @@ void verifyTrue(const Panel& panel)
     const auto& status = *panel.machine.status();
     QVERIFY(panel.machine.fresh());
     QCOMPARE(panel.machine.generation(), static_cast<double>(status.generation));
-    QCOMPARE(panel.machine.cycleCount(), static_cast<double>(status.cycleCount));
-    QCOMPARE(panel.machine.hasActiveProgram(), status.activeCrc.has_value());
+    QCOMPARE(panel.machine.live().cycleCount, static_cast<double>(status.cycleCount));
+    QCOMPARE(panel.machine.active().isPresent, status.activeCrc.has_value());
 }
 
 modbus::LinkSettings lineTo(const char* port)
@@ -140,12 +140,12 @@ void TestLineTrouble::controllerIsKilledAndStartedAgain()
     panel.editor.saveToFlash();
     QTRY_VERIFY_WITH_TIMEOUT(panel.editor.saved(), timeoutMs);
     panel.machine.start();
-    QTRY_VERIFY_WITH_TIMEOUT(panel.machine.bagCount() >= 1, timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(panel.machine.bags().count >= 1, timeoutMs);
 
     controller.kill();
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine.connection(), Machine::Connection::Lost, timeoutMs);
     QTRY_VERIFY_WITH_TIMEOUT(!panel.machine.fresh(), timeoutMs);
-    QVERIFY(panel.machine.bagCount() >= 1); // the last one, grey
+    QVERIFY(panel.machine.bags().count >= 1); // the last one, grey
     QVERIFY2(panel.machine.connectionText().contains(controller.port()),
              qPrintable(panel.machine.connectionText()));
     panel.machine.start(); // is never sent
@@ -159,7 +159,7 @@ void TestLineTrouble::controllerIsKilledAndStartedAgain()
     qInfo("restart of the controller: connected %lld ms after its port was back", tookMs);
     QVERIFY(tookMs < reconnectLimitMs);
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Ready, timeoutMs);
-    QCOMPARE(panel.machine.bagCount(), 0.0);
+    QCOMPARE(panel.machine.bags().count, 0.0);
     QCOMPARE(panel.machine.commandMessage(),
              QStringLiteral("The line is back. The controller has restarted meanwhile."));
     verifyTrue(panel);
@@ -234,7 +234,7 @@ void TestLineTrouble::controllerRestartsWhileItRuns()
     QVERIFY(tookMs < reconnectLimitMs);
     // Nothing was saved: it has no program now, and the panel says so.
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Idle, timeoutMs);
-    QTRY_VERIFY_WITH_TIMEOUT(!panel.machine.hasActiveProgram(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!panel.machine.active().isPresent, timeoutMs);
     verifyTrue(panel);
 }
 
@@ -262,8 +262,8 @@ void TestLineTrouble::tornDownloadGoesOn()
     qInfo("download torn at %.0f %%, went on at %.0f %%", 100 * tornAt, 100 * resumedAt);
     QVERIFY(tornAt > 0.2);
     QVERIFY(resumedAt >= tornAt - 0.1);
-    QTRY_VERIFY_WITH_TIMEOUT(panel.machine.hasActiveProgram(), timeoutMs);
-    QCOMPARE(panel.machine.activeName(), panel.editor.recipeName());
+    QTRY_VERIFY_WITH_TIMEOUT(panel.machine.active().isPresent, timeoutMs);
+    QCOMPARE(panel.machine.active().name, panel.editor.recipeName());
     panel.editor.proof()->compare();
     QTRY_COMPARE_WITH_TIMEOUT(panel.editor.proof()->result(), machine::ProgramProof::Result::Equal,
                               timeoutMs);

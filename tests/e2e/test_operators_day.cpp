@@ -105,7 +105,7 @@ private slots:
         waitForRecipes(panel, 1);
         QCOMPARE(panel.panel().recipes().chosenName(), QStringLiteral("rusk large"));
         download(panel); // the page Motion is open
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().activeName(), QStringLiteral("rusk large"), timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().active().name, QStringLiteral("rusk large"), timeoutMs);
         QCOMPARE(panel.complaints(), QStringList());
     }
 
@@ -145,7 +145,7 @@ private slots:
         QVERIFY(panel.finger().find("middleKey")); // Home, which the controller takes now
         touch("startKey");
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Running, timeoutMs);
-        QTRY_VERIFY_WITH_TIMEOUT(panel.machine().bagCount() > 0, timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.machine().bags().count > 0, timeoutMs);
         QVERIFY2(touches <= 12, qPrintable(QString::number(touches)));
         QCOMPARE(panel.complaints(), QStringList());
     }
@@ -191,7 +191,7 @@ private slots:
         panel.tap("nav1");
         enter(panel, "field_bagLength", QStringLiteral("250"));
         download(panel);
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().activeBagLengthMm(), 250.0, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().active().bagLengthMm, 250.0, timeoutMs);
         QCOMPARE(panel.machine().state(), Machine::State::Running);
         QVERIFY2(panel.texts().contains(QStringLiteral("Downloaded. The machine runs with this recipe.")),
                  qPrintable(panel.texts()));

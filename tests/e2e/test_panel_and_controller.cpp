@@ -139,23 +139,23 @@ void TestPanelAndController::runLength(PanelWindow& panel)
     enterLength(panel, "260");
     QCOMPARE(panel.editor().bagLength()->value(), 260.0);
     download(panel);
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().activeBagLengthMm(), 260.0, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().active().bagLengthMm, 260.0, timeoutMs);
     QCOMPARE(panel.machine().generation(), 1.0);
 
     panel.tap("nav0");
     QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
     panel.tap("startKey");
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Running, timeoutMs);
-    const double angle = panel.machine().knifeAngleDeg();
+    const double angle = panel.machine().live().knifeAngleDeg;
     QVERIFY(!std::isnan(angle));
-    QTRY_VERIFY_WITH_TIMEOUT(std::abs(panel.machine().knifeAngleDeg() - angle) > 10, timeoutMs);
-    QTRY_VERIFY_WITH_TIMEOUT(panel.machine().bagCount() >= 2, timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(panel.machine().live().knifeAngleDeg - angle) > 10, timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(panel.machine().bags().count >= 2, timeoutMs);
     // The first bags of a run are shifted onto the marks.
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine().packing()->markState(), PackingLine::MarkState::Tracking,
                               timeoutMs);
-    QTRY_VERIFY2_WITH_TIMEOUT(std::abs(panel.machine().bagLengthMm() - 260) <
-                                  panel.machine().bagToleranceMm(),
-                              qPrintable(QString::number(panel.machine().bagLengthMm())), timeoutMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(std::abs(panel.machine().bags().lengthMm - 260) <
+                                  panel.machine().bags().toleranceMm,
+                              qPrintable(QString::number(panel.machine().bags().lengthMm)), timeoutMs);
     QCOMPARE(panel.machine().state(), Machine::State::Running);
 }
 
@@ -165,14 +165,14 @@ void TestPanelAndController::changeWhileItRuns(PanelWindow& panel)
     enterLength(panel, "300");
     QCOMPARE(panel.editor().differenceCount(), 1);
     download(panel);
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().activeBagLengthMm(), 300.0, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().active().bagLengthMm, 300.0, timeoutMs);
     QCOMPARE(panel.machine().generation(), 2.0);
     // The bag under the knife began with the old length, the next ones are shifted onto the marks.
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine().packing()->markState(), PackingLine::MarkState::Tracking,
                               timeoutMs);
-    QTRY_VERIFY2_WITH_TIMEOUT(std::abs(panel.machine().bagLengthMm() - 300) <
-                                  panel.machine().bagToleranceMm(),
-                              qPrintable(QString::number(panel.machine().bagLengthMm())), timeoutMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(std::abs(panel.machine().bags().lengthMm - 300) <
+                                  panel.machine().bags().toleranceMm,
+                              qPrintable(QString::number(panel.machine().bags().lengthMm)), timeoutMs);
     QCOMPARE(panel.machine().state(), Machine::State::Running);
 
     panel.tap("stopKey");
@@ -209,10 +209,10 @@ void TestPanelAndController::lookFromOutsideAndAgain(const QString& port)
     QVERIFY(std::abs(outside["bag_length_mm"].toDouble() - 300) < 1);
 
     PanelWindow panel(port);
-    QTRY_VERIFY_WITH_TIMEOUT(panel.machine().hasActiveProgram(), timeoutMs);
-    QCOMPARE(panel.machine().activeBagLengthMm(), 300.0);
-    QCOMPARE(panel.machine().activeName(), outside["program"]["name"].toString());
-    QCOMPARE(panel.machine().activeVersion(), outside["program"]["version"].toDouble());
+    QTRY_VERIFY_WITH_TIMEOUT(panel.machine().active().isPresent, timeoutMs);
+    QCOMPARE(panel.machine().active().bagLengthMm, 300.0);
+    QCOMPARE(panel.machine().active().name, outside["program"]["name"].toString());
+    QCOMPARE(panel.machine().active().version, outside["program"]["version"].toDouble());
     QCOMPARE(panel.machine().generation(), 2.0);
     QCOMPARE(panel.machine().state(), Machine::State::Ready);
     panel.tap("nav1");
@@ -240,7 +240,7 @@ void TestPanelAndController::theMasterIsTurnedRound()
         QVERIFY2(panel.texts().contains("starts forward"), qPrintable(panel.texts()));
         panel.tap("startKey");
         QTRY_VERIFY_WITH_TIMEOUT(panel.texts().contains("runs forward"), timeoutMs);
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().masterSpeedPercent(), 100.0, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().live().masterSpeedPercent, 100.0, timeoutMs);
         bool hasTurned = false;
         QObject::connect(&direction, &machine::MasterDirection::changed, &panel.machine(),
                          [&] { hasTurned |= direction.turning(); });
@@ -250,7 +250,7 @@ void TestPanelAndController::theMasterIsTurnedRound()
         QCOMPARE(direction.way(), Way::Backward);
         QTRY_VERIFY_WITH_TIMEOUT(panel.texts().contains("runs backward"), timeoutMs);
         QVERIFY(hasTurned);
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().masterSpeedPercent(), 100.0, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().live().masterSpeedPercent, 100.0, timeoutMs);
         // Down by its ramp and up again, never stopped as a program.
         const auto& statuses = panel.statuses();
         double slowest = 100;

@@ -111,9 +111,9 @@ private slots:
         QVERIFY2(text.contains(QStringLiteral("rate of the program × master speed")), qPrintable(text));
         const auto& machine = m_stage->panel().machine();
         const QString sum = QStringLiteral("= %1 × %2 %\n= %3 bags/min");
-        QVERIFY2(text.contains(sum.arg(machine.activeRateBagsPerMin(), 0, 'f', 1)
-                                   .arg(machine.masterSpeedPercent(), 0, 'f', 0)
-                                   .arg(machine.rateBagsPerMin(), 0, 'f', 1)),
+        QVERIFY2(text.contains(sum.arg(machine.active().rateBagsPerMin, 0, 'f', 1)
+                                   .arg(machine.live().masterSpeedPercent, 0, 'f', 0)
+                                   .arg(machine.live().rateBagsPerMin, 0, 'f', 1)),
                  qPrintable(text));
         tap("sheetClose");
         tap("nav1");

@@ -91,12 +91,12 @@ private slots:
         enter(Situation::Running);
         QVERIFY(!m_stage->find(QStringLiteral("filmPicture")));
         QVERIFY(m_stage->find(QStringLiteral("knifeDial")));
-        QCOMPARE(m_stage->panel().machine().bagSeries().size(), 60);
+        QCOMPARE(m_stage->panel().machine().bags().series.size(), 60);
         m_stage->link().setOld(false);
         m_stage->link().show(Situation::Stopped);
         enter(Situation::Running);
         QVERIFY(m_stage->find(QStringLiteral("filmPicture")));
-        QCOMPARE(m_stage->panel().machine().bagSeries().size(), 60);
+        QCOMPARE(m_stage->panel().machine().bags().series.size(), 60);
     }
 
     void thePictureMovesWhileItIsSeen()
@@ -126,7 +126,7 @@ private slots:
         QCOMPARE(m_stage->panel().settings().bagToleranceMm(), 0.05);
         enter(Situation::Running);
         QCOMPARE(textOf("toleranceText"), QStringLiteral("±0.05 mm"));
-        QVERIFY(m_stage->panel().machine().bagsWithin() < 60);
+        QVERIFY(m_stage->panel().machine().bags().within < 60);
     }
 };
 

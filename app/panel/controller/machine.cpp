@@ -186,7 +186,7 @@ void Machine::takeStatus(const link::StatusBatch& batch)
 
 void Machine::takeBag(const modbus::BagRecord& bag)
 {
-    m_bags.note(bag, activeBagLengthMm());
+    m_bags.note(bag, active().bagLengthMm);
     emit bagChanged();
 }
 

@@ -6,6 +6,7 @@
 #include "app/link/link.h"
 #include "app/panel/controller/actual_trace.h"
 #include "app/panel/controller/bag_statistics.h"
+#include "app/panel/controller/controller_values.h"
 #include "app/panel/controller/master_direction.h"
 #include "app/panel/controller/packing_line.h"
 #include "app/panel/controller/status_rate.h"
@@ -43,7 +44,6 @@ class Machine : public QObject {
 
     Q_PROPERTY(Connection connection READ connection NOTIFY connectionChanged FINAL)
     Q_PROPERTY(QString connectionText READ connectionText NOTIFY connectionChanged FINAL)
-    Q_PROPERTY(QString portName READ portName NOTIFY connectionChanged FINAL)
     Q_PROPERTY(bool simulated READ simulated NOTIFY connectionChanged FINAL)
     Q_PROPERTY(double statusPerSecond READ statusPerSecond NOTIFY qualityChanged FINAL)
     Q_PROPERTY(int linkQuality READ linkQuality NOTIFY qualityChanged FINAL)
@@ -60,61 +60,17 @@ class Machine : public QObject {
     Q_PROPERTY(QStringList alarmTexts READ alarmTexts NOTIFY stateChanged FINAL)
     Q_PROPERTY(bool faulted READ faulted NOTIFY stateChanged FINAL)
 
-    Q_PROPERTY(double rateBagsPerMin READ rateBagsPerMin NOTIFY liveChanged FINAL)
-    Q_PROPERTY(double masterAngleDeg READ masterAngleDeg NOTIFY liveChanged FINAL)
-    Q_PROPERTY(double knifeAngleDeg READ knifeAngleDeg NOTIFY liveChanged FINAL)
-    Q_PROPERTY(double knifeSpeedMmPerS READ knifeSpeedMmPerS NOTIFY liveChanged FINAL)
-    Q_PROPERTY(double followingErrorPulses READ followingErrorPulses NOTIFY liveChanged FINAL)
-    Q_PROPERTY(double followingErrorMm READ followingErrorMm NOTIFY liveChanged FINAL)
-    Q_PROPERTY(double pulseFrequencyHz READ pulseFrequencyHz NOTIFY liveChanged FINAL)
-    Q_PROPERTY(double cycleCount READ cycleCount NOTIFY liveChanged FINAL)
+    Q_PROPERTY(campanel::machine::LiveValues live READ live NOTIFY liveChanged FINAL)
+    Q_PROPERTY(campanel::machine::BagValues bags READ bags NOTIFY bagChanged FINAL)
+    Q_PROPERTY(campanel::machine::ActiveProgramValues active READ active NOTIFY programChanged FINAL)
     Q_PROPERTY(QList<QPointF> actualTrace READ actualTrace NOTIFY liveChanged FINAL)
 
-    Q_PROPERTY(double positionMm READ positionMm NOTIFY liveChanged FINAL)
-    Q_PROPERTY(double masterSpeedPercent READ masterSpeedPercent NOTIFY liveChanged FINAL)
     // Of a point cam.
     Q_PROPERTY(campanel::machine::MasterDirection* direction READ direction CONSTANT FINAL)
     // Of a rotary cutter.
     Q_PROPERTY(campanel::machine::PackingLine* packing READ packing CONSTANT FINAL)
-    // Of a press.
-    Q_PROPERTY(double forceN READ forceN NOTIFY liveChanged FINAL)
-    Q_PROPERTY(QString stageText READ stageText NOTIFY liveChanged FINAL)
-    // The stage as an index into stageNames: 0 approach .. 4 return; -1 while it stands or is not known.
-    Q_PROPERTY(int stage READ stage NOTIFY liveChanged FINAL)
     Q_PROPERTY(QStringList stageNames READ stageNames NOTIFY stateChanged FINAL)
-    Q_PROPERTY(double approachPositionMm READ approachPositionMm NOTIFY programChanged FINAL)
-    Q_PROPERTY(double pressPositionMm READ pressPositionMm NOTIFY programChanged FINAL)
-    Q_PROPERTY(double minStopForceN READ minStopForceN NOTIFY programChanged FINAL)
-    Q_PROPERTY(double maxStopForceN READ maxStopForceN NOTIFY programChanged FINAL)
     Q_PROPERTY(campanel::machine::StrokeModel* strokes READ strokes CONSTANT FINAL)
-
-    Q_PROPERTY(double bagCount READ bagCount NOTIFY bagChanged FINAL)
-    Q_PROPERTY(double bagLengthMm READ bagLengthMm NOTIFY bagChanged FINAL)
-    Q_PROPERTY(double bagDeviationMm READ bagDeviationMm NOTIFY bagChanged FINAL)
-    Q_PROPERTY(double bagMeanMm READ bagMeanMm NOTIFY bagChanged FINAL)
-    Q_PROPERTY(double bagScatterMm READ bagScatterMm NOTIFY bagChanged FINAL)
-    Q_PROPERTY(QList<double> bagSeries READ bagSeries NOTIFY bagChanged FINAL)
-    // Of bagSeries.
-    Q_PROPERTY(double bagMeanDeviationMm READ bagMeanDeviationMm NOTIFY bagChanged FINAL)
-    // Of these, how many are within the tolerance.
-    Q_PROPERTY(int bagsWithin READ bagsWithin NOTIFY bagChanged FINAL)
-    // Bag lengths in the last bag: more than one where cuts were left out.
-    Q_PROPERTY(int bagLengths READ bagLengths NOTIFY bagChanged FINAL)
-    Q_PROPERTY(double bagToleranceMm READ bagToleranceMm NOTIFY bagChanged FINAL)
-
-    Q_PROPERTY(double generation READ generation NOTIFY programChanged FINAL)
-    // As Editor.kind; 0 while there is no program.
-    Q_PROPERTY(int activeKind READ activeKind NOTIFY programChanged FINAL)
-    Q_PROPERTY(bool hasActiveProgram READ hasActiveProgram NOTIFY programChanged FINAL)
-    Q_PROPERTY(QString activeName READ activeName NOTIFY programChanged FINAL)
-    Q_PROPERTY(double activeVersion READ activeVersion NOTIFY programChanged FINAL)
-    Q_PROPERTY(double activeBagLengthMm READ activeBagLengthMm NOTIFY programChanged FINAL)
-    Q_PROPERTY(double activeRateBagsPerMin READ activeRateBagsPerMin NOTIFY programChanged FINAL)
-    Q_PROPERTY(double cycleSeconds READ cycleSeconds NOTIFY programChanged FINAL)
-    Q_PROPERTY(double syncStartDeg READ syncStartDeg NOTIFY programChanged FINAL)
-    Q_PROPERTY(double syncEndDeg READ syncEndDeg NOTIFY programChanged FINAL)
-    Q_PROPERTY(double cutAngleDeg READ cutAngleDeg NOTIFY programChanged FINAL)
-    Q_PROPERTY(QVariant targetCurves READ targetCurves NOTIFY programChanged FINAL)
 
     Q_PROPERTY(bool canStart READ canStart NOTIFY commandsChanged FINAL)
     Q_PROPERTY(QString startBlockedReason READ startBlockedReason NOTIFY commandsChanged FINAL)
@@ -159,50 +115,15 @@ public:
     [[nodiscard]] QStringList alarmTexts() const;
     [[nodiscard]] QString alarmText() const { return alarmTexts().join(QLatin1Char('\n')); }
     [[nodiscard]] bool faulted() const;
-    [[nodiscard]] double rateBagsPerMin() const;
-    [[nodiscard]] double masterAngleDeg() const;
-    [[nodiscard]] double knifeAngleDeg() const;
-    [[nodiscard]] double knifeSpeedMmPerS() const;
-    [[nodiscard]] double followingErrorPulses() const;
-    [[nodiscard]] double followingErrorMm() const;
-    [[nodiscard]] double pulseFrequencyHz() const;
-    [[nodiscard]] double cycleCount() const;
+    [[nodiscard]] LiveValues live() const;
+    [[nodiscard]] BagValues bags() const;
+    [[nodiscard]] ActiveProgramValues active() const;
     [[nodiscard]] QList<QPointF> actualTrace() const { return m_trace.points(); }
-    [[nodiscard]] double positionMm() const;
-    [[nodiscard]] double masterSpeedPercent() const;
     [[nodiscard]] MasterDirection* direction() { return &m_direction; }
     [[nodiscard]] PackingLine* packing() { return &m_packing; }
-    [[nodiscard]] double forceN() const;
-    [[nodiscard]] QString stageText() const;
-    [[nodiscard]] int stage() const;
     [[nodiscard]] QStringList stageNames() const;
-    [[nodiscard]] double approachPositionMm() const;
-    [[nodiscard]] double pressPositionMm() const;
-    [[nodiscard]] double minStopForceN() const;
-    [[nodiscard]] double maxStopForceN() const;
     [[nodiscard]] StrokeModel* strokes() { return &m_strokes; }
-    [[nodiscard]] double bagCount() const;
-    [[nodiscard]] double bagLengthMm() const { return m_bags.lengthMm(); }
-    [[nodiscard]] double bagDeviationMm() const { return m_bags.deviationMm(); }
-    [[nodiscard]] double bagMeanMm() const { return m_bags.meanMm(); }
-    [[nodiscard]] double bagMeanDeviationMm() const { return m_bags.meanDeviationMm(); }
-    [[nodiscard]] double bagScatterMm() const { return m_bags.scatterMm(); }
-    [[nodiscard]] QList<double> bagSeries() const { return m_bags.deviationsMm(); }
-    [[nodiscard]] int bagsWithin() const { return m_bags.countWithin(bagToleranceMm()); }
-    [[nodiscard]] int bagLengths() const { return m_bags.lengths(); }
-    [[nodiscard]] double bagToleranceMm() const;
     [[nodiscard]] double generation() const;
-    [[nodiscard]] int activeKind() const;
-    [[nodiscard]] bool hasActiveProgram() const { return m_program != nullptr; }
-    [[nodiscard]] QString activeName() const;
-    [[nodiscard]] double activeVersion() const;
-    [[nodiscard]] double activeBagLengthMm() const;
-    [[nodiscard]] double activeRateBagsPerMin() const;
-    [[nodiscard]] double cycleSeconds() const;
-    [[nodiscard]] double syncStartDeg() const; // of the knife's shaft, as knifeAngleDeg
-    [[nodiscard]] double syncEndDeg() const;
-    [[nodiscard]] double cutAngleDeg() const;
-    [[nodiscard]] QVariant targetCurves() const;
     [[nodiscard]] bool canStart() const { return startBlockedReason().isEmpty(); }
     [[nodiscard]] QString startBlockedReason() const { return blockedReason(modbus::Command::Start); }
     // Why the controller would refuse the command now, as far as its last status tells; empty: it takes it.
@@ -270,8 +191,6 @@ private:
     // The program that the last status is of; null while that is another one than is known.
     [[nodiscard]] const ControllerProgram* runningProgram() const;
     void trace(const modbus::StatusBlock& status);
-    // The active program if it is a press, else null.
-    [[nodiscard]] const profile::PressProgram* pressProgram() const;
     void forgetStatus();
     void updateAge();
     void showMessage(const QString& text);

@@ -126,81 +126,6 @@ bool Machine::faulted() const
     return state() == State::Fault;
 }
 
-double Machine::rateBagsPerMin() const
-{
-    const ControllerProgram* program = runningProgram();
-    return program ? program->rateBagsPerMin * m_status->masterSpeedPercent / 100 : unknown;
-}
-
-double Machine::masterAngleDeg() const
-{
-    return m_status ? orUnknown(m_status->masterAngleDeg) : unknown;
-}
-
-double Machine::knifeAngleDeg() const
-{
-    return m_status ? orUnknown(m_status->knifeAngleDeg) : unknown;
-}
-
-double Machine::knifeSpeedMmPerS() const
-{
-    const ControllerProgram* program = runningProgram();
-    return program && program->pulsesPerMm > 0 ? m_status->actualFrequencyHz / program->pulsesPerMm : unknown;
-}
-
-double Machine::followingErrorPulses() const
-{
-    return m_status ? m_status->followingErrorPulses : unknown;
-}
-
-double Machine::followingErrorMm() const
-{
-    const ControllerProgram* program = runningProgram();
-    return program && program->pulsesPerMm > 0 ? m_status->followingErrorPulses / program->pulsesPerMm
-                                               : unknown;
-}
-
-double Machine::pulseFrequencyHz() const
-{
-    return m_status ? m_status->commandedFrequencyHz : unknown;
-}
-
-double Machine::cycleCount() const
-{
-    return m_status ? m_status->cycleCount : unknown;
-}
-
-double Machine::positionMm() const
-{
-    const ControllerProgram* program = runningProgram();
-    return program && program->pulsesPerMm > 0 ? m_status->axisPositionPulses / program->pulsesPerMm
-                                               : unknown;
-}
-
-double Machine::masterSpeedPercent() const
-{
-    return m_status ? m_status->masterSpeedPercent : unknown;
-}
-
-double Machine::forceN() const
-{
-    return m_status && m_status->press ? m_status->press->forceN : unknown;
-}
-
-QString Machine::stageText() const
-{
-    return m_status && m_status->press && m_status->press->stage
-               ? ControllerSentences::pressStage(*m_status->press->stage)
-               : QString();
-}
-
-int Machine::stage() const
-{
-    return m_status && m_status->press && m_status->press->stage
-               ? static_cast<int>(*m_status->press->stage) - 1
-               : -1;
-}
-
 QStringList Machine::stageNames() const
 {
     using modbus::PressStage;
@@ -211,98 +136,78 @@ QStringList Machine::stageNames() const
     return names;
 }
 
-const profile::PressProgram* Machine::pressProgram() const
-{
-    return m_program ? std::get_if<profile::PressProgram>(&m_program->recipe.program) : nullptr;
-}
-
-double Machine::approachPositionMm() const
-{
-    const auto* press = pressProgram();
-    return press ? press->approachPositionMm : unknown;
-}
-
-double Machine::pressPositionMm() const
-{
-    const auto* press = pressProgram();
-    return press ? press->pressPositionMm : unknown;
-}
-
-double Machine::minStopForceN() const
-{
-    const auto* press = pressProgram();
-    return press ? press->minStopForceN : unknown;
-}
-
-double Machine::maxStopForceN() const
-{
-    const auto* press = pressProgram();
-    return press ? press->maxStopForceN : unknown;
-}
-
-int Machine::activeKind() const
-{
-    return m_program ? static_cast<int>(m_program->recipe.kind()) : 0;
-}
-
-double Machine::bagToleranceMm() const
-{
-    return m_settings.bagToleranceMm();
-}
-
-double Machine::bagCount() const
-{
-    return m_status ? m_status->bagCount : unknown;
-}
-
 double Machine::generation() const
 {
     return m_status ? m_status->generation : unknown;
 }
 
-QString Machine::activeName() const
+LiveValues Machine::live() const
 {
-    return m_program ? QString::fromStdString(m_program->header.recipeName) : QString();
+    LiveValues values;
+    if (!m_status)
+        return values;
+    values.masterAngleDeg = orUnknown(m_status->masterAngleDeg);
+    values.knifeAngleDeg = orUnknown(m_status->knifeAngleDeg);
+    values.followingErrorPulses = m_status->followingErrorPulses;
+    values.pulseFrequencyHz = m_status->commandedFrequencyHz;
+    values.cycleCount = m_status->cycleCount;
+    values.masterSpeedPercent = m_status->masterSpeedPercent;
+    if (m_status->press) {
+        values.forceN = m_status->press->forceN;
+        if (m_status->press->stage)
+            values.stage = static_cast<int>(*m_status->press->stage) - 1;
+    }
+    const ControllerProgram* program = runningProgram();
+    if (!program)
+        return values;
+    values.rateBagsPerMin = program->rateBagsPerMin * m_status->masterSpeedPercent / 100;
+    if (program->pulsesPerMm > 0) {
+        values.knifeSpeedMmPerS = m_status->actualFrequencyHz / program->pulsesPerMm;
+        values.followingErrorMm = m_status->followingErrorPulses / program->pulsesPerMm;
+        values.positionMm = m_status->axisPositionPulses / program->pulsesPerMm;
+    }
+    return values;
 }
 
-double Machine::activeVersion() const
+BagValues Machine::bags() const
 {
-    return m_program ? m_program->version : unknown;
+    const double toleranceMm = m_settings.bagToleranceMm();
+    return {m_status ? m_status->bagCount : unknown,
+            m_bags.lengthMm(),
+            m_bags.deviationMm(),
+            m_bags.lengths(),
+            m_bags.meanMm(),
+            m_bags.meanDeviationMm(),
+            m_bags.scatterMm(),
+            m_bags.deviationsMm(),
+            m_bags.countWithin(toleranceMm),
+            toleranceMm};
 }
 
-double Machine::activeBagLengthMm() const
+ActiveProgramValues Machine::active() const
 {
-    return m_program ? m_program->bagLengthMm : unknown;
-}
-
-double Machine::activeRateBagsPerMin() const
-{
-    return m_program ? m_program->rateBagsPerMin : unknown;
-}
-
-double Machine::cycleSeconds() const
-{
-    return m_program ? m_program->cycleSeconds : unknown;
-}
-
-double Machine::syncStartDeg() const
-{
-    return m_program ? m_program->syncStartDeg : unknown;
-}
-
-double Machine::syncEndDeg() const
-{
-    return m_program ? m_program->syncEndDeg : unknown;
-}
-
-double Machine::cutAngleDeg() const
-{
-    return m_program ? m_program->cutDeg : unknown;
-}
-
-QVariant Machine::targetCurves() const
-{
-    return m_program && m_program->curves ? QVariant::fromValue(m_program->curves) : QVariant();
+    ActiveProgramValues values;
+    if (!m_program)
+        return values;
+    values.isPresent = true;
+    values.kind = static_cast<int>(m_program->recipe.kind());
+    values.name = QString::fromStdString(m_program->header.recipeName);
+    values.version = m_program->version;
+    values.bagLengthMm = m_program->bagLengthMm;
+    values.rateBagsPerMin = m_program->rateBagsPerMin;
+    values.cycleSeconds = m_program->cycleSeconds;
+    values.syncStartDeg = m_program->syncStartDeg;
+    values.syncEndDeg = m_program->syncEndDeg;
+    values.cutAngleDeg = m_program->cutDeg;
+    if (m_program->curves)
+        values.curves = QVariant::fromValue(m_program->curves);
+    if (const auto* press = std::get_if<profile::PressProgram>(&m_program->recipe.program)) {
+        values.approachPositionMm = press->approachPositionMm;
+        values.pressPositionMm = press->pressPositionMm;
+        values.minStopForceN = press->minStopForceN;
+        values.maxStopForceN = press->maxStopForceN;
+    }
+    return values;
 }
 
 QString Machine::blockedReason(modbus::Command command) const

@@ -188,8 +188,8 @@ double PackingLine::filmPositionMm() const
 
 double PackingLine::filmSpeedMmPerS() const
 {
-    const double speed =
-        m_machine.activeBagLengthMm() / m_machine.cycleSeconds() * m_machine.masterSpeedPercent() / 100;
+    const double speed = m_machine.active().bagLengthMm / m_machine.active().cycleSeconds *
+                         m_machine.live().masterSpeedPercent / 100;
     const bool runs = m_status && m_status->filmGate == modbus::GateState::Running;
     return runs && std::isfinite(speed) ? speed : 0;
 }
@@ -206,7 +206,7 @@ double PackingLine::nextMarkMm() const
     if (!isExpected || m_status->seenMarks.empty())
         return unknown;
     const auto last = std::ranges::max_element(m_status->seenMarks, {}, &modbus::FilmMark::distanceMm);
-    const double pitch = m_status->markPitchMm > 0 ? m_status->markPitchMm : m_machine.activeBagLengthMm();
+    const double pitch = m_status->markPitchMm > 0 ? m_status->markPitchMm : m_machine.active().bagLengthMm;
     return last->distanceMm + pitch;
 }
 

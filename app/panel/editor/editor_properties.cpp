@@ -134,7 +134,7 @@ QVariant Editor::overlayCurves() const
     if (m_comparedCurves)
         return QVariant::fromValue(m_comparedCurves);
     const auto& active = m_machine.program();
-    return active && active->recipe.kind() == m_recipe.kind() ? m_machine.targetCurves() : QVariant();
+    return active && active->recipe.kind() == m_recipe.kind() ? m_machine.active().curves : QVariant();
 }
 
 QString Editor::overlayName() const

@@ -109,9 +109,9 @@ QList<int> Explanations::ofVerdict() const
 Explanation Explanations::rate() const
 {
     const Format format;
-    const double rate = m_machine.rateBagsPerMin();
-    const double program = m_machine.activeRateBagsPerMin();
-    const double master = m_machine.masterSpeedPercent();
+    const double rate = m_machine.live().rateBagsPerMin;
+    const double program = m_machine.active().rateBagsPerMin;
+    const double master = m_machine.live().masterSpeedPercent;
     Explanation told;
     told.title = tr("Rate");
     told.value = format.number(rate, 1);
@@ -128,15 +128,15 @@ Explanation Explanations::rate() const
 Explanation Explanations::bags(Quantity quantity) const
 {
     const Format format;
-    const auto series = m_machine.bagSeries();
+    const auto series = m_machine.bags().series;
     const auto count = format.number(static_cast<double>(series.size()), 0);
-    const double tolerance = m_machine.bagToleranceMm();
-    const double mean = m_machine.bagMeanDeviationMm();
+    const double tolerance = m_machine.bags().toleranceMm;
+    const double mean = m_machine.bags().meanDeviationMm;
     Explanation told;
     told.unit = tr("mm");
     switch (quantity) {
     case BagMean: {
-        const double length = m_machine.bagMeanMm();
+        const double length = m_machine.bags().meanMm;
         told.title = tr("Mean bag length");
         told.value = format.number(length, 2);
         told.meaning =
@@ -149,7 +149,7 @@ Explanation Explanations::bags(Quantity quantity) const
         break;
     }
     case BagScatter: {
-        const double scatter = m_machine.bagScatterMm();
+        const double scatter = m_machine.bags().scatterMm;
         const double squares = scatter * scatter * static_cast<double>(series.size() - 1);
         told.title = tr("Scatter of the bag length");
         told.value = format.number(scatter, 2);
@@ -163,7 +163,7 @@ Explanation Explanations::bags(Quantity quantity) const
     }
     case BagsWithin:
         told.title = tr("Bags within the tolerance");
-        told.value = format.number(m_machine.bagsWithin(), 0);
+        told.value = format.number(m_machine.bags().within, 0);
         told.unit.clear();
         told.meaning =
             tr("How many of the last bags (%1) are within ±%2 mm. The tolerance is set in Settings, Machine.")
@@ -171,8 +171,8 @@ Explanation Explanations::bags(Quantity quantity) const
         told.formula = tr("bags whose deviation is not above the tolerance");
         break;
     default: {
-        const double deviation = m_machine.bagDeviationMm();
-        const double length = m_machine.bagLengthMm();
+        const double deviation = m_machine.bags().deviationMm;
+        const double length = m_machine.bags().lengthMm;
         told.title = tr("Deviation of the last bag");
         told.value = format.number(deviation, 2);
         told.meaning =
@@ -221,8 +221,8 @@ Explanation Explanations::packing(Quantity quantity) const
 Explanation Explanations::followingError() const
 {
     const Format format;
-    const double error = m_machine.followingErrorMm();
-    const double pulses = m_machine.followingErrorPulses();
+    const double error = m_machine.live().followingErrorMm;
+    const double pulses = m_machine.live().followingErrorPulses;
     Explanation told;
     told.title = tr("Following error");
     told.value = format.number(error, 2);
@@ -244,11 +244,12 @@ Explanation Explanations::goodStrokes() const
     Explanation told;
     told.title = tr("Good of the last strokes");
     told.value = strokes.count() > 0 ? format.number(strokes.goodCount(), 0) : Format::unknownText();
-    told.meaning = tr("Of the last strokes (%1), those that ended inside the gate: at the press position, "
-                      "with a force of "
-                      "%2 to %3 N.")
-                       .arg(format.number(strokes.count(), 0), format.number(m_machine.minStopForceN(), 0),
-                            format.number(m_machine.maxStopForceN(), 0));
+    told.meaning =
+        tr("Of the last strokes (%1), those that ended inside the gate: at the press position, "
+           "with a force of "
+           "%2 to %3 N.")
+            .arg(format.number(strokes.count(), 0), format.number(m_machine.active().minStopForceN, 0),
+                 format.number(m_machine.active().maxStopForceN, 0));
     told.formula = tr("strokes that the controller called good");
     return told;
 }

@@ -11,7 +11,7 @@ using Kind = profile::ProgramKind;
 
 Kind kindOf(const Machine& machine)
 {
-    return static_cast<Kind>(machine.activeKind());
+    return static_cast<Kind>(machine.active().kind);
 }
 
 } // namespace

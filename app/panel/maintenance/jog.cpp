@@ -30,12 +30,12 @@ link::JogDirection linkDirection(int direction)
 
 bool isPress(const Machine& machine)
 {
-    return machine.activeKind() == static_cast<int>(profile::ProgramKind::Press);
+    return machine.active().kind == static_cast<int>(profile::ProgramKind::Press);
 }
 
 bool isCutter(const Machine& machine)
 {
-    return machine.activeKind() == static_cast<int>(profile::ProgramKind::RotaryCutter);
+    return machine.active().kind == static_cast<int>(profile::ProgramKind::RotaryCutter);
 }
 
 } // namespace

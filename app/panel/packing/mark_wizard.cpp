@@ -146,7 +146,7 @@ int MarkWizard::bagsSinceStep() const
 // Bags whose marks had passed the sensor before the new distance, and one for each end.
 int MarkWizard::bagsUnderWay() const
 {
-    const double bagMm = m_machine.activeBagLengthMm();
+    const double bagMm = m_machine.active().bagLengthMm;
     const double distanceMm = std::isfinite(m_newMm) ? m_newMm : 0.0;
     return bagMm > 0 ? static_cast<int>(std::ceil(distanceMm / bagMm)) + 2 : 0;
 }
@@ -194,7 +194,7 @@ void MarkWizard::judgeBags()
 
 double MarkWizard::mostMm() const
 {
-    const double bagMm = m_machine.activeBagLengthMm();
+    const double bagMm = m_machine.active().bagLengthMm;
     return std::isfinite(bagMm) ? bagMm : 0.0;
 }
 
@@ -261,7 +261,7 @@ double MarkWizard::meanMm() const
 
 double MarkWizard::newDistanceMm() const
 {
-    const double bagMm = m_machine.activeBagLengthMm();
+    const double bagMm = m_machine.active().bagLengthMm;
     const modbus::RegisterInfo* info = modbus::findRegister(distanceName);
     if (!(bagMm > 0) || !info)
         return unknown;

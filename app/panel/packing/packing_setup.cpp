@@ -109,7 +109,7 @@ double PackingSetup::teachProgress() const
 
 bool PackingSetup::misfit() const
 {
-    const double bagMm = m_machine.activeBagLengthMm();
+    const double bagMm = m_machine.active().bagLengthMm;
     const double limit = m_fields.value(lengthLimitName);
     const double pitchMm = m_machine.packing()->teachPitchMm();
     return !teaching() && std::isfinite(limit) && std::abs(pitchMm - bagMm) > bagMm * limit / percent;
@@ -138,7 +138,7 @@ QString PackingSetup::teachText() const
     const Format format;
     const QString pitch = format.number(packing.teachPitchMm(), 2);
     const QString scatter = format.number(packing.teachScatterMm(), 2);
-    const QString bag = format.compact(m_machine.activeBagLengthMm(), 0, 2);
+    const QString bag = format.compact(m_machine.active().bagLengthMm, 0, 2);
     if (misfit())
         return tr("The marks are %1 mm apart (± %2 mm); the recipe cuts %3 mm. That is more than the length "
                   "limit allows: "

@@ -127,17 +127,17 @@ ReportSection Commissioning::bagSection() const
         if (!std::isnan(value))
             section.rows.append({name, format.number(value, decimals) + u' ' + unit});
     };
-    const auto bags = m_machine.bagSeries().size();
+    const auto bags = m_machine.bags().series.size();
     if (bags == 0) {
         section.lines << tr("No bag has been measured.");
         return section;
     }
     section.rows.append({tr("Measured"), QString::number(bags)});
-    add(tr("Mean length"), m_machine.bagMeanMm(), 2, u"mm"_s);
-    add(tr("Mean deviation"), m_machine.bagMeanDeviationMm(), 3, u"mm"_s);
-    add(tr("Scatter (standard deviation)"), m_machine.bagScatterMm(), 3, u"mm"_s);
-    section.rows.append({tr("Within ±%1 mm").arg(format.compact(m_machine.bagToleranceMm(), 0, 2)),
-                         tr("%1 of %2").arg(m_machine.bagsWithin()).arg(bags)});
+    add(tr("Mean length"), m_machine.bags().meanMm, 2, u"mm"_s);
+    add(tr("Mean deviation"), m_machine.bags().meanDeviationMm, 3, u"mm"_s);
+    add(tr("Scatter (standard deviation)"), m_machine.bags().scatterMm, 3, u"mm"_s);
+    section.rows.append({tr("Within ±%1 mm").arg(format.compact(m_machine.bags().toleranceMm, 0, 2)),
+                         tr("%1 of %2").arg(m_machine.bags().within).arg(bags)});
     return section;
 }
 

@@ -92,7 +92,7 @@ void TrendRecorder::noteBag(const modbus::StatusBlock& status)
 void TrendRecorder::takeBag(const modbus::BagRecord& record)
 {
     store::Bag bag;
-    bag.setLengthMm = m_machine.activeBagLengthMm();
+    bag.setLengthMm = m_machine.active().bagLengthMm;
     bag.lengths = std::max(1, record.lengths);
     bag.deviationMm = record.deviationMm;
     if (record.isTracked)
@@ -109,10 +109,10 @@ void TrendRecorder::add(store::Bag bag)
     if (std::exchange(m_isNextOfTwoPrograms, false) || !std::isfinite(bag.setLengthMm))
         return;
     bag.timeMs = m_clock();
-    bag.programName = m_machine.activeName();
+    bag.programName = m_machine.active().name;
     bag.programVersion =
-        std::isfinite(m_machine.activeVersion()) ? static_cast<int>(m_machine.activeVersion()) : 0;
-    const double rate = m_machine.rateBagsPerMin();
+        std::isfinite(m_machine.active().version) ? static_cast<int>(m_machine.active().version) : 0;
+    const double rate = m_machine.live().rateBagsPerMin;
     if (std::isfinite(rate))
         bag.rateBagsPerMin = rate;
     // One of several lengths counts by one of them: it would flatten the curve of all others.

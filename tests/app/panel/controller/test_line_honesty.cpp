@@ -166,13 +166,13 @@ void TestLineHonesty::valuesOfAnotherProgramAreNotScaled()
     rig.connectRunning();
     rig.link.status.axisPositionPulses = 5000;
     rig.link.sendStatus(rig.now);
-    QVERIFY(!std::isnan(rig.machine.positionMm()));
+    QVERIFY(!std::isnan(rig.machine.live().positionMm));
     ++rig.link.status.generation; // its header is still to be read
     rig.link.sendStatus(rig.now);
-    QVERIFY(std::isnan(rig.machine.positionMm()));
-    QVERIFY(std::isnan(rig.machine.knifeSpeedMmPerS()));
-    QVERIFY(std::isnan(rig.machine.followingErrorMm()));
-    QVERIFY(std::isnan(rig.machine.rateBagsPerMin()));
+    QVERIFY(std::isnan(rig.machine.live().positionMm));
+    QVERIFY(std::isnan(rig.machine.live().knifeSpeedMmPerS));
+    QVERIFY(std::isnan(rig.machine.live().followingErrorMm));
+    QVERIFY(std::isnan(rig.machine.live().rateBagsPerMin));
 }
 
 void TestLineHonesty::lostLineClaimsNothingOfTheController()

@@ -30,32 +30,32 @@ private slots:
     void showsNothingBeforeItKnows()
     {
         PanelRig rig;
-        for (const double value : {rig.machine.rateBagsPerMin(),
-                                   rig.machine.masterAngleDeg(),
-                                   rig.machine.knifeAngleDeg(),
-                                   rig.machine.knifeSpeedMmPerS(),
-                                   rig.machine.followingErrorPulses(),
-                                   rig.machine.followingErrorMm(),
-                                   rig.machine.pulseFrequencyHz(),
-                                   rig.machine.cycleCount(),
-                                   rig.machine.bagCount(),
-                                   rig.machine.bagLengthMm(),
-                                   rig.machine.bagDeviationMm(),
-                                   rig.machine.bagMeanMm(),
-                                   rig.machine.bagScatterMm(),
+        for (const double value : {rig.machine.live().rateBagsPerMin,
+                                   rig.machine.live().masterAngleDeg,
+                                   rig.machine.live().knifeAngleDeg,
+                                   rig.machine.live().knifeSpeedMmPerS,
+                                   rig.machine.live().followingErrorPulses,
+                                   rig.machine.live().followingErrorMm,
+                                   rig.machine.live().pulseFrequencyHz,
+                                   rig.machine.live().cycleCount,
+                                   rig.machine.bags().count,
+                                   rig.machine.bags().lengthMm,
+                                   rig.machine.bags().deviationMm,
+                                   rig.machine.bags().meanMm,
+                                   rig.machine.bags().scatterMm,
                                    rig.machine.generation(),
-                                   rig.machine.activeVersion(),
-                                   rig.machine.activeBagLengthMm(),
-                                   rig.machine.activeRateBagsPerMin(),
-                                   rig.machine.cycleSeconds(),
-                                   rig.machine.syncStartDeg(),
-                                   rig.machine.syncEndDeg(),
-                                   rig.machine.cutAngleDeg(),
+                                   rig.machine.active().version,
+                                   rig.machine.active().bagLengthMm,
+                                   rig.machine.active().rateBagsPerMin,
+                                   rig.machine.active().cycleSeconds,
+                                   rig.machine.active().syncStartDeg,
+                                   rig.machine.active().syncEndDeg,
+                                   rig.machine.active().cutAngleDeg,
                                    rig.machine.ageMs(),
                                    rig.machine.statusPerSecond()})
             QVERIFY(std::isnan(value));
-        QVERIFY(rig.machine.activeName().isEmpty());
-        QVERIFY(!rig.machine.targetCurves().isValid());
+        QVERIFY(rig.machine.active().name.isEmpty());
+        QVERIFY(!rig.machine.active().curves.isValid());
         QVERIFY(!rig.machine.fresh());
         QVERIFY(!rig.machine.canStart());
         QVERIFY(!rig.machine.startBlockedReason().isEmpty());
@@ -77,7 +77,7 @@ private slots:
         QVERIFY(!rig.machine.fresh());
         QCOMPARE(changed.size(), 1);
         QCOMPARE(rig.machine.ageMs(), 1000.0);
-        QVERIFY(!std::isnan(rig.machine.bagCount())); // the old value stays, grey
+        QVERIFY(!std::isnan(rig.machine.bags().count)); // the old value stays, grey
         QVERIFY(!rig.machine.canStart());
     }
 
@@ -85,22 +85,23 @@ private slots:
     {
         PanelRig rig;
         rig.connectRunning();
-        QVERIFY(rig.machine.hasActiveProgram());
-        QCOMPARE(rig.machine.activeName(), "Biscuit 250");
-        QCOMPARE(rig.machine.activeVersion(), 1.0);
-        QCOMPARE(rig.machine.activeBagLengthMm(), 250.0);
-        QCOMPARE(rig.machine.cycleSeconds(), 1.0);
-        QCOMPARE(rig.machine.rateBagsPerMin(), 60.0);
-        QVERIFY(rig.machine.targetCurves().isValid());
+        QVERIFY(rig.machine.active().isPresent);
+        QCOMPARE(rig.machine.active().name, "Biscuit 250");
+        QCOMPARE(rig.machine.active().version, 1.0);
+        QCOMPARE(rig.machine.active().bagLengthMm, 250.0);
+        QCOMPARE(rig.machine.active().cycleSeconds, 1.0);
+        QCOMPARE(rig.machine.live().rateBagsPerMin, 60.0);
+        QVERIFY(rig.machine.active().curves.isValid());
         // One knife: the shaft turns once a cycle, slower than the master while it seals.
-        QVERIFY(rig.machine.syncStartDeg() > 0);
-        QVERIFY(rig.machine.syncStartDeg() < rig.machine.cutAngleDeg());
-        QVERIFY(rig.machine.cutAngleDeg() < rig.machine.syncEndDeg());
-        QVERIFY(rig.machine.syncEndDeg() < 360);
-        QVERIFY(std::abs(rig.machine.cutAngleDeg() - 180) < 0.1); // the recipe is symmetric but for rounding
+        QVERIFY(rig.machine.active().syncStartDeg > 0);
+        QVERIFY(rig.machine.active().syncStartDeg < rig.machine.active().cutAngleDeg);
+        QVERIFY(rig.machine.active().cutAngleDeg < rig.machine.active().syncEndDeg);
+        QVERIFY(rig.machine.active().syncEndDeg < 360);
+        QVERIFY(std::abs(rig.machine.active().cutAngleDeg - 180) <
+                0.1); // the recipe is symmetric but for rounding
         emit rig.link.programRead({rig.link.status.generation, 0, {}});
-        QVERIFY(!rig.machine.hasActiveProgram());
-        QVERIFY(std::isnan(rig.machine.rateBagsPerMin()));
+        QVERIFY(!rig.machine.active().isPresent);
+        QVERIFY(std::isnan(rig.machine.live().rateBagsPerMin));
     }
 
     void garbageHeaderGivesNoNumbers()
@@ -113,10 +114,10 @@ private slots:
         header[modbus::registerNamed("bank.layout").address] =
             static_cast<std::uint16_t>(modbus::TableLayout::StepTable);
         emit rig.link.programRead({rig.link.status.generation, *rig.link.status.activeCrc, header});
-        QVERIFY(rig.machine.hasActiveProgram());
-        for (const double number : {rig.machine.activeVersion(), rig.machine.activeBagLengthMm(),
-                                    rig.machine.activeRateBagsPerMin(), rig.machine.cycleSeconds(),
-                                    rig.machine.rateBagsPerMin(), rig.machine.syncStartDeg()})
+        QVERIFY(rig.machine.active().isPresent);
+        for (const double number : {rig.machine.active().version, rig.machine.active().bagLengthMm,
+                                    rig.machine.active().rateBagsPerMin, rig.machine.active().cycleSeconds,
+                                    rig.machine.live().rateBagsPerMin, rig.machine.active().syncStartDeg})
             QVERIFY2(std::isnan(number), qPrintable(QString::number(number)));
     }
 
@@ -170,8 +171,8 @@ private slots:
         rig.link.status.bagDeviationMm = -25;
         rig.link.status.bagLengthMm = 225;
         rig.link.sendStatus(rig.now);
-        QCOMPARE(rig.machine.bagLengthMm(), 225.0);
-        QVERIFY(std::isnan(rig.machine.bagMeanMm()));
+        QCOMPARE(rig.machine.bags().lengthMm, 225.0);
+        QVERIFY(std::isnan(rig.machine.bags().meanMm));
         const QList<double> deviations{0.1, -0.1, 0.3, 0.1};
         for (qsizetype i = 0; i < deviations.size(); ++i) {
             rig.link.status.bagCount = static_cast<std::uint32_t>(i + 2);
@@ -180,16 +181,16 @@ private slots:
             for (int repeat = 0; repeat < 3; ++repeat)
                 rig.link.sendStatus(rig.now);
         }
-        QCOMPARE(rig.machine.bagSeries(), deviations);
-        QCOMPARE(rig.machine.bagCount(), 5.0);
-        QCOMPARE(rig.machine.bagLengthMm(), 250.1);
-        QVERIFY(std::abs(rig.machine.bagMeanMm() - 250.1) < 1e-9);
-        QVERIFY(std::abs(rig.machine.bagScatterMm() - std::sqrt(0.08 / 3)) < 1e-9);
+        QCOMPARE(rig.machine.bags().series, deviations);
+        QCOMPARE(rig.machine.bags().count, 5.0);
+        QCOMPARE(rig.machine.bags().lengthMm, 250.1);
+        QVERIFY(std::abs(rig.machine.bags().meanMm - 250.1) < 1e-9);
+        QVERIFY(std::abs(rig.machine.bags().scatterMm - std::sqrt(0.08 / 3)) < 1e-9);
         for (int i = 0; i < 100; ++i) {
             ++rig.link.status.bagCount;
             rig.link.sendStatus(rig.now);
         }
-        QCOMPARE(rig.machine.bagSeries().size(), 60);
+        QCOMPARE(rig.machine.bags().series.size(), 60);
     }
 
     void stopIsAlwaysSentAndAPressMoreStopsNow()
@@ -274,7 +275,7 @@ private slots:
         QCOMPARE(rig.machine.connection(), Machine::Connection::Lost);
         QCOMPARE(rig.machine.state(), Machine::State::Unknown);
         QVERIFY(rig.machine.connectionText().contains("reconnects by itself"));
-        QVERIFY(rig.machine.hasActiveProgram());
+        QVERIFY(rig.machine.active().isPresent);
         QCOMPARE(rig.machine.linkQuality(), 0);
     }
 

@@ -177,7 +177,7 @@ private slots:
         QCOMPARE(line.filmPositionMm(), 1234.5);
         QCOMPARE(line.nextMarkMm(), 601.0);
         QCOMPARE(line.markStateText(), "Following the marks");
-        QCOMPARE(line.filmSpeedMmPerS(), bagMm / rig.machine.cycleSeconds());
+        QCOMPARE(line.filmSpeedMmPerS(), bagMm / rig.machine.active().cycleSeconds);
         QVERIFY(line.gateText().isEmpty());
         rig.film.put("packer.knife_gate", static_cast<unsigned>(modbus::GateState::Standing));
         rig.film.put("packer.mark_state", static_cast<unsigned>(modbus::MarkState::Searching));
@@ -252,7 +252,7 @@ private slots:
         rig.answer();
         rig.film.addBag(2, 20); // begun under another program
         rig.answerNext();
-        QVERIFY(rig.machine.bagSeries().isEmpty());
+        QVERIFY(rig.machine.bags().series.isEmpty());
         rig.film.addBag(3, 0.1);
         rig.film.addBag(4, -0.2, 2);
         rig.film.addBag(5, 0.1);
@@ -262,15 +262,15 @@ private slots:
         rig.link.status.bagDeviationMm = 249.8;
         rig.link.sendStatus(rig.now);
         rig.answerNext();
-        QCOMPARE(rig.machine.bagSeries(), (QList<double>{0.1, -0.2, 0.1}));
-        QVERIFY(std::abs(rig.machine.bagMeanMm() - bagMm) < 1e-9);
-        QVERIFY(std::abs(rig.machine.bagScatterMm() - std::sqrt(0.03)) < 1e-9);
-        QCOMPARE(rig.machine.bagsWithin(), 2);
-        QCOMPARE(rig.machine.bagLengthMm(), bagMm + 0.1);
+        QCOMPARE(rig.machine.bags().series, (QList<double>{0.1, -0.2, 0.1}));
+        QVERIFY(std::abs(rig.machine.bags().meanMm - bagMm) < 1e-9);
+        QVERIFY(std::abs(rig.machine.bags().scatterMm - std::sqrt(0.03)) < 1e-9);
+        QCOMPARE(rig.machine.bags().within, 2);
+        QCOMPARE(rig.machine.bags().lengthMm, bagMm + 0.1);
         rig.film.addBag(6, 0.05, 3);
         rig.answerNext();
-        QCOMPARE(rig.machine.bagLengthMm(), 3 * bagMm + 0.05);
-        QCOMPARE(rig.machine.bagLengths(), 3);
+        QCOMPARE(rig.machine.bags().lengthMm, 3 * bagMm + 0.05);
+        QCOMPARE(rig.machine.bags().lengths, 3);
     }
 
     void toleranceIsKept()

@@ -54,16 +54,16 @@ private slots:
         QCOMPARE(panel.machine.state(), Machine::State::Idle);
         panel.editor.download();
         QTRY_COMPARE_WITH_TIMEOUT(panel.editor.downloadState(), Editor::DownloadState::Applied, timeoutMs);
-        QTRY_VERIFY_WITH_TIMEOUT(panel.machine.hasActiveProgram(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.machine.active().isPresent, timeoutMs);
         QCOMPARE(panel.editor.downloadState(), Editor::DownloadState::Applied);
-        QCOMPARE(panel.machine.activeName(), "Biscuit 250");
+        QCOMPARE(panel.machine.active().name, "Biscuit 250");
         QCOMPARE(panel.editor.differenceCount(), 0);
 
         QTRY_VERIFY_WITH_TIMEOUT(panel.machine.canStart(), timeoutMs);
         panel.machine.start();
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Running, timeoutMs);
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine.rateBagsPerMin(), 60.0, timeoutMs);
-        QTRY_VERIFY_WITH_TIMEOUT(panel.machine.bagSeries().size() >= 3, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine.live().rateBagsPerMin, 60.0, timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.machine.bags().series.size() >= 3, timeoutMs);
         const machine::PackingLine& line = *panel.machine.packing();
         QTRY_COMPARE_WITH_TIMEOUT(line.markState(), machine::PackingLine::MarkState::Tracking, timeoutMs);
         QVERIFY(line.fresh());
@@ -81,10 +81,10 @@ private slots:
         const double generation = panel.machine.generation();
         panel.editor.download();
         QTRY_COMPARE_WITH_TIMEOUT(panel.editor.downloadState(), Editor::DownloadState::Applied, timeoutMs);
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine.activeBagLengthMm(), 300.0, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine.active().bagLengthMm, 300.0, timeoutMs);
         QCOMPARE(panel.machine.generation(), generation + 1);
-        QCOMPARE(panel.machine.activeVersion(), 2.0);
-        QTRY_VERIFY_WITH_TIMEOUT(std::abs(panel.machine.bagMeanMm() - 300) < 1, timeoutMs);
+        QCOMPARE(panel.machine.active().version, 2.0);
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(panel.machine.bags().meanMm - 300) < 1, timeoutMs);
 
         QVERIFY(!panel.editor.saved());
         panel.editor.saveToFlash();
@@ -103,7 +103,7 @@ private slots:
             panel.editor.bagLength()->set(280);
             QTRY_COMPARE_WITH_TIMEOUT(panel.editor.downloadState(), Editor::DownloadState::Ready, timeoutMs);
             panel.editor.download();
-            QTRY_VERIFY_WITH_TIMEOUT(panel.editor.canSave() && panel.machine.hasActiveProgram(), timeoutMs);
+            QTRY_VERIFY_WITH_TIMEOUT(panel.editor.canSave() && panel.machine.active().isPresent, timeoutMs);
             panel.editor.saveToFlash();
             QTRY_VERIFY_WITH_TIMEOUT(panel.editor.saved(), timeoutMs);
         }
@@ -113,7 +113,7 @@ private slots:
         QVERIFY(!panel.editor.edited());
         QTRY_COMPARE_WITH_TIMEOUT(panel.editor.downloadState(), Editor::DownloadState::NothingToDo,
                                   timeoutMs);
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine.activeBagLengthMm(), 280.0, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine.active().bagLengthMm, 280.0, timeoutMs);
         QVERIFY(panel.editor.saved());
     }
 };
