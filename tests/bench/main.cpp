@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanel-bench: measures what the README states, as ratios against limits and peers in one run.
+// campanel-bench: measures the figures of docs/figures.md as ratios against limits and peers in one run.
 #include "bench_report.h"
 
 #include "app/shell/qml_modules.h"
@@ -17,7 +17,8 @@ int main(int argc, char** argv)
 {
     const QGuiApplication app(argc, argv);
     QCommandLineParser parser;
-    parser.setApplicationDescription(u"Measures CamPanel against its limits; prints one table."_s);
+    parser.setApplicationDescription(
+        u"Measures CamPanel against its limits; prints one table as Markdown."_s);
     parser.addHelpOption();
     parser.addPositionalArgument(
         u"part"_s,

@@ -93,6 +93,7 @@ const QList<Rule>& includeRules()
     static const QList<Rule> rules =
         roomRules() +
         QList<Rule>{
+            {u"examples"_s, {standardCpp, u"(profile|modbus)/.*"_s}},
             {u"controller/core"_s, {standardC, u"ctl_[a-z_]+\\.h"_s}},
             {u"controller/sim"_s, {standardCpp, standardC, expected, u"ctl_[a-z_]+\\.h"_s}},
             {u"controller/host"_s, {standardCpp, standardC, posix, expected, controllerHost}},
@@ -210,8 +211,9 @@ class TestLayering : public QObject {
 private slots:
     void everyIncludeIsAllowed()
     {
-        const QStringList files = filesBelow({u"profile"_s, u"modbus"_s, u"controller"_s, u"app"_s},
-                                             {u"*.h"_s, u"*.cpp"_s, u"*.c"_s, u"*.hpp"_s});
+        const QStringList files =
+            filesBelow({u"profile"_s, u"modbus"_s, u"controller"_s, u"app"_s, u"examples"_s},
+                       {u"*.h"_s, u"*.cpp"_s, u"*.c"_s, u"*.hpp"_s});
         QVERIFY(files.size() > 20);
         QStringList all;
         for (const QString& file : files)
@@ -259,7 +261,7 @@ private slots:
     void everySourceFileNamesItsLicence()
     {
         const QStringList files = filesBelow({u"profile"_s, u"modbus"_s, u"controller"_s, u"app"_s, u"qml"_s,
-                                              u"tests"_s, u"cmake"_s, u"packaging"_s},
+                                              u"tests"_s, u"cmake"_s, u"packaging"_s, u"examples"_s},
                                              {u"*.h"_s, u"*.cpp"_s, u"*.c"_s, u"*.qml"_s, u"CMakeLists.txt"_s,
                                               u"*.cmake"_s, u"*.py"_s, u"*.sh"_s});
         for (const QString& name : files) {
