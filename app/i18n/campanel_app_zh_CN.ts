@@ -3318,7 +3318,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::DownloadDesk</name>
+    <name>campanel::machine::ProgramDownload</name>
     <message>
         <source>Not possible now: there is no connection to the controller.</source>
         <translation>暂时无法下载：没有连接到控制器。</translation>

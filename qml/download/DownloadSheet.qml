@@ -10,9 +10,9 @@ import CamPanel.Machine
 Sheet {
     id: sheet
 
-    readonly property bool busy: Editor.downloadState === Editor.DownloadState.Transferring
-        || Editor.downloadState === Editor.DownloadState.Sealing || Editor.downloadState === Editor.DownloadState.Armed
-    readonly property bool failed: Editor.downloadState === Editor.DownloadState.Failed
+    readonly property bool busy: Editor.programDownload.state === ProgramDownload.State.Transferring
+        || Editor.programDownload.state === ProgramDownload.State.Sealing || Editor.programDownload.state === ProgramDownload.State.Armed
+    readonly property bool failed: Editor.programDownload.state === ProgramDownload.State.Failed
 
     signal proofRequested()
 
@@ -21,9 +21,9 @@ Sheet {
     panelWidth: width * 0.86
 
     Connections {
-        target: Editor
-        function onDownloadChanged() {
-            if (Editor.downloadState === Editor.DownloadState.Applied)
+        target: Editor.programDownload
+        function onChanged() {
+            if (Editor.programDownload.state === ProgramDownload.State.Applied)
                 sheet.closed()
         }
     }
@@ -41,7 +41,7 @@ Sheet {
         anchors { left: parent.left; right: parent.right; top: head.bottom; bottom: status.top; bottomMargin: Theme.size.spacing }
         clip: true
         boundsBehavior: Flickable.StopAtBounds
-        model: Editor.differences
+        model: Editor.programDownload.differences
         delegate: DifferenceRow { width: list.width }
     }
     ScrollMark { view: list }
@@ -63,13 +63,13 @@ Sheet {
             width: parent.width
             visible: text.length > 0
             wrapMode: Text.WordWrap
-            text: Theme.unbroken(Editor.downloadText)
+            text: Theme.unbroken(Editor.programDownload.text)
             color: sheet.failed ? Theme.color.fault : Theme.color.ink
         }
         ProgressBar {
             width: parent.width
             visible: sheet.busy
-            progress: Editor.downloadProgress
+            progress: Editor.programDownload.progress
         }
     }
     footer: [
@@ -80,12 +80,12 @@ Sheet {
         },
         Button {
             objectName: "downloadProof"
-            visible: !Editor.canDownload && !sheet.busy && Machine.active.isPresent
+            visible: !Editor.programDownload.canDownload && !sheet.busy && Machine.active.isPresent
             text: qsTr("Compare")
             onClicked: sheet.proofRequested()
         },
         Button {
-            visible: Editor.canSave && !sheet.busy
+            visible: Editor.programDownload.canSave && !sheet.busy
             glyph: Theme.icon.save
             text: qsTr("Save")
             onClicked: Editor.saveToFlash()
@@ -94,7 +94,7 @@ Sheet {
             objectName: "downloadStart"
             kind: Button.Primary
             glyph: Theme.icon.download
-            enabled: Editor.canDownload
+            enabled: Editor.programDownload.canDownload
             text: sheet.failed ? qsTr("Try again") : qsTr("Download")
             onClicked: Editor.download()
         }

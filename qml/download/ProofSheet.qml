@@ -9,7 +9,7 @@ import CamPanel.Machine
 Sheet {
     id: sheet
 
-    readonly property ProgramProof proof: Editor.proof
+    readonly property ProgramProof proof: Editor.programDownload.proof
     readonly property bool equal: proof.result === ProgramProof.Equal
     readonly property bool different: proof.result === ProgramProof.Different
 
@@ -45,7 +45,7 @@ Sheet {
         Entry {
             live: false
             name: qsTr("Edited on this panel")
-            value: Editor.differenceCount > 0 && Machine.fresh ? qsTr("%1 · v%2, values that differ from the active one: %3").arg(Editor.recipeName).arg(Editor.recipeVersion).arg(Editor.differenceCount)
+            value: Editor.programDownload.differenceCount > 0 && Machine.fresh ? qsTr("%1 · v%2, values that differ from the active one: %3").arg(Editor.recipeName).arg(Editor.recipeVersion).arg(Editor.programDownload.differenceCount)
                 : qsTr("%1 · v%2").arg(Editor.recipeName).arg(Editor.recipeVersion)
         }
         Entry {

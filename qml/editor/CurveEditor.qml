@@ -15,7 +15,7 @@ Card {
     required property bool showJerk
     required property bool compare
     readonly property bool hasKnots: Editor.kind === Editor.Kind.PointCam
-    readonly property list<real> handleTimes: hasKnots ? Editor.knots.times : Editor.ratioTimes
+    readonly property list<real> handleTimes: hasKnots ? Editor.knots.times : Editor.plot.ratioTimes
     readonly property int handlePanel: quantities.indexOf(hasKnots ? "position" : "velocity")
     readonly property var quantities: [...(showPosition || hasKnots ? ["position"] : []), "velocity", "acceleration",
         ...(showJerk ? ["jerk"] : []), "frequency"]
@@ -55,18 +55,18 @@ Card {
         objectName: "motionPlot"
         visible: Editor.solvable
         anchors { left: parent.left; right: parent.right; top: line.bottom; bottom: parent.bottom; margins: Theme.size.spacing; topMargin: Theme.size.outline }
-        curves: Editor.curves
+        curves: Editor.plot.curves
         overlayCurves: editor.compare ? Editor.overlayCurves : undefined
         quantities: editor.quantities
         titles: editor.quantities.map(quantity => editor.titleOf(quantity))
-        markerTimes: editor.hasKnots ? [] : Editor.markTimes
+        markerTimes: editor.hasKnots ? [] : Editor.plot.markTimes
         cursorTime: editor.cursor
         cursorDotsVisible: editor.dragged < 0
-        limitVelocity: Editor.limitVelocity
-        limitAcceleration: Editor.limitAcceleration
-        limitFrequency: Editor.limitFrequency
+        limitVelocity: Editor.plot.limitVelocity
+        limitAcceleration: Editor.plot.limitAcceleration
+        limitFrequency: Editor.plot.limitFrequency
         limitLabel: qsTr("limit")
-        violations: Editor.violations
+        violations: Editor.plot.violations
         onLayoutChanged: ++editor.revision
         onCurvesChanged: ++editor.revision
     }
@@ -112,7 +112,7 @@ Card {
             pixelMm = plot.valuePerPixel(editor.handlePanel)
             if (editor.hasKnots && editor.dragged >= 0)
                 Editor.knots.beginDrag(editor.dragged)
-            plot.timeMaximum = Editor.cycleSeconds
+            plot.timeMaximum = Editor.plot.cycleSeconds
             follow(mouse.x, mouse.y)
         }
         onPositionChanged: mouse => {
@@ -128,7 +128,7 @@ Card {
             else if (editor.dragged >= 0)
                 Editor.dragRatio(editor.dragged, plot.timeOfX(x + grab))
             editor.cursor = editor.dragged >= 0 ? editor.handleTimes[editor.dragged]
-                : Math.max(0, Math.min(Editor.cycleSeconds, plot.timeOfX(x)))
+                : Math.max(0, Math.min(Editor.plot.cycleSeconds, plot.timeOfX(x)))
         }
         function finish() {
             if (editor.dragged >= 0 && editor.hasKnots)

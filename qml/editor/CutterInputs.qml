@@ -15,7 +15,7 @@ Item {
     signal lawRequested()
     signal moreRequested()
 
-    readonly property var ratios: [Editor.k1, Editor.k2, Editor.k3, Editor.k4]
+    readonly property var ratios: [Editor.cutter.k1, Editor.cutter.k2, Editor.cutter.k3, Editor.cutter.k4]
     readonly property int columns: Theme.size.fieldColumns
     readonly property int rows: 4 / columns + 2
     readonly property real rowHeight: (height - (rows - 1) * Theme.size.spacing) / rows
@@ -26,7 +26,7 @@ Item {
         columns: inputs.columns
         spacing: Theme.size.spacing
         Repeater {
-            model: [Editor.bagLength, Editor.rate, Editor.baseSpeed, Editor.filmSpeed]
+            model: [Editor.cutter.bagLength, Editor.cutter.rate, Editor.cutter.baseSpeed, Editor.cutter.filmSpeed]
             FieldTile {
                 required property var modelData
                 objectName: "field_" + field.fieldId

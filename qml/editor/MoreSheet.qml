@@ -73,14 +73,14 @@ Sheet {
         }
         FieldTile {
             visible: Editor.kind === Editor.Kind.RotaryCutter
-            field: Editor.syncRatio
+            field: Editor.cutter.syncRatio
             compact: false
             width: sheet.half
             onEditRequested: (field, source) => sheet.editRequested([field], 0, source)
         }
         FieldTile {
             visible: Editor.kind === Editor.Kind.RotaryCutter
-            field: Editor.rampSlices
+            field: Editor.cutter.rampSlices
             compact: false
             width: sheet.half
             onEditRequested: (field, source) => sheet.editRequested([field], 0, source)

@@ -50,7 +50,7 @@ Page {
         anchors { left: side.right; leftMargin: Theme.size.gap; right: parent.right; top: side.top; bottom: side.bottom; bottomMargin: page.bottomInset }
         showPosition: page.showPosition
         showJerk: page.showJerk
-        compare: page.compare && (Editor.differenceCount > 0 || Editor.overlayName.length > 0)
+        compare: page.compare && (Editor.programDownload.differenceCount > 0 || Editor.overlayName.length > 0)
     }
     VerdictBar {
         id: verdict

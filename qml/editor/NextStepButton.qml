@@ -11,19 +11,19 @@ Button {
 
     signal downloadRequested()
 
-    readonly property bool busy: Editor.downloadState === Editor.DownloadState.Transferring
-        || Editor.downloadState === Editor.DownloadState.Sealing || Editor.downloadState === Editor.DownloadState.Armed
-    readonly property bool suggests: !busy && !Editor.canDownload && Editor.hasSuggestion
-    readonly property bool saves: !busy && !suggests && !Editor.canDownload && Editor.canSave
-    readonly property bool settled: !busy && Editor.downloadState === Editor.DownloadState.NothingToDo && Editor.saved
+    readonly property bool busy: Editor.programDownload.state === ProgramDownload.State.Transferring
+        || Editor.programDownload.state === ProgramDownload.State.Sealing || Editor.programDownload.state === ProgramDownload.State.Armed
+    readonly property bool suggests: !busy && !Editor.programDownload.canDownload && Editor.suggestionText.length > 0
+    readonly property bool saves: !busy && !suggests && !Editor.programDownload.canDownload && Editor.programDownload.canSave
+    readonly property bool settled: !busy && Editor.programDownload.state === ProgramDownload.State.NothingToDo && Editor.programDownload.saved
 
     objectName: "nextStep"
     kind: Button.Primary
     width: Math.max(implicitWidth, Theme.size.touch * 1.5)
-    enabled: busy || suggests || saves || Editor.canDownload
+    enabled: busy || suggests || saves || Editor.programDownload.canDownload
     text: busy ? qsTr("Downloading") : suggests ? Editor.suggestionText : saves ? qsTr("Save")
         : settled ? qsTr("Saved") : qsTr("Download")
-    note: busy ? Theme.number(100 * Editor.downloadProgress, 0) + " %" : saves ? qsTr("keep over power loss")
+    note: busy ? Theme.number(100 * Editor.programDownload.progress, 0) + " %" : saves ? qsTr("keep over power loss")
         : settled ? qsTr("in the controller") : !Machine.fresh ? qsTr("no connection") : suggests ? "" : Machine.state === Machine.State.Running ? qsTr("next cycle") : qsTr("to the controller")
     onClicked: step.suggests ? Editor.applySuggestion() : step.saves ? Editor.saveToFlash() : step.downloadRequested()
 }

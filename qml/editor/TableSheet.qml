@@ -11,7 +11,7 @@ Sheet {
 
     title: Editor.table.name
 
-    readonly property var figures: Editor.tableSummary
+    readonly property var figures: Editor.table.summary
     readonly property var columns: Editor.table.columns
 
     Label {

@@ -42,8 +42,8 @@ Card {
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
         minimumPixelSize: Theme.size.caption - 3
-        text: Theme.unbroken(Editor.downloadState === Editor.DownloadState.Failed || Editor.downloadState === Editor.DownloadState.Applied
-            ? Editor.downloadText : Editor.controllerText)
+        text: Theme.unbroken(Editor.programDownload.state === ProgramDownload.State.Failed || Editor.programDownload.state === ProgramDownload.State.Applied
+            ? Editor.programDownload.text : Editor.programDownload.controllerText)
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }

@@ -29,7 +29,7 @@ FirstStep {
             spacing: Theme.size.spacing
             FieldTile {
                 objectName: "first_bagLength"
-                field: Editor.bagLength
+                field: Editor.cutter.bagLength
                 compact: false
                 width: step.half
                 onEditRequested: (field, source) => step.page.editRequested([field], 0, source)
@@ -37,7 +37,7 @@ FirstStep {
             }
             FieldTile {
                 objectName: "first_rate"
-                field: Editor.rate
+                field: Editor.cutter.rate
                 compact: false
                 width: step.half
                 onEditRequested: (field, source) => step.page.editRequested([field], 0, source)
@@ -52,7 +52,7 @@ FirstStep {
             color: Editor.severity === Editor.Severity.Bad ? Theme.color.fault : Theme.color.ink
         }
         Button {
-            visible: Editor.hasSuggestion
+            visible: Editor.suggestionText.length > 0
             text: Editor.suggestionText
             onClicked: Editor.applySuggestion()
         }

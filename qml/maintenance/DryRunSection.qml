@@ -110,7 +110,7 @@ ServiceSection {
             objectName: "dryRunCurve"
             visible: !section.run.cutter
             anchors.fill: film
-            curves: Editor.curves
+            curves: Editor.plot.curves
             quantities: ["velocity"]
             titles: [qsTr("Speed mm/s")]
             cursorTime: section.run.timeS

@@ -23,6 +23,7 @@ namespace test_kinds_and_controller {
 
 using namespace campanel;
 using machine::Editor;
+using machine::ProgramDownload;
 using machine::Machine;
 using profile::Field;
 using profile::ProgramKind;
@@ -92,10 +93,11 @@ private:
     // With the panel's own buttons, until it runs there.
     static void begin(Panel& panel)
     {
-        QTRY_VERIFY2_WITH_TIMEOUT(panel.editor.canDownload(), qPrintable(panel.editor.downloadText()),
-                                  timeoutMs);
+        QTRY_VERIFY2_WITH_TIMEOUT(panel.editor.programDownload()->canDownload(),
+                                  qPrintable(panel.editor.programDownload()->text()), timeoutMs);
         panel.editor.download();
-        QTRY_COMPARE_WITH_TIMEOUT(panel.editor.downloadState(), Editor::DownloadState::Applied, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.editor.programDownload()->state(), ProgramDownload::State::Applied,
+                                  timeoutMs);
         QTRY_VERIFY2_WITH_TIMEOUT(panel.machine.canStart(), qPrintable(panel.machine.startBlockedReason()),
                                   timeoutMs);
         QTRY_VERIFY_WITH_TIMEOUT(panel.machine.active().isPresent, timeoutMs);

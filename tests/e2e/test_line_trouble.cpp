@@ -27,6 +27,7 @@ namespace test_line_trouble {
 
 using namespace campanel;
 using machine::Editor;
+using machine::ProgramDownload;
 using machine::Machine;
 using test::ControllerProcess;
 
@@ -65,9 +66,11 @@ struct Panel {
 
     void download()
     {
-        QTRY_VERIFY2_WITH_TIMEOUT(editor.canDownload(), qPrintable(editor.downloadText()), timeoutMs);
+        QTRY_VERIFY2_WITH_TIMEOUT(editor.programDownload()->canDownload(),
+                                  qPrintable(editor.programDownload()->text()), timeoutMs);
         editor.download();
-        QTRY_COMPARE_WITH_TIMEOUT(editor.downloadState(), Editor::DownloadState::Applied, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(editor.programDownload()->state(), ProgramDownload::State::Applied,
+                                  timeoutMs);
         QTRY_VERIFY_WITH_TIMEOUT(machine.active().isPresent, timeoutMs);
     }
 
@@ -138,7 +141,7 @@ void TestLineTrouble::controllerIsKilledAndStartedAgain()
     panel.openPort(controller.port());
     panel.download();
     panel.editor.saveToFlash();
-    QTRY_VERIFY_WITH_TIMEOUT(panel.editor.saved(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(panel.editor.programDownload()->isSaved(), timeoutMs);
     panel.machine.start();
     QTRY_VERIFY_WITH_TIMEOUT(panel.machine.bags().count >= 1, timeoutMs);
 
@@ -242,7 +245,8 @@ void TestLineTrouble::tornDownloadGoesOn()
 {
     Panel panel;
     panel.openSimulated(9600);
-    QTRY_VERIFY2_WITH_TIMEOUT(panel.editor.canDownload(), qPrintable(panel.editor.downloadText()), timeoutMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(panel.editor.programDownload()->canDownload(),
+                              qPrintable(panel.editor.programDownload()->text()), timeoutMs);
     double tornAt = -1;
     double resumedAt = -1;
     bool isTorn = false;
@@ -258,15 +262,16 @@ void TestLineTrouble::tornDownloadGoesOn()
             }
         });
     panel.editor.download();
-    QTRY_COMPARE_WITH_TIMEOUT(panel.editor.downloadState(), Editor::DownloadState::Applied, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.editor.programDownload()->state(), ProgramDownload::State::Applied,
+                              timeoutMs);
     qInfo("download torn at %.0f %%, went on at %.0f %%", 100 * tornAt, 100 * resumedAt);
     QVERIFY(tornAt > 0.2);
     QVERIFY(resumedAt >= tornAt - 0.1);
     QTRY_VERIFY_WITH_TIMEOUT(panel.machine.active().isPresent, timeoutMs);
     QCOMPARE(panel.machine.active().name, panel.editor.recipeName());
-    panel.editor.proof()->compare();
-    QTRY_COMPARE_WITH_TIMEOUT(panel.editor.proof()->result(), machine::ProgramProof::Result::Equal,
-                              timeoutMs);
+    panel.editor.programDownload()->proof()->compare();
+    QTRY_COMPARE_WITH_TIMEOUT(panel.editor.programDownload()->proof()->result(),
+                              machine::ProgramProof::Result::Equal, timeoutMs);
 }
 
 void TestLineTrouble::jogDiesWithItsPanel()

@@ -21,6 +21,7 @@ namespace test_mark_wizard {
 
 using namespace campanel;
 using machine::Editor;
+using machine::ProgramDownload;
 using machine::Machine;
 using machine::MarkWizard;
 using machine::PackingLine;
@@ -55,9 +56,11 @@ struct Panel {
 
     void run()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(machine.isConnected() && machine.fresh() && editor.canDownload(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            machine.isConnected() && machine.fresh() && editor.programDownload()->canDownload(), timeoutMs);
         editor.download();
-        QTRY_COMPARE_WITH_TIMEOUT(editor.downloadState(), Editor::DownloadState::Applied, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(editor.programDownload()->state(), ProgramDownload::State::Applied,
+                                  timeoutMs);
         QTRY_VERIFY_WITH_TIMEOUT(machine.canStart(), timeoutMs);
         machine.start();
         QTRY_COMPARE_WITH_TIMEOUT(machine.packing()->markState(), PackingLine::MarkState::Tracking,

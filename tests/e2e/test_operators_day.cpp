@@ -14,6 +14,7 @@ namespace test_operators_day {
 
 using namespace campanel;
 using machine::Editor;
+using machine::ProgramDownload;
 using machine::Machine;
 using test::ControllerProcess;
 using test::PanelWindow;
@@ -50,10 +51,11 @@ void waitForRecipes(PanelWindow& panel, int total)
 
 void download(PanelWindow& panel)
 {
-    QTRY_VERIFY_WITH_TIMEOUT(panel.editor().canDownload(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(panel.editor().programDownload()->canDownload(), timeoutMs);
     panel.tap("nextStep");
     panel.tap("downloadStart");
-    QTRY_COMPARE_WITH_TIMEOUT(panel.editor().downloadState(), Editor::DownloadState::Applied, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.editor().programDownload()->state(), ProgramDownload::State::Applied,
+                              timeoutMs);
     panel.finger().settle();
 }
 
@@ -132,10 +134,11 @@ private slots:
             touch("firstNext");
         touch("startKey"); // on the page Motion, beside Download
         QVERIFY2(panel.texts().contains(refusal), qPrintable(panel.texts()));
-        QTRY_VERIFY_WITH_TIMEOUT(panel.editor().canDownload(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.editor().programDownload()->canDownload(), timeoutMs);
         touch("nextStep");
         touch("downloadStart");
-        QTRY_COMPARE_WITH_TIMEOUT(panel.editor().downloadState(), Editor::DownloadState::Applied, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.editor().programDownload()->state(), ProgramDownload::State::Applied,
+                                  timeoutMs);
         QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
         panel.finger().settle();
         QVERIFY2(!panel.finger().find("sheetPanel"), qPrintable(panel.texts()));

@@ -21,6 +21,7 @@ namespace test_panel_and_controller {
 
 using namespace campanel;
 using machine::Editor;
+using machine::ProgramDownload;
 using machine::Machine;
 using machine::PackingLine;
 using modbus::State;
@@ -105,10 +106,11 @@ private:
     // Until the controller runs it.
     static void download(PanelWindow& panel)
     {
-        QTRY_VERIFY_WITH_TIMEOUT(panel.editor().canDownload(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.editor().programDownload()->canDownload(), timeoutMs);
         panel.tap("nextStep");
         panel.tap("downloadStart");
-        QTRY_COMPARE_WITH_TIMEOUT(panel.editor().downloadState(), Editor::DownloadState::Applied, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.editor().programDownload()->state(), ProgramDownload::State::Applied,
+                                  timeoutMs);
         panel.finger().settle();
         QVERIFY(!panel.finger().find("sheetPanel"));
     }
@@ -163,7 +165,7 @@ void TestPanelAndController::changeWhileItRuns(PanelWindow& panel)
 {
     const double fastest = highestFrequencyHz(panel.editor().recipe());
     enterLength(panel, "300");
-    QCOMPARE(panel.editor().differenceCount(), 1);
+    QCOMPARE(panel.editor().programDownload()->differenceCount(), 1);
     download(panel);
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine().active().bagLengthMm, 300.0, timeoutMs);
     QCOMPARE(panel.machine().generation(), 2.0);

@@ -78,7 +78,7 @@ Editor::Editor(Machine& machine, const QString& folder, QObject* parent)
     , m_laws(this)
     , m_table(this)
     , m_machine(machine)
-    , m_desk(machine, this)
+    , m_download(machine, this)
     , m_storedFile(QDir(folder).filePath(u"recipe.json"_s))
     , m_workingFile(QDir(folder).filePath(u"working_copy.json"_s))
     , m_keepTimer(this)
@@ -102,12 +102,10 @@ Editor::Editor(Machine& machine, const QString& folder, QObject* parent)
     connect(&m_tableTimer, &QTimer::timeout, this,
             [this] { takeSolution(solveRecipe(m_recipe, m_controller)); });
     connect(&m_keepTimer, &QTimer::timeout, this, &Editor::keepWorkingCopy);
-    connect(&m_desk, &DownloadDesk::changed, this, &Editor::downloadChanged);
-    connect(&m_desk, &DownloadDesk::changed, this, &Editor::activeChanged);
-    connect(&m_desk, &DownloadDesk::changed, this, &Editor::overlayChanged);
-    connect(&m_desk, &DownloadDesk::begun, this, &Editor::downloadBegun);
-    connect(&m_desk, &DownloadDesk::ended, this, &Editor::downloadEnded);
-    connect(&m_desk, &DownloadDesk::applied, this, [this](const program::Recipe& recipe) {
+    connect(&m_download, &ProgramDownload::changed, this, &Editor::overlayChanged);
+    connect(&m_download, &ProgramDownload::begun, this, &Editor::downloadBegun);
+    connect(&m_download, &ProgramDownload::ended, this, &Editor::downloadEnded);
+    connect(&m_download, &ProgramDownload::applied, this, [this](const program::Recipe& recipe) {
         takeStored(recipe);
         emit applied(recipe);
     });
@@ -333,7 +331,7 @@ void Editor::takeSolution(Solution solution)
         m_cycleSeconds = m_solution.solved->cycleS();
     compareCurves();
     m_table.setImage(m_solution.image);
-    m_desk.offer(m_solution.image);
+    m_download.offer(m_solution.image);
     show();
 }
 
@@ -356,7 +354,6 @@ void Editor::show()
     emit kindChanged();
     emit overlayChanged();
     emit solutionChanged();
-    emit tableChanged();
     emit historyChanged();
     emit recipeChanged();
 }
@@ -391,20 +388,20 @@ void Editor::watchController()
 void Editor::download()
 {
     commitDrag();
-    if (canDownload() && m_solution.image && admits(Level::Operator))
-        m_desk.download(*m_solution.image, m_recipe);
+    if (m_download.canDownload() && m_solution.image && admits(Level::Operator))
+        m_download.download(*m_solution.image, m_recipe);
 }
 
 void Editor::cancelDownload()
 {
     if (admits(Level::Operator))
-        m_desk.cancel();
+        m_download.cancel();
 }
 
 void Editor::saveToFlash()
 {
     if (admits(Level::Operator))
-        m_desk.save();
+        m_download.save();
 }
 
 void Editor::showNotice(const QString& text)
@@ -423,7 +420,7 @@ bool Editor::eventFilter(QObject* watched, QEvent* event)
     if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance()) {
         show();
         m_table.setImage(m_solution.image);
-        m_desk.update();
+        m_download.update();
     }
     return QObject::eventFilter(watched, event);
 }

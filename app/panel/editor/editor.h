@@ -2,9 +2,9 @@
 // `Editor` in QML: the recipe being edited, what it demands of the machine, and its way into the controller.
 #pragma once
 
-#include "app/panel/download/download_desk.h"
+#include "app/panel/download/program_download.h"
 #include "app/panel/editor/edit_history.h"
-#include "app/panel/editor/editor_field.h"
+#include "app/panel/editor/editor_values.h"
 #include "app/panel/editor/knot_files.h"
 #include "app/panel/editor/knot_model.h"
 #include "app/panel/recipe/choice_model.h"
@@ -35,16 +35,9 @@ class Editor : public QObject {
     QML_ELEMENT
     QML_SINGLETON
 
-    Q_PROPERTY(campanel::machine::EditorField* bagLength READ bagLength CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* rate READ rate CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* baseSpeed READ baseSpeed CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* filmSpeed READ filmSpeed CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* k1 READ k1 CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* k2 READ k2 CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* k3 READ k3 CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* k4 READ k4 CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* syncRatio READ syncRatio CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* rampSlices READ rampSlices CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::CutterFields cutter READ cutter CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorPlot plot READ plot NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(campanel::machine::ProgramDownload* programDownload READ programDownload CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::EditorField* lawParameter1 READ lawParameter1 CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::EditorField* lawParameter2 READ lawParameter2 CONSTANT FINAL)
 
@@ -63,27 +56,16 @@ class Editor : public QObject {
     Q_PROPERTY(QString lawName READ lawName NOTIFY solutionChanged FINAL)
 
     Q_PROPERTY(bool solvable READ solvable NOTIFY solutionChanged FINAL)
-    Q_PROPERTY(bool feasible READ feasible NOTIFY solutionChanged FINAL)
     Q_PROPERTY(QString verdict READ verdict NOTIFY solutionChanged FINAL)
     Q_PROPERTY(Severity severity READ severity NOTIFY solutionChanged FINAL)
-    Q_PROPERTY(bool hasSuggestion READ hasSuggestion NOTIFY solutionChanged FINAL)
     Q_PROPERTY(QString suggestionText READ suggestionText NOTIFY solutionChanged FINAL)
 
-    Q_PROPERTY(QVariant curves READ curves NOTIFY solutionChanged FINAL)
     // Drawn in grey behind the curves: another law for the same move, else what the controller runs.
     Q_PROPERTY(QVariant overlayCurves READ overlayCurves NOTIFY overlayChanged FINAL)
     Q_PROPERTY(QString overlayName READ overlayName NOTIFY overlayChanged FINAL)
-    Q_PROPERTY(double cycleSeconds READ cycleSeconds NOTIFY solutionChanged FINAL)
-    Q_PROPERTY(QList<double> ratioTimes READ ratioTimes NOTIFY solutionChanged FINAL)
-    Q_PROPERTY(QList<double> markTimes READ markTimes NOTIFY solutionChanged FINAL)
-    Q_PROPERTY(double limitVelocity READ limitVelocity NOTIFY solutionChanged FINAL)
-    Q_PROPERTY(double limitAcceleration READ limitAcceleration NOTIFY solutionChanged FINAL)
-    Q_PROPERTY(double limitFrequency READ limitFrequency NOTIFY solutionChanged FINAL)
-    Q_PROPERTY(QList<QPointF> violations READ violations NOTIFY solutionChanged FINAL)
     Q_PROPERTY(QString peakText READ peakText NOTIFY solutionChanged FINAL)
 
     Q_PROPERTY(campanel::machine::TableModel* table READ table CONSTANT FINAL)
-    Q_PROPERTY(QStringList tableSummary READ tableSummary NOTIFY tableChanged FINAL)
 
     Q_PROPERTY(bool canUndo READ canUndo NOTIFY historyChanged FINAL)
     Q_PROPERTY(bool canRedo READ canRedo NOTIFY historyChanged FINAL)
@@ -92,24 +74,11 @@ class Editor : public QObject {
     Q_PROPERTY(bool edited READ edited NOTIFY recipeChanged FINAL)
     Q_PROPERTY(QString notice READ notice NOTIFY noticeChanged FINAL)
 
-    Q_PROPERTY(DownloadState downloadState READ downloadState NOTIFY downloadChanged FINAL)
-    Q_PROPERTY(double downloadProgress READ downloadProgress NOTIFY downloadChanged FINAL)
-    Q_PROPERTY(QString downloadText READ downloadText NOTIFY downloadChanged FINAL)
-    Q_PROPERTY(bool canDownload READ canDownload NOTIFY downloadChanged FINAL)
-    Q_PROPERTY(campanel::machine::DifferenceModel* differences READ differences CONSTANT FINAL)
-    Q_PROPERTY(int differenceCount READ differenceCount NOTIFY activeChanged FINAL)
-    Q_PROPERTY(QString controllerText READ controllerText NOTIFY activeChanged FINAL)
-    Q_PROPERTY(campanel::machine::ProgramProof* proof READ proof CONSTANT FINAL)
-    Q_PROPERTY(bool saved READ saved NOTIFY activeChanged FINAL)
-    Q_PROPERTY(bool canSave READ canSave NOTIFY activeChanged FINAL)
-
 public:
     enum class Kind { RotaryCutter = 1, PositionMove, SpeedMove, PointCam, Press };
     Q_ENUM(Kind)
     enum class Severity { Good, Warning, Bad };
     Q_ENUM(Severity)
-    enum class DownloadState { NothingToDo, Ready, Blocked, Transferring, Sealing, Armed, Applied, Failed };
-    Q_ENUM(DownloadState)
 
     // Both recipes are kept in `folder`. The machine must outlive it.
     Editor(Machine& machine, const QString& folder, QObject* parent);
@@ -128,6 +97,9 @@ public:
     [[nodiscard]] EditorField* k4() { return item(profile::Field::K4); }
     [[nodiscard]] EditorField* syncRatio() { return item(profile::Field::SyncRatio); }
     [[nodiscard]] EditorField* rampSlices() { return item(profile::Field::SlicesPerRamp); }
+    [[nodiscard]] CutterFields cutter();
+    [[nodiscard]] EditorPlot plot() const;
+    [[nodiscard]] ProgramDownload* programDownload() { return &m_download; }
     [[nodiscard]] EditorField* lawParameter1() { return &m_lawParameter1; }
     [[nodiscard]] EditorField* lawParameter2() { return &m_lawParameter2; }
 
@@ -150,21 +122,11 @@ public:
     [[nodiscard]] bool feasible() const { return m_solution.isFeasible(); }
     [[nodiscard]] QString verdict() const;
     [[nodiscard]] Severity severity() const;
-    [[nodiscard]] bool hasSuggestion() const { return suggestion() != nullptr; }
     [[nodiscard]] QString suggestionText() const;
-    [[nodiscard]] QVariant curves() const;
     [[nodiscard]] QVariant overlayCurves() const;
     [[nodiscard]] QString overlayName() const;
-    [[nodiscard]] double cycleSeconds() const { return m_cycleSeconds; }
-    [[nodiscard]] QList<double> ratioTimes() const; // of a rotary cutter, else empty
-    [[nodiscard]] QList<double> markTimes() const;
-    [[nodiscard]] double limitVelocity() const;
-    [[nodiscard]] double limitAcceleration() const;
-    [[nodiscard]] double limitFrequency() const;
-    [[nodiscard]] QList<QPointF> violations() const;
     [[nodiscard]] QString peakText() const;
     [[nodiscard]] TableModel* table() { return &m_table; }
-    [[nodiscard]] QStringList tableSummary() const;
     [[nodiscard]] bool canUndo() const { return m_history.canUndo(); }
     [[nodiscard]] bool canRedo() const { return m_history.canRedo(); }
     [[nodiscard]] QString recipeName() const { return QString::fromStdString(m_recipe.name); }
@@ -172,16 +134,6 @@ public:
     [[nodiscard]] int recipeVersion() const;
     [[nodiscard]] bool edited() const;
     [[nodiscard]] QString notice() const { return m_notice; }
-    [[nodiscard]] DownloadState downloadState() const { return static_cast<DownloadState>(m_desk.state()); }
-    [[nodiscard]] double downloadProgress() const { return m_desk.progress(); }
-    [[nodiscard]] QString downloadText() const { return m_desk.text(); }
-    [[nodiscard]] bool canDownload() const { return m_desk.canDownload(); }
-    [[nodiscard]] DifferenceModel* differences() { return &m_desk.differences(); }
-    [[nodiscard]] int differenceCount() { return m_desk.differences().count(); }
-    [[nodiscard]] QString controllerText() const { return m_desk.controllerText(); }
-    [[nodiscard]] ProgramProof* proof() { return &m_desk.proof(); }
-    [[nodiscard]] bool saved() const { return m_desk.isSaved(); }
-    [[nodiscard]] bool canSave() const { return m_desk.canSave(); }
 
     // A new recipe of this kind, with the defaults of its paper. Can be undone.
     Q_INVOKABLE void newProgram(int kind);
@@ -231,13 +183,10 @@ signals:
     void fieldsChanged();
     void overlayChanged();
     void solutionChanged();
-    void activeChanged();
-    void tableChanged();
     void historyChanged();
     void recipeChanged();
-    void downloadChanged();
     void noticeChanged();
-    // For the audit trail, see DownloadDesk.
+    // For the audit trail, see ProgramDownload.
     void downloadBegun(const campanel::program::ProgramImage& image);
     void downloadEnded(const campanel::link::DownloadReport& report);
 
@@ -260,7 +209,6 @@ private:
     void keepWorkingCopy();
     void showNotice(const QString& text);
     [[nodiscard]] const profile::Suggestion* suggestion() const;
-    [[nodiscard]] const profile::Machine& limits() const;
     [[nodiscard]] int nextVersion() const;
 
     EditorField m_lawParameter1{QStringLiteral("lawParameter1"), this};
@@ -273,7 +221,7 @@ private:
     TableModel m_table;
 
     Machine& m_machine;
-    DownloadDesk m_desk;
+    ProgramDownload m_download;
     store::LastRecipe m_storedFile;
     store::LastRecipe m_workingFile;
     QTimer m_keepTimer;

@@ -6,7 +6,6 @@
 #include "app/panel/editor/editor_views.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
-#include "app/panel/words/table_text.h"
 
 namespace campanel::machine {
 
@@ -35,69 +34,41 @@ QString Editor::suggestionText() const
     return suggestion() ? RefusalSentences::suggestion(*suggestion()) : QString();
 }
 
-QVariant Editor::curves() const
+CutterFields Editor::cutter()
 {
-    return m_solution.curves ? QVariant::fromValue(m_solution.curves) : QVariant();
+    return {bagLength(), rate(), baseSpeed(), filmSpeed(), k1(), k2(), k3(), k4(), syncRatio(), rampSlices()};
 }
 
-QList<double> Editor::ratioTimes() const
+EditorPlot Editor::plot() const
 {
-    QList<double> times;
-    if (!m_recipe.isCutter())
-        return times;
-    for (const double k : m_recipe.cutter().k)
-        times << m_cycleSeconds / k;
-    return times;
-}
-
-QList<double> Editor::markTimes() const
-{
-    if (m_recipe.isCutter())
-        return ratioTimes();
-    return m_solution.solved
-               ? QList<double>(m_solution.solved->marksS.begin(), m_solution.solved->marksS.end())
-               : QList<double>();
-}
-
-const profile::Machine& Editor::limits() const
-{
-    return m_solution.solved ? m_solution.solved->machine : m_recipe.machine;
-}
-
-double Editor::limitVelocity() const
-{
-    return limits().maxMotorRpm /
-           (m_recipe.isCutter() ? profile::motorRpmPerMmPerS(limits()) : profile::axisRpmPerMmPerS(limits()));
-}
-
-double Editor::limitAcceleration() const
-{
-    return m_recipe.isCutter() ? limits().maxKnifeAccelerationMmPerS2 : limits().maxAccelerationMmPerS2;
-}
-
-double Editor::limitFrequency() const
-{
-    return profile::pulseFrequencyLimitHz(limits());
-}
-
-QList<QPointF> Editor::violations() const
-{
-    QList<QPointF> spans;
+    EditorPlot plot;
+    if (m_solution.curves)
+        plot.curves = QVariant::fromValue(m_solution.curves);
+    plot.cycleSeconds = m_cycleSeconds;
+    const profile::Machine& limits = m_solution.solved ? m_solution.solved->machine : m_recipe.machine;
+    plot.limitFrequency = profile::pulseFrequencyLimitHz(limits);
+    if (m_recipe.isCutter()) {
+        for (const double k : m_recipe.cutter().k)
+            plot.ratioTimes << m_cycleSeconds / k;
+        plot.markTimes = plot.ratioTimes;
+        plot.limitVelocity = limits.maxMotorRpm / profile::motorRpmPerMmPerS(limits);
+        plot.limitAcceleration = limits.maxKnifeAccelerationMmPerS2;
+    } else {
+        if (m_solution.solved)
+            plot.markTimes = {m_solution.solved->marksS.begin(), m_solution.solved->marksS.end()};
+        plot.limitVelocity = limits.maxMotorRpm / profile::axisRpmPerMmPerS(limits);
+        plot.limitAcceleration = limits.maxAccelerationMmPerS2;
+    }
     for (const profile::Refusal& refusal : m_solution.refusals) {
         for (const profile::TimeSpan& span : refusal.brokenDuring)
-            spans << QPointF(span.fromS, span.toS);
+            plot.violations << QPointF(span.fromS, span.toS);
     }
-    return spans;
+    return plot;
 }
 
 QString Editor::peakText() const
 {
     return EditorViews(m_recipe, m_solution, nullptr).peaks();
-}
-
-QStringList Editor::tableSummary() const
-{
-    return m_solution.image ? TableText(*m_solution.image).summary() : QStringList();
 }
 
 QVariantList Editor::fields() const

@@ -29,6 +29,11 @@ QStringList TableModel::columns() const
     return m_image ? TableText(*m_image).columns() : QStringList();
 }
 
+QStringList TableModel::summary() const
+{
+    return m_image ? TableText(*m_image).summary() : QStringList();
+}
+
 int TableModel::rowCount(const QModelIndex& parent) const
 {
     return parent.isValid() ? 0 : count();

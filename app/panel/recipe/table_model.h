@@ -21,6 +21,7 @@ class TableModel : public QAbstractListModel {
     Q_PROPERTY(int count READ count NOTIFY columnsChanged FINAL)
     Q_PROPERTY(QString name READ name NOTIFY columnsChanged FINAL)
     Q_PROPERTY(QStringList columns READ columns NOTIFY columnsChanged FINAL)
+    Q_PROPERTY(QStringList summary READ summary NOTIFY columnsChanged FINAL)
 
 public:
     enum Role { CellsRole = Qt::UserRole + 1 };
@@ -31,6 +32,7 @@ public:
     [[nodiscard]] int count() const;
     [[nodiscard]] QString name() const;
     [[nodiscard]] QStringList columns() const;
+    [[nodiscard]] QStringList summary() const; // sentences
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;

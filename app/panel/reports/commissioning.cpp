@@ -90,7 +90,7 @@ ReportSection Commissioning::verdictSection() const
 
 ReportSection Commissioning::tableSection() const
 {
-    ReportSection section{tr("Table"), {}, m_editor.tableSummary()};
+    ReportSection section{tr("Table"), {}, m_editor.table()->summary()};
     if (section.lines.isEmpty())
         section.lines << tr("There is no table: the recipe cannot be downloaded.");
     else
@@ -109,10 +109,10 @@ ReportSection Commissioning::controllerSection() const
         section.rows.append(
             {tr("Connected by"), m_machine.simulated() ? tr("simulated controller") : m_machine.portName()});
     }
-    const ProgramProof& proof = *m_editor.proof();
+    const ProgramProof& proof = *m_editor.programDownload()->proof();
     section.rows.append({tr("Active program"), proof.activeText()});
     section.rows.append({tr("Saved program"), proof.savedText()});
-    section.lines << m_editor.controllerText();
+    section.lines << m_editor.programDownload()->controllerText();
     section.lines << (proof.result() == ProgramProof::Result::None
                           ? tr("Its table was not read back for this report.")
                           : proof.text());
@@ -155,14 +155,14 @@ ReportData Commissioning::data() const
                      tableSection(),   controllerSection(), bagSection()};
     made.isFeasible = m_editor.feasible();
     made.curvesTitle = tr("Curves of one cycle");
-    made.curves = m_editor.curves();
+    made.curves = m_editor.plot().curves;
     made.quantities = QStringList{u"velocity"_s, u"acceleration"_s, u"frequency"_s};
     made.titles = QStringList{tr("Velocity, mm/s"), tr("Acceleration, m/s²"), tr("Pulse frequency, kHz")};
-    made.markerTimes = m_editor.markTimes();
-    made.violations = m_editor.violations();
-    made.limitVelocity = m_editor.limitVelocity();
-    made.limitAcceleration = m_editor.limitAcceleration();
-    made.limitFrequency = m_editor.limitFrequency();
+    made.markerTimes = m_editor.plot().markTimes;
+    made.violations = m_editor.plot().violations;
+    made.limitVelocity = m_editor.plot().limitVelocity;
+    made.limitAcceleration = m_editor.plot().limitAcceleration;
+    made.limitFrequency = m_editor.plot().limitFrequency;
     made.limitLabel = tr("limit");
     return made;
 }

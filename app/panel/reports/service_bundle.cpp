@@ -114,7 +114,7 @@ QByteArray ServiceBundle::controller() const
         object[u"saved_crc32"_s] = checksum(status->savedCrc);
         object[u"uptime_s"_s] = static_cast<qint64>(status->uptimeS);
     }
-    const ProgramProof& proof = *m_parts.editor.proof();
+    const ProgramProof& proof = *m_parts.editor.programDownload()->proof();
     object[u"active_program"_s] = proof.activeText();
     object[u"saved_program"_s] = proof.savedText();
     object[u"proof"_s] = proof.text();

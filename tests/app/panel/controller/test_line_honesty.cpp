@@ -180,20 +180,22 @@ void TestLineHonesty::lostLineClaimsNothingOfTheController()
     PanelRig rig;
     rig.connectRunning();
     rig.editor.download();
-    QVERIFY(rig.editor.controllerText().contains("the same"));
+    QVERIFY(rig.editor.programDownload()->controllerText().contains("the same"));
     rig.link.becomeLost();
-    QCOMPARE(rig.editor.controllerText(), "No connection. Last known in the controller: generation 1");
-    QVERIFY(!rig.editor.canDownload());
-    QCOMPARE(rig.editor.downloadText(), "Not possible now: there is no connection to the controller.");
-    QVERIFY(!rig.editor.canSave());
-    QVERIFY(!rig.editor.proof()->canCompare());
+    QCOMPARE(rig.editor.programDownload()->controllerText(),
+             "No connection. Last known in the controller: generation 1");
+    QVERIFY(!rig.editor.programDownload()->canDownload());
+    QCOMPARE(rig.editor.programDownload()->text(),
+             "Not possible now: there is no connection to the controller.");
+    QVERIFY(!rig.editor.programDownload()->canSave());
+    QVERIFY(!rig.editor.programDownload()->proof()->canCompare());
 }
 
 void TestLineHonesty::proofComparesWithWhatWasDownloaded()
 {
     PanelRig rig;
     rig.connectIdle();
-    QVERIFY(!rig.editor.proof()->canCompare());
+    QVERIFY(!rig.editor.programDownload()->proof()->canCompare());
     const auto image = rig.image();
     rig.editor.download();
     QCOMPARE(rig.link.banks.size(), 1);
@@ -202,7 +204,7 @@ void TestLineHonesty::proofComparesWithWhatWasDownloaded()
     active.crc = image.crc;
     rig.link.activate(image, rig.now);
     emit rig.link.downloadReported(active);
-    ProgramProof& proof = *rig.editor.proof();
+    ProgramProof& proof = *rig.editor.programDownload()->proof();
     QVERIFY(proof.canCompare());
     proof.compare();
     QVERIFY(proof.running());
@@ -245,7 +247,7 @@ void TestLineHonesty::proofIsRebuiltFromTheController()
     const auto image = program::buildProgram(recipe);
     QVERIFY(image);
     rig.link.activate(*image, rig.now);
-    rig.editor.proof()->compare();
+    rig.editor.programDownload()->proof()->compare();
     QCOMPARE(rig.link.comparisons.size(), 1);
     QVERIFY(rig.link.comparisons.last() == image->registers);
 }
@@ -254,7 +256,7 @@ void TestLineHonesty::proofNamesTheFirstDifference()
 {
     PanelRig rig;
     rig.connectRunning();
-    ProgramProof& proof = *rig.editor.proof();
+    ProgramProof& proof = *rig.editor.programDownload()->proof();
     proof.compare();
     ComparisonReport report;
     report.stage = ComparisonStage::Different;
@@ -298,22 +300,22 @@ void TestLineHonesty::proofEndsInWords()
     QFETCH(QString, words);
     PanelRig rig;
     rig.connectRunning();
-    rig.editor.proof()->compare();
+    rig.editor.programDownload()->proof()->compare();
     ComparisonReport report;
     report.stage = static_cast<ComparisonStage>(stage);
     report.generation = rig.link.status.generation;
     report.isConnectionMissing = report.stage == ComparisonStage::Failed;
     emit rig.link.comparisonReported(report);
-    QVERIFY(!rig.editor.proof()->running());
-    QCOMPARE(rig.editor.proof()->result(), ProgramProof::Result::Undecided);
-    QCOMPARE(rig.editor.proof()->text(), words);
+    QVERIFY(!rig.editor.programDownload()->proof()->running());
+    QCOMPARE(rig.editor.programDownload()->proof()->result(), ProgramProof::Result::Undecided);
+    QCOMPARE(rig.editor.programDownload()->proof()->text(), words);
 }
 
 void TestLineHonesty::proofIsOfOneProgram()
 {
     PanelRig rig;
     rig.connectRunning();
-    ProgramProof& proof = *rig.editor.proof();
+    ProgramProof& proof = *rig.editor.programDownload()->proof();
     proof.compare();
     ComparisonReport report;
     report.stage = ComparisonStage::Equal;

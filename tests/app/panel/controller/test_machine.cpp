@@ -433,7 +433,7 @@ private slots:
                                 rig.settings, rig.trends);
         QQmlComponent component(&engine);
         component.setData("import QtQuick\nimport CamPanel.Machine\nQtObject {\n"
-                          "  property double length: Editor.bagLength.value\n"
+                          "  property double length: Editor.cutter.bagLength.value\n"
                           "  property bool running: Machine.state === Machine.State.Running\n"
                           "  property bool connected: Machine.connection === Machine.Connection.Connected\n"
                           "  property string language: Settings.language\n"

@@ -18,6 +18,7 @@ namespace test_with_controller {
 using namespace campanel;
 using machine::Editor;
 using machine::Machine;
+using machine::ProgramDownload;
 
 namespace {
 
@@ -50,14 +51,16 @@ private slots:
     {
         QTemporaryDir folder;
         Panel panel(folder);
-        QTRY_COMPARE_WITH_TIMEOUT(panel.editor.downloadState(), Editor::DownloadState::Ready, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.editor.programDownload()->state(), ProgramDownload::State::Ready,
+                                  timeoutMs);
         QCOMPARE(panel.machine.state(), Machine::State::Idle);
         panel.editor.download();
-        QTRY_COMPARE_WITH_TIMEOUT(panel.editor.downloadState(), Editor::DownloadState::Applied, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.editor.programDownload()->state(), ProgramDownload::State::Applied,
+                                  timeoutMs);
         QTRY_VERIFY_WITH_TIMEOUT(panel.machine.active().isPresent, timeoutMs);
-        QCOMPARE(panel.editor.downloadState(), Editor::DownloadState::Applied);
+        QCOMPARE(panel.editor.programDownload()->state(), ProgramDownload::State::Applied);
         QCOMPARE(panel.machine.active().name, "Biscuit 250");
-        QCOMPARE(panel.editor.differenceCount(), 0);
+        QCOMPARE(panel.editor.programDownload()->differenceCount(), 0);
 
         QTRY_VERIFY_WITH_TIMEOUT(panel.machine.canStart(), timeoutMs);
         panel.machine.start();
@@ -77,18 +80,19 @@ private slots:
             QVERIFY(point.y() > -50 && point.y() < 600);
 
         panel.editor.bagLength()->set(300);
-        QCOMPARE(panel.editor.downloadState(), Editor::DownloadState::Ready);
+        QCOMPARE(panel.editor.programDownload()->state(), ProgramDownload::State::Ready);
         const double generation = panel.machine.generation();
         panel.editor.download();
-        QTRY_COMPARE_WITH_TIMEOUT(panel.editor.downloadState(), Editor::DownloadState::Applied, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.editor.programDownload()->state(), ProgramDownload::State::Applied,
+                                  timeoutMs);
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine.active().bagLengthMm, 300.0, timeoutMs);
         QCOMPARE(panel.machine.generation(), generation + 1);
         QCOMPARE(panel.machine.active().version, 2.0);
         QTRY_VERIFY_WITH_TIMEOUT(std::abs(panel.machine.bags().meanMm - 300) < 1, timeoutMs);
 
-        QVERIFY(!panel.editor.saved());
+        QVERIFY(!panel.editor.programDownload()->isSaved());
         panel.editor.saveToFlash();
-        QTRY_VERIFY_WITH_TIMEOUT(panel.editor.saved(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.editor.programDownload()->isSaved(), timeoutMs);
         panel.machine.stop();
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Ready, timeoutMs);
         QVERIFY2(panel.machine.commandMessage().isEmpty(), qPrintable(panel.machine.commandMessage()));
@@ -101,20 +105,22 @@ private slots:
         {
             Panel panel(folder);
             panel.editor.bagLength()->set(280);
-            QTRY_COMPARE_WITH_TIMEOUT(panel.editor.downloadState(), Editor::DownloadState::Ready, timeoutMs);
+            QTRY_COMPARE_WITH_TIMEOUT(panel.editor.programDownload()->state(), ProgramDownload::State::Ready,
+                                      timeoutMs);
             panel.editor.download();
-            QTRY_VERIFY_WITH_TIMEOUT(panel.editor.canSave() && panel.machine.active().isPresent, timeoutMs);
+            QTRY_VERIFY_WITH_TIMEOUT(
+                panel.editor.programDownload()->canSave() && panel.machine.active().isPresent, timeoutMs);
             panel.editor.saveToFlash();
-            QTRY_VERIFY_WITH_TIMEOUT(panel.editor.saved(), timeoutMs);
+            QTRY_VERIFY_WITH_TIMEOUT(panel.editor.programDownload()->isSaved(), timeoutMs);
         }
         Panel panel(folder);
         QCOMPARE(panel.editor.bagLength()->value(), 280.0);
         QCOMPARE(panel.editor.recipeVersion(), 2);
         QVERIFY(!panel.editor.edited());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.editor.downloadState(), Editor::DownloadState::NothingToDo,
-                                  timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.editor.programDownload()->state(),
+                                  ProgramDownload::State::NothingToDo, timeoutMs);
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine.active().bagLengthMm, 280.0, timeoutMs);
-        QVERIFY(panel.editor.saved());
+        QVERIFY(panel.editor.programDownload()->isSaved());
     }
 };
 

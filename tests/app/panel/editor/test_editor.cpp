@@ -17,6 +17,7 @@ namespace test_editor {
 using namespace campanel;
 using machine::Editor;
 using machine::EditorField;
+using machine::ProgramDownload;
 using test::PanelRig;
 
 namespace {
@@ -62,7 +63,7 @@ private slots:
         QVERIFY(fastest);
         QVERIFY2(rig.editor.verdict().contains(QString::number(fastest->rateBagsPerMin, 'f', 1)),
                  qPrintable(rig.editor.verdict()));
-        QVERIFY(curvesOf(rig.editor.curves())->timeS.size() >= 1000);
+        QVERIFY(curvesOf(rig.editor.plot().curves)->timeS.size() >= 1000);
     }
 
     // All six pairs: the derived two, entered as inputs, give the first two back.
@@ -203,27 +204,27 @@ private slots:
         QFETCH(int, index);
         QFETCH(double, time);
         PanelRig rig;
-        const auto before = rig.editor.ratioTimes();
+        const auto before = rig.editor.plot().ratioTimes;
         for (int step = 1; step <= 20; ++step)
             rig.editor.dragRatio(index, before[index] + (time - before[index]) * step / 20);
-        const auto times = rig.editor.ratioTimes();
+        const auto times = rig.editor.plot().ratioTimes;
         double last = 0;
         for (const double end : times) {
             QVERIFY(end > last);
             last = end;
         }
-        QVERIFY(last < rig.editor.cycleSeconds());
+        QVERIFY(last < rig.editor.plot().cycleSeconds);
         rig.editor.commitDrag();
         QVERIFY(rig.editor.canUndo());
         rig.editor.undo();
         QVERIFY(!rig.editor.canUndo());
-        QCOMPARE(rig.editor.ratioTimes(), before);
+        QCOMPARE(rig.editor.plot().ratioTimes, before);
     }
 
     void aDragWithoutMovementLeavesNothingToUndo()
     {
         PanelRig rig;
-        rig.editor.dragRatio(0, rig.editor.ratioTimes().first());
+        rig.editor.dragRatio(0, rig.editor.plot().ratioTimes.first());
         rig.editor.commitDrag();
         QVERIFY(!rig.editor.canUndo());
     }
@@ -251,10 +252,10 @@ private slots:
         QCOMPARE(rig.editor.solvable(), solvable);
         QCOMPARE(rig.editor.severity(), Editor::Severity::Bad);
         QVERIFY2(rig.editor.verdict().contains(word), qPrintable(rig.editor.verdict()));
-        QCOMPARE(rig.editor.curves().isValid(), solvable);
-        QCOMPARE(!rig.editor.violations().isEmpty(), solvable);
+        QCOMPARE(rig.editor.plot().curves.isValid(), solvable);
+        QCOMPARE(!rig.editor.plot().violations.isEmpty(), solvable);
         QCOMPARE(std::isnan(rig.editor.baseSpeed()->value()), !solvable);
-        QVERIFY(rig.editor.hasSuggestion());
+        QVERIFY(!rig.editor.suggestionText().isEmpty());
         rig.editor.applySuggestion();
         QVERIFY2(rig.editor.feasible(), qPrintable(rig.editor.verdict()));
         rig.editor.undo();
@@ -272,7 +273,7 @@ private slots:
             rig.editor.bagLength()->set(10 + random.bounded(1990.0));
             rig.editor.rate()->set(1 + random.bounded(599.0));
             rig.editor.setLaw(i % 2 ? "quintic" : "cubic");
-            if (!rig.editor.hasSuggestion())
+            if (rig.editor.suggestionText().isEmpty())
                 continue;
             ++offered;
             rig.editor.applySuggestion();
@@ -328,37 +329,37 @@ private slots:
         }
         QCOMPARE(pulses, 10000);
         QCOMPARE(ticks, 8000000);
-        QVERIFY(rig.editor.tableSummary().first().contains("10000 pulses"));
+        QVERIFY(rig.editor.table()->summary().first().contains("10000 pulses"));
     }
 
     void downloadTakesTheRecipeIntoTheControllerAndCountsItsVersion()
     {
         PanelRig rig;
-        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Blocked);
-        QVERIFY(!rig.editor.canDownload());
+        QCOMPARE(rig.editor.programDownload()->state(), ProgramDownload::State::Blocked);
+        QVERIFY(!rig.editor.programDownload()->canDownload());
         rig.connectRunning();
-        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::NothingToDo);
+        QCOMPARE(rig.editor.programDownload()->state(), ProgramDownload::State::NothingToDo);
         rig.editor.bagLength()->set(260);
-        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Ready);
-        QCOMPARE(rig.editor.differenceCount(), 1);
-        QCOMPARE(rig.editor.differences()->rows().first().activeText, "250.0 mm");
-        QCOMPARE(rig.editor.differences()->rows().first().editedText, "260.0 mm");
-        QVERIFY(rig.editor.controllerText().contains("1 value differs"));
+        QCOMPARE(rig.editor.programDownload()->state(), ProgramDownload::State::Ready);
+        QCOMPARE(rig.editor.programDownload()->differenceCount(), 1);
+        QCOMPARE(rig.editor.programDownload()->differences()->rows().first().activeText, "250.0 mm");
+        QCOMPARE(rig.editor.programDownload()->differences()->rows().first().editedText, "260.0 mm");
+        QVERIFY(rig.editor.programDownload()->controllerText().contains("1 value differs"));
         QCOMPARE(rig.editor.bagLength()->activeText(), "250.0");
 
         rig.editor.download();
         QCOMPARE(rig.link.banks.size(), 1);
-        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Transferring);
-        QVERIFY(!rig.editor.canDownload());
+        QCOMPARE(rig.editor.programDownload()->state(), ProgramDownload::State::Transferring);
+        QVERIFY(!rig.editor.programDownload()->canDownload());
         link::DownloadReport report;
         report.stage = link::DownloadStage::Sealing;
         report.fraction = 0.9;
         emit rig.link.downloadReported(report);
-        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Sealing);
-        QCOMPARE(rig.editor.downloadProgress(), 0.9);
+        QCOMPARE(rig.editor.programDownload()->state(), ProgramDownload::State::Sealing);
+        QCOMPARE(rig.editor.programDownload()->progress(), 0.9);
         report.stage = link::DownloadStage::Armed;
         emit rig.link.downloadReported(report);
-        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Armed);
+        QCOMPARE(rig.editor.programDownload()->state(), ProgramDownload::State::Armed);
 
         const auto image = rig.image();
         QCOMPARE(rig.link.banks.first(), image.registers);
@@ -368,12 +369,12 @@ private slots:
         report.stage = link::DownloadStage::Active;
         report.crc = image.crc;
         emit rig.link.downloadReported(report);
-        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Applied);
+        QCOMPARE(rig.editor.programDownload()->state(), ProgramDownload::State::Applied);
         QVERIFY(!rig.editor.edited());
         QCOMPARE(rig.editor.recipeVersion(), 2);
         QCOMPARE(rig.editor.recipeName(), "Biscuit 250");
         rig.editor.bagLength()->set(261);
-        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Ready);
+        QCOMPARE(rig.editor.programDownload()->state(), ProgramDownload::State::Ready);
     }
 
     void failedDownloadSaysWhyAndCanBeRepeated()
@@ -387,9 +388,9 @@ private slots:
         report.error = modbus::DownloadError{};
         report.error->kind = modbus::DownloadErrorKind::ChecksumDiffers;
         emit rig.link.downloadReported(report);
-        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Failed);
-        QVERIFY(rig.editor.downloadText().contains("unchanged"));
-        QVERIFY(rig.editor.canDownload());
+        QCOMPARE(rig.editor.programDownload()->state(), ProgramDownload::State::Failed);
+        QVERIFY(rig.editor.programDownload()->text().contains("unchanged"));
+        QVERIFY(rig.editor.programDownload()->canDownload());
         QCOMPARE(rig.editor.recipeVersion(), 1);
         QVERIFY(rig.editor.edited());
     }
@@ -399,11 +400,11 @@ private slots:
         PanelRig rig;
         rig.connectRunning();
         rig.editor.item(profile::Field::KnifeRadius)->set(61);
-        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Blocked);
-        QVERIFY(rig.editor.downloadText().contains("standstill"));
+        QCOMPARE(rig.editor.programDownload()->state(), ProgramDownload::State::Blocked);
+        QVERIFY(rig.editor.programDownload()->text().contains("standstill"));
         rig.link.status.state = modbus::State::Ready;
         rig.link.sendStatus(rig.now);
-        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Ready);
+        QCOMPARE(rig.editor.programDownload()->state(), ProgramDownload::State::Ready);
     }
 
     void infeasibleRecipesAreNotSent()
@@ -412,7 +413,7 @@ private slots:
         rig.connectRunning();
         rig.editor.rate()->set(600);
         QVERIFY(!rig.editor.feasible());
-        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Blocked);
+        QCOMPARE(rig.editor.programDownload()->state(), ProgramDownload::State::Blocked);
         rig.editor.download();
         QVERIFY(rig.link.banks.isEmpty());
     }
@@ -421,17 +422,17 @@ private slots:
     {
         PanelRig rig;
         rig.connectIdle();
-        QVERIFY(!rig.editor.canSave());
+        QVERIFY(!rig.editor.programDownload()->canSave());
         rig.link.activate(rig.image(), rig.now);
-        QVERIFY(rig.editor.canSave());
-        QVERIFY(!rig.editor.saved());
+        QVERIFY(rig.editor.programDownload()->canSave());
+        QVERIFY(!rig.editor.programDownload()->isSaved());
         rig.editor.saveToFlash();
         QCOMPARE(rig.link.requests.last().command, modbus::Command::SaveToFlash);
         QCOMPARE(rig.link.requests.last().arguments.argument2, *rig.link.status.activeCrc);
         rig.link.status.savedCrc = rig.link.status.activeCrc;
         rig.link.sendStatus(rig.now);
-        QVERIFY(rig.editor.saved());
-        QVERIFY(!rig.editor.canSave());
+        QVERIFY(rig.editor.programDownload()->isSaved());
+        QVERIFY(!rig.editor.programDownload()->canSave());
     }
 
     void theRecipeSurvivesARestart()

@@ -14,6 +14,7 @@ namespace test_editor_kinds {
 using namespace campanel;
 using namespace campanel::test;
 using machine::LawModel;
+using machine::ProgramDownload;
 
 class TestEditorKinds : public QObject {
     Q_OBJECT
@@ -62,14 +63,14 @@ private slots:
         QCOMPARE(rig.editor.hasLaw(), kind == 2 || kind == 3);
         QCOMPARE(rig.editor.laws()->count() > 0, rig.editor.hasLaw());
         QCOMPARE(rig.editor.knots()->count(), kind == 4 ? 5 : 0);
-        QVERIFY(rig.editor.ratioTimes().isEmpty());
-        QVERIFY(rig.editor.curves().isValid());
-        QVERIFY(rig.editor.cycleSeconds() > 0);
-        QVERIFY(rig.editor.limitVelocity() > 0 && rig.editor.limitAcceleration() > 0);
+        QVERIFY(rig.editor.plot().ratioTimes.isEmpty());
+        QVERIFY(rig.editor.plot().curves.isValid());
+        QVERIFY(rig.editor.plot().cycleSeconds > 0);
+        QVERIFY(rig.editor.plot().limitVelocity > 0 && rig.editor.plot().limitAcceleration > 0);
         QVERIFY2(rig.editor.peakText().contains("Nm") == (kind != 5), qPrintable(rig.editor.peakText()));
         QVERIFY(rig.editor.table()->count() > 4);
-        QVERIFY(!rig.editor.tableSummary().isEmpty());
-        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Ready);
+        QVERIFY(!rig.editor.table()->summary().isEmpty());
+        QCOMPARE(rig.editor.programDownload()->state(), ProgramDownload::State::Ready);
         for (const auto& list : {rig.editor.fields(), rig.editor.machineFields()}) {
             for (const QVariant& each : list) {
                 const auto* field = each.value<EditorField*>();

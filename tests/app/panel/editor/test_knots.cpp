@@ -12,6 +12,7 @@ namespace test_knots {
 
 using namespace campanel;
 using namespace campanel::test;
+using machine::ProgramDownload;
 
 class TestKnots : public QObject {
     Q_OBJECT
@@ -80,7 +81,7 @@ private slots:
             enter(rig.editor, Field::SlaveScale, scale);
         const auto before = camOf(rig.editor).knots;
         KnotModel& knots = *rig.editor.knots();
-        const double cycle = rig.editor.cycleSeconds();
+        const double cycle = rig.editor.plot().cycleSeconds;
         const double timeBefore = knots.times()[2];
         knots.beginDrag(2);
         for (int step = 1; step <= 10; ++step)
@@ -208,15 +209,15 @@ private slots:
         begin(rig, ProgramKind::PointCam);
         rig.connectIdle();
         rig.link.activate(rig.image(), rig.now);
-        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::NothingToDo);
+        QCOMPARE(rig.editor.programDownload()->state(), ProgramDownload::State::NothingToDo);
         rig.editor.knots()->select(2);
         rig.editor.knots()->slave()->set(51);
-        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::Ready);
-        QCOMPARE(rig.editor.differenceCount(), 1);
-        QCOMPARE(rig.editor.differences()->rows().first().name, "Knots");
+        QCOMPARE(rig.editor.programDownload()->state(), ProgramDownload::State::Ready);
+        QCOMPARE(rig.editor.programDownload()->differenceCount(), 1);
+        QCOMPARE(rig.editor.programDownload()->differences()->rows().first().name, "Knots");
         enter(rig.editor, Field::MasterRamp, 1.5);
-        QCOMPARE(rig.editor.differenceCount(), 2);
-        QCOMPARE(rig.editor.differences()->rows().first().editedText, "1.50 s");
+        QCOMPARE(rig.editor.programDownload()->differenceCount(), 2);
+        QCOMPARE(rig.editor.programDownload()->differences()->rows().first().editedText, "1.50 s");
     }
 };
 

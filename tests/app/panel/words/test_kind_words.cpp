@@ -16,6 +16,7 @@ namespace test_kind_words {
 
 using namespace campanel;
 using namespace campanel::test;
+using machine::ProgramDownload;
 using machine::StrokeModel;
 using machine::TableText;
 
@@ -77,8 +78,8 @@ private slots:
         QCOMPARE(rig.editor.severity(), Editor::Severity::Bad);
         QVERIFY2(rig.editor.verdict().contains(words), qPrintable(rig.editor.verdict()));
         QCOMPARE(rig.editor.table()->count(), 0);
-        QVERIFY(rig.editor.tableSummary().isEmpty());
-        QVERIFY2(rig.editor.hasSuggestion() == suggests, qPrintable(rig.editor.suggestionText()));
+        QVERIFY(rig.editor.table()->summary().isEmpty());
+        QVERIFY2(rig.editor.suggestionText().isEmpty() != suggests, qPrintable(rig.editor.suggestionText()));
         if (!suggests)
             return;
         rig.editor.applySuggestion();
@@ -185,9 +186,9 @@ private slots:
         PanelRig rig;
         begin(rig, ProgramKind::PointCam);
         enter(rig.editor, Field::Phase, 30);
-        const QStringList forwards = rig.editor.tableSummary();
+        const QStringList forwards = rig.editor.table()->summary();
         enter(rig.editor, Field::MasterRate, -60);
-        QCOMPARE(rig.editor.tableSummary(), forwards);
+        QCOMPARE(rig.editor.table()->summary(), forwards);
     }
 
     void differencesInWords()
@@ -196,13 +197,13 @@ private slots:
         begin(rig, ProgramKind::SpeedMove);
         rig.connectIdle();
         rig.link.activate(rig.image(), rig.now);
-        QCOMPARE(rig.editor.differenceCount(), 0);
-        QCOMPARE(rig.editor.downloadState(), Editor::DownloadState::NothingToDo);
+        QCOMPARE(rig.editor.programDownload()->differenceCount(), 0);
+        QCOMPARE(rig.editor.programDownload()->state(), ProgramDownload::State::NothingToDo);
         enter(rig.editor, Field::EndSpeed, 8000);
         choose(rig.editor, "Duration", "As fast as possible");
         rig.editor.setLaw("cycloidal");
         QStringList rows;
-        for (const auto& row : rig.editor.differences()->rows())
+        for (const auto& row : rig.editor.programDownload()->differences()->rows())
             rows << row.name + ": " + row.activeText + " > " + row.editedText;
         rows.sort();
         QCOMPARE(rows, (QStringList{"Duration: In a given time > As fast as possible",
@@ -211,7 +212,7 @@ private slots:
         QCOMPARE(rig.editor.item(Field::EndSpeed)->activeText(), "9000.0");
         begin(rig, ProgramKind::PointCam);
         rows.clear();
-        for (const auto& row : rig.editor.differences()->rows())
+        for (const auto& row : rig.editor.programDownload()->differences()->rows())
             rows << row.name + ": " + row.activeText + " > " + row.editedText;
         QVERIFY2(rows.contains("Kind of program: Speed move > Point cam"), qPrintable(rows.join('\n')));
         QCOMPARE(rig.editor.item(Field::MasterRate)->activeText(), QString());

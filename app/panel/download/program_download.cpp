@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/panel/download/download_desk.h"
+#include "app/panel/download/program_download.h"
 
 #include "app/panel/controller/machine.h"
 #include "app/panel/download/differences_text.h"
@@ -12,19 +12,19 @@ namespace campanel::machine {
 
 using link::DownloadStage;
 
-DownloadDesk::DownloadDesk(Machine& machine, QObject* parent)
+ProgramDownload::ProgramDownload(Machine& machine, QObject* parent)
     : QObject(parent)
     , m_machine(machine)
     , m_differences(this)
     , m_proof(machine, this)
 {
-    connect(&machine.link(), &link::Link::downloadReported, this, &DownloadDesk::takeReport);
-    connect(&machine, &Machine::programChanged, this, &DownloadDesk::update);
-    connect(&machine, &Machine::savedChanged, this, &DownloadDesk::update);
-    connect(&machine, &Machine::commandsChanged, this, &DownloadDesk::update);
+    connect(&machine.link(), &link::Link::downloadReported, this, &ProgramDownload::takeReport);
+    connect(&machine, &Machine::programChanged, this, &ProgramDownload::update);
+    connect(&machine, &Machine::savedChanged, this, &ProgramDownload::update);
+    connect(&machine, &Machine::commandsChanged, this, &ProgramDownload::update);
 }
 
-void DownloadDesk::offer(std::shared_ptr<const program::ProgramImage> image)
+void ProgramDownload::offer(std::shared_ptr<const program::ProgramImage> image)
 {
     m_offer = std::move(image);
     if (!m_offer || m_offer->crc != m_report.crc)
@@ -32,12 +32,12 @@ void DownloadDesk::offer(std::shared_ptr<const program::ProgramImage> image)
     update();
 }
 
-bool DownloadDesk::isUnderWay() const
+bool ProgramDownload::isUnderWay() const
 {
     return m_sent.has_value();
 }
 
-void DownloadDesk::compare()
+void ProgramDownload::compare()
 {
     const ControllerProgram* active = m_machine.program().get();
     // The status tells before the header has been read again.
@@ -48,7 +48,7 @@ void DownloadDesk::compare()
     m_differences.setRows(rows);
 }
 
-bool DownloadDesk::changesMachineData() const
+bool ProgramDownload::changesMachineData() const
 {
     if (!m_offer || !m_machine.program())
         return false;
@@ -67,7 +67,7 @@ bool DownloadDesk::changesMachineData() const
     return std::ranges::any_of(shaft, isChanged);
 }
 
-QString DownloadDesk::blockedReason() const
+QString ProgramDownload::blockedReason() const
 {
     if (!m_machine.isConnected() || !m_machine.fresh())
         return tr("Not possible now: there is no connection to the controller.");
@@ -83,7 +83,7 @@ QString DownloadDesk::blockedReason() const
     return {};
 }
 
-void DownloadDesk::update()
+void ProgramDownload::update()
 {
     compare();
     m_proof.update();
@@ -105,7 +105,7 @@ void DownloadDesk::update()
     emit changed();
 }
 
-QString DownloadDesk::text() const
+QString ProgramDownload::text() const
 {
     switch (m_state) {
     case State::NothingToDo:
@@ -130,7 +130,7 @@ QString DownloadDesk::text() const
     return ConnectionSentences::download(m_report);
 }
 
-QString DownloadDesk::controllerText() const
+QString ProgramDownload::controllerText() const
 {
     if (!m_machine.status() || !m_machine.identity())
         return tr("Controller: not known yet");
@@ -154,18 +154,18 @@ QString DownloadDesk::controllerText() const
     }
 }
 
-bool DownloadDesk::isSaved() const
+bool ProgramDownload::isSaved() const
 {
     const auto& status = m_machine.status();
     return status && status->activeCrc && status->activeCrc == status->savedCrc;
 }
 
-bool DownloadDesk::canSave() const
+bool ProgramDownload::canSave() const
 {
     return m_machine.isConnected() && m_machine.fresh() && m_machine.status()->activeCrc && !isSaved();
 }
 
-void DownloadDesk::download(const program::ProgramImage& image, const program::Recipe& recipe)
+void ProgramDownload::download(const program::ProgramImage& image, const program::Recipe& recipe)
 {
     m_sent = recipe;
     m_sentRegisters = image.registers;
@@ -176,19 +176,19 @@ void DownloadDesk::download(const program::ProgramImage& image, const program::R
     update();
 }
 
-void DownloadDesk::cancel()
+void ProgramDownload::cancel()
 {
     if (isUnderWay())
         m_machine.link().cancelDownload();
 }
 
-void DownloadDesk::save()
+void ProgramDownload::save()
 {
     if (canSave())
         m_machine.send(modbus::Command::SaveToFlash, {0, 0, *m_machine.status()->activeCrc});
 }
 
-void DownloadDesk::takeReport(const link::DownloadReport& report)
+void ProgramDownload::takeReport(const link::DownloadReport& report)
 {
     if (!isUnderWay())
         return;

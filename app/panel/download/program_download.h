@@ -7,19 +7,33 @@
 #include "app/panel/recipe/solution.h"
 
 #include <QObject>
+#include <QtQml/qqmlregistration.h>
 
 namespace campanel::machine {
 
 class Machine;
 
-class DownloadDesk : public QObject {
+class ProgramDownload : public QObject {
     Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("Editor.programDownload is the only one")
+
+    Q_PROPERTY(State state READ state NOTIFY changed FINAL)
+    Q_PROPERTY(double progress READ progress NOTIFY changed FINAL)
+    Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
+    Q_PROPERTY(bool canDownload READ canDownload NOTIFY changed FINAL)
+    Q_PROPERTY(campanel::machine::DifferenceModel* differences READ differences CONSTANT FINAL)
+    Q_PROPERTY(int differenceCount READ differenceCount NOTIFY changed FINAL)
+    Q_PROPERTY(QString controllerText READ controllerText NOTIFY changed FINAL)
+    Q_PROPERTY(campanel::machine::ProgramProof* proof READ proof CONSTANT FINAL)
+    Q_PROPERTY(bool saved READ isSaved NOTIFY changed FINAL)
+    Q_PROPERTY(bool canSave READ canSave NOTIFY changed FINAL)
 
 public:
-    // In the order and with the names that QML sees as Editor.DownloadState.
     enum class State { NothingToDo, Ready, Blocked, Transferring, Sealing, Armed, Applied, Failed };
+    Q_ENUM(State)
 
-    DownloadDesk(Machine& machine, QObject* parent);
+    ProgramDownload(Machine& machine, QObject* parent);
 
     // What would be downloaded; null when the recipe is not feasible.
     void offer(std::shared_ptr<const program::ProgramImage> image);
@@ -28,8 +42,9 @@ public:
     [[nodiscard]] double progress() const { return m_report.fraction; }
     [[nodiscard]] QString text() const;
     [[nodiscard]] bool canDownload() const { return m_state == State::Ready || m_canRetry; }
-    [[nodiscard]] DifferenceModel& differences() { return m_differences; }
-    [[nodiscard]] ProgramProof& proof() { return m_proof; }
+    [[nodiscard]] DifferenceModel* differences() { return &m_differences; }
+    [[nodiscard]] int differenceCount() const { return m_differences.count(); }
+    [[nodiscard]] ProgramProof* proof() { return &m_proof; }
     [[nodiscard]] QString controllerText() const;
     [[nodiscard]] bool isSaved() const;
     [[nodiscard]] bool canSave() const;

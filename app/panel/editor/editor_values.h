@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Groups of what the editor shows, as values for QML.
+#pragma once
+
+#include "app/panel/editor/editor_field.h"
+
+#include <QList>
+#include <QObject>
+#include <QPointF>
+#include <QVariant>
+#include <QtQml/qqmlregistration.h>
+
+namespace campanel::machine {
+
+// `Editor.cutter` in QML: the fields of a rotary cutter by name.
+struct CutterFields {
+    Q_GADGET
+    QML_VALUE_TYPE(cutterFields)
+    Q_PROPERTY(campanel::machine::EditorField* bagLength MEMBER bagLength CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* rate MEMBER rate CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* baseSpeed MEMBER baseSpeed CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* filmSpeed MEMBER filmSpeed CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* k1 MEMBER k1 CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* k2 MEMBER k2 CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* k3 MEMBER k3 CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* k4 MEMBER k4 CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* syncRatio MEMBER syncRatio CONSTANT FINAL)
+    Q_PROPERTY(campanel::machine::EditorField* rampSlices MEMBER rampSlices CONSTANT FINAL)
+
+public:
+    EditorField* bagLength = nullptr;
+    EditorField* rate = nullptr;
+    EditorField* baseSpeed = nullptr;
+    EditorField* filmSpeed = nullptr;
+    EditorField* k1 = nullptr;
+    EditorField* k2 = nullptr;
+    EditorField* k3 = nullptr;
+    EditorField* k4 = nullptr;
+    EditorField* syncRatio = nullptr;
+    EditorField* rampSlices = nullptr;
+};
+
+// `Editor.plot` in QML: the curves of the edited recipe and what is drawn with them. Times in s.
+struct EditorPlot {
+    Q_GADGET
+    QML_VALUE_TYPE(editorPlot)
+    Q_PROPERTY(QVariant curves MEMBER curves FINAL)
+    Q_PROPERTY(double cycleSeconds MEMBER cycleSeconds FINAL)
+    Q_PROPERTY(QList<double> ratioTimes MEMBER ratioTimes FINAL)
+    Q_PROPERTY(QList<double> markTimes MEMBER markTimes FINAL)
+    Q_PROPERTY(double limitVelocity MEMBER limitVelocity FINAL)
+    Q_PROPERTY(double limitAcceleration MEMBER limitAcceleration FINAL)
+    Q_PROPERTY(double limitFrequency MEMBER limitFrequency FINAL)
+    Q_PROPERTY(QList<QPointF> violations MEMBER violations FINAL)
+
+public:
+    QVariant curves;
+    double cycleSeconds = 0;
+    QList<double> ratioTimes; // of a rotary cutter, else empty
+    QList<double> markTimes;
+    double limitVelocity = 0;     // mm/s
+    double limitAcceleration = 0; // mm/s^2
+    double limitFrequency = 0;    // Hz
+    QList<QPointF> violations;    // from and to
+};
+
+} // namespace campanel::machine
