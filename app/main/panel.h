@@ -44,7 +44,7 @@ class Panel : public QObject {
     Q_OBJECT
 
 public:
-    // The link must outlive it. Begins to load the QML in the background.
+    // The link must outlive the object. Begins to load the QML in the background.
     Panel(link::Link& link, const Storage& storage);
     ~Panel() override;
 
