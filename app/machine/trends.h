@@ -90,8 +90,7 @@ public:
     [[nodiscard]] qint64 columnMs() const
     {
         return m_columnMs;
-    } // width of a column of the curves; 0 before
-      // the first answer
+    } // width of a column; 0 before the first answer
     [[nodiscard]] bool exporting() const { return m_isExporting; }
 
     // Adds or removes the quantity. The last one stays; a fourth one replaces the lowest.

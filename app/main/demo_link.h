@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A link without a line: answers as a controller that runs a known program would, always with the same
-// numbers and on its own clock. For captures and the self-test.
+// A link without a line: it answers like a controller that runs a known program, always with the same numbers
+// and on its own clock. For captures and the self-test.
 #pragma once
 
 #include "app/link/link.h"
@@ -17,8 +17,9 @@ class DemoLink : public link::Link {
     Q_OBJECT
 
 public:
-    // Fresh: with a program that has not run yet. Empty: without one. ProductAcross: a cutter that waits for
-    // one to pass. MarksLost: a cutter that stopped for that. ManyAlarms: every fault and warning at once.
+    // Fresh: with a program that has not run yet. Empty: without a program. ProductAcross: a cutter that
+    // waits for a product to pass. MarksLost: a cutter that stopped because of lost marks. ManyAlarms: every
+    // fault and warning at once.
     enum class Situation {
         Running,
         Stopped,
@@ -41,7 +42,7 @@ public:
     void writeParameter(quint32 id, const std::string& name, double value) override;
     void download(const std::vector<std::uint16_t>& bank) override;
     void cancelDownload() override;
-    void withdrawStop() override { ++m_withdrawals; } // none ever waits
+    void withdrawStop() override { ++m_withdrawals; } // no Stop ever waits
     void setJog(link::JogDirection direction) override { m_jog = direction; }
     void readRegisters(const link::ReadRequest& request) override;
     void compareProgram(const std::vector<std::uint16_t>& bank) override;
@@ -54,22 +55,22 @@ public:
     void watchFrames(bool isWatched) override;
 
     void show(Situation situation, Kind kind = Kind::RotaryCutter);
-    // The search that was begun comes to its end; by itself it never does.
+    // Ends the search; it never ends without this call.
     void endScan(bool isFound);
-    // As if the line were that to the simulated controller.
+    // Behaves like the line to the simulated controller.
     void setSimulated(bool isSimulated);
-    // A controller of an older register map, which tells nothing of film and marks; holds from the next
-    // show() of another situation on. True when that is another one than before.
+    // Sets a controller of an older register map without film and marks, effective from the next change of
+    // the situation. Returns true when this is a change.
     bool setOld(bool isOld) { return std::exchange(m_isOld, isOld) != isOld; }
-    // A Stop waits for the line, as long as the situation is this one.
+    // Shows a Stop that waits for the line until the situation changes.
     void showWaitingStop();
-    // How often Stop arrived so far, and how often it was taken back.
+    // Return how often Stop arrived, and how often it was withdrawn.
     [[nodiscard]] int stopRequests() const { return m_stopRequests; }
     [[nodiscard]] int withdrawals() const { return m_withdrawals; }
-    // The key that is held, as it was told last.
+    // Returns the key held last.
     [[nodiscard]] link::JogDirection jog() const { return m_jog; }
     [[nodiscard]] link::SteadyTime now() const { return m_now; }
-    // So much of that time goes by.
+    // Advances the clock.
     void advance(std::chrono::microseconds time) { m_now += time; }
 
 private:
@@ -80,7 +81,7 @@ private:
     void runBags();
     void runCycles();
     void runStrokes();
-    void pass(double timeS, const modbus::StatusBlock& status); // one status, after so much time
+    void pass(double timeS, const modbus::StatusBlock& status); // sends one status after this time
     [[nodiscard]] bool isRunning() const;
     [[nodiscard]] modbus::Identity identity() const;
     [[nodiscard]] modbus::StatusBlock statusAt(double cycleShare) const;
@@ -99,8 +100,8 @@ private:
     bool m_isSimulated = false;
     bool m_isScanning = false;
     bool m_isOld = false;
-    std::optional<link::ReadRequest> m_filmRequest; // the last one; answered again with every bag
-    double m_cycleShare = 0;                        // of the bag under way
+    std::optional<link::ReadRequest> m_filmRequest; // last request; answered again with every bag
+    double m_cycleShare = 0;                        // share of the present bag
 };
 
 } // namespace campanel::panel

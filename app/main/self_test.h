@@ -7,7 +7,7 @@
 
 namespace campanel::panel {
 
-// The exit code for main().
+// Returns the exit code for main().
 [[nodiscard]] int selfTest(const QList<Look>& looks, const QList<Scene>& scenes);
 
 } // namespace campanel::panel
