@@ -18,7 +18,7 @@ inline constexpr std::uint16_t packerRegisters = 104;
 
 struct BagRecord {
     std::uint32_t number = 0;      // counted since power-up
-    double deviationMm = 0.0;      // of its length from `lengths` set lengths, saturating at 32.767
+    double deviationMm = 0.0;      // length minus `lengths` set lengths, saturating at 32.767
     double markErrorMm = 0.0;      // mark error of its cut
     double pitchDeviationMm = 0.0; // distance between its mark and the previous one, minus that many bag
                                    // lengths

@@ -70,7 +70,7 @@ struct CamErrors {
     double positionTimeS = 0;
     double speedMmPerS = 0;
     double speedTimeS = 0;
-    double wrapSpeedStepMmPerS = 0; // of a repeating table; the inner rows have no step
+    double wrapSpeedStepMmPerS = 0; // only a repeating table; the inner rows have no step
 };
 
 // Computes the errors. `table` must have been built from this motion for this machine.

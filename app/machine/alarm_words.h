@@ -35,7 +35,7 @@ public:
     [[nodiscard]] static QString title(const QString& code);
     [[nodiscard]] static AlarmSeverity severity(const QString& code);
     [[nodiscard]] static QString state(const store::AlarmRow& row);
-    // Of a day that is not `today` with its date.
+    // Returns the time, with its date on a day other than `today`.
     [[nodiscard]] static QString time(qint64 utcMs, const QDate& today);
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Alarms` in QML: what is wrong now, what was, who acknowledged it, what is shelved. It follows controller,
-// link and panel by itself and keeps its log in the database; nothing here waits for the disk.
+// `Alarms` in QML: the active, earlier and shelved alarms, and who acknowledged them. It watches controller,
+// link and panel and stores its log in the database; nothing here waits for the disk.
 #pragma once
 
 #include "app/machine/alarm_detail.h"
@@ -28,7 +28,7 @@ class Alarms : public QObject {
     Q_PROPERTY(campanel::machine::LiveAlarms* live READ live CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::AlarmHistory* history READ history CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::ShelvedAlarms* shelved READ shelved CONSTANT FINAL)
-    // The one that was tapped.
+    // The selected alarm.
     Q_PROPERTY(campanel::machine::AlarmDetail* detail READ detail CONSTANT FINAL)
     // The number of active alarms without the shelved ones.
     Q_PROPERTY(int active READ active NOTIFY changed FINAL)

@@ -60,7 +60,7 @@ class Recipes : public QObject {
 
     Q_PROPERTY(int nextVersion READ nextVersion NOTIFY listChanged FINAL) // next version of the edited recipe
     Q_PROPERTY(QString message READ message NOTIFY messageChanged FINAL)  // result of the last action
-    Q_PROPERTY(bool canRestore READ canRestore NOTIFY messageChanged FINAL) // of the last deletion
+    Q_PROPERTY(bool canRestore READ canRestore NOTIFY messageChanged FINAL) // the last deletion
     Q_PROPERTY(campanel::machine::RecipeFiles* files READ files CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::ReportFiles* exports READ exports CONSTANT FINAL)
 

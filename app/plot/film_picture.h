@@ -47,7 +47,7 @@ class FilmPicture : public QQuickPaintedItem {
     Q_PROPERTY(QFont textFont MEMBER m_textFont NOTIFY styleChanged FINAL)
     Q_PROPERTY(QLocale locale MEMBER m_locale NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor filmColor MEMBER m_filmColor NOTIFY styleChanged FINAL)
-    Q_PROPERTY(QColor edgeColor MEMBER m_edgeColor NOTIFY styleChanged FINAL) // of the film
+    Q_PROPERTY(QColor edgeColor MEMBER m_edgeColor NOTIFY styleChanged FINAL) // edge of the film
     Q_PROPERTY(QColor markColor MEMBER m_markColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor windowColor MEMBER m_windowColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor productColor MEMBER m_productColor NOTIFY styleChanged FINAL)

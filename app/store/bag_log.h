@@ -21,7 +21,7 @@ struct Bag {
     int programVersion = 0;
     double setLengthMm = 0;                   // one bag length
     int lengths = 1;                          // bag lengths in it: skipped cuts + 1
-    double deviationMm = 0;                   // of its length from `lengths` set lengths
+    double deviationMm = 0;                   // length minus `lengths` set lengths
     std::optional<double> markErrorMm{};      // mark error of its cut; none: it followed no mark
     std::optional<double> followingErrorMm{}; // maximum of the knife since the previous bag, signed
     std::optional<double> rateBagsPerMin{};

@@ -72,7 +72,7 @@ struct FaultRule {
 struct FaultScript {
     std::vector<FaultRule> rules; // the first rule that matches an exchange is the only one
     std::uint64_t seed = 1;
-    std::int64_t timeoutNs = 100'000'000; // of the master; the unit of Late
+    std::int64_t timeoutNs = 100'000'000; // the master's; the unit of Late
 };
 
 // Returns the keyword of the language.

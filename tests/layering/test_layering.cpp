@@ -115,6 +115,10 @@ QStringList violations(const QString& relativePath, const QList<Rule>& rules,
 
 const QRegularExpression includePattern(uR"(^\s*#\s*include\s*[<\x22]([^>\x22]+)[>\x22])"_s,
                                         QRegularExpression::MultilineOption);
+// Beginnings that leave a sentence without a subject. The controller's core follows on its own.
+const QRegularExpression
+    subjectlessComment(uR"((?://|/\*+|^\s*\*) (Of|Who|What|Whether|To be|That)\b[^\n]*)"_s,
+                       QRegularExpression::MultilineOption);
 const QRegularExpression importPattern(uR"(^\s*import\s+([A-Za-z][A-Za-z.]*))"_s,
                                        QRegularExpression::MultilineOption);
 
@@ -156,6 +160,23 @@ private slots:
             QVERIFY(file.open(QIODevice::ReadOnly));
             QVERIFY2(file.read(200).contains("SPDX-License-Identifier: Apache-2.0"), qPrintable(name));
         }
+    }
+
+    void everyHeaderCommentHasASubject()
+    {
+        const QStringList files = filesBelow({u"profile"_s, u"modbus"_s, u"controller/host"_s,
+                                              u"controller/sim"_s, u"app"_s, u"qml"_s, u"tests"_s},
+                                             {u"*.h"_s});
+        QVERIFY(files.size() > 20);
+        QStringList found;
+        for (const QString& name : files) {
+            QFile file(QDir(campanel::test::sourcePath(".")).filePath(name));
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const QString text = QString::fromUtf8(file.readAll());
+            for (const QRegularExpressionMatch& match : subjectlessComment.globalMatch(text))
+                found << name + u": "_s + match.captured(0);
+        }
+        QVERIFY2(found.isEmpty(), qPrintable(u"comments without a subject:\n  "_s + found.join(u"\n  "_s)));
     }
 };
 
