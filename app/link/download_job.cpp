@@ -34,8 +34,7 @@ DownloadStage stageOf(Phase phase)
 
 DownloadJob::DownloadJob(std::vector<std::uint16_t> bank, const modbus::Identity& controller,
                          std::uint16_t session)
-    : m_download(std::move(bank), controller,
-                 {modbus::ApplyMode::NextCycle, session, false})
+    : m_download(std::move(bank), controller, {modbus::ApplyMode::NextCycle, session, false})
 {
     m_report.crc = m_download.crc();
 }
@@ -65,7 +64,7 @@ void DownloadJob::take(const Step& step)
         m_report.stage = DownloadStage::Failed;
     }
     if (m_isCancelWanted && m_report.stage != DownloadStage::Failed) {
-        // Too late to cancel: the change has become active, and the next status says so.
+        // Too late to cancel: the change has become active, and the next status reports it.
         m_isCancelWanted = false;
         return;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A packing machine's film, made up; see demo_packing.h.
+// A packing machine's film, invented; see demo_packing.h.
 #include "app/main/demo_packing.h"
 
 #include "app/link/link_values.h"
@@ -16,14 +16,14 @@ using Trouble = DemoFilm::Trouble;
 
 constexpr std::uint16_t nothing = 0x8000;
 constexpr double sensorMm = 900;
-constexpr double stepsPerMm = 10; // of the picture
+constexpr double stepsPerMm = 10; // resolution of the picture
 constexpr double umPerMm = 1000;
 constexpr double meanMm = 0.02;
 constexpr double scatterMm = 0.03;
 constexpr double markErrorMm = 0.04;
 constexpr double productMm = 150;
-constexpr double misplacedMm = 90; // the product across, by which it lies too far back
-constexpr int misplacedBag = 0;    // of those before the knife
+constexpr double misplacedMm = 90; // offset of the product at the cut
+constexpr int misplacedBag = 0;    // bag number before the knife
 constexpr int missedMark = 2;
 constexpr int missingProduct = 3;
 constexpr double filmSavedM = 37.25;
@@ -45,7 +45,7 @@ public:
     {
         put(name, static_cast<std::uint32_t>(std::lround(umPerMm * mm)), at);
     }
-    // Of the picture; `special` is its last bit.
+    // Writes a place in the picture; `special` is its last bit.
     void putPlace(std::string_view name, std::size_t at, double mm, bool special = false)
     {
         const auto steps = static_cast<std::uint32_t>(std::lround(stepsPerMm * mm));
@@ -64,7 +64,7 @@ void putBags(Registers& registers, std::uint32_t newest)
         const std::size_t at = 4 * (bag % modbus::bagRecords);
         registers.putMm("packer.bags", demoDeviationMm(bag), at);
         registers.putMm("packer.bags", demoDeviationMm(bag + 1) + markErrorMm, at + 1);
-        registers.put("packer.bags", 1U << 8 | 1U, at + 3); // of one length, by its mark
+        registers.put("packer.bags", 1U << 8 | 1U, at + 3); // one length, tracked
     }
 }
 

@@ -53,7 +53,7 @@ QSize sizeFrom(const QString& text)
     return {match.captured(1).toInt(), match.captured(2).toInt()};
 }
 
-// Without a port they would change nothing, and nobody would notice.
+// Refuses line parameters without a port: they would silently have no effect.
 void refuseLineParametersWithoutPort(const QCommandLineParser& parser)
 {
     for (const char* name : {"baud", "parity", "stop-bits", "unit"}) {
@@ -72,7 +72,8 @@ void refuseWithout(const QCommandLineParser& parser, const QString& option, cons
         refuse(QStringLiteral("--%1 says nothing without --%2 FOLDER.").arg(option, needed));
 }
 
-// `named` finds what the patterns of the option name; one that names nothing would look like a test passed.
+// `named` finds the matches of the option's patterns; a pattern without a match would look like a passed
+// test.
 template <typename Named>
 auto selected(const QCommandLineParser& parser, const QString& option, const QString& example, Named named)
 {
