@@ -34,7 +34,8 @@ DownloadStage stageOf(Phase phase)
 
 DownloadJob::DownloadJob(std::vector<std::uint16_t> bank, const modbus::Identity& controller,
                          std::uint16_t session)
-    : m_download(std::move(bank), controller, {modbus::ApplyMode::NextCycle, session, false})
+    : m_download(std::move(bank), controller,
+                 {modbus::ApplyMode::NextCycle, session, false})
 {
     m_report.crc = m_download.crc();
 }

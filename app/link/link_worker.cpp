@@ -52,9 +52,9 @@ bool isStanding(std::optional<modbus::State> state)
 // Returns true when two statuses describe the same state of the machine.
 bool isSame(const modbus::StatusBlock& one, const modbus::StatusBlock& other)
 {
-    return one.state == other.state && one.faultBits == other.faultBits &&
-           one.warningBits == other.warningBits && one.generation == other.generation &&
-           one.stagedState == other.stagedState && one.axisPositionPulses == other.axisPositionPulses;
+    return one.state == other.state && one.faultBits == other.faultBits && one.warningBits == other.warningBits &&
+           one.generation == other.generation && one.stagedState == other.stagedState &&
+           one.axisPositionPulses == other.axisPositionPulses;
 }
 
 } // namespace

@@ -87,10 +87,7 @@ public:
     [[nodiscard]] QVariant curves() const { return m_curves; }
     [[nodiscard]] QVariantList statistics() const { return m_statistics; }
     [[nodiscard]] Content content() const { return m_content; }
-    [[nodiscard]] qint64 columnMs() const
-    {
-        return m_columnMs;
-    } // width of a column; 0 before the first answer
+    [[nodiscard]] qint64 columnMs() const { return m_columnMs; } // per column; 0 before the first answer
     [[nodiscard]] bool exporting() const { return m_isExporting; }
 
     // Adds or removes the quantity. The last one stays; a fourth one replaces the lowest.

@@ -22,11 +22,12 @@ bool isRendererChosen()
     constexpr std::array choices{"QT_QUICK_BACKEND", "QMLSCENE_DEVICE", "QSG_RHI_BACKEND", "QSG_RHI",
                                  "QT_XCB_FORCE_SOFTWARE_OPENGL"};
     return std::ranges::any_of(choices, [](const char* name) { return qEnvironmentVariableIsSet(name); }) ||
-           (qEnvironmentVariableIsSet("QT_XCB_GL_INTEGRATION") && qgetenv("QT_XCB_GL_INTEGRATION") != "none");
+           (qEnvironmentVariableIsSet("QT_XCB_GL_INTEGRATION") &&
+            qgetenv("QT_XCB_GL_INTEGRATION") != "none");
 }
 
-// Returns true when there is a device for Mesa's hardware drivers. The last four belong to drivers outside
-// Linux.
+// Returns true with a device of a graphics driver, without which Mesa draws in software. The last four belong
+// to drivers outside the Linux kernel.
 bool hasGraphicsProcessor(const QString& devices)
 {
     const QDir::Filters all = QDir::AllEntries | QDir::System | QDir::NoDotAndDotDot;
@@ -49,7 +50,8 @@ QString loadedOpenGlRenderer()
     surface.create();
     if (!context.create() || !context.makeCurrent(&surface))
         return {};
-    return QString::fromLatin1(reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER)));
+    return QString::fromLatin1(
+        reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER)));
 }
 
 } // namespace

@@ -83,9 +83,8 @@ tl::expected<void, StoreError> setAnchor(const Database& database, const Link& l
         return {};
     const QByteArray line = QByteArray::number(link.sequence) + ' ' + link.hash.toHex() + '\n';
     const QString path = anchorPath(database);
-    const auto written = replaceBytes(path, line).map_error([](const FileError& error) {
-        return StoreError{StoreError::Kind::Failed, error.path, error.found};
-    });
+    const auto written = replaceBytes(path, line).map_error(
+        [](const FileError& error) { return StoreError{StoreError::Kind::Failed, error.path, error.found}; });
     if (written)
         makePrivate(path);
     return written;
