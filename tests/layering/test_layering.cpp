@@ -90,7 +90,7 @@ QStringList filesBelow(const QStringList& folders, const QStringList& patterns)
     return result;
 }
 
-// Every first capture of `pattern` in the file that no rule allows, as "path: what".
+// Returns every first capture of `pattern` in the file that no rule allows, as "path: what".
 QStringList violations(const QString& relativePath, const QList<Rule>& rules,
                        const QRegularExpression& pattern)
 {
@@ -115,7 +115,7 @@ QStringList violations(const QString& relativePath, const QList<Rule>& rules,
 
 const QRegularExpression includePattern(uR"(^\s*#\s*include\s*[<\x22]([^>\x22]+)[>\x22])"_s,
                                         QRegularExpression::MultilineOption);
-// Beginnings that leave a sentence without a subject. The controller's core follows on its own.
+// The beginnings of comments without a subject. The controller's core is not checked yet.
 const QRegularExpression
     subjectlessComment(uR"((?://|/\*+|^\s*\*) (Of|Who|What|Whether|To be|That)\b[^\n]*)"_s,
                        QRegularExpression::MultilineOption);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the panel's command line refuses: one sentence, exit code 2, and no window. What the self-test looks
-// at.
+// The refusals of the panel's command line: one sentence, exit code 2, and no window. The selection of the
+// self-test.
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
 

@@ -166,7 +166,8 @@ void ScriptedSlave::serve()
     while (!m_stop) {
         const int length = modbus_receive(context.get(), buffer.data());
         if (length == 0)
-            context = listen(); // after a request to another unit, libmodbus skips the next frame as its answer
+            context = listen(); // after a request to another unit, libmodbus skips the next frame as its
+                                // answer
         if (length <= 0)
             continue;
         const Bytes request(buffer.begin(), buffer.begin() + length);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes recipes, audit rows, alarms, copies and the working copy for ever, and says after each what is
-// confirmed: to be killed at any moment.
+// Writes recipes, audit rows, alarms, copies and the working copy endlessly, and prints each confirmed one;
+// it is killed at any moment.
 #include "app/store/alarm_log.h"
 #include "app/store/audit_log.h"
 #include "app/store/recipe_file.h"
