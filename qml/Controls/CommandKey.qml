@@ -12,8 +12,7 @@ T.AbstractButton {
     property string note
     property bool filled
     property bool ready: true              // false: drawn as not ready, but a touch still explains the reason
-    property bool square: false            // a plain filled square instead of the glyph, unlike an
-                                           // emergency-stop button
+    property bool square: false            // a plain filled square instead of the glyph, unlike an emergency-stop button
     property bool small: false
     property color baseColor: Theme.color.good
     property color pressedColor: Theme.color.good

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A keyboard for a part of a register name: small letters, digits, dot and underscore. Every key takes effect
-// at once.
+// A keyboard for a part of a register name: small letters, digits, dot and underscore. Every key takes effect at once.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One page in the navigation. The current page has a tint and an accent at its edge; a page that needs
-// attention has a number.
+// One page in the navigation. The current page has a tint and an accent at its edge; a page that needs attention has a
+// number.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A row of choices with at most one selected. Each choice is {key, text, glyph, name}; tests find it by the
-// name. New texts for the same number of choices keep the keys, also during a touch.
+// A row of choices with at most one selected. Each choice is {key, text, glyph, name}; tests find it by the name. New texts
+// for the same number of choices keep the keys, also during a touch.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T

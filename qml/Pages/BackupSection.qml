@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exports to a stick: backup and restore of all the panel's data, the commissioning report, and the archive
-// for the manufacturer's support.
+// Exports to a stick: backup and restore of all the panel's data, the commissioning report, and the archive for the
+// manufacturer's support.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

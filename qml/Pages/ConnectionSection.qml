@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The connection to the controller: the simulated one, or a serial port with its parameters. Nothing changes
-// before Connect.
+// The connection to the controller: the simulated one, or a serial port with its parameters. Nothing changes before Connect.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

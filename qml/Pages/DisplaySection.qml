@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Language, theme and keys for gloves; all change at once, on every page. A key leads to the settings of the
-// computer.
+// Language, theme and keys for gloves; all change at once, on every page. A key leads to the settings of the computer.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

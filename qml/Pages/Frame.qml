@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frame of every page: top bar, navigation, page, banner, sheets and keypad, and the command column that
-// nothing covers.
+// The frame of every page: top bar, navigation, page, banner, sheets and keypad, and the command column that nothing covers.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -11,8 +10,7 @@ Rectangle {
     id: frame
 
     property int page
-    property bool showsPages               // false until the frame itself is visible: Start and Stop come
-                                           // first
+    property bool showsPages               // false until the frame itself is visible: Start and Stop come first
     readonly property list<string> sources: ["RunPage.qml", "MotionPage.qml", "SettingsPage.qml", "ServicePage.qml", "RecipesPage.qml",
         "TrendsPage.qml", "AlarmsPage.qml"]
     // File names of components that are not needed at the start: a type name would load them at once.
@@ -216,8 +214,8 @@ Rectangle {
             }
         }
     }
-    // At the lower edge of a page. Over a sheet, a keypad or the first start at the upper edge, away from the
-    // confirming keys.
+    // At the lower edge of a page. Over a sheet, a keypad or the first start at the upper edge, away from the confirming
+    // keys.
     BannerHost {
         id: banner
         readonly property Page page: pages.count > 0 ? (pages.itemAt(frame.page) as Loader)?.item as Page : null

@@ -11,8 +11,7 @@ Page {
     id: page
 
     property int newKind: 1
-    property int wantedVersion: -1         // version to open after the decision on the edits, -1: the chosen
-                                           // recipe
+    property int wantedVersion: -1         // version to open after the decision on the edits, -1: the chosen recipe
 
     // Unsaved edits would be lost, so the user decides.
     function open(version: int): void {

@@ -8,8 +8,8 @@ import CamPanel.Machine
 Page {
     id: page
 
-    // The views by Machine.activeKind: no program, cutter (of a controller without film and marks), position
-    // move, speed move, point cam, press.
+    // The views by Machine.activeKind: no program, cutter (of a controller without film and marks), position move, speed
+    // move, point cam, press.
     readonly property list<string> views: ["RunEmpty.qml", "RunCutter.qml", "RunAxis.qml", "RunAxis.qml", "RunAxis.qml", "RunPress.qml"]
     readonly property string view: Machine.activeKind === 1 && Machine.packing.present ? "RunPacking.qml" : page.views[Machine.activeKind]
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Run of a press: present force and position, the stage, the newest stroke as a curve and the earlier
-// strokes.
+// Run of a press: present force and position, the stage, the newest stroke as a curve and the earlier strokes.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

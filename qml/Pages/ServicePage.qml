@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Service: the technician's pages, one section at a time in the full width. Three groups: the line to the
-// controller, the machine, and the panel's data.
+// Service: the technician's pages, one section at a time in the full width. Three groups: the line to the controller, the
+// machine, and the panel's data.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

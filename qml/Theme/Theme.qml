@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The only source of colors, sizes, icons, durations and number format. The frame sets its inputs; the rest
-// is data.
+// The only source of colors, sizes, icons, durations and number format. The frame sets its inputs; the rest is data.
 pragma ComponentBehavior: Bound
 pragma Singleton
 import QtQuick
@@ -51,8 +50,8 @@ QtObject {
         value: theme.gloves ? 1.25 : 1
     }
 
-    // Formats a number in the panel's language, with a minus sign instead of a hyphen; an unknown value is
-    // "--", never 0. Only counts have group separators.
+    // Formats a number in the panel's language, with a minus sign instead of a hyphen; an unknown value is "--", never 0.
+    // Only counts have group separators.
     function number(value: real, decimals: int): string {
         return theme.count(value, decimals).split(theme.locale.groupSeparator).join("")
     }

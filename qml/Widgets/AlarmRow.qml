@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One occurrence of an alarm: severity, title, state, time, count. Alarms that need to be acknowledged stand
-// out.
+// One occurrence of an alarm: severity, title, state, time, count. Alarms that need to be acknowledged stand out.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The most important sentence for the operator: a waiting Stop, the answer to a command, an active alarm, a
-// lost link. Alarms can be dismissed and stay on the Alarms page; acknowledging them there dismisses them
-// too. A waiting Stop is withdrawn or sent.
+// The most important sentence for the operator: a waiting Stop, the answer to a command, an active alarm, a lost link.
+// Alarms can be dismissed and stay on the Alarms page; acknowledging them there dismisses them too. A waiting Stop is
+// withdrawn or sent.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -12,8 +12,7 @@ Item {
     id: host
 
     property bool startRefused             // ends when Start would be accepted
-    property bool above                    // over a sheet, a keypad or the first start: only answers to a
-                                           // touch
+    property bool above                    // over a sheet, a keypad or the first start: only answers to a touch
     property string answerBelow            // the sentence on the page when something opened above it
     property string putAside
     signal alarmsRequested()

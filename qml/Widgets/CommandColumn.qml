@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Start and Stop, on every page and beside every dialog, with a key between them for the necessary first
-// step: reset, home.
+// Start and Stop, on every page and beside every dialog, with a key between them for the necessary first step: reset, home.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

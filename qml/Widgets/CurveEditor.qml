@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The motion as curves with handles to drag: the four ends of segments of a cutter, the knots of a point cam.
-// The cursor's values are above the curves, not under the finger.
+// The motion as curves with handles to drag: the four ends of segments of a cutter, the knots of a point cam. The cursor's
+// values are above the curves, not under the finger.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

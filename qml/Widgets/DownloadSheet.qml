@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The changes of a download, its progress, and its cancellation. Closes at the end; the page names the next
-// step.
+// The changes of a download, its progress, and its cancellation. Closes at the end; the page names the next step.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The film from the mark sensor to the knife as a moving picture, and the mark tracking as text. A tap opens
-// the numbers.
+// The film from the mark sensor to the knife as a moving picture, and the mark tracking as text. A tap opens the numbers.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Import and export of knots as CSV files: on a USB stick or in the panel's own folder. The selected file is
-// described below before the import.
+// Import and export of knots as CSV files: on a USB stick or in the panel's own folder. The selected file is described below
+// before the import.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

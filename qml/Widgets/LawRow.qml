@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One law: its name, its four peaks in columns, and its strength and weakness below. The header row has the
-// column titles.
+// One law: its name, its four peaks in columns, and its strength and weakness below. The header row has the column titles.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pages on the left; on a low screen the last ones are behind the key More. The key of the alarms counts
-// those that need to be acknowledged.
+// The pages on the left; on a low screen the last ones are behind the key More. The key of the alarms counts those that need
+// to be acknowledged.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Derived numbers explained, one below the other, with their values when the finger was held: meaning,
-// formula, numbers, result.
+// Derived numbers explained, one below the other, with their values when the finger was held: meaning, formula, numbers,
+// result.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

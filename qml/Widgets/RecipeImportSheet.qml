@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recipe files on a USB stick or in the panel's own folder; the consequence of the import is below the
-// selected one.
+// Recipe files on a USB stick or in the panel's own folder; the consequence of the import is below the selected one.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Backups on a USB stick or in the panel's own folder: the contents of the selected one are below, then it is
-// checked.
+// Backups on a USB stick or in the panel's own folder: the contents of the selected one are below, then it is checked.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

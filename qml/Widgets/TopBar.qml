@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The top bar: recipe, state of the controller as text, icon and color, the most urgent alarm, link, clock.
-// For display only.
+// The top bar: recipe, state of the controller as text, icon and color, the most urgent alarm, link, clock. For display
+// only.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

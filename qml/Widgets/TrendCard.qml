@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The curves of the chosen quantities, each with its name and its figures above: for the window, or at the
-// cursor, away from the finger.
+// The curves of the chosen quantities, each with its name and its figures above: for the window, or at the cursor, away from
+// the finger.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The feasibility of the recipe, the controller's program if it differs, and the next step as one large
-// button.
+// The feasibility of the recipe, the controller's program if it differs, and the next step as one large button.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -59,8 +58,7 @@ Card {
     }
     Row {
         id: tools
-        readonly property bool goesBack: Editor.canUndo || Editor.canRedo   // before the first edit the texts
-                                                                            // have the space
+        readonly property bool goesBack: Editor.canUndo || Editor.canRedo   // before the first edit the texts have the space
         anchors { right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
         spacing: Theme.size.spacing
         Button {
