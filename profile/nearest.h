@@ -8,8 +8,8 @@
 
 namespace campanel::profile::detail {
 
-// Returns, for a refused or limit-exceeding program, the fields that can correct it alone, the smallest
-// relative change first.
+// Returns the fields that alone correct a refused or limit-exceeding program, the smallest relative change
+// first.
 [[nodiscard]] std::vector<Suggestion> nearestFeasible(const RotaryCutterProgram& program,
                                                       const Machine& machine, const Refusal& refusal);
 

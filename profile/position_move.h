@@ -13,10 +13,10 @@
 namespace campanel::profile {
 
 // Solves the move: one segment s = S g(t / T). Refuses inputs out of range, a law that is not for
-// displacements, a distance of zero, and Fastest when no time in the range of MoveTime is sufficient. A
-// refusal names valid inputs. A given time that exceeds limits of the machine is solved; `broken` then names
-// the limits and the nearest inputs that make the program feasible. OverDistance means the same as GivenTime:
-// a distance is always given.
+// displacements, and a distance of zero. Refuses Fastest when no time in the range of MoveTime is sufficient.
+// A refusal names valid inputs. A given time that exceeds limits of the machine is solved; `broken` then
+// names the limits and the nearest inputs that make the program feasible. OverDistance means the same as
+// GivenTime: a distance is always given.
 [[nodiscard]] tl::expected<AxisMotion, Refusal> solve(const PositionMoveProgram& program,
                                                       const Machine& machine);
 

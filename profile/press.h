@@ -30,13 +30,13 @@ struct PressStroke {
 };
 
 // Solves the stroke. Refuses inputs out of range, stages that end before they begin or at the same pulse, and
-// forces out of order, with the nearest inputs that alone correct the program. The order of the stages is
-// approach < probe end < press position: contact occurs between the first two, pressing beyond them. The
-// order of the forces is probe force < largest force, least <= most force at the stop <= largest force. Each
-// stage has constant acceleration at both ends. Its ramp lasts whole milliseconds and stays within the
-// machine's acceleration. Torque is not a limit of a press; its peak is unknown (NaN). A stroke that exceeds
-// limits is solved; `broken` then names the limits and the input that alone corrects the program. The limits
-// include those of the table (RampTooLong, TableRange, the pulse frequency of a row).
+// forces out of order. A refusal names the nearest inputs that alone correct the program. The order of the
+// stages is approach < probe end < press position: contact occurs between the first two, pressing beyond
+// them. The order of the forces is probe force < largest force, least <= most force at the stop <= largest
+// force. Each stage has constant acceleration at both ends. Its ramp lasts whole milliseconds and stays
+// within the machine's acceleration. Torque is not a limit of a press; its peak is unknown (NaN). A stroke
+// that exceeds limits is solved; `broken` then names the limits and the input that alone corrects the
+// program. The limits include those of the table (RampTooLong, TableRange, the pulse frequency of a row).
 [[nodiscard]] tl::expected<PressStroke, Refusal> solveStroke(const PressProgram& program,
                                                              const Machine& machine);
 // Returns true when solveStroke() succeeds without exceeded limits; the program then has a table.

@@ -12,10 +12,10 @@ namespace campanel::profile {
 
 // Solves the move: one ramp, v = v0 + (v1 - v0) g(t / T), for increasing speed. For decreasing speed (|v1| <
 // |v0|) the law is mirrored in time, as the servo paper does with the second half of its curve. Refuses
-// inputs out of range, a law that is not for speeds, equal speeds, a distance that the speeds cannot travel,
-// and a derived time outside the range of MoveTime. A refusal names valid inputs. A move that exceeds limits
-// of the machine is solved; `broken` then names the limits and the nearest inputs that make the program
-// feasible.
+// inputs out of range, a law that is not for speeds, and equal speeds. Refuses a distance that the speeds
+// cannot travel, and a derived time outside the range of MoveTime. A refusal names valid inputs. A move that
+// exceeds limits of the machine is solved; `broken` then names the limits and the nearest inputs that make
+// the program feasible.
 [[nodiscard]] tl::expected<AxisMotion, Refusal> solve(const SpeedMoveProgram& program,
                                                       const Machine& machine);
 

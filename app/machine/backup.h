@@ -67,7 +67,7 @@ public:
     // Returns the instance that attachToEngine() assigned to this engine.
     static Backup* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
-    // Instead of the disks of this computer, for tests and captures.
+    // Replaces the search of this computer's disks, for tests and captures.
     void setLooker(Looker looker);
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
 

@@ -17,8 +17,8 @@ using program::Recipe;
 // derived.
 void enterField(Recipe& recipe, profile::Field field, double value);
 
-// Pins a derived field at its present value, or unpins a pinned one in favor of its counterpart (bag length
-// and film speed, rate and base speed), so that no number changes.
+// Pins a derived field at its present value, or unpins a pinned one in favor of its counterpart; no number
+// changes. The counterparts are bag length and film speed, rate and base speed.
 void togglePin(Recipe& recipe, profile::Field field);
 
 // Copies the four numbers of a solution, so that a derived one can be pinned unchanged.

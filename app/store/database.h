@@ -31,7 +31,7 @@ struct DatabaseFile {
     bool isPrecious = true;
 };
 
-// campanel.sqlite.
+// Returns campanel.sqlite.
 [[nodiscard]] const DatabaseFile& mainDatabase();
 
 // Returns the newest schema of the main database that this version supports; see schema.h.

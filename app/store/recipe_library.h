@@ -41,7 +41,7 @@ public:
     // recipe of that name is restored.
     [[nodiscard]] Result<RecipeVersion> save(const program::Recipe& recipe, const QString& by, qint64 nowMs);
 
-    // Errors: Refused when there is or was another recipe of that name.
+    // Renames a recipe. Errors: Refused when there is or was another recipe of that name.
     [[nodiscard]] Result<void> rename(qint64 recipeId, const QString& name);
     [[nodiscard]] Result<void> setDeleted(qint64 recipeId, bool isDeleted);
 

@@ -30,10 +30,10 @@ struct User {
 // Returns the users by name, without removed ones. PinsLost when the list is empty although there were users.
 // Other errors are those of opening the database; nobody gets all rights in either case.
 [[nodiscard]] tl::expected<QList<User>, StoreError> users(Database& database);
-// Returns Refused when the name is taken. The first user must have the level Service.
+// Adds a user. Refused when the name is taken. The first user must have the level Service.
 [[nodiscard]] tl::expected<User, StoreError> addUser(Database& database, const QString& name, UserLevel level,
                                                      const QString& pinHash);
-// Copies the users of the last good copy in `folder` into a database in memory, so that their PINs can be
+// Copies the users of the last good copy in `folder` into a database in memory. Their PINs can then be
 // checked while the one on the disk cannot be opened.
 void borrowUsers(Database& database, const QString& folder);
 // Stores the same PIN, hashed with the present effort.
@@ -42,7 +42,7 @@ void borrowUsers(Database& database, const QString& folder);
 // Sets the hash and ends the waiting time.
 [[nodiscard]] tl::expected<void, StoreError> setUserPin(Database& database, qint64 id,
                                                         const QString& pinHash);
-// Both functions are refused when no user of the level Service would be left.
+// Change a user. Both functions are refused when no user of the level Service would be left.
 [[nodiscard]] tl::expected<void, StoreError> setUserLevel(Database& database, qint64 id, UserLevel level);
 [[nodiscard]] tl::expected<void, StoreError> removeUser(Database& database, qint64 id);
 
