@@ -17,13 +17,13 @@
 namespace campanel::modbus {
 
 enum class LineCondition : std::uint8_t {
-    Controller,       // a CamPanel controller answers, see `identity`
-    WrongUnit,        // a controller with the line's settings, but at another unit than the configured one
-    OtherMapVersion,  // a CamPanel controller of another map major version, see `code`
-    OtherDevice,      // another device; `code` is its identity.device_type, 0 when it has none
-    Garbage,          // bytes without a frame: wrong baud rate or parity, or noise
-    NoBytes,          // nothing received
-    EchoOnly,         // only an echo of the question
+    Controller,      // a CamPanel controller answers, see `identity`
+    WrongUnit,       // a controller with the line's settings, but at another unit than the configured one
+    OtherMapVersion, // a CamPanel controller of another map major version, see `code`
+    OtherDevice,     // another device; `code` is its identity.device_type, 0 when it has none
+    Garbage,         // bytes without a frame: wrong baud rate or parity, or noise
+    NoBytes,         // nothing received
+    EchoOnly,
     PortAbsent,       // no such device node
     PortNotPermitted, // see `group`
     PortBusy,         // see `holders`

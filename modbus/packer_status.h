@@ -17,9 +17,9 @@ inline constexpr std::uint16_t packerAddress = 0x0140;
 inline constexpr std::uint16_t packerRegisters = 104;
 
 struct BagRecord {
-    std::uint32_t number = 0;      // counted since power-up
-    double deviationMm = 0.0;      // length minus `lengths` set lengths, saturating at 32.767
-    double markErrorMm = 0.0;      // mark error of its cut
+    std::uint32_t number = 0; // counted since power-up
+    double deviationMm = 0.0; // length minus `lengths` set lengths, saturating at 32.767
+    double markErrorMm = 0.0;
     double pitchDeviationMm = 0.0; // distance between its mark and the previous one, minus that many bag
                                    // lengths
     int lengths = 1;               // bag lengths in it: skipped cuts + 1

@@ -15,7 +15,6 @@ inline constexpr double angleToleranceDeg = 1e-9;
 // Returns the first fault of the inputs, without suggestions; nothing when all are valid.
 [[nodiscard]] std::optional<Refusal> findInvalid(const PointCamProgram& program, const Machine& machine);
 
-// Returns the refusal of a knot, by its index.
 [[nodiscard]] Refusal knotRefusal(Limit limit, std::size_t index, double actual, double allowed,
                                   std::string_view unit);
 

@@ -41,7 +41,6 @@ struct PressStroke {
                                                              const Machine& machine);
 // Returns true when solveStroke() succeeds without exceeded limits; the program then has a table.
 [[nodiscard]] bool isFeasible(const PressProgram& program, const Machine& machine);
-// Returns the motion of solveStroke().
 [[nodiscard]] tl::expected<AxisMotion, Refusal> solve(const PressProgram& program, const Machine& machine);
 
 // The table that the controller executes, one row per stage.

@@ -27,7 +27,6 @@ struct PressRun {
 };
 [[nodiscard]] PressRun pressRun(double lengthMm, double speedMmPerS, const Machine& machine);
 
-// A moving stage and its travel.
 struct MovingStage {
     Field speed = Field::ApproachSpeed;
     double lengthMm = 0;

@@ -40,7 +40,6 @@ public:
     }
     [[nodiscard]] double chord(std::size_t i) const { return (m_y[i + 1] - m_y[i]) * inverseWidth(i); }
 
-    // Returns the row between piece `left` and piece `right`.
     [[nodiscard]] Row between(std::size_t left, std::size_t right) const
     {
         const double p = inverseWidth(left);

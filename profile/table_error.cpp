@@ -12,7 +12,6 @@
 namespace campanel::profile {
 namespace {
 
-// Keeps the larger magnitude and its time.
 void keepLargest(double candidate, double timeS, double& largest, double& largestTimeS)
 {
     if (std::abs(candidate) <= largest)

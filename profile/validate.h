@@ -20,7 +20,6 @@ enum class LawUse : std::uint8_t { Speed, Displacement };
 // range.
 [[nodiscard]] std::optional<Refusal> findInvalidLaw(LawId id, const LawParameters& parameters, LawUse use);
 
-// Returns the refusal of a value outside its field's range.
 [[nodiscard]] Refusal outOfRange(Field field, double value);
 
 } // namespace campanel::profile::detail

@@ -15,7 +15,6 @@ namespace campanel::cli {
 // Formats a number for CSV: up to 10 significant digits, decimal point.
 [[nodiscard]] QByteArray number(double value);
 
-// Returns null for an unknown value.
 [[nodiscard]] QJsonValue orNull(const std::optional<double>& value);
 
 struct Column {

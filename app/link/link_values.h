@@ -108,9 +108,9 @@ inline constexpr std::chrono::milliseconds jogCounts{200};
 
 enum class CommandEnd {
     Done,
-    Refused,        // by the controller, see `reason`
-    NotSent,        // no connection; nothing was sent
-    NotReceived,    // not received by the controller
+    Refused, // by the controller, see `reason`
+    NotSent, // no connection; nothing was sent
+    NotReceived,
     OutcomeUnknown, // may have been executed
     Withdrawn       // a waiting Stop that was withdrawn, or replaced by a later one; not sent
 };

@@ -18,7 +18,6 @@ struct PortDescription {
 
 [[nodiscard]] QList<PortDescription> availablePorts();
 
-// The identity of a USB adapter.
 struct AdapterIdentity {
     quint16 vendorId = 0;
     quint16 productId = 0;

@@ -76,7 +76,6 @@ public:
     Access(Records& records, Machine& machine, Settings& settings, QObject* parent);
     ~Access() override;
 
-    // Returns the instance that attachToEngine() assigned to this engine.
     static Access* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     // Reads the users; until then nobody has more rights than an operator. Before open() nothing is

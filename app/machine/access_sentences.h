@@ -17,7 +17,6 @@ public:
     [[nodiscard]] static QString level(Level level);
     // Describes what a user of that level may do.
     [[nodiscard]] static QString permission(Level level);
-    // Returns the refusal with the level that is needed.
     [[nodiscard]] static QString refusal(Level needed);
     // Returns why nobody can log in as more than an operator, and how to restore the logins.
     [[nodiscard]] static QString locked(const store::StoreError& reason);

@@ -53,7 +53,6 @@ public:
     // Writes the pending changes.
     ~Alarms() override;
 
-    // Returns the instance that attachToEngine() assigned to this engine.
     static Alarms* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
@@ -86,7 +85,6 @@ public:
     // machine.
     Q_INVOKABLE void shelveShown(int hours);
     Q_INVOKABLE void unshelveShown();
-    // Takes a row of `shelved` off the shelf.
     Q_INVOKABLE void unshelve(int row);
     // Ends expired shelves; runs every ten seconds.
     void look();

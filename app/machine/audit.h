@@ -51,7 +51,6 @@ public:
     // All arguments must outlive the object.
     Audit(Records& records, AuditTrail& trail, ReportFiles& files, QObject* parent);
 
-    // Returns the instance that attachToEngine() assigned to this engine.
     static Audit* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     // Reads the newest rows and checks the chain; call it when the page opens.

@@ -64,7 +64,6 @@ public:
     Backup(const Parts& parts, const QString& folder, QObject* parent);
     ~Backup() override;
 
-    // Returns the instance that attachToEngine() assigned to this engine.
     static Backup* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     // Replaces the search of this computer's disks, for tests and captures.

@@ -63,7 +63,6 @@ public:
     // All arguments must outlive the object.
     Commissioning(Machine& machine, Editor& editor, Access& access, ReportFiles& files, QObject* parent);
 
-    // Returns the instance that attachToEngine() assigned to this engine.
     static Commissioning* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     void setPrinter(Printer printer) { m_printer = std::move(printer); }

@@ -43,7 +43,6 @@ public:
     // Stores its values in the settings file. Settings and machine must outlive the object.
     Display(Machine& machine, Settings& settings, QObject* parent);
 
-    // Returns the instance that attachToEngine() assigned to this engine.
     static Display* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     // Replaces the backlight of this computer, for tests and captures.

@@ -115,7 +115,6 @@ public:
     Editor(Machine& machine, const QString& folder, QObject* parent);
     ~Editor() override;
 
-    // Returns the instance that attachToEngine() assigned to this engine.
     static Editor* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     [[nodiscard]] EditorField* bagLength() { return item(profile::Field::BagLength); }
@@ -185,7 +184,6 @@ public:
 
     // Creates a recipe of this kind with the defaults of its paper. Can be undone.
     Q_INVOKABLE void newProgram(int kind);
-    // Sets `option` of `row` of the choices.
     Q_INVOKABLE void setChoice(int row, int option);
     Q_INVOKABLE void setLaw(const QString& lawId);
     // Displays the curves of the same motion with another law in the background; an empty id ends it.
@@ -217,7 +215,6 @@ public:
     // Returns the newest stored version of a name, 0: none. An edited recipe has the next version.
     using NewestVersion = std::function<int(const std::string& name)>;
     void setNewestVersion(NewestVersion newest);
-    // Sets the machine for new programs of this kind.
     void setMachine(profile::ProgramKind kind, const profile::Machine& machine)
     {
         m_machines[kind] = machine;

@@ -59,7 +59,6 @@ public:
     // All arguments must outlive the object.
     Explanations(const Sources& sources, QObject* parent);
 
-    // Returns the instance that attachToEngine() assigned to this engine.
     static Explanations* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     // Explains a value of Quantity. Packing line and press use the controller's values; FastestRate and the

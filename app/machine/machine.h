@@ -137,7 +137,6 @@ public:
     // Link and settings must outlive the object. Connects only after open().
     Machine(link::Link& link, Settings& settings, QObject* parent);
 
-    // Returns the instance that attachToEngine() assigned to this engine.
     static Machine* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     // Connects with the settings, now and whenever they change.

@@ -72,7 +72,6 @@ public:
     Recipes(Machine& machine, Editor& editor, Records& records, const QString& folder, QObject* parent);
     ~Recipes() override;
 
-    // Returns the instance that attachToEngine() assigned to this engine.
     static Recipes* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }

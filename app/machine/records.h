@@ -32,7 +32,6 @@ public:
     // Opens the database; until then nothing is read or stored.
     void open() { m_store.open(); }
 
-    // Returns the instance that attachToEngine() assigned to this engine.
     static Records* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     [[nodiscard]] QString notice() const;

@@ -69,7 +69,6 @@ public:
     [[nodiscard]] double defaultValue() const;
     [[nodiscard]] int decimals() const;
 
-    // Sets the visible rows.
     Q_INVOKABLE void setVisibleRows(int first, int last);
     Q_INVOKABLE void select(int row);
     // Writes the selected register and displays the value read back.

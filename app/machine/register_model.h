@@ -56,7 +56,6 @@ public:
     void take(const link::ReadOutcome& outcome);
     // Clears the readings outside these rows, which would become old unnoticed.
     void keepOnly(int first, int last);
-    // Marks the readings before that time as old.
     void markOlderThan(link::SteadyTime time);
     void retranslate();
 

@@ -41,7 +41,6 @@ public:
     // Machine and settings must outlive the object. Reports are stored in a folder below `folder`.
     Service(Machine& machine, Settings& settings, const QString& folder, QObject* parent);
 
-    // Returns the instance that attachToEngine() assigned to this engine.
     static Service* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     [[nodiscard]] LinkDoctor* doctor() { return &m_doctor; }

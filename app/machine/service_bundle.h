@@ -46,7 +46,6 @@ public:
     // All arguments must outlive the object.
     ServiceBundle(const Parts& parts, QObject* parent);
 
-    // Returns the instance that attachToEngine() assigned to this engine.
     static ServiceBundle* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }

@@ -96,7 +96,6 @@ public:
 
     // Returns the path of the file for that `storage`.
     [[nodiscard]] static QString fileName(const QString& storage);
-    // Returns the valid keys of the file.
     [[nodiscard]] static QStringList fileKeys();
     // Returns the present contents of the file, including the screen's own settings.
     [[nodiscard]] QByteArray contents() const { return m_file.contents(); }
@@ -108,7 +107,6 @@ public:
     [[nodiscard]] QString notice() const;
     Q_INVOKABLE void dismissNotice();
 
-    // Returns the instance that attachToEngine() assigned to this engine.
     static Settings* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     [[nodiscard]] QString language() const { return m_language; }
@@ -198,7 +196,7 @@ private:
     double m_bagToleranceMm;
     int m_autoLogoutMinutes;
     bool m_operatorsLogIn;
-    bool m_isNoticed; // the notice is not dismissed
+    bool m_isNoticed;
     bool m_isFirstStart = false;
     QPointer<Gate> m_gate;
     ConnectionChoice m_draft;

@@ -67,7 +67,6 @@ public:
     // Opens the database; earlier requests wait for it.
     void open() { m_store.open(); }
 
-    // Returns the instance that attachToEngine() assigned to this engine.
     static Trends* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     // Writes the measured data to the database before the next request of store().

@@ -81,7 +81,6 @@ void openSection(Stage& stage)
     showValues(stage);
 }
 
-// Opens the wizard at that step.
 void openWizard(Stage& stage, Step step)
 {
     openSection(stage);

@@ -77,7 +77,6 @@ const QQuickItem* surfaceOf(const QQuickItem& text)
     return parent;
 }
 
-// Returns true for a letter key of a keyboard.
 bool isLetterKey(const QQuickItem& item)
 {
     const QString name = item.objectName();

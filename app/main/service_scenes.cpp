@@ -36,7 +36,6 @@ Scene oldValues(const char* name, const char* section)
             }};
 }
 
-// Sets the controller's state.
 void tell(Stage& stage, modbus::State state, std::uint16_t warningBits = 0)
 {
     modbus::StatusBlock status = *stage.panel().machine().status();

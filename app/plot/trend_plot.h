@@ -69,7 +69,6 @@ signals:
     void windowWanted(double fromMs, double toMs);
     // Emitted when a finger selects this time.
     void cursorWanted(double timeMs);
-    // Emitted when a finger was held on the header of that lane.
     void headerHeld(int lane);
 
 protected:

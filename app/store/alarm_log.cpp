@@ -11,7 +11,6 @@ namespace {
 
 using Done = tl::expected<void, StoreError>;
 
-// Returns null for a missing time.
 QVariant timeOrNull(qint64 ms)
 {
     return ms > 0 ? QVariant(ms) : QVariant();

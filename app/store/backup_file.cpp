@@ -153,7 +153,6 @@ openPart(const QString& folder, const DatabaseFile& file, const BackupManifest& 
     return std::move(*database);
 }
 
-// Checks the database against the manifest.
 tl::expected<void, BackupError> checkDatabase(const QString& folder, const BackupManifest& manifest,
                                               const QString& path)
 {

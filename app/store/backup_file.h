@@ -23,7 +23,6 @@ struct BackupParts {
     QByteArray workingCopy;  // JSON
 };
 
-// The manifest of a backup.
 struct BackupManifest {
     struct Part {
         QString name;

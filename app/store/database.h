@@ -21,7 +21,6 @@
 
 namespace campanel::store {
 
-// One of the panel's database files.
 struct DatabaseFile {
     QString name;
     const std::vector<QStringList>& (*steps)() = nullptr; // steps of its schema, see schema.h

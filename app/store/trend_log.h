@@ -40,7 +40,6 @@ public:
             const std::function<void(qint64 startMs, TrendQuantity, const TrendBucket&)>& take);
     // Returns the start of the oldest bucket; empty when there is none.
     [[nodiscard]] tl::expected<std::optional<qint64>, StoreError> firstMs(Level level);
-    // Returns true when any of these quantities has a bucket.
     [[nodiscard]] tl::expected<bool, StoreError> hasAny(const QList<TrendQuantity>& quantities);
 
 private:

@@ -92,10 +92,10 @@ private:
 
     std::deque<Exchange> m_open; // the last few exchanges
     std::uint64_t m_lastFrame = 0;
-    std::int64_t m_requestEndNs = INT64_MIN; // end of the panel's last request
-    bool m_requestPasses = true;             // its further bytes go to the controller
-    std::deque<Waiting> m_toController;      // sorted by time
-    std::deque<std::uint64_t> m_frames;      // frames of the pieces on the line
+    std::int64_t m_requestEndNs = INT64_MIN;
+    bool m_requestPasses = true;        // the last request goes to the controller
+    std::deque<Waiting> m_toController; // sorted by time
+    std::deque<std::uint64_t> m_frames; // frames of the pieces on the line
     std::int64_t m_toControllerEndNs = INT64_MIN;
     std::multimap<std::int64_t, FrameBytes> m_toPanel; // by time
     std::multimap<std::int64_t, LineEvent> m_events;

@@ -36,7 +36,6 @@ public:
 
     explicit Line(const LineSettings& settings);
 
-    // Puts the panel's bytes on the line.
     void fromPanel(std::span<const std::uint8_t> bytes, std::int64_t nowNs);
     // Returns the oldest complete piece.
     [[nodiscard]] std::optional<Arrival> takeArrival(std::int64_t nowNs);
@@ -46,7 +45,6 @@ public:
     // Returns the bytes that the panel has received by now, except those already returned.
     [[nodiscard]] std::vector<std::uint8_t> takeForPanel(std::int64_t nowNs);
 
-    // Returns the time of the next event.
     [[nodiscard]] std::optional<std::int64_t> nextEventNs() const;
 
 private:

@@ -20,7 +20,6 @@ public:
             m_registers[at] = static_cast<std::uint16_t>(raw >> 16U);
         m_registers[at + info.count - 1U] = static_cast<std::uint16_t>(raw & 0xFFFFU);
     }
-    // Adds a bag with this mark error.
     void addBag(double markErrorMm)
     {
         ++m_bag;

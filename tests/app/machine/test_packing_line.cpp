@@ -206,7 +206,6 @@ private slots:
         emit rig.link.parameterEnded(
             {9000, "parameter.mark_distance", link::ParameterEnd::Done, 850, std::nullopt});
         QCOMPARE(rig.line().sensorMm(), 850.0);
-        // A write with an unknown outcome.
         emit rig.link.parameterEnded({9001, "parameter.mark_distance", link::ParameterEnd::OutcomeUnknown,
                                       std::nullopt, std::nullopt});
         rig.answerNext();

@@ -52,7 +52,6 @@ struct Rig {
     {
         picture.setProperty(name, QVariant::fromValue(places));
     }
-    // Reports the position and the speed of the film.
     void report(double positionMm, double speedMmPerS)
     {
         picture.setProperty("position", positionMm);

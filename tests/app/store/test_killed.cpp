@@ -36,7 +36,7 @@ class TestKilled : public QObject {
         QProcess writer;
         writer.start(QCoreApplication::applicationFilePath(), {QStringLiteral("confirming_writer"), m_folder.path()});
         QVERIFY(writer.waitForStarted());
-        QVERIFY(writer.waitForReadyRead(20'000)); // it is writing
+        QVERIFY(writer.waitForReadyRead(20'000));
         (void)writer.waitForFinished(lifeMs);     // it does not end: time passes
         QCOMPARE(writer.state(), QProcess::Running);
         ::kill(static_cast<pid_t>(writer.processId()), SIGKILL);
