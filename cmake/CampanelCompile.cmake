@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# How sources are compiled: warnings, several files together, precompiled headers, a compiler cache.
+# The compilation of sources: warnings, unity builds, precompiled headers, a compiler cache.
 
-# The one interface target that carries the warning flags; every target of ours links it PRIVATE.
+# The interface target with the warning flags; every target of ours links it PRIVATE.
 add_library(campanel_warnings INTERFACE)
 target_compile_options(campanel_warnings INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wdouble-promotion -Wformat=2
@@ -9,16 +9,16 @@ target_compile_options(campanel_warnings INTERFACE
     $<$<COMPILE_LANGUAGE:C>:-Wstrict-prototypes -Wmissing-prototypes>
     $<$<BOOL:${CAMPANEL_WERROR}>:-Werror>)
 
-# Most of the time goes into headers, so a compiler reads a dozen files at once. Preset `plain` compiles each by itself.
+# Headers take most of the time, so a compiler reads a dozen files at once. Preset `plain` compiles each file separately.
 option(CMAKE_UNITY_BUILD "Compile several files of a target together" ON)
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 12)
-# A C file costs nothing, and the controller's core stays as other compilers see it.
+# C files compile quickly, and the controller's core must compile like with other compilers.
 function(campanel_compile_one_by_one target)
     set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
 endfunction()
 
-# campanel_precompile(TARGET HEADER...): TARGET makes a precompiled header of these. campanel_precompile_as(TARGET OWNER): it
-# takes OWNER's, which must be compiled with the same flags and with no definitions that TARGET has not got.
+# campanel_precompile(TARGET HEADER...): creates a precompiled header for TARGET. campanel_precompile_as(TARGET OWNER): uses that of OWNER,
+# which must have the same flags and no definitions that TARGET does not have.
 function(campanel_precompile target)
     list(TRANSFORM ARGN REPLACE "^(.+)$" "<\\1>" OUTPUT_VARIABLE headers)
     target_precompile_headers(${target} PRIVATE ${headers})
@@ -32,7 +32,7 @@ set(CAMPANEL_QT_HEADERS ${CAMPANEL_STANDARD_HEADERS}
     QAbstractListModel QByteArray QCoreApplication QDateTime QDir QFile QHash QJsonArray QJsonDocument QJsonObject QList QLocale QMap
     QObject QPointF QSettings QString QStringList QThread QTimer QVariant tl/expected.hpp)
 
-# ccache, where it is installed. Paths below the source folder do not count, but for those that CMake writes into unity files.
+# ccache, if it is installed. Paths below the source folder are ignored, except for those that CMake writes into unity files.
 find_program(CAMPANEL_CCACHE ccache)
 mark_as_advanced(CAMPANEL_CCACHE)
 if(CAMPANEL_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanelctl audit verify: whether the chain of an audit trail is unbroken. Nothing is written to the file.
+// campanelctl audit verify: checks the chain of an audit trail. The file is not written.
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
 #include "app/cli/report.h"

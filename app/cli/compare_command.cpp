@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanelctl compare: the same move by every law that it can use, peaks side by side.
+// campanelctl compare: the same move with every suitable law, peaks side by side.
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
 #include "app/cli/recipe_options.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanelctl doctor: why there is no connection, and with --scan where a controller is.
+// campanelctl doctor: finds out why there is no connection, and with --scan where a controller is.
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
 #include "app/cli/link_session.h"
@@ -53,7 +53,7 @@ QJsonObject findingObject(const LineFinding& finding)
         {u"sentence"_s, QString::fromStdString(describe(finding))}};
 }
 
-// For a person who waits; scripts do not see it.
+// Shows the progress to a person; scripts do not get it.
 void showProgress(const modbus::ScanProgress& progress)
 {
     if (isatty(STDERR_FILENO) == 0)

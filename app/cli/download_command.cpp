@@ -17,9 +17,9 @@ namespace {
 
 using modbus::Download;
 
-// Link errors in a row after which the download gives up.
+// The number of consecutive link errors after which the download fails.
 constexpr int mostErrors = 5;
-// A stopping or slow machine gets this long beyond two cycles to take an armed table over.
+// The additional time beyond two cycles for a stopping or slow machine to activate an armed table.
 constexpr qint64 waitBeyondCyclesMs = 5000;
 
 Failure failureOf(const modbus::DownloadError& error)
@@ -88,7 +88,7 @@ Outcome runDownload(const Invocation& call)
     options.mode =
         call.isSet(u"when-stopped"_s) ? modbus::ApplyMode::WhenStopped : modbus::ApplyMode::NextCycle;
     options.verify = call.isSet(u"verify"_s);
-    // Another number at every download, never 0.
+    // A different number for every download, never 0.
     options.session = static_cast<std::uint16_t>(1 + QDateTime::currentMSecsSinceEpoch() % 65535);
     Download download(image->registers, session->identity(), options);
     const auto before = session->status();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a command ends when it does not end well: an exit code and one line for stderr.
+// The failure of a command: an exit code and one line for stderr.
 #pragma once
 
 #include "app/store/files/file_error.h"
@@ -13,7 +13,7 @@ namespace campanel::cli {
 
 enum class ExitCode : int {
     Success = 0,
-    Refused = 1, // by the controller, or the recipe is not feasible
+    Refused = 1, // by the controller, or the recipe is infeasible
     Usage = 2,
     Link = 3,
     File = 4,
@@ -38,7 +38,7 @@ using Outcome = tl::expected<void, Failure>;
 
 [[nodiscard]] inline tl::unexpected<Failure> fail(const modbus::LinkError& error)
 {
-    // A parameter of the call that cannot be used is a mistake in the call; all else is the line's.
+    // Counts an invalid option as a usage error, everything else as an error of the line.
     const bool settings = error.kind == modbus::LinkErrorKind::PortSettings;
     return fail(settings ? ExitCode::Usage : ExitCode::Link, modbus::describe(error));
 }

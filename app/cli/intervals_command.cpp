@@ -28,7 +28,7 @@ QJsonArray timesMs(const std::vector<double>& timesS)
     return list;
 }
 
-// "10,50,800,40000": distance, first speed, last speed, acceleration.
+// Handles "10,50,800,40000": distance, first speed, last speed, acceleration.
 Outcome runCamMov(const Invocation& call)
 {
     std::array<double, 4> values{};
@@ -38,7 +38,7 @@ Outcome runCamMov(const Invocation& call)
         values[static_cast<std::size_t>(i)] = parts[i].trimmed().toDouble(&isGood);
         isGood = isGood && values[static_cast<std::size_t>(i)] > 0;
     }
-    constexpr double mostPulses = 1e6; // a line for each would be too long
+    constexpr double mostPulses = 1e6; // limit of the number of lines
     if (!isGood || values[0] != std::floor(values[0]) || values[0] > mostPulses)
         return fail(
             ExitCode::Usage,
@@ -85,7 +85,7 @@ Outcome runIntervals(const Invocation& call)
     if (!isNumber)
         return fail(ExitCode::Usage, u"--speed-error-mm-per-s takes a number."_s);
     profile::Machine machine = solved->machine;
-    // The compiler asks for pulses per mm by the feed; a knife has a circumference.
+    // The compiler gets pulses per mm from the feed; a knife has a circumference.
     if (solved->cutter)
         machine.feedMmPerMotorRev = machine.pulsesPerMotorRev / solved->pulsesPerMm;
     const auto mode =

@@ -19,7 +19,7 @@ namespace {
 const QString exitCodes =
     u"Exit codes: 0 done, 1 refused or not feasible, 2 wrong usage, 3 connection, 4 file."_s;
 
-// Such as /dev/stdout or a pipe: what is no file cannot be replaced.
+// Writes to /dev/stdout, a pipe and the like, which cannot be replaced like a file.
 Outcome writeDevice(const QString& path, const QByteArray& bytes)
 {
     QFile device(path);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One call of campanelctl: the command, its options, its arguments. Each command declares what it takes; the
-// parser, the usage errors and --help follow from that.
+// One call of campanelctl: the command, its options, its arguments. Each command declares its syntax; the
+// parser, the usage errors and --help follow from it.
 #pragma once
 
 #include "app/cli/failure.h"
@@ -19,16 +19,16 @@ struct CommandInfo {
 
     QString name;
     QString summary; // one line for the list of commands
-    QString details; // further lines for its own help
+    QString details; // further lines of the command's help
     unsigned takes = Nothing;
-    QStringList formats; // first is the default; empty: prints one sentence
+    QStringList formats; // the first is the default; empty: prints one sentence
     QList<QCommandLineOption> options;
     Outcome (*run)(const Invocation& call) = nullptr;
 };
 
 class Invocation {
 public:
-    // `arguments` start with the program's name and the command's.
+    // Parses the arguments, which start with the names of the program and the command.
     explicit Invocation(const CommandInfo& command);
     [[nodiscard]] Outcome parse(const QStringList& arguments);
 
@@ -39,9 +39,9 @@ public:
     [[nodiscard]] bool wantsHelp() const { return m_parser.isSet(QStringLiteral("help")); }
     [[nodiscard]] QString helpText() const;
 
-    // The format asked for; one of the command's.
+    // Returns the requested format, one of the command's.
     [[nodiscard]] QString format() const;
-    // Prints, or writes to the file given with -o: the whole text or, on an error, nothing.
+    // Prints the whole text, or writes it to the file of -o; nothing on an error.
     [[nodiscard]] Outcome deliver(const QByteArray& text) const;
 
 private:
@@ -50,7 +50,7 @@ private:
     QStringList m_arguments;
 };
 
-// Prints; what did not get out is an error.
+// Prints the text; an incomplete output is an error.
 [[nodiscard]] Outcome writeStandardOutput(const QByteArray& text);
 
 [[nodiscard]] QString overviewText(std::span<const CommandInfo> commands);

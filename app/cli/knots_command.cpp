@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanelctl knots: the knots of a point cam as CSV, and what happens where its cycle closes.
+// campanelctl knots: the knots of a point cam as CSV, and the check of its wrap.
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
 #include "app/cli/recipe_options.h"

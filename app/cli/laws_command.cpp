@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanelctl laws: the table of laws with their peak values by formula, and what each is good for.
+// campanelctl laws: the table of laws with their peak values by formula, and their purposes.
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
 #include "app/cli/report.h"
@@ -24,14 +24,14 @@ QStringList usesOf(const profile::Law& law)
     return uses;
 }
 
-// Six digits after the point, as the laws are tabulated.
+// Formats with six decimals, like published tables of laws.
 QString fixed(double value)
 {
     constexpr int decimals = 6;
     return std::isfinite(value) ? QString::number(value, 'f', decimals) : u"inf"_s;
 }
 
-// "ramp_fraction = 0.25", of what the row was computed with.
+// Returns "ramp_fraction = 0.25", the parameters of the row.
 QString parametersText(const profile::Law& law)
 {
     QStringList texts;

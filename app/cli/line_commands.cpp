@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanelctl link and frames: what happens on the line while the status is exchanged, as figures or frame by
-// frame.
+// campanelctl link and frames: the traffic on the line during status exchanges, as figures or frame by frame.
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
 #include "app/cli/link_session.h"
@@ -39,7 +38,7 @@ tl::expected<Limits, Failure> limitsOf(const Invocation& call, bool hasExchanges
     return limits;
 }
 
-// Exchanges until a limit is reached or the port has gone; calls `afterEach`.
+// Performs exchanges until a limit is reached or the port is lost; calls `afterEach`.
 template <typename AfterEach>
 Outcome exchange(LinkSession& session, const Limits& limits, const AfterEach& afterEach)
 {
@@ -102,7 +101,7 @@ Outcome runLink(const Invocation& call)
     const Outcome ended = exchange(*session, *limits, [] { return Outcome(); });
     QJsonObject object = figuresObject(session->client().record().figures);
     object[u"answer_allowance_ms"_s] = static_cast<qint64>(session->client().allowance().count());
-    // Also when the port has gone: until then it was counted.
+    // Also after the loss of the port: the earlier figures are valid.
     if (const Outcome delivered = call.deliver(formatted(object, call.format())); !delivered)
         return delivered;
     return ended;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Connecting, and the questions that every command asks.
+// The connection, and the questions that every command asks.
 #include "app/cli/link_session.h"
 
 #include "app/cli/invocation.h"
@@ -11,7 +11,7 @@ using namespace Qt::StringLiterals;
 namespace campanel::cli {
 namespace {
 
-// A damaged or lost answer is asked for again this often.
+// The number of attempts for a damaged or lost answer.
 constexpr int attempts = 4;
 
 } // namespace
@@ -92,7 +92,7 @@ tl::expected<modbus::StatusBlock, Failure> LinkSession::status()
 
 Outcome LinkSession::command(modbus::Command code, modbus::CommandArguments arguments)
 {
-    // The heartbeat must have advanced before the controller moves anything for us.
+    // The heartbeat must have advanced before the controller accepts motion commands.
     if (const auto alive = status(); !alive)
         return tl::unexpected(alive.error());
     const auto result = m_client->command(code, arguments);

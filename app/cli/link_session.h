@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A connection for the length of one command: options, open, identity check, heartbeat.
+// A connection for one command: options, open, identity check, heartbeat.
 #pragma once
 
 #include "app/cli/failure.h"
@@ -15,8 +15,8 @@ class Invocation;
 
 [[nodiscard]] QList<QCommandLineOption> linkOptions();
 
-// Everything that the options say; usage errors when they cannot be understood or, for linkSettings(), no
-// port is named.
+// Return the settings of the options. Invalid options are usage errors; for linkSettings() also a missing
+// port.
 [[nodiscard]] tl::expected<modbus::LinkSettings, Failure> lineSettings(const Invocation& call);
 [[nodiscard]] tl::expected<modbus::LinkSettings, Failure> linkSettings(const Invocation& call);
 
@@ -26,9 +26,9 @@ public:
 
     [[nodiscard]] modbus::RtuClient& client() { return *m_client; }
     [[nodiscard]] const modbus::Identity& identity() const { return m_identity; }
-    // One exchange, not repeated.
+    // Performs one exchange without repetition.
     [[nodiscard]] tl::expected<modbus::StatusBlock, modbus::LinkError> exchangeOnce();
-    // Repeats a few times over a bad line; each exchange advances the heartbeat.
+    // Repeats a limited number of times on a bad line; each exchange advances the heartbeat.
     [[nodiscard]] tl::expected<modbus::StatusBlock, Failure> status();
     // Sends the command once; a refusal by the controller is a failure with its reason.
     [[nodiscard]] Outcome command(modbus::Command code, modbus::CommandArguments arguments = {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanelctl: finds the command, runs it, turns its outcome into an exit code and one line on stderr.
+// campanelctl: finds the command, runs it, and converts its outcome to an exit code and one line on stderr.
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
 #include "app/cli/simulate_options.h"
@@ -179,7 +179,7 @@ int print(const QString& text)
     return written ? static_cast<int>(ExitCode::Success) : report(written.error());
 }
 
-// Newer versions of Qt complain on standard error about a locale without UTF-8, although they replace it
+// Sets UTF-8: newer versions of Qt warn on standard error about other locales, although they replace them
 // themselves.
 void preferUtf8()
 {

@@ -45,7 +45,7 @@ QJsonObject peakObject(const profile::AxisPeaks& peaks)
             {u"pulse_frequency_hz"_s, peaks.pulseFrequencyHz},
             {u"acceleration_mm_per_s2"_s, peaks.accelerationMmPerS2},
             {u"acceleration_at_s"_s, peaks.accelerationTimeS},
-            {u"torque_nm"_s, peaks.torqueNm},          // of a cutter or a press not known: null
+            {u"torque_nm"_s, peaks.torqueNm},          // unknown for a cutter or a press: null
             {u"jerk_mm_per_s3"_s, peaks.jerkMmPerS3}}; // JSON has no infinity: null
 }
 
@@ -92,7 +92,7 @@ Outcome runProfile(const Invocation& call)
     const auto recipe = recipeOf(call);
     if (!recipe)
         return tl::unexpected(recipe.error());
-    const auto solved = program::solveProgram(program::quantised(*recipe)); // as the table is made
+    const auto solved = program::solveProgram(program::quantised(*recipe)); // quantised like the table
     if (!solved)
         return fail(ExitCode::Refused, profile::describe(solved.error()));
     const program::ProgramRefusal broken{solved->broken, std::nullopt};

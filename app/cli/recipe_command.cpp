@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanelctl recipe: a recipe file made from another one, or from a kind's defaults, with the options put
-// in.
+// campanelctl recipe: creates a recipe file from another one, or from a kind's defaults, with the options
+// applied.
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
 #include "app/cli/recipe_options.h"

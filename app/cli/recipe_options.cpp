@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One row per option that is a single field; k, gear and law have their own form.
+// The table of options, one row per field; k, gear and law have their own form.
 #include "app/cli/recipe_options.h"
 
 #include "app/cli/invocation.h"
@@ -23,7 +23,7 @@ struct FieldOption {
     Field field;
 };
 
-// Fields whose option is shorter than the key of the recipe file.
+// The fields with an option that is shorter than the key of the recipe file.
 constexpr std::array shortOptions{
     FieldOption{"rate", Field::Rate},
     FieldOption{"slices", Field::SlicesPerRamp},
@@ -31,7 +31,7 @@ constexpr std::array shortOptions{
     FieldOption{"max-rate", Field::MaxRate},
 };
 
-// Fields with a form of their own: --k and --gear.
+// Returns true for the fields with their own form: --k and --gear.
 bool hasOwnForm(Field field)
 {
     return (field >= Field::K1 && field <= Field::K4) || field == Field::GearNumerator ||
@@ -51,7 +51,7 @@ QString optionOf(Field field)
     return fromText(profile::info(field).id).replace(u'_', u'-');
 }
 
-// Every field of any kind that has an option, each once.
+// Returns every field of any kind that has an option, each once.
 QList<Field> optionFields()
 {
     QList<Field> fields;
@@ -80,7 +80,7 @@ QString kindKeys()
     return keys.join(u", "_s);
 }
 
-// The choices of any kind that have an option, each once; the law has its own.
+// Returns the choices of any kind that have an option, each once; the law has its own.
 QList<program::ChoiceInfo> choiceOptions()
 {
     QList<program::ChoiceInfo> found;
@@ -94,7 +94,7 @@ QList<program::ChoiceInfo> choiceOptions()
             if (same == found.end())
                 found << info;
             else if (same->options.size() < info.options.size())
-                *same = info; // a speed move has one way more
+                *same = info; // a speed move has an additional choice
         }
     }
     return found;
@@ -123,7 +123,7 @@ tl::unexpected<Failure> notANumber(const QString& option, const QString& text, c
     return fail(ExitCode::Usage, u"--%1 takes %2, not \"%3\"."_s.arg(option, form, text));
 }
 
-// `count` numbers separated by commas.
+// Parses `count` numbers separated by commas.
 tl::expected<QList<double>, Failure> numbers(const Invocation& call, const QString& option, qsizetype most,
                                              const QString& form)
 {
@@ -149,7 +149,7 @@ Outcome pinGiven(const std::vector<Field>& given, program::Recipe& recipe)
     if (given.size() == 2)
         pinned = {given[0], given[1]};
     else if (given.size() == 1 && !profile::isPinned(recipe.cutter(), given[0]))
-        // The bag length is what a recipe is for: it stays when something else is given.
+        // The bag length stays pinned when another value is given: it is the purpose of a recipe.
         pinned[pinned[0] == Field::BagLength ? 1 : 0] = given[0];
     return {};
 }

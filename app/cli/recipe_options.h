@@ -13,8 +13,8 @@ class Invocation;
 
 [[nodiscard]] QList<QCommandLineOption> recipeOptions();
 
-// The recipe of the file named, or the default one, with the options applied. A cycle value given becomes an
-// input: one takes the place of the input that it contradicts least, two are the inputs.
+// Returns the recipe of the named file, or the default one, with the options applied. A given cycle value
+// becomes an input. One value replaces the input that it contradicts least; two values are the inputs.
 [[nodiscard]] tl::expected<program::Recipe, Failure> recipeOf(const Invocation& call);
 
 } // namespace campanel::cli

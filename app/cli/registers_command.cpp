@@ -83,7 +83,7 @@ QByteArray mapLines(bool csv)
     return text.toUtf8();
 }
 
-// Fields of a bank have offsets; they are read from the active one.
+// Returns the address; fields of a bank have offsets and are read from the active bank.
 std::uint16_t addressOf(const RegisterInfo& info)
 {
     const auto fields = modbus::bankFields();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flattening of JSON objects, and CSV tables.
+// Flattens JSON objects, and writes CSV tables.
 #include "app/cli/report.h"
 
 #include "app/store/files/csv.h"
@@ -23,7 +23,7 @@ QString scalarText(const QJsonValue& value)
     switch (value.type()) {
     case QJsonValue::Bool:
         return value.toBool() ? u"yes"_s : u"no"_s;
-    case QJsonValue::Double: // not known or not finite: null in JSON
+    case QJsonValue::Double: // unknown or not finite: null in JSON
         return std::isfinite(value.toDouble()) ? QString::fromLatin1(number(value.toDouble())) : u"--"_s;
     case QJsonValue::String:
         return value.toString();
@@ -32,7 +32,7 @@ QString scalarText(const QJsonValue& value)
     }
 }
 
-// Lists of words; lists of numbers are only in JSON.
+// Flattens lists of words; lists of numbers are only in JSON.
 void flatten(const QString& prefix, const QJsonObject& object, Lines& lines)
 {
     for (auto it = object.begin(); it != object.end(); ++it) {

@@ -18,7 +18,7 @@ Outcome runSet(const Invocation& call)
     if (arguments.size() != 2 || !isNumber)
         return fail(ExitCode::Usage, u"Name a parameter and its value, such as parameter.ramp_time 800."_s);
     const modbus::RegisterInfo* info = modbus::findRegister(arguments[0].toStdString());
-    // Everything else that can be written belongs to a protocol of its own.
+    // All other writable registers belong to protocols of their own.
     if (info == nullptr || !info->name.starts_with("parameter."))
         return fail(ExitCode::Usage,
                     u"\"%1\" is no parameter; campanelctl registers lists them."_s.arg(arguments[0]));

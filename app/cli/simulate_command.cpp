@@ -20,9 +20,9 @@ namespace {
 
 constexpr double usualToleranceMm = 0.2;
 constexpr double largestToleranceMm = 100.0;
-constexpr qsizetype rowBytes = 80; // about, to reserve
+constexpr qsizetype rowBytes = 80; // estimate, to reserve memory
 
-// What the format asks for, bag by bag.
+// The rows of the bags in the requested format.
 class BagRows {
 public:
     BagRows(const Invocation& call, std::uint32_t bags)
@@ -43,7 +43,8 @@ public:
             m_list.append(bagObject(bag));
     }
 
-    // CSV holds the bags alone, so that the next program can read it; the summary goes beside it.
+    // Writes CSV with the bags alone, so that the next program can read it; the summary goes to another
+    // place.
     [[nodiscard]] Outcome deliver(const Invocation& call, QJsonObject summary) const
     {
         if (m_csv) {

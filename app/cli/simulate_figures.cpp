@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Figures and rows.
+// The figures and rows of a simulated run.
 #include "app/cli/simulate_figures.h"
 
 #include "app/cli/report.h"
@@ -17,7 +17,7 @@ using controller::PackedBag;
 using controller::PackingResult;
 using modbus::BagBit;
 
-// A cut that is said to follow its mark and lies farther from it has lost its phase.
+// The distance from which a tracked cut has lost its phase.
 constexpr double lostPhaseMm = 2.0;
 
 bool has(const PackedBag& bag, BagBit bit)

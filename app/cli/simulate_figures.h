@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run of the simulated packing machine says: a row for each bag, figures over all, how it ended.
+// The results of a run of the simulated packing machine: a row for each bag, statistics, and the end of the
+// run.
 #pragma once
 
 #include "app/cli/failure.h"
@@ -13,7 +14,7 @@
 
 namespace campanel::cli {
 
-// Mean, standard deviation and largest magnitude of what was added.
+// Mean, standard deviation and largest magnitude of the added values.
 class Spread {
 public:
     void add(double value);
@@ -25,11 +26,11 @@ public:
 private:
     std::uint32_t m_count = 0;
     double m_mean = 0.0;
-    double m_squares = 0.0; // of the distances from the mean
+    double m_squares = 0.0; // squares of the distances from the mean
     double m_largest = 0.0;
 };
 
-// Counts bag by bag. Figures of accuracy are those of the settled bags, all others those of every bag.
+// Adds up bag by bag. Figures of accuracy use the settled bags, all others every bag.
 class PackingFigures {
 public:
     explicit PackingFigures(double toleranceMm)
@@ -38,7 +39,7 @@ public:
     }
     void add(const controller::PackedBag& bag);
 
-    [[nodiscard]] const Spread& lengthMm() const { return m_length; } // deviation from the set one
+    [[nodiscard]] const Spread& lengthMm() const { return m_length; } // deviation from the set length
     [[nodiscard]] std::optional<double> shareWithin() const;
     [[nodiscard]] QJsonObject object(const controller::PackingResult& result, double cpuS) const;
 
@@ -57,7 +58,7 @@ private:
 [[nodiscard]] QByteArray bagRow(const controller::PackedBag& bag);
 [[nodiscard]] QJsonObject bagObject(const controller::PackedBag& bag);
 
-// Nothing when every bag was cut; otherwise why not, and what to do.
+// Returns success when every bag was cut; otherwise the reason and the action.
 [[nodiscard]] Outcome outcomeOf(const controller::PackingResult& result);
 
 } // namespace campanel::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One row per disturbance.
+// The table of disturbances.
 #include "app/cli/simulate_options.h"
 
 #include "app/cli/invocation.h"
@@ -59,7 +59,7 @@ constexpr Disturbance disturbances[] = {
      0, 1, [](Machine& machine) -> double& { return machine.products.misplaced; }},
 };
 
-// "parameter.cut_clearance=8"
+// Parses "parameter.cut_clearance=8".
 tl::expected<controller::ParameterValue, Failure> settingOf(const QString& text)
 {
     const qsizetype sign = text.indexOf(u'=');

@@ -14,18 +14,18 @@ class Invocation;
 
 [[nodiscard]] QList<QCommandLineOption> simulateOptions();
 
-// A number given with an option, or `otherwise`; refused outside the limits.
+// Returns the number of an option, or `otherwise`; refuses values outside the limits.
 [[nodiscard]] tl::expected<double, Failure> numberOf(const Invocation& call, const QString& option,
                                                      double otherwise, double least, double most);
 
-// Everything but the bank.
+// Returns the job without the bank.
 [[nodiscard]] tl::expected<controller::PackingJob, Failure> jobOf(const Invocation& call);
 
-// A parameter's registers; the value must fit. `name` is a parameter's.
+// Returns the registers of a parameter; the value must fit. `name` must be a parameter.
 [[nodiscard]] tl::expected<controller::ParameterValue, Failure> parameterOf(const QString& name,
                                                                             double value);
 
-// The job with this program, which must outlive it.
+// Returns the job with this program; the image must outlive the job.
 [[nodiscard]] controller::PackingJob withProgram(controller::PackingJob job,
                                                  const program::ProgramImage& image);
 

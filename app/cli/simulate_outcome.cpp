@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why a simulated run ended before its last bag, and what to do about it.
+// Explains why a simulated run ended before its last bag, and what to do.
 #include "app/cli/report.h"
 #include "app/cli/simulate_figures.h"
 #include "modbus/map/protocol.h"
@@ -50,7 +50,7 @@ QString actionFor(Refusal reason)
     }
 }
 
-// Words of every bit that is set.
+// Returns the names of all bits set.
 QStringList wordsOf(std::string_view enumeration, std::uint32_t bits)
 {
     QStringList words;

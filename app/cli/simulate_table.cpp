@@ -90,7 +90,7 @@ Measured measure(const program::ProgramImage& image, controller::PackingJob job,
                  double toleranceMm)
 {
     Measured measured{PackingFigures(toleranceMm), {}};
-    // Last, so that it has the last word.
+    // The last parameter overrides earlier ones.
     job.parameters.push_back(parameterOf(u"parameter.mark_tracking"_s, tracks ? 1 : 0).value());
     measured.result =
         runPacking(withProgram(std::move(job), image),
@@ -125,7 +125,7 @@ tl::expected<QJsonObject, Failure> measuredRow(const program::ProgramImage& imag
         {u"untracked_largest_mm"_s, orNull(untracked.figures.lengthMm().largest())}};
 }
 
-// The slow row and, where the machine can be faster, the fast one.
+// Adds the slow row and, if the machine can be faster, the fast one.
 Outcome addRows(const program::Recipe& recipe, double lengthMm, const controller::PackingJob& job,
                 double toleranceMm, QJsonArray& rows)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanelctl simulate --table: the bag lengths of a machine as a manual prints them, with what each was
-// measured.
+// campanelctl simulate --table: the bag lengths of a machine as listed in a manual, with the measured
+// results.
 #pragma once
 
 #include "app/cli/failure.h"
@@ -11,8 +11,8 @@ namespace campanel::cli {
 
 class Invocation;
 
-// Each length at 60 bags/min and at the largest feasible rate up to 300, with and without mark tracking.
-// Prints the whole table; fails when a row could not be run to its end.
+// Runs each length at 60 bags/min and at the largest feasible rate up to 300, with and without mark tracking.
+// Prints the whole table; fails when a row is incomplete.
 [[nodiscard]] Outcome simulateTable(const Invocation& call, const program::Recipe& recipe,
                                     const controller::PackingJob& job, double toleranceMm);
 

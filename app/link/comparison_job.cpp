@@ -31,7 +31,7 @@ void ComparisonJob::noteStatus(const modbus::StatusBlock& status)
     } else if (status.generation != m_report.generation || crc != m_report.controllerCrc) {
         m_report.stage = ComparisonStage::ProgramChanged;
     } else if (m_bank && m_bank->complete()) {
-        // This status names the same program as the one before the first piece: all pieces were of it.
+        // This status has the same program as the one before the first piece: all pieces belong to it.
         compare();
     }
 }
@@ -63,7 +63,7 @@ void ComparisonJob::beginRows()
     if (length)
         m_bank.emplace(modbus::activeBankBase, *length);
     else
-        m_report.stage = ComparisonStage::Different; // such a header is no program's
+        m_report.stage = ComparisonStage::Different; // the header is invalid
 }
 
 void ComparisonJob::noteFailure(const modbus::LinkError& error)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The active bank read back, piece by piece, and compared with what was sent: one exchange a step, over a
-// broken connection if need be. A program that changes meanwhile ends it, as pieces of two banks prove
+// Reads the active bank back and compares it with the downloaded registers: one exchange per step, also
+// across a broken connection. A change of the program ends the comparison, because pieces of two banks prove
 // nothing.
 #pragma once
 
@@ -14,20 +14,21 @@ namespace campanel::link {
 
 class ComparisonJob {
 public:
-    // Empty `expected`: the bank's length is taken from its header, and its CRC-32 compared with the status.
+    // Starts a comparison. With an empty `expected` the length comes from the bank's header, and the CRC-32
+    // is compared with the status.
     explicit ComparisonJob(std::vector<std::uint16_t> expected);
 
-    // To be given every status block; the first one says which program is compared.
+    // Handles every status block; the first one identifies the compared program.
     void noteStatus(const modbus::StatusBlock& status);
-    // One exchange.
+    // Performs one exchange.
     void advance(modbus::RtuClient& client);
     void cancel();
     void connectionLost();
     void connectionFound();
 
-    [[nodiscard]] bool hasWork() const; // advance() would use the line
+    [[nodiscard]] bool hasWork() const; // true when advance() would use the line
     [[nodiscard]] bool ended() const { return m_report.stage != ComparisonStage::Reading; }
-    [[nodiscard]] bool isPortLost() const { return m_isPortLost; } // the last advance() found the port gone
+    [[nodiscard]] bool isPortLost() const { return m_isPortLost; } // during the last advance()
     [[nodiscard]] const ComparisonReport& report() const { return m_report; }
 
 private:
@@ -36,7 +37,7 @@ private:
     void compare();
 
     std::vector<std::uint16_t> m_expected;
-    std::optional<modbus::BankReader> m_header; // only when nothing is expected
+    std::optional<modbus::BankReader> m_header; // only when `expected` is empty
     std::optional<modbus::BankReader> m_bank;
     ComparisonReport m_report;
     int m_failuresInARow = 0;

@@ -64,7 +64,7 @@ void DownloadJob::take(const Step& step)
         m_report.stage = DownloadStage::Failed;
     }
     if (m_isCancelWanted && m_report.stage != DownloadStage::Failed) {
-        // Too late to cancel: the change has become active, and the next status says so.
+        // Too late to cancel: the change has become active, and the next status reports it.
         m_isCancelWanted = false;
         return;
     }

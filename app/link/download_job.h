@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One download on its way, from the request to its one end: steps, the wish to cancel, retries after a
-// doubtful answer, and going on after a broken connection.
+// One download from the request to its single end: steps, cancellation, retries after a doubtful answer, and
+// continuation after a broken connection.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -11,17 +11,18 @@ class DownloadJob {
 public:
     DownloadJob(std::vector<std::uint16_t> bank, const modbus::Identity& controller, std::uint16_t session);
 
-    // One exchange with the controller, or none while an armed change waits for the end of the cycle.
+    // Performs one exchange with the controller, or none while an armed change waits for the end of the
+    // cycle.
     void advance(modbus::RtuClient& client);
     void noteStatus(const modbus::StatusBlock& status);
-    // Ends at once where nothing has been staged that would need the line, else with the next advance().
+    // Ends at once when nothing is staged that needs the line, else with the next advance().
     void cancel(bool isConnected);
     void connectionLost();
     void connectionFound();
 
-    [[nodiscard]] bool hasWork() const; // advance() would use the line
+    [[nodiscard]] bool hasWork() const; // true when advance() would use the line
     [[nodiscard]] bool ended() const;
-    [[nodiscard]] bool isPortLost() const { return m_isPortLost; } // the last advance() found the port gone
+    [[nodiscard]] bool isPortLost() const { return m_isPortLost; } // during the last advance()
     [[nodiscard]] const DownloadReport& report() const { return m_report; }
 
 private:

@@ -7,7 +7,8 @@ namespace campanel::link {
 
 namespace {
 
-// Well below the 200 ms after which the controller lets a jog die; shorter than a lost answer takes.
+// The poll period: well below the 200 ms after which the controller ends a jog, and shorter than the time of
+// a lost answer.
 constexpr auto longestPollPeriod = 40ms;
 
 } // namespace
@@ -17,7 +18,7 @@ void HeldJog::hold(const JogRequest& request)
     if (request.direction == JogDirection::None)
         m_isBlocked = false;
     else if (m_held.direction != JogDirection::None && request.until - jogCounts > m_held.until)
-        m_isBlocked = true; // told too late, and nothing has asked meanwhile
+        m_isBlocked = true; // update too late, without an exchange in between
     m_held = request;
 }
 
@@ -35,7 +36,7 @@ std::uint16_t HeldJog::bits(SteadyTime now)
 {
     m_sent = directionAt(now);
     if (m_sent == JogDirection::None)
-        end(); // its time is over
+        end(); // expired
     const auto bit = m_sent == JogDirection::Forward ? modbus::JogBit::Forward : modbus::JogBit::Reverse;
     return m_sent == JogDirection::None ? std::uint16_t{0}
                                         : static_cast<std::uint16_t>(1U << static_cast<unsigned>(bit));

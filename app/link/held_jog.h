@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The jog key that is held, as the link thread knows it: which bits go with the next exchange, and when that
-// must come. A jog that ended by anything but the finger comes back only after the key was let go.
+// The held jog key in the link thread: the bits for the next exchange, and the time at which it is due. After
+// any other end than a release, the key must be released before the next jog.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -10,20 +10,21 @@ namespace campanel::link {
 class HeldJog {
 public:
     void hold(const JogRequest& request);
-    // Whatever the finger does, until it lets go.
+    // Ends the jog until the key is released.
     void end();
 
-    // Of exchange.jog, for the exchange that goes out now; noteAnswer() when that was answered.
+    // Returns the bits of exchange.jog for the exchange about to be sent; call noteAnswer() when it was
+    // answered.
     [[nodiscard]] std::uint16_t bits(SteadyTime now);
     void noteAnswer() { m_heard = m_sent; }
     [[nodiscard]] JogDirection directionAt(SteadyTime now) const;
-    // The controller must hear of it before anything else but a Stop goes out.
+    // Returns true when the controller must get the bits before anything but a Stop.
     [[nodiscard]] bool isPollDue(SteadyTime now, SteadyTime lastPollAt) const;
 
 private:
     JogRequest m_held;
     JogDirection m_sent = JogDirection::None;
-    JogDirection m_heard = JogDirection::None; // by the controller, for certain
+    JogDirection m_heard = JogDirection::None; // confirmed by the controller
     bool m_isBlocked = false;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The seam between the panel and the line: verbs return at once, what comes of them arrives as signals in the
-// caller's thread. ThreadedLink is the real one; tests put a fake in its place.
+// The interface between the panel and the line: functions return at once, results arrive as signals in the
+// caller's thread. ThreadedLink is the real implementation; tests use a fake.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -15,60 +15,60 @@ class Link : public QObject {
 public:
     using QObject::QObject;
 
-    // Leaves the present connection, if any, and keeps trying for this one from now on.
+    // Closes the present connection, if any, and tries this one from now on.
     virtual void connectTo(const campanel::link::ConnectionSettings& settings) = 0;
-    // Ends in exactly one commandEnded() with the request's id.
+    // Sends a command. Ends in exactly one commandEnded() with the request's id.
     virtual void request(const campanel::link::CommandRequest& request) = 0;
-    // The physical value of a register, proven by reading it. Ends in exactly one parameterEnded() with that
-    // id; the other verb too.
+    // Reads the physical value of a register with proof. Both parameter functions end in exactly one
+    // parameterEnded() with that id.
     virtual void readParameter(quint32 id, const std::string& name) = 0;
     // Writes a physical value into a register of the group "parameter" and reads it back.
     virtual void writeParameter(quint32 id, const std::string& name, double value) = 0;
     // Stages the bank (header and rows), compares CRC-32 and applies it at the next cycle. Ends in exactly
-    // one downloadReported() with stage Active, Failed or Canceled; one at a time: a second one fails at
-    // once.
+    // one downloadReported() with stage Active, Failed or Canceled. A second download during the first fails
+    // at once.
     virtual void download(const std::vector<std::uint16_t>& bank) = 0;
     virtual void cancelDownload() = 0;
-    // Takes back a Stop that waits for the line (LinkReport::pendingStop); it then ends as Withdrawn.
+    // Withdraws a Stop that waits for the line (LinkReport::pendingStop); it then ends as Withdrawn.
     virtual void withdrawStop() = 0;
-    // The jog key that is held now. Counts for `jogCounts` and is told again before that; None when it is let
-    // go. Any Stop, a lost connection and a scan end it too: after them, and when the time was over, nothing
-    // moves before a None.
+    // Sets the jog key that is held. It is valid for `jogCounts` and must be repeated before that; None
+    // releases it. Any Stop, a lost connection and a scan end it too. After these, and after the time has
+    // expired, nothing moves before a None.
     virtual void setJog(campanel::link::JogDirection direction) = 0;
 
-    // Ends in exactly one registersRead(). Reads share the line evenly with the status polls and go after
+    // Reads registers. Ends in exactly one registersRead(). Reads alternate with the status polls and follow
     // commands; at most 32 wait.
     virtual void readRegisters(const campanel::link::ReadRequest& request) = 0;
-    // Reads the whole active bank back and compares it with `bank`, what was downloaded; with an empty one
-    // only its CRC-32 with the controller's own. Ends in exactly one comparisonReported() with another stage
-    // than Reading.
+    // Reads the whole active bank back and compares it with `bank`, the downloaded one. With an empty `bank`,
+    // only its CRC-32 is compared with the controller's own. Ends in exactly one comparisonReported() with
+    // another stage than Reading.
     virtual void compareProgram(const std::vector<std::uint16_t>& bank) = 0;
     virtual void cancelComparison() = 0;
 
-    // Why there is no connection, or a search for a controller on all ports. The connection is closed
-    // meanwhile and comes back after; a scan under way is replaced. Ends in exactly one scanReported() that
-    // is not running.
+    // Finds out why there is no connection, or searches for a controller on all ports. The connection is
+    // closed during the scan and restored afterwards; a running scan is replaced. Ends in exactly one
+    // scanReported() that is not running.
     virtual void startScan(campanel::modbus::ScanPlan::Depth depth) = 0;
     virtual void cancelScan() = 0;
 
-    // Rules for what goes wrong on the line to the simulated controller, see controller/README.md; they
-    // replace those before, an empty list clears them. They outlive a restart of the controller, not
-    // connectTo(). Ends in exactly one faultsSimulated(); while the controller is not serving, at once.
+    // Sets the rules of simulated line faults, see controller/README.md. They replace the earlier ones; an
+    // empty list clears them. They outlive a restart of the controller, but not connectTo(). Ends in exactly
+    // one faultsSimulated(), at once while the controller is not serving.
     virtual void simulateFaults(const QStringList& rules) = 0;
 
-    // What somebody with a ruler finds at the last bag of the simulated machine. Ends in exactly one
-    // rulerRead(); a link that has no simulated machine says so at once.
+    // Measures the last bag of the simulated machine. Ends in exactly one rulerRead(), at once for a link
+    // without a simulated machine.
     virtual void readRuler() { emit rulerRead({RulerEnd::NotSimulated}); }
 
-    // Ends in one pingAnswered() with that number when what serves the line comes round to it; until it does,
-    // in none.
+    // Requests one pingAnswered() with that number from the thread that serves the line. There is no answer
+    // while that thread is blocked.
     virtual void ping(quint32 number) { emit pingAnswered(number); }
 
-    // While watched: figuresReported() once a second, the first one at once.
+    // Starts or stops figuresReported(), once a second, the first one at once.
     virtual void watchFigures(bool isWatched) = 0;
     virtual void resetFigures() = 0;
-    // While watched: framesRecorded() ten times a second when there are any; first with all that are still
-    // known.
+    // Starts or stops framesRecorded(), ten times a second when there are frames; the first one has all
+    // recorded frames.
     virtual void watchFrames(bool isWatched) = 0;
 
 signals:

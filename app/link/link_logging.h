@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Log category of this folder. Nothing is logged per poll.
+// The log category of this folder. Polls are not logged.
 #pragma once
 
 #include <QLoggingCategory>

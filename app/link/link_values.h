@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What travels between the GUI thread and the link thread: plain values, copied by queued signals.
+// The data between the GUI thread and the link thread: plain values, copied by queued signals.
 #pragma once
 
 #include "modbus/download/download.h"
@@ -28,26 +28,27 @@ namespace campanel::link {
 
 using SteadyTime = std::chrono::steady_clock::time_point;
 
-// More doubtful answers than this in a row are a broken line. What a job asks may be repeated without harm.
+// The number of consecutive doubtful answers above which the line counts as broken. A job's requests may be
+// repeated without harm.
 inline constexpr int maxFailuresInARow = 5;
 
-// How to reach the controller.
+// The connection to the controller.
 struct ConnectionSettings {
     bool simulated = true;
     QString port; // device path; not used when simulated
     modbus::LineSettings line;
     int unit = 1;
-    QString simulatorProgram;  // empty: searched for beside this program, see SimulatedController
-    QString simulatorStateDir; // where the simulated controller keeps its flash
+    QString simulatorProgram;  // empty: searched beside this program, see SimulatedController
+    QString simulatorStateDir; // folder of the simulated controller's flash
 };
 
 enum class LinkState {
-    Searching,   // the port is not there (yet)
-    Connecting,  // opened; asking who is at the other end
-    Connected,   // status comes in
-    Lost,        // was connected; the port is looked for again
-    WrongDevice, // someone else answers
-    PortProblem, // the port is there and cannot be used
+    Searching,   // the port does not exist (yet)
+    Connecting,  // open; identifying the device
+    Connected,   // receiving status blocks
+    Lost,        // was connected; searching for the port
+    WrongDevice, // another device answers
+    PortProblem, // the port exists and cannot be used
 };
 
 enum class SimulatorState { NotUsed, Starting, Serving, NotFound, Ended };
@@ -57,28 +58,28 @@ struct LinkReport {
     QString portName; // the path in use, empty while there is none
     bool simulated = true;
     SimulatorState simulator = SimulatorState::NotUsed;
-    QString simulatorDetail;                // what it wrote before it ended, or where it was looked for
-    std::optional<modbus::LinkError> error; // why it is not connected
+    QString simulatorDetail;                // its output before it ended, or the searched paths
+    std::optional<modbus::LinkError> error; // reason why it is not connected
     std::optional<modbus::Identity> identity;
-    // A Stop that was pressed while the line was gone: sent the moment it is back, unless withdrawn.
+    // The Stop that was pressed without a connection: sent when the line is back, unless withdrawn.
     std::optional<modbus::Command> pendingStop;
-    bool isScanning = false; // a scan has the ports; the connection comes back after
+    bool isScanning = false; // a scan uses the ports; the connection is restored afterwards
 };
 
 struct StatusSample {
     SteadyTime receivedAt;
     modbus::StatusBlock status;
-    std::chrono::nanoseconds latency{0}; // from asking to the answer, repetitions included; 0: not known
+    std::chrono::nanoseconds latency{0}; // from request to answer, including repetitions; 0: unknown
 };
 
-// Samples since the last batch, oldest first; at most some 60 batches a second.
+// The samples since the last batch, oldest first; at most about 60 batches a second.
 struct StatusBatch {
     QList<StatusSample> samples;
     int failedExchanges = 0; // since the last batch
 };
 
-// The header of the bank that the controller is executing, and the knots of a point cam. Without a program:
-// an empty header.
+// The header of the controller's active bank, and the knots of a point cam. The header is empty without a
+// program.
 struct ActiveProgram {
     std::uint32_t generation = 0;
     std::uint32_t crc = 0;
@@ -89,29 +90,29 @@ struct ActiveProgram {
 };
 
 struct CommandRequest {
-    quint32 id = 0; // chosen by who asks; comes back with the outcome
+    quint32 id = 0; // chosen by the caller; returned with the outcome
     modbus::Command command = modbus::Command::None;
     modbus::CommandArguments arguments;
 };
 
 enum class JogDirection { None, Forward, Reverse };
 
-// A jog key that is held. It counts until then only: who stops telling, for whatever reason, has let go.
+// A held jog key. It is valid until this time; without a repetition it counts as released.
 struct JogRequest {
     JogDirection direction = JogDirection::None;
     SteadyTime until;
 };
 
-// How long one setJog() counts. Tell again several times meanwhile.
+// The validity of one setJog(). Repeat it several times within this time.
 inline constexpr std::chrono::milliseconds jogCounts{200};
 
 enum class CommandEnd {
     Done,
-    Refused,        // by the controller: see reason
-    NotSent,        // there was no connection; nothing went out
-    NotReceived,    // the controller did not get it
-    OutcomeUnknown, // it may have been carried out
-    Withdrawn // a Stop that waited for the line and was taken back, or replaced by a later one; not sent
+    Refused, // by the controller, see `reason`
+    NotSent, // no connection; nothing was sent
+    NotReceived,
+    OutcomeUnknown, // may have been executed
+    Withdrawn       // a waiting Stop that was withdrawn, or replaced by a later one; not sent
 };
 
 struct CommandOutcome {
@@ -122,25 +123,25 @@ struct CommandOutcome {
     std::optional<modbus::LinkError> error;
 };
 
-// One register of the table by its name, to be read, or to be written and read back.
+// One register of the table by its name, to read, or to write and read back.
 struct ParameterRequest {
-    quint32 id = 0;              // chosen by who asks; comes back with the outcome
-    std::string name;            // any numeric register to read; one of the group "parameter" to write
-    std::optional<double> value; // physical, to be written; empty: only read
+    quint32 id = 0;              // chosen by the caller; returned with the outcome
+    std::string name;            // read: any numeric register; write: one of the group "parameter"
+    std::optional<double> value; // physical value to write; empty: read only
 };
 
 enum class ParameterEnd {
     Done,
-    NotSent,       // there was no connection; nothing went out
-    Refused,       // no such parameter, or a value that it does not take: see error; nothing was changed
-    OutcomeUnknown // no proof came back: it may have been written
+    NotSent,       // no connection; nothing was sent
+    Refused,       // no such parameter, or an invalid value: see error; nothing was changed
+    OutcomeUnknown // no proof received: it may have been written
 };
 
 struct ParameterOutcome {
     quint32 id = 0;
     std::string name;
     ParameterEnd end = ParameterEnd::Done;
-    std::optional<double> value; // physical, proven by reading; with Done only
+    std::optional<double> value; // physical, proven by reading; only with Done
     std::optional<modbus::LinkError> error;
 };
 
@@ -148,48 +149,48 @@ enum class DownloadStage { Transferring, Sealing, Armed, Active, Failed, Cancele
 
 struct DownloadReport {
     DownloadStage stage = DownloadStage::Transferring;
-    double fraction = 0; // of its frames, 0..1
+    double fraction = 0; // share of its frames, 0..1
     std::uint32_t crc = 0;
-    bool isInterrupted = false; // waits for the connection to come back and then goes on
-    // Failed for one of three reasons: no connection to begin with, another download under way, or `error`.
+    bool isInterrupted = false; // waiting for the connection, then continues
+    // The reasons of a failure: no connection at the start, another download running, or `error`.
     bool isConnectionMissing = false;
     bool isBusy = false;
     std::optional<modbus::DownloadError> error;
 };
 
-// Registers to read, as they are at one moment: 1..modbus::readbackRegisters of them.
+// The registers to read in one exchange: 1..modbus::readbackRegisters.
 struct ReadRequest {
-    quint32 id = 0; // chosen by who asks; comes back with the outcome
+    quint32 id = 0; // chosen by the caller; returned with the outcome
     quint16 address = 0;
     quint16 count = 1;
 };
 
 enum class ReadEnd {
     Done,
-    NotSent, // there is no connection, or too many wait already
-    Failed   // see error; the question was repeated a few times
+    NotSent, // no connection, or too many reads are waiting
+    Failed   // see error; the read was repeated several times
 };
 
 struct ReadOutcome {
     ReadRequest request;
     ReadEnd end = ReadEnd::Done;
     std::vector<std::uint16_t>
-        registers{}; // as many as asked for; empty unless Done. See modbus::namedValues()
+        registers{}; // as many as requested; empty unless Done. See modbus::namedValues()
     SteadyTime receivedAt{};
     std::optional<modbus::LinkError> error{};
 };
 
 enum class ComparisonStage { Reading, Equal, Different, ProgramChanged, NoProgram, Failed, Canceled };
 
-// The bank that the controller executes, read back and compared register by register with what was sent.
+// The comparison of the controller's active bank, read back, with the downloaded registers.
 struct ComparisonReport {
     ComparisonStage stage = ComparisonStage::Reading;
     double fraction = 0;        // 0..1
-    bool isInterrupted = false; // waits for the connection to come back and then goes on
+    bool isInterrupted = false; // waiting for the connection, then continues
     std::uint32_t generation = 0;
-    std::uint32_t expectedCrc = 0;   // of what was given; without that, of the controller's status
-    std::uint32_t controllerCrc = 0; // in its status
-    std::uint32_t readCrc = 0;       // of what was read back, once all of it was
+    std::uint32_t expectedCrc = 0;   // CRC-32 of the given bank; without one, that of the controller's status
+    std::uint32_t controllerCrc = 0; // from its status
+    std::uint32_t readCrc = 0;       // CRC-32 of the bank read back, when complete
     int differingRegisters = 0;
     struct Difference {
         quint16 offset = 0; // from the bank's base
@@ -197,7 +198,7 @@ struct ComparisonReport {
         std::uint16_t actual = 0;
     };
     std::optional<Difference> firstDifference;
-    // Failed for one of three reasons: no connection to begin with, another comparison under way, or `error`.
+    // The reasons of a failure: no connection at the start, another comparison running, or `error`.
     bool isConnectionMissing = false;
     bool isBusy = false;
     std::optional<modbus::LinkError> error;
@@ -208,41 +209,41 @@ struct ScanReport {
     bool isRunning = false;
     bool isCanceled = false;
     modbus::ScanProgress progress;
-    QList<modbus::LineFinding> findings;     // so far
+    QList<modbus::LineFinding> findings;     // up to now
     std::optional<ConnectionSettings> found; // ready for connectTo()
 };
 
 enum class FaultsEnd {
     Accepted,
-    Refused,      // by the controller, see detail; the rules before are still in force
-    NotSimulated, // a real line has its own faults
+    Refused,      // by the controller, see `detail`; the earlier rules stay active
+    NotSimulated, // a real line cannot simulate faults
     NotServing    // the simulated controller is not running, or ended before it answered
 };
 
 struct FaultsOutcome {
     FaultsEnd end = FaultsEnd::Accepted;
-    QString detail; // its sentence
+    QString detail; // the controller's sentence
 };
 
 enum class RulerEnd {
     Read,
-    NoBag,        // none has been cut since the controller's start
+    NoBag,        // none was cut since the controller's start
     NotSimulated, // a real machine needs a real ruler
     NotServing    // the simulated controller is not running, or ended before it answered
 };
 
-// The last bag as it lies on the table of the simulated machine.
+// The last bag of the simulated machine.
 struct RulerOutcome {
     RulerEnd end = RulerEnd::Read;
-    double lengthMm = 0.0;     // 0: the cut before does not count
-    double behindMarkMm = 0.0; // of its cut, behind the nearest printed mark; negative: before it
+    double lengthMm = 0.0;     // 0: the previous cut is not valid
+    double behindMarkMm = 0.0; // distance of its cut behind the nearest printed mark; negative: before it
 };
 
-// What has passed on the line since the panel was started or the figures were reset.
+// The statistics of the line since the start of the panel or the last reset.
 struct FiguresReport {
     SteadyTime takenAt;
     modbus::LinkFigures figures;
-    std::chrono::milliseconds answerAllowance{0}; // of the next answer, beyond wire time; 0: not connected
+    std::chrono::milliseconds answerAllowance{0}; // for the next answer, beyond wire time; 0: not connected
 };
 
 } // namespace campanel::link

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shows who asks for it what the line's record holds: the figures once a second, the frames ten times. Lives
-// in the link thread; costs nothing while nobody watches.
+// Reports the line's record while it is watched: the figures once a second, the frames ten times. Lives in
+// the link thread; costs nothing while nobody watches.
 #pragma once
 
 #include "app/link/link_values.h"

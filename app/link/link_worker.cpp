@@ -19,17 +19,17 @@ namespace {
 
 using std::chrono::steady_clock;
 
-// On a line that is faster than this the poll waits: more pictures a second than a screen shows are no use.
+// The minimum poll period on a faster line: the screen cannot display more samples.
 constexpr auto shortestPollPeriod = 8ms;
 constexpr auto shortestBatchPeriod = 10ms;
-// While the machine has stood for so long, nothing on the screen changes faster.
+// The time at standstill after which the polls slow down.
 constexpr auto timeUntilRest = 1000ms;
 constexpr auto pollPeriodAtRest = 100ms;
-// Another controller on the same cable is noticed after so long.
+// The interval in which another controller on the same cable is detected.
 constexpr auto identityPeriod = 3000ms;
-// While a table is transferred: often enough to stay fresh and to keep the heartbeat.
+// The poll period during a transfer: short enough for fresh data and the heartbeat.
 constexpr auto pollPeriodInTransfer = 400ms;
-// Without a valid status for so long the connection counts as lost.
+// The time without a valid status after which the connection counts as lost.
 constexpr auto silenceUntilLost = 1000ms;
 
 CommandEnd endAfter(const modbus::LinkError& error)
@@ -49,7 +49,7 @@ bool isStanding(std::optional<modbus::State> state)
     return state == modbus::State::Idle || state == modbus::State::Ready || state == modbus::State::Fault;
 }
 
-// What the status says of the machine is the same as before.
+// Returns true when two statuses describe the same state of the machine.
 bool isSame(const modbus::StatusBlock& one, const modbus::StatusBlock& other)
 {
     return one.state == other.state && one.faultBits == other.faultBits &&
@@ -173,8 +173,7 @@ void LinkWorker::exchange()
     stepAfter(hasWork ? 0ms : std::max(0ms, std::chrono::ceil<std::chrono::milliseconds>(pollDue)));
 }
 
-// Another controller, or another firmware in it: what was read of the one before is worth nothing. Connecting
-// again says what it is.
+// Detects another controller or firmware, which makes all earlier data invalid; reconnecting identifies it.
 void LinkWorker::checkIdentity()
 {
     m_identifiedAt = steady_clock::now();
@@ -186,7 +185,7 @@ void LinkWorker::checkIdentity()
     stepAfter(0ms);
 }
 
-// A command or a jog key is sent at once and ends the rest.
+// Returns the present period. A command or a jog key is sent at once and ends the rest.
 std::chrono::milliseconds LinkWorker::pollPeriod() const
 {
     const bool isResting = steady_clock::now() - m_restlessAt > timeUntilRest && !m_download && !m_heldStop;
@@ -206,7 +205,8 @@ void LinkWorker::sendCommand(const CommandRequest& request)
     const auto result = m_client->command(request.command, request.arguments);
     if (!result && result.error().kind == modbus::LinkErrorKind::OutcomeUnknown &&
         priorityOf(request.command) == Priority::Stop) {
-        // Not given up: asked after, and sent again if the controller has not received it.
+        // The Stop is kept: its result is requested, and it is sent again if the controller has not received
+        // it.
         holdStop(request, static_cast<std::uint16_t>(result.error().code));
         report(m_report.state, m_report.error);
         return;
@@ -294,8 +294,7 @@ void LinkWorker::noteProgram(const ProgramId& program)
     if (m_programRead == program)
         return;
     const bool isEmpty = !m_status->activeCrc;
-    // A header belongs to a program for certain when the status before it and the one after it name that
-    // program.
+    // A header certainly belongs to a program when the statuses before and after it have that program.
     if (!isEmpty && (m_header.empty() || m_headerOf != program)) {
         m_headerOf = program;
         m_header.clear();
@@ -314,7 +313,7 @@ void LinkWorker::noteProgram(const ProgramId& program)
     emit programRead(read);
 }
 
-// One exchange a call. When it fails, the next status asks again.
+// Performs one exchange per call. After a failure the next status repeats it.
 void LinkWorker::readHeader()
 {
     if (m_header.empty()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one owner of the port. Lives in the link thread; everything else talks to it by queued signals. Does
+// The only owner of the port. Lives in the link thread; other objects use it through queued signals. Performs
 // one exchange per turn of its event loop, so that an urgent request waits for one exchange at most.
 #pragma once
 
@@ -62,15 +62,15 @@ signals:
     void rulerRead(const campanel::link::RulerOutcome& outcome);
     void figuresReported(const campanel::link::FiguresReport& report);
     void framesRecorded(const QList<campanel::modbus::FrameRecord>& frames);
-    void pingAnswered(quint32 number); // as asked, from the worker's event loop
+    void pingAnswered(quint32 number); // sent from the worker's event loop
 
 private:
     using ProgramId = std::pair<std::uint32_t, std::uint32_t>; // generation and CRC-32
-    // A Stop that waits for the line, or for the answer to whether it was received.
+    // A Stop that waits for the line, or for the result of its exchange.
     struct HeldStop {
         CommandRequest request;
-        std::optional<std::uint16_t> counter; // it went out with this one
-        bool isPollNext = false;              // it was just asked after, in vain
+        std::optional<std::uint16_t> counter; // counter of the sent command
+        bool isPollNext = false;              // the last search for its result failed
     };
 
     void startSimulator();
@@ -110,15 +110,15 @@ private:
     ConnectionSettings m_settings;
     LinkReport m_report;
     QTimer m_stepTimer;
-    std::shared_ptr<modbus::LinkRecord> m_record; // of all connections
+    std::shared_ptr<modbus::LinkRecord> m_record; // shared by all connections
     LinkWatch m_watch;
     std::unique_ptr<SimulatedController> m_simulator;
     std::unique_ptr<modbus::RtuClient> m_client; // exists while the port is open
-    std::optional<AdapterIdentity> m_adapter;    // of the port that was opened last
+    std::optional<AdapterIdentity> m_adapter;    // adapter of the port opened last
     RequestQueue m_requests;
     std::optional<HeldStop> m_heldStop;
     HeldJog m_jog;
-    std::uint64_t m_controllerId = 0; // whom the held stop is for
+    std::uint64_t m_controllerId = 0; // controller of the held Stop
     RegisterReads m_reads;
     bool m_wasRead = false; // the last exchange was one of m_reads
     std::unique_ptr<DownloadJob> m_download;
@@ -129,18 +129,18 @@ private:
     std::uint16_t m_heartbeat = 0;
     bool m_wasConnected = false; // since connectTo()
 
-    std::optional<modbus::StatusBlock> m_status; // the last one of this connection
+    std::optional<modbus::StatusBlock> m_status; // last status of this connection
     SteadyTime m_lastGoodAt;
     SteadyTime m_lastPollAt;
     SteadyTime m_identifiedAt;
-    SteadyTime m_restlessAt; // something moved, changed or was asked for
+    SteadyTime m_restlessAt; // last time of a movement, a change or a request
     StatusBatch m_batch;
     SteadyTime m_lastFlushAt;
-    std::optional<ProgramId> m_programRead; // told last; empty: none was, in this connection
+    std::optional<ProgramId> m_programRead; // last one reported; empty: none in this connection
     bool m_isHeaderWanted = false;
-    std::optional<ProgramId> m_headerOf; // the program that was active before m_header was read
+    std::optional<ProgramId> m_headerOf; // the active program before m_header was read
     std::vector<std::uint16_t> m_header;
-    std::optional<modbus::BankReader> m_knots; // of a point cam
+    std::optional<modbus::BankReader> m_knots; // only for a point cam
 };
 
 } // namespace campanel::link

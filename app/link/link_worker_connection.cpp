@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the link worker comes to a connection, loses it and finds it again.
+// The connection of the link worker: opening, loss and recovery.
 #include "app/link/link_logging.h"
 #include "app/link/link_worker.h"
 #include "app/link/simulated_controller.h"
@@ -100,7 +100,7 @@ void LinkWorker::startSimulator()
 void LinkWorker::tryToConnect()
 {
     if (m_settings.simulated && m_report.simulator != SimulatorState::Serving)
-        return; // its next signal goes on
+        return; // its next signal continues
     if (!m_settings.simulated)
         m_report.portName = findPort(m_settings.port, m_adapter);
     if (!m_client) {
@@ -138,7 +138,7 @@ void LinkWorker::tryToConnect()
     m_knots.reset();
     m_isHeaderWanted = false;
     if (m_heldStop && identity->uniqueId != m_controllerId)
-        endHeldStop(CommandEnd::NotSent); // it was meant for another machine
+        endHeldStop(CommandEnd::NotSent); // meant for another machine
     m_controllerId = identity->uniqueId;
     if (m_download)
         m_download->connectionFound();
@@ -157,7 +157,7 @@ void LinkWorker::lose(const modbus::LinkError& error)
     stepAfter(retryDelay);
 }
 
-// What waits for the line ends, but for a Stop; long work waits.
+// Ends all waiting requests except for a Stop; jobs wait.
 void LinkWorker::disconnect(std::optional<modbus::LinkError> error)
 {
     m_jog.end();

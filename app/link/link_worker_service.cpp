@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the link worker does beside status, commands and downloads: a Stop that waits for the line, reads,
+// Other tasks of the link worker than status, commands and downloads: a Stop that waits for the line, reads,
 // comparisons and scans.
 #include "app/link/link_worker.h"
 #include "app/link/simulated_controller.h"
@@ -16,7 +16,7 @@ void LinkWorker::holdStop(const CommandRequest& request, std::optional<std::uint
         emit commandEnded(
             {replaced.id, replaced.command, CommandEnd::Withdrawn, modbus::Refusal::None, std::nullopt});
     };
-    // The more urgent one stays; of two alike the later.
+    // The more urgent Stop stays; of two equal ones the later.
     if (m_heldStop && m_heldStop->request.command == modbus::Command::StopNow &&
         request.command != modbus::Command::StopNow) {
         withdrawn(request);
@@ -41,7 +41,7 @@ void LinkWorker::withdrawStop()
 {
     if (!m_heldStop)
         return;
-    // One that went out cannot be taken back; whether it arrived is not asked any more.
+    // A Stop that was sent cannot be withdrawn; its result is no longer requested.
     endHeldStop(m_heldStop->counter ? CommandEnd::OutcomeUnknown : CommandEnd::Withdrawn);
     report(m_report.state, m_report.error);
 }
@@ -54,8 +54,8 @@ void LinkWorker::setJog(const JogRequest& request)
         stepAfter(0ms);
 }
 
-// One exchange at most; called while connected. Never sent again on a mere suspicion: as long as nobody knows
-// whether it was received, it is asked, with a poll in between that notices when the line is lost.
+// Sends the held Stop; at most one exchange, while connected. It is never sent again on mere suspicion. While
+// its reception is unknown, its result is requested, with polls in between that detect a lost line.
 void LinkWorker::sendHeldStop()
 {
     HeldStop& held = *m_heldStop;
@@ -156,7 +156,7 @@ void LinkWorker::startScan(modbus::ScanPlan::Depth depth)
     plan.depth = depth;
     plan.line = m_settings.line;
     plan.unit = m_settings.unit;
-    // Who looks for a controller does not look for the simulated one.
+    // A search for a controller must not find the simulated one.
     if (!m_settings.simulated || depth == modbus::ScanPlan::Depth::Diagnosis)
         plan.port = m_report.portName.toStdString();
     for (const PortDescription& port : availablePorts())

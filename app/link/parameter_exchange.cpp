@@ -24,7 +24,7 @@ tl::expected<double, modbus::LinkError> exchangeParameter(modbus::RtuClient& cli
                                                           const ParameterRequest& request)
 {
     const modbus::RegisterInfo* info = numericRegister(request.name);
-    // Everything else that can be written belongs to a protocol of its own.
+    // All other writable registers belong to protocols of their own.
     if (!info || (request.value && !info->name.starts_with("parameter.")))
         return tl::unexpected(modbus::LinkError{modbus::LinkErrorKind::ValueRefused, client.settings().port,
                                                 request.name, request.name, 0});

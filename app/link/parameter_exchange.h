@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One register by its name over the line: read with proof, or written and read back. Internal to app/link.
+// Reads one register by its name with proof, or writes it and reads it back. Internal to app/link.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -8,9 +8,9 @@
 
 namespace campanel::link {
 
-// The physical value that the controller holds. Errors: ValueRefused, and nothing went out, when there is no
-// such numeric register, when it is not a parameter and is to be written, or when the value is outside its
-// limits; else those of modbus::RtuClient. Takes one exchange to read, two to write.
+// Returns the physical value in the controller. Takes one exchange to read, two to write. Errors: those of
+// modbus::RtuClient, and ValueRefused without an exchange. ValueRefused means that the numeric register does
+// not exist, that the register to write is not a parameter, or that the value is outside its limits.
 [[nodiscard]] tl::expected<double, modbus::LinkError> exchangeParameter(modbus::RtuClient& client,
                                                                         const ParameterRequest& request);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Finds serial ports: the list for a person to choose from, and an adapter that came back under another name.
+// Finds serial ports: the list to choose from, and an adapter that came back under another name.
 #pragma once
 
 #include <QList>
@@ -13,12 +13,11 @@ struct PortDescription {
     QString path; // "/dev/ttyUSB0"
     QString description;
     bool isPermitted = true;
-    QString group; // that owns the device, for who is not permitted
+    QString group; // group that owns the device, for a refused user
 };
 
 [[nodiscard]] QList<PortDescription> availablePorts();
 
-// What tells one USB adapter from all others.
 struct AdapterIdentity {
     quint16 vendorId = 0;
     quint16 productId = 0;
@@ -27,10 +26,11 @@ struct AdapterIdentity {
     bool operator==(const AdapterIdentity&) const = default;
 };
 
-// Empty when the port is no USB adapter with a serial number.
+// Returns nothing when the port is not a USB adapter with a serial number.
 [[nodiscard]] std::optional<AdapterIdentity> identityOf(const QString& path);
 
-// The port to open: `wanted`, or, when that is gone or is another adapter, the one with the identity.
+// Returns the port to open: `wanted`, or the one with this identity when `wanted` is missing or another
+// adapter.
 [[nodiscard]] QString findPort(const QString& wanted, const std::optional<AdapterIdentity>& identity);
 
 } // namespace campanel::link

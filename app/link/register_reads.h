@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads that wait for the line, in the order in which they were asked; a doubtful answer is asked for again,
-// as reading does no harm, but not without end.
+// The queue of reads that wait for the line. A read with a doubtful answer is repeated a limited number of
+// times.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -15,17 +15,17 @@ public:
     static constexpr std::size_t mostWaiting = 32;
     static constexpr int attempts = 3;
 
-    // False: too many wait already.
+    // Returns false when too many reads are waiting.
     [[nodiscard]] bool push(const ReadRequest& request);
     [[nodiscard]] bool isEmpty() const { return m_requests.empty(); }
-    // One exchange. The outcome when there is one; empty when the question is to be repeated.
+    // Performs one exchange. Returns the outcome, or nothing when the read must be repeated.
     [[nodiscard]] std::optional<ReadOutcome> advance(modbus::RtuClient& client);
-    // All that wait, leaving none.
+    // Returns all waiting reads and clears the queue.
     [[nodiscard]] std::deque<ReadRequest> takeAll();
 
 private:
     std::deque<ReadRequest> m_requests;
-    int m_failures = 0; // of the first one
+    int m_failures = 0; // failures of the first read
 };
 
 } // namespace campanel::link

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Requests that wait for the line, in the order of their priority: stop > motion commands > writes. Polls and
-// transfers have no entry here: they fill the time that is left.
+// The queue of requests that wait for the line, by priority: stop > motion commands > writes. Polls and
+// transfers are not in the queue: they use the remaining time.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -21,15 +21,15 @@ using Request = std::variant<CommandRequest, ParameterRequest>;
 class RequestQueue {
 public:
     void push(Request request);
-    // The oldest of the highest priority.
+    // Removes and returns the oldest request of the highest priority.
     [[nodiscard]] std::optional<Request> take();
     [[nodiscard]] bool isStopNext() const;
     [[nodiscard]] bool isEmpty() const { return m_requests.empty(); }
-    // All that wait, leaving the queue empty.
+    // Removes and returns all requests.
     [[nodiscard]] std::deque<Request> takeAll();
 
 private:
-    std::deque<Request> m_requests; // ordered
+    std::deque<Request> m_requests; // sorted
 };
 
 } // namespace campanel::link

@@ -123,7 +123,7 @@ void SimulatedController::takeAnswer(const QString& line)
                              isAccepted ? QString() : line.section(u' ', 1)});
 }
 
-// "none", or length and distance of the cut behind its mark in mm; "?" for a length that is not known.
+// Parses "none", or length and distance of the cut behind its mark in mm; "?" for an unknown length.
 void SimulatedController::takeMeasured(const QString& line)
 {
     if (m_rulersAsked == 0)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs campanel-controller as a child process and says on which port it serves. When it ends unasked it is
-// started again, with the line faults that it had.
+// Runs campanel-controller as a child process and reports its port. An unexpected end leads to a restart with
+// the same line faults.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -17,9 +17,9 @@ class SimulatedController : public QObject {
 
 public:
     struct Options {
-        QString program; // empty: searched for
+        QString program; // empty: searched
         QString stateDir;
-        QStringList arguments; // how the line is paced
+        QStringList arguments; // pacing of the line
     };
 
     SimulatedController(Options options, QObject* parent);
@@ -27,21 +27,22 @@ public:
 
     void start();
 
-    // Rules of line faults in place of those before. Ends in one faultsAnswered(); false, and none, while it
-    // is not serving.
+    // Sets the rules of line faults in place of the earlier ones. Ends in one faultsAnswered(). Returns
+    // false, without an answer, while the controller is not serving.
     [[nodiscard]] bool setFaults(const QStringList& rules);
 
-    // Ends in one rulerRead(); false, and none, while it is not serving.
+    // Measures the last bag. Ends in one rulerRead(). Returns false, without an answer, while the controller
+    // is not serving.
     [[nodiscard]] bool readRuler();
 
-    // Where it is looked for: beside this program, in the tree it is installed to, on PATH.
+    // Returns the searched paths: beside this program, in the installation tree, on PATH.
     [[nodiscard]] static QStringList candidatePaths();
 
 signals:
-    // After its start, and when its port was unplugged and is back, perhaps under another name.
+    // Emitted after the start, and when its port was unplugged and is back, possibly under another name.
     void serving(const QString& port);
     void notFound(const QString& lookedFor);
-    // It is started again a moment later. `lastWords` is what it wrote to its standard error.
+    // Emitted before the restart a moment later. `lastWords` is its standard error output.
     void ended(const QString& lastWords);
     void faultsAnswered(const campanel::link::FaultsOutcome& outcome);
     void rulerRead(const campanel::link::RulerOutcome& outcome);
@@ -60,11 +61,11 @@ private:
     bool m_isServing = false;
     struct SentFaults {
         QStringList rules;
-        bool isAsked = false; // for, by setFaults()
+        bool isAsked = false; // requested by setFaults()
     };
-    QList<SentFaults> m_sentFaults; // and not yet answered
-    QStringList m_faults;           // in force
-    int m_rulersAsked = 0;          // and not yet answered
+    QList<SentFaults> m_sentFaults; // not answered yet
+    QStringList m_faults;           // active
+    int m_rulersAsked = 0;          // not answered yet
 };
 
 } // namespace campanel::link

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Link of the running panel: a LinkWorker in a thread of its own, reached by queued signals only.
+// The Link of the panel program: a LinkWorker in a thread of its own, used through queued signals only.
 #pragma once
 
 #include "app/link/link.h"
@@ -13,7 +13,7 @@ class ThreadedLink : public Link {
 
 public:
     explicit ThreadedLink(QObject* parent);
-    // Ends the thread after the exchange under way; waiting requests get no outcome any more.
+    // Ends the thread after the present exchange; waiting requests get no outcome.
     ~ThreadedLink() override;
 
     void connectTo(const ConnectionSettings& settings) override { emit connectWanted(settings); }
@@ -29,7 +29,7 @@ public:
     void download(const std::vector<std::uint16_t>& bank) override { emit downloadWanted(bank); }
     void cancelDownload() override { emit cancelWanted(); }
     void withdrawStop() override { emit withdrawalWanted(); }
-    // From now, however long the link thread takes until it looks at it.
+    // Sets the key. Its validity begins now, regardless of a delay in the link thread.
     void setJog(JogDirection direction) override
     {
         emit jogWanted({direction, std::chrono::steady_clock::now() + jogCounts});

@@ -11,7 +11,7 @@ namespace campanel::plot {
 namespace {
 
 constexpr int mostSteps = 3;
-// Data may overshoot a tick by this share of the scale (rounding noise) without needing another one.
+// The share of the scale by which data may exceed the last tick (rounding).
 constexpr double overshoot = 1e-6;
 
 QwtScaleDiv roundScale(double minimum, double maximum)
@@ -21,7 +21,7 @@ QwtScaleDiv roundScale(double minimum, double maximum)
     engine.autoScale(mostSteps, minimum, maximum, step);
     QwtScaleDiv division = engine.divideScale(minimum, maximum, mostSteps, 0, step);
     QList<double> ticks = division.ticks(QwtScaleDiv::MajorTick);
-    // Alignment to round numbers can give four steps; every second tick is then enough.
+    // Alignment to round numbers can give four steps; every second tick is then sufficient.
     if (ticks.size() == 5) {
         division.setTicks(QwtScaleDiv::MajorTick, {ticks[0], ticks[2], ticks[4]});
     }
@@ -33,7 +33,7 @@ QwtScaleDiv roundScale(double minimum, double maximum)
 bool AxisScale::fit(double minimum, double maximum, double minimumSpan)
 {
     if (maximum - minimum < minimumSpan) {
-        // A flat curve runs through the middle of a scale that starts at a round number below it.
+        // A flat curve is in the middle of a scale that starts at a round number below it.
         const double middle = (minimum + maximum) / 2;
         const double half = std::max(minimumSpan, std::abs(middle) / 2);
         minimum = middle - half;

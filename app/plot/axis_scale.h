@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The value scale of a panel: round numbers at its ends and 3 to 4 ticks. It stays where it is while the data
-// moves a little, so that a curve dragged by a finger moves and not its axis.
+// The value scale of a panel: round numbers at its ends and 3 to 4 ticks. It stays unchanged while the data
+// moves a little, so that during a drag the curve moves and not its axis.
 #pragma once
 
 #include <qwt_scale_div.h>
@@ -9,17 +9,17 @@ namespace campanel::plot {
 
 class AxisScale {
 public:
-    // Makes minimum..maximum (finite, minimum <= maximum) visible; true if the scale had to change for it. A
-    // scale that is up to 1/keepFraction times wider than a new one would be is kept. minimumSpan: data
-    // flatter than this counts as constant.
+    // Makes minimum..maximum (finite, minimum <= maximum) visible; returns true if the scale had to change.
+    // Keeps a scale that is up to 1/keepFraction times wider than a new one. minimumSpan: data with a smaller
+    // span counts as constant.
     bool fit(double minimum, double maximum, double minimumSpan);
 
-    // Forgets the past: the next fit() starts afresh.
+    // Resets the scale for the next fit().
     void reset() { m_division = QwtScaleDiv(); }
 
     [[nodiscard]] double lower() const { return m_division.lowerBound(); }
     [[nodiscard]] double upper() const { return m_division.upperBound(); }
-    // Distance of two ticks.
+    // Returns the distance between two ticks.
     [[nodiscard]] double step() const;
     [[nodiscard]] const QwtScaleDiv& division() const { return m_division; }
 
@@ -29,7 +29,7 @@ private:
     QwtScaleDiv m_division;
 };
 
-// Digits after the decimal mark that tell ticks apart which are `step` from each other.
+// Returns the decimals needed for ticks with this step.
 [[nodiscard]] int decimalsOfStep(double step);
 
 } // namespace campanel::plot

@@ -22,7 +22,7 @@ constexpr double deviationHeadroom = 1.05; // above the largest deviation
 constexpr double levelFactor = 1.5;        // between two levels of zoom
 constexpr double scatterOpacity = 0.25;
 constexpr double leastBand = 2;        // px, of the scatter
-constexpr double badPointFactor = 1.5; // a bag out of tolerance is not told by its colour alone
+constexpr double badPointFactor = 1.5; // color alone must not be the only sign
 
 void paintPoints(QPainter& painter, const QPolygonF& points, std::unique_ptr<QwtSymbol> symbol,
                  const QwtScaleMap& xMap, const QwtScaleMap& yMap)
@@ -31,7 +31,7 @@ void paintPoints(QPainter& painter, const QPolygonF& points, std::unique_ptr<Qwt
     curve.setStyle(QwtPlotCurve::NoCurve);
     curve.setSymbol(symbol.release()); // the curve owns it
     curve.setSamples(points);
-    // Qwt leaves out symbols whose middle is on the right or the lower edge of what it takes for the canvas.
+    // Qwt omits symbols with their center on the right or lower edge of its canvas.
     const QRectF canvas(QPointF(xMap.p1(), yMap.p2()), QPointF(xMap.p2(), yMap.p1()));
     curve.draw(&painter, xMap, yMap, canvas.adjusted(-1, -1, 1, 1));
 }
@@ -78,7 +78,7 @@ double BagChart::halfRange(const Points& points) const
             needed = std::max(needed, std::abs(point.y()) * deviationHeadroom);
         }
     }
-    // In a few fixed levels, so that the picture does not breathe with every bag.
+    // Zooms in a few fixed levels, so that the picture does not change with every bag.
     return normal * std::pow(levelFactor, std::ceil(std::log(needed / normal) / std::log(levelFactor)));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The last bags' deviations from the set length as points between the tolerance lines, drawn by Qwt. The
-// newest bag is at the right.
+// The deviations of the last bags from the set length as points between the tolerance lines, drawn by Qwt.
+// The newest bag is on the right.
 #pragma once
 
 #include <QColor>
@@ -18,12 +18,12 @@ namespace campanel::plot {
 class BagChart : public QQuickPaintedItem {
     Q_OBJECT
     QML_ELEMENT
-    // mm, oldest first; NaN leaves a gap. Only the newest `capacity` are drawn.
+    // The deviations in mm, oldest first; NaN leaves a gap. Only the newest `capacity` are drawn.
     Q_PROPERTY(QList<double> values MEMBER m_values NOTIFY valuesChanged FINAL)
     Q_PROPERTY(int capacity MEMBER m_capacity NOTIFY valuesChanged FINAL)
-    // +- mm around zero; NaN: no lines.
+    // The tolerance, +- mm around zero; NaN: no lines.
     Q_PROPERTY(double tolerance READ tolerance WRITE setTolerance NOTIFY toleranceChanged FINAL)
-    // Of the values, mm: a line in a band of +- scatter; NaN: none.
+    // The mean of the values in mm: a line in a band of +- scatter; NaN: none.
     Q_PROPERTY(double mean MEMBER m_mean NOTIFY valuesChanged FINAL)
     Q_PROPERTY(double scatter MEMBER m_scatter NOTIFY valuesChanged FINAL)
     Q_PROPERTY(bool stale MEMBER m_stale NOTIFY styleChanged FINAL)
@@ -51,12 +51,12 @@ signals:
 private:
     struct Points {
         QPolygonF good;
-        QPolygonF bad; // outside of the tolerance
+        QPolygonF bad; // outside the tolerance
     };
 
     void updateAll() { update(boundingRect().toAlignedRect()); }
     [[nodiscard]] Points points() const;
-    // Half of the value range in sight, mm.
+    // Returns half of the visible value range, mm.
     [[nodiscard]] double halfRange(const Points& points) const;
     void paintMean(QPainter& painter, const QwtScaleMap& valueMap) const;
     void paintLines(QPainter& painter, const QwtScaleMap& valueMap) const;

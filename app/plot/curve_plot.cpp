@@ -17,10 +17,10 @@ namespace campanel::plot {
 
 namespace {
 
-constexpr double timeTickSpacing = 80; // px, at least, between the ticks of the time axis
+constexpr double timeTickSpacing = 80; // px, minimum between the ticks of the time axis
 constexpr int maximumTimeSteps = 8;
 constexpr double panelGap = 10;       // px between a canvas and the title below it
-constexpr double cursorReach = 6;     // px left and right of the cursor that its dots need
+constexpr double cursorReach = 6;     // px on both sides of the cursor for its dots
 constexpr double noTimeMaximum = 1.0; // s, the axis of an empty plot
 
 } // namespace
@@ -28,7 +28,7 @@ constexpr double noTimeMaximum = 1.0; // s, the axis of an empty plot
 CurvePlot::CurvePlot(QQuickItem* parent)
     : QQuickPaintedItem(parent)
 {
-    // Curves are anti-aliased: rounding their points to whole pixels would make steps of them.
+    // Curves are anti-aliased: rounding their points to whole pixels would cause steps.
     QwtPainter::setRoundingAlignment(false);
     m_axisFont.setPixelSize(13);
     m_titleFont.setPixelSize(14);
@@ -163,7 +163,7 @@ void CurvePlot::placeTimeAxis()
     const int steps = std::clamp(static_cast<int>(m_plotArea.width() / timeTickSpacing), 1, maximumTimeSteps);
     m_timeDivision = engine.divideScale(0, end, steps, 0);
     QList<double> ticks = m_timeDivision.ticks(QwtScaleDiv::MajorTick);
-    // The axis ends with T itself; a round number too close to it gives way.
+    // The axis ends with T itself; a round number too close to it is removed.
     while (!ticks.isEmpty() &&
            m_timeMap.transform(end) - m_timeMap.transform(ticks.last()) < timeTickSpacing / 2) {
         ticks.removeLast();
@@ -243,7 +243,7 @@ void CurvePlot::setTrace(const QList<QPointF>& trace)
     if (trace == m_trace) {
         return;
     }
-    // Only what differs is painted again: a trace mostly grows at its end.
+    // Repaints only the differences: a trace mostly grows at its end.
     const auto [ours, theirs] = std::mismatch(m_trace.cbegin(), m_trace.cend(), trace.cbegin(), trace.cend());
     const auto same = std::distance(m_trace.cbegin(), ours);
     const double from = same > 0 ? trace[same - 1].x() : 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The curves of one cycle in stacked panels with a common time axis, drawn by Qwt into a Qt Quick item. What
-// changes rarely (grid, curves, limits) is kept as an image; cursor and trace are painted over it. All
+// The curves of one cycle in stacked panels with a common time axis, drawn by Qwt into a Qt Quick item. Grid,
+// curves and limits change rarely and are cached as an image; cursor and trace are painted over it. All
 // properties belong to the GUI thread.
 #pragma once
 
@@ -19,29 +19,29 @@ namespace campanel::plot {
 class CurvePlot : public QQuickPaintedItem {
     Q_OBJECT
     QML_ELEMENT
-    // Curve sets: std::shared_ptr<const profile::Curves>; anything else counts as none.
+    // The curve sets: std::shared_ptr<const profile::Curves>; any other value means none.
     Q_PROPERTY(QVariant curves MEMBER m_curves NOTIFY curvesChanged FINAL)
     Q_PROPERTY(QVariant overlayCurves MEMBER m_overlayCurves NOTIFY overlayCurvesChanged FINAL)
     // The panels from top to bottom: "position" mm, "velocity" mm/s, "acceleration" m/s2, "jerk" m/s3,
     // "frequency" kHz.
     Q_PROPERTY(QStringList quantities MEMBER m_quantities NOTIFY quantitiesChanged FINAL)
     Q_PROPERTY(QStringList titles MEMBER m_titles NOTIFY titlesChanged FINAL)
-    // Measured points over the velocity panel: x cycle time in s, ascending; y in mm/s.
+    // The measured points over the velocity panel: x cycle time in s, ascending; y in mm/s.
     Q_PROPERTY(QList<QPointF> trace READ trace WRITE setTrace NOTIFY traceChanged FINAL)
-    // s; NaN for no cursor.
+    // The cursor in s; NaN for none.
     Q_PROPERTY(double cursorTime READ cursorTime WRITE setCursorTime NOTIFY cursorTimeChanged FINAL)
     Q_PROPERTY(bool cursorDotsVisible MEMBER m_cursorDotsVisible NOTIFY dynamicStyleChanged FINAL)
     Q_PROPERTY(QList<double> markerTimes MEMBER m_markerTimes NOTIFY markersChanged FINAL)
-    // mm/s, mm/s2 and Hz; NaN for none.
+    // The limits in mm/s, mm/s2 and Hz; NaN for none.
     Q_PROPERTY(double limitVelocity READ limitVelocity WRITE setLimitVelocity NOTIFY limitsChanged FINAL)
     Q_PROPERTY(
         double limitAcceleration READ limitAcceleration WRITE setLimitAcceleration NOTIFY limitsChanged FINAL)
     Q_PROPERTY(double limitFrequency READ limitFrequency WRITE setLimitFrequency NOTIFY limitsChanged FINAL)
-    // Stretches that break a limit: x from, y to, in s.
+    // The spans that exceed a limit: x from, y to, in s.
     Q_PROPERTY(QList<QPointF> violations MEMBER m_violations NOTIFY markersChanged FINAL)
-    // Written at the limit lines; empty for none.
+    // The text at the limit lines; empty for none.
     Q_PROPERTY(QString limitLabel MEMBER m_limitLabel NOTIFY styleChanged FINAL)
-    // End of the time axis in s; NaN: the end of the curves.
+    // The end of the time axis in s; NaN: the end of the curves.
     Q_PROPERTY(double timeMaximum READ timeMaximum WRITE setTimeMaximum NOTIFY timeMaximumChanged FINAL)
     Q_PROPERTY(QString timeUnit MEMBER m_timeUnit NOTIFY fontsChanged FINAL)
     Q_PROPERTY(QColor gridColor MEMBER m_gridColor NOTIFY styleChanged FINAL)
@@ -58,7 +58,7 @@ class CurvePlot : public QQuickPaintedItem {
     Q_PROPERTY(QColor traceColor MEMBER m_traceColor NOTIFY dynamicStyleChanged FINAL)
     Q_PROPERTY(QColor limitColor MEMBER m_limitColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor violationColor MEMBER m_violationColor NOTIFY styleChanged FINAL)
-    // px
+    // The widths of the lines in px.
     Q_PROPERTY(double lineWidth MEMBER m_lineWidth NOTIFY styleChanged FINAL)
     Q_PROPERTY(double overlayLineWidth MEMBER m_overlayLineWidth NOTIFY styleChanged FINAL)
     Q_PROPERTY(double traceLineWidth MEMBER m_traceLineWidth NOTIFY dynamicStyleChanged FINAL)
@@ -72,21 +72,21 @@ public:
     explicit CurvePlot(QQuickItem* parent = nullptr);
 
     void paint(QPainter* painter) override;
-    // Everything but cursor and trace, in the size of the item, without the image between: lines stay lines
-    // on paper. The item needs no window.
+    // Paints everything but cursor and trace, in the size of the item, without the cached image, so that
+    // lines stay vector graphics. The item needs no window.
     void print(QPainter& painter);
 
-    // Between s, values and px of the item. NaN where there is no such panel; values that lie outside are not
-    // clamped. These bring the layout up to date first, so they are not const.
+    // Convert between s, values and px of the item. NaN for a missing panel; values outside are not clamped.
+    // They update the layout first, so they are not const.
     [[nodiscard]] Q_INVOKABLE double xOfTime(double timeS);
     [[nodiscard]] Q_INVOKABLE double timeOfX(double x);
     [[nodiscard]] Q_INVOKABLE double yOfVelocity(double velocityMmPerS);
-    // In the unit on screen of the panel with this index.
+    // Returns the place of a value in the displayed unit of the panel with this index.
     [[nodiscard]] Q_INVOKABLE double yOfValue(int index, double value);
     [[nodiscard]] Q_INVOKABLE double valuePerPixel(int index);
     [[nodiscard]] Q_INVOKABLE double panelTop(int index);
     [[nodiscard]] Q_INVOKABLE double panelHeight(int index);
-    // One value per panel, in the unit on screen (mm, mm/s, m/s2, m/s3, kHz); NaN outside of the curves.
+    // Returns one value per panel in its displayed unit (mm, mm/s, m/s2, m/s3, kHz); NaN outside the curves.
     [[nodiscard]] Q_INVOKABLE QList<double> valuesAt(double timeS);
 
     [[nodiscard]] QRectF plotArea();
@@ -103,7 +103,7 @@ public:
     [[nodiscard]] double timeMaximum() const { return m_timeMaximum; }
     void setTimeMaximum(double timeS);
 
-    // How often the image of grid and curves was painted so far.
+    // Returns how often the cached image was painted.
     [[nodiscard]] int staticPaintCount() const { return m_staticPaintCount; }
 
 signals:
@@ -119,7 +119,7 @@ signals:
     void styleChanged();
     void dynamicStyleChanged();
     void fontsChanged();
-    // The mapping between px and values changed.
+    // Emitted when the mapping between px and values has changed.
     void layoutChanged();
 
 protected:
@@ -141,10 +141,10 @@ private:
     void connectProperties();
     void invalidateLayout();
     void invalidateImage();
-    // An explicit rectangle always: QQuickPaintedItem forgets update() when an update(rectangle) follows
+    // Updates an explicit rectangle: QQuickPaintedItem ignores update() when an update(rectangle) follows
     // before the frame.
     void updateAll() { update(boundingRect().toAlignedRect()); }
-    // Brings data, scales and geometry up to date.
+    // Updates data, scales and geometry.
     void ensureLayout();
     void rebuildPanels();
     void placePanels();

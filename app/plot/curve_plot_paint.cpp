@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The painting of CurvePlot. It runs while the GUI thread waits, so it may read every member.
+// The painting of CurvePlot. It runs while the GUI thread waits, so it may read all members.
 #include "app/plot/curve_plot.h"
 
 #include "app/plot/decimation.h"
@@ -73,7 +73,7 @@ void CurvePlot::paintTints(QPainter& painter) const
     for (const QPointF& stretch : m_violations) {
         const double fromX = m_timeMap.transform(stretch.x());
         const double toX = m_timeMap.transform(stretch.y());
-        // Where no panel shows the broken limit, all of them tell when it is broken.
+        // Without a panel for the exceeded limit, all panels mark the time.
         const bool shown = std::ranges::any_of(
             m_panels, [&](const PlotPanel& p) { return p.isBroken(stretch.x(), stretch.y()); });
         for (const PlotPanel& panel : m_panels) {
@@ -88,7 +88,7 @@ void CurvePlot::paintMarkers(QPainter& painter) const
 {
     QPen pen(m_markerColor, 1, Qt::CustomDashLine, Qt::FlatCap);
     pen.setDashPattern({3, 4});
-    // The lines pass behind the titles.
+    // The lines are interrupted at the titles.
     QRegion free(QRectF(m_plotArea).toAlignedRect());
     for (std::size_t i = 0; i < m_panels.size(); ++i) {
         free -= titleRect(i).toAlignedRect();

@@ -8,10 +8,10 @@ namespace campanel::plot {
 
 namespace {
 
-constexpr double levelShare = 1e-9; // of the value; heights closer than this are the same
+constexpr double levelShare = 1e-9; // share of the value up to which heights are equal
 
-// Whether the last point stands between two of its own height. Drawn piece by piece such a stretch would look
-// beaded: the smoothed ends of the pieces cover one another.
+// Returns true when the last point is between two of the same height. A level stretch drawn in pieces would
+// look like beads, because the antialiased ends of the pieces overlap.
 bool isInsideLevelStretch(const QPolygonF& points, const QPointF& next)
 {
     const qsizetype count = points.size();

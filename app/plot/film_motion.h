@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the film has gone on since it was last reported: at its speed, and without a jump when the next
-// report says that it was a little elsewhere.
+// Extrapolates the film's position from the last report at its speed, without a jump when the next report
+// differs slightly.
 #pragma once
 
 namespace campanel::plot {
 
 class FilmMotion {
 public:
-    // The film was at `positionMm` and moves at `speedMmPerS`, at `timeS` of any steady clock. Positions wrap
-    // at wrapMm.
+    // Sets the position and the speed of the film at `timeS` of any steady clock. Positions wrap at wrapMm.
     void report(double positionMm, double speedMmPerS, double timeS);
     void forget() { *this = {}; }
 
-    // mm since the last report; it ends a second after it, however fast the film was.
+    // Returns mm since the last report; limited to one second after it at any speed.
     [[nodiscard]] double travelledMm(double timeS) const;
-    // It still changes.
+    // Returns true while the position changes.
     [[nodiscard]] bool isMoving(double timeS) const;
 
-    static constexpr double wrapMm = 4294967.296; // the controller tells 32 bits of a micrometer
-    static constexpr double jumpMm = 40;          // what is farther off is another place: no blending
+    static constexpr double wrapMm = 4294967.296; // the controller sends 32 bits of micrometers
+    static constexpr double jumpMm = 40;          // larger differences are not blended
     static constexpr double blendS = 0.1;
     static constexpr double longestS = 1;
 
@@ -26,7 +25,7 @@ private:
     double m_positionMm = 0;
     double m_speedMmPerS = 0;
     double m_timeS = 0;
-    double m_offsetMm = 0; // at m_timeS, shown minus reported
+    double m_offsetMm = 0; // displayed minus reported position at m_timeS
     bool m_isKnown = false;
 };
 

@@ -12,11 +12,11 @@ namespace campanel::plot {
 namespace {
 
 constexpr auto frameTime = 33ms; // 30 pictures a second
-constexpr double mostBags = 12;  // in sight: more are not told apart
+constexpr double mostBags = 12;  // visible; more cannot be distinguished
 constexpr double bagsWithoutSensor = 4;
-constexpr double bagsBehindSensor = 1.1; // in sight: where the next mark is expected
+constexpr double bagsBehindSensor = 1.1; // visible, for the expected mark
 constexpr double shareAfterKnife = 0.1;  // of the width
-constexpr double anyBagMm = 250;         // for the scale while no bag length is known
+constexpr double anyBagMm = 250;         // for the scale while the bag length is unknown
 
 double steadySeconds()
 {
@@ -37,7 +37,8 @@ FilmPicture::FilmPicture(QQuickItem* parent)
     connect(this, &FilmPicture::styleChanged, this, &FilmPicture::updateFrames);
 }
 
-// What belongs to one report comes property by property; it is taken as a whole before the next frame.
+// Schedules one update: the properties of a report arrive one by one and are applied together before the next
+// frame.
 void FilmPicture::noteFilm()
 {
     m_isReportNew = true;

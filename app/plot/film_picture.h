@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The film of a packing machine from the mark sensor at the left to the knife at the right: printed marks,
-// where the next one is expected, products, the next cuts. Between two reports it goes on at the film's
-// speed.
+// The film of a packing machine from the mark sensor on the left to the knife on the right: printed marks,
+// the expected mark, products, the next cuts. Between two reports it moves at the film's speed.
 #pragma once
 
 #include "app/plot/film_motion.h"
@@ -23,23 +22,24 @@ namespace campanel::plot {
 class FilmPicture : public QQuickPaintedItem {
     Q_OBJECT
     QML_ELEMENT
-    // mm before the knife when the film motor was at `position`; negative: past the knife. Cuts as (distance,
-    // 1 when left out), marks as (distance, 1 when reckoned), products as (leading edge, trailing edge).
+    // The places in mm before the knife with the film motor at `position`; negative: past the knife. Cuts are
+    // (distance, 1 when skipped), marks (distance, 1 when calculated), products (leading edge, trailing
+    // edge).
     Q_PROPERTY(QList<QPointF> cuts MEMBER m_cuts NOTIFY filmChanged FINAL)
     Q_PROPERTY(QList<QPointF> marks MEMBER m_marks NOTIFY filmChanged FINAL)
     Q_PROPERTY(QList<QPointF> products MEMBER m_products NOTIFY filmChanged FINAL)
-    Q_PROPERTY(double nextMark MEMBER m_nextMarkMm NOTIFY filmChanged FINAL) // expected there; NaN: none is
-    Q_PROPERTY(double position MEMBER m_positionMm NOTIFY filmChanged FINAL) // NaN: nothing is known
+    Q_PROPERTY(double nextMark MEMBER m_nextMarkMm NOTIFY filmChanged FINAL) // expected place; NaN: none
+    Q_PROPERTY(double position MEMBER m_positionMm NOTIFY filmChanged FINAL) // NaN: unknown
     Q_PROPERTY(double speed MEMBER m_speedMmPerS NOTIFY filmChanged FINAL)   // mm/s
-    // mm; NaN while they are not known.
+    // The dimensions in mm; NaN while unknown.
     Q_PROPERTY(double bagLength MEMBER m_bagMm NOTIFY scaleChanged FINAL)
     Q_PROPERTY(double sensor MEMBER m_sensorMm NOTIFY scaleChanged FINAL) // before the knife; NaN: not drawn
-    Q_PROPERTY(double window MEMBER m_windowMm NOTIFY scaleChanged FINAL) // to both sides of nextMark
-    // The knife stands open.
+    Q_PROPERTY(double window MEMBER m_windowMm NOTIFY scaleChanged FINAL) // in both directions from nextMark
+    // True while the knife waits open.
     Q_PROPERTY(bool knifeOpen MEMBER m_isKnifeOpen NOTIFY styleChanged FINAL)
-    // Old: grey, and it stands.
+    // True when the data is old: gray and without movement.
     Q_PROPERTY(bool stale MEMBER m_isStale NOTIFY styleChanged FINAL)
-    // Goes on between two reports; without, it shows the last one as it was.
+    // True to move between two reports; when false, the last report is displayed.
     Q_PROPERTY(bool live MEMBER m_isLive NOTIFY styleChanged FINAL)
 
     Q_PROPERTY(QString sensorText MEMBER m_sensorText NOTIFY styleChanged FINAL)
@@ -47,7 +47,7 @@ class FilmPicture : public QQuickPaintedItem {
     Q_PROPERTY(QFont textFont MEMBER m_textFont NOTIFY styleChanged FINAL)
     Q_PROPERTY(QLocale locale MEMBER m_locale NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor filmColor MEMBER m_filmColor NOTIFY styleChanged FINAL)
-    Q_PROPERTY(QColor edgeColor MEMBER m_edgeColor NOTIFY styleChanged FINAL) // of the film
+    Q_PROPERTY(QColor edgeColor MEMBER m_edgeColor NOTIFY styleChanged FINAL) // edge of the film
     Q_PROPERTY(QColor markColor MEMBER m_markColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor windowColor MEMBER m_windowColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor productColor MEMBER m_productColor NOTIFY styleChanged FINAL)
@@ -62,11 +62,11 @@ public:
 
     void paint(QPainter* painter) override;
 
-    // Seconds of any steady clock; for tests.
+    // Sets a clock in seconds for tests.
     void setClock(std::function<double()> clock) { m_clock = std::move(clock); }
-    // Where something lies now that was reported at this distance, px from the left.
+    // Returns the present place of an object reported at this distance, px from the left.
     [[nodiscard]] double xOf(double distanceMm) const;
-    // It moves by itself now.
+    // Returns true while it is animated.
     [[nodiscard]] bool isMoving() const { return m_frames.isActive(); }
 
 signals:
@@ -82,7 +82,7 @@ protected:
 private:
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-    // From top to bottom: names, heads of the cuts, the film, the scale.
+    // The rows from top to bottom: names, heads of the cuts, the film, the scale.
     struct Rows {
         double headsTop = 0;
         double filmTop = 0;
@@ -96,7 +96,7 @@ private:
     void advance();
     [[nodiscard]] QColor live(const QColor& color) const { return m_isStale ? m_staleColor : color; }
     [[nodiscard]] Rows rows() const;
-    [[nodiscard]] double reachMm() const; // of the film in sight before the knife
+    [[nodiscard]] double reachMm() const; // visible film before the knife
     [[nodiscard]] double pxPerMm() const;
     [[nodiscard]] double knifeX() const;
     [[nodiscard]] double travelledMm() const;
@@ -108,7 +108,7 @@ private:
     void paintCuts(QPainter& painter, const Rows& rows) const;
     void paintSensor(QPainter& painter, const Rows& rows) const;
     void paintKnife(QPainter& painter, const Rows& rows) const;
-    // Around `x`, but inside of the item.
+    // Paints the text around `x`, but inside the item.
     QRectF paintText(QPainter& painter, double x, double top, const QString& text) const;
 
     QList<QPointF> m_cuts;

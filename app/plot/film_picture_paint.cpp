@@ -14,7 +14,7 @@ namespace campanel::plot {
 
 namespace {
 
-constexpr double headShare = 0.6;    // height of a cut's head and of the sensor, of a line of text
+constexpr double headShare = 0.6;    // of a line of text: height of a cut's head and of the sensor
 constexpr double markShare = 0.3;    // of the film's width; marks are printed along its lower edge
 constexpr double productShare = 0.5; // of the film's width, in its middle
 constexpr double windowShare = 0.42; // of the film's width; higher than a mark
@@ -22,17 +22,17 @@ constexpr double markWidth = 7;      // px
 constexpr double lineWidth = 2;      // px
 constexpr double knifeShare = 0.6;   // of a line of text: half of the knife's width
 constexpr double tickLength = 4;     // px
-constexpr double numberSpacing = 64; // px at least between two numbers
+constexpr double numberSpacing = 64; // px, minimum between two numbers
 constexpr double textGap = 4;        // px between two texts
 constexpr double windowOpacity = 0.25;
-constexpr double cutFilmOpacity = 0.45; // of what the knife has cut off
+constexpr double cutFilmOpacity = 0.45; // film beyond the knife
 
 QPolygonF triangle(const QPointF& tip, double halfWidth, double height)
 {
     return {{tip, tip + QPointF(-halfWidth, -height), tip + QPointF(halfWidth, -height)}};
 }
 
-// The smallest of 10, 20, 50, 100 ... mm that leaves room for the numbers.
+// Returns the smallest of 10, 20, 50, 100 ... mm that leaves space for the numbers.
 double tickStepMm(double pxPerMm)
 {
     double decade = 10;
@@ -76,7 +76,7 @@ void FilmPicture::paint(QPainter* painter)
     paintKnife(*painter, places);
 }
 
-// Cut off, the film is paler.
+// Paints the film; paler after the cut.
 void FilmPicture::paintFilm(QPainter& painter, const Rows& rows) const
 {
     const QRectF before(0, rows.filmTop, knifeX(), rows.filmBottom - rows.filmTop);
@@ -95,7 +95,7 @@ void FilmPicture::paintScale(QPainter& painter, const Rows& rows) const
     const double stepMm = tickStepMm(pxPerMm());
     const QFontMetricsF metrics(m_textFont);
     const double textTop = height() - metrics.height();
-    // The unit stands with the zero; from there on to the left.
+    // The unit is beside the zero; the numbers continue to the left.
     double freeUpTo = width();
     for (int i = 0; i * stepMm <= reachMm(); ++i) {
         const double x = knifeX() - i * stepMm * pxPerMm();
@@ -125,7 +125,7 @@ void FilmPicture::paintProducts(QPainter& painter, const Rows& rows) const
     }
 }
 
-// Where the next mark has to come: a tint between two brackets.
+// Paints the expected place of the next mark: a tint between two brackets.
 void FilmPicture::paintWindow(QPainter& painter, const Rows& rows) const
 {
     if (std::isnan(m_nextMarkMm) || std::isnan(m_windowMm))
@@ -158,7 +158,7 @@ void FilmPicture::paintMarks(QPainter& painter, const Rows& rows) const
     }
 }
 
-// A cut: a line down to the marks with a full head. One that is left out: a broken line, and a cross for a
+// Paints a cut: a line down to the marks with a full head. A skipped one has a broken line, and a cross as
 // head.
 void FilmPicture::paintCuts(QPainter& painter, const Rows& rows) const
 {
@@ -167,7 +167,7 @@ void FilmPicture::paintCuts(QPainter& painter, const Rows& rows) const
     for (const QPointF& cut : m_cuts) {
         const double x = xOf(cut.x());
         if (x > knifeX())
-            continue; // made
+            continue; // already cut
         const bool isLeftOut = cut.y() != 0;
         const QColor color = live(isLeftOut ? m_leftOutColor : m_cutColor);
         QPen pen(color, lineWidth, Qt::SolidLine, Qt::FlatCap);
@@ -189,7 +189,7 @@ void FilmPicture::paintCuts(QPainter& painter, const Rows& rows) const
     }
 }
 
-// Above its place, or at the left edge with an arrow when it is beyond the film in sight.
+// Paints the sensor above its place, or at the left edge with an arrow when it is not visible.
 void FilmPicture::paintSensor(QPainter& painter, const Rows& rows) const
 {
     if (!(m_sensorMm > 0))
@@ -216,12 +216,12 @@ void FilmPicture::paintSensor(QPainter& painter, const Rows& rows) const
                              metrics.horizontalAdvance(m_knifeText) / 2;
     const double right = std::max(x + metrics.horizontalAdvance(text) / 2, metrics.horizontalAdvance(text));
     if (right + textGap > knifeLeft)
-        return; // no room for both names
+        return; // no space for both names
     painter.setPen(m_textColor);
     paintText(painter, x, 0, text);
 }
 
-// A blade above the film and a thin line where it cuts; hollow while it stands open.
+// Paints a blade above the film and a thin line at the cut; hollow while it waits open.
 void FilmPicture::paintKnife(QPainter& painter, const Rows& rows) const
 {
     const double half = knifeShare * QFontMetricsF(m_textFont).height();

@@ -20,10 +20,10 @@ namespace campanel::plot {
 
 namespace {
 
-constexpr double gateArm = 9;        // px that the ends of the gate reach to each side
+constexpr double gateArm = 9;        // px of the gate's ends in each direction
 constexpr double gateWidth = 2.5;    // px
 constexpr double gateHeadroom = 1.1; // above the gate
-// Shorter ways and lower forces count as constant.
+// The smallest distance and force that do not count as constant.
 constexpr double minimumWayMm = 0.1;
 constexpr double minimumForceN = 10.0;
 constexpr double emptyWayMm = 1.0; // the axis of an empty plot
@@ -109,7 +109,7 @@ void ForcePlot::paintAxes(QPainter& painter) const
     grid.enableX(false);
     grid.setMajorPen(QPen(m_gridColor, 1));
     grid.setYDiv(m_forceScale.division());
-    // QwtPlotGrid leaves out a line on the lowest row of pixels.
+    // QwtPlotGrid omits a line on the lowest row of pixels.
     grid.draw(&painter, QwtScaleMap(), m_forceMap, m_canvas.adjusted(0, 0, 0, 1));
 
     QPalette palette;
@@ -133,7 +133,8 @@ void ForcePlot::paintAxes(QPainter& painter) const
     positions.draw(&painter, palette);
 }
 
-// An upright bar from the least to the most force at the stop, with arms; without them the position alone.
+// Paints a vertical bar from the minimum to the maximum force at the stop, with arms; without them the
+// position alone.
 void ForcePlot::paintGate(QPainter& painter) const
 {
     if (!std::isfinite(m_gatePosition))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The force of one press stroke over its way, with the gate that it must end in: a position and the force
-// allowed there. Drawn by Qwt into a Qt Quick item.
+// The force of one press stroke over its position, with its end gate: a position and the forces allowed
+// there. Drawn by Qwt into a Qt Quick item.
 #pragma once
 
 #include "app/plot/axis_scale.h"
@@ -24,9 +24,9 @@ namespace campanel::plot {
 class ForcePlot : public QQuickPaintedItem {
     Q_OBJECT
     QML_ELEMENT
-    // x position in mm, y force in N, in the order of time; points that are not finite are left out.
+    // The curve, x position in mm, y force in N, in order of time; points that are not finite are omitted.
     Q_PROPERTY(QList<QPointF> curve MEMBER m_curve NOTIFY curveChanged FINAL)
-    // Where the axis begins in mm; what lies before it is not shown. NaN: at the first point.
+    // The start of the axis in mm; earlier points are not visible. NaN: at the first point.
     Q_PROPERTY(double fromPosition MEMBER m_fromPosition NOTIFY marksChanged FINAL)
     // The gate: mm, N and N; NaN for none.
     Q_PROPERTY(double gatePosition MEMBER m_gatePosition NOTIFY marksChanged FINAL)
@@ -46,7 +46,7 @@ public:
 
     void paint(QPainter* painter) override;
 
-    // px of the item, as painted last.
+    // Return px of the item, as last painted.
     [[nodiscard]] double xOfPosition(double positionMm) const { return m_positionMap.transform(positionMm); }
     [[nodiscard]] double yOfForce(double forceN) const { return m_forceMap.transform(forceN); }
 

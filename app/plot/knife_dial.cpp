@@ -13,13 +13,13 @@ namespace campanel::plot {
 
 namespace {
 
-// Shares of the dial's radius.
+// The shares of the dial's radius.
 constexpr double ringShare = 0.15;
 constexpr double tipShare = 0.105;
 constexpr double hubShare = 0.075;
 constexpr double handShare = 0.047;
 constexpr double cutShare = 0.03;
-constexpr double haloShare = 0.025; // surface left free around tip and cut mark
+constexpr double haloShare = 0.025; // free space around tip and cut mark
 
 } // namespace
 
@@ -62,7 +62,7 @@ double KnifeDial::ringWidth() const
 
 double KnifeDial::ringRadius() const
 {
-    // The tip is wider than the ring and has to stay inside of the item.
+    // The tip is wider than the ring and must stay inside the item.
     const double radius = std::min(width(), height()) / 2;
     return radius * (1 - tipShare - haloShare);
 }
@@ -105,7 +105,7 @@ void KnifeDial::paintRing(QPainter& painter) const
     painter.setPen(QPen(m_ringColor, ringWidth(), Qt::SolidLine, Qt::FlatCap));
     painter.drawEllipse(center, radius, radius);
     if (!std::isnan(m_syncStartDeg) && !std::isnan(m_syncEndDeg)) {
-        // QPainter counts in 1/16 degree, counter-clockwise from three o'clock.
+        // QPainter's unit is 1/16 degree, counter-clockwise from three o'clock.
         double sweep = std::fmod(m_syncEndDeg - m_syncStartDeg, 360.0);
         if (sweep < 0) {
             sweep += 360;

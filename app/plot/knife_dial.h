@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The knife's angle as a hand on a ring, with the arc where it must match the film and the mark where it
-// cuts. 0 degrees at the top, clockwise.
+// The knife angle as a hand on a ring, with the arc of synchronous motion and the mark of the cut. 0 degrees
+// at the top, clockwise.
 #pragma once
 
 #include <QColor>
@@ -14,12 +14,12 @@ namespace campanel::plot {
 class KnifeDial : public QQuickPaintedItem {
     Q_OBJECT
     QML_ELEMENT
-    // Degrees; NaN: unknown, nothing is drawn for it.
+    // The angles in degrees; NaN: unknown, not drawn.
     Q_PROPERTY(double angleDeg READ angleDeg WRITE setAngleDeg NOTIFY angleDegChanged FINAL)
     Q_PROPERTY(double syncStartDeg READ syncStartDeg WRITE setSyncStartDeg NOTIFY marksChanged FINAL)
     Q_PROPERTY(double syncEndDeg READ syncEndDeg WRITE setSyncEndDeg NOTIFY marksChanged FINAL)
     Q_PROPERTY(double cutAngleDeg READ cutAngleDeg WRITE setCutAngleDeg NOTIFY marksChanged FINAL)
-    // The angle is old: the hand is drawn in staleColor.
+    // True when the angle is old: the hand is drawn in staleColor.
     Q_PROPERTY(bool stale MEMBER m_stale NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor ringColor MEMBER m_ringColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor syncColor MEMBER m_syncColor NOTIFY styleChanged FINAL)
@@ -52,16 +52,16 @@ private:
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
     void geometryChange(const QRectF& newGeometry, const QRectF& oldGeometry) override;
-    // An explicit rectangle always: a following update(rectangle) would make Qt forget update().
+    // Updates an explicit rectangle: a following update(rectangle) would make Qt ignore update().
     void updateAll() { update(boundingRect().toAlignedRect()); }
     void changeMark(double& mark, double angle);
     void paintRing(QPainter& painter) const;
     void paintHand(QPainter& painter) const;
-    // Distance of the middle of the ring from the center, and the ring's width, px.
+    // Return the distance of the ring's middle from the center, and the ring's width, px.
     [[nodiscard]] double ringRadius() const;
     [[nodiscard]] double ringWidth() const;
     [[nodiscard]] QPointF pointAt(double angle, double radius) const;
-    // What the hand covers at an angle.
+    // Returns the area of the hand at an angle.
     [[nodiscard]] QRect handRect(double angle) const;
 
     double m_angleDeg = unknown;

@@ -30,11 +30,11 @@ void LabelDraw::setSpecialLabel(double value, const QString& text)
 
 QwtText LabelDraw::label(double value) const
 {
-    // Exact comparison: Qwt hands back the tick that it was given.
+    // Exact comparison: Qwt returns the same tick value.
     if (!m_specialText.isEmpty() && value == m_specialValue) {
         return QwtText(m_specialText, QwtText::PlainText);
     }
-    // Qwt's engine makes the tick at zero exactly zero.
+    // Qwt's engine sets the tick at zero to exactly zero.
     return QwtText(localNumber(m_locale, value, value == 0 ? 0 : m_decimals), QwtText::PlainText);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tick labels of an axis in the panel's language; no backbone and no tick marks, the grid is enough.
+// Draws the tick labels of an axis in the panel's language, without backbone and tick marks: the grid is
+// sufficient.
 #pragma once
 
 #include <QLocale>
@@ -12,7 +13,7 @@ class LabelDraw : public QwtScaleDraw {
 public:
     LabelDraw(Alignment alignment, const QLocale& locale, int decimals);
 
-    // The label of the tick at `value` becomes `text`, whatever its number.
+    // Sets the label of the tick at `value` to `text` instead of its number.
     void setSpecialLabel(double value, const QString& text);
 
     [[nodiscard]] QwtText label(double value) const override;
@@ -24,7 +25,7 @@ private:
     QString m_specialText;
 };
 
-// A number as the locale writes it, with a real minus sign.
+// Formats a number in the locale, with a real minus sign.
 [[nodiscard]] QString localNumber(const QLocale& locale, double value, int decimals);
 
 } // namespace campanel::plot

@@ -18,9 +18,9 @@ namespace campanel::plot {
 
 namespace {
 
-// A limit this share of the data's span away from the data is near enough to be shown.
+// The share of the data's span within which a limit is visible.
 constexpr double nearLimit = 0.25;
-// Share of the panel's tint over a stretch that breaks a limit.
+// The opacity of the panel's tint over a span that exceeds a limit.
 constexpr double tintOpacity = 0.12;
 constexpr double limitLabelMargin = 6; // px between a limit's line and its label
 
@@ -82,8 +82,8 @@ void PlotPanel::fitScale()
         return;
     }
     const double margin = nearLimit * (span.high - span.low);
-    // A limit that is broken or nearly reached is always in sight; one that is far away would only flatten
-    // the curve.
+    // A limit that is exceeded or nearly reached is always visible; a distant one would only flatten the
+    // curve.
     if (m_limit < span.high + margin) {
         span.include(m_limit);
     }
@@ -130,10 +130,10 @@ void PlotPanel::paintGrid(QPainter& painter, const PlotStyle& style) const
     grid.enableX(false);
     grid.setMajorPen(QPen(style.grid, 1));
     grid.setYDiv(m_scale.division());
-    // QwtPlotGrid leaves out a line on the lowest row of pixels.
+    // QwtPlotGrid omits a line on the lowest row of pixels.
     grid.draw(&painter, QwtScaleMap(), m_valueMap, m_canvas.adjusted(0, 0, 0, 1));
     if (m_curve.isEmpty() && m_overlay.isEmpty()) {
-        return; // nothing is known, so no number is shown
+        return; // nothing is known, so no numbers
     }
 
     LabelDraw labels(QwtScaleDraw::LeftScale, style.locale, decimalsOfStep(m_scale.step()));
@@ -155,7 +155,8 @@ void PlotPanel::paintLimit(QPainter& painter, const PlotStyle& style, double val
     if (!(value >= m_scale.lower() && value <= m_scale.upper())) {
         return;
     }
-    // Between two rows of pixels and two wide: the upper and the lower limit look the same.
+    // The line is between two rows of pixels and two wide, so that the upper and the lower limit look the
+    // same.
     const double y = std::round(m_valueMap.transform(value));
     QPen pen(style.limit, 2);
     pen.setDashPattern({4, 3});
@@ -190,7 +191,7 @@ void PlotPanel::paintCurves(QPainter& painter, const PlotStyle& style, const QCo
     painter.setClipRect(frame);
     paintLine(painter, m_overlay, {style.overlay, style.overlayLineWidth}, timeMap, m_valueMap);
     paintLine(painter, m_curve, {color, style.lineWidth}, timeMap, m_valueMap);
-    // Beyond the limit the same curve once more, clipped to what lies outside.
+    // Paints the curve again beyond the limit, clipped to the outside.
     for (const double limit : {m_limit, -m_limit}) {
         const bool upper = limit > 0;
         if (!(limit > m_scale.lower() && limit < m_scale.upper())) {

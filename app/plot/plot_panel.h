@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One panel of a curve plot: a quantity over time with its own value scale. Knows where things are and how to
-// paint them; owned and driven by CurvePlot.
+// One panel of a curve plot: a quantity over time with its own value scale, its geometry and painting. Owned
+// and controlled by CurvePlot.
 #pragma once
 
 #include "app/plot/axis_scale.h"
@@ -19,7 +19,7 @@ class QPainter;
 
 namespace campanel::plot {
 
-// Line through the points, anti-aliased, not outside of clip.
+// The style of an anti-aliased line through the points, clipped to `clip`.
 struct LineStyle {
     QColor color;
     double width = 1; // px
@@ -39,14 +39,15 @@ public:
     [[nodiscard]] const QwtScaleMap& valueMap() const { return m_valueMap; }
     [[nodiscard]] const AxisScale& scale() const { return m_scale; }
 
-    // Keeps the scale of the panel if it still serves. limit in the unit on screen, NaN for none.
+    // Sets the data; keeps the scale of the panel if possible. The limit is in the displayed unit, NaN for
+    // none.
     void setData(const CurveSet& curves, const CurveSet& overlay, double limit);
     void setCanvas(const QRectF& canvas);
 
-    // Width that the tick labels take to the left of the canvas.
+    // Returns the width of the tick labels left of the canvas.
     [[nodiscard]] double labelWidth(const PlotStyle& style) const;
 
-    // True if the curve is beyond the limit somewhere between the two times.
+    // Returns true if the curve exceeds the limit between the two times.
     [[nodiscard]] bool isBroken(double fromS, double toS) const;
 
     void paintGrid(QPainter& painter, const PlotStyle& style) const;
@@ -56,7 +57,7 @@ public:
 
 private:
     void fitScale();
-    // The ticks that get a number: in a low panel those at the ends alone, which do not run together.
+    // Returns the ticks with a number: in a low panel only those at the ends, so that they do not overlap.
     [[nodiscard]] QwtScaleDiv labelDivision(const PlotStyle& style) const;
     void paintLimit(QPainter& painter, const PlotStyle& style, double value, const QString& label) const;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a curve plot looks, as plain values: what all have in common, and what the painting code needs to know
-// of the item's properties.
+// The style of a curve plot as plain values: common constants, and the item properties that the painting code
+// needs.
 #pragma once
 
 #include <QColor>
@@ -10,12 +10,12 @@
 namespace campanel::plot {
 
 inline constexpr double cursorWidth = 1.5; // px
-inline constexpr double dotRadius = 4;     // px, where the cursor meets a curve
+inline constexpr double dotRadius = 4;     // px, at the cursor's intersection with a curve
 inline constexpr double labelGap = 8;      // px between canvas and labels
 
 struct PlotStyle {
     QColor grid;
-    QColor surface; // what the plot stands on
+    QColor surface; // background of the plot
     QColor secondaryInk;
     QColor overlay;
     QColor limit;

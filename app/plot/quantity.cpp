@@ -19,7 +19,7 @@ struct QuantityRow {
     double minimumSpan;
 };
 
-// In the order of the enum.
+// The rows in the order of the enum.
 constexpr std::array<QuantityRow, 5> rows{{
     {"position", &profile::Curves::positionMm, 1.0, 1e-3},
     {"velocity", &profile::Curves::velocityMmPerS, 1.0, 1e-2},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a panel can show, and the way from an opaque QML value to the sampled curves of profile/.
+// The quantities of a panel, and the conversion from an opaque QML value to the sampled curves of profile/.
 #pragma once
 
 #include <QString>
@@ -17,26 +17,28 @@ namespace campanel::plot {
 
 enum class Quantity : quint8 { Position, Velocity, Acceleration, Jerk, Frequency };
 
-// "position", "velocity", "acceleration", "jerk", "frequency"; nothing for any other name.
+// Returns the quantity "position", "velocity", "acceleration", "jerk" or "frequency"; nothing for any other
+// name.
 [[nodiscard]] std::optional<Quantity> quantityByName(const QString& name);
 
-// Curves come in mm, s and Hz; on screen they are mm, mm/s, m/s2, m/s3 and kHz. shown = sampled *
-// displayFactor.
+// Returns the factor displayed = sampled * displayFactor. Curves are in mm, s and Hz; displayed units are mm,
+// mm/s, m/s2, m/s3 and kHz.
 [[nodiscard]] double displayFactor(Quantity quantity);
 
-// Differences below this (in the unit on screen) are rounding noise of a constant.
+// Returns the difference (in the displayed unit) below which a curve counts as constant, because of rounding.
 [[nodiscard]] double minimumSpan(Quantity quantity);
 
 using CurveSet = std::shared_ptr<const profile::Curves>;
 
-// Null if the value holds no curve set, or one without at least two points or with arrays of unequal length.
+// Returns null without a valid curve set: at least two points and arrays of equal length.
 [[nodiscard]] CurveSet curveSetFrom(const QVariant& value);
 
-// Empty for a null set. The span lives as long as the set.
+// Returns an empty span for a null set. The span is valid during the lifetime of the set.
 [[nodiscard]] std::span<const double> timesOf(const CurveSet& curves);
 [[nodiscard]] std::span<const double> valuesOf(const CurveSet& curves, Quantity quantity);
 
-// The sampled value at a time, interpolated, in the unit on screen; NaN outside of the curve or without one.
+// Returns the sampled value at a time, interpolated, in the displayed unit; NaN outside the curve or without
+// one.
 [[nodiscard]] double valueAt(const CurveSet& curves, Quantity quantity, double timeS);
 
 } // namespace campanel::plot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether two numbers are the same, also where both are unknown (NaN).
+// Compares two numbers; two unknown ones (NaN) are equal.
 #pragma once
 
 #include <cmath>

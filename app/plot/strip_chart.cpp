@@ -31,7 +31,7 @@ constexpr double titleGap = 6;        // px beside a title
 constexpr int clockStepHours = 3;
 constexpr int secondsOfHour = 3600;
 
-// Stretches of known values: a gap is not bridged.
+// Returns the sections of known values, without bridging gaps.
 QList<QPolygonF> runsOf(const QList<double>& columns)
 {
     QList<QPolygonF> runs(1);
@@ -117,7 +117,7 @@ void StripChart::paint(QPainter* painter)
 
 void StripChart::paintLane(QPainter& painter, const Lane& lane, const QRectF& rect) const
 {
-    // At most as many points as there are pixels.
+    // The points are limited to the number of pixels.
     const int columns = std::clamp(static_cast<int>(rect.width() / 2), 1, minutes);
     const QList<double> worst = worstOfColumns(lane.values, minutes, columns);
     double largest = unknown;
@@ -129,7 +129,7 @@ void StripChart::paintLane(QPainter& painter, const Lane& lane, const QRectF& re
     painter.drawLine(rect.bottomLeft(), rect.bottomRight());
     const QString number = std::isfinite(largest) ? localNumber(QLocale(m_localeName), largest, lane.decimals)
                                                   : QStringLiteral("--");
-    // The text has the upper half of its lane for itself where the lane is high enough.
+    // The text uses the upper half of its lane if the lane is high enough.
     const QFontMetricsF metrics(m_textFont);
     const double textHeight = std::min(metrics.height(), rect.height() / 2);
     QwtScaleMap xMap;
@@ -151,7 +151,7 @@ void StripChart::paintLane(QPainter& painter, const Lane& lane, const QRectF& re
     painter.restore();
     const QString title = lane.title.arg(number);
     const QRectF place(rect.left(), rect.top(), metrics.horizontalAdvance(title) + titleGap, textHeight);
-    painter.fillRect(place, m_backgroundColor); // the clock's lines would run through it
+    painter.fillRect(place, m_backgroundColor); // grid lines would cross the text
     painter.setPen(m_textColor);
     painter.drawText(QRectF(place.topLeft(), QSizeF(place.width(), metrics.height())),
                      Qt::AlignLeft | Qt::AlignTop, title);
@@ -162,8 +162,8 @@ void StripChart::paintClock(QPainter& painter, const QRectF& rect) const
     if (!m_end.isValid())
         return;
     const QFontMetricsF metrics(m_textFont);
-    const QDateTime last = m_end.addSecs(60); // the minute's own end
-    // The last full step of the clock, then backwards.
+    const QDateTime last = m_end.addSecs(60); // end of the minute
+    // The last full step of the clock, then backward.
     QDateTime tick(last.date(), QTime(last.time().hour() / clockStepHours * clockStepHours, 0));
     const double width = metrics.horizontalAdvance(QStringLiteral("00:00"));
     for (; tick.secsTo(last) < 24 * secondsOfHour; tick = tick.addSecs(-clockStepHours * secondsOfHour)) {

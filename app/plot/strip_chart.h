@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Twenty-four hours of the line, minute by minute: answers as an area, errors as bars, the time of answers as
-// a line, in three lanes over one clock. Drawn by Qwt; one column of pixels shows the worst of its minutes.
+// Twenty-four hours of the line, minute by minute, in three lanes with a common time axis: answers as an
+// area, errors as bars, answer times as a line. Drawn by Qwt; one pixel column displays its worst minute.
 #pragma once
 
 #include <QColor>
@@ -16,12 +16,12 @@ namespace campanel::plot {
 class StripChart : public QQuickPaintedItem {
     Q_OBJECT
     QML_ELEMENT
-    // Of each minute, oldest first; NaN: nothing is known. Only the newest 1440 are drawn.
+    // The figures of each minute, oldest first; NaN: unknown. Only the newest 1440 are drawn.
     Q_PROPERTY(QList<double> answers MEMBER m_answers NOTIFY dataChanged FINAL)
     Q_PROPERTY(QList<double> errors MEMBER m_errors NOTIFY dataChanged FINAL)
     Q_PROPERTY(QList<double> timesMs MEMBER m_timesMs NOTIFY dataChanged FINAL)
-    Q_PROPERTY(QDateTime end MEMBER m_end NOTIFY dataChanged FINAL) // of the newest minute
-    // Before the largest value of each lane, translated.
+    Q_PROPERTY(QDateTime end MEMBER m_end NOTIFY dataChanged FINAL) // newest minute
+    // The texts before the largest value of each lane, translated.
     Q_PROPERTY(QString answersTitle MEMBER m_answersTitle NOTIFY styleChanged FINAL)
     Q_PROPERTY(QString errorsTitle MEMBER m_errorsTitle NOTIFY styleChanged FINAL)
     Q_PROPERTY(QString timesTitle MEMBER m_timesTitle NOTIFY styleChanged FINAL)
@@ -76,8 +76,8 @@ private:
     QColor m_timesColor{Qt::darkYellow};
 };
 
-// The largest known value of each of `columns` equal stretches of the newest `minutes` values, the last value
-// in the last column; NaN where none is known.
+// Returns the largest known value of each of `columns` equal sections of the newest `minutes` values, the
+// last value in the last column. NaN where none is known.
 [[nodiscard]] QList<double> worstOfColumns(const QList<double>& values, int minutes, int columns);
 
 } // namespace campanel::plot

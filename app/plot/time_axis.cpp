@@ -29,7 +29,8 @@ qint64 stepFor(double spanMs, int most)
     return fits == roundSteps.end() ? roundSteps.back() : *fits;
 }
 
-// The last round time before `time`, counted from local midnight or, from days on, from a fixed day.
+// Returns the last round time before `time`, counted from local midnight or, for steps of days, from a fixed
+// day.
 QDateTime roundBefore(const QDateTime& time, qint64 step)
 {
     const QDate date = time.date();
@@ -39,7 +40,7 @@ QDateTime roundBefore(const QDateTime& time, qint64 step)
     return QDateTime(date, QTime(0, 0).addSecs(static_cast<int>(seconds / step * step)));
 }
 
-// The next one: by the clock, so that a day of 23 hours has its ticks at the same times.
+// Returns the next one, by the clock, so that a day of 23 hours has its ticks at the same times.
 QDateTime roundAfter(const QDateTime& tick, qint64 step)
 {
     if (step >= day)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the ticks of a time axis stand and what is written at them: round local times, seconds to days.
+// The ticks of a time axis and their labels: round local times, from seconds to days.
 #pragma once
 
 #include <QList>
@@ -13,12 +13,12 @@ struct TimeTick {
     QString text;
 };
 
-// At most `most` ticks (at least 2) in the window, on round times of the computer's time zone. A tick at
-// midnight has the date, the others the time; from days on each has the date.
+// Returns at most `most` ticks (at least 2) in the window, at round times of the computer's time zone. A tick
+// at midnight has the date, the others the time; with steps of days each has the date.
 [[nodiscard]] QList<TimeTick> timeTicks(double fromMs, double toMs, int most, const QLocale& locale);
-// "15 Jan", "1月15日".
+// Returns "15 Jan", "1月15日".
 [[nodiscard]] QString shortDate(const QDate& date, const QLocale& locale);
-// A time as it is read at a cursor, the more exact the shorter the window: date, hours, minutes, seconds.
+// Returns a time for a cursor, with a precision that depends on the window: date, hours, minutes, seconds.
 [[nodiscard]] QString momentText(double timeMs, double spanMs, const QLocale& locale);
 
 } // namespace campanel::plot

@@ -19,8 +19,8 @@ namespace campanel::plot {
 namespace {
 
 constexpr double bandOpacity = 0.28;
-constexpr double flattest = 0.002;    // a scale that is smaller would show the last digit's trembling
-constexpr double nearTolerance = 1.0; // of the data's span: a line so near is in sight
+constexpr double flattest = 0.002;    // a smaller scale would display the jitter of the last digit
+constexpr double nearTolerance = 1.0; // share of the data's span up to which a tolerance line is visible
 constexpr double toleranceDash = 4;
 
 QPolygonF cut(const QPolygonF& points, qsizetype begin, qsizetype end)
@@ -28,7 +28,7 @@ QPolygonF cut(const QPolygonF& points, qsizetype begin, qsizetype end)
     return points.mid(begin, end - begin);
 }
 
-// Ends of stretches [begin, end) without a gap.
+// Returns the limits of the sections [begin, end) without a gap.
 QList<std::pair<qsizetype, qsizetype>> stretches(const QPolygonF& points)
 {
     QList<std::pair<qsizetype, qsizetype>> found;
@@ -118,7 +118,7 @@ void TrendLane::paintGrid(QPainter& painter, const PlotStyle& style) const
     grid.setYDiv(m_scale.division());
     grid.draw(&painter, QwtScaleMap(), m_valueMap, m_canvas.adjusted(0, 0, 0, 1));
     if (m_shown.means.isEmpty())
-        return; // nothing is known, so no number is shown
+        return; // nothing is known, so no numbers
     LabelDraw labels(QwtScaleDraw::LeftScale, style.locale, decimalsOfStep(m_scale.step()));
     labels.setScaleDiv(labelDivision(style));
     labels.move(m_canvas.topLeft());
@@ -153,7 +153,7 @@ void TrendLane::paintCurves(QPainter& painter, const PlotStyle& style, const QCo
     painter.setClipRect(m_canvas.adjusted(0, -style.lineWidth, 0, style.lineWidth));
     painter.setRenderHint(QPainter::Antialiasing);
     for (const auto& [begin, end] : stretches(m_shown.means)) {
-        if (end - begin == 1) { // one alone has no line
+        if (end - begin == 1) { // a single point has no line
             const double x = timeMap.transform(m_shown.means[begin].x());
             painter.setPen(QPen(color, 2 * style.lineWidth, Qt::SolidLine, Qt::RoundCap));
             painter.drawLine(QPointF(x, m_valueMap.transform(m_shown.lows[begin].y())),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One quantity over the time of day: the mean as a line in the band from the lowest to the highest value, its
-// own value scale and tolerance lines. Owned and driven by TrendPlot.
+// One quantity over the time of day: the mean as a line in the band from the lowest to the highest value,
+// with its own value scale and tolerance lines. Owned and controlled by TrendPlot.
 #pragma once
 
 #include "app/plot/axis_scale.h"
@@ -30,13 +30,13 @@ public:
         double high = std::numeric_limits<double>::quiet_NaN();
     };
 
-    // Only what lies in the window, and one point beyond each end, is drawn and has a part in the scale.
+    // Sets the data. Only points in the window, and one beyond each end, are drawn and used for the scale.
     void setData(const Lines& lines, double fromMs, double toMs, double tolerance);
     void setCanvas(const QRectF& canvas);
     [[nodiscard]] const QRectF& canvas() const { return m_canvas; }
     [[nodiscard]] const QwtScaleMap& valueMap() const { return m_valueMap; }
     [[nodiscard]] double labelWidth(const PlotStyle& style) const;
-    // Of the point that is nearest; NaN in a gap.
+    // Returns the values of the nearest point; NaN in a gap.
     [[nodiscard]] Values valuesAt(double timeMs) const;
     [[nodiscard]] qsizetype drawnPoints() const { return m_shown.means.size(); }
 
@@ -49,7 +49,7 @@ private:
     [[nodiscard]] QwtScaleDiv labelDivision(const PlotStyle& style) const;
 
     Lines m_shown;
-    double m_tolerance = std::numeric_limits<double>::quiet_NaN(); // to both sides of zero
+    double m_tolerance = std::numeric_limits<double>::quiet_NaN(); // in both directions from zero
     AxisScale m_scale;
     QRectF m_canvas;
     QwtScaleMap m_valueMap;

@@ -15,7 +15,7 @@ namespace campanel::plot {
 namespace {
 
 constexpr double axisGap = 3;       // px between the canvas and the times below it
-constexpr double tickSpacing = 1.5; // widths of a label from one tick to the next, at least
+constexpr double tickSpacing = 1.5; // minimum distance of ticks in widths of a label
 constexpr double rightMargin = 8;
 
 } // namespace

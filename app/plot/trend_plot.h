@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Up to three quantities over the time of day, stacked over one axis of local time. A finger moves the
-// window, two zoom it, a tap or a held finger puts the cursor. All in the GUI thread.
+// Up to three quantities over the time of day, stacked over one axis of local time. One finger moves the
+// window, two zoom it, a tap or a held finger sets the cursor. All in the GUI thread.
 #pragma once
 
 #include "app/plot/trend_lane.h"
@@ -20,19 +20,19 @@ namespace campanel::plot {
 class TrendPlot : public QQuickPaintedItem {
     Q_OBJECT
     QML_ELEMENT
-    // std::shared_ptr<const QList<QList<QPointF>>>: of each lane means, lowest and highest values over ms
-    // since 1970 UTC; a NaN as y is a gap. Anything else: nothing is known.
+    // The curves: std::shared_ptr<const QList<QList<QPointF>>>, for each lane means, lowest and highest
+    // values over ms since 1970 UTC; a NaN as y is a gap. Any other value means unknown.
     Q_PROPERTY(QVariant curves MEMBER m_curves NOTIFY dataChanged FINAL)
     Q_PROPERTY(int lanes MEMBER m_laneCount NOTIFY dataChanged FINAL)
     Q_PROPERTY(double fromMs MEMBER m_fromMs NOTIFY dataChanged FINAL)
     Q_PROPERTY(double toMs MEMBER m_toMs NOTIFY dataChanged FINAL)
-    // Of each lane, to both sides of zero; NaN: none.
+    // The tolerances of the lanes, in both directions from zero; NaN: none.
     Q_PROPERTY(QList<double> tolerances MEMBER m_tolerances NOTIFY dataChanged FINAL)
-    // ms; NaN: none.
+    // The cursor in ms; NaN: none.
     Q_PROPERTY(double cursorMs MEMBER m_cursorMs NOTIFY cursorChanged FINAL)
-    // px above each lane, free for its title.
+    // The space above each lane for its title, px.
     Q_PROPERTY(double headerHeight MEMBER m_headerHeight NOTIFY styleChanged FINAL)
-    // px from a lane's top in which a finger that is held means the header and not a time; 0: nowhere.
+    // The px from a lane's top in which a held finger selects the header instead of a time; 0: none.
     Q_PROPERTY(double headerReach MEMBER m_headerReach NOTIFY styleChanged FINAL)
     Q_PROPERTY(QList<QColor> laneColors MEMBER m_laneColors NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor gridColor MEMBER m_gridColor NOTIFY styleChanged FINAL)
@@ -50,12 +50,12 @@ public:
 
     void paint(QPainter* painter) override;
 
-    // These bring the layout up to date first, so they are not const.
+    // Update the layout first, so they are not const.
     [[nodiscard]] QRectF plotArea();
-    [[nodiscard]] Q_INVOKABLE double laneTop(int lane); // of its header
+    [[nodiscard]] Q_INVOKABLE double laneTop(int lane); // top of its header
     [[nodiscard]] Q_INVOKABLE double xOfTime(double timeMs);
     [[nodiscard]] Q_INVOKABLE double timeOfX(double x);
-    // {lowest, mean, highest} of the lane at that time; NaN in a gap.
+    // Returns {lowest, mean, highest} of the lane at that time; NaN in a gap.
     [[nodiscard]] Q_INVOKABLE QList<double> valuesAt(int lane, double timeMs);
     [[nodiscard]] Q_INVOKABLE QString momentText(double timeMs) const;
     [[nodiscard]] qsizetype drawnPoints(int lane);
@@ -65,11 +65,10 @@ signals:
     void cursorChanged();
     void styleChanged();
     void layoutChanged();
-    // Fingers ask for this window.
+    // Emitted when a gesture requests this window.
     void windowWanted(double fromMs, double toMs);
-    // A finger has pointed at this time.
+    // Emitted when a finger selects this time.
     void cursorWanted(double timeMs);
-    // A finger was held at the header of that lane.
     void headerHeld(int lane);
 
 protected:
@@ -119,14 +118,14 @@ private:
     std::vector<TrendLane> m_lanes;
     bool m_isLayoutOld = true;
     QRectF m_area;
-    double m_labelWidth = 0; // only grows, so that the curves do not jump sideways
+    double m_labelWidth = 0; // only grows, so that the curves do not move sideways
     WindowGesture m_gesture;
     QTimer m_holdTimer;
     double m_pressX = 0;
     double m_pressY = 0;
-    bool m_isPointing = false; // a held finger moves the cursor
-    bool m_isDone = false;     // it has asked for a header: what it does until it is lifted counts no more
-    bool m_wereTwoFingers = false; // the one that is left of two does not point
+    bool m_isPointing = false;     // a held finger moves the cursor
+    bool m_isDone = false;         // it selected a header: ignored until it is lifted
+    bool m_wereTwoFingers = false; // the remaining one of two fingers does not point
 };
 
 } // namespace campanel::plot

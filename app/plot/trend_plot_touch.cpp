@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What fingers do on a TrendPlot; a mouse is a finger.
+// The touch gestures of TrendPlot; a mouse counts as a finger.
 #include "app/plot/trend_plot.h"
 
 #include <QGuiApplication>
@@ -13,7 +13,7 @@ namespace campanel::plot {
 
 namespace {
 
-constexpr int holdMs = 500; // unless the platform wants less
+constexpr int holdMs = 500; // unless the platform has a smaller value
 
 QList<double> placesOf(const QTouchEvent& event, double left)
 {
@@ -122,7 +122,7 @@ int TrendPlot::headerAt(double y)
     return -1;
 }
 
-// A finger that was held still, and where it goes from there.
+// Moves the cursor with a held finger.
 void TrendPlot::pointCursor()
 {
     m_isPointing = true;

@@ -8,7 +8,7 @@ namespace campanel::plot {
 
 namespace {
 
-constexpr double leastApartPx = 24; // two fingers nearer than that would zoom without end
+constexpr double leastApartPx = 24; // a smaller distance between fingers would zoom without limit
 
 } // namespace
 

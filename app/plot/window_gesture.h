@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What fingers do to a window of time: one moves it, two keep the times that they were put on.
+// Gestures on a window of time: one finger moves it, two fingers keep the times under them.
 #pragma once
 
 #include <QList>
@@ -15,12 +15,12 @@ public:
 
     static constexpr double slopPx = 12; // a finger that moves less is a tap
 
-    // Places of one or two fingers in px from the left edge of a canvas that is `widthPx` wide and shows
-    // `window`. To be called whenever a finger comes or goes.
+    // Starts with one or two fingers in px from the left edge of a canvas that is `widthPx` wide and displays
+    // `window`. Call it whenever a finger comes or goes.
     void begin(const QList<double>& fingersPx, const Window& window, double widthPx);
-    // The window that they ask for now. As many fingers as began.
+    // Returns the requested window. The number of fingers must be that of begin().
     [[nodiscard]] Window moved(const QList<double>& fingersPx);
-    // They have moved farther than a finger trembles.
+    // Returns true when they have moved farther than a tremor.
     [[nodiscard]] bool hasMoved() const { return m_hasMoved; }
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writing and reading by the same tables of fields and choices, so that both directions cannot drift apart.
+// Writes and reads by the same tables of fields and choices, so that both directions stay consistent.
 #include "app/program/axis_bank.h"
 
 #include "app/program/register_fields.h"
@@ -30,7 +30,7 @@ std::uint32_t get32(std::span<const std::uint16_t> registers, std::size_t at)
     return static_cast<std::uint32_t>(registers[at]) << 16 | registers[at + 1];
 }
 
-// Writes header values; remembers the first that does not fit.
+// Writes header values; stores the first error.
 class HeaderWriter {
 public:
     explicit HeaderWriter(std::vector<std::uint16_t>& bank)

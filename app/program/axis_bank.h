@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Banks of the kinds other than the rotary cutter: their tables and inputs as registers, and the inputs back
-// from a header.
+// Banks of the kinds other than the rotary cutter: tables and inputs to registers, and the inputs back from a
+// header.
 #pragma once
 
 #include "app/program/recipe.h"
@@ -21,13 +21,13 @@ namespace campanel::program {
 
 using AxisTable = std::variant<profile::CamTable, profile::IntervalTable, profile::PressTable>;
 
-// Header and rows; for a point cam also the knots that it was made of. `recipe` is quantised and no cutter.
-// Error: an input that its register cannot hold.
+// Returns header and rows, for a point cam also its knots. `recipe` must be quantised and no cutter. Error:
+// an input that its register cannot hold.
 [[nodiscard]] tl::expected<std::vector<std::uint16_t>, modbus::CodecError>
 encodeAxisBank(const Recipe& recipe, const AxisTable& table);
 
-// The inputs that the header holds go into the recipe, which already is of the header's kind. `knots`:
-// registers of the knots, empty for other kinds.
+// Copies the inputs of the header to the recipe, which must be of the header's kind. `knots`: registers of
+// the knots, empty for other kinds.
 void decodeAxisHeader(std::span<const std::uint16_t> header, std::span<const std::uint16_t> knots,
                       Recipe& recipe);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Comparison of two bank headers, field by field.
+// Compares two bank headers field by field.
 #include "app/program/differences.h"
 
 #include "app/program/register_fields.h"
@@ -11,14 +11,15 @@ namespace campanel::program {
 
 namespace {
 
-constexpr std::uint16_t firstInput = 15; // of the header: what a person entered begins here
+constexpr std::uint16_t firstInput = 15; // start of the entered values in the header
 
 std::string_view suffixOf(std::string_view name)
 {
     return name.substr(name.find('.') + 1);
 }
 
-// An input or, as the execution is chosen, the layout; figures of the table follow from them.
+// Returns true for an input, or for the layout because the execution is an input; other figures follow from
+// them.
 bool isCompared(const modbus::RegisterInfo& info, const KindInfo& kind, modbus::TableLayout layout)
 {
     if (!info.appliesTo(static_cast<modbus::ProgramKind>(kind.kind), layout) ||
@@ -54,14 +55,14 @@ std::vector<Difference> differences(std::span<const std::uint16_t> a, std::span<
     };
     const modbus::RegisterInfo& kindRegister = modbus::registerNamed("bank.kind");
     const std::uint16_t kind = readA.u16("bank.kind");
-    // The inputs of one kind say nothing about those of another.
+    // Inputs of different kinds cannot be compared.
     if (kind != readB.u16("bank.kind") || kind == 0 || kind > kinds().size()) {
         compare(modbus::registerNamed("program.recipe_name"));
         compare(kindRegister);
         return found;
     }
     const KindInfo& info = kindInfo(static_cast<profile::ProgramKind>(kind));
-    // Layouts use the same registers for different things: compared is what both have.
+    // Layouts use the same registers for different values: only common ones are compared.
     const auto layoutA = static_cast<modbus::TableLayout>(readA.u16("bank.layout"));
     const auto layoutB = static_cast<modbus::TableLayout>(readB.u16("bank.layout"));
     for (const modbus::RegisterInfo& each : modbus::bankFields()) {

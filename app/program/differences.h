@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a download would change, value by value, compared as the registers hold it.
+// The changes of a download, value by value, compared as register values.
 #pragma once
 
 #include "modbus/map/register_map.h"
@@ -22,8 +22,8 @@ struct Difference {
     std::string textB;
 };
 
-// The recipe's fields that differ between two banks (header, rows are not looked at), in the order of the
-// map.
+// Returns the fields that differ between the headers of two banks, in the order of the map. Rows are not
+// compared.
 [[nodiscard]] std::vector<Difference> differences(std::span<const std::uint16_t> a,
                                                   std::span<const std::uint16_t> b);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the generator's clock makes of the numbers of an interval: real pulses/s, for people to read.
+// Converts the numbers of an interval to real pulses/s at the generator's clock, for display.
 #pragma once
 
 #include "profile/intervals/interval_times.h"
@@ -11,11 +11,12 @@ namespace campanel::program {
 struct IntervalSpeeds {
     double firstHz = 0;
     double lastHz = 0;
-    double accelerationHzPerS = 0; // without its sign
+    double accelerationHzPerS = 0; // magnitude
     double timeS = 0;
 };
 
-// The registers count 2^-fractionBits pulses/s at 2^23 iterations a second; there are 50 MHz / 6.
+// Returns the real speeds. The registers count 2^-fractionBits pulses/s at 2^23 iterations a second; the real
+// rate is 50 MHz / 6.
 [[nodiscard]] inline IntervalSpeeds speedsOf(const profile::IntervalRow& row, int fractionBits)
 {
     const double iterations = std::ldexp(profile::detail::realIterationS, profile::detail::accumulatorBits);

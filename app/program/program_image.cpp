@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Building and decoding of program images.
+// Builds and decodes program images.
 #include "app/program/program_image.h"
 
 #include "modbus/map/crc32.h"
@@ -21,8 +21,7 @@ std::uint16_t pinnedBits(const profile::RotaryCutterProgram& program)
     return static_cast<std::uint16_t>(bits);
 }
 
-// Numbers of the table that do not fit 32 bits are carried on as the largest, which the controller's limits
-// have refused long before.
+// Limits table values to 32 bits; the controller's limits refuse larger ones before.
 std::uint32_t to32(std::int64_t value)
 {
     return static_cast<std::uint32_t>(std::clamp<std::int64_t>(value, 0, UINT32_MAX));
@@ -40,7 +39,7 @@ modbus::BankHeader headerOf(const Recipe& recipe, const profile::RotaryCutter& c
     header.carryRow = static_cast<std::uint16_t>(table.carryRow);
     header.syncStartDeg = cutter.angleDegAt(cycle.tbS);
     header.syncEndDeg = cutter.angleDegAt(cycle.tcS);
-    // The jaws meet in the middle of the stretch where they move with the film.
+    // The jaws meet in the middle of the synchronous segment.
     header.cutAngleDeg = (header.syncStartDeg + header.syncEndDeg) / 2;
     header.knifeRadiusMm = recipe.machine.knifeRadiusMm;
     header.knives = static_cast<std::uint32_t>(recipe.machine.knives);
@@ -81,7 +80,7 @@ tl::unexpected<ProgramRefusal> refuse(std::vector<profile::Refusal> limits)
     return tl::unexpected(ProgramRefusal{std::move(limits), std::nullopt});
 }
 
-// Ends a build: the registers are known.
+// Completes a build with the registers.
 tl::expected<ProgramImage, ProgramRefusal>
 finished(ProgramImage image, tl::expected<std::vector<std::uint16_t>, modbus::CodecError> registers)
 {
@@ -106,8 +105,8 @@ tl::expected<ProgramImage, ProgramRefusal> buildCutter(ProgramImage image)
     return finished(std::move(image), std::move(registers));
 }
 
-// Speed error that the intervals of a move may have, as a share of its largest speed: the first, or where
-// rows of whole pulses cannot keep that, as little as they can, up to the second.
+// The allowed speed error for the intervals of a move, as a share of its maximum speed. When rows of whole
+// pulses cannot keep the first value, the smallest possible error up to the second one is used.
 constexpr double intervalSpeedShare = 0.01;
 constexpr double mostIntervalSpeedShare = 0.2;
 
@@ -241,7 +240,7 @@ bool isKnownLayout(profile::ProgramKind kind, modbus::TableLayout layout)
     return false;
 }
 
-// The first choice that is not one of its kind.
+// Returns the first invalid choice of the kind.
 std::optional<DecodeError> wrongChoice(const Recipe& recipe)
 {
     for (const Choice each : kindInfo(recipe.kind()).choices) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One row per kind, and one list of members per structure of inputs.
+// The table of kinds, and one list of members per structure of inputs.
 #include "app/program/program_kinds.h"
 
 #include "profile/laws/laws.h"
@@ -199,7 +199,7 @@ profile::LawParameters* lawParameters(Program& program)
 
 const profile::LawParameters* lawParameters(const Program& program)
 {
-    return lawParameters(const_cast<Program&>(program)); // only looks
+    return lawParameters(const_cast<Program&>(program)); // read-only
 }
 
 bool isRead(const Program& program, Field field)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Access to a recipe's values by field, and their rounding to what the registers hold.
+// Access to a recipe's values by field, and rounding to register values.
 #include "app/program/recipe.h"
 
 #include "app/program/register_fields.h"
@@ -14,7 +14,7 @@
 namespace campanel::program {
 namespace {
 
-// A value far beyond any range stays what it is, so that its refusal names it.
+// Rounds to the grid; a value far beyond any range is unchanged, so that its refusal names it.
 double onKnotGrid(double value, double steps)
 {
     const double rounded = std::round(value * steps) / steps;
@@ -116,7 +116,7 @@ Recipe quantised(const Recipe& recipe)
     }
     result.name = modbus::fittingUtf8(recipe.name, longestNameBytes);
     if (result.isCutter())
-        std::ranges::sort(result.cutter().pinned); // which of the two was pinned first is not kept
+        std::ranges::sort(result.cutter().pinned); // the order of pinning is not stored
     if (auto* cam = std::get_if<profile::PointCamProgram>(&result.program))
         quantiseKnots(*cam);
     return result;

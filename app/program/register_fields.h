@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which input of a recipe is kept in which register of the bank's header: the table where profile and
-// registers meet.
+// The table of the recipe's inputs and their registers in the bank's header: it connects profile and
+// registers.
 #pragma once
 
 #include "app/program/program_kinds.h"
@@ -12,7 +12,7 @@
 
 namespace campanel::program {
 
-// `suffix` follows the register prefix of the kind: "program." + "bag_length".
+// The register of a field. `suffix` follows the register prefix of the kind: "program." + "bag_length".
 struct RegisterField {
     std::string_view suffix;
     profile::Field field = profile::Field::BagLength;
@@ -76,21 +76,21 @@ inline constexpr std::array registerChoices{
     RegisterChoice{"ramp_shape", Choice::MasterRampShape},
 };
 
-// Where every kind that has a law keeps its parameters.
+// The registers of the law parameters, for every kind with a law.
 inline constexpr std::array<std::string_view, profile::maxLawParameters> lawParameterSuffixes{
     "law_parameter1", "law_parameter2"};
 
-// What the field's unit is worth in the unit of its register, which counts the master's ramp in ms.
+// Returns the register units per unit of the field; the master's ramp is in ms in its register.
 [[nodiscard]] constexpr double registerUnits(profile::Field field)
 {
     return field == profile::Field::MasterRamp ? 1000 : 1;
 }
 
-// Steps of a knot's registers: 0.0001 degrees and 0.001 mm, profile's grid of a knot.
+// The steps of a knot's registers: 0.0001 degrees and 0.001 mm, the knot grid of profile.
 inline constexpr double knotStepsPerDeg = 10000;
 inline constexpr double knotStepsPerMm = 1000;
 
-// The register of this input in the header of this kind, or null when it is not kept there.
+// Returns the register of this input in the header of this kind, or null when the header does not have it.
 [[nodiscard]] const modbus::RegisterInfo* registerOf(const KindInfo& kind, std::string_view suffix);
 
 } // namespace campanel::program

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One function per kind of program.
+// Solves each kind of program by a function of its own.
 #include "app/program/solved_program.h"
 
 #include "profile/cam/point_cam.h"

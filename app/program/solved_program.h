@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recipe solved, whatever its kind: the motion of one cycle and what it demands of the machine.
+// A solved recipe of any kind: the motion of one cycle and its demands on the machine.
 #pragma once
 
 #include "app/program/recipe.h"
@@ -15,18 +15,19 @@
 namespace campanel::program {
 
 struct SolvedProgram {
-    std::optional<profile::RotaryCutter> cutter; // of a rotary cutter
+    std::optional<profile::RotaryCutter> cutter; // only for a rotary cutter
     profile::Machine machine;
-    profile::MotionProfile motion;        // of one cycle; of a press: a nominal stroke
-    profile::AxisPeaks peaks;             // of a cutter without the torque, which is NaN
-    std::vector<profile::Refusal> broken; // limits of the machine; empty when it can do it
-    std::vector<double> marksS;           // worth a line on the plot: ends of stretches, knots, stages
+    profile::MotionProfile motion;        // one cycle; for a press a nominal stroke
+    profile::AxisPeaks peaks;             // the torque of a cutter is NaN
+    std::vector<profile::Refusal> broken; // exceeded limits of the machine; empty when it can execute the
+                                          // motion
+    std::vector<double> marksS;           // lines on the plot: ends of segments, knots, stages
     double pulsesPerMm = 0;
 
     [[nodiscard]] double cycleS() const { return motion.durationS(); }
 };
 
-// Refuses what cannot be a motion at all.
+// Solves the recipe. Refuses inputs without a possible motion.
 [[nodiscard]] tl::expected<SolvedProgram, profile::Refusal> solveProgram(const Recipe& recipe);
 
 [[nodiscard]] profile::Curves sampleCurves(const SolvedProgram& solved, std::size_t points);

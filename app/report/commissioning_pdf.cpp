@@ -14,7 +14,7 @@ namespace campanel::report {
 
 namespace {
 
-// All in px of 96 to the inch; the paper has four times as many.
+// The resolution: sizes are in px of 1/96 inch; the paper has four times as many dots.
 constexpr int dotsPerPx = 4;
 constexpr int dotsPerInch = 96 * dotsPerPx;
 constexpr double marginMm = 18;
@@ -23,7 +23,7 @@ constexpr int headingPx = 15;
 constexpr int textPx = 12;
 constexpr double gapPx = 14;
 constexpr double rowGapPx = 3;
-constexpr double labelShare = 0.45; // of a column
+constexpr double labelShare = 0.45; // share of a column
 constexpr double curvesHeightPx = 560;
 const QColor ink(0x17, 0x21, 0x2B);
 const QColor secondary(0x5A, 0x68, 0x75);
@@ -65,7 +65,7 @@ public:
 
     void section(const machine::ReportSection& section)
     {
-        // A heading does not stand alone at the foot of a page.
+        // A heading must not be alone at the end of a page.
         need(heightOf(section.title, fontOf(headingPx, true), m_width) + 4 * textPx);
         text(section.title, fontOf(headingPx, true), ink, 0, m_width);
         m_painter.setPen(line);
@@ -118,13 +118,13 @@ public:
     }
 
 private:
-    // Two columns of name and value, filled row by row.
+    // Paints two columns of name and value, filled row by row.
     void rows(const QList<std::pair<QString, QString>>& rows)
     {
         const double column = (m_width - gapPx) / 2;
         const double label = labelShare * column;
         for (qsizetype i = 0; i < rows.size();) {
-            // What does not fit into half the width has all of it.
+            // A text wider than half the page gets the whole width.
             const auto isWide = [&](const auto& row) {
                 return QFontMetricsF(fontOf(textPx)).horizontalAdvance(row.second) > column - label;
             };
@@ -174,7 +174,7 @@ private:
         furnish();
     }
 
-    // The foot of each page.
+    // Paints the footer of each page.
     void furnish()
     {
         m_painter.setFont(fontOf(textPx - 2));
@@ -188,7 +188,7 @@ private:
     QPdfWriter m_writer;
     QPainter m_painter;
     double m_width = 0;
-    double m_height = 0; // above the foot
+    double m_height = 0; // above the footer
     double m_y = 0;
     int m_page = 1;
 };
@@ -205,7 +205,7 @@ QByteArray commissioningPdf(const machine::ReportData& data)
         for (const machine::ReportSection& section : data.sections)
             paper.section(section);
         paper.curves();
-    } // ends the file
+    } // closes the file
     return buffer.data();
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commissioning report as a PDF: A4, texts with their fonts embedded, curves as lines.
+// Prints the commissioning report as a PDF: A4, texts with embedded fonts, curves as vector lines.
 #pragma once
 
 #include "app/panel/reports/commissioning.h"
 
 namespace campanel::report {
 
-// GUI thread: the curves are painted by an item of Qt Quick.
+// Returns the PDF. Call it in the GUI thread: a Qt Quick item paints the curves.
 [[nodiscard]] QByteArray commissioningPdf(const machine::ReportData& data);
 
 } // namespace campanel::report

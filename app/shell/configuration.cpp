@@ -21,7 +21,7 @@ namespace {
 using namespace Qt::StringLiterals;
 using machine::ConnectionChoice;
 
-// Puts the value into the configuration; else says which values it takes: "one of en, zh_CN".
+// Puts the value into the configuration, or returns the valid values: "one of en, zh_CN".
 using Take = std::function<std::optional<QString>(const toml::node&, Configuration&)>;
 
 std::optional<QString> textOf(const toml::node& node)
@@ -201,12 +201,12 @@ bool isSection(std::string_view name)
     });
 }
 
-// What is no TOML and not left to toml++ 3.3: it takes for granted that a section's bracket is followed by a
-// name, that no brace ends a list, and that some letters are not where a space could be. Else a debug build
-// ends, and what a release does is undefined. Empty: nothing of that.
+// Returns why a line is not given to toml++ 3.3; empty when it is safe. The parser assumes that a section's
+// bracket is followed by a name, that no brace ends a list, and that some letters are not where a space could
+// be. Otherwise a debug build aborts, and the behavior of a release build is undefined.
 QString whyUnreadable(const QByteArray& line)
 {
-    // Of a text only its first quote is kept, of a comment nothing.
+    // A text is reduced to its first quote, a comment to nothing.
     static const QRegularExpression textOrComment(uR"((")(?:\\.?|[^"\\])*+"?|(')[^']*+'?|#.*)"_s);
     static const QRegularExpression namelessSection(uR"(^[ \t]*\[[ \t]*+\[?+[ \t]*+(?![A-Za-z0-9_"'-]))"_s);
     static const QRegularExpression misplacedBrace(uR"((?:^|[\[,])[ \t]*\})"_s);
@@ -238,8 +238,8 @@ public:
             if (const QString why = whyUnreadable(m_lines[i]); !why.isEmpty())
                 dropLine(static_cast<toml::source_index>(i + 1), why);
         }
-        // A line that is no TOML would cost the whole file: without it the rest is tried again. What has many
-        // of them is no configuration; each of them would cost another reading.
+        // The maximum number of invalid lines. Each invalid line is removed and the rest is read again; a
+        // file with many of them is not a configuration.
         constexpr int maxBrokenLines = 50;
         for (int broken = 0; broken < maxBrokenLines; ++broken) {
             const QByteArray text = m_lines.join('\n');
@@ -265,8 +265,8 @@ private:
         m_result.complaints += u"%1:%2: %3"_s.arg(m_file).arg(line).arg(store::printable(what));
     }
 
-    // Without the complaints that nobody reads, and without a controller that nobody named: the simulated one
-    // is the standard of a panel that says nothing of its controller, not of one that cannot be understood.
+    // Returns the result with a limited number of errors. Without a valid controller setting the simulated
+    // one is the default only if no error may concern the controller.
     ReadConfiguration result()
     {
         constexpr qsizetype maxComplaints = 60;
@@ -280,7 +280,7 @@ private:
         return m_result;
     }
 
-    // The one at fault, or the last one before it that says anything.
+    // Removes the wrong line, or the last line with content before it.
     void dropLine(toml::source_index line, const QString& why)
     {
         qsizetype index = std::clamp<qsizetype>(qsizetype(line) - 1, 0, m_lines.size() - 1);
@@ -288,7 +288,7 @@ private:
             --index;
         constexpr qsizetype maxShown = 80;
         const QString said = QString::fromUtf8(m_lines[index].left(maxShown)).simplified();
-        m_isConnectionUnsure = true; // who knows what it said
+        m_isConnectionUnsure = true; // its content is unknown
         complain(static_cast<toml::source_index>(index + 1),
                  u"\"%1\" is not understood (%2); the line is ignored."_s.arg(said, why));
         m_lines[index].clear();
@@ -310,7 +310,7 @@ private:
         }
         const bool isSaid = root.at_path("connection.simulated").is_boolean();
         m_isConnectionUnsure = m_isConnectionUnsure && !isSaid;
-        // Who names a port means it.
+        // A port implies a real connection.
         if (!m_result.values.standard.connection.portName.isEmpty() && !isSaid)
             m_result.values.standard.connection.simulated = false;
     }
@@ -334,7 +334,7 @@ private:
     QList<QByteArray> m_lines;
     QString m_file;
     ReadConfiguration m_result;
-    bool m_isConnectionUnsure = false; // what was not understood may have named the controller
+    bool m_isConnectionUnsure = false; // an unreadable line may have named the controller
 };
 
 } // namespace
@@ -359,7 +359,7 @@ ReadConfiguration readConfiguration(const QString& file)
 
 ReadConfiguration configurationFrom(const QByteArray& text, const QString& file)
 {
-    const QByteArray mark("\xEF\xBB\xBF"); // what Windows' editor begins a file with
+    const QByteArray mark("\xEF\xBB\xBF"); // byte order mark of Windows' editor
     return Reader(text.startsWith(mark) ? text.mid(mark.size()) : text, file).read();
 }
 

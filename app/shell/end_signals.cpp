@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array numbers{SIGTERM, SIGINT, SIGHUP};
 
-// A handler may do next to nothing, but it may write into a pipe.
+// A signal handler may do very little, but it may write into a pipe.
 int g_readEnd = -1;
 int g_writeEnd = -1;
 
@@ -33,12 +33,11 @@ EndSignals::EndSignals()
 {
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0)
-        return; // then they end the process as they always did
+        return; // without a pipe the signals end the process by default
     g_readEnd = ends[0];
     g_writeEnd = ends[1];
     m_notifier = std::make_unique<QSocketNotifier>(g_readEnd, QSocketNotifier::Read);
-    // The byte stays in the pipe: should an event loop end that is not the outermost one, the next is ended
-    // too.
+    // The byte stays in the pipe: after a nested event loop has ended, the next one ends too.
     QObject::connect(m_notifier.get(), &QSocketNotifier::activated, m_notifier.get(),
                      [] { QCoreApplication::exit(EXIT_SUCCESS); });
     struct sigaction action {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ends the event loop in order on SIGTERM, SIGINT and SIGHUP, as a shutdown, Ctrl-C and a closed terminal
-// send them.
+// Ends the event loop properly on SIGTERM, SIGINT and SIGHUP, as sent by a shutdown, Ctrl-C and a closed
+// terminal.
 #pragma once
 
 #include <QSocketNotifier>
@@ -11,7 +11,7 @@ namespace campanel::panel {
 
 class EndSignals {
 public:
-    // Needs the application; one of it at a time.
+    // Needs the application; only one instance may exist at a time.
     EndSignals();
     ~EndSignals();
     EndSignals(const EndSignals&) = delete;

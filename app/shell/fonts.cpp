@@ -24,7 +24,7 @@ constexpr Family iconFamily{"Material Design Icons", "fonts-materialdesignicons-
 
 void applyFonts()
 {
-    // The same place beside the program in the build tree and in an installed one.
+    // The path beside the program in the build tree and in the installation.
     const QString list =
         QCoreApplication::applicationDirPath() + QStringLiteral("/../share/campanel/fonts.conf");
     if (qEnvironmentVariableIsEmpty("FONTCONFIG_FILE") && QFile::exists(list))

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The font families of the panel, and the check that their packages are installed: without them the screen
-// shows squares.
+// The font families of the panel, and the check for their packages: without them the screen displays squares.
 #pragma once
 
 #include <QStringList>
 
 namespace campanel::panel {
 
-// Makes the text families the default font. GUI thread, after QGuiApplication is made.
+// Sets the text families as the default font. Call it in the GUI thread, after QGuiApplication is created.
 void applyFonts();
 
-// One sentence for each family that is not installed, naming the package to install.
+// Returns one sentence for each missing family, with the package to install.
 [[nodiscard]] QStringList missingFonts();
 
 } // namespace campanel::panel

@@ -25,7 +25,7 @@ bool hasEglfsFailed(const ScreenPlaces& places)
     return !places.runtimeFolder.isEmpty() && QFile::exists(marker(places));
 }
 
-// The connector of a graphics card on which a screen is found, such as "card0-HDMI-A-1"; empty: none.
+// Returns the connector of a graphics card with a screen, such as "card0-HDMI-A-1"; empty: none.
 QString connectedOutput(const ScreenPlaces& places)
 {
     const QDir connectors(places.connectors);
@@ -80,7 +80,7 @@ void noteScreenTried(const QString& platform, const ScreenPlaces& places)
 
 void noteScreenWorks(const ScreenPlaces& places)
 {
-    // What is drawn by linuxfb now says nothing about eglfs.
+    // A picture by linuxfb is no proof for eglfs.
     if (!places.runtimeFolder.isEmpty() && qEnvironmentVariable("QT_QPA_PLATFORM") == u"eglfs"_s)
         QFile::remove(marker(places));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel's executable: reads the options and puts the parts together.
+// The panel's executable: reads the options and creates the parts.
 #include "app/link/threaded_link.h"
 #include "app/shell/configuration.h"
 #include "app/shell/end_signals.h"
@@ -33,7 +33,7 @@ using namespace campanel;
 
 using Arguments = std::span<char*>;
 
-// Some options count before there is an application to ask.
+// Returns true for an option that is needed before the application exists.
 bool isGiven(Arguments arguments, std::string_view option)
 {
     return std::find(arguments.begin() + 1, arguments.end(), option) != arguments.end();
@@ -51,7 +51,7 @@ QString valueOf(Arguments arguments, const std::string& option)
     return {};
 }
 
-// The self-test needs neither a display nor the configuration of this machine.
+// Returns true for captures and the self-test, which need neither a display nor the machine's configuration.
 bool isOffscreen(Arguments arguments)
 {
     return std::any_of(arguments.begin() + 1, arguments.end(), [](std::string_view argument) {
@@ -75,7 +75,7 @@ panel::Configuration configurationOf(Arguments arguments)
 
 constexpr std::chrono::seconds screenAwaited{30};
 
-// False: there is no screen. Who sets the platform from outside has chosen already.
+// Returns false without a screen. A platform set by an environment variable stays.
 bool prepareScreen(panel::ScreenAccess wanted)
 {
     if (!qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
@@ -92,7 +92,7 @@ bool prepareScreen(panel::ScreenAccess wanted)
     return true;
 }
 
-// Says which packages are missing.
+// Reports missing packages.
 bool hasFonts()
 {
     const QStringList missing = panel::missingFonts();
@@ -101,7 +101,7 @@ bool hasFonts()
     return missing.isEmpty();
 }
 
-// Out of the event loop, to put the panel together anew from what is on the disk.
+// The exit code of the event loop to rebuild the panel from the data on the disk.
 constexpr int restartCode = 1000;
 
 int runPanel(const panel::Options& options, const panel::Configuration& configuration,
@@ -109,7 +109,7 @@ int runPanel(const panel::Options& options, const panel::Configuration& configur
 {
     link::ThreadedLink link(nullptr);
     panel::Panel panel(link, {{}, {}, configuration.standard});
-    hasFonts(); // reads all fonts while the QML is being loaded; without them the panel still works
+    hasFonts(); // reads all fonts while the QML is loading; the panel works without them
     if (options.connection)
         panel.settings().overrideConnection(*options.connection);
     if (!options.language.isEmpty())

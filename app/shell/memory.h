@@ -3,9 +3,9 @@
 
 namespace campanel::panel {
 
-// For a process that runs for months. By itself the allocator keeps more and more of what has been freed:
-// eight hours of running took 20 MB more than the first one. From now on it gives free memory back at a fixed
-// size.
+// Limits the memory of a process that runs for months. The allocator by default keeps more and more of the
+// freed memory: 20 MB more after eight hours than after the first one. After this call it returns free memory
+// at a fixed size.
 void keepMemoryFlat();
 
 } // namespace campanel::panel

@@ -52,7 +52,7 @@ QSize sizeFrom(const QString& text)
     return {match.captured(1).toInt(), match.captured(2).toInt()};
 }
 
-// Without a port they would change nothing, and nobody would notice.
+// Refuses line parameters without a port: they would silently have no effect.
 void refuseLineParametersWithoutPort(const QCommandLineParser& parser)
 {
     for (const char* name : {"baud", "parity", "stop-bits", "unit"}) {

@@ -14,17 +14,17 @@ class QCoreApplication;
 namespace campanel::panel {
 
 struct Options {
-    std::optional<machine::ConnectionChoice> connection; // empty: as in the settings
-    QString language;                                    // empty: as in the settings
+    std::optional<machine::ConnectionChoice> connection; // empty: from the settings
+    QString language;                                    // empty: from the settings
     QString theme;
-    std::optional<QSize> size; // empty: as configured
+    std::optional<QSize> size; // empty: from the configuration
     bool isFullScreen = false;
     bool isKiosk = false;
     bool isSelfTest = false;
     bool isFirstFrameAnnounced = false; // a line on stdout, for measuring the start
 };
 
-// Prints and ends the process for --help, --version and for what it does not understand (exit code 2).
+// Reads the options. Prints and ends the process for --help, --version and for errors (exit code 2).
 [[nodiscard]] Options readOptions(const QCoreApplication& application);
 
 } // namespace campanel::panel

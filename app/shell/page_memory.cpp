@@ -12,7 +12,7 @@
 namespace campanel::panel {
 namespace {
 
-constexpr int pages = 7; // of Frame.qml; what is beyond is damage, or another version's
+constexpr int pages = 7; // in Frame.qml; larger values are damaged, or of another version
 
 std::optional<int> pageIn(const QString& path)
 {
@@ -45,8 +45,8 @@ void PageMemory::follow(QQuickWindow& window)
 void PageMemory::keep()
 {
     QDir().mkpath(QFileInfo(m_file).path());
-    // Whole or not at all for whoever ends the process; not worth waiting for the disk, so a power cut may
-    // lose it.
+    // Replaced in one step, so that killing the process leaves a complete file. It is not flushed: a power
+    // cut may lose it.
     const QString fresh = m_file + QStringLiteral(".new");
     QFile file(fresh);
     if (!file.open(QIODevice::WriteOnly))

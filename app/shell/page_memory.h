@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page that is open, in a small file that exists while the panel runs: who finds it at a start knows that
-// the last run was not ended in order, and where it was.
+// Stores the open page in a small file that exists while the panel runs. A file at the start means that the
+// last run was not ended properly, and on which page.
 #pragma once
 
 #include <QObject>
@@ -15,14 +15,14 @@ class PageMemory : public QObject {
     Q_OBJECT
 
 public:
-    // The file need not exist; its folder is made when it is first written.
+    // Sets the path. The file need not exist; its folder is created with the first write.
     explicit PageMemory(const QString& file);
-    // The orderly end: the next start begins with the first page.
+    // Ends the run properly: the next start begins with the first page.
     ~PageMemory() override;
 
-    // The page that a run left behind which was not ended in order; empty after an orderly end.
+    // Returns the page of the last run if it was not ended properly; empty otherwise.
     [[nodiscard]] std::optional<int> left() const { return m_left; }
-    // From now on the window's property "page" is kept.
+    // Stores the window's property "page" from now on.
     void follow(QQuickWindow& window);
 
 private slots:

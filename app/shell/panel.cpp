@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel put together; see panel.h.
+// The complete panel; see panel.h.
 #include "app/shell/panel.h"
 
 #include "app/panel/kit/engine_instances.h"
@@ -24,11 +24,11 @@ QString recipeFolder(const Storage& storage)
                                           : storage.recipeFolder;
 }
 
-// Also takes from others what an older version has let them read.
+// Creates the folder; removes the permissions of others that an older version has left.
 QString privateDataFolder(const Storage& storage)
 {
     const QString folder = recipeFolder(storage);
-    (void)store::makePrivateFolder(folder); // should it fail, opening the database says so
+    (void)store::makePrivateFolder(folder); // a failure is reported when the database is opened
     store::makePrivate(folder);
     return folder;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel put together: settings, machine, editor, alarms, service, the QML engine and its window, in the
+// The complete panel: settings, machine, editor, alarms, service, the QML engine and its window, in the
 // language of the settings.
 #pragma once
 
@@ -33,18 +33,18 @@
 
 namespace campanel::panel {
 
-// Where a panel keeps what outlives it. Empty: the user's usual places.
+// The paths of the panel's persistent data. Empty: the user's standard folders.
 struct Storage {
     QString settingsFile;
     QString recipeFolder;
-    machine::StandardSettings standard{}; // until something else is set on the panel
+    machine::StandardSettings standard{}; // until another value is set on the panel
 };
 
 class Panel : public QObject {
     Q_OBJECT
 
 public:
-    // The link must outlive it. Begins to load the QML in the background.
+    // The link must outlive the object. Starts to load the QML in the background.
     Panel(link::Link& link, const Storage& storage);
     ~Panel() override;
 
@@ -66,18 +66,18 @@ public:
     [[nodiscard]] machine::Explanations& explanations() { return m_explanations; }
     [[nodiscard]] QQmlEngine& engine() { return m_engine; }
 
-    // Connects to the controller and opens the databases. The first frame is to come first: line and disk can
+    // Connects to the controller and opens the databases. Call it after the first frame: line and disk can
     // wait, a person cannot.
     void open();
 
-    // Loads the window, hidden, at its size from the first binding on: a later resize lays all texts out
-    // again. After a run that was not ended in order it opens at that run's page. False after QML errors,
-    // which went to the log.
+    // Loads the window, hidden, at its size from the first binding on, because a later resize lays out all
+    // texts again. Opens the page of a run that was not ended properly. Returns false after QML errors, which
+    // were logged.
     [[nodiscard]] bool load(QSize size);
     [[nodiscard]] QQuickWindow& window() { return *m_window; }
 
 signals:
-    // What it keeps has been replaced on the disk: another panel is to be put together in its place.
+    // Emitted when its data was replaced on the disk: the panel must be rebuilt.
     void restartWanted();
 
 private:
@@ -100,7 +100,7 @@ private:
     machine::ServiceBundle m_bundle;
     machine::Display m_display;
     machine::Explanations m_explanations;
-    std::array<QTranslator, 3> m_translators; // the panel's QML, its C++, Qt itself
+    std::array<QTranslator, 3> m_translators; // for the panel's QML, its C++, Qt itself
     QQmlEngine m_engine;
     QQmlComponent m_component{&m_engine};
     std::unique_ptr<QQuickWindow> m_window;

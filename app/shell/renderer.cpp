@@ -25,7 +25,8 @@ bool isRendererChosen()
            (qEnvironmentVariableIsSet("QT_XCB_GL_INTEGRATION") && qgetenv("QT_XCB_GL_INTEGRATION") != "none");
 }
 
-// Mesa draws without one of them in software. The last four are of drivers that do not come with Linux.
+// Returns true with a device of a graphics driver, without which Mesa draws in software. The last four belong
+// to drivers outside the Linux kernel.
 bool hasGraphicsProcessor(const QString& devices)
 {
     const QDir::Filters all = QDir::AllEntries | QDir::System | QDir::NoDotAndDotDot;

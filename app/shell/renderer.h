@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// In a window system: whether Qt Quick draws with OpenGL or with its own software renderer. An OpenGL that is
-// itself software (llvmpipe) takes a whole core for what Qt Quick's renderer does with a tenth of one.
+// Chooses, in a window system, between OpenGL and Qt Quick's own software renderer. A software OpenGL
+// (llvmpipe) takes a whole core for what Qt Quick's renderer does with a tenth of one.
 #pragma once
 
 #include <QString>
@@ -9,7 +9,7 @@
 
 namespace campanel::panel {
 
-// Where the machine shows what it has.
+// The paths of the machine's graphics devices.
 struct RendererPlaces {
     QString devices = QStringLiteral("/dev");
     // Returns the name of the OpenGL renderer; empty: there is no OpenGL. Loads the driver, which takes up to

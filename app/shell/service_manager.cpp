@@ -54,7 +54,7 @@ void ServiceManager::tell(std::string_view state) const
     if (socket < 0)
         return;
     const auto length = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + m_address.size());
-    // Not waited for: a service manager that does not read must not stop the panel.
+    // Does not wait: a service manager that does not read must not block the panel.
     (void)::sendto(socket, state.data(), state.size(), MSG_NOSIGNAL | MSG_DONTWAIT,
                    reinterpret_cast<const sockaddr*>(&address), length);
     ::close(socket);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the panel tells the service manager that started it: systemd's notification protocol, see
-// sd_notify(3). A datagram each; written out here, because libsystemd would cost every start its loading.
-// Without a service manager nothing happens.
+// Notifies the service manager that started the panel, by systemd's protocol, see sd_notify(3). One datagram
+// per state; implemented here, because loading libsystemd would delay every start. Without a service manager
+// nothing happens.
 #pragma once
 
 #include <chrono>
@@ -13,19 +13,19 @@ namespace campanel::panel {
 
 class ServiceManager {
 public:
-    // Takes what the environment says and removes it there: programs that the panel starts are not asked.
+    // Reads and removes the environment variables: child processes must not notify.
     ServiceManager();
 
     [[nodiscard]] bool isThere() const { return !m_address.empty(); }
-    // So often at least it wants to hear "WATCHDOG=1"; empty: never.
+    // Returns the maximum time between two "WATCHDOG=1"; empty: not requested.
     [[nodiscard]] std::optional<std::chrono::microseconds> watchdogPeriod() const { return m_watchdogPeriod; }
 
-    // "READY=1", "WATCHDOG=1", "STOPPING=1". What cannot be delivered is lost: who wants it misses it in
-    // time.
+    // Sends "READY=1", "WATCHDOG=1" or "STOPPING=1". An undeliverable datagram is lost; the service manager
+    // notices a missing one by its timeout.
     void tell(std::string_view state) const;
 
 private:
-    std::string m_address; // a path; with '@' in front one without a file
+    std::string m_address; // a path; with '@' in front an abstract address
     std::optional<std::chrono::microseconds> m_watchdogPeriod;
 };
 

@@ -4,7 +4,7 @@
 namespace campanel::panel {
 namespace {
 
-// So many turns in the time that the service manager allows: one that is late does not end the panel.
+// The number of rounds in the service manager's period: a single late one does not end the panel.
 constexpr int turnsInPeriod = 4;
 
 } // namespace
@@ -16,7 +16,7 @@ ServiceWatchdog::ServiceWatchdog(const ServiceManager& manager, link::Link& link
 {
     if (!m_manager.isThere())
         return;
-    // Painting may have a thread of its own; this object's slots run in the GUI thread.
+    // Painting may have its own thread; this object's slots run in the GUI thread.
     connect(&m_window, &QQuickWindow::frameSwapped, this, &ServiceWatchdog::notePainted);
     if (!m_manager.watchdogPeriod())
         return;
@@ -32,7 +32,7 @@ void ServiceWatchdog::beginTurn()
         return;
     m_isOpen = true;
     m_isAnswered = false;
-    m_isPainted = !m_window.isExposed(); // then nothing is painted at all
+    m_isPainted = !m_window.isExposed(); // a hidden window paints nothing
     m_link.ping(++m_turn);
     m_window.update();
 }

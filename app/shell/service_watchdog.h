@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tells the service manager that the panel is ready, and again and again that it still works. It counts as
-// working when, since the last time, the GUI thread came round, the link thread answered it, and a frame was
-// painted: a panel that shows old numbers is restarted.
+// Notifies the service manager that the panel is ready, and periodically that it works. It works when, since
+// the last time, the GUI thread has run, the link thread has answered it, and a frame was painted. A panel
+// with frozen numbers is restarted.
 #pragma once
 
 #include "app/link/link.h"
@@ -17,7 +17,7 @@ class ServiceWatchdog : public QObject {
     Q_OBJECT
 
 public:
-    // All three must outlive it.
+    // All arguments must outlive the object.
     ServiceWatchdog(const ServiceManager& manager, link::Link& link, QQuickWindow& window);
 
 private:
@@ -32,7 +32,7 @@ private:
     QTimer m_timer;
     quint32 m_turn = 0;
     bool m_isReady = false;
-    bool m_isOpen = false; // the turn waits for the two below
+    bool m_isOpen = false; // this round waits for the two below
     bool m_isAnswered = false;
     bool m_isPainted = false;
 };

@@ -40,7 +40,7 @@ void StoreThread::take(tl::expected<std::unique_ptr<Database>, StoreError> datab
     QMetaObject::invokeMethod(this, [this, report] { emit opened(report); });
 }
 
-// Returns what keeps the panel going until its end, with the users of the copy, so that PINs can be checked.
+// Returns a database for the rest of the run, with the users of the copy, so that PINs can be checked.
 std::unique_ptr<Database> StoreThread::substitute(const StoreError& failure) const
 {
     const QString path = QDir(m_folder).filePath(m_file.name);
@@ -59,8 +59,8 @@ void StoreThread::open()
 StoreThread::~StoreThread()
 {
     if (!m_thread.isRunning())
-        m_thread.start(); // what was handed in is to be kept
-    // After all jobs that were handed in before.
+        m_thread.start(); // the pending jobs must be stored
+    // Queued after all earlier jobs.
     QMetaObject::invokeMethod(m_worker.get(), [this] {
         m_database.reset();
         m_thread.quit();

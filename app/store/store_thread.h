@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one thread that owns the database. Who wants something of it hands in a function; what that returns is
-// given back in the thread of whoever asked. Jobs are done in their order, all of them before the end.
+// The thread that owns the database. A caller passes a function; its result is returned in the caller's
+// thread. Jobs run in order, and the destructor waits for all.
 #pragma once
 
 #include "app/store/database/database.h"
@@ -22,21 +22,21 @@ class StoreThread : public QObject {
 public:
     struct Report {
         Database::Opening opening;
-        std::optional<StoreError> error; // it could not be opened: what is kept is gone at the end
+        std::optional<StoreError> error; // it could not be opened: data is lost at the end
     };
 
-    // The database is in `folder`.
+    // `folder` contains the database.
     explicit StoreThread(const QString& folder, const DatabaseFile& file = mainDatabase(),
                          QObject* parent = nullptr);
     ~StoreThread() override;
 
-    // From now on; opened() tells what came of it. Jobs that were handed in before wait for it.
+    // Opens the database; opened() reports the result. Earlier jobs wait for it.
     void open();
-    // A job has found the file damaged: it is moved aside and another one begun; opened() tells of it.
+    // Moves a file aside that a job found damaged and creates another one; opened() reports it.
     void beginAnew();
 
-    // `job` is called with the Database in its thread, then `done` with what it returned in the thread of
-    // `context`, unless that is gone by then.
+    // Calls `job` with the Database in its thread, then `done` with the result in the thread of `context`,
+    // unless that was destroyed.
     template <typename Job, typename Done> void run(QObject* context, Job job, Done done)
     {
         const QPointer<QObject> receiver(context);
@@ -62,7 +62,7 @@ private:
     DatabaseFile m_file;
     QThread m_thread;
     std::unique_ptr<QObject> m_worker;    // lives in m_thread
-    std::unique_ptr<Database> m_database; // made, used and destroyed there
+    std::unique_ptr<Database> m_database; // created, used and destroyed in m_thread
 };
 
 } // namespace campanel::store

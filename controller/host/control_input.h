@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines from a descriptor that must not be waited for: fault scripts on standard input while the controller
-// runs.
+// Reads lines from a descriptor without waiting: fault scripts on standard input while the controller runs.
 #pragma once
 
 #include <functional>
@@ -11,20 +10,21 @@ namespace campanel::controller {
 
 class ControlInput {
 public:
-    // The descriptor is not closed; -1: there are no lines.
+    // Does not close the descriptor; -1: there are no lines.
     explicit ControlInput(int descriptor)
         : m_descriptor(descriptor)
     {
     }
 
-    // To be watched for reading; -1 after the end of input.
+    // Returns the descriptor to poll for reading; -1 after the end of input.
     [[nodiscard]] int descriptor() const { return m_descriptor; }
-    // Reads once, without waiting when the descriptor is readable; hands over each line without its end.
+    // Reads once, without waiting when the descriptor is readable; passes each line without its end to
+    // `take`.
     void read(const std::function<void(std::string_view)>& take);
 
 private:
     int m_descriptor = -1;
-    std::string m_begun; // line of which the end has not come
+    std::string m_begun; // incomplete line
 };
 
 } // namespace campanel::controller

@@ -16,7 +16,7 @@ enum : std::uint8_t { Read = 3, WriteOne = 6, Write = 16, ReadWrite = 23, Except
 // unit, function, byte count; then data, then CRC-16
 constexpr std::size_t dataAt = 3;
 constexpr std::size_t crcBytes = 2;
-// Offsets in a request.
+// The offsets in a request.
 constexpr std::size_t addressAt = 2;
 constexpr std::size_t countAt = 4;
 constexpr std::size_t writtenAt = 11; // first register written by function 23
@@ -60,7 +60,7 @@ FrameBytes requestOf(std::uint8_t unit, std::uint8_t function, std::initializer_
     return bytes;
 }
 
-// Function 23 that writes the words to `written`.
+// Returns a function 23 request that writes the words to `written`.
 FrameBytes exchangeOf(std::uint8_t unit, std::uint16_t read, std::uint16_t readCount, std::uint16_t written,
                       std::initializer_list<std::uint16_t> words)
 {
@@ -111,7 +111,7 @@ FrameBytes corrupted(std::span<const std::uint8_t> frame, std::uint32_t bits, st
         flipped.push_back(bit);
         bytes[bit / 8] = static_cast<std::uint8_t>(bytes[bit / 8] ^ 1u << bit % 8);
     }
-    // Four bits and more may make another right frame: that would be no fault of the line.
+    // Four bits and more may result in another valid frame, which would not be a line fault.
     if (!bytes.empty() && ctl_crc16(bytes.data(), bytes.size()) == 0)
         bytes.back() = static_cast<std::uint8_t>(bytes.back() ^ 1u);
     return bytes;
@@ -127,7 +127,7 @@ FrameBytes withWrongUnit(std::span<const std::uint8_t> answer, std::mt19937_64& 
 {
     FrameBytes bytes = withoutCrc(answer);
     constexpr std::size_t units = 247;
-    if (!bytes.empty()) // any unit but this one
+    if (!bytes.empty()) // any other unit
         bytes[0] = static_cast<std::uint8_t>((bytes[0] + pickBelow(random, units - 1)) % units + 1);
     return withCrc(std::move(bytes));
 }
@@ -176,7 +176,7 @@ FrameBytes withIdentity(std::span<const std::uint8_t> request, std::span<const s
         return {answer.begin(), answer.end()};
     std::size_t first = wordAt(request, addressAt);
     std::size_t offset = dataAt;
-    if (first == CTL_REG_READBACK_RESULT_TAG) { // tag, address and count lie before the registers
+    if (first == CTL_REG_READBACK_RESULT_TAG) { // tag, address and count precede the registers
         first = wordAt(bytes, offset + 2);
         offset += 6;
     }
@@ -201,7 +201,7 @@ FrameBytes secondMasterRequest(std::span<const std::uint8_t> panelRequest, std::
     const auto tag = static_cast<std::uint16_t>(random() >> 48);
     const std::uint16_t address = wordAt(panelRequest, addressAt);
     const std::uint16_t count = wordAt(panelRequest, countAt);
-    if (function == Read) { // other registers, just as many
+    if (function == Read) { // other registers, the same number
         const bool inBank = address >= CTL_REG_ACTIVE;
         const auto other = static_cast<std::uint16_t>(inBank ? CTL_REG_ACTIVE + tag % 1000u : CTL_REG_ACTIVE);
         return withCrc(requestOf(unit, Read, {other, count}));
@@ -214,7 +214,7 @@ FrameBytes secondMasterRequest(std::span<const std::uint8_t> panelRequest, std::
     if (function == ReadWrite && address == CTL_REG_STATUS_TAG)
         return withCrc(exchangeOf(unit, address, count, CTL_REG_EXCHANGE_TAG,
                                   {tag, static_cast<std::uint16_t>(random() >> 48), 0}));
-    // Of a command or a transfer only the result is read: an answer as long as the panel's.
+    // For a command or a transfer only the result is read, with an answer as long as the panel's.
     return withCrc(requestOf(unit, Read,
                              {function == ReadWrite ? address : std::uint16_t{CTL_REG_STATUS_TAG},
                               function == ReadWrite ? count : std::uint16_t{CTL_GROUP_STATUS}}));

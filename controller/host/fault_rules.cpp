@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The language of fault scripts: a word, then key=value pairs. Tables say which kind takes which keys.
+// The language of fault scripts: a word, then key=value pairs. Tables define the keys of each kind.
 #include "fault_rules.h"
 
 #include "ctl_registers.h"
@@ -18,7 +18,7 @@ constexpr double nsPerMs = 1e6;
 struct Kind {
     FaultKind kind;
     std::string_view word;
-    std::string_view keys; // its own, besides those that all take
+    std::string_view keys; // its own, besides the common ones
 };
 
 constexpr std::array kinds{
@@ -168,7 +168,7 @@ const std::array keys{
 
 constexpr std::string_view blanks = " \t\r";
 
-// Takes the next word off the text; empty at its end.
+// Removes and returns the next word of the text; empty at its end.
 std::string_view takeWordOff(std::string_view& text)
 {
     const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
@@ -194,7 +194,7 @@ std::string quoted(std::string_view text)
     return result;
 }
 
-// Empty: done.
+// Returns an error; empty: success.
 std::optional<std::string> takePair(FaultRule& rule, const Kind& kind, std::string_view pair)
 {
     const std::size_t equals = pair.find('=');
@@ -223,7 +223,7 @@ FaultRule defaultsOf(FaultKind kind)
     return rule;
 }
 
-// Empty: done.
+// Returns an error; empty: success.
 std::optional<std::string> takeStatement(std::string_view statement, FaultScript& script)
 {
     const std::string_view word = takeWordOff(statement);

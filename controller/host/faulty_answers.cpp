@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What becomes of the controller's answers, and of a second master.
+// The faults of the controller's answers, and the second master.
 #include "faulty_line.h"
 
 #include <algorithm>
@@ -8,9 +8,9 @@
 namespace campanel::controller {
 namespace {
 
-// Idle: so much later than the end of an answer, in frame gaps.
+// The delay of Idle after the end of an answer, in frame gaps.
 constexpr int idleGaps = 3;
-// What a second master is answered takes about so many characters.
+// The approximate length of the answer to a second master.
 constexpr std::size_t foreignAnswerCharacters = 100;
 
 } // namespace
@@ -31,7 +31,7 @@ void FaultyLine::fromController(std::span<const std::uint8_t> bytes, std::uint64
     putOnLine(nowNs);
 }
 
-// What a request or an answer becomes where only its bytes change.
+// Returns the changed bytes of a request or an answer.
 FrameBytes FaultyLine::damaged(const FaultRule& rule, const Exchange& exchange, FrameBytes frame)
 {
     switch (rule.kind) {
@@ -100,8 +100,8 @@ void FaultyLine::putAnswer(const FaultRule& rule, const Exchange& exchange, Fram
     toPanel(std::move(answer), nowNs);
 }
 
-// The panel hears its request and, as nobody tells them apart, the answer; the panel's own next request
-// waits.
+// The panel receives the foreign request and the answer to it, because nothing tells them apart; its own next
+// request waits.
 void FaultyLine::secondMaster(const Exchange& exchange, std::int64_t startNs)
 {
     FrameBytes request = secondMasterRequest(exchange.request, m_random);
@@ -110,7 +110,7 @@ void FaultyLine::secondMaster(const Exchange& exchange, std::int64_t startNs)
     m_toControllerEndNs += lengthNs(foreignAnswerCharacters) + 3 * m_gapNs;
 }
 
-// The byte that is under way at that time is the last.
+// The byte being sent at that time is the last.
 void FaultyLine::unplug(const FaultRule& rule, std::int64_t atNs)
 {
     atNs += m_characterNs / 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The script, what becomes of requests, and the queues of both ways.
+// The script, the faults of requests, and the queues of both directions.
 #include "faulty_line.h"
 
 #include <algorithm>
@@ -55,7 +55,7 @@ std::int64_t FaultyLine::scaled(std::int64_t timeNs, double factor)
     return static_cast<std::int64_t>(static_cast<double>(timeNs) * factor);
 }
 
-// Bytes take no time on a line that is not paced.
+// Returns the time on the line; 0 if it is not paced.
 std::int64_t FaultyLine::lengthNs(std::size_t characters) const
 {
     return m_settings.paced ? m_characterNs * static_cast<std::int64_t>(characters) : 0;
@@ -63,7 +63,7 @@ std::int64_t FaultyLine::lengthNs(std::size_t characters) const
 
 bool FaultyLine::strikes(const FaultRule& rule, std::size_t index, std::int64_t nowNs)
 {
-    // Drawn in any case, so that a rule does not depend on how far another one has come.
+    // Always drawn, so that a rule does not depend on the progress of another one.
     const bool byChance = rule.every == 0 && pickChance(m_random) < rule.probability;
     const bool inTurn = rule.every != 0 && m_exchanges % rule.every == 0;
     const std::int64_t ageNs = nowNs - m_loadedNs;
@@ -178,7 +178,7 @@ void FaultyLine::putDamagedRequest(const FaultRule& rule, const Exchange& exchan
         static_cast<void>(cutOff(request.size() / 2));
         unplug(rule, nowNs + lengthNs(request.size()));
     } else if (!strikesRequest(rule)) {
-        // The answer is struck.
+        // The fault affects the answer.
     } else if (rule.kind == FaultKind::Late) {
         startNs += scaled(m_script.timeoutNs, rule.times);
     } else if (rule.kind == FaultKind::Noise) {
@@ -196,11 +196,11 @@ void FaultyLine::putDamagedRequest(const FaultRule& rule, const Exchange& exchan
 
 void FaultyLine::toController(FrameBytes bytes, std::uint64_t frame, std::int64_t startNs)
 {
-    // Less silence than ends a frame before it: these bytes go on with that frame.
+    // The silence before is too short to end a frame: these bytes continue that frame.
     const bool goesOn = startNs < m_toControllerEndNs + m_gapNs;
     startNs = std::max(startNs, m_toControllerEndNs);
     m_toControllerEndNs = startNs + lengthNs(bytes.size());
-    // Byte by byte where a piece must not look like silence: its end is all that the controller sees.
+    // Byte by byte where a piece must not look like silence: the controller sees only its end.
     if (!m_settings.paced || !goesOn) {
         m_toController.push_back({std::move(bytes), frame, startNs});
         return;
@@ -250,7 +250,7 @@ std::optional<LineEvent> FaultyLine::takeEvent(std::int64_t nowNs)
         return std::nullopt;
     LineEvent event = std::move(m_events.begin()->second);
     m_events.erase(m_events.begin());
-    // What is on a line that is cut, or at a controller without power, is gone.
+    // Bytes on a cut line, or at a controller without power, are lost.
     m_line = Line(m_settings);
     m_toController.clear();
     m_frames.clear();

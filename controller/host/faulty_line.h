@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The line with the faults of a script: sits where Line sits and gives way to it when there is no rule. One
-// exchange is one request of the panel and what is answered to it; the first rule that strikes it is the only
-// one. Knows times and bytes only. Times in ns, monotonic; call with times that do not go back.
+// The line with the faults of a script, in place of a Line; without rules it works like one. One exchange is
+// one request of the panel and its answer; the first rule that matches it is the only one. Works on times and
+// bytes only. Times are in ns and monotonic; calls must be in order of time.
 #pragma once
 
 #include "fault_frames.h"
@@ -19,11 +19,11 @@
 
 namespace campanel::controller {
 
-// What the owner of port and controller has to do.
+// An action for the owner of port and controller.
 struct LineEvent {
     enum class Kind : std::uint8_t { Unplug, Plug, Restart };
     Kind kind = Kind::Unplug;
-    std::string port; // of Plug: where the link is to be, empty: where it was
+    std::string port; // Plug: the path of the link, empty: unchanged
 };
 
 class FaultyLine {
@@ -31,21 +31,21 @@ public:
     struct Arrival {
         FrameBytes bytes;
         std::int64_t endNs = 0;
-        std::uint64_t frame = 0; // to be named with its answer
+        std::uint64_t frame = 0; // to pass with its answer
     };
 
     FaultyLine(const LineSettings& settings, FaultScript script, std::int64_t nowNs);
 
-    // Counters, windows of time and random numbers begin again; silence, garbling and restarts are over, and
-    // an unplugged port comes back.
+    // Sets the script. Counters, time windows and random numbers restart; silence, garbling and restarts end,
+    // and an unplugged port returns.
     void setScript(FaultScript script, std::int64_t nowNs);
     [[nodiscard]] const FaultScript& script() const { return m_script; }
-    // Faults since the script was set.
+    // Returns the number of faults since the script was set.
     [[nodiscard]] std::uint64_t applied() const { return m_applied; }
 
     void fromPanel(std::span<const std::uint8_t> bytes, std::int64_t nowNs);
     [[nodiscard]] std::optional<Arrival> takeArrival(std::int64_t nowNs);
-    // The answer to the frame whose last piece was `frame`.
+    // Receives the answer to the frame whose last piece was `frame`.
     void fromController(std::span<const std::uint8_t> bytes, std::uint64_t frame, std::int64_t nowNs);
     [[nodiscard]] FrameBytes takeForPanel(std::int64_t nowNs);
     [[nodiscard]] std::optional<LineEvent> takeEvent(std::int64_t nowNs);
@@ -58,7 +58,7 @@ private:
         FrameBytes request;
         std::optional<FaultRule> fault;
     };
-    struct Waiting { // for its time to be put on the line
+    struct Waiting { // waiting for its time on the line
         FrameBytes bytes;
         std::uint64_t frame = 0;
         std::int64_t startNs = 0;
@@ -81,7 +81,7 @@ private:
 
     LineSettings m_settings;
     Line m_line;
-    std::int64_t m_characterNs = 0; // as long as on the wire, also where bytes take no time
+    std::int64_t m_characterNs = 0; // time on the wire, also for an unpaced line
     std::int64_t m_gapNs = 0;
     FaultScript m_script;
     std::mt19937_64 m_random;
@@ -90,16 +90,16 @@ private:
     std::uint64_t m_applied = 0;
     std::vector<std::uint64_t> m_appliedByRule;
 
-    std::deque<Exchange> m_open; // the last few
+    std::deque<Exchange> m_open; // the last few exchanges
     std::uint64_t m_lastFrame = 0;
-    std::int64_t m_requestEndNs = INT64_MIN; // of the panel's last request
-    bool m_requestPasses = true;             // more bytes of it go to the controller
-    std::deque<Waiting> m_toController;      // in order
-    std::deque<std::uint64_t> m_frames;      // of the pieces that are on the line
+    std::int64_t m_requestEndNs = INT64_MIN;
+    bool m_requestPasses = true;        // the last request goes to the controller
+    std::deque<Waiting> m_toController; // sorted by time
+    std::deque<std::uint64_t> m_frames; // frames of the pieces on the line
     std::int64_t m_toControllerEndNs = INT64_MIN;
-    std::multimap<std::int64_t, FrameBytes> m_toPanel; // by their time
+    std::multimap<std::int64_t, FrameBytes> m_toPanel; // by time
     std::multimap<std::int64_t, LineEvent> m_events;
-    std::int64_t m_muteUntilNs = INT64_MIN; // nothing passes
+    std::int64_t m_muteUntilNs = INT64_MIN; // nothing passes until then
     std::int64_t m_garbleUntilNs = INT64_MIN;
     FaultPart m_garbledPart = FaultPart::Both;
     std::uint32_t m_busyLeft = 0;

@@ -56,7 +56,7 @@ bool FileFlash::read(std::uint32_t slot, std::uint32_t offset, std::span<std::ui
         const ssize_t size = pread(m_slots.at(slot), bytes.data(), bytes.size(), offset);
         if (size < 0 && errno != EINTR)
             return false;
-        if (size == 0) // beyond what was written: still erased
+        if (size == 0) // beyond the written bytes: still erased
             return true;
         if (size > 0) {
             bytes = bytes.subspan(static_cast<std::size_t>(size));
@@ -68,7 +68,7 @@ bool FileFlash::read(std::uint32_t slot, std::uint32_t offset, std::span<std::ui
 
 bool FileFlash::erase(std::uint32_t slot)
 {
-    // The slot that stays must be on the disk before this one is given up.
+    // The remaining slot must be on the disk before this one is erased.
     return fdatasync(m_slots.at(slot ^ 1u)) == 0 && ftruncate(m_slots.at(slot), 0) == 0;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulated board's flash as files in a directory, one for each slot. What is saved survives the end of
-// this process at any moment; should the computer lose power, at least the save before the last one is on its
+// The simulated board's flash as files in a directory, one for each slot. Saved data survives the end of this
+// process at any moment. After a power loss of the computer at least the save before the last one is on its
 // disk.
 #pragma once
 
@@ -14,7 +14,8 @@ namespace campanel::controller {
 
 class FileFlash final : public FlashDevice {
 public:
-    // Creates the directory; one controller at a time may use it. The error says what failed and what to do.
+    // Creates the directory; only one controller at a time may use it. The error says what failed and what to
+    // do.
     [[nodiscard]] static tl::expected<FileFlash, std::string> open(const std::filesystem::path& directory);
     FileFlash(FileFlash&& other) noexcept;
     FileFlash& operator=(FileFlash&&) = delete;
@@ -34,7 +35,7 @@ private:
     int m_lock = -1;
 };
 
-// $XDG_STATE_HOME/campanel, or ~/.local/state/campanel.
+// Returns $XDG_STATE_HOME/campanel, or ~/.local/state/campanel.
 [[nodiscard]] std::filesystem::path defaultStateDirectory();
 
 } // namespace campanel::controller

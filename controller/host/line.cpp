@@ -6,8 +6,8 @@
 namespace campanel::controller {
 namespace {
 
-// An answer reaches the panel in pieces of about this length: fine enough to be a slow line, few enough
-// wake-ups.
+// The length of the pieces in which the panel receives an answer: short enough for a slow line, long enough
+// for few wake-ups.
 constexpr std::int64_t pieceNs = 1'000'000;
 constexpr std::int64_t shortestGapNs = 1'750'000;
 constexpr std::uint32_t shortestGapBaud = 19200;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The serial line between pseudo-terminal and controller: bytes take as long as on the wire, each way on its
-// own. Knows times and bytes only; whoever owns the descriptors asks it when to do what. Times in ns,
-// monotonic.
+// The serial line between pseudo-terminal and controller: bytes take as long as on the wire, separately in
+// each direction. Works on times and bytes only; the owner of the descriptors asks it what to do when. Times
+// are in ns and monotonic.
 #pragma once
 
 #include <array>
@@ -22,36 +22,34 @@ struct LineSettings {
     bool paced = true; // false: bytes take no time
 };
 
-// One character: start bit, 8 data bits, parity, stop bits.
+// Returns the time of one character: start bit, 8 data bits, parity, stop bits.
 [[nodiscard]] std::int64_t characterNs(const LineSettings& settings);
-// Silence that ends a frame: 3.5 characters, 1.75 ms above 19200 baud.
+// Returns the silence that ends a frame: 3.5 characters, 1.75 ms above 19200 baud.
 [[nodiscard]] std::int64_t frameGapNs(const LineSettings& settings);
 
 class Line {
 public:
     struct Arrival {
         std::vector<std::uint8_t> bytes;
-        std::int64_t endNs = 0; // when the last of them is in
+        std::int64_t endNs = 0; // arrival of the last byte
     };
 
     explicit Line(const LineSettings& settings);
 
-    // The panel has put bytes on the line.
     void fromPanel(std::span<const std::uint8_t> bytes, std::int64_t nowNs);
-    // The oldest piece that has arrived whole.
+    // Returns the oldest complete piece.
     [[nodiscard]] std::optional<Arrival> takeArrival(std::int64_t nowNs);
 
-    // The controller answers; the bytes leave one after another.
+    // Puts the controller's answer on the line, byte after byte.
     void fromController(std::span<const std::uint8_t> bytes, std::int64_t nowNs);
-    // Bytes that the panel has received by now and that were not taken yet.
+    // Returns the bytes that the panel has received by now, except those already returned.
     [[nodiscard]] std::vector<std::uint8_t> takeForPanel(std::int64_t nowNs);
 
-    // When to look again.
     [[nodiscard]] std::optional<std::int64_t> nextEventNs() const;
 
 private:
     std::int64_t m_characterNs = 0;
-    std::size_t m_pieceBytes = 1; // bytes handed to the panel at once
+    std::size_t m_pieceBytes = 1; // bytes delivered to the panel at once
     std::deque<Arrival> m_toController;
     std::int64_t m_toControllerEndNs = 0;
     std::deque<Arrival> m_toPanel;

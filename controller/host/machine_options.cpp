@@ -80,7 +80,7 @@ constexpr std::array optionTable{
                   0, 1, press<&Press::driftMm>},
 };
 
-// As short as it can be said.
+// Returns the shortest form.
 std::string numberText(double value)
 {
     std::array<char, 32> text{};

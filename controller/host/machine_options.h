@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options of campanel-controller that are numbers of the simulated machine: a table from name to member
-// and range, from which the program's help is made too.
+// The options of campanel-controller that set numbers of the simulated machine: a table of names, members and
+// ranges, also used for the program's help.
 #pragma once
 
 #include "machine.h"
@@ -12,7 +12,7 @@ namespace campanel::controller {
 
 struct MachineOption {
     const char* name = nullptr; // without the dashes
-    const char* unit = nullptr; // of its argument, for the help
+    const char* unit = nullptr; // unit of its argument, for the help
     const char* text = nullptr;
     double minimum = 0.0;
     double maximum = 0.0;
@@ -20,7 +20,7 @@ struct MachineOption {
 };
 
 [[nodiscard]] std::span<const MachineOption> machineOptions();
-// One line an option: name, unit, text, range and default.
+// Returns one line per option: name, unit, text, range and default.
 [[nodiscard]] std::string machineHelp();
 
 } // namespace campanel::controller

@@ -16,7 +16,8 @@ namespace {
 
 volatile std::sig_atomic_t stopRequested = 0;
 
-// Linux may wake a sleeper 50 us late; on a 115200 baud line that is half a character, each time.
+// The timer slack. Linux may wake a sleeping thread 50 us late by default, which is half a character at
+// 115200 baud.
 constexpr unsigned long timerSlackNs = 1000;
 
 int fail(const std::string& sentence)
@@ -25,7 +26,7 @@ int fail(const std::string& sentence)
     return 1;
 }
 
-// Signals are held back except while the service waits; returns the mask to wait with.
+// Blocks the signals except during the waits of the service; returns the mask to wait with.
 sigset_t takeSignals()
 {
     struct sigaction action {};
@@ -58,7 +59,7 @@ int main(int argc, char** argv)
     if (options->exitWithParent) {
         const pid_t parent = getppid();
         prctl(PR_SET_PDEATHSIG, SIGTERM);
-        if (getppid() != parent) // it ended before it could be watched
+        if (getppid() != parent) // the parent ended before it could be watched
             return 0;
     }
     prctl(PR_SET_TIMERSLACK, timerSlackNs);

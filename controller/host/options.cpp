@@ -16,7 +16,7 @@
 namespace campanel::controller {
 namespace {
 
-// Around the machine's own options.
+// The text around the machine's own options.
 constexpr const char* helpBefore =
     R"(usage: campanel-controller [OPTION]...
 
@@ -51,7 +51,7 @@ tl::unexpected<Ending> wrong(const std::string& sentence)
     return tl::unexpected(Ending{2, "campanel-controller: " + sentence + "; see --help\n"});
 }
 
-// A number that takes the whole text and lies in [minimum, maximum].
+// Parses a number that takes the whole text and is within [minimum, maximum].
 template <typename Number>
 bool parseNumber(std::string_view text, Number minimum, Number maximum, Number& result)
 {
@@ -95,7 +95,7 @@ const option ownOptions[] = {{"link", required_argument, nullptr, Link},
                              {"help", no_argument, nullptr, Help},
                              {"version", no_argument, nullptr, Version}};
 
-// The own ones and the machine's, as getopt_long() wants them.
+// Returns the program's and the machine's options for getopt_long().
 std::vector<option> allOptions()
 {
     std::vector<option> all(std::begin(ownOptions), std::end(ownOptions));
@@ -112,7 +112,7 @@ bool takeMachineOption(int code, std::string_view argument, MachineOptions& mach
     return parseNumber(argument, option.minimum, option.maximum, option.member(machine));
 }
 
-// Empty: done.
+// Returns an error; empty: success.
 std::optional<std::string> readFaults(const std::filesystem::path& path, FaultScript& faults)
 {
     std::ifstream file(path);
@@ -126,7 +126,7 @@ std::optional<std::string> readFaults(const std::filesystem::path& path, FaultSc
     return std::nullopt;
 }
 
-// False when the option's argument is outside its range.
+// Returns false when the option's argument is outside its range.
 bool takeOption(int code, std::string_view argument, Options& options)
 {
     switch (code) {
@@ -172,7 +172,7 @@ tl::expected<Options, Ending> parseOptions(int argc, char** argv)
     Options options;
     options.stateDirectory = defaultStateDirectory();
     const std::vector<option> table = allOptions();
-    std::string faultFile; // read last: the seed may be named after it
+    std::string faultFile; // read last: the seed may follow it
     opterr = 0;
     for (;;) {
         int index = 0;

@@ -21,11 +21,12 @@ struct Options {
     double speed = 1.0;         // simulated seconds per second
     MachineOptions machine;
     FaultScript faults;
-    bool control = false; // rules come on standard input too
+    bool control = false; // also reads rules from standard input
     bool exitWithParent = false;
 };
 
-// What ends the program before it starts: text for the user and the exit code (0: the user asked for text).
+// The end of the program before it starts: a text for the user and the exit code (0: the user requested the
+// text).
 struct Ending {
     int exitCode = 0;
     std::string text;

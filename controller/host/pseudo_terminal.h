@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pseudo-terminal on which the controller is served. It outlives every panel that opens and closes it:
-// the controller keeps the far end open too.
+// The pseudo-terminal on which the controller serves. It stays open while panels open and close it, because
+// the controller also holds the far end.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace campanel::controller {
 
 class PseudoTerminal {
 public:
-    // The error says what failed and why.
+    // Opens a pseudo-terminal. The error says what failed and why.
     [[nodiscard]] static tl::expected<PseudoTerminal, std::string> open();
     PseudoTerminal(PseudoTerminal&& other) noexcept;
     PseudoTerminal& operator=(PseudoTerminal&&) = delete;
@@ -21,15 +21,16 @@ public:
     ~PseudoTerminal();
 
     [[nodiscard]] const std::string& path() const { return m_path; }
-    // Readable when there are bytes from the panel, and when someone closed the far end.
+    // Returns a descriptor that becomes readable when there are bytes from the panel, and when a panel closed
+    // the far end.
     [[nodiscard]] int descriptor() const { return m_master; }
     [[nodiscard]] int closeWatch() const { return m_watch; }
 
     [[nodiscard]] std::size_t read(std::span<std::uint8_t> bytes);
-    // Bytes that nobody reads are lost, as on a wire.
+    // Writes bytes; unread bytes are lost, as on a wire.
     void write(std::span<const std::uint8_t> bytes);
-    // A panel has closed the port: lift its exclusive access, which would otherwise last as long as the
-    // controller.
+    // Removes the exclusive access after a panel has closed the port; it would otherwise remain until the end
+    // of the controller.
     void afterClose();
 
 private:

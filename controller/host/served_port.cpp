@@ -39,7 +39,7 @@ void ServedPort::unplug()
     m_terminal.reset();
 }
 
-// Replaces an old link, never a file.
+// Creates the link; replaces an old link, never a file.
 bool ServedPort::makeLink()
 {
     std::error_code error;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The port that panels open: a pseudo-terminal that can be unplugged and plugged in again, and the symbolic
-// link that leads to it.
+// link to it.
 #pragma once
 
 #include "pseudo_terminal.h"
@@ -15,22 +15,23 @@ namespace campanel::controller {
 
 class ServedPort {
 public:
-    // `link`: where the symbolic link is to be, empty for none.
+    // Sets the path of the symbolic link; empty for none.
     explicit ServedPort(std::filesystem::path link);
     ServedPort(const ServedPort&) = delete;
     ServedPort& operator=(const ServedPort&) = delete;
     ~ServedPort();
 
-    // A new pseudo-terminal; the link leads to it from `link`, from where it was when that is empty. The
-    // error says what failed and what to do. Nothing happens when it is plugged in.
+    // Opens a new pseudo-terminal and points the symbolic link `link` to it; empty: the previous path. The
+    // error says what failed and what to do. Does nothing when it is plugged in.
     [[nodiscard]] tl::expected<void, std::string> plug(const std::filesystem::path& link = {});
-    // Whoever has it open sees it hang up.
+    // Closes the pseudo-terminal; a program that has it open gets a hang-up.
     void unplug();
 
     [[nodiscard]] bool isPlugged() const { return m_terminal.has_value(); }
-    // The pseudo-terminal's, empty while unplugged.
+    // Returns the path of the pseudo-terminal, empty while unplugged.
     [[nodiscard]] std::string path() const;
-    // Readable when there are bytes from the panel, and when someone closed the far end; -1 while unplugged.
+    // Returns a descriptor that becomes readable when there are bytes from the panel, and when a panel closed
+    // the far end; -1 while unplugged.
     [[nodiscard]] int descriptor() const;
     [[nodiscard]] int closeWatch() const;
 

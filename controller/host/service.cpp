@@ -15,9 +15,9 @@ namespace campanel::controller {
 namespace {
 
 constexpr double nsPerUs = 1000.0;
-// Nothing can be seen of the machine between two requests, so that it need not be moved more often than this.
+// The maximum sleep: the machine is not visible between two requests, so it need not be updated more often.
 constexpr std::int64_t longestSleepNs = 20'000'000;
-// Steps of one catching up; further behind than that, simulated time is late for good.
+// The maximum number of steps to catch up; a larger delay of the simulated time is permanent.
 constexpr std::uint64_t mostSteps = 100'000;
 
 std::int64_t monotonicNs()
@@ -37,7 +37,7 @@ ctl_config configOf(const Options& options)
     config.firmware[0] = CAMPANEL_VERSION_MAJOR;
     config.firmware[1] = CAMPANEL_VERSION_MINOR;
     config.firmware[2] = CAMPANEL_VERSION_PATCH;
-    // A board is its flash: the same directory is the same controller.
+    // The identity of a board is its flash: the same directory is the same controller.
     config.unique_id = std::hash<std::string>{}(std::filesystem::absolute(options.stateDirectory).string());
     config.timer_clock_hz = 8'000'000;
     config.timer_bits = 16;
@@ -104,7 +104,7 @@ void Service::moveBytes(std::int64_t nowNs)
         catchUp(arrival->endNs);
         ctl_receive(&m_controller->core(), arrival->bytes.data(), arrival->bytes.size(),
                     simulatedUs(arrival->endNs));
-        takeAnswer(arrival->endNs); // to the frame before: the next one would overtake it
+        takeAnswer(arrival->endNs); // for the previous frame: the next one would overtake it
         m_frame = arrival->frame;
         m_frameEndNs = arrival->endNs + m_gapNs;
     }
@@ -136,7 +136,7 @@ void Service::act(const LineEvent& event, std::int64_t nowNs)
     }
 }
 
-// For whoever gives the rules on standard input.
+// Prints a line for the process that sends the rules on standard input.
 void Service::say(std::string_view line) const
 {
     if (!m_options.control)
@@ -145,7 +145,7 @@ void Service::say(std::string_view line) const
     std::fflush(stdout);
 }
 
-// As somebody finds it who lays a ruler on the last bag.
+// Prints the measurements of the last bag.
 void Service::measure() const
 {
     if (!m_lastCut) {

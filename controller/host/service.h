@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Serves a simulated controller on a pseudo-terminal in real time (times a factor): sleeps until the next
-// byte, frame end or piece of an answer, then catches up with the simulation. Takes the line's faults with
-// it.
+// Serves a simulated controller on a pseudo-terminal in real time (times a factor). It sleeps until the next
+// byte, frame end or piece of an answer, then advances the simulation. It includes the faults of the line.
 #pragma once
 
 #include "control_input.h"
@@ -23,7 +22,7 @@ public:
     // Port and flash must outlive the service.
     Service(const Options& options, ServedPort& port, FlashDevice& flash);
 
-    // Until *stop is set by a signal that is delivered only while this waits with `waitMask`.
+    // Runs until a signal sets *stop; the signal is delivered only during the wait with `waitMask`.
     void run(const volatile std::sig_atomic_t& stop, const sigset_t& waitMask);
 
 private:
@@ -47,8 +46,8 @@ private:
     std::int64_t m_startNs = 0; // real time of power-up, moved when the simulation cannot keep up
     std::unique_ptr<SimulatedController> m_controller;
     std::optional<BagCut> m_lastCut;
-    std::uint64_t m_frame = 0;                // of the bytes that came last
-    std::optional<std::int64_t> m_frameEndNs; // of the request under way
+    std::uint64_t m_frame = 0;                // frame of the last bytes
+    std::optional<std::int64_t> m_frameEndNs; // end of the present request
 };
 
 } // namespace campanel::controller

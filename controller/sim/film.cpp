@@ -10,12 +10,12 @@ namespace {
 
 constexpr double mmPerM = 1000.0;
 constexpr double twoPi = 2.0 * std::numbers::pi;
-// Newton's steps from a guess that is off by the stretch: 0.5 %, then 1e-7, then nothing.
+// The number of Newton steps from a guess that differs by the stretch: 0.5 %, then 1e-7, then nothing.
 constexpr int inversions = 3;
 
 } // namespace
 
-// The slow stretch swings between 0 and its largest value, in waves that no bag length divides.
+// The slow stretch varies between 0 and its maximum, in waves that are not a multiple of any bag length.
 Film::Film(const FilmOptions& options, std::uint64_t seed)
     : m_options(options)
     , m_slipRandom(seed)
@@ -60,7 +60,7 @@ void Film::load(double bagMm, double toFirstCutMm, double rollMm)
     m_knotMm = rollMm;
     m_bagMm = bagMm;
     m_firstMm = materialMm(drawn + toFirstCutMm) + m_options.misplacedMm;
-    // The first mark that is still before the sensor.
+    // The first mark that has not reached the sensor.
     const double pitch = bagMm * (1.0 + m_options.printError);
     m_mark = static_cast<std::int64_t>(
         std::floor((materialMm(drawn + m_options.markDistanceMm) - m_firstMm) / pitch));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The film of a packing machine from the mark sensor to the knife. Its material is counted in mm of
-// unstretched film; it comes stretched by some tenths of a percent, which change slowly along the reel, and
-// what was printed at equal distances comes at unequal ones. It slips against the roll that draws it. All of
-// it follows from where the roll stands, so that it does not depend on the steps in which the roll is moved.
+// unstretched film. It is stretched by some tenths of a percent, which change slowly along the reel, so that
+// equal printed distances become unequal. It slips on the roll that draws it. Everything follows from the
+// position of the roll and does not depend on the steps of its movement.
 #pragma once
 
 #include <array>
@@ -14,14 +14,14 @@ namespace campanel::controller {
 
 struct FilmOptions {
     double slipMm = 0.03;          // standard deviation from bag to bag
-    double stretch = 0.005;        // largest slow one; half of it is always there
-    double stretchStep = 0.0;      // stretch that sets in at once ...
-    double stretchStepM = 0.0;     // ... after so many metres of film
+    double stretch = 0.005;        // largest slow stretch; half of it is constant
+    double stretchStep = 0.0;      // sudden additional stretch ...
+    double stretchStepM = 0.0;     // ... after this many meters of film
     double markNoiseMm = 0.05;     // standard deviation of the sensor
-    double marksMissing = 0.0;     // share that the sensor does not see
-    double marksFalse = 0.0;       // share of bags with a second mark somewhere
-    double printError = 0.0;       // the print's distance is this share longer than the bag
-    double misplacedMm = 0.0;      // the film lies so far from its marks at the first cut
+    double marksMissing = 0.0;     // share that the sensor does not detect
+    double marksFalse = 0.0;       // share of bags with a false mark
+    double printError = 0.0;       // the printed distance is longer than the bag by this share
+    double misplacedMm = 0.0;      // offset of the film from its marks at the first cut
     double markDistanceMm = 900.0; // from the sensor to the knife
 };
 
@@ -29,18 +29,19 @@ class Film {
 public:
     Film(const FilmOptions& options, std::uint64_t seed);
 
-    // A film printed for bags of this length; the first cut comes when `toFirstCutMm` more have been drawn.
+    // Loads film printed for bags of this length; the first cut comes after another `toFirstCutMm`.
     void load(double bagMm, double toFirstCutMm, double rollMm);
-    // The roll has drawn so much since power-up.
+    // Advances the roll to this distance since power-up.
     void drawTo(double rollMm);
-    // Where the roll stood at a mark that passed the sensor, mm; false: no more.
+    // Returns the position of the roll at a mark that passed the sensor, mm; false: no more marks.
     bool takeMark(double& rollMm);
 
-    // Film drawn, slip included, when the roll stands there; at most one bag before the last drawTo().
+    // Returns the film drawn at this position of the roll, including slip; at most one bag before the last
+    // drawTo().
     [[nodiscard]] double drawnMm(double rollMm) const;
-    // Material under the knife with so much film drawn.
+    // Returns the material under the knife with this much film drawn.
     [[nodiscard]] double materialMm(double drawnMm) const;
-    // Distance of that material from the next printed cut, mm; positive: the cut came late.
+    // Returns the distance of that material from the next printed cut, mm; positive: the cut was late.
     [[nodiscard]] double offMarkMm(double materialMm) const;
 
 private:
@@ -49,7 +50,7 @@ private:
         double lengthMm = 0.0;
         double phase = 0.0;
     };
-    // Length on the machine of the material up to there.
+    // Returns the length on the machine of the material up to there.
     [[nodiscard]] double stretched(double materialMm) const;
     void nextMark();
     void seeMarks(double rollMm);
@@ -61,13 +62,13 @@ private:
     std::array<Wave, 2> m_waves;
     double m_bagMm = 0.0;   // 0: no film
     double m_firstMm = 0.0; // material of the first printed cut
-    // Slip: straight lines from knot to knot, one bag apart on the roll.
+    // The slip: straight lines between knots, one bag apart on the roll.
     double m_knotMm = 0.0;
     double m_slipAtKnotMm = 0.0;
-    double m_slipBeforeMm = 0.0; // at the knot before
-    double m_slipAfterMm = 0.0;  // at the knot after
+    double m_slipBeforeMm = 0.0; // at the previous knot
+    double m_slipAfterMm = 0.0;  // at the next knot
     std::int64_t m_mark = 0;
-    double m_markDrawnMm = 0.0; // film drawn when the next mark is seen
+    double m_markDrawnMm = 0.0; // film drawn when the sensor detects the next mark
     double m_falseDrawnMm = 0.0;
     bool m_markSeen = true;
     bool m_hasFalse = false;

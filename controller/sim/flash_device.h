@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the simulated board keeps over a power loss: two slots of bytes, erased to 0xFF.
+// The storage of the simulated board that survives a power loss: two slots of bytes, erased to 0xFF.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace campanel::controller {
 class FlashDevice {
 public:
     virtual ~FlashDevice() = default;
-    // Each returns false when the device failed. Bytes that were never written read 0xFF.
+    // Return false when the device failed. Bytes that were never written read 0xFF.
     [[nodiscard]] virtual bool read(std::uint32_t slot, std::uint32_t offset,
                                     std::span<std::uint8_t> bytes) = 0;
     [[nodiscard]] virtual bool erase(std::uint32_t slot) = 0;

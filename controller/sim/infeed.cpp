@@ -8,7 +8,7 @@
 namespace campanel::controller {
 namespace {
 
-constexpr double usualLength = 0.6; // of the bag
+constexpr double usualLength = 0.6; // share of the bag length
 constexpr double misplacedBy = 0.45;
 constexpr double leastGapMm = 5.0; // between two products
 constexpr double shortestMm = 1.0;
@@ -26,7 +26,7 @@ void Infeed::load(double bagMm, double layShare, double position)
     m_bagMm = bagMm;
     m_layShare = layShare;
     m_position = position;
-    // What is on the infeed already stays as it is; the first one has its way to the eye before it.
+    // Products on the infeed stay; the first new one starts before the eye.
     const double eye = m_options.eyeMm / m_options.pitchMm;
     m_next = std::max(m_next, static_cast<std::int64_t>(std::floor(position - layShare + eye)) + 1);
 }
@@ -47,7 +47,7 @@ void Infeed::generate()
     if (missing)
         return;
     const double pitchMm = std::min(m_options.pitchMm, m_bagMm);
-    if (m_last) { // one pushes the other
+    if (m_last) { // one product pushes the other
         const double places = static_cast<double>(product.number - m_last->number);
         const double room = (m_last->lengthMm + product.lengthMm) / 2.0 + leastGapMm;
         product.behindMm = std::max(product.behindMm, m_last->behindMm + room - places * pitchMm);

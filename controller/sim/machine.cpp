@@ -13,7 +13,7 @@
 namespace campanel::controller {
 namespace {
 
-constexpr double fullCircle = 36000.0;  // of the bank's angles, 0.01 degrees
+constexpr double fullCircle = 36000.0;  // bank angles in 0.01 degrees
 constexpr double sameRevolution = 1e-6; // pulses
 
 double wide(const ctl_bank& bank, unsigned offset)
@@ -21,7 +21,7 @@ double wide(const ctl_bank& bank, unsigned offset)
     return ctl_get32(&bank.registers[offset]);
 }
 
-// Pulses of one turn of the knife shaft.
+// Returns the pulses of one turn of the knife shaft.
 double knifeRevolution(const ctl_bank& bank)
 {
     return wide(bank, CTL_OFFSET_PROGRAM_PULSES_PER_MOTOR_REV) *
@@ -29,7 +29,7 @@ double knifeRevolution(const ctl_bank& bank)
            bank.registers[CTL_OFFSET_PROGRAM_GEAR_DENOMINATOR];
 }
 
-// Pulses of the table from the start of the cycle to a master angle.
+// Returns the pulses of the table from the start of the cycle to a master angle.
 double pulsesAtAngle(const ctl_bank& bank, double angle)
 {
     double ticks = wide(bank, CTL_OFFSET_BANK_CYCLE_TICKS) * angle / fullCircle;
@@ -71,7 +71,7 @@ void Machine::setProgram(const ctl_bank& bank)
         m_ram.reset();
 }
 
-// From now on so many pulses lie between two index marks; the shaft keeps its angle.
+// Sets the pulses between two index marks; the shaft keeps its angle.
 void Machine::turnBy(double revolution)
 {
     const double revolutions = (m_main.position() - m_mark) / m_revolution;
@@ -81,7 +81,7 @@ void Machine::turnBy(double revolution)
     }
 }
 
-// Another press begins with its ram up.
+// Another press starts with its ram up.
 void Machine::setPress(const ctl_bank& bank)
 {
     const double pulseMm =
@@ -93,7 +93,7 @@ void Machine::setPress(const ctl_bank& bank)
     m_top = m_main.position();
 }
 
-// The film on the machine is one that was printed for the program's bags, and lies in register.
+// The film is printed for the program's bags, and in register.
 void Machine::setKnife(const ctl_bank& bank)
 {
     m_stroke = m_revolution / bank.registers[CTL_OFFSET_PROGRAM_KNIVES];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulated machine: servos that follow the pulses with a lag. With a cutter's program the main one turns
-// a knife with encoder and index mark over a film that another one draws, and a third brings products; the
-// bags are measured where they are cut. With a press's program it drives the ram; with any other it is a
-// plain axis with a mark at each motor revolution. Same seed and same calls: same results.
+// The simulated machine: servos that follow the pulses with a lag. With a cutter's program the main axis
+// turns a knife with encoder and index mark, the second draws the film, and the third brings products. The
+// bags are measured at the cut. With a press's program it drives the ram; with any other it is a plain axis
+// with a mark at each motor revolution. The same seed and calls give the same results.
 #pragma once
 
 #include "ctl_bank.h"
@@ -24,21 +24,21 @@ struct MachineOptions {
     FilmOptions film;
     ProductOptions products;
     double servoBandwidthHz = 80.0;   // critically damped; the knife lags by 1 / (pi * bandwidth)
-    double feedBandwidthHz = 60.0;    // of film and infeed
-    double startAngleDegrees = 300.0; // of the shaft at power-up, from its index mark
+    double feedBandwidthHz = 60.0;    // for film and infeed
+    double startAngleDegrees = 300.0; // shaft angle at power-up, from its index mark
     double filmFeedMm = 150.0;        // per revolution of the film motor
     double filmPulses = 10'000.0;
-    double flightPulses = 20'000.0; // of the infeed motor per product
+    double flightPulses = 20'000.0; // infeed motor, per product
     PressOptions press;
 };
 
-// What a cut made, as only somebody with a ruler knows it.
+// The result of a cut, as measured with a ruler.
 struct BagCut {
     std::int64_t filmEncoder = 0;          // 1/256 pulse, latched when the knife closed
-    std::optional<std::uint32_t> lengthUm; // none: the cut before does not count
+    std::optional<std::uint32_t> lengthUm; // none: the previous cut is not valid
     double markErrorMm = 0.0;              // from the printed cut, positive: late
-    double drawnMm = 0.0;                  // film, slip included
-    std::vector<Infeed::Laid> products;    // in the bag
+    double drawnMm = 0.0;                  // film drawn, including slip
+    std::vector<Infeed::Laid> products;    // products in the bag
     bool throughProduct = false;
 };
 
@@ -46,37 +46,38 @@ class Machine {
 public:
     explicit Machine(const MachineOptions& options);
 
-    // The program that is executed from now on; the shaft keeps its angle.
+    // Sets the program to execute; the shaft keeps its angle.
     void setProgram(const ctl_bank& bank);
     void command(std::int64_t pulses) { m_main.command(pulses); }
     void commandFilm(std::int64_t pulses) { m_filmMotor.command(pulses); }
     void commandInfeed(std::int64_t pulses) { m_infeedMotor.command(pulses); }
     void setDriveOn(bool on) { m_main.setDriveOn(on); }
 
-    // Moves on by one step of time.
+    // Advances by one time step.
     void advance(double stepS);
-    // What is known of the last cut no longer counts: the knife was turned by hand.
+    // Invalidates the last cut: the knife was turned by hand.
     void forgetLastCut() { m_materialAtCutMm.reset(); }
 
-    // Of the main motor; with a press's program the scale at the ram, the second in 1/256 pulse.
+    // Return the encoder of the main motor, and the scale in 1/256 pulse. With a press's program the encoder
+    // is the scale at the ram.
     [[nodiscard]] std::int64_t encoder() const;
     [[nodiscard]] std::int64_t scale() const;
     [[nodiscard]] std::int32_t forceN() const { return m_ram ? m_ram->forceN() : 0; }
-    // 1/256 pulse.
+    // Return the encoders in 1/256 pulse.
     [[nodiscard]] std::int64_t filmEncoder() const;
     [[nodiscard]] std::int64_t infeedEncoder() const;
-    // Only with a press's program.
+    // Returns the ram; only with a press's program.
     [[nodiscard]] const PressRam& ram() const { return *m_ram; }
-    // Encoder position at the index mark, once for each time that it was passed forward.
+    // Returns the encoder position at the index mark, once for each forward passage.
     [[nodiscard]] std::optional<std::int64_t> takeIndex();
-    // Film encoder at a printed mark, infeed encoder at an edge of a product; 1/256 pulse.
+    // Return the film encoder at a printed mark and the infeed encoder at an edge of a product; 1/256 pulse.
     [[nodiscard]] std::optional<std::int64_t> takeMark();
     struct Edge {
         std::int64_t infeedEncoder = 0;
         bool covered = false;
     };
     [[nodiscard]] std::optional<Edge> takeEdge();
-    // The cut of the last step.
+    // Returns the cut of the last step.
     [[nodiscard]] std::optional<BagCut> takeCut();
 
 private:
@@ -103,8 +104,8 @@ private:
     std::optional<std::int64_t> m_index;
     std::optional<BagCut> m_cut;
     std::optional<PressRam> m_ram;
-    double m_pulseMm = 0.0; // of the ram
-    double m_top = 0.0;     // motor position of the ram's upper position, pulses
+    double m_pulseMm = 0.0; // mm per pulse of the ram
+    double m_top = 0.0;     // motor position at the ram's upper position, pulses
 };
 
 } // namespace campanel::controller

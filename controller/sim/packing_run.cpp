@@ -13,20 +13,20 @@ namespace campanel::controller {
 namespace {
 
 constexpr double usPerS = 1e6;
-// Homing and the ramp, before the first bag must have come; and how long a bag may take.
+// The maximum times of homing and ramp before the first bag, and of a bag.
 constexpr std::uint64_t longestStartUs = 120'000'000;
 constexpr unsigned longestBagCycles = 400;
-// Of the steps of time.
+// The time steps.
 constexpr double stepsPerCycle = 400.0;
 constexpr double shortestStepUs = 100.0;
 constexpr double longestStepUs = 2500.0;
-// A machine that alarms so often without a bag in between is not started again.
+// The number of alarms without a bag after which the machine is not restarted.
 constexpr std::uint32_t mostStartsPerBag = 20;
-// What the eye, the product's slip on the film and the film's own slip may hide.
+// The maximum errors of the eye, the product's slip on the film and the film's own slip.
 constexpr double sensorMm = 2.5;
-constexpr double aligningShare = 0.1; // of the bag length, by which a cut may be shifted while aligning
+constexpr double aligningShare = 0.1; // share of the bag length by which a cut may be shifted while aligning
 
-// Nothing is kept over a power loss.
+// A flash without persistent data.
 class NoFlash : public FlashDevice {
 public:
     bool read(std::uint32_t, std::uint32_t, std::span<std::uint8_t> bytes) override
@@ -38,7 +38,7 @@ public:
     bool write(std::uint32_t, std::uint32_t, std::span<const std::uint8_t>) override { return true; }
 };
 
-// Of the bank, which need not be a good one.
+// Returns the cycle time of the bank, which need not be valid.
 double cycleS(const PackingJob& job)
 {
     return job.bank.size() < CTL_BANK_HEADER_REGISTERS
@@ -221,7 +221,7 @@ private:
         m_beforeFits = fits;
     }
 
-    // The cuts skipped in a bag would have divided it evenly.
+    // Explains skipped cuts, which would have divided the bag evenly.
     void explainSkips(PackedBag& bag, const BagCut& cut)
     {
         bag.skipCause = m_skipCause;
@@ -238,7 +238,7 @@ private:
         m_result.largestSkipGapMm = std::max(m_result.largestSkipGapMm, bag.skipGapMm);
     }
 
-    // The clearance, what a correction may still shift, and what no sensor sees.
+    // Returns the clearance, plus the remaining correction and undetectable errors.
     double keptClearMm() const
     {
         const double clearance = ctl_parameter16(&m_core, CTL_REG_PARAMETER_CUT_CLEARANCE) / umPerMm;
@@ -255,15 +255,15 @@ private:
     ctl_core& m_core;
     PackingResult m_result;
     std::uint64_t m_startUs = 0;
-    std::uint64_t m_untilUs = 0; // a bag must have come by then
+    std::uint64_t m_untilUs = 0; // time limit of the next bag
     std::uint64_t m_longestBagUs = 0;
     double m_setMm = 0.0;
-    double m_drawnBeforeMm = 0.0; // at the cut before
-    bool m_fullSpeed = false;     // since that
+    double m_drawnBeforeMm = 0.0; // at the previous cut
+    bool m_fullSpeed = false;     // since the previous cut
     bool m_isSettled = false;
     bool m_beforeFits = false;
     std::uint32_t m_skipped = 0;
-    std::uint16_t m_skipCause = CTL_SKIP_CAUSE_NONE; // of the last cut skipped since
+    std::uint16_t m_skipCause = CTL_SKIP_CAUSE_NONE; // of the last skipped cut since then
     bool m_skippedAligning = false;
     std::uint32_t m_bagsAtAlarm = 0;
     std::uint32_t m_startsWithoutBag = 0;

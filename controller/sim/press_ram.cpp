@@ -8,8 +8,8 @@
 namespace campanel::controller {
 namespace {
 
-constexpr double topMm = 1.0; // above this the ram makes room for the next work piece
-constexpr std::uint64_t ownSequence = 0x9E3779B97F4A7C15u; // apart from the film's random numbers
+constexpr double topMm = 1.0; // above this position the next work piece is inserted
+constexpr std::uint64_t ownSequence = 0x9E3779B97F4A7C15u; // separate from the film's random numbers
 
 } // namespace
 
@@ -22,7 +22,7 @@ PressRam::PressRam(const PressOptions& options, std::uint64_t seed)
 
 void PressRam::nextStroke()
 {
-    // Always all draws, so that a missing piece does not move the others.
+    // Always draws all numbers, so that a missing piece does not change the others.
     m_hasPiece = std::uniform_real_distribution<double>(0.0, 1.0)(m_random) >= m_options.missing;
     m_pieceMm =
         m_options.workPieceMm + m_options.workPieceScatterMm * std::normal_distribution<double>()(m_random);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What hangs on the motor of a press: a transmission with error and play, the ram with its scale, and the
-// work piece under it. Positions in mm below the upper position.
+// The mechanics of a press: a transmission with error and backlash, the ram with its scale, and the work
+// piece under it. Positions in mm below the upper position.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 namespace campanel::controller {
 
 struct PressOptions {
-    double workPieceMm = 75.0;       // where the work piece begins
-    double workPieceScatterMm = 0.2; // standard deviation of that from piece to piece
-    double missing = 0.0;            // share of the strokes that find none
-    double stiffnessNPerMm = 200.0;  // of the work piece
+    double workPieceMm = 75.0;       // upper side of the work piece
+    double workPieceScatterMm = 0.2; // standard deviation from piece to piece
+    double missing = 0.0;            // share of the strokes without a work piece
+    double stiffnessNPerMm = 200.0;  // stiffness of the work piece
     double backlashMm = 0.037;       // between motor and ram
-    double leadError = 0.00012;      // the ram goes that much farther than the motor says
-    double driftMm = 0.005; // by which heat moves the ram against the motor from stroke to stroke, st. dev.
-    double screwErrorMm = 0.001; // and is wrong by this much to both sides within each turn of the screw
+    double leadError = 0.00012;      // the ram moves farther than the motor by this share
+    double driftMm = 0.005; // thermal drift between ram and motor from stroke to stroke, standard deviation
+    double screwErrorMm = 0.001; // amplitude of the error within each turn of the screw
 };
 
 class PressRam {
@@ -26,11 +26,11 @@ public:
 
     PressRam(const PressOptions& options, std::uint64_t seed);
 
-    // The motor stands where it would have moved the ram to without error or play.
+    // Sets the motor position, in mm of an ideal ram.
     void follow(double motorMm);
 
-    [[nodiscard]] double positionMm() const { return m_positionMm; } // the true one
-    [[nodiscard]] double scaleMm() const;                            // as the scale reads it
+    [[nodiscard]] double positionMm() const { return m_positionMm; } // true position
+    [[nodiscard]] double scaleMm() const;                            // position on the scale
     [[nodiscard]] std::int32_t forceN() const;
 
 private:

@@ -7,7 +7,7 @@
 namespace campanel::controller {
 namespace {
 
-constexpr double restPulses = 1e-6; // closer than that it stands still
+constexpr double restPulses = 1e-6; // smaller distances count as standstill
 constexpr double restPulsesPerS = 1e-3;
 
 } // namespace
@@ -39,8 +39,7 @@ void Servo::advance(double stepS)
         m_stepS = stepS;
         m_decay = std::exp(-m_angularBandwidth * stepS);
     }
-    // x'' = w^2 (u - x) - 2 w x' with u' = r: z = x - u + 2 r / w dies away as (z0 + (z0' + w z0) t) exp(-w
-    // t).
+    // x'' = w^2 (u - x) - 2 w x' with u' = r: z = x - u + 2 r / w decays as (z0 + (z0' + w z0) t) exp(-w t).
     const double w = m_angularBandwidth;
     const double rise = (target - from) / stepS;
     const double lag = 2.0 * rise / w;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A servo axis: critically damped, second order; the command is taken to rise evenly within a step, for which
-// the solution is exact. So the axis does the same whatever the length of the steps. In pulses.
+// A servo axis: critically damped, second order. The command rises linearly within a step, and the solution
+// for that is exact, so the result does not depend on the step length. In pulses.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,16 @@ namespace campanel::controller {
 
 class Servo {
 public:
-    // Follows with a lag of 1 / (pi * bandwidthHz) at even speed.
+    // Follows with a lag of 1 / (pi * bandwidthHz) at constant speed.
     explicit Servo(double bandwidthHz);
 
     void command(std::int64_t pulses) { m_commanded += pulses; }
-    // A drive that is cut off does not follow any more; switched on again it has forgotten the pulses in
-    // between.
+    // Switches the drive. While it is off the axis does not follow; pulses in the meantime are lost.
     void setDriveOn(bool on);
     void advance(double stepS);
 
     [[nodiscard]] double position() const { return m_position; }
-    // Before the last step.
+    // Returns the position before the last step.
     [[nodiscard]] double positionBefore() const { return m_before; }
 
 private:
@@ -30,7 +29,7 @@ private:
     double m_position = 0.0;
     double m_speed = 0.0; // 1/s
     double m_before = 0.0;
-    double m_stepS = 0.0; // for which m_decay was computed
+    double m_stepS = 0.0; // step that m_decay was computed for
     double m_decay = 1.0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The controller's core wired to the simulated machine, on simulated time in fixed steps: whoever calls
-// decides how fast that is, the results do not depend on it.
+// The controller's core connected to the simulated machine, on simulated time in fixed steps: the caller sets
+// the pace, and the results do not depend on it.
 #pragma once
 
 #include "ctl_core.h"
@@ -17,23 +17,23 @@ class SimulatedController {
 public:
     static constexpr std::uint64_t usualStepUs = CTL_SLICE_US;
 
-    // The flash must outlive the controller. Longer steps are quicker; the bags come out the same to a pulse
-    // of the film motor.
+    // The flash must outlive the controller. Longer steps are faster; the bags differ by at most a pulse of
+    // the film motor.
     SimulatedController(const ctl_config& config, const MachineOptions& options, FlashDevice& flash,
                         std::uint64_t stepUs = usualStepUs);
     SimulatedController(const SimulatedController&) = delete;
     SimulatedController& operator=(const SimulatedController&) = delete;
     ~SimulatedController() = default;
 
-    // Simulated time since power-up.
+    // Returns the simulated time since power-up.
     [[nodiscard]] std::uint64_t nowUs() const { return m_nowUs; }
     void step();
-    // Whole steps up to the time given, then the line's silence is checked at exactly that time.
+    // Runs whole steps up to this time, then checks the line's silence at exactly that time.
     void runTo(std::uint64_t timeUs);
 
     [[nodiscard]] ctl_core& core() { return *m_core; }
     [[nodiscard]] Machine& machine() { return m_machine; }
-    // The cut of the last step.
+    // Returns the cut of the last step.
     [[nodiscard]] const std::optional<BagCut>& cut() const { return m_cut; }
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Piecewise reading of a bank.
+// Reads a bank in pieces.
 #include "modbus/download/bank_reader.h"
 
 #include <algorithm>

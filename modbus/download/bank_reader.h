@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads a run of registers, such as a bank or its header, in proven pieces: one exchange a step, so that the
+// Reads a range of registers, such as a bank or its header, with proof: one exchange per step, so that the
 // status exchange can go on in between.
 #pragma once
 
@@ -12,14 +12,15 @@ namespace campanel::modbus {
 
 class BankReader {
 public:
-    // `count` registers from `address`: stagedBankBase or activeBankBase for a bank.
+    // Reads `count` registers from `address`: stagedBankBase or activeBankBase for a bank.
     BankReader(std::uint16_t address, std::uint16_t count)
         : m_address(address)
         , m_count(count)
     {
     }
 
-    // One exchange. After an error the same step may be tried again. True when everything has been read.
+    // Performs one exchange. After an error the same step may be repeated. Returns true when everything has
+    // been read.
     [[nodiscard]] tl::expected<bool, LinkError> advance(RtuClient& client);
 
     [[nodiscard]] bool complete() const { return m_registers.size() == m_count; }

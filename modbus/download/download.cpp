@@ -29,7 +29,7 @@ std::string transferReason(const TransferAnswer& answer)
     return std::string(enumText("TransferResult", static_cast<std::uint16_t>(answer.result)));
 }
 
-// Another panel's download would take turns with this one for ever.
+// The maximum number of starts: the download of another panel would alternate with this one endlessly.
 constexpr int mostBeginnings = 20;
 
 bool isWithoutSession(TransferResult result)
@@ -132,8 +132,8 @@ Download::Step Download::refused(const TransferAnswer& answer)
     return fail(std::move(error));
 }
 
-// The controller has restarted, which need not have broken the connection, or somebody else has begun. False
-// when that has happened too often.
+// Starts again after a restart of the controller, which may leave the connection intact, or after another
+// panel's start. Returns false when that has happened too often.
 bool Download::beginAgain()
 {
     if (++m_beginnings > mostBeginnings)
@@ -141,7 +141,7 @@ bool Download::beginAgain()
     m_phase = Phase::Begin;
     // A restarted controller may be back at an older program, and count from there.
     m_generationBefore.reset();
-    m_isMismatchKnown = false; // this is why
+    m_isMismatchKnown = false; // the reason is known
     return true;
 }
 
@@ -215,7 +215,7 @@ Download::Step Download::askMissing(RtuClient& client)
     if (!answer)
         return linkFailed(answer.error());
     if (m_applySent) {
-        // Still held: to be applied again, which harms nothing. Gone: applied or lost, status tells.
+        // Still staged: apply again, without harm. Not staged: applied or lost, the status tells.
         m_phase = answer->session == m_options.session ? Phase::Apply : Phase::AwaitActive;
         return m_phase;
     }
@@ -238,7 +238,7 @@ Download::Step Download::sendBlock(RtuClient& client)
         return m_phase;
     if (!answer->accepted())
         return refused(*answer);
-    // The controller names the lowest block that it misses: usually the next one.
+    // The controller returns the lowest missing block, usually the next one.
     m_nextBlock = answer->nextMissing;
     if (m_nextBlock >= blockCount())
         m_phase = Phase::Seal;
@@ -276,7 +276,7 @@ Download::Step Download::verify(RtuClient& client)
         return m_phase;
     const auto [sent, held] = std::ranges::mismatch(m_image, m_reader->registers());
     if (sent != m_image.end() && !std::exchange(m_isMismatchKnown, true)) {
-        // A restarted controller holds nothing: what it says of the session decides.
+        // A restarted controller has no staged data: its answer about the session decides.
         resume();
         return m_phase;
     }
@@ -307,8 +307,7 @@ Download::Step Download::apply(RtuClient& client)
         Command::ApplyStaged, {static_cast<std::uint16_t>(m_options.mode), m_options.session, m_crc});
     if (!result)
         return linkFailed(result.error());
-    // Nothing staged any more after an earlier try without an answer: that one may have done it, status
-    // tells.
+    // Nothing staged after an earlier unanswered attempt, which may have succeeded: the status tells.
     const bool perhapsDone = again && result->reason == Refusal::NothingSealed;
     if (!again && result->reason == Refusal::NothingSealed && beginAgain()) {
         m_applySent = false;
@@ -328,7 +327,7 @@ Download::Step Download::noteStatus(const StatusBlock& status)
         m_generationBefore = status.generation;
     const bool isActive = status.generation != *m_generationBefore && status.activeCrc == m_crc;
     const bool isArmed = status.stagedState == StagedState::Armed;
-    // The answer to apply may have been lost, so the phase may lag behind what the status says.
+    // The answer to apply may have been lost, so the phase may be behind the status.
     if (m_applySent && isActive)
         m_phase = Phase::Active;
     else if (m_applySent && isArmed)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Download of one bank as a state machine of small steps: begin, blocks, seal (CRC-32 compared), optionally a
-// comparison of every register read back, apply, wait until the status block shows it active. Each step is
-// one exchange, so that status and stop go in between; after a broken connection it goes on at the missing
-// block, after a restart of the controller it begins again.
+// The download of one bank as a state machine of small steps: begin, blocks, seal (CRC-32 compared), optional
+// comparison of every register read back, apply, wait until the status block reports it as active. Each step
+// is one exchange, so that status and Stop go in between. After a broken connection the download continues at
+// the missing block; after a restart of the controller it starts again.
 #pragma once
 
 #include "modbus/download/bank_reader.h"
@@ -17,12 +17,12 @@ namespace campanel::modbus {
 
 enum class DownloadErrorKind : std::uint8_t {
     Link,             // `link`; the download can go on after resume()
-    ImageTooLong,     // more registers than the controller's bank holds
+    ImageTooLong,     // more registers than the controller's bank
     KindNotSupported, // the controller cannot execute this program kind
-    TransferRefused,  // `transfer` says why
+    TransferRefused,  // see `transfer`
     ChecksumDiffers,  // the controller sealed other bytes than were sent
     RowsDiffer,       // the register at offset `offset` reads back differently
-    CommandRefused,   // `refusal` says why
+    CommandRefused,   // see `refusal`
     Withdrawn,        // the armed change was cancelled or discarded before it became active
 };
 
@@ -36,17 +36,17 @@ struct DownloadError {
     std::uint32_t actual = 0;
 };
 
-// One or two sentences; the running program is untouched in every case, and they say so.
+// Returns one or two sentences. The running program is untouched in every case, and they say so.
 [[nodiscard]] std::string describe(const DownloadError& error);
 
 class Download {
 public:
     enum class Phase : std::uint8_t {
         Begin,
-        Resuming, // asking which block is missing
+        Resuming, // asking for the missing block
         Blocks,
         Seal,
-        Verify, // reading back, only when asked for
+        Verify, // reading back, only on request
         Apply,
         AwaitActive,
         Active,
@@ -60,26 +60,27 @@ public:
         bool verify = false;       // read every staged register back before applying
     };
 
-    // `image`: header and rows of the bank. The kind of program is announced as its header names it.
+    // Prepares the download of `image`, header and rows of the bank. The announced kind of program is that of
+    // the header.
     Download(std::vector<std::uint16_t> image, const Identity& controller, Options options);
 
-    // One exchange, none while waiting in AwaitActive or when ended. A Link error leaves the phase: the step
-    // may be repeated, or resume() called after reopening the port. Any other error ends the download.
+    // Performs one exchange, or none in AwaitActive and after the end. A Link error does not change the
+    // phase: repeat the step, or call resume() after reopening the port. Any other error ends the download.
     [[nodiscard]] tl::expected<Phase, DownloadError> advance(RtuClient& client);
 
-    // To be given every status block: it carries the generation before, and the proof of being active.
+    // Handles every status block: it contains the generation before, and the proof of being active.
     [[nodiscard]] tl::expected<Phase, DownloadError> noteStatus(const StatusBlock& status);
 
-    // After the connection was lost and found again.
+    // Continues after the connection was lost and restored.
     void resume();
 
-    // Disarms if armed, and empties the shadow bank. What is active stays so. Errors: Link (repeat), or
-    // CommandRefused when it became active meanwhile.
+    // Disarms if armed, and clears the shadow bank. The active program does not change. Errors: Link
+    // (repeat), or CommandRefused when the program became active meanwhile.
     [[nodiscard]] tl::expected<Phase, DownloadError> cancel(RtuClient& client);
 
     [[nodiscard]] Phase phase() const { return m_phase; }
     [[nodiscard]] bool ended() const;
-    // 0..1 over the frames up to and including apply.
+    // Returns 0..1 over the frames up to and including apply.
     [[nodiscard]] double progress() const;
     [[nodiscard]] std::uint32_t crc() const { return m_crc; }
     [[nodiscard]] const std::vector<std::uint16_t>& image() const { return m_image; }
@@ -103,7 +104,7 @@ private:
     Options m_options;
     std::uint16_t m_blockRegisters = 0;
     std::uint16_t m_bankRegisters = 0;
-    std::uint16_t m_kind = 0; // of the image
+    std::uint16_t m_kind = 0; // kind of the image
     bool m_kindSupported = false;
     std::uint32_t m_crc = 0;
     Phase m_phase = Phase::Begin;
@@ -111,7 +112,7 @@ private:
     std::optional<BankReader> m_reader;
     std::optional<std::uint32_t> m_generationBefore;
     bool m_applySent = false;
-    int m_beginnings = 0; // again, after the controller had lost the session
+    int m_beginnings = 0; // number of starts after the controller had lost the session
     bool m_isMismatchKnown = false;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long to wait for an answer beyond the wire time of its frames: three times the p99 of the turnaround
-// that was measured on this connection, within bounds. Starts from a safe value; grows at once when nothing
-// comes.
+// The waiting time for an answer beyond the wire time of its frames: three times the p99 of the turnaround
+// measured on this connection, within limits. It starts from a safe value and grows at once after a missing
+// answer.
 #pragma once
 
 #include "modbus/line/latency_histogram.h"
@@ -16,23 +16,24 @@ class AnswerAllowance {
 public:
     using Milliseconds = std::chrono::milliseconds;
 
-    // Below: a USB adapter that collects bytes for 16 ms, together with a panel or controller that was busy
-    // for two time slices, must not look like silence.
+    // The minimum: a USB adapter that collects bytes for 16 ms, and a panel or controller busy for two time
+    // slices, must not look like silence.
     static constexpr Milliseconds shortest{50};
-    // Above: two unanswered questions and their draining fit into the second after which a line counts as
-    // lost.
+    // The maximum: two unanswered questions and their draining fit into the second after which a line counts
+    // as lost.
     static constexpr Milliseconds longest{400};
-    // Answers in one generation of measurements; two of them are looked at.
+    // The answers in one generation of measurements; two generations are used.
     static constexpr std::uint64_t window = 200;
-    static constexpr std::uint64_t fewest = 50; // before there are so many, the start value holds
-    static constexpr int margin = 3;            // times the p99
+    static constexpr std::uint64_t fewest = 50; // below this number the start value is used
+    static constexpr int margin = 3;            // multiple of the p99
 
     explicit AnswerAllowance(Milliseconds start)
         : m_value(start)
     {
     }
 
-    // From the request's last byte on the wire to the answer's first, adapters and scheduling included.
+    // Adds the time from the request's last byte on the wire to the answer's first, including adapters and
+    // scheduling.
     void noteTurnaround(std::chrono::nanoseconds turnaround)
     {
         m_recent.note(turnaround);
@@ -46,7 +47,8 @@ public:
             std::clamp(std::chrono::ceil<Milliseconds>(both.percentile(0.99) * margin), shortest, longest);
     }
 
-    // An answer that would have come later was not measured: the measurements so far tell too little.
+    // Increases the allowance after a missing answer and restarts the measurements: they do not include later
+    // answers.
     void noteSilence()
     {
         m_value = std::max(m_value, std::min(2 * m_value, longest));

@@ -18,7 +18,7 @@ namespace campanel::modbus {
     return crc;
 }
 
-// True when the last two of at least four bytes are the CRC-16 of those before them.
+// Returns true when the last two of at least four bytes are the CRC-16 of those before them.
 [[nodiscard]] constexpr bool endsWithCrc16(std::span<const std::uint8_t> frame)
 {
     if (frame.size() < 4)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every frame that went out and every byte that came in, as it was, in a ring of fixed size: what was dropped
-// and what was no frame at all included. Adding one copies at most 256 bytes and allocates nothing.
+// Every frame sent and every byte received, unchanged, in a ring of fixed size, including dropped bytes and
+// incomplete frames. Adding a record copies at most 256 bytes and allocates nothing.
 #pragma once
 
 #include <array>
@@ -13,26 +13,26 @@ namespace campanel::modbus {
 
 enum class FrameVerdict : std::uint8_t {
     Sent,
-    Answer,      // believed
-    Exception,   // a refusal by the device
-    Foreign,     // a whole frame, but the answer to another question: dropped
-    BadChecksum, // a frame's length, but its CRC-16 is wrong
-    Malformed,   // begins like no answer that a device may give
-    Incomplete,  // no more came in the time allowed
-    Silence,     // nothing came in the time allowed: no bytes
-    Drained,     // came when nobody had asked, or after a doubt: dropped unread
+    Answer,      // accepted
+    Exception,   // an exception from the device
+    Foreign,     // a complete frame, but the answer to another question: dropped
+    BadChecksum, // the length of a frame, but a wrong CRC-16
+    Malformed,   // not the start of a valid answer
+    Incomplete,  // incomplete within the time allowed
+    Silence,     // no bytes within the time allowed
+    Drained,     // received without a question, or after a doubt: dropped unread
     PortGone,    // the port hung up: bytes before that, if any
 };
 
 struct FrameRecord {
-    // Longest frame on a serial line (Modbus over serial line, 2.5.1.1).
+    // The maximum length of a frame on a serial line (Modbus over serial line, 2.5.1.1).
     static constexpr std::size_t mostBytes = 256;
 
-    std::uint64_t number = 0;                 // 1 for the first one, counted without gaps
-    std::chrono::steady_clock::time_point at; // sent, or complete
+    std::uint64_t number = 0;                 // from 1, without gaps
+    std::chrono::steady_clock::time_point at; // time when it was sent, or complete
     FrameVerdict verdict = FrameVerdict::Sent;
-    // Of the question that this answers, so that a frame can be read by itself; 0 registers when it read
-    // none.
+    // The range of the question that this frame answers, so that a frame can be decoded on its own; 0
+    // registers when it read none.
     std::uint16_t readAddress = 0;
     std::uint16_t readCount = 0;
     std::uint16_t length = 0;
@@ -44,19 +44,19 @@ struct FrameRecord {
 
 class FrameLog {
 public:
-    // 2048 frames are 0.6 MB, and 12 s of status exchanges at 115200 baud.
+    // Creates a ring. 2048 frames are 0.6 MB, and 12 s of status exchanges at 115200 baud.
     explicit FrameLog(std::size_t capacity = 2048)
         : m_ring(capacity)
     {
     }
 
-    // Takes number and time from itself; bytes beyond mostBytes become further records.
+    // Adds a record with the next number and the present time; bytes beyond mostBytes become further records.
     void add(FrameVerdict verdict, std::span<const std::uint8_t> bytes, std::uint16_t readAddress = 0,
              std::uint16_t readCount = 0);
 
     [[nodiscard]] std::uint64_t lastNumber() const { return m_lastNumber; }
     [[nodiscard]] std::size_t capacity() const { return m_ring.size(); }
-    // Those with a number above `number` that are still there, oldest first.
+    // Returns the remaining records with a number above `number`, oldest first.
     [[nodiscard]] std::vector<FrameRecord> since(std::uint64_t number) const;
 
 private:

@@ -34,7 +34,7 @@ void appendValues(std::vector<NamedValue>& values, std::uint16_t address,
         values.push_back(std::move(value));
 }
 
-// Read-back windows and transfers carry registers of elsewhere: these get the names of where they belong.
+// Read-back windows and transfers contain registers of other addresses: they get the names of those.
 void appendWindow(std::vector<NamedValue>& values, std::uint16_t address,
                   std::span<const std::uint16_t> registers)
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Durations counted in logarithmic buckets, 16 to the octave from 64 us to 16.7 s: fixed memory, and a
-// percentile is at most 6.25 % too high, never too low. Shorter and longer ones count in the first and last
-// bucket.
+// Counts durations in logarithmic buckets, 16 per octave from 64 us to 16.7 s, in fixed memory. A percentile
+// is at most 6.25 % too high, never too low. Shorter and longer durations count in the first and last bucket.
 #pragma once
 
 #include <algorithm>
@@ -26,8 +25,8 @@ public:
         m_maximum = std::max(m_maximum, us);
     }
 
-    // The smallest duration that `share` (0..1) of those noted do not exceed, rounded up to its bucket's end;
-    // 0 when none was noted.
+    // Returns the smallest duration that `share` (0..1) of the counted ones do not exceed, rounded up to the
+    // end of its bucket. Returns 0 when none was counted.
     [[nodiscard]] Microseconds percentile(double share) const
     {
         const double wanted = share * static_cast<double>(m_count);
@@ -53,7 +52,7 @@ public:
     }
 
 private:
-    static constexpr unsigned stepBits = 4;     // 16 buckets to the octave
+    static constexpr unsigned stepBits = 4;     // 16 buckets per octave
     static constexpr unsigned shortestBits = 6; // 64 us
     static constexpr unsigned octaves = 18;
 
@@ -68,7 +67,7 @@ private:
         return (static_cast<std::size_t>(octave - shortestBits) << stepBits) + step;
     }
 
-    // Last duration of the bucket.
+    // Returns the last duration of the bucket.
     static constexpr std::uint64_t endOf(std::size_t bucket)
     {
         if (bucket == bucketCount - 1)

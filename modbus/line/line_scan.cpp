@@ -11,13 +11,13 @@ using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
 constexpr milliseconds drainTime{25};
-// A damaged answer may have been an accident.
+// The attempts after a damaged answer, which may be accidental.
 constexpr int attemptsWhenDamaged = 2;
-// Units that a diagnosis asks besides the configured one.
+// The units of a diagnosis besides the configured one.
 constexpr std::array likelyUnits{1, 2, 3};
-// In a search: longer than the 16 ms of a USB adapter and the work of a slow device.
+// The allowance in a search: longer than the 16 ms of a USB adapter and the work of a slow device.
 constexpr milliseconds shortAllowance{60};
-constexpr milliseconds longAllowance = AnswerAllowance::longest; // as long as is promised
+constexpr milliseconds longAllowance = AnswerAllowance::longest; // the promised maximum
 
 template <typename Candidate> nanoseconds longestTime(const Candidate& candidate)
 {
@@ -49,7 +49,7 @@ LineCondition conditionOf(const LinkError& error)
         return LineCondition::OtherMapVersion;
     case LinkErrorKind::NotCamPanel:
     case LinkErrorKind::WrongIdentity:
-    case LinkErrorKind::ForeignAnswer: // a whole frame, but not one of ours
+    case LinkErrorKind::ForeignAnswer: // a complete frame, but not ours
         return LineCondition::OtherDevice;
     case LinkErrorKind::BadChecksum:
     case LinkErrorKind::BadFrame:
@@ -114,7 +114,7 @@ void LineScan::planDiagnosis()
     }
 }
 
-// The configured unit and unit 1 with every setting of the line, then all units.
+// Plans the configured unit and unit 1 with every setting of the line, then all units.
 void LineScan::planSearch()
 {
     const std::vector<LineSettings> lines = likelyLines(m_plan.line);
@@ -136,10 +136,11 @@ void LineScan::planUnits(std::uint16_t port, const LineSettings& line)
 {
     for (int unit = 1; unit <= lastUnit; ++unit)
         m_candidates.push_back({port, static_cast<std::uint8_t>(unit), line, shortAllowance});
-    m_candidates.back().allowance = longAllowance; // late answers of the last ones come before the next line
+    m_candidates.back().allowance = longAllowance; // late answers to the last ones arrive before the next
+                                                   // line
 }
 
-// Returns true when bytes that answer this question of a search may be the late answer to one before it.
+// Returns true when bytes that answer this question of a search may be the late answer to an earlier one.
 bool LineScan::mayBeLate(const Candidate& candidate) const
 {
     const bool isAskedAgain =
@@ -147,7 +148,7 @@ bool LineScan::mayBeLate(const Candidate& candidate) const
     return candidate.allowance == shortAllowance && !isAskedAgain;
 }
 
-// Puts the questions that a late answer may belong to before the next one.
+// Repeats the questions that a late answer may belong to before the next one.
 void LineScan::askAgainPatiently()
 {
     m_patient = m_candidates[m_next];
@@ -170,7 +171,7 @@ void LineScan::advance()
 {
     if (m_ended)
         return;
-    const Candidate candidate = m_candidates[m_next]; // asking may move the others
+    const Candidate candidate = m_candidates[m_next]; // a copy, because asking may move the others
     if (openFor(candidate))
         ask(candidate);
     skipDone();
@@ -186,7 +187,7 @@ bool LineScan::openFor(const Candidate& candidate)
     if (m_client && m_openPort == candidate.port && isSame(m_client->settings().line, candidate.line) &&
         m_client->settings().answerAllowance == candidate.allowance)
         return true;
-    m_client.reset(); // before the next one takes the port
+    m_client.reset(); // before the next one uses the port
     LinkSettings settings{port.path, candidate.line, candidate.unit, candidate.allowance, false};
     auto client = std::make_unique<RtuClient>(std::move(settings));
     if (const auto opened = client->open(); !opened) {
@@ -221,7 +222,7 @@ void LineScan::ask(const Candidate& candidate)
         askAgainPatiently();
     } else if (!isAnswer(condition) && condition != LineCondition::PortGone) {
         if (bytes > 0 && ++m_attempt < attemptsWhenDamaged)
-            return; // the same once more
+            return; // repeats the same one
     } else {
         LineFinding finding = findingAt(candidate, condition);
         if (identity)
@@ -268,7 +269,7 @@ void LineScan::skipDone()
     }
 }
 
-// A port on which nothing answered gets its finding.
+// Adds the finding of a port without an answer.
 void LineScan::finish()
 {
     m_ended = true;

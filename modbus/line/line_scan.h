@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why there is no connection, and where a controller is: asks for the identity block with one reading
-// question after the other, the likeliest settings first. Nothing is ever written. Use from the thread that
-// owns the port, which must not be open elsewhere.
+// Finds out why there is no connection, and where a controller is: reads the identity block with one question
+// after the other, the most likely settings first. It never writes. Use it from the thread that owns the
+// port, which must not be open elsewhere.
 #pragma once
 
 #include "modbus/line/port_facts.h"
@@ -17,35 +17,35 @@
 namespace campanel::modbus {
 
 enum class LineCondition : std::uint8_t {
-    Controller,       // a CamPanel controller answers, see `identity`
-    WrongUnit,        // it does, with the line's settings but at another unit than the configured one
-    OtherMapVersion,  // a CamPanel controller of another map major version, see `code`
-    OtherDevice,      // something else answers; `code` is its identity.device_type, 0 when it has none
-    Garbage,          // bytes came, but no frame: wrong baud rate or parity, or noise
-    NoBytes,          // nothing came at all
-    EchoOnly,         // what was sent came back, and nothing else
+    Controller,      // a CamPanel controller answers, see `identity`
+    WrongUnit,       // a controller with the line's settings, but at another unit than the configured one
+    OtherMapVersion, // a CamPanel controller of another map major version, see `code`
+    OtherDevice,     // another device; `code` is its identity.device_type, 0 when it has none
+    Garbage,         // bytes without a frame: wrong baud rate or parity, or noise
+    NoBytes,         // nothing received
+    EchoOnly,
     PortAbsent,       // no such device node
     PortNotPermitted, // see `group`
     PortBusy,         // see `holders`
-    PortNotSerial,    // exists, but is no serial port
-    PortSettings,     // the settings cannot be used with it, see `detail`
-    PortGone,         // the adapter disappeared while it was asked
+    PortNotSerial,    // exists, but is not a serial port
+    PortSettings,     // the port does not support the settings, see `detail`
+    PortGone,         // the adapter disappeared during the scan
 };
 
 struct LineFinding {
     LineCondition condition = LineCondition::NoBytes;
     std::string port;
-    LineSettings line; // with which it was found, or the last ones tried
+    LineSettings line; // the successful ones, or the last ones tried
     int unit = 1;
     std::optional<Identity> identity;
     int code = 0;
     std::uint64_t bytesSeen = 0; // on this port
-    std::string group;           // that owns the node
+    std::string group;           // group that owns the node
     std::vector<PortHolder> holders;
     std::string detail;
-    std::optional<int> latencyTimerMs; // of an FTDI adapter
+    std::optional<int> latencyTimerMs; // only for an FTDI adapter
 
-    // A controller that can be connected to with port, line and unit.
+    // Returns true for a controller that accepts a connection with port, line and unit.
     [[nodiscard]] bool isController() const
     {
         return condition == LineCondition::Controller || condition == LineCondition::WrongUnit;
@@ -53,16 +53,16 @@ struct LineFinding {
     [[nodiscard]] bool isLatencyTooLong() const { return latencyTimerMs.value_or(0) > longestGoodLatencyMs; }
 };
 
-// What is the matter, and what to do.
+// Returns what is wrong, and what to do.
 [[nodiscard]] std::string describe(const LineFinding& finding);
 
 struct ScanPlan {
     enum class Depth : std::uint8_t {
-        Diagnosis, // the configured port and line, the configured unit and a few others
+        Diagnosis, // the configured port and line, the configured unit and several others
         Search,    // every port, baud rate, parity, stop bits and unit, until a controller is found
     };
 
-    std::string port; // the configured one; may be empty
+    std::string port; // the configured port; may be empty
     LineSettings line;
     int unit = 1;
     std::vector<std::string> otherPorts;
@@ -72,28 +72,29 @@ struct ScanPlan {
 struct ScanProgress {
     int done = 0; // questions
     int total = 0;
-    std::string port; // tried next
+    std::string port; // next trial
     LineSettings line;
     int unit = 1;
-    std::chrono::milliseconds remaining{0}; // at most, when nothing answers
+    std::chrono::milliseconds remaining{0}; // maximum, without any answer
 };
 
 class LineScan {
 public:
     explicit LineScan(ScanPlan plan);
 
-    // One question, or one port that cannot be opened. May be broken off after any.
+    // Asks one question, or tries one port that cannot be opened. The scan may be stopped after any step.
     void advance();
     [[nodiscard]] bool ended() const { return m_ended; }
 
     [[nodiscard]] ScanProgress progress() const;
-    // In the order of finding: every device that answered, and for each port without one why there is none.
+    // Returns the findings in their order: every device that answered, and for each port without one the
+    // reason.
     [[nodiscard]] const std::vector<LineFinding>& findings() const { return m_findings; }
-    [[nodiscard]] const LineFinding* controller() const; // empty: none found
+    [[nodiscard]] const LineFinding* controller() const; // null when none was found
 
 private:
     struct Candidate {
-        std::uint16_t port = 0; // of m_ports
+        std::uint16_t port = 0; // index into m_ports
         std::uint8_t unit = 1;
         LineSettings line;
         std::chrono::milliseconds allowance{0};
@@ -101,7 +102,7 @@ private:
     struct Port {
         std::string path;
         std::uint64_t bytesSeen = 0;
-        bool isDone = false; // has a finding of its own
+        bool isDone = false; // has its own finding
         bool isTried = false;
         bool isEchoing = false;
     };
@@ -121,7 +122,7 @@ private:
     std::vector<Port> m_ports;
     std::vector<Candidate> m_candidates;
     std::size_t m_next = 0;
-    int m_attempt = 0; // at the next candidate
+    int m_attempt = 0; // number of the attempt at the next candidate
     int m_skipped = 0;
     std::optional<Candidate>
         m_patient; // the last one that was asked again: a line of a port is asked again once
@@ -132,7 +133,7 @@ private:
     bool m_ended = false;
 };
 
-// In the order of likelihood; the given one first.
+// Returns the lines by likelihood; the given one first.
 [[nodiscard]] std::vector<LineSettings> likelyLines(const LineSettings& first);
 
 } // namespace campanel::modbus

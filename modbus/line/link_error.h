@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why a request, or the opening of a port, did not end well. Everything a translated sentence needs is in the
-// fields; describe() is the English one and says what to do.
+// The reason why a request, or opening a port, failed. The fields hold everything a translated sentence
+// needs; describe() is the English one and says what to do.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,15 @@ namespace campanel::modbus {
 
 enum class LinkErrorKind : std::uint8_t {
     PortAbsent,       // no such device node
-    PortBusy,         // another program has it
+    PortBusy,         // in use by another program
     PortNotPermitted, // `detail` is the group that owns the node
-    PortNotSerial,    // exists, but is no serial port
-    PortSettings,     // `detail` says which setting cannot be used
-    PortGone,         // was open, has been unplugged or its other end has ended
-    NotOpen,          // asked before open() or after close()
-    NoAnswer,         // nothing, or not all of it, within the time allowed
+    PortNotSerial,    // exists, but is not a serial port
+    PortSettings,     // `detail` names the unsupported setting
+    PortGone,         // unplugged, or its other end was closed
+    NotOpen,          // used before open() or after close()
+    NoAnswer,         // no answer, or an incomplete one, within the time allowed
     BadChecksum,      // CRC-16
-    BadFrame,         // wrong length or function, a line that does not take bytes
+    BadFrame,         // wrong length or function, or a line that does not accept bytes
     ForeignAnswer,    // the answer to another question: dropped
     Exception,        // `code` is the Modbus exception code
     NotCamPanel,      // another device; `code` is its identity.device_type, 0 when it has none
@@ -27,26 +27,26 @@ enum class LinkErrorKind : std::uint8_t {
     WrongIdentity,    // `detail` is the identity register whose value is impossible, `code` the value
     RangeNotReadable, // the controller has no such registers
     CommandLost,      // the controller did not receive the command, `code` is its counter
-    OutcomeUnknown,   // whether the command was received could not be found out; `code` is its counter
-    ReadBackDiffers,  // a parameter was written but reads back as something else
-    ValueRefused,     // outside the register's limits; `detail` says so
+    OutcomeUnknown,   // unknown whether the command was received; `code` is its counter
+    ReadBackDiffers,  // a parameter was written but reads back differently
+    ValueRefused,     // outside the register's limits, see `detail`
 };
 
 struct LinkError {
     LinkErrorKind kind = LinkErrorKind::NoAnswer;
     std::string port;
-    std::string request; // what was asked, "status" or "start", empty for the port itself
+    std::string request; // "status" or "start", empty for the port itself
     std::string detail;
     int code = 0;
 };
 
-// One or two sentences: what is wrong, where, and what to do.
+// Returns one or two sentences: what is wrong, where, and what to do.
 [[nodiscard]] std::string describe(const LinkError& error);
 
-// "illegal register address"; "unknown" for codes without a name.
+// Returns "illegal register address"; "unknown" for codes without a name.
 [[nodiscard]] std::string_view exceptionName(int code);
 
-// True when the port must be closed and looked for again.
+// Returns true when the port must be closed and searched again.
 [[nodiscard]] bool portIsLost(const LinkError& error);
 
 } // namespace campanel::modbus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counting, and the figures as CSV.
+// Counts, and exports the figures as CSV.
 #include "modbus/line/link_figures.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ std::uint32_t grownBy(std::uint16_t before, std::uint16_t now)
     return static_cast<std::uint16_t>(now - before);
 }
 
-// "2026-01-31T12:34Z"
+// Returns "2026-01-31T12:34Z".
 std::string minuteText(std::int64_t minute)
 {
     const std::time_t seconds = minute * 60;
@@ -56,7 +56,7 @@ MinuteFigures& LinkFigures::minuteAt(WallTime at)
         slot.minute = now;
         m_latencyOfMinute = {};
     }
-    // A clock that was put back leaves minutes of the future behind: they are not shown.
+    // A clock that was set back leaves minutes of the future behind: they are not returned.
     m_minute = now;
     return slot;
 }
@@ -105,7 +105,7 @@ void LinkFigures::noteController(const StatusBlock& status)
     if (!m_controller)
         m_controller.emplace();
     else if (m_lastRaw) {
-        // After a restart its counters began at zero.
+        // The counters begin at zero after a restart.
         const Raw before = raw.uptimeS < m_lastRaw->uptimeS ? Raw{} : *m_lastRaw;
         m_controller->crcErrors += grownBy(before.crcErrors, raw.crcErrors);
         m_controller->frameErrors += grownBy(before.frameErrors, raw.frameErrors);
@@ -135,7 +135,7 @@ std::vector<MinuteFigures> LinkFigures::strip() const
         return result;
     result.reserve(stripMinutes);
     for (std::int64_t minute = m_minute - stripMinutes + 1; minute <= m_minute; ++minute) {
-        // A computer whose clock has not been set has minutes before its first one.
+        // A computer whose clock is not set has minutes before its first one.
         const MinuteFigures* slot =
             minute < 0 ? nullptr : &m_strip[static_cast<std::size_t>(minute % stripMinutes)];
         if (slot != nullptr && slot->minute == minute) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What happened on the line, counted: a plain value of fixed size that its owner updates and copies out.
-// Times of day are passed in, so that a test can choose them.
+// The statistics of the line: a plain value of fixed size that its owner updates and copies. Times of day are
+// parameters, so that a test can choose them.
 #pragma once
 
 #include "modbus/line/latency_histogram.h"
@@ -17,26 +17,26 @@
 
 namespace campanel::modbus {
 
-// The classes in which exchanges fail, and the order in which they are counted.
+// The classes of failed exchanges, in the order of the counters.
 inline constexpr std::array countedErrors{LinkErrorKind::NoAnswer,  LinkErrorKind::BadChecksum,
                                           LinkErrorKind::BadFrame,  LinkErrorKind::ForeignAnswer,
                                           LinkErrorKind::Exception, LinkErrorKind::PortGone};
 using ErrorCounts = std::array<std::uint32_t, countedErrors.size()>;
 
-// "no_answer", "bad_checksum" ...: keys of CSV and JSON, in the order of countedErrors.
+// The keys of CSV and JSON, "no_answer", "bad_checksum" ..., in the order of countedErrors.
 inline constexpr std::array<std::string_view, countedErrors.size()> countedErrorKeys{
     "no_answer", "bad_checksum", "bad_frame", "foreign_answer", "exception", "port_gone"};
 
-// One minute of the strip.
+// The figures of one minute of the strip.
 struct MinuteFigures {
-    std::int64_t minute = -1; // since 1970-01-01 UTC; negative: nothing was counted
+    std::int64_t minute = -1; // since 1970-01-01 UTC; negative: no exchange
     std::uint32_t answers = 0;
     ErrorCounts errors{};
     std::uint32_t latencyP99Us = 0;
     std::uint32_t latencyMaxUs = 0;
 };
 
-// The controller's own counters, summed over their wrapping and its restarts, since the figures began.
+// The controller's own counters since the figures began, summed over wraps and restarts.
 struct ControllerCounts {
     std::uint32_t crcErrors = 0;
     std::uint32_t frameErrors = 0;
@@ -57,34 +57,34 @@ public:
 
     void noteRequest(int bytes, bool isRetry);
     void noteReceived(int bytes) { m_receivedBytes += static_cast<std::uint64_t>(bytes); }
-    // `latency`: request handed to the port to answer complete. `wire`: what the line needs for both frames
-    // and the silences. `spent`: from there to where the line is free again, included.
+    // Adds an answer. `latency`: from the request at the port to the complete answer. `wire`: time on the
+    // line of both frames and the silences. `spent`: until the line is free again.
     void noteAnswer(std::chrono::nanoseconds latency, std::chrono::nanoseconds wire,
                     std::chrono::nanoseconds spent, WallTime at);
-    // Time spent on an exchange that failed counts as well.
+    // Adds a failed exchange; its time counts as well.
     void noteError(LinkErrorKind kind, std::chrono::nanoseconds spent, WallTime at);
     void noteDrain(int droppedBytes);
     void noteController(const StatusBlock& status);
 
     [[nodiscard]] std::uint64_t requests() const { return m_requests; }
     [[nodiscard]] std::uint64_t answers() const { return m_answers; }
-    [[nodiscard]] std::uint64_t retries() const { return m_retries; } // harmless questions asked again
+    [[nodiscard]] std::uint64_t retries() const { return m_retries; } // questions repeated without harm
     [[nodiscard]] std::uint64_t drains() const { return m_drains; }
     [[nodiscard]] std::uint64_t sentBytes() const { return m_sentBytes; }
-    [[nodiscard]] std::uint64_t receivedBytes() const { return m_receivedBytes; } // dropped ones included
+    [[nodiscard]] std::uint64_t receivedBytes() const { return m_receivedBytes; } // including dropped ones
     [[nodiscard]] std::uint64_t droppedBytes() const { return m_droppedBytes; }
     [[nodiscard]] const ErrorCounts& errors() const { return m_errors; }
     [[nodiscard]] std::uint32_t errors(LinkErrorKind kind) const;
     [[nodiscard]] const LatencyHistogram& latency() const { return m_latency; }
-    // Time that the frames need at this baud rate, with the silences of the standard, against the time that
-    // the exchanges took: 1 is the wire's limit. Empty before the first exchange.
+    // Returns the time of the frames at this baud rate, with the standard's silences, divided by the time of
+    // the exchanges: 1 is the wire's limit. Empty before the first exchange.
     [[nodiscard]] std::optional<double> wireShare() const;
     [[nodiscard]] std::chrono::nanoseconds wireTime() const { return m_wireTime; }
     [[nodiscard]] std::chrono::nanoseconds spentTime() const { return m_spentTime; }
-    // Empty before the first status.
+    // Returns an empty value before the first status.
     [[nodiscard]] const std::optional<ControllerCounts>& controller() const { return m_controller; }
-    // The last 24 hours up to the last minute in which anything was counted, oldest first: one entry a
-    // minute, also for minutes without anything. Empty before the first exchange.
+    // Returns the 24 hours up to the last minute with an exchange, oldest first. There is one entry per
+    // minute, also for minutes without exchanges. Empty before the first exchange.
     [[nodiscard]] std::vector<MinuteFigures> strip() const;
 
 private:
@@ -112,12 +112,12 @@ private:
     std::optional<Raw> m_lastRaw;
     std::optional<ControllerCounts> m_controller;
     std::vector<MinuteFigures> m_strip; // ring by minute
-    std::int64_t m_minute = -1;         // the latest one
+    std::int64_t m_minute = -1;         // newest minute
 };
 
-// One line "key,value" for each figure.
+// Returns one line "key,value" for each figure.
 [[nodiscard]] std::string figuresCsv(const LinkFigures& figures);
-// A heading and one line for each minute of the strip; times in UTC, ISO 8601.
+// Returns a heading and one line for each minute of the strip; times in UTC, ISO 8601.
 [[nodiscard]] std::string stripCsv(const LinkFigures& figures);
 
 } // namespace campanel::modbus

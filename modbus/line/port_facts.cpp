@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The name behind symbolic links, as in /dev/serial/by-id.
+// Resolves symbolic links, as in /dev/serial/by-id.
 fs::path nodeOf(const std::string& port)
 {
     std::error_code failure;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The questions of the contract, and for each the proof that an answer belongs to it.
+// The questions of the contract, and the proof that an answer belongs to its question.
 #include "modbus/line/rtu_client.h"
 
 #include "modbus/map/codec.h"
@@ -15,8 +15,8 @@ namespace {
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
-// Writing flash or checking all rows takes the controller longer than answering a question. A lost answer
-// costs the panel that time too: sealing must leave room to find a restarted controller within two seconds.
+// The additional time for writing flash or checking all rows. A lost answer costs this time too: sealing must
+// leave enough time to find a restarted controller within two seconds.
 constexpr milliseconds flashAllowance{2000};
 constexpr milliseconds sealAllowance{1000};
 constexpr int resolveAttempts = 3;
@@ -34,7 +34,8 @@ std::string commandName(Command code)
     return "command " + std::to_string(static_cast<unsigned>(code));
 }
 
-// Never 0: that is what a controller has which has restarted, and it would take the command for an old one.
+// Returns the next counter, never 0: that is the value after a restart, and the controller would treat the
+// command as an old one.
 std::uint16_t counterAfter(std::uint16_t counter)
 {
     return counter == 0xFFFF ? std::uint16_t{1} : static_cast<std::uint16_t>(counter + 1u);
@@ -48,7 +49,7 @@ void appendWords(std::vector<std::uint8_t>& bytes, std::initializer_list<int> wo
     }
 }
 
-// What follows the byte count of a reading answer; empty when the count is not that of what follows.
+// Returns the registers after the byte count of a reading answer; empty when the count does not match.
 std::vector<std::uint16_t> registersIn(std::span<const std::uint8_t> data)
 {
     if (data.empty() || data[0] + 1u != data.size())
@@ -145,7 +146,7 @@ tl::expected<Identity, LinkError> RtuClient::probe(int unit)
     m_line.setUnit(unit);
     const auto plain = readPlain("identity", identityAddress, identityRegisters);
     if (!plain) {
-        // No such function or registers; a device that is busy or has failed may be any.
+        // Missing functions or registers mean a foreign device; a busy or failed device may be any.
         const bool isForeign = plain.error().kind == LinkErrorKind::Exception &&
                                plain.error().code <= MODBUS_EXCEPTION_ILLEGAL_DATA_VALUE;
         return tl::unexpected(isForeign ? error(LinkErrorKind::NotCamPanel, "identity") : plain.error());
@@ -241,7 +242,7 @@ tl::expected<CommandResult, LinkError> RtuClient::command(Command code, CommandA
         if (answer.error().kind == LinkErrorKind::NotOpen)
             return tl::unexpected(answer.error());
         auto found = resolve(request, counter);
-        // The exception was this command's own when the controller has not carried it out.
+        // The exception belongs to this command when the controller has not executed it.
         if (!found && found.error().kind == LinkErrorKind::CommandLost &&
             answer.error().kind == LinkErrorKind::Exception)
             return tl::unexpected(answer.error());
@@ -257,8 +258,8 @@ tl::expected<CommandResult, LinkError> RtuClient::resolve(const std::string& req
         const auto found = findResult(counter);
         if (found && *found)
             return **found;
-        // Not received for certain only when the controller still has the one before: a restarted one has
-        // none, and has perhaps carried it out before.
+        // Certainly not received only when the controller still has the previous counter: a restarted one has
+        // none, and may have executed the command before.
         if (found && counterAfter(*m_commandCounter) == counter)
             return tl::unexpected(error(LinkErrorKind::CommandLost, request, {}, counter));
         if (found)
@@ -320,7 +321,7 @@ tl::expected<void, LinkError> RtuClient::writeParameter(const RegisterInfo& info
                                     raw ? request + " cannot be written." : describe(raw.error())));
     std::array<std::uint16_t, 2> registers{};
     RegisterWriter writer{std::span(registers).first(info.count), info.address};
-    static_cast<void>(writer.physical(info, physical)); // fits: toRaw() said so
+    static_cast<void>(writer.physical(info, physical)); // fits, as checked by toRaw()
     Question question{request, {functionWrite}, writeFrames(info.count), 0, 0, milliseconds{0}, true};
     appendWords(question.pdu, {info.address, info.count});
     const RtuLine::Bytes echo(question.pdu.begin() + 1, question.pdu.end());
@@ -333,10 +334,10 @@ tl::expected<void, LinkError> RtuClient::writeParameter(const RegisterInfo& info
     if (!sent) {
         if (portIsLost(sent.error()))
             return tl::unexpected(sent.error());
-        if (sent.error().kind == LinkErrorKind::Exception) // perhaps the late one to another question
+        if (sent.error().kind == LinkErrorKind::Exception) // possibly the late one to another question
             refusal = sent.error();
     }
-    // Whatever became of the answer, the registers themselves tell.
+    // The registers themselves tell, regardless of the answer.
     const auto kept = readProven(info.address, info.count);
     if (!kept)
         return tl::unexpected(kept.error());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel's end of the line: owns the line and asks one question at a time. Every answer
-// that is believed carries the question's own tag or counter. Use from one thread; every call blocks for at
-// most the wire time of its frames plus the allowance, and after a doubtful answer for the time of draining.
+// The panel's end of the line: owns the line and asks one question at a time. Every accepted answer contains
+// the question's own tag or counter. Use it from one thread. Every call blocks for at most the wire time of
+// its frames plus the allowance, and after a doubtful answer for the time of draining.
 #pragma once
 
 #include "modbus/line/link_error.h"
@@ -36,7 +36,7 @@ struct TransferFrame {
 
 class RtuClient {
 public:
-    // Counts and records in `record`, which may be that of an earlier connection.
+    // Counts and records in `record`, which may belong to an earlier connection.
     explicit RtuClient(LinkSettings settings,
                        std::shared_ptr<LinkRecord> record = std::make_shared<LinkRecord>());
     ~RtuClient();
@@ -48,37 +48,39 @@ public:
     [[nodiscard]] const LinkSettings& settings() const { return m_line.settings(); }
     [[nodiscard]] const LinkRecord& record() const { return *m_record; }
     [[nodiscard]] bool isEchoing() const { return m_line.isEchoing(); }
-    // What the next answer is allowed beyond wire time: follows what is measured.
+    // Returns the allowance of the next answer beyond wire time, which follows the measurements.
     [[nodiscard]] std::chrono::milliseconds allowance() const { return m_line.allowance(); }
 
-    // Whose device answers at `unit`: one read (function 3) of the identity block and nothing else, for who
-    // is looking for a controller. Unproven, so only for showing; errors as of identify().
+    // Reads the identity block of the device at `unit` (function 3) and nothing else, for the search of a
+    // controller. Unproven, so only for display; errors as of identify().
     [[nodiscard]] tl::expected<Identity, LinkError> probe(int unit);
 
-    // Reads before it writes anything, so that a foreign device is left alone; refuses another device type or
-    // map major version.
+    // Reads the identity before anything is written, so that a foreign device is not changed; refuses another
+    // device type or map major version.
     [[nodiscard]] tl::expected<Identity, LinkError> identify();
 
-    // The periodic exchange: heartbeat and held jog bits out, status block in.
+    // Performs the periodic exchange: sends heartbeat and held jog bits, receives the status block.
     [[nodiscard]] tl::expected<StatusBlock, LinkError> exchangeStatus(std::uint16_t heartbeat,
                                                                       std::uint16_t jogBits);
 
-    // 1..readbackRegisters registers whose answer names the question.
+    // Reads 1..readbackRegisters registers with an answer that identifies the question.
     [[nodiscard]] tl::expected<std::vector<std::uint16_t>, LinkError> readProven(std::uint16_t address,
                                                                                  std::uint16_t count);
 
-    // Sends the command once. When the answer is doubtful, asks for the last result instead of repeating: the
-    // error is then CommandLost (not received) or OutcomeUnknown (resolve later with findResult()). A refusal
-    // by the controller is a result, not an error.
+    // Sends the command once. When the answer is doubtful, reads the last result instead of repeating the
+    // command. The error is then CommandLost (not received) or OutcomeUnknown (resolve later with
+    // findResult()). A refusal by the controller is a result, not an error.
     [[nodiscard]] tl::expected<CommandResult, LinkError> command(Command code,
                                                                  CommandArguments arguments = {});
 
-    // The result of the command that carried `counter`; empty when another one was the controller's last.
+    // Returns the result of the command with `counter`; empty when the controller's last command was another
+    // one.
     [[nodiscard]] tl::expected<std::optional<CommandResult>, LinkError> findResult(std::uint16_t counter);
 
-    // One frame of a download; the answer is that of this frame (session, operation and block compared).
+    // Sends one frame of a download; the answer belongs to this frame (session, operation and block are
+    // compared).
     [[nodiscard]] tl::expected<TransferAnswer, LinkError> transfer(const TransferFrame& frame);
-    // The answer to the last transfer frame that the controller received.
+    // Reads the answer to the last transfer frame that the controller received.
     [[nodiscard]] tl::expected<TransferAnswer, LinkError> readTransferResult();
 
     // Writes one writable value (function 16) and proves it by reading back.
@@ -109,7 +111,7 @@ private:
     std::shared_ptr<LinkRecord> m_record;
     RtuLine m_line;
     std::uint16_t m_tag = 0;
-    std::optional<std::uint16_t> m_commandCounter; // of the controller's last command; empty until read
+    std::optional<std::uint16_t> m_commandCounter; // controller's last command; empty until read
 };
 
 } // namespace campanel::modbus

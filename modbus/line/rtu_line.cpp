@@ -19,7 +19,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-// Nothing for this long after a doubt: the line is quiet. Longer than the 16 ms that USB adapters collect.
+// The silence after a doubt: longer than the 16 ms that USB adapters collect.
 constexpr milliseconds quietTime{25};
 constexpr milliseconds longestDrain{600};
 constexpr std::size_t exceptionBytes = 5;
@@ -66,8 +66,8 @@ std::size_t answerLength(std::span<const std::uint8_t> begin)
     }
 }
 
-// Returns true when the bytes are the beginning of the question itself, or all of it. An answer that begins
-// as its question does has its checksum where the question has other bytes.
+// Returns true when the bytes are the question itself or its beginning. An answer that begins like its
+// question has its checksum at another place.
 bool mayBeEcho(std::span<const std::uint8_t> bytes, std::span<const std::uint8_t> sent)
 {
     return bytes.size() <= sent.size() && std::ranges::equal(bytes, sent.first(bytes.size())) &&
@@ -167,7 +167,8 @@ tl::expected<void, LinkError> RtuLine::open()
     modbus_set_error_recovery(context.get(), MODBUS_ERROR_RECOVERY_NONE);
     if (modbus_connect(context.get()) != 0)
         return refuse(std::string(modbus_strerror(errno)) + ".");
-    // The kernel may round this thread's sleeps up by 50 us; the silence between frames is cut finer.
+    // The timer slack. The kernel may delay this thread's wake-ups by 50 us by default, but the silence
+    // between frames needs a finer resolution.
     constexpr unsigned long timerSlackNs = 1000;
     prctl(PR_SET_TIMERSLACK, timerSlackNs);
     claim->excludeOthers();
@@ -195,7 +196,7 @@ tl::expected<RtuLine::Bytes, LinkError> RtuLine::send(const Question& question)
     frame.insert(frame.end(), question.pdu.begin(), question.pdu.end());
     const int sent = modbus_send_raw_request(m_context.get(), frame.data(), static_cast<int>(frame.size()));
     const int errorNumber = errno;
-    const std::uint16_t crc = crc16(frame); // as libmodbus has added it
+    const std::uint16_t crc = crc16(frame); // as added by libmodbus
     frame.push_back(static_cast<std::uint8_t>(crc & 0xFFu));
     frame.push_back(static_cast<std::uint8_t>(crc >> 8));
     if (sent == static_cast<int>(frame.size())) {
@@ -215,7 +216,7 @@ RtuLine::Received RtuLine::receive(std::span<const std::uint8_t> sent, Clock::ti
     Received received;
     const int descriptor = modbus_get_socket(m_context.get());
     m_isEchoing = false;
-    // No answer is shorter; how long this one is its first bytes tell. What follows it is none of it.
+    // The minimum length of an answer; its first bytes give the full length. Later bytes do not belong to it.
     std::size_t wanted = exceptionBytes;
     while (received.count < wanted) {
         const Readiness readiness = waitForInput(descriptor, deadline);
@@ -273,7 +274,7 @@ tl::expected<RtuLine::Bytes, LinkError> RtuLine::ask(const Question& question, c
     if (!m_context)
         return tl::unexpected(error(LinkErrorKind::NotOpen, question.name));
     std::this_thread::sleep_until(m_lineFreeAt);
-    // Bytes that nobody asked for: a late answer, or noise. They must not become this question's answer.
+    // Unrequested bytes: a late answer, or noise. They must not become this question's answer.
     if (hasInput(modbus_get_socket(m_context.get())))
         drainLine();
     const auto startedAt = Clock::now();
@@ -284,8 +285,8 @@ tl::expected<RtuLine::Bytes, LinkError> RtuLine::ask(const Question& question, c
     const auto deadline = startedAt + wire + m_allowance.value() + question.extraAllowance;
     Received received;
     FrameVerdict verdict = FrameVerdict::Silence;
-    // A whole answer of this unit that is not this question's is the late one to an earlier question. This
-    // one's is still to come: giving up here would keep the panel one answer behind for good.
+    // A complete answer of this unit to an earlier question is late. The answer to this question is still to
+    // come: giving up here would keep the panel one answer behind permanently.
     bool isLate = false;
     do {
         Received next = receive(*sent, deadline);
@@ -311,7 +312,7 @@ tl::expected<RtuLine::Bytes, LinkError> RtuLine::ask(const Question& question, c
     m_failedRequest.reset();
     m_record.figures.noteAnswer(completeAt - startedAt, wire, completeAt + silence - startedAt,
                                 LinkFigures::WallTime::clock::now());
-    // What was allowed extra was work that a usual answer does not need.
+    // The extra allowance is for work that a usual answer does not need.
     if (m_settings.isAllowanceMeasured && question.extraAllowance == milliseconds{0})
         m_allowance.noteTurnaround(completeAt - startedAt - (wire - silence));
     m_record.allowance = m_allowance.value();
@@ -323,8 +324,8 @@ LinkError RtuLine::fail(const Question& question, FrameVerdict verdict, const Re
                         Clock::time_point startedAt)
 {
     const LinkErrorKind kind = kindOf(verdict);
-    // An exception carries no tag either: it may be the late answer to another question, and this one's still
-    // to come. A port that is gone has nothing to drain.
+    // An exception has no tag either: it may be the late answer to another question, and this one's still to
+    // come. A lost port has nothing to drain.
     if (kind != LinkErrorKind::PortGone)
         drainLine();
     if (m_settings.isAllowanceMeasured && kind == LinkErrorKind::NoAnswer)
@@ -340,7 +341,7 @@ void RtuLine::drainLine(Drain reason)
 {
     const auto quiet = std::max(quietTime, std::chrono::ceil<milliseconds>(frameSilence(m_settings.line)));
     int dropped = 0;
-    // A port that is gone shows itself at the next request, with its own error.
+    // The next request reports a lost port with its own error.
     static_cast<void>(drain(modbus_get_socket(m_context.get()), quiet, longestDrain,
                             [this, &dropped](std::span<const std::uint8_t> bytes) {
                                 dropped += static_cast<int>(bytes.size());

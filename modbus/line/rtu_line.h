@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// One exchange of frames on the line, and a record of everything that passed. libmodbus opens and sets the
-// port, and frames and sends the questions; answers are read here, because libmodbus throws away, without a
-// word, the bytes of an answer that it does not like. Keeps the silence between frames and one deadline for a
-// whole answer; drains after every doubt. Use from one thread.
+// One exchange of frames on the line, and a record of everything that passed. libmodbus opens and configures
+// the port, and builds and sends the questions. Answers are read here, because libmodbus silently drops the
+// bytes of an invalid answer. Keeps the silence between frames and one deadline for a whole answer; drains
+// after every doubt. Use it from one thread.
 #pragma once
 
 #include "modbus/line/answer_allowance.h"
@@ -30,17 +30,17 @@ struct LinkSettings {
     std::string port; // device path
     LineSettings line;
     int unit = 1; // 1..247
-    // Beyond the wire time, until enough answers were measured: work, adapters, scheduling. As long as is
-    // promised, or a controller that is always late would never be connected to.
+    // The time beyond the wire time until enough answers were measured: work, adapters, scheduling. It is the
+    // promised maximum; a controller that is always late could not be connected otherwise.
     std::chrono::milliseconds answerAllowance = AnswerAllowance::longest;
     bool isAllowanceMeasured = true; // follows the turnaround, see AnswerAllowance
 };
 
-// What is counted and recorded; may outlive the line, so that it goes on over a reconnection.
+// The counters and the record; may outlive the line, so that they continue after a reconnection.
 struct LinkRecord {
     LinkFigures figures;
     FrameLog frames;
-    std::chrono::milliseconds allowance{0}; // of the next answer, beyond wire time; 0: no port is open
+    std::chrono::milliseconds allowance{0}; // for the next answer, beyond wire time; 0: no port is open
 };
 
 struct Question {
@@ -50,13 +50,13 @@ struct Question {
     std::uint16_t readAddress = 0;
     std::uint16_t readCount = 0;
     std::chrono::milliseconds extraAllowance{0};
-    bool isRepeatable = true; // asked again without harm: counted as a retry when it follows its own failure
+    bool isRepeatable = true; // can be repeated without side effects: counts as a retry after its own failure
 };
 
 class RtuLine {
 public:
     using Bytes = std::vector<std::uint8_t>;
-    // Whether the data of an answer (what follows the function) belongs to its question.
+    // Returns true when the data of an answer (after the function) belongs to its question.
     using Proof = std::function<bool(std::span<const std::uint8_t>)>;
 
     // `record` must live as long as the line.
@@ -69,17 +69,18 @@ public:
     void close();
     [[nodiscard]] bool isOpen() const { return m_context != nullptr; }
     [[nodiscard]] const LinkSettings& settings() const { return m_settings; }
-    // Of the following questions, 1..247.
+    // Sets the unit of the next questions, 1..247.
     void setUnit(int unit) { m_settings.unit = unit; }
 
-    // The data of the answer, proven. An answer of another unit, function or length, or one that `isMine`
-    // does not take, is dropped, and the error is ForeignAnswer.
+    // Returns the data of the answer, proven. Drops an answer with another unit, function or length, or one
+    // that `isMine` rejects; the error is ForeignAnswer.
     [[nodiscard]] tl::expected<Bytes, LinkError> ask(const Question& question, const Proof& isMine);
 
-    // The adapter returns what the panel sends, as some for RS-485 do. The echo is taken off the answers.
+    // Returns true when the adapter echoes what the panel sends, as some RS-485 adapters do. The echo is
+    // removed from the answers.
     [[nodiscard]] bool isEchoing() const { return m_isEchoing; }
 
-    // What the next answer is allowed beyond wire time.
+    // Returns the allowance of the next answer beyond wire time.
     [[nodiscard]] std::chrono::milliseconds allowance() const { return m_allowance.value(); }
 
 private:
@@ -108,7 +109,7 @@ private:
     std::unique_ptr<modbus_t, ContextDeleter> m_context;
     Clock::time_point m_lineFreeAt;
     bool m_isEchoing = false;
-    std::optional<std::string> m_failedRequest; // the last one, when it failed and may be repeated
+    std::optional<std::string> m_failedRequest; // last one, if it failed and may be repeated
 };
 
 } // namespace campanel::modbus

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exclusive use: flock() on every port; TIOCEXCL as well on real ones. Not on pseudo-terminals: there the
-// flag outlives a killed panel for as long as the controller keeps its end, and would lock the next panel
-// out.
+// Exclusive use: flock() on every port; TIOCEXCL also on real ones. Not on pseudo-terminals: there the flag
+// outlives a killed panel as long as the controller keeps its end open, and would exclude the next panel.
 #include "modbus/line/serial_port.h"
 
 #include <array>
@@ -75,7 +74,7 @@ tl::expected<PortClaim, LinkError> PortClaim::take(const std::string& port)
         return refuse(kindOfOpenFailure(errno), owningGroup(node));
     if (isatty(claim.m_descriptor) == 0)
         return refuse(LinkErrorKind::PortNotSerial);
-    // The superuser may open a port that somebody has excluded others from: ask.
+    // The superuser may open a port in exclusive mode, so the mode is read.
     int excluded = 0;
     const bool taken = !isPseudoTerminal(claim.m_descriptor) &&
                        ioctl(claim.m_descriptor, TIOCGEXCL, &excluded) == 0 && excluded != 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The claim on a device node: looks at it before anything is changed, takes it for this process alone, and
-// says in a sentence why it cannot be had. The line itself is opened and set by libmodbus.
+// The claim on a device node: checks it before anything is changed, locks it for this process, and explains
+// in a sentence why it is not available. libmodbus opens and configures the line itself.
 #pragma once
 
 #include "modbus/line/link_error.h"
@@ -15,8 +15,7 @@
 
 namespace campanel::modbus {
 
-// Owns a second descriptor of the port that carries the lock; released when destroyed, also by a killed
-// process.
+// Owns a second descriptor of the port with the lock; released when destroyed, also by a killed process.
 class PortClaim {
 public:
     [[nodiscard]] static tl::expected<PortClaim, LinkError> take(const std::string& port);
@@ -28,7 +27,7 @@ public:
     PortClaim& operator=(const PortClaim&) = delete;
     ~PortClaim();
 
-    // Refuses later open()s of the port by other programs.
+    // Refuses a later open() of the port by other programs.
     void excludeOthers() const;
 
 private:
@@ -42,11 +41,11 @@ private:
 
 enum class DrainResult : std::uint8_t { Quiet, StillBusy, Gone };
 
-// True when bytes wait to be read, or the port has hung up.
+// Returns true when bytes can be read, or the port has hung up.
 [[nodiscard]] bool hasInput(int descriptor);
 
-// Reads and drops until nothing has come for `quiet`; gives up after `longest`. `onDropped` sees what was
-// dropped.
+// Reads and drops until nothing has come for `quiet`; stops after `longest`. `onDropped` receives the dropped
+// bytes.
 [[nodiscard]] DrainResult drain(int descriptor, std::chrono::milliseconds quiet,
                                 std::chrono::milliseconds longest,
                                 const std::function<void(std::span<const std::uint8_t>)>& onDropped);

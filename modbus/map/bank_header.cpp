@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One list of header fields serves both directions, so that reading and writing cannot drift apart.
+// One list of header fields for both directions, so that reading and writing stay consistent.
 #include "modbus/map/bank_header.h"
 
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The header of a program bank as a value: the table's own figures and the parameters of the recipe that it
-// was built from. The rows follow it in the bank.
+// The header of a program bank as a value: the figures of the table and the parameters of its recipe. The
+// rows follow the header in the bank.
 #pragma once
 
 #include "modbus/map/codec.h"
@@ -53,26 +53,26 @@ struct BankHeader {
     std::string recipeName;
 };
 
-// Where a point cam's bank holds its knots, behind the rows; count 0 for other banks.
+// The place of a point cam's knots in its bank, behind the rows; count 0 for other banks.
 struct KnotSpan {
     std::uint16_t offset = 0; // from the bank's base
     std::uint16_t count = 0;  // registers
 };
 [[nodiscard]] KnotSpan knotSpan(std::span<const std::uint16_t> header);
 
-// Registers of the whole bank, as a header describes it: header, rows and knots. Empty when there can be no
-// such bank.
+// Returns the number of registers of the whole bank by its header: header, rows and knots. Empty for an
+// impossible bank.
 [[nodiscard]] std::optional<std::uint16_t> bankLength(std::span<const std::uint16_t> header);
 
-// `registers`: at least the header (bankHeaderRegisters).
+// Decodes `registers`, which must contain at least the header (bankHeaderRegisters).
 [[nodiscard]] BankHeader decodeBankHeader(std::span<const std::uint16_t> registers);
 
-// The bank's registers, header and rows. rowCount is taken from `rows`. Errors: a value that its register
-// cannot hold, more rows than rowCapacity.
+// Returns the bank's registers, header and rows. rowCount comes from `rows`. Errors: a value that its
+// register cannot hold, more rows than rowCapacity.
 [[nodiscard]] tl::expected<std::vector<std::uint16_t>, CodecError> encodeBank(const BankHeader& header,
                                                                               std::span<const TableRow> rows);
 
-// The rows of a whole bank; empty when the bank is shorter than its header says.
+// Returns the rows of a whole bank; empty when the bank is shorter than its header says.
 [[nodiscard]] std::vector<TableRow> decodeRows(std::span<const std::uint16_t> bank);
 
 } // namespace campanel::modbus

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The header of a program bank: what all banks share, what belongs to a layout of the table, and the inputs
-// of each kind of program, which lie over one another.
+// The header of a program bank: fields of all banks, fields of a table layout, and the inputs of each kind of
+// program at overlapping addresses.
 #include "modbus/map/register_rows.h"
 
 namespace campanel::modbus {

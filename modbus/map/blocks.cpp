@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decoding of the register blocks, by the names of the register table.
+// Decodes the register blocks by the names of the register table.
 #include "modbus/map/blocks.h"
 
 #include "modbus/map/codec.h"
@@ -16,7 +16,7 @@ template <typename E> constexpr std::uint16_t bit(E value)
     return static_cast<std::uint16_t>(1u << static_cast<std::uint16_t>(value));
 }
 
-// The enumeration value, empty when it lies beyond the last one that this version knows.
+// Returns the enumeration value, empty when this version does not know it.
 template <typename E> std::optional<E> known(std::uint16_t raw, E last)
 {
     if (raw > static_cast<std::uint16_t>(last))
@@ -29,7 +29,7 @@ std::optional<std::uint32_t> unlessZero(std::uint32_t value)
     return value == 0 ? std::nullopt : std::optional(value);
 }
 
-// The registers that mean something else with each kind of program.
+// Decodes the registers with a different meaning for each kind of program.
 void decodeKind(const RegisterReader& reader, StatusBlock& status)
 {
     if (status.programKind == ProgramKind::Press) {

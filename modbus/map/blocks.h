@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The register blocks of the contract as values: identity, status, command and transfer results. What the
-// controller cannot know yet is an empty optional, never a zero.
+// The register blocks of the contract as values: identity, status, command and transfer results. Values
+// unknown to the controller are empty optionals, never zero.
 #pragma once
 
 #include "modbus/map/protocol.h"
@@ -42,18 +42,18 @@ struct Identity {
     bool operator==(const Identity&) const = default;
 };
 
-// The first register of the identity whose value no controller can have, such as a clock of 0 Hz. Empty when
-// all are possible.
+// The first register of the identity with an impossible value, such as a clock of 0 Hz. Empty when all are
+// possible.
 struct ImpossibleValue {
     std::string_view name;
     std::uint32_t value = 0;
 };
 [[nodiscard]] std::optional<ImpossibleValue> impossibleValue(const Identity& identity);
 
-// What a press says of its strokes; the last one is kept until the next has ended.
+// The stroke figures of a press; the last one remains until the next has ended.
 struct PressStatus {
-    std::optional<PressStage> stage; // empty: one that this version does not know
-    std::uint16_t forceN = 0;        // now, saturating
+    std::optional<PressStage> stage; // empty: not supported by this version
+    std::uint16_t forceN = 0;        // present force, saturating
     std::int16_t stopErrorPulses = 0;
     std::uint16_t stopForceN = 0;
     StrokeResult result = StrokeResult::None;
@@ -65,7 +65,7 @@ struct PressStatus {
 struct StatusBlock {
     std::uint16_t tag = 0;
     std::uint16_t heartbeat = 0;
-    std::optional<State> state; // empty: a state that this version does not know
+    std::optional<State> state; // empty: not supported by this version
     std::uint16_t faultBits = 0;
     std::uint16_t warningBits = 0;
     ProgramKind programKind = ProgramKind::None;
@@ -81,12 +81,12 @@ struct StatusBlock {
     std::int32_t commandedPositionPulses = 0;
     std::int32_t axisPositionPulses = 0;
     std::int16_t followingErrorPulses = 0;
-    // Of a rotary cutter.
+    // The figures of a rotary cutter.
     std::optional<double> knifeAngleDeg;  // empty: not homed
     std::optional<double> bagLengthMm;    // empty: no bag measured yet
     std::optional<double> bagDeviationMm; // empty: no bag measured yet
     std::uint32_t bagCount = 0;
-    std::optional<PressStatus> press; // of a press
+    std::optional<PressStatus> press; // only for a press
     std::uint32_t uptimeS = 0;
     std::uint16_t commandCounter = 0;
     std::uint16_t linkCrcErrors = 0;
@@ -120,7 +120,7 @@ struct TransferAnswer {
     [[nodiscard]] bool accepted() const { return result == TransferResult::Accepted; }
 };
 
-// Each takes exactly the registers of its block, from its first address.
+// Decode exactly the registers of a block, from its first address.
 [[nodiscard]] Identity decodeIdentity(std::span<const std::uint16_t> registers);
 [[nodiscard]] StatusBlock decodeStatus(std::span<const std::uint16_t> registers);
 [[nodiscard]] CommandResult decodeCommandResult(std::span<const std::uint16_t> registers);

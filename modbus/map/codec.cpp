@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conversion between registers and values. Scales are negative powers of ten, so dividing by the reciprocal
+// Converts registers to values and back. Scales are negative powers of ten, so dividing by the reciprocal
 // gives the double that is nearest to the decimal number.
 #include "modbus/map/codec.h"
 
@@ -73,7 +73,7 @@ tl::expected<std::int64_t, CodecError> toRaw(const RegisterInfo& info, double ph
     const auto refused = [&] {
         return tl::unexpected(CodecError{info.name, physical, minimum, maximum, info.unit});
     };
-    // Half a step of room: a value that rounds to the limit is the limit.
+    // A tolerance of half a step: a value that rounds to the limit is valid.
     if (!std::isfinite(physical) || physical < minimum - info.scale / 2 ||
         physical > maximum + info.scale / 2)
         return refused();

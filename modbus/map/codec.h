@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Typed reading and writing of register vectors by the rows of the register table: raw integers, physical
-// values (raw * scale, rounded and range-checked) and text. Two registers: high word first.
+// Typed access to register vectors by the rows of the register table: raw integers, physical values (raw *
+// scale, rounded and range-checked) and text. Two registers: high word first.
 #pragma once
 
 #include "modbus/map/register_map.h"
@@ -14,7 +14,7 @@
 
 namespace campanel::modbus {
 
-// A value that does not fit its register, or is outside the limits of a writable one.
+// The error of a value that does not fit its register, or is outside the limits of a writable one.
 struct CodecError {
     std::string_view registerName;
     double value = 0.0;
@@ -25,19 +25,21 @@ struct CodecError {
 
 [[nodiscard]] std::string describe(const CodecError& error);
 
-// The row of that name. The name must exist: a missing one is a mistake in the program and ends it.
+// Returns the row of that name. The name must exist: a missing one is a programming error and ends the
+// program.
 [[nodiscard]] const RegisterInfo& registerNamed(std::string_view name);
 
-// Nearest raw value. Errors: not finite, outside the register's type, outside a writable register's limits.
+// Returns the nearest raw value. Errors: not finite, outside the register's type, outside a writable
+// register's limits.
 [[nodiscard]] tl::expected<std::int64_t, CodecError> toRaw(const RegisterInfo& info, double physical);
 
-// raw * scale, computed so that toRaw() gives the same raw value again.
+// Returns raw * scale, computed so that toRaw() returns the same raw value.
 [[nodiscard]] double toPhysical(const RegisterInfo& info, std::int64_t raw);
 
-// What remains of a physical value after a trip through its register.
+// Returns the physical value after a conversion to its register and back.
 [[nodiscard]] tl::expected<double, CodecError> quantise(const RegisterInfo& info, double physical);
 
-// A run of registers that starts at address `base` (for a bank: 0, as its rows are offsets).
+// Reads from a range of registers that starts at address `base` (for a bank: 0, as its rows are offsets).
 class RegisterReader {
 public:
     RegisterReader(std::span<const std::uint16_t> registers, std::uint16_t base)
@@ -63,7 +65,7 @@ private:
     std::uint16_t m_base = 0;
 };
 
-// Writes into a run of registers that starts at address `base`.
+// Writes to a range of registers that starts at address `base`.
 class RegisterWriter {
 public:
     RegisterWriter(std::span<std::uint16_t> registers, std::uint16_t base)
@@ -77,7 +79,7 @@ public:
     {
         return physical(registerNamed(name), value);
     }
-    // UTF-8, cut at a character boundary when it is too long, padded with zeros.
+    // Writes UTF-8, cut at a character boundary when it is too long, padded with zeros.
     void text(std::string_view name, std::string_view value);
 
 private:
@@ -85,7 +87,7 @@ private:
     std::uint16_t m_base = 0;
 };
 
-// Longest prefix of `value` that fits `bytes` bytes without cutting a UTF-8 character.
+// Returns the longest prefix of `value` that fits `bytes` bytes without cutting a UTF-8 character.
 [[nodiscard]] std::string_view fittingUtf8(std::string_view value, std::size_t bytes);
 
 } // namespace campanel::modbus

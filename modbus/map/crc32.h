@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// CRC-32 of Ethernet and zlib (reflected polynomial 0xEDB88320, check value 0xCBF43926), over bytes and over
-// registers with the high byte first, as the controller computes it over a program bank.
+// The CRC-32 of Ethernet and zlib (reflected polynomial 0xEDB88320, check value 0xCBF43926), over bytes and
+// over registers. The high byte of a register comes first, as in the controller's CRC-32 of a program bank.
 #pragma once
 
 #include <array>

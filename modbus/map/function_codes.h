@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Modbus functions that the panel uses, and the mark of a refusing answer. Internal to modbus/.
+// The Modbus functions that the panel uses, and the exception flag. Internal to modbus/.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints what is generated from the register table: --c-header for the controller, --markdown for
+// Prints the files generated from the register table: --c-header for the controller, --markdown for
 // REGISTERS.md.
 #include "modbus/map/register_document.h"
 

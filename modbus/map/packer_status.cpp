@@ -10,7 +10,7 @@ namespace campanel::modbus {
 namespace {
 
 constexpr std::uint16_t nothing = 0x8000;
-constexpr double mmPerStep = 0.1; // of the picture of the film
+constexpr double mmPerStep = 0.1; // resolution of the picture of the film
 constexpr double mmPerUm = 0.001;
 constexpr std::uint32_t registersPerBag = 4;
 constexpr int fewestForPitch = 2;
@@ -47,7 +47,7 @@ double signedUm(std::uint16_t value)
     return static_cast<std::int16_t>(value) * mmPerUm;
 }
 
-// Distance without the bit that says what is special.
+// Returns the distance without the flag bit.
 double distanceMm(std::uint16_t value)
 {
     return static_cast<std::int16_t>(value & 0xFFFEu) * mmPerStep;

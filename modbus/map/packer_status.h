@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The group `packer` as a value: marks, products, cuts and bags of a packing machine. One proven reading.
+// The group `packer` as a value: marks, products, cuts and bags of a packing machine. Read in one proven
+// exchange.
 #pragma once
 
 #include "modbus/map/protocol.h"
@@ -16,28 +17,29 @@ inline constexpr std::uint16_t packerAddress = 0x0140;
 inline constexpr std::uint16_t packerRegisters = 104;
 
 struct BagRecord {
-    std::uint32_t number = 0;      // counted since power-up
-    double deviationMm = 0.0;      // of its length from `lengths` set lengths, saturating at 32.767
-    double markErrorMm = 0.0;      // of its cut
-    double pitchDeviationMm = 0.0; // from its mark to the one before, minus as many bag lengths
-    int lengths = 1;               // bag lengths in it: cuts skipped + 1
+    std::uint32_t number = 0; // counted since power-up
+    double deviationMm = 0.0; // length minus `lengths` set lengths, saturating at 32.767
+    double markErrorMm = 0.0;
+    double pitchDeviationMm = 0.0; // distance between its mark and the previous one, minus that many bag
+                                   // lengths
+    int lengths = 1;               // bag lengths in it: skipped cuts + 1
     bool isTracked = false;        // its cut followed a mark
-    bool isMarkMissed = false;     // which was not seen but reckoned
-    bool isProductAcross = false;  // longer because a product lay across
+    bool isMarkMissed = false;     // the mark was not detected but calculated
+    bool isProductAcross = false;  // longer because of a product at the cut
     bool isEmpty = false;
 
     bool operator==(const BagRecord&) const = default;
 };
 
-// Something on the film by its distance to the knife, mm; negative: past it.
+// An object on the film by its distance to the knife, mm; negative: past it.
 struct FilmMark {
     double distanceMm = 0.0;
-    bool isReckoned = false; // the sensor did not see it
+    bool isReckoned = false; // not detected by the sensor
 };
 
 struct FilmCut {
     double distanceMm = 0.0;
-    bool isLeftOut = false; // a product lies there
+    bool isLeftOut = false; // skipped because of a product
 };
 
 struct FilmProduct {
@@ -46,7 +48,7 @@ struct FilmProduct {
 };
 
 struct PackerStatus {
-    std::optional<MarkState> markState; // empty: one that this version does not know
+    std::optional<MarkState> markState; // empty: not supported by this version
     double markErrorMm = 0.0;
     double markPitchMm = 0.0;
     double phaseCorrectionMm = 0.0;
@@ -73,12 +75,12 @@ struct PackerStatus {
     std::uint32_t bagNumber = 0;
     std::vector<BagRecord> bags;      // the newest, oldest first; at most bagRecords
     std::uint32_t filmPositionUm = 0; // lower 32 bits
-    std::vector<FilmCut> cuts;        // from the knife on
+    std::vector<FilmCut> cuts;        // starting at the knife
     std::vector<FilmMark> seenMarks;
     std::vector<FilmProduct> seenProducts;
 };
 
-// Takes packerRegisters registers from packerAddress on.
+// Decodes packerRegisters registers from packerAddress on.
 [[nodiscard]] PackerStatus decodePacker(std::span<const std::uint16_t> registers);
 
 } // namespace campanel::modbus

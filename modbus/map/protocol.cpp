@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The explanation of every enumeration value; generated documents and the C header are printed from here.
+// The text of every enumeration value; generated documents and the C header are printed from here.
 #include "modbus/map/protocol.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words of the contract between panel and controller: states, commands, refusals, fault bits.
-// The controller's C header and the register document are generated from the tables at the end of this file.
+// The constants of the contract between panel and controller: states, commands, refusals, fault bits. The
+// controller's C header and the register document are generated from the tables at the end of this file.
 #pragma once
 
 #include <array>
@@ -10,9 +10,10 @@
 
 namespace campanel::modbus {
 
-// Value of identity.device_type by which a CamPanel controller is recognised ("CA" for cam, 0x3D).
+// The value of identity.device_type of a CamPanel controller ("CA" for cam, 0x3D).
 inline constexpr std::uint16_t deviceType = 0xCA3D;
-// A panel refuses a controller whose major version differs; a higher minor version only adds registers.
+// The major version of the register map. A panel refuses a controller with another one; a higher minor
+// version only adds registers.
 inline constexpr std::uint16_t mapMajor = 1;
 inline constexpr std::uint16_t mapMinor = 2;
 
@@ -27,7 +28,7 @@ enum class ProgramKind : std::uint16_t {
     Press = 5,
 };
 
-// What the rows of a bank are, and what its header says about them.
+// The type of the rows of a bank, as named in its header.
 enum class TableLayout : std::uint16_t {
     None = 0,
     StepTable = 1,
@@ -36,12 +37,12 @@ enum class TableLayout : std::uint16_t {
     PressStages = 4
 };
 
-// What happens when a table has come to its end.
+// The behavior at the end of a table.
 enum class EndBehavior : std::uint16_t { Repeat = 0, Stop = 1, HoldSpeed = 2 };
 
 enum class RampShape : std::uint16_t { Trapezoid = 0, SCurve = 1 };
 
-// Which input of a move is given.
+// The given input of a move.
 enum class MoveDuration : std::uint16_t { GivenTime = 0, Fastest = 1, OverDistance = 2 };
 
 enum class Law : std::uint16_t {
@@ -140,7 +141,7 @@ enum class TransferResult : std::uint16_t {
     StateRefuses,
 };
 
-// Bits of status.fault.
+// The bits of status.fault.
 enum class FaultBit : std::uint16_t {
     FollowingError = 0,
     ActiveTableDamaged = 1,
@@ -151,13 +152,13 @@ enum class FaultBit : std::uint16_t {
     MasterTooFast = 6
 };
 
-// Bits of status.warning.
+// The bits of status.warning.
 enum class WarningBit : std::uint16_t {
     HeartbeatLost = 0,
     NotHomed = 1,
     FlashSlotInvalid = 2,
     ClockNotSet = 3,
-    // What ended a run of the packing machine; until the next start.
+    // The reasons for the end of a run of the packing machine; valid until the next start.
     MarksLost = 4,
     MarkPitchWrong = 5,
     CorrectionAtLimit = 6,
@@ -171,10 +172,10 @@ enum class GateState : std::uint16_t { Running = 0, Slowing, Standing, Gaining }
 
 enum class SkipCause : std::uint16_t { None = 0, ProductAcross, ProductTooLong, NoProduct };
 
-// Bits of a record of packer.bags; the upper byte is the number of bag lengths in it.
+// The bits of a record of packer.bags; the upper byte is the number of bag lengths in it.
 enum class BagBit : std::uint16_t { Tracked = 0, MarkMissed = 1, ProductAcross = 2, Empty = 3 };
 
-// Bits of exchange.jog; both set means neither.
+// The bits of exchange.jog; both set means neither.
 enum class JogBit : std::uint16_t { Forward = 0, Reverse = 1 };
 
 enum class HeartbeatLostAction : std::uint16_t { RunOn = 0, StopAtCycleEnd = 1 };
@@ -190,10 +191,10 @@ struct EnumInfo {
     std::span<const EnumValue> values;
 };
 
-// Every enumeration above, for the generated C header, document and JSON.
+// Returns all enumerations above, for the generated C header, document and JSON.
 [[nodiscard]] std::span<const EnumInfo> enumerations();
 
-// Text of one value ("Refused while in fault ..."), empty when the value is unknown.
+// Returns the text of one value ("Refused while in fault ..."), empty when the value is unknown.
 [[nodiscard]] std::string_view enumText(std::string_view enumName, std::uint16_t value);
 
 } // namespace campanel::modbus

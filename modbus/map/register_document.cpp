@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Printing of the register table.
+// Prints the register table.
 #include "modbus/map/register_document.h"
 
 #include <cctype>
@@ -39,7 +39,7 @@ std::string_view typeName(RegisterType type)
 
 namespace {
 
-// "status.active_crc" -> STATUS_ACTIVE_CRC, "StopAtCycleEnd" -> STOP_AT_CYCLE_END
+// Converts "status.active_crc" to STATUS_ACTIVE_CRC, "StopAtCycleEnd" to STOP_AT_CYCLE_END.
 std::string upperSnake(std::string_view name)
 {
     std::string result;
@@ -54,7 +54,7 @@ std::string upperSnake(std::string_view name)
     return result;
 }
 
-// A register group: what stands before the dot of its registers' names.
+// A register group: the part of its registers' names before the dot.
 struct Group {
     std::string_view name;
     unsigned base = 0;
@@ -82,8 +82,8 @@ bool isNarrower(const RegisterInfo& row)
     return row.minimum > 0 || std::llround(row.maximum / row.scale) < std::llround(most);
 }
 
-// X macros, so that the core has no list of its own: groups with base and count; limits in raw units of every
-// parameter and of the other registers that are narrower than their type.
+// Prints X macros, so that the core has no list of its own: groups with base and count; limits in raw units
+// of every parameter and of other registers that are narrower than their type.
 void printLists(std::ostream& out)
 {
     out << "\n/* GROUP(name, base, registers); CTL_GROUP_name is the number of registers. */\n#define "
@@ -163,7 +163,7 @@ void printCHeader(std::ostream& out)
     out << "\n#endif\n";
 }
 
-// "; only Press": the values whose bits are set.
+// Prints "; only Press": the values whose bits are set.
 void printCondition(std::ostream& out, std::string_view enumName, unsigned bits)
 {
     std::string_view separator = "; only ";
@@ -198,8 +198,8 @@ void printRow(std::ostream& out, const RegisterInfo& row, const std::string& add
     out << " |\n";
 }
 
-// What the columns of the tables cannot say. The controller's core carries it out, tests/controller proves
-// it.
+// Prints the rules that are not in the columns of the tables. The controller's core implements them,
+// tests/controller proves them.
 void printRules(std::ostream& out)
 {
     out << "## Rules for a master\n\n"

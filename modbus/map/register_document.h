@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The register map as documents: REGISTERS.md and the controller's C header, as text.
+// Creates the documents of the register map: REGISTERS.md and the controller's C header, as text.
 #pragma once
 
 #include "modbus/map/register_map.h"
@@ -12,9 +12,9 @@ namespace campanel::modbus {
 [[nodiscard]] std::string registersMarkdown();
 [[nodiscard]] std::string registersCHeader();
 
-// "u16", "text" ...
+// Returns "u16", "text" ...
 [[nodiscard]] std::string_view typeName(RegisterType type);
-// "0x011B"
+// Returns "0x011B".
 [[nodiscard]] std::string hexAddress(unsigned address);
 
 } // namespace campanel::modbus

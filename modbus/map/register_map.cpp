@@ -140,7 +140,7 @@ constexpr std::array registerTable{
     ro16("status.sample_time", 0x0127, "controller time at which this block was taken, wrapping", {}, 1.0,
          "ms"),
 
-    // Film, marks and products; as a whole one proven reading. 0 while the program has no knife.
+    // Film, marks and products; one proven reading. 0 while the program has no knife.
     cutter(ro16("packer.mark_state", 0x0140, "how the marks are followed", "MarkState")),
     cutter(roI16("packer.mark_error", 0x0141, "last cut: where it was minus where its mark wanted it", 0.001,
                  "mm")),
@@ -213,7 +213,7 @@ constexpr std::array registerTable{
          "lowest block not yet received; the number of blocks when all are here"),
     ro32("transfer_result.staged_crc", 0x02C6, "CRC-32 of the sealed bytes, 0 until sealed"),
 
-    // Proven reading: written and read in one FC23, so that the answer carries the question.
+    // Proven reading: written and read in one FC23, so that the answer contains the question.
     rw16("readback.tag", 0x0300, "any value that differs from the last one"),
     rw16("readback.address", 0x0301, "first register wanted"),
     rw16("readback.count", 0x0302, "registers wanted", {}, 1, readbackRegisters, 1),
@@ -238,7 +238,7 @@ std::span<const RegisterInfo> registers()
 
 const RegisterInfo* findRegister(std::string_view name)
 {
-    // Every status block is read by names, some eighty a second.
+    // A hash table, because every status block is read by names, about eighty a second.
     static const std::unordered_map<std::string_view, const RegisterInfo*> byName = [] {
         std::unordered_map<std::string_view, const RegisterInfo*> index;
         for (const std::span<const RegisterInfo> rows : {registers(), bankFields()}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one register table: every holding register that panel and controller share. The controller's C header,
-// REGISTERS.md, `campanelctl registers` and the limits of fields that are registers all come from here.
+// The register table: every holding register that panel and controller share. It is the source of the
+// controller's C header, REGISTERS.md, `campanelctl registers` and the limits of fields that are registers.
 // Values of two registers are sent high word first; text is UTF-8, two bytes a register, padded with zeros.
 #pragma once
 
@@ -21,17 +21,16 @@ struct RegisterInfo {
     std::string_view name;     // "status.state": group and name, stable
     std::uint16_t address = 0; // absolute; within a bank: offset from the bank's base
     RegisterType type = RegisterType::U16;
-    std::uint16_t count = 1; // registers occupied
+    std::uint16_t count = 1; // number of registers
     Access access = Access::ReadOnly;
     double scale = 1.0;    // physical value = raw * scale
-    std::string_view unit; // unit of the physical value, empty when it has none
-    double minimum = 0.0;  // physical limits of writable values; equal when there is none
+    std::string_view unit; // unit of the physical value, empty for none
+    double minimum = 0.0;  // physical limits of writable values; equal for none
     double maximum = 0.0;
     double defaultValue = 0.0;
-    std::string_view
-        enumName; // enumeration of protocol.h that explains the values; bits when it ends in "Bit"
+    std::string_view enumName; // enumeration of protocol.h for the values; bits when it ends in "Bit"
     std::string_view text;
-    // Only with these program kinds or table layouts (bit n: kind or layout n); 0: always.
+    // The program kinds or table layouts that have the register (bit n: kind or layout n); 0: all.
     std::uint16_t kinds = 0;
     std::uint16_t layouts = 0;
 
@@ -45,12 +44,12 @@ struct RegisterInfo {
     }
 };
 
-// First address of the two program banks; both have the layout of bankFields().
+// The first address of the two program banks; both have the layout of bankFields().
 inline constexpr std::uint16_t activeBankBase = 0x4000;
 inline constexpr std::uint16_t stagedBankBase = 0x8000;
 inline constexpr std::uint16_t bankHeaderRegisters = 64;
-inline constexpr std::uint16_t rowRegisters = 3;      // of a step table: pulses u16, ticks u32
-inline constexpr std::uint16_t rowCapacity = 2048;    // of a step table
+inline constexpr std::uint16_t rowRegisters = 3;      // step table: pulses u16, ticks u32
+inline constexpr std::uint16_t rowCapacity = 2048;    // step table
 inline constexpr std::uint16_t camPointRegisters = 4; // position i32, slope i32
 inline constexpr std::uint16_t camPointCapacity = 2001;
 inline constexpr std::uint16_t knotRegisters = 4; // master u32, slave i32
@@ -62,20 +61,20 @@ inline constexpr std::uint16_t stageCount = 5;
 inline constexpr std::uint16_t bankRegisters =
     bankHeaderRegisters + camPointRegisters * camPointCapacity + knotRegisters * knotCapacity;
 inline constexpr std::uint16_t blockRegisters =
-    116; // payload of one transfer block: the most that one FC23 request holds
+    116; // payload of one transfer block: the maximum of one FC23 request
 inline constexpr std::uint16_t readbackRegisters = 122; // payload of one read-back answer
-// Of the group `packer`: bags remembered (four registers each), and what is told of the film before the
+// The sizes in the group `packer`: recorded bags (four registers each), and objects on the film before the
 // knife.
 inline constexpr std::uint16_t bagRecords = 8;
 inline constexpr std::uint16_t viewCuts = 6;
 inline constexpr std::uint16_t viewMarks = 12;
 inline constexpr std::uint16_t viewProducts = 8;
 
-// Registers at absolute addresses, ascending.
+// Returns the registers at absolute addresses, ascending.
 [[nodiscard]] std::span<const RegisterInfo> registers();
-// Fields of a bank's header, as offsets from its base, ascending.
+// Returns the fields of a bank's header, as offsets from its base, ascending.
 [[nodiscard]] std::span<const RegisterInfo> bankFields();
-// By name in either table; nullptr when there is none.
+// Returns a row by its name in either table; nullptr when there is none.
 [[nodiscard]] const RegisterInfo* findRegister(std::string_view name);
 
 } // namespace campanel::modbus

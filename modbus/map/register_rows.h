@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Short forms of the rows of the register tables, and the check that every table passes while it is compiled.
-// Internal to modbus/.
+// Short forms of the rows of the register tables, and the compile-time check of every table. Internal to
+// modbus/.
 #pragma once
 
 #include "modbus/map/register_map.h"
@@ -86,7 +86,8 @@ template <typename... Layouts> constexpr RegisterInfo withLayout(RegisterInfo ro
     return row;
 }
 
-// No two registers of the same kind and layout overlap, and each has the size of its type.
+// Returns true when the row is valid: registers of the same kind and layout do not overlap, and each has the
+// size of its type.
 constexpr bool isConsistent(const RegisterInfo& row)
 {
     const bool wide = row.type == RegisterType::U32 || row.type == RegisterType::I32;

@@ -16,7 +16,7 @@ bool isBankField(const RegisterInfo& info)
     return &info >= fields.data() && &info < fields.data() + fields.size();
 }
 
-// First register of the bank that holds the address; empty outside banks.
+// Returns the first register of the bank that contains the address; empty outside banks.
 std::optional<std::uint16_t> bankAt(std::uint16_t address)
 {
     for (const std::uint16_t base : {activeBankBase, stagedBankBase}) {
@@ -90,7 +90,7 @@ NamedValue named(const Run& run, std::uint16_t address, const RegisterInfo* row)
     }
     value.count = row->count;
     const std::uint16_t base = isBankField(*row) ? bankAt(address).value_or(0) : std::uint16_t{0};
-    // The reader counts as the table does: within a bank, from the bank's base.
+    // The reader uses the table's addresses: within a bank, relative to the bank's base.
     const RegisterReader reader(run.registers.subspan(static_cast<std::size_t>(address - run.address)),
                                 static_cast<std::uint16_t>(address - base));
     if (row->type == RegisterType::Text) {

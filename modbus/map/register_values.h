@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs of registers as values with their names: for the register inspector and for reading frames.
+// Ranges of registers as named values: for the register inspector and for decoding frames.
 #pragma once
 
 #include "modbus/map/register_map.h"
@@ -20,10 +20,11 @@ struct RegisterSpan {
     bool operator==(const RegisterSpan&) const = default;
 };
 
-// Where the named register lies; a field of a bank in the active bank. Empty: there is none of that name.
+// Returns the range of the named register; a field of a bank is that of the active bank. Empty for an unknown
+// name.
 [[nodiscard]] std::optional<RegisterSpan> findSpan(std::string_view name);
 
-// One value of the register table, or one register that no row of the table names.
+// One value of the register table, or one register without a row in the table.
 struct NamedValue {
     const RegisterInfo* info = nullptr; // empty: not in the table
     std::uint16_t address = 0;          // absolute
@@ -31,16 +32,16 @@ struct NamedValue {
     std::int64_t raw = 0;
     std::optional<double> physical; // raw * scale; empty for texts, enumerations, bits and unnamed registers
 
-    // "status.master_angle", "0x4123".
+    // Returns "status.master_angle", "0x4123".
     [[nodiscard]] std::string name() const;
-    // "Running", "12.34 deg", "NotHomed, ClockNotSet", "0x04D2".
+    // Returns "Running", "12.34 deg", "NotHomed, ClockNotSet", "0x04D2".
     [[nodiscard]] std::string text() const;
 
-    std::string words; // of a text register
+    std::string words; // contents of a text register
 };
 
-// Rows that are only for one kind of program or layout are taken when the run itself says which, else when
-// `kind` and `layout` do.
+// Returns the values of a range. Rows for only one kind of program or layout are included if the range itself
+// contains that kind or layout, else if `kind` and `layout` match.
 [[nodiscard]] std::vector<NamedValue> namedValues(std::uint16_t address,
                                                   std::span<const std::uint16_t> registers,
                                                   ProgramKind kind = ProgramKind::None,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walks through the parts in which the table is one cubic and the motion smooth. What the motion does between
-// two places that are looked at is bounded by the largest fourth derivative of its position.
+// Visits the parts in which the table is one cubic and the motion smooth. Between two samples the motion is
+// bounded by the largest fourth derivative of its position.
 #include "profile/cam/cam_table.h"
 
 #include <algorithm>
@@ -11,12 +11,12 @@
 namespace campanel::profile {
 namespace {
 
-// A stretch of the motion without a joint inside.
+// A section of the motion without a joint inside.
 struct SmoothStretch {
     const Segment* segment = nullptr;
     double fromS = 0;
     double toS = 0;
-    double snapMmPerS4 = 0; // no fourth derivative of the position is larger
+    double snapMmPerS4 = 0; // bound of the fourth derivative of the position
 };
 
 std::vector<SmoothStretch> smoothStretches(const MotionProfile& motion)
@@ -50,7 +50,7 @@ std::vector<SmoothStretch> smoothStretches(const MotionProfile& motion)
     return stretches;
 }
 
-// The table less the motion at one time.
+// The table minus the motion at one time.
 struct Difference {
     double timeS = 0;
     double positionMm = 0;
@@ -58,7 +58,7 @@ struct Difference {
     double jerkMmPerS3 = 0;
 };
 
-// Where the cubic with these values and slopes per unit turns, as far as that is in 0..1.
+// Returns the extrema of the cubic with these values and slopes per unit, within 0..1.
 std::array<double, 2> turns(double first, double firstSlope, double last, double lastSlope)
 {
     const double c2 = 3 * (last - first) - 2 * firstSlope - lastSlope;
@@ -125,8 +125,8 @@ private:
         }
     }
 
-    // The speed is a parabola with the jerk of the middle; the jerk departs from that by at most snap times
-    // half the width, which makes at most snap width^3 / 16 of speed.
+    // Records the speed error. The speed is a parabola with the jerk of the middle; the jerk differs from
+    // that by at most snap times half the width. This changes the speed by at most snap width^3 / 16.
     void keepSpeed(const Difference& a, const Difference& b, double jerk, double snap)
     {
         const double width = b.timeS - a.timeS;
@@ -144,7 +144,8 @@ private:
         }
     }
 
-    // The cubic through both ends misses the position by at most snap width^4 / 384.
+    // Records the position error. The cubic through both ends misses the position by at most snap width^4 /
+    // 384.
     void keepPosition(const Difference& a, const Difference& b, double snap)
     {
         const double width = b.timeS - a.timeS;

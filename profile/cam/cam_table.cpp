@@ -15,12 +15,12 @@
 namespace campanel::profile {
 namespace {
 
-// Speeds and accelerations at both ends of a cycle are the same to this share of the mean ones.
+// The tolerance for equal speeds and accelerations at both ends of a cycle, as a share of the mean ones.
 constexpr double wrapTolerance = 1e-7;
 constexpr double advancePerMm = 1e6; // grid of the net advance
 constexpr double mm1000PerMm = 1000; // grid of the feed
 
-// Looks the motion up at ascending times.
+// Evaluates the motion at ascending times.
 class Walker {
 public:
     explicit Walker(const MotionProfile& motion)
@@ -53,7 +53,7 @@ Refusal tooLarge(Field field, double actual, double allowed)
     return refusal;
 }
 
-// Units of a row: 1/256 pulse.
+// Returns the units of a row per mm: 1/256 pulse.
 double unitsPerMm(const Machine& machine)
 {
     return camUnitsPerPulse * axisPulsesPerMm(machine);
@@ -61,7 +61,7 @@ double unitsPerMm(const Machine& machine)
 
 tl::expected<PulsesPerCycle, Refusal> exactAdvance(double advanceMm, const Machine& machine)
 {
-    // No larger than the rows hold, so that the products below stay within 64 bits.
+    // The limit of the rows, so that the products below fit 64 bits.
     constexpr double mostPulses = std::numeric_limits<std::int32_t>::max() / camUnitsPerPulse;
     if (std::abs(advanceMm * axisPulsesPerMm(machine)) > mostPulses)
         return tl::unexpected(tooLarge(Field::PulsesPerMotorRev, std::abs(advanceMm) * unitsPerMm(machine),
@@ -89,7 +89,7 @@ bool continuesAtWrap(const MotionPoint& first, const MotionPoint& last, double d
                wrapTolerance * scaleMm;
 }
 
-// Positions in 1/256 pulse from the first one, unrounded, and slopes per interval.
+// The positions in 1/256 pulse from the first one, unrounded, and the slopes per interval.
 struct Samples {
     std::vector<double> positions;
     std::vector<double> slopes;
@@ -122,7 +122,7 @@ Samples sample(const MotionProfile& motion, std::size_t intervals, const Machine
     return samples;
 }
 
-// Half away from zero, as std::round, which is a call of the library. |value| fits.
+// Rounds half away from zero, like std::round, but without a library call. |value| must fit.
 std::int32_t rounded(double value)
 {
     return static_cast<std::int32_t>(value + std::copysign(0.5, value));

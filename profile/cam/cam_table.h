@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cam-point table that the controller interpolates: equal intervals of the master, a position and a slope
-// at each end, in between the cubic with these slopes. For moves and point cams.
+// The cam-point table that the controller interpolates, for moves and point cams. Each row has a position and
+// a slope; rows are equal master intervals apart. The curve between two rows is the cubic with these slopes.
 #pragma once
 
 #include "profile/cam/point_cam.h"
@@ -17,7 +17,7 @@ namespace campanel::profile {
 
 inline constexpr double camUnitsPerPulse = 256;
 
-// In 1/256 pulse from the first row, and 1/256 pulse per interval.
+// The position in 1/256 pulse from the first row, and the slope in 1/256 pulse per interval.
 struct CamRow {
     std::int32_t position256 = 0;
     std::int32_t slope256 = 0;
@@ -27,32 +27,33 @@ struct CamRow {
 
 struct CamTable {
     std::vector<CamRow> rows;     // intervals + 1
-    std::uint32_t cycleTicks = 0; // round(duration * timer clock), the master at full speed
-    // Net pulses per cycle, exact: advance.whole is the floor, also of a negative advance, and
-    // 0 <= advance.remainder < advance.divisor. Whoever sums whole and remainder over cycles never drifts.
+    std::uint32_t cycleTicks = 0; // round(duration * timer clock), at full master speed
+    // The exact net pulses per cycle. advance.whole is the floor, also for a negative advance, and 0 <=
+    // advance.remainder < advance.divisor. Summing whole and remainder over the cycles never drifts.
     PulsesPerCycle advance;
 };
 
 enum class CamUse : std::uint8_t {
-    Once,    // a move: its own end speeds are the end slopes
-    Repeats, // a cam: the slopes continue at the wrap where the motion itself does
+    Once,    // a move: the end slopes are its own end speeds
+    Repeats, // a cam: the slopes continue at the wrap where the motion itself continues
 };
 
-// Positions are round(256 K / feed * (s(t_i) - s(0))); the slopes are those of the twice continuously
-// differentiable spline through the unrounded positions. The net advance is taken on a grid of 1e-6 mm: knots
-// have 3 decimals, and so has the slave scale. The motion has a duration and the machine valid axis data.
-// Refusals: FieldRange (CamPoints outside 100..2000), TableRange (a value, the cycle's ticks or the divisor
-// do not fit 32 bits; the field says which input is too large), MasterTooFast (two neighboring rows need more
-// pulses per second than the output stage gives).
+// Builds the table of a motion. Positions are round(256 K / feed * (s(t_i) - s(0))). The slopes are those of
+// the twice continuously differentiable spline through the unrounded positions. The net advance is rounded to
+// 1e-6 mm: knots have 3 decimals, and so has the slave scale. The motion must have a duration, and the
+// machine valid axis data. Refusals: FieldRange (CamPoints outside 100..2000); TableRange (a value, the ticks
+// of the cycle or the divisor do not fit 32 bits; the field says which input is too large); MasterTooFast
+// (two neighboring rows need more pulses per second than the output stage gives).
 [[nodiscard]] tl::expected<CamTable, Refusal> buildCamTable(const MotionProfile& motion, int intervals,
                                                             const Machine& machine, CamUse use);
 
-// The table of a solved point cam: of its forward motion, whatever the sign of the master rate. The nearest
-// number of points is added where it mends FieldRange, the nearest master rate where it mends MasterTooFast.
+// Builds the table of a solved point cam from its forward motion, regardless of the sign of the master rate.
+// FieldRange refusals get the nearest valid number of points, MasterTooFast refusals the nearest valid master
+// rate.
 [[nodiscard]] tl::expected<CamTable, Refusal> buildCamTable(const PointCamProgram& program,
                                                             const Machine& machine);
 
-// The position at a share 0..1 of interval `index`, in 1/256 pulse from the first row, and its derivative per
+// The position at a share 0..1 of an interval, in 1/256 pulse from the first row, and its derivative per
 // interval.
 struct CamPoint {
     double position256 = 0;
@@ -60,19 +61,19 @@ struct CamPoint {
 };
 [[nodiscard]] CamPoint interpolate(const CamTable& table, std::size_t index, double share);
 
-// How far the interpolated rows are from the motion they were made of, at the same share of the cycle. No
-// error of position or speed is larger than stated here; what is stated is too large by some parts in a
-// thousand at most. The whole pulses that come out of it add half a pulse of granularity.
+// The deviation of the interpolated rows from the source motion, at the same share of the cycle. The figures
+// are upper bounds of position and speed error, too large by a few parts in a thousand at most. Whole output
+// pulses add a granularity of half a pulse.
 struct CamErrors {
     double positionPulses = 0;
     double positionMm = 0;
     double positionTimeS = 0;
     double speedMmPerS = 0;
     double speedTimeS = 0;
-    double wrapSpeedStepMmPerS = 0; // of a table that repeats; at the rows inside there is none
+    double wrapSpeedStepMmPerS = 0; // only a repeating table; the inner rows have no step
 };
 
-// table must have been built of this motion for this machine.
+// Computes the errors. `table` must have been built from this motion for this machine.
 [[nodiscard]] CamErrors camErrors(const CamTable& table, const MotionProfile& motion, const Machine& machine,
                                   CamUse use);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading is line by line; the header decides the separator, the first broken number the decimal sign.
+// Reads line by line; the header determines the separator, the first fractional number the decimal sign.
 #include "profile/cam/knots_csv.h"
 
 #include "profile/model/text.h"
@@ -71,7 +71,7 @@ public:
     }
 
 private:
-    // The next line that is not empty.
+    // Returns the next line that is not empty.
     std::optional<std::string_view> nextLine()
     {
         while (!m_rest.empty()) {
@@ -135,7 +135,7 @@ private:
     std::string_view m_rest;
     int m_line = 0;
     char m_separator = ',';
-    char m_decimalSign = 0; // not seen yet
+    char m_decimalSign = 0; // unknown yet
 };
 
 std::string_view expectedText(CsvExpectation expected)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Knots of a cam as CSV text. Pure functions of text; files are the business of others.
+// Converts the knots of a cam to and from CSV text. Pure functions of text without file access.
 #pragma once
 
 #include "profile/program/programs.h"
@@ -18,34 +18,34 @@ enum class CsvExpectation : std::uint8_t {
     Header,       // "master_deg,slave_mm" or the same with a semicolon
     TwoValues,    // master and slave, with the separator of the header
     Number,       // a finite number
-    DecimalPoint, // the decimal sign of the numbers before, a point
-    DecimalComma, // the same, a comma
+    DecimalPoint, // the decimal sign of the earlier numbers, a point
+    DecimalComma, // the decimal sign of the earlier numbers, a comma
     Knots,        // at least one line of values
-    Utf8,         // text; the file is UTF-16, or not text at all
+    Utf8,         // UTF-8 text; the file is UTF-16 or not text
 };
 
 struct CsvError {
     int line = 1; // from 1
     CsvExpectation expected = CsvExpectation::Header;
-    std::string found; // the line or the field as it stands there, at most 40 bytes; '?' for what has no sign
+    std::string found; // the line or the field as read, at most 40 bytes; '?' for control characters
 
     bool operator==(const CsvError&) const = default;
 };
 
-// One English sentence.
+// Returns one English sentence.
 [[nodiscard]] std::string describe(const CsvError& error);
 
-// A header line, then one line per knot: "master_deg,slave_mm" in degrees and mm. With the header's separator
-// a semicolon the decimal sign may be a comma, the same one throughout. Lines end with LF or CRLF; empty
-// lines, spaces around values and a UTF-8 byte order mark are passed over. Whether the knots make a cam is
-// checkKnots' question.
+// Reads a header line, then one line per knot: "master_deg,slave_mm" in degrees and mm. With a semicolon as
+// separator the decimal sign may be a comma, the same one throughout. Lines end with LF or CRLF. Empty lines,
+// spaces around values and a UTF-8 byte order mark are ignored. checkKnots() decides if the knots form a
+// valid cam.
 [[nodiscard]] tl::expected<std::vector<Knot>, CsvError> readKnotsCsv(std::string_view text);
 
-// The line, from 1, that holds knot `index` of a text that readKnotsCsv() has read; that of the last knot
+// Returns the line, from 1, of knot `index` in a text that readKnotsCsv() has read; the line of the last knot
 // when there are fewer.
 [[nodiscard]] int lineOfKnot(std::string_view text, std::size_t index);
 
-// The shortest numbers that read back exactly the same, comma and point, LF.
+// Writes the shortest numbers that read back exactly, with comma, decimal point and LF.
 [[nodiscard]] std::string writeKnotsCsv(std::span<const Knot> knots);
 
 } // namespace campanel::profile

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks of a point cam, its cycle in time, and the master rate at which the axis can follow it.
+// Checks a point cam, and computes its cycle in time and the master rate that the axis can follow.
 #include "profile/cam/point_cam.h"
 
 #include "profile/cam/point_cam_validate.h"
@@ -14,8 +14,8 @@ namespace campanel::profile {
 namespace {
 
 constexpr double secondsPerMinute = 60;
-constexpr double overshootShare = 0.1; // of the knots' span
-constexpr double jumpTolerance = 1e-9; // of the largest speed: the rounding of a speed that does not jump
+constexpr double overshootShare = 0.1; // share of the knots' span
+constexpr double jumpTolerance = 1e-9; // share of the maximum speed: the rounding of a continuous speed
 
 double phaseWithinCycleDeg(const PointCamProgram& program)
 {
@@ -23,7 +23,7 @@ double phaseWithinCycleDeg(const PointCamProgram& program)
     return phase < 0 ? phase + camCycleDeg : phase;
 }
 
-// A part of a piece as a stretch of time, forwards or backwards.
+// Adds a part of a piece as a segment in time, forward or backward.
 void addPart(MotionProfile& motion, const SplinePiece& piece, double fromDeg, double toDeg, double degPerS,
              double scale)
 {
@@ -36,7 +36,7 @@ void addPart(MotionProfile& motion, const SplinePiece& piece, double fromDeg, do
                     scale * start.third * degPerS * degPerS * degPerS);
 }
 
-// One cycle of the curve from the phase on. degPerS, of the cam, is negative when it runs backwards.
+// Returns one cycle of the curve from the phase on. degPerS, of the cam, is negative for backward motion.
 MotionProfile camCycleMotion(const PointCamProgram& program, double degPerS)
 {
     const Spline curve = camCurve(program);
@@ -44,7 +44,7 @@ MotionProfile camCycleMotion(const PointCamProgram& program, double degPerS)
     const double phase = phaseWithinCycleDeg(program);
     MotionProfile motion;
     motion.setStartPosition(program.slaveScale * curve.at(phase).value);
-    // Two turns over the pieces: the part beyond the phase in the first, the part before it in the second.
+    // Two passes over the pieces: the part after the phase in the first, the part before it in the second.
     const auto add = [&](const SplinePiece& piece, double low, double high) {
         const double from = std::max(piece.start, low);
         const double to = std::min(piece.end(), high);
@@ -83,7 +83,7 @@ double angleOfTimeDeg(const PointCamProgram& program, double timeS)
     return angle < 0 ? angle + camCycleDeg : angle;
 }
 
-// Where the slope of a piece is zero, inside it. The second form avoids the cancellation of the first one.
+// Returns the zeros of the slope inside a piece. The second form avoids the cancellation of the first one.
 std::array<std::optional<double>, 2> turningPoints(const SplinePiece& piece)
 {
     const double a = piece.at0.third / 2;
@@ -129,7 +129,7 @@ std::optional<Refusal> findOvershoot(const PointCamProgram& program)
     return worst;
 }
 
-// Speed after less speed before the place where the cycle closes.
+// Returns the speed after the wrap minus the speed before it.
 double wrapJumpMmPerS(const PointCamProgram& program)
 {
     const Spline curve = camCurve(program);
@@ -137,7 +137,7 @@ double wrapJumpMmPerS(const PointCamProgram& program)
            camDegPerS(program);
 }
 
-// The largest step of speed that the axis follows within one update of the master.
+// Returns the largest speed step that the axis follows within one update of the master.
 double allowedWrapJumpMmPerS(const Machine& machine)
 {
     return std::max(axisAllowance(machine).accelerationMmPerS2, 0.0) * masterUpdateS;
@@ -161,7 +161,7 @@ std::optional<Refusal> findWrapJump(const PointCamProgram& program, const Machin
     return refusal;
 }
 
-// Counts the acceleration and the torque of the jump where the cycle closes among the peaks.
+// Includes the acceleration and the torque of the jump at the wrap in the peaks.
 void addWrapPeak(AxisPeaks& peaks, const PointCamProgram& program, const Machine& machine)
 {
     const double jump = std::abs(wrapJumpMmPerS(program));
@@ -174,7 +174,8 @@ void addWrapPeak(AxisPeaks& peaks, const PointCamProgram& program, const Machine
     peaks.torqueNm = axisTorqueNm(machine, peaks.accelerationMmPerS2);
 }
 
-// Speeds grow with the rate, accelerations with its square; what is allowed of both is known.
+// Returns the feasible rate: speeds are proportional to it, accelerations to its square; the limits of both
+// are known.
 std::optional<Suggestion> feasibleRate(const PointCamProgram& program, const Machine& machine,
                                        const AxisPeaks& peaks)
 {
@@ -207,7 +208,7 @@ AxisMotion solveValid(const PointCamProgram& program, const Machine& machine)
     if (auto jump = findWrapJump(program, machine))
         solved.broken.push_back(*std::move(jump));
     if (auto overshoot = findOvershoot(program)) {
-        solved.broken.push_back(*std::move(overshoot)); // no rate mends the curve
+        solved.broken.push_back(*std::move(overshoot)); // no rate corrects the curve
     } else if (!solved.broken.empty()) {
         if (const auto rate = feasibleRate(program, machine, solved.peaks)) {
             for (Refusal& refusal : solved.broken)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every edit leaves knots that pass checkKnots, on the grid that the controller keeps them in.
+// Edits knots; the result passes checkKnots() and is on the controller's grid.
 #include "profile/cam/point_cam_edit.h"
 
 #include <algorithm>
@@ -20,11 +20,11 @@ double slaveOnGrid(double slaveMm)
                                   : 0;
 }
 
-// The angle on the grid nearest to masterDeg that is far enough from both neighbors, if there is one.
+// Returns the grid angle nearest to masterDeg that is far enough from both neighbors, if there is one.
 std::optional<double> placeBetween(const Knot& before, const Knot& after, double masterDeg)
 {
     const double perDeg = std::round(1 / knotMasterStepDeg);
-    constexpr double rounding = 1e-6; // of a grid step
+    constexpr double rounding = 1e-6; // share of a grid step
     const double low = std::ceil((before.masterDeg + leastKnotSpacingDeg) * perDeg - rounding);
     const double high = std::floor((after.masterDeg - leastKnotSpacingDeg) * perDeg + rounding);
     if (!(low <= high))

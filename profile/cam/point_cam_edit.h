@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a person does with the knots of a cam: check and repair where it closes, insert, move, remove.
+// Edits the knots of a cam: check and repair of the wrap, insert, move, remove.
 #pragma once
 
 #include "profile/cam/point_cam.h"
@@ -9,39 +9,40 @@
 
 namespace campanel::profile {
 
-// A cam whose last slave misses the first by no more than this share of the knots' span is meant to be
-// closed; a greater difference is the net advance of a progressive cam.
+// The share of the knots' span up to which a difference between last and first slave counts as a closing
+// error. A larger difference is the net advance of a progressive cam.
 inline constexpr double closingShare = 0.01;
 
-// What the slave does where the cycle closes, as entered, before scaling: value just after 0 degrees (with
-// the net advance taken off) less value just before 360 degrees.
+// The jump of the slave at the wrap, as entered, before scaling. It is the value just after 0 degrees (less
+// the net advance) minus the value just before 360 degrees.
 struct WrapCheck {
-    double positionMm = 0; // the closing error of a cam that is meant to be closed; else 0
+    double positionMm = 0; // the closing error of a cam meant as closed; else 0
     double speedMmPerDeg = 0;
     double accelerationMmPerDeg2 = 0;
-    double advanceMm = 0; // net advance per cycle of a progressive cam; 0 for one that is meant to be closed
+    double advanceMm = 0; // net advance per cycle of a progressive cam; 0 for a cam meant as closed
 
-    // No jump: to 1e-9 of the knots' span, per degree and per degree^2.
+    // True without a jump: to 1e-9 of the knots' span, per degree and per degree^2.
     bool isSmooth = true;
 };
 
-// The knots must pass checkKnots.
+// Computes the check. The knots must pass checkKnots().
 [[nodiscard]] WrapCheck wrapCheck(const PointCamProgram& program);
 
-// The program with periodic ends and, when it is meant to be closed, the last slave set to the first.
+// Returns the program with periodic ends. A cam meant as closed also gets its last slave set to the first.
 [[nodiscard]] PointCamProgram repaired(PointCamProgram program);
 
-// A new knot on the curve, at the nearest place of the grid that keeps its distance from the neighbors, and
-// its index. Nothing when the cam has all the knots it can have or there is no room between the neighbors.
-// The knots must pass checkKnots.
+// Inserts a knot on the curve, at the nearest grid point that keeps the minimum distance to the neighbors,
+// and returns its index. Returns nothing when the cam has the maximum number of knots or the neighbors leave
+// no room. The knots must pass checkKnots().
 std::optional<std::size_t> insertKnot(PointCamProgram& program, double masterDeg);
 
-// False, and nothing done, for the first or last knot, a cam of the fewest knots, or no such knot.
+// Removes a knot. Returns false without a change for the first or last knot, the minimum number of knots, or
+// an invalid index.
 bool removeKnot(PointCamProgram& program, std::size_t index);
 
-// Moves a knot as near to `wanted` as its neighbors and the grid allow and returns where it is now. The first
-// and the last one keep their master angle; with periodic ends and equal slaves they move together, so that a
-// closed cam stays closed. The knots must pass checkKnots; index < knots.size().
+// Moves a knot as near to `wanted` as its neighbors and the grid allow and returns its new place. The first
+// and the last knot keep their master angle. With periodic ends and equal slaves they move together, so that
+// a closed cam stays closed. The knots must pass checkKnots(); index < knots.size().
 Knot moveKnot(PointCamProgram& program, std::size_t index, const Knot& wanted);
 
 } // namespace campanel::profile

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inputs of a point cam against the table of fields, its knots one by one, and whether anything would move.
+// Validates the inputs of a point cam against the table of fields, its knots one by one, and for a motion at
+// all.
 #include "profile/cam/point_cam_validate.h"
 
 #include "profile/cutter/validate.h"

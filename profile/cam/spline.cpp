@@ -11,7 +11,7 @@
 namespace campanel::profile {
 namespace {
 
-// One knot's equation, before m[i-1] has been taken out of it.
+// The equation of one knot, before m[i-1] is eliminated.
 struct Row {
     double before = 0;
     double diagonal = 0;
@@ -40,7 +40,6 @@ public:
     }
     [[nodiscard]] double chord(std::size_t i) const { return (m_y[i + 1] - m_y[i]) * inverseWidth(i); }
 
-    // Between piece `left` and piece `right`.
     [[nodiscard]] Row between(std::size_t left, std::size_t right) const
     {
         const double p = inverseWidth(left);
@@ -49,7 +48,7 @@ public:
                 3 * ((m_y[left + 1] - m_y[left]) * p * p + (m_y[right + 1] - m_y[right]) * q * q)};
     }
 
-    // The equation of the first and the last knot of a spline that is not periodic.
+    // Return the equations of the first and the last knot of a spline that is not periodic.
     [[nodiscard]] Row first(SplineEnds ends, const EndSlopes& slopes) const
     {
         return ends == SplineEnds::Clamped ? Row{0, 1, 0, slopes.start} : Row{0, 2, 1, 3 * chord(0)};
@@ -64,8 +63,8 @@ private:
     std::span<const double> m_y;
 };
 
-// With unit spacing the inner equations are alike, and after some thirty of them so are their pivots, to the
-// last bit: no further division is needed.
+// Returns true when the pivots have settled. With unit spacing the inner equations are equal, and after about
+// thirty of them so are their pivots, to the last bit: no further division is needed.
 template <Spacing spacing> bool isSettled(const std::vector<double>& ratio, std::size_t i)
 {
     return spacing == Spacing::Unit && i > 3 && ratio[i - 1] == ratio[i - 2];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All six pairs are linear in what is sought.
+// All six pairs lead to linear equations.
 #include "profile/cutter/cycle_shape.h"
 
 #include "profile/laws/laws.h"

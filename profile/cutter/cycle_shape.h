@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// The two equations that tie bag length, rate, v_a and v_b together, solved for every pair of inputs.
-// Internal to profile/.
+// Solves the two equations between bag length, rate, v_a and v_b for every pair of inputs. Internal to
+// profile/.
 #pragma once
 
 #include "profile/cutter/rotary_cutter.h"
 
 namespace campanel::profile::detail {
 
-// What the ratios, the law and the machine give before any of the four values is known.
+// The figures that follow from the ratios, the law and the machine alone.
 struct CycleShape {
     double strokeMm = 0; // h
     double weight = 0;   // w = W / T, in (0, 1)
     double syncRatio = 1;
-    double shortestRamp = 0; // of the two, as a fraction of T
+    double shortestRamp = 0; // the shorter of the two ramps, as a fraction of T
     LawPeaks lawPeaks;
 };
 
-// The program's ratios and law must have been validated.
+// Computes the shape. The ratios and the law of the program must have been validated.
 [[nodiscard]] CycleShape cycleShape(const RotaryCutterProgram& program, const Machine& machine);
 
 // The four values; not finite or negative where no cycle exists.
@@ -34,7 +34,7 @@ struct FieldValue {
     double value = 0;
 };
 
-// h = v_a (T - W) + v_b W and v_b = c L / T with two different ones of L, n, v_a, v_b given.
+// Solves h = v_a (T - W) + v_b W and v_b = c L / T for two given, different values of L, n, v_a, v_b.
 [[nodiscard]] CycleValues closeCycle(const CycleShape& shape, FieldValue first, FieldValue second);
 
 } // namespace campanel::profile::detail

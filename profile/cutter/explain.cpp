@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Formulas with their numbers, for each pair of inputs.
+// The formulas with their numbers, for each pair of inputs.
 #include "profile/cutter/explain.h"
 
 #include "profile/cutter/limits.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a derived number comes about: the formula, the numbers put in, the result. Symbols only, no words to
-// translate.
+// Explains a derived number: the formula, the formula with numbers, the result. The text contains symbols
+// only, so it needs no translation.
 #pragma once
 
 #include "profile/cutter/rotary_cutter.h"
@@ -28,7 +28,7 @@ struct Explanation {
     std::string_view unit;
 };
 
-// For a pinned quantity formula and numbers are the value itself.
+// Returns the explanation of a quantity. For a pinned quantity, formula and numbers are the value itself.
 [[nodiscard]] Explanation explain(const RotaryCutter& cutter, Quantity quantity);
 
 } // namespace campanel::profile

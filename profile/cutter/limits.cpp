@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Peaks by formula, and the time spans in which a limit is broken by bisection between monotone stretches.
+// Computes peaks by formula. Finds the time spans of an exceeded limit by bisection between monotone
+// sections.
 #include "profile/cutter/limits.h"
 
 #include "profile/cutter/nearest.h"
@@ -37,7 +38,7 @@ std::array<CutterComparison, 4> compareCutter(const CycleNumbers& cycle, const P
               pulseFrequencyLimitHz(machine)}}};
 }
 
-// Appends the part of [fromS, toS], in which |quantity| is monotone, where it is above the limit.
+// Appends the part of [fromS, toS] above the limit; |quantity| must be monotone there.
 template <typename Quantity>
 void appendBrokenCutterSpan(std::vector<TimeSpan>& spans, double fromS, double toS, double limit,
                             Quantity quantity)
@@ -157,7 +158,7 @@ bool isFeasible(const RotaryCutterProgram& program, const Machine& machine)
 
 std::optional<FastestRate> fastestRate(const RotaryCutter& cutter)
 {
-    // With the bag length kept, speeds grow with the rate and the acceleration with its square.
+    // With a fixed bag length, speeds are proportional to the rate and the acceleration to its square.
     const Peaks peak = peaks(cutter);
     const double rate = cutter.cycle.rateBagsPerMin;
     FastestRate fastest{std::min(info(Field::Rate).max, cutter.machine.maxRateBagsPerMin),
@@ -178,7 +179,7 @@ std::optional<FastestRate> fastestRate(const RotaryCutter& cutter)
     program.pinned = {Field::BagLength, Field::Rate};
     program.bagLengthMm = cutter.cycle.bagLengthMm;
     const double step = info(Field::Rate).resolution();
-    // The grid point below, one to either side of it for the rounding of the formula.
+    // The grid point below, and one on either side because of the rounding of the formula.
     for (const int offset : {1, 0, -1}) {
         program.rateBagsPerMin =
             snapToGrid(Field::Rate, std::floor(fastest.rateBagsPerMin / step) * step + offset * step);

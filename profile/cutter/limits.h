@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a solved program demands of the machine, compared with what the machine allows.
+// Compares what a solved program demands of the machine with what the machine allows.
 #pragma once
 
 #include "profile/cutter/rotary_cutter.h"
@@ -9,7 +9,7 @@
 
 namespace campanel::profile {
 
-// Largest magnitudes within a cycle, by formula, and when they are reached.
+// The largest magnitudes within a cycle, by formula, and the times at which they are reached.
 struct Peaks {
     double speedMmPerS = 0;
     double speedTimeS = 0;
@@ -24,21 +24,21 @@ struct Peaks {
                           const Machine& machine);
 [[nodiscard]] Peaks peaks(const RotaryCutter& cutter);
 
-// Every broken limit with its peak, its place, the time spans where it is broken and the nearest feasible
-// inputs; empty when the machine can do it.
+// Returns every exceeded limit with its peak, the place of the peak, the time spans and the nearest feasible
+// inputs. Empty when the machine can execute the program.
 [[nodiscard]] std::vector<Refusal> checkLimits(const RotaryCutter& cutter);
 
-// True when the program can be solved and breaks no limit. Cheap: a few hundred nanoseconds.
+// Returns true when the program can be solved and exceeds no limit. Cheap: a few hundred nanoseconds.
 [[nodiscard]] bool isFeasible(const RotaryCutterProgram& program, const Machine& machine);
 
-// The largest rate (on the grid of the rate field) for this bag length, ratios and law, and the limit that
-// sets it. MachineRate also stands for the end of the rate field's own range.
+// The maximum rate (on the grid of the rate field) for this bag length, ratios and law, and the limit that
+// sets it. MachineRate also stands for the limit of the rate field's own range.
 struct FastestRate {
     double rateBagsPerMin = 0;
     Limit limitedBy = Limit::MachineRate;
 };
 
-// Nothing when no rate at all is feasible, e.g. when a speed's own range forbids every one.
+// Returns nothing when no rate is feasible, e.g. when the range of a speed field excludes every rate.
 [[nodiscard]] std::optional<FastestRate> fastestRate(const RotaryCutter& cutter);
 
 } // namespace campanel::profile

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The feasible values of a pinned input form intervals, and each end of an interval is a place where one
-// limit is met exactly. All these places have closed forms, so the nearest feasible value is the nearest of
-// them that passes the whole check, rounded to the field's grid towards the feasible side.
+// Finds the nearest feasible values. The feasible values of a pinned input form intervals; at each end of an
+// interval one limit is met exactly. These points have closed forms. The nearest one that passes the whole
+// check is the result, rounded to the field's grid towards the feasible side.
 #include "profile/cutter/nearest.h"
 
 #include "profile/cutter/cycle_shape.h"
@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::array cycleFields{Field::BagLength, Field::Rate, Field::BaseSpeed, Field::FilmSpeed};
 
-// Cycle times at which the acceleration's peak equals +-limit while `kept` keeps its value. With D = limit *
-// shortest ramp / Cv and both signs of D: v_b - v_a = D T.
+// Returns the cycle times at which the acceleration's peak equals +-limit for a fixed `kept`. With D = limit
+// * shortest ramp / Cv and both signs of D: v_b - v_a = D T.
 std::vector<double> accelerationTimes(const CycleShape& shape, FieldValue kept, double d)
 {
     const double h = shape.strokeMm;
@@ -85,7 +85,7 @@ std::optional<Suggestion> nearestPinned(const RotaryCutterProgram& program, cons
     RotaryCutterProgram mendable = program;
     setValue(mendable, field, info(field).defaultValue);
     if (findInvalid(mendable, machine))
-        return std::nullopt; // something else is wrong as well
+        return std::nullopt; // another input is wrong as well
     GridSearch search(program, machine, field);
     search.tryAround(search.present()); // feasible when only the value's grid or finiteness was wrong
     for (const double candidate : candidates(program, machine, field))
@@ -93,7 +93,7 @@ std::optional<Suggestion> nearestPinned(const RotaryCutterProgram& program, cons
     return search.best();
 }
 
-// A ratio between its neighbors: coarse steps away from the neighbor that it offends, then bisection on the
+// Finds a ratio between its neighbors: coarse steps away from the violated neighbor, then bisection on the
 // grid.
 std::optional<Suggestion> nearestRatio(const RotaryCutterProgram& program, const Machine& machine,
                                        Field field)
@@ -106,7 +106,7 @@ std::optional<Suggestion> nearestRatio(const RotaryCutterProgram& program, const
         return std::nullopt;
     GridSearch search(program, machine, field);
     const bool fromAbove = search.present() > high;
-    const auto place = [&](double share) { // share 0: at the offended neighbor
+    const auto place = [&](double share) { // share 0: at the violated neighbor
         return snapToGrid(field, fromAbove ? high - share * (high - low) : low + share * (high - low));
     };
     constexpr int coarseSteps = 256;
@@ -126,7 +126,8 @@ std::optional<Suggestion> nearestRatio(const RotaryCutterProgram& program, const
     return std::nullopt;
 }
 
-// Sorts first what a person would rather change: a machine that cannot follow runs slower; the product stays.
+// Returns the sort key of a suggestion: a machine limit is corrected by a lower speed first; the product
+// stays.
 std::pair<bool, double> cost(const RotaryCutterProgram& program, const Refusal& refusal,
                              const Suggestion& suggestion)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The nearest feasible value of an input. Internal to profile/.
+// Finds the nearest feasible value of an input. Internal to profile/.
 #pragma once
 
 #include "profile/cutter/rotary_cutter.h"
@@ -8,7 +8,7 @@
 
 namespace campanel::profile::detail {
 
-// For a refused or limit-breaking program: the fields that can mend it alone, the smallest relative change
+// Returns the fields that alone correct a refused or limit-exceeding program, the smallest relative change
 // first.
 [[nodiscard]] std::vector<Suggestion> nearestFeasible(const RotaryCutterProgram& program,
                                                       const Machine& machine, const Refusal& refusal);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Table 1 of the paper, summed. Its way back repeats the rows of the way there, so the error does not cancel.
+// Sums Table 1 of the paper. The return repeats the rows, so the error does not cancel.
 #include "profile/cutter/paper_table.h"
 
 namespace campanel::profile {

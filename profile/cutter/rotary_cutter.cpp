@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solving a rotary cutter program. Equation (8) of the paper holds only for symmetric ramps; the weight W
-// here does not need symmetry, because a mirrored ramp travels exactly as far as the ramp itself.
+// Solves a rotary cutter program. Equation (8) of the paper holds only for symmetric ramps. The weight W here
+// does not need symmetry, because a mirrored ramp has exactly the travel of the ramp.
 #include "profile/cutter/rotary_cutter.h"
 
 #include "profile/cutter/cycle_shape.h"
@@ -15,7 +15,7 @@
 namespace campanel::profile {
 namespace {
 
-// Derived base speeds this little below zero are rounding of an exactly closing stroke.
+// The tolerance for negative base speeds: rounding of an exactly closing stroke.
 constexpr double zeroSpeedToleranceMmPerS = 1e-6;
 
 Refusal strokeCannotClose(const detail::CycleShape& shape, double bagLengthMm)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rotary cutter cam: base speed v_a, a ramp, film speed v_b while the knife seals, the ramp mirrored, v_a
-// again. Any two of bag length, rate, v_a and v_b are given ("pinned"); the other two follow.
+// The rotary cutter cam: base speed v_a, a ramp, film speed v_b while the knife seals, the mirrored ramp, v_a
+// again. Two of bag length, rate, v_a and v_b are given ("pinned"); the other two follow.
 #pragma once
 
 #include "profile/model/fields.h"
@@ -17,12 +17,12 @@ namespace campanel::profile {
 
 struct RotaryCutterProgram {
     std::array<Field, 2> pinned{Field::BagLength, Field::Rate};
-    // Of these four only the pinned two are read.
+    // Four inputs, of which only the two pinned ones are used.
     double bagLengthMm = info(Field::BagLength).defaultValue;
     double rateBagsPerMin = info(Field::Rate).defaultValue;
     double baseSpeedMmPerS = info(Field::BaseSpeed).defaultValue; // v_a
     double filmSpeedMmPerS = info(Field::FilmSpeed).defaultValue; // v_b
-    // Ends of the stretches as T/k: k1 > k2 > k3 > k4 > 1.
+    // The ends of the segments as T/k: k1 > k2 > k3 > k4 > 1.
     std::array<double, 4> k{info(Field::K1).defaultValue, info(Field::K2).defaultValue,
                             info(Field::K3).defaultValue, info(Field::K4).defaultValue};
     LawId speedLaw = LawId::Cubic;
@@ -33,7 +33,7 @@ struct RotaryCutterProgram {
 
 [[nodiscard]] double value(const RotaryCutterProgram& program,
                            Field field);                                // field must be one of the program's
-void setValue(RotaryCutterProgram& program, Field field, double value); // integers are rounded
+void setValue(RotaryCutterProgram& program, Field field, double value); // counts are rounded
 [[nodiscard]] bool isPinned(const RotaryCutterProgram& program, Field field);
 
 // All numbers of one cycle.
@@ -52,7 +52,7 @@ struct CycleNumbers {
     double tdS = 0;
 };
 
-// A solved program: immutable numbers and curves. It may still break limits of the machine: see limits.h.
+// A solved program: immutable numbers and curves. It may still exceed limits of the machine: see limits.h.
 struct RotaryCutter {
     RotaryCutterProgram program;
     Machine machine;
@@ -62,13 +62,12 @@ struct RotaryCutter {
     [[nodiscard]] double angleDegAt(double timeS) const { return 360 * timeS / cycle.cycleTimeS; }
 };
 
-// Solves the geometry. Refuses what cannot be a cycle at all: values out of range or not finite, k not
-// descending, v_a < 0. A refusal names the nearest value of each pinned input with which the whole recipe
-// would be feasible.
+// Solves the geometry. Refuses an impossible cycle: values out of range or not finite, k not descending, v_a
+// < 0. A refusal names, for each pinned input, the nearest value that makes the whole recipe feasible.
 [[nodiscard]] tl::expected<RotaryCutter, Refusal> solve(const RotaryCutterProgram& program,
                                                         const Machine& machine);
 
-// The numbers alone, without curves and without suggestions in the refusal: for searches.
+// Solves the numbers alone, without curves and without suggestions in the refusal: for searches.
 [[nodiscard]] tl::expected<CycleNumbers, Refusal> solveNumbers(const RotaryCutterProgram& program,
                                                                const Machine& machine);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Samples each segment by itself, so that a joint keeps its value before and after.
+// Samples each segment separately, so that a joint keeps its value before and after.
 #include "profile/cutter/sampling.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ Curves sampleCurves(const MotionProfile& motion, double pulsesPerMm, std::size_t
         curves.jerkMmPerS3.push_back(p.jerkMmPerS3);
         curves.frequencyHz.push_back(p.velocityMmPerS * pulsesPerMm);
     };
-    std::size_t next = 1; // the even grid; its first and last points are the ends of segments
+    std::size_t next = 1; // index in the even grid, whose first and last points are ends of segments
     for (const Segment& segment : segments) {
         append(segment, segment.startS);
         for (; next < intervals; ++next) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Curves of one cycle for plotting, one array per quantity.
+// Samples the curves of one cycle for plots, one array per quantity.
 #pragma once
 
 #include "profile/cutter/rotary_cutter.h"
@@ -9,9 +9,9 @@
 
 namespace campanel::profile {
 
-// All arrays have the same length. At a joint of two segments there are two points with the same time (the
-// value before and after), so that steps of acceleration and jerk are drawn upright and corners are not
-// rounded.
+// The sampled curves; all arrays have the same length. At a joint of two segments there are two points with
+// the same time (the values before and after). Steps of acceleration and jerk are therefore vertical, and
+// corners are sharp.
 struct Curves {
     std::vector<double> timeS;
     std::vector<double> positionMm;
@@ -21,8 +21,8 @@ struct Curves {
     std::vector<double> frequencyHz;
 };
 
-// `points` evenly spaced points from 0 to T (at least 2), and the joints in addition. A negative frequency
-// stands for backwards.
+// Samples `points` evenly spaced points from 0 to T (at least 2), and the joints in addition. A negative
+// frequency means backward.
 [[nodiscard]] Curves sampleCurves(const MotionProfile& motion, double pulsesPerMm, std::size_t points);
 [[nodiscard]] Curves sampleCurves(const RotaryCutter& cutter, std::size_t points);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From slices to rows that the timer and the row format can hold.
+// Converts slices to rows that the timer and the row format can hold.
 #include "profile/cutter/step_table.h"
 
 #include "profile/cutter/limits.h"
@@ -15,7 +15,7 @@
 namespace campanel::profile {
 namespace {
 
-// One less than a row can hold, so that any row has room for the carried pulse.
+// The capacity of a row minus one, so that any row has space for the carried pulse.
 constexpr std::int64_t largestRowPulses = std::numeric_limits<std::uint16_t>::max() - 1;
 
 class RowWriter {
@@ -39,7 +39,7 @@ public:
             m_played.push_back(slice);
     }
 
-    // The stretches of even speed that the rows play; pauses and single pulses stand for such a one together.
+    // Returns the sections of constant speed in the rows; a pause and a single pulse form one section.
     [[nodiscard]] std::span<const TableSlice> played() const { return m_played; }
 
 private:
@@ -67,8 +67,8 @@ private:
         }
     }
 
-    // Slower than the timer's largest constant: before each pulse a pause, then the longest interval the
-    // timer has.
+    // Writes a slice below the timer's minimum frequency: before each pulse a pause, then the longest
+    // interval of the timer.
     void writeSlow(const TableSlice& slice)
     {
         std::int64_t tick = 0;
@@ -100,7 +100,7 @@ Refusal tooFast(const RotaryCutter& cutter, double actualHz)
     return refusal;
 }
 
-// The row of [from, to) that has room for one more pulse, the longest one.
+// Returns the longest row of [from, to) that has space for one more pulse.
 std::optional<std::size_t> rowWithRoom(const std::vector<StepRow>& rows, std::size_t from, std::size_t to,
                                        std::int64_t smallestConstant)
 {
@@ -121,7 +121,7 @@ tl::expected<StepTable, Refusal> buildTable(const RotaryCutter& cutter)
 {
     const Machine& machine = cutter.machine;
     const Peaks peak = peaks(cutter);
-    constexpr double frequencyTolerance = 1e-9; // relative; of a frequency that meets the limit exactly
+    constexpr double frequencyTolerance = 1e-9; // relative; for a frequency that meets the limit exactly
     if (peak.pulseFrequencyHz > pulseFrequencyLimitHz(machine) * (1 + frequencyTolerance))
         return tl::unexpected(tooFast(cutter, peak.pulseFrequencyHz));
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walks the slices beside the curve, one part of a slice after the other. Within a part the table is straight
-// and the curve's speed monotone, so the position error is largest at an end or where the speeds agree.
+// Compares the slices with the curve, one part of a slice after the other. Within a part the table is linear
+// and the curve's speed monotone. The position error is therefore largest at an end or where the speeds are
+// equal.
 #include "profile/cutter/table_error.h"
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 namespace campanel::profile {
 namespace {
 
-// Keeps the larger magnitude and where it was seen.
 void keepLargest(double candidate, double timeS, double& largest, double& largestTimeS)
 {
     if (std::abs(candidate) <= largest)
@@ -20,16 +20,16 @@ void keepLargest(double candidate, double timeS, double& largest, double& larges
     largestTimeS = timeS;
 }
 
-// The part of a slice that lies within one stretch of the curve.
+// The part of a slice within one segment of the curve.
 struct SlicePart {
     const Segment& segment;
     double fromS = 0;
     double toS = 0;
     double sliceStartS = 0;
-    double sliceStartMm = 0; // by the table
-    double speedMmPerS = 0;  // of the table
+    double sliceStartMm = 0; // in the table
+    double speedMmPerS = 0;  // in the table
 
-    // How far the table is ahead of the curve, and how much faster it is.
+    // Returns how far the table is ahead of the curve; the next one, how much faster it is.
     [[nodiscard]] double aheadMm(double timeS) const
     {
         return sliceStartMm + speedMmPerS * (timeS - sliceStartS) - segment.at(timeS).positionMm;
@@ -40,7 +40,7 @@ struct SlicePart {
     }
 };
 
-// Where the speeds agree, if they do inside, and how much more the position error may be than it is there.
+// The point of equal speeds, if it is inside, and a bound of the additional position error beside it.
 struct Agreement {
     double timeS = 0;
     double roomMm = 0;
@@ -56,7 +56,7 @@ std::optional<Agreement> speedAgreement(const SlicePart& part)
     double fasterHigh = part.fasterMmPerS(high);
     if (fasterLow * fasterHigh >= 0)
         return std::nullopt;
-    // The rule of false position in Illinois' form: the weight of an end that stays is halved.
+    // The false position method in Illinois form: the weight of an unchanged end is halved.
     Agreement found;
     int side = 0;
     for (int step = 0; step < maxSteps; ++step) {
@@ -81,7 +81,7 @@ std::optional<Agreement> speedAgreement(const SlicePart& part)
     return found;
 }
 
-// Gauss' rule of four points for the integral of the squared position error over [fromS, toS].
+// Returns the integral of the squared position error over [fromS, toS], by Gauss' rule of four points.
 double squaresBetween(const SlicePart& part, double fromS, double toS)
 {
     constexpr std::array places{-0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
@@ -97,11 +97,11 @@ double squaresBetween(const SlicePart& part, double fromS, double toS)
     return sum * half;
 }
 
-// The same over the whole part, in ever more pieces; what the last doubling changed is added, so that the
-// result is not too small.
+// Returns the integral over the whole part, with increasing subdivision. The change by the last doubling is
+// added, so that the result is not too small.
 double squaresOf(const SlicePart& part)
 {
-    constexpr double enough = 1e-6;       // of the integral
+    constexpr double enough = 1e-6;       // share of the integral
     constexpr double roundingMm2 = 1e-20; // of the squared error
     constexpr int mostPieces = 256;
     const double rounding = roundingMm2 * (part.toS - part.fromS);

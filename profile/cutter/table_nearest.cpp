@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A table has no closed form for its size, so this walks away from the present value in doubling steps and
-// comes back by bisection on the field's grid.
+// Finds nearest inputs for a table. Its size has no closed form, so the search moves away from the present
+// value in doubling steps and returns by bisection on the field's grid.
 #include "profile/cutter/table_nearest.h"
 
 #include "profile/cutter/limits.h"
@@ -21,7 +21,7 @@ bool fits(RotaryCutterProgram program, Machine machine, Field field, double x)
     return cutter && buildTable(*cutter);
 }
 
-// The nearest value in one direction (+1 or -1).
+// Returns the nearest value in one direction (+1 or -1).
 std::optional<double> nearestOnSide(const RotaryCutter& cutter, Field field, double present, int direction)
 {
     const double step = info(field).resolution();
@@ -29,7 +29,7 @@ std::optional<double> nearestOnSide(const RotaryCutter& cutter, Field field, dou
     for (double distance = step;; distance *= 2) {
         double x = snapToGrid(field, present + direction * distance);
         if (x == failing)
-            return std::nullopt; // the end of the range
+            return std::nullopt; // limit of the range
         if (!fits(cutter.program, cutter.machine, field, x)) {
             failing = x;
             continue;

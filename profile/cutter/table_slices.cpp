@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pulses of a slice are differences of the rounded travel, so that no error adds up; a slice ends at the tick
-// where the curve passes that whole pulse (at most half a pulse from the equal division), so that its even
-// speed is the curve's.
+// Cuts slices. The pulses of a slice are differences of the rounded travel, so that no error accumulates. A
+// slice ends at the tick where the curve passes that whole pulse (at most half a pulse from the equal
+// division), so that its constant speed is the curve's.
 #include "profile/cutter/table_slices.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace campanel::profile::detail {
 namespace {
 
-// One stretch of the table before rounding.
+// One section of the table before rounding.
 struct Stretch {
     double startS = 0;
     double endS = 0;
@@ -36,8 +36,8 @@ std::vector<Stretch> stretches(const RotaryCutter& cutter)
     return found;
 }
 
-// Which stretch gets the carried pulse: the longest of constant speed that has room for it, else the longest
-// with room.
+// Returns the section for the carried pulse: the longest of constant speed with enough space, else the
+// longest with space.
 std::size_t carryStretch(const RotaryCutter& cutter, const std::vector<Stretch>& all)
 {
     constexpr double neededRoomPulses = 2; // the carried one and a rounding
@@ -56,7 +56,7 @@ std::size_t carryStretch(const RotaryCutter& cutter, const std::vector<Stretch>&
 
 } // namespace
 
-// N_i = round(F(t_i)) - round(F(t_i-1)); the cycle's fraction of a pulse is left out after the carry stretch.
+// N_i = round(F(t_i)) - round(F(t_i-1)); the cycle's fraction of a pulse is omitted after the carry section.
 std::optional<SlicedCycle> cutSlices(const RotaryCutter& cutter, std::int64_t cycleTicks)
 {
     const std::vector<Stretch> all = stretches(cutter);
@@ -81,8 +81,8 @@ std::optional<SlicedCycle> cutSlices(const RotaryCutter& cutter, std::int64_t cy
         const double position = (static_cast<double>(after) + leftOut) / perMm;
         const std::int64_t exact =
             isLast ? cycleTicks : std::llround(cutter.motion.timeAt(position, all[i].endS) * clock);
-        // A curve within the timer's frequency gives its pulses this room already; only noise could take a
-        // tick of it.
+        // A curve within the timer's frequency already has this distance between pulses; only noise could
+        // reduce it by a tick.
         const std::int64_t earliest = (i > 0 ? endTicks[i - 1] : 0) + (after - before) * constant;
         endTicks[i] = std::max(exact, earliest);
         pulses[i] = after - before;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inputs against the table of fields, the law's own parameters, and the order of the ratios.
+// Validates inputs against the table of fields, the law's own parameters, and the order of the ratios.
 #include "profile/cutter/validate.h"
 
 #include "profile/laws/laws.h"
@@ -32,7 +32,7 @@ bool isCycleValue(Field field)
            field == Field::FilmSpeed;
 }
 
-// A timer that overflows before the shortest interval between pulses is of no use.
+// Refuses a timer that overflows before the shortest interval between pulses.
 std::optional<Refusal> findNarrowTimer(const Machine& machine)
 {
     if (smallestTimerConstant(machine) <= largestTimerConstant(machine))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Branch and bound: a stretch of time is halved until what the curve can do between its ends, as its
-// acceleration and jerk are bounded, is hardly more than an error that has been seen.
+// Branch and bound. A time span is halved until the bound of the error between its ends hardly exceeds an
+// error already found. The bound follows from those of acceleration and jerk.
 #include "profile/intervals/interval_errors.h"
 
 #include "profile/intervals/speed_curve.h"
@@ -15,9 +15,9 @@ namespace campanel::profile::detail {
 namespace {
 
 constexpr double precision = 0.0005;    // share by which a stated error may exceed the true one
-constexpr double cellsPerSegment = 256; // at least, so that no cell holds two steps of the acceleration
+constexpr double cellsPerSegment = 256; // minimum, so that no cell contains two steps of the acceleration
 
-// The largest value between two points of a curve whose slope stays between low and high.
+// Returns the bound of a curve between two points, when its slope is between low and high.
 double summit(double first, double last, double width, double low, double high)
 {
     const double ends = std::max(first, last);
@@ -26,15 +26,15 @@ double summit(double first, double last, double width, double low, double high)
     return std::max(ends, (high * last - low * first - low * high * width) / (high - low));
 }
 
-// The motion's and the rows' state at one iteration; speeds in Hz, along the motion.
+// The state of the motion and the rows at one iteration; speeds in Hz, along the motion.
 struct Point {
     double timeS = 0;
-    double speedError = 0; // of the rows' even ramp
+    double speedError = 0; // relative to the rows' linear ramp
     double acceleration = 0;
     double positionError = 0;
 };
 
-// Keeps an error that has been seen, and the bound of what may lie beside it.
+// The largest error found, and the bound of the errors beside it.
 class Largest {
 public:
     void see(double error, double timeS)
@@ -58,7 +58,7 @@ private:
     double m_timeS = 0;
 };
 
-// A part of the rows' motion with one acceleration: of a row, its ramp or what is left of it.
+// A part of the rows' motion with one acceleration: the ramp of a row, or the rest of it.
 struct Part {
     IntervalRow row;
     std::uint64_t begin = 0; // iterations before the row
@@ -82,7 +82,7 @@ public:
         , m_startMm(motion.at(0).positionMm)
         , m_last(motion.at(m_durationS))
     {
-        constexpr double restShare = 1e-9; // of the mean speed
+        constexpr double restShare = 1e-9; // share of the mean speed
         const double travel = m_last.positionMm - m_startMm;
         m_sign = travel < 0 ? -1 : 1;
         m_endsAtRest = std::abs(m_last.velocityMmPerS) * m_durationS <= restShare * std::abs(travel);
@@ -150,7 +150,7 @@ Point Comparison::at(const Part& part, std::uint64_t iteration) const
 void Comparison::compareCell(const Part& part, const Point& first, std::uint64_t from, const Point& last,
                              std::uint64_t to)
 {
-    // The speed's register steps up to a unit behind the even ramp, and what it gains in an iteration at
+    // The speed register is up to a unit behind the linear ramp, and changes by the step of an iteration at
     // once.
     const double step = hertz(std::abs(part.acceleration));
     const double above = step + (part.acceleration < 0 ? hertz(1) : 0);
@@ -183,7 +183,7 @@ void Comparison::compareCell(const Part& part, const Point& first, std::uint64_t
     compareCell(part, point, middle, last, to);
 }
 
-// Cell by cell between the segments' joints; each joint is in a cell of one iteration.
+// Compares cell by cell between the segments' joints; each joint is in a cell of one iteration.
 void Comparison::compare(const Part& part)
 {
     std::uint64_t from = part.from;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the accumulators' own motion is from the motion that their rows were made from.
+// The error of the accumulators' motion against the motion that the rows were compiled from.
 #pragma once
 
 #include "profile/intervals/interval_row.h"
@@ -9,15 +9,15 @@
 
 namespace campanel::profile {
 
-// Of the accumulators' own motion against the motion compiled; in Published mode against the motion at the
-// generator's pace, k times slower, as the paper accepts it. Before and after the motion the comparison goes
-// on: a motion that ends moving keeps its speed, and so do its rows; one that ends at rest stands.
-// Neither number is below the true maximum. It is above it by a thousandth at most, the speed also by a step
-// of its register.
+// The error of the accumulators' motion against the compiled motion. In Published mode the reference is the
+// motion at the generator's pace, k times slower, as accepted in the paper. The comparison continues before
+// and after the motion. A motion that ends moving keeps its speed, and so do its rows; one that ends at rest
+// stays at rest. Neither figure is below the true maximum. Each is at most a thousandth above it, the speed
+// also by one register step.
 struct IntervalErrors {
-    double speedMmPerS = 0; // largest
+    double speedMmPerS = 0; // maximum
     double speedTimeS = 0;
-    double positionPulses = 0; // largest, between the pulses as well
+    double positionPulses = 0; // maximum, also between the pulses
     double positionTimeS = 0;
 };
 

@@ -8,9 +8,9 @@ namespace campanel::profile::detail {
 
 namespace {
 
-constexpr double speedRoundingShare = 1e-9; // of the largest speed
+constexpr double speedRoundingShare = 1e-9; // share of the maximum speed
 
-// Under the lines, as pulses.
+// Returns the area below the lines, in pulses.
 double distance(const std::vector<PathPoint>& knots)
 {
     double sum = 0;
@@ -19,7 +19,7 @@ double distance(const std::vector<PathPoint>& knots)
     return sum;
 }
 
-// Makes lines that are horizontal but for rounding exactly so.
+// Sets lines that are horizontal except for rounding exactly horizontal.
 void level(std::vector<PathPoint>& knots, double roundingHz)
 {
     for (std::size_t i = knots.size() - 1; i-- > 0;) {
@@ -28,7 +28,8 @@ void level(std::vector<PathPoint>& knots, double roundingHz)
     }
 }
 
-// Raises the knots between the ends, which are the curve's, by what is missing. A horizontal last line stays.
+// Raises the inner knots by the missing pulses; the ends belong to the curve. A horizontal last line stays
+// horizontal.
 std::vector<PathPoint> raised(std::vector<PathPoint> knots, double missingPulses, double minHz)
 {
     std::size_t last = knots.size() - 1;
@@ -44,15 +45,15 @@ std::vector<PathPoint> raised(std::vector<PathPoint> knots, double missingPulses
     return knots;
 }
 
-// The middles of the stretches inside the motion that are faster, or slower, than what lies around them.
+// Returns the middles of the sections inside the motion that are faster, or slower, than their surroundings.
 std::vector<SpeedPeak> peaksOf(const SpeedCurve& curve)
 {
     constexpr std::size_t plateauSamples = 4;
     const std::vector<CurveSample>& samples = curve.samples();
     const double roundingHz = speedRoundingShare * curve.fastestHz();
     std::vector<SpeedPeak> result;
-    double slope = 0;      // the sign of the last change
-    std::size_t level = 0; // the first sample after it
+    double slope = 0;      // sign of the last change
+    std::size_t level = 0; // first sample after it
     for (std::size_t i = 1; i < samples.size(); ++i) {
         const double change = samples[i].speedHz - samples[i - 1].speedHz;
         if (std::abs(change) <= roundingHz)
@@ -112,8 +113,8 @@ void IntervalLines::lay(double errorHz, const LineStyle& style, double shiftHz)
 {
     const std::vector<CurveSample>& samples = m_curve.samples();
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        // Between its ends a line's mean error over a parabola is a third of its largest, towards the inside
-        // of the bend.
+        // The mean error of a line over a parabola between its ends is a third of its largest error, towards
+        // the inside of the bend.
         const double middle = samples[i].speedHz + shiftHz - style.evenness * samples[i].bend * errorHz / 3;
         m_channel[i] = {samples[i].timeS, std::max(middle - errorHz, m_minHz),
                         std::min(middle + errorHz, m_maxHz)};
@@ -140,7 +141,7 @@ void IntervalLines::pinch(const SpeedPeak& peak, double errorHz)
         m_channel[i].lowerHz = m_channel[i].upperHz = level;
 }
 
-// A motion that begins or ends moving does so with its own speed, not stretched to whole pulses.
+// Fixes the ends of a motion that begins or ends moving to its own speed, not stretched to whole pulses.
 void IntervalLines::fixEnds()
 {
     const std::vector<CurveSample>& samples = m_curve.samples();
@@ -163,7 +164,7 @@ bool IntervalLines::canKeep(double errorHz, std::size_t lineCount, double evenne
     return within(errorHz * margin, lineCount, {Flats::None, evenness}, 0).has_value();
 }
 
-// The smallest error nearly, by halving on a logarithmic scale around a guess.
+// Returns nearly the smallest error, by bisection on a logarithmic scale around a guess.
 std::optional<IntervalLines::Tried> IntervalLines::tightest(std::size_t lineCount, const LineStyle& style,
                                                             double shiftHz, double guessHz)
 {
@@ -211,7 +212,7 @@ std::optional<IntervalLines::Tried> IntervalLines::tightest(std::size_t lineCoun
 std::optional<Lines> IntervalLines::find(std::size_t lineCount, const LineStyle& style)
 {
     constexpr int attempts = 6;
-    constexpr double closeEnough = 0.02; // of the error, by which lines may be raised
+    constexpr double closeEnough = 0.02; // share of the error by which lines may be raised
     constexpr double linesPerBend = 4;   // lines of the smallest error over a constant jerk: j h^2 / 16
     const double perLine = m_bendIntegral / (linesPerBend * static_cast<double>(lineCount));
     double guess = std::max(perLine * perLine, 1e-6 * m_curve.fastestHz());

@@ -14,12 +14,12 @@ constexpr std::size_t coarsestSamples = 1024;
 constexpr std::size_t samplesPerLine = 32;
 constexpr std::array styles{LineStyle{Flats::None, 0}, LineStyle{Flats::Peaks, 0},
                             LineStyle{Flats::PeaksAndEnd, 0}};
-// They take more error for the same rows, the smoothest first.
+// The styles with more error for the same rows, the smoothest first.
 constexpr std::array smoothStyles{LineStyle{Flats::None, 1}, LineStyle{Flats::None, 0.5}};
 
-constexpr std::size_t maxFineCount = 64; // up to it every number of rows is tried
+constexpr std::size_t maxFineCount = 64; // every number of rows is tried up to this one
 
-// Later in steps of a thirty-second part.
+// Larger numbers grow in steps of a thirty-second part.
 std::vector<std::size_t> rowCounts(std::size_t max)
 {
     constexpr std::size_t stepsPerDouble = 32;
@@ -29,13 +29,13 @@ std::vector<std::size_t> rowCounts(std::size_t max)
     return result;
 }
 
-// No rows need more.
+// Returns an error that no rows exceed.
 double largestErrorHz(const SpeedCurve& curve)
 {
     return 4 * curve.fastestHz();
 }
 
-// The largest error of an even speed change over the first pulse.
+// Returns the largest error of a linear speed change over the first pulse.
 double firstPulseErrorHz(const SpeedCurve& curve, double firstHz, double lastHz)
 {
     constexpr int checks = 10;
@@ -49,14 +49,14 @@ double firstPulseErrorHz(const SpeedCurve& curve, double firstHz, double lastHz)
     return error;
 }
 
-// The smallest that this can be where the motion begins at rest: no rows keep less. Both speeds are searched
-// for around the best ones so far, ever more closely.
+// Returns the smallest possible error of the first pulse when the motion begins at rest: a lower bound for
+// all rows. Both speeds are searched around the best ones found so far, with decreasing steps.
 double firstPulseErrorHz(const SpeedCurve& curve)
 {
     if (!curve.beginsAtRest())
         return 0;
     constexpr int passes = 10;
-    constexpr int choices = 6; // on both sides
+    constexpr int choices = 6; // in both directions
     constexpr double closer = 0.4;
     double firstHz = 0;
     double lastHz = 2 / curve.timeAt(1);
@@ -125,7 +125,7 @@ std::optional<IntervalPlan> IntervalPlanner::plan(std::size_t rowCount, const Li
     Level& level = levelOf(rowCount);
     const SpeedCurve& curve = level.curve;
     const std::size_t lineCount = rowCount + level.lines.flatCount(style.flats);
-    // The curve searched is stretched to whole pulses.
+    // The searched curve is stretched to whole pulses.
     const double stretchHz = std::abs(1 - 1 / curve.stretch()) * curve.fastestHz();
     const double allowedHz = std::min(errorMmPerS * m_pulsesPerMm + stretchHz, largestErrorHz(curve));
     if (!level.lines.canKeep(allowedHz / (1 + style.evenness / 3), lineCount, style.evenness))
@@ -135,7 +135,7 @@ std::optional<IntervalPlan> IntervalPlanner::plan(std::size_t rowCount, const Li
         return std::nullopt;
     constexpr double firstFactor = 1.02;
     constexpr double fineFactor = 1.2;
-    constexpr double coarseFactor = 1.5; // where whole pulses need far more than the lines
+    constexpr double coarseFactor = 1.5; // for whole pulses that need far more than the lines
     constexpr double far = 4;
     double failedHz = lines->errorHz;
     double factor = firstFactor;
@@ -146,7 +146,7 @@ std::optional<IntervalPlan> IntervalPlanner::plan(std::size_t rowCount, const Li
             result.errors = intervalErrors(result.rows, m_rules.fractionBits, m_rules.iterationS, m_motion,
                                            m_pulsesPerMm);
             result.errorMmPerS = std::max(result.errors.speedMmPerS, failedHz / m_pulsesPerMm);
-            // So the smallest number that is kept has the fewest rows of all.
+            // The smallest number that keeps the error has the fewest rows of all.
             if (result.errorMmPerS <= errorMmPerS && result.rows.size() + 1 >= rowCount)
                 return result;
             return std::nullopt;
@@ -157,12 +157,12 @@ std::optional<IntervalPlan> IntervalPlanner::plan(std::size_t rowCount, const Li
     return std::nullopt;
 }
 
-// The error of lines below which rows beside them gain nothing: they have whole pulses and whole speeds.
+// Returns the error of lines below which the rows do not improve: they have whole pulses and whole speeds.
 double IntervalPlanner::finestHz()
 {
     if (!m_finestHz) {
         constexpr double share = 0.7;
-        constexpr double smallestShare = 1e-6; // of the largest speed
+        constexpr double smallestShare = 1e-6; // share of the maximum speed
         const SpeedCurve& curve = levelOf(1).curve;
         m_finestHz =
             std::max(share * std::max(m_unitHz, firstPulseErrorHz(curve)), smallestShare * curve.fastestHz());
@@ -170,7 +170,7 @@ double IntervalPlanner::finestHz()
     return *m_finestHz;
 }
 
-// Would fewer lines be as fine as rows can be?
+// Returns true when fewer lines are as fine as rows can be.
 bool IntervalPlanner::isTooMany(std::size_t count)
 {
     return count > 1 && levelOf(count).lines.fewest(finestHz(), count - 1) != 0;
@@ -186,7 +186,7 @@ std::optional<IntervalPlan> IntervalPlanner::fewestRows(double errorMmPerS)
             continue;
         if (isTooMany(count))
             break;
-        // A row that level lines save is not seen between large numbers.
+        // For large numbers, a row saved by level lines is insignificant.
         const std::size_t styleCount = count <= maxFineCount ? styles.size() : 1;
         std::optional<IntervalPlan> result;
         for (std::size_t i = 0; i < styleCount; ++i) {
@@ -208,7 +208,7 @@ std::optional<IntervalPlan> IntervalPlanner::fewestRows(double errorMmPerS)
 
 double IntervalPlanner::keptErrorMmPerS(double triedMmPerS)
 {
-    constexpr std::size_t stride = 24; // of the numbers of rows
+    constexpr std::size_t stride = 24; // through the numbers of rows
     constexpr int tries = 5;
     const std::size_t lines = fewestLines(triedMmPerS);
     std::size_t i = m_counts.size() - 1;

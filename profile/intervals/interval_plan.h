@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Few rows of constant acceleration that keep a motion's speed within an error.
+// Finds few rows of constant acceleration that keep the speed of a motion within an error.
 #pragma once
 
 #include "profile/intervals/interval_errors.h"
@@ -17,12 +17,12 @@ namespace campanel::profile::detail {
 struct IntervalPlan {
     std::vector<IntervalRow> rows;
     IntervalErrors errors;
-    double errorMmPerS = 0; // for which it is found
+    double errorMmPerS = 0; // the error that the plan was requested for
 };
 
-// One motion. For each number of rows and style of lines there is one plan, whatever error is asked for: the
-// straight lines with the smallest error and the rows with whole pulses beside them. So a larger error never
-// takes more rows, and is never refused where a smaller one is kept.
+// Plans the rows of one motion. Each number of rows and style of lines has one plan, independent of the
+// requested error: the lines with the smallest error, and rows with whole pulses beside them. So a larger
+// error never takes more rows, and is never refused where a smaller one is accepted.
 class IntervalPlanner {
 public:
     // Keeps a reference to the motion.
@@ -31,9 +31,10 @@ public:
 
     // Returns the plan with the fewest rows that keeps the error.
     [[nodiscard]] std::optional<IntervalPlan> fewestRows(double errorMmPerS);
-    // Returns an error that can be kept where this one cannot; infinite where there is none.
+    // Returns an error that can be kept when the tried one cannot; infinite when there is none.
     [[nodiscard]] double keptErrorMmPerS(double triedMmPerS);
-    // Returns the number below which no straight lines keep the error; 0 when there would be more than rows.
+    // Returns the lower bound of the number of lines that keep the error; 0 when it exceeds the number of
+    // rows.
     [[nodiscard]] std::size_t fewestLines(double errorMmPerS);
 
 private:
@@ -54,10 +55,10 @@ private:
     const MotionProfile& m_motion;
     double m_pulsesPerMm;
     RowRules m_rules;
-    double m_unitHz; // of the registers' speeds
+    double m_unitHz; // speed unit of the registers
     std::optional<double> m_finestHz;
-    std::vector<std::size_t> m_counts;            // of rows, rising
-    std::vector<std::unique_ptr<Level>> m_levels; // each finer than the one before, made when it is needed
+    std::vector<std::size_t> m_counts;            // numbers of rows, ascending
+    std::vector<std::unique_ptr<Level>> m_levels; // each finer than the previous one, created on demand
 };
 
 } // namespace campanel::profile::detail

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums over the iterations of the accumulators. Each is bounded by the row's distance, so that 64 bits hold
-// it.
+// Sums over the iterations of the accumulators. Each is limited by the row's distance, so that it fits 64
+// bits.
 #include "profile/intervals/interval_row.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace campanel::profile::detail {
 
 namespace {
 
-// Sum of floor((first + step * i) / 2^23) over i = 0 .. count - 1, by Euclid's algorithm.
+// Returns the sum of floor((first + step * i) / 2^23) over i = 0 .. count - 1, by Euclid's algorithm.
 std::uint64_t floorSum(std::uint64_t count, std::uint64_t step, std::uint64_t first)
 {
     std::uint64_t modulus = std::uint64_t{1} << accumulatorBits;
@@ -33,7 +33,7 @@ std::uint64_t change(const IntervalRow& row)
     return row.firstSpeed > row.lastSpeed ? row.firstSpeed - row.lastSpeed : row.lastSpeed - row.firstSpeed;
 }
 
-// Solved in real numbers: within some iterations of the exact one.
+// Returns the solution in real numbers: it differs from the exact one by a few iterations.
 double estimatedEnd(const IntervalRow& row, double distance)
 {
     const double first = row.firstSpeed;
@@ -78,7 +78,7 @@ RowEnd rowEnd(const IntervalRow& row, std::uint64_t rest, int fractionBits)
     const auto isReached = [&](std::uint64_t iterations) {
         return positionAfter(row, rest, iterations) >= target;
     };
-    // A bracket around the estimate, widened until the end lies in it.
+    // A bracket around the estimate, widened until it contains the end.
     const auto estimate = static_cast<std::uint64_t>(estimatedEnd(row, static_cast<double>(target - rest)));
     std::uint64_t width = 4;
     std::uint64_t low = estimate;

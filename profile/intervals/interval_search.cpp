@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A beam search: from row to row the candidates that are least aside the lines are kept.
+// A beam search: each step keeps the candidates that are closest to the lines.
 #include "profile/intervals/interval_search.h"
 
 #include <algorithm>
@@ -15,9 +15,9 @@ constexpr std::size_t beamWidth = 6;
 constexpr double fewPulses = 64;
 constexpr std::size_t checksPerRow = 24;
 constexpr double skippedPulses = 2;
-constexpr double lateShare = 0.001; // of the last row's time
+constexpr double lateShare = 0.001; // share of the last row's time
 
-// The row that leads here, and where it ended.
+// A row with its predecessor and its end.
 struct Node {
     IntervalRow row;
     std::int64_t pulses = 0;
@@ -25,19 +25,19 @@ struct Node {
     std::uint64_t rest = 0;
     std::size_t parent = 0;
     double endS = 0;
-    double aside = 0; // how far the rows up to here have left the lines
+    double aside = 0; // deviation of the rows up to here from the lines
 
     std::uint32_t speed() const { return row.lastSpeed; }
 };
 
-// Where a row shall end, with the pulses up to there and the slopes of the lines that meet there.
+// The intended end of a row, with the pulses up to there and the slopes of the adjacent lines.
 struct Target {
     double timeS = 0;
     double speedHz = 0;
     double pulses = 0;
     double slopeIn = 0;
     double slopeOut = 0;
-    double rampEndS = 0; // when the row's last speed is reached
+    double rampEndS = 0; // time when the row reaches its last speed
 };
 
 bool isFlat(const std::vector<PathPoint>& lines, std::size_t end)
@@ -45,7 +45,7 @@ bool isFlat(const std::vector<PathPoint>& lines, std::size_t end)
     return lines[end].speedHz == lines[end - 1].speedHz;
 }
 
-// Does the line to this end go on, in the same row, as the horizontal one after it?
+// Returns true when the line to this end continues, in the same row, as the horizontal one after it.
 bool isHeld(const std::vector<PathPoint>& lines, std::size_t end)
 {
     return end + 1 < lines.size() && !isFlat(lines, end) && isFlat(lines, end + 1);
@@ -72,12 +72,12 @@ std::vector<Target> targets(const std::vector<PathPoint>& lines)
     return result;
 }
 
-// How the acceleration is made whole. Every row reaches its last speed within its distance.
+// The rounding of the acceleration. Every row reaches its last speed within its distance.
 enum class Rounding {
-    Nearest, // the last speed is what is reached with it
+    Nearest, // the last speed is the reached one
     Up,      // the same
     Down,    // the same
-    Keep,    // upwards, and the last speed stays: the rest of the distance passes at it
+    Keep,    // up, and the last speed stays: the remaining distance passes at it
 };
 
 class RowSearch {
@@ -149,7 +149,7 @@ bool RowSearch::staysNear(double fromS, double firstHz, double rampS, double las
     });
 }
 
-// The last speed that the row's acceleration reaches within its distance, the farthest there is.
+// Returns the last speed that the row's acceleration reaches within its distance, at the most.
 std::uint32_t RowSearch::reached(const IntervalRow& row, double distance) const
 {
     const double first = row.firstSpeed;
@@ -164,7 +164,7 @@ std::uint32_t RowSearch::reached(const IntervalRow& row, double distance) const
     return static_cast<std::uint32_t>(std::clamp(std::ceil(left), std::min(min, first), first));
 }
 
-// The row reaches lastHz after rampS, or where its distance ends before that, at its end.
+// Returns the row that reaches lastHz after rampS, or at the end of its distance if that is earlier.
 std::optional<Node> RowSearch::follow(const Node& from, std::int64_t pulses, double lastHz, double rampS,
                                       Rounding rounding) const
 {
@@ -176,7 +176,7 @@ std::optional<Node> RowSearch::follow(const Node& from, std::int64_t pulses, dou
     const double firstHz = hertz(from.speed());
     IntervalRow row{static_cast<std::uint32_t>(pulses - from.pulses), from.speed(), units(lastHz), 0};
     const double sum = firstHz + hertz(row.lastSpeed);
-    // On an average the speed's register is half a unit behind the even ramp, and half an iteration ahead.
+    // On average the speed register is half a unit behind the linear ramp, and half an iteration ahead.
     const double changeHz = hertz(row.lastSpeed) - firstHz;
     const double unitHz = std::copysign(hertz(1), changeHz);
     const double behindPulses =
@@ -220,7 +220,7 @@ std::optional<Node> RowSearch::follow(const Node& from, std::int64_t pulses, dou
     return node;
 }
 
-// Adds when the row really ends.
+// Sets the true end of the row.
 void RowSearch::settle(Node& node, const Node& from) const
 {
     const RowEnd end = rowEnd(node.row, from.rest, m_rules.fractionBits);
@@ -228,7 +228,7 @@ void RowSearch::settle(Node& node, const Node& from) const
     node.rest = end.rest;
 }
 
-// From rest the first speed is free within the tolerance.
+// Returns the possible first speeds: from rest they are free within the tolerance.
 std::vector<Node> RowSearch::starts(double speedHz) const
 {
     constexpr int choices = 8;
@@ -246,7 +246,7 @@ std::vector<Node> RowSearch::starts(double speedHz) const
     return result;
 }
 
-// Last speeds of a row over so many pulses that meet the line of a slope through the target.
+// Returns the last speed of a row over this many pulses that meets the line of a slope through the target.
 double RowSearch::meetingHz(const Node& from, std::int64_t pulses, const Target& target, double slope) const
 {
     const double firstHz = hertz(from.speed());
@@ -285,17 +285,17 @@ void RowSearch::addFollowers(std::vector<Node>& result, const Node& from, const 
         }
         if (!isShort)
             continue;
-        // Rows of few pulses leave the lines by more than a step in time.
+        // Rows of few pulses deviate from the lines by more than a step in time.
         for (const double share : {-0.8, -0.6, -0.4, -0.2, 0.2, 0.4, 0.6, 0.8})
             add(pulses, middleHz + share * m_toleranceHz);
     }
 }
 
-// The last row: on time, as nearly as whole pulses allow.
+// Adds last rows that end on time, as nearly as whole pulses allow.
 void RowSearch::addEndings(std::vector<Node>& result, const Node& from, const Target& target) const
 {
     constexpr double latePulses = 0.5;
-    constexpr double maxLate = 2; // times lateS, which weighs as much as the tolerance
+    constexpr double maxLate = 2; // in lateS, which counts as much as the tolerance
     constexpr double even = std::numeric_limits<double>::infinity();
     const std::int64_t pulses = m_curve.wholePulses();
     const auto distance = static_cast<double>(pulses - from.pulses);
@@ -303,7 +303,7 @@ void RowSearch::addEndings(std::vector<Node>& result, const Node& from, const Ta
     if (!(timeS > 0))
         return;
     const double firstHz = hertz(from.speed());
-    // The registers' units leave so many pulses to the slow end of the row.
+    // The pulses needed at the slow end of the row because of the registers' units.
     const double acceleration = std::abs(firstHz - target.speedHz) / timeS;
     const double unitHzPerS = 1 / (std::ldexp(m_rules.iterationS, accumulatorBits) * m_unitsPerHz);
     const double leftPulses = timeS / m_unitsPerHz / 2 + distance * unitHzPerS / acceleration;
@@ -322,13 +322,13 @@ void RowSearch::addEndings(std::vector<Node>& result, const Node& from, const Ta
         node->aside = from.aside + late * late;
         result.push_back(*node);
     };
-    // A ramp of this time leaves so many pulses that the row ends on time.
+    // Returns the ramp time with which the row ends on time.
     const auto onTimeRampS = [&](double lastHz) {
         return (timeS - distance / lastHz) / (1 - (firstHz + lastHz) / 2 / lastHz);
     };
     std::vector<double> speeds{target.speedHz};
     if (m_curve.endsAtRest()) {
-        constexpr double finest = 1.0 / 64; // of the tolerance
+        constexpr double finest = 1.0 / 64; // share of the tolerance
         constexpr double factor = 1.5;
         speeds.push_back(2 * distance / timeS - firstHz);
         for (double speed = std::max(m_rules.minHz, finest * m_toleranceHz); speed <= m_toleranceHz;
@@ -349,7 +349,7 @@ void RowSearch::addEndings(std::vector<Node>& result, const Node& from, const Ta
 
 std::optional<std::vector<IntervalRow>> RowSearch::along(const std::vector<PathPoint>& lines) const
 {
-    std::vector<Node> nodes = starts(lines.front().speedHz); // parents before their followers
+    std::vector<Node> nodes = starts(lines.front().speedHz); // parents before their successors
     std::vector<std::size_t> level(nodes.size());
     std::iota(level.begin(), level.end(), std::size_t{0});
     std::vector<Node> next;
@@ -364,7 +364,7 @@ std::optional<std::vector<IntervalRow>> RowSearch::along(const std::vector<PathP
                 addFollowers(next, nodes[i], target);
             for (std::size_t j = first; j < next.size(); ++j)
                 next[j].parent = i;
-            // Near rest there may be less than a pulse to go: a later row takes it.
+            // Near rest less than a pulse may remain: a later row covers it.
             if (!isLast && target.pulses - static_cast<double>(nodes[i].pulses) < skippedPulses)
                 next.push_back(nodes[i]);
         }

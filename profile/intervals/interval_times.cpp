@@ -7,7 +7,7 @@
 namespace campanel::profile {
 namespace {
 
-// What the generator's clock makes too slow: 2^23 iterations take so many seconds.
+// The factor by which the generator's clock is too slow: 2^23 iterations take this many seconds.
 const double clockFactor = std::ldexp(1.0, detail::accumulatorBits) * detail::realIterationS;
 constexpr int correctedBits = 8;
 

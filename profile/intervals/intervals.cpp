@@ -32,7 +32,7 @@ Refusal refusal(Limit limit, double actual, double allowed, std::string_view uni
     return result;
 }
 
-// The first time at which the motion goes against its whole.
+// Returns the first time at which the motion has the opposite direction of the whole.
 std::optional<Refusal> findReversal(const MotionProfile& motion, double direction)
 {
     constexpr double roundingShare = 1e-9;
@@ -52,7 +52,7 @@ std::optional<Refusal> findReversal(const MotionProfile& motion, double directio
     return result;
 }
 
-// As many bits as leave room in the acceleration's register for rows twice as steep as the curve.
+// Returns as many bits as leave space in the acceleration's register for rows twice as steep as the curve.
 int fractionBits(const SpeedCurve& curve)
 {
     const double perBit =
@@ -74,7 +74,7 @@ detail::RowRules rowRules(const SpeedCurve& curve, const Machine& machine, Inter
     return rules;
 }
 
-// Rounded up, so that its text is an error that is kept as well.
+// Rounds up, so that the displayed error can be kept as well.
 double roundedUp(double error)
 {
     constexpr int digits = 4;

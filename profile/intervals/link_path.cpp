@@ -28,8 +28,8 @@ double slope(const WallPoint& from, const WallPoint& to)
     return (to.value - from.value) / (to.time - from.time);
 }
 
-// The points of one wall that a line has to keep above (sign 1) or below (sign -1), as their hull towards the
-// channel. What is told of "above" below holds mirrored for the other wall.
+// The points of one wall that a line must stay above (sign 1) or below (sign -1), as their hull towards the
+// channel. The comments on "above" hold mirrored for the other wall.
 class Wall {
 public:
     explicit Wall(double sign)
@@ -48,8 +48,8 @@ public:
             m_hull.pop_back();
         m_hull.push_back(point);
     }
-    // The point from which the line to `to` keeps above all others; points that no later line can touch are
-    // left behind. Nothing when no point is earlier than `to`.
+    // Returns the point from which the line to `to` stays above all others; drops points that no later line
+    // can touch. Returns nothing when no point is earlier than `to`.
     std::optional<WallPoint> tangent(const WallPoint& to)
     {
         if (m_first >= m_hull.size() || m_hull[m_first].time >= to.time)
@@ -74,7 +74,7 @@ private:
     WallPoint m_last;
 };
 
-// One side of a link: the wall it keeps to, and the steepest line towards the other wall.
+// One side of a link: its wall, and the steepest line towards the other wall.
 struct Side {
     explicit Side(double wallSign)
         : sign(wallSign)
@@ -84,7 +84,7 @@ struct Side {
     double sign;
     Wall wall;
     std::optional<Line> extreme; // towards this wall at its far end, away from it at its near one
-    WallPoint contact;           // where the extreme line touches this wall
+    WallPoint contact;           // contact of the extreme line with this wall
 };
 
 class Links {
@@ -110,7 +110,7 @@ public:
     }
 
 private:
-    // Takes gate i, or ends the link before it and begins the next one.
+    // Extends the link to gate i, or ends it before and begins the next one.
     bool passes(std::size_t i)
     {
         const Gate& gate = m_channel[i];
@@ -128,7 +128,7 @@ private:
         addTo(m_upper, m_lower, upper);
         return true;
     }
-    // Does the opposite wall's point lie beyond the line that goes farthest towards it?
+    // Returns true when the opposite wall's point is beyond the line that extends farthest towards it.
     static bool isBlocked(const Side& side, const WallPoint& opposite)
     {
         constexpr double roundingShare = 1e-12;
@@ -137,7 +137,7 @@ private:
         const double beyond = -side.sign * (opposite.value - side.extreme->at(opposite.time));
         return beyond > roundingShare * std::max(1.0, std::abs(opposite.value));
     }
-    // The steepest line that touches `side` at the new point and the other wall before it.
+    // Sets the steepest line that touches `side` at the new point and the other wall before it.
     static void addTo(Side& side, Side& other, const WallPoint& point)
     {
         if (!side.extreme || side.sign * (point.value - side.extreme->at(point.time)) > 0) {
@@ -148,8 +148,8 @@ private:
         }
         side.wall.add(point);
     }
-    // The extreme line touches `near` and then runs into `far` before gate i. What it cuts off begins there:
-    // the next link comes from between these two points.
+    // Handles an extreme line that touches `near` and then hits `far` before gate i. The cut-off part begins
+    // there: the next link starts between these two points.
     void turn(Side& near, Side& far, const WallPoint& beyond, std::size_t i)
     {
         const Line line = *near.extreme;
@@ -216,7 +216,7 @@ private:
     Side m_lower{1};
     Side m_upper{-1};
     std::vector<Line> m_lines;
-    std::vector<std::pair<double, double>> m_windows; // times of the two ends
+    std::vector<std::pair<double, double>> m_windows; // times of both ends
 };
 
 } // namespace

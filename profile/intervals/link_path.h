@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fewest straight lines, joined end to end, that lead through a channel.
+// Finds the fewest straight lines, joined end to end, through a channel.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace campanel::profile::detail {
 
-// One cross-section of the channel. Between two of them its walls are straight; two at the same time are a
-// step.
+// One cross-section of the channel. The walls between two gates are straight; two gates at the same time are
+// a step.
 struct Gate {
     double timeS = 0;
     double lowerHz = 0;
@@ -22,19 +22,20 @@ struct PathPoint {
     double speedHz = 0;
 };
 
-// The last link has a choice left.
+// The choice of the last link, which is not unique.
 enum class LastLink {
-    LeastTurn, // goes on as straight as it may
-    Middle,    // of all that is open to it
+    LeastTurn, // continues as straight as possible
+    Middle,    // in the middle of the possible range
 };
 
-// The ends of the links from the first gate to the last one, in order: one more than links. Nothing when a
-// gate is shut (lower above upper), when a step leaves no way through, or when it takes more than mostLinks.
+// Returns the ends of the links from the first gate to the last one, in order: one more than the links.
+// Returns nothing when a gate is closed (lower above upper), a step is impassable, or more than mostLinks are
+// necessary.
 //
-// No path has fewer links: each is the line that leads farthest from what the links before it can reach.
-// (Imai and Iri, "An optimal algorithm for approximating a piecewise linear function", 1986; Suri, "A linear
-// time algorithm for minimum link paths inside a simple polygon", 1986.) The last link lies in the middle of
-// what is left to it. Time grows with the number of gates, not with its square.
+// No path has fewer links: each one extends as far as possible from what the previous links can reach. (Imai
+// and Iri, "An optimal algorithm for approximating a piecewise linear function", 1986; Suri, "A linear time
+// algorithm for minimum link paths inside a simple polygon", 1986.) `last` selects the last link within
+// its possible range. The time is linear in the number of gates.
 [[nodiscard]] std::optional<std::vector<PathPoint>>
 fewestLinks(std::span<const Gate> channel, std::size_t mostLinks, LastLink last = LastLink::LeastTurn);
 

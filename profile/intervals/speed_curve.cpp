@@ -8,8 +8,8 @@ namespace campanel::profile::detail {
 
 namespace {
 
-constexpr int minSamples = 16;     // of a segment
-constexpr double restShare = 1e-9; // of the largest speed
+constexpr int minSamples = 16;     // per segment
+constexpr double restShare = 1e-9; // share of the maximum speed
 
 CurveSample sampleOf(const MotionPoint& p, double timeS, double startMm, double pulsesPerMm)
 {
@@ -27,7 +27,7 @@ struct TimeSpanS {
     double to = 0;
 };
 
-// Encloses the step of the acceleration in a span that has one.
+// Narrows a span that has a step of the acceleration down to the step.
 TimeSpanS stepWithin(const Segment& segment, TimeSpanS span)
 {
     constexpr int halvings = 40;
@@ -49,7 +49,7 @@ TimeSpanS stepWithin(const Segment& segment, TimeSpanS span)
     return span;
 }
 
-// Of the jerk, its sign where it is more than rounding.
+// Sets the bends: the sign of the jerk unless it is rounding.
 void makeBends(std::vector<CurveSample>& samples)
 {
     constexpr double roundingShare = 1e-9;
@@ -60,7 +60,7 @@ void makeBends(std::vector<CurveSample>& samples)
         sample.bend = std::abs(sample.bend) <= roundingShare * largest ? 0 : (sample.bend > 0 ? 1 : -1);
 }
 
-// Pulses between two samples as the cubic with their speeds.
+// Returns the pulses between two samples, by the cubic with their speeds.
 double hermite(const CurveSample& a, const CurveSample& b, double timeS)
 {
     const double h = b.timeS - a.timeS;
@@ -82,7 +82,7 @@ double jerkBound(const Segment& segment)
     const LawPeaks peaks = segment.law->peaks(segment.parameters);
     if (segment.form == SegmentForm::Ramp)
         return std::abs(segment.endVelocityMmPerS - segment.startVelocityMmPerS) / (t * t) * peaks.ca;
-    // Laws whose acceleration steps inside have a constant one between the steps.
+    // Laws with steps of the acceleration have a constant acceleration between them.
     return std::isfinite(peaks.cj) ? std::abs(segment.distanceMm) / (t * t * t) * peaks.cj : 0;
 }
 
@@ -118,7 +118,7 @@ void SpeedCurve::sample(const Segment& segment, int pieces, double startMm, doub
     }
 }
 
-// The sample at or before each of evenly spaced times.
+// Stores the sample at or before each of evenly spaced times.
 void SpeedCurve::fillNearby()
 {
     m_nearby.resize(m_samples.size());

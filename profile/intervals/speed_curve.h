@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A profile that goes one way, as pulses over time in a table fine enough to search in: the compiler of
-// intervals asks it some hundred thousand times.
+// A profile without reversal as pulses over time, in a table for fast searches: the interval compiler queries
+// it several hundred thousand times.
 #pragma once
 
 #include "profile/model/motion_profile.h"
@@ -13,36 +13,37 @@ namespace campanel::profile::detail {
 
 struct CurveSample {
     double timeS = 0;
-    double pulses = 0;  // from the beginning, rising
+    double pulses = 0;  // from the start, ascending
     double speedHz = 0; // not negative
-    double bend = 0; // 1 where the speed's curve is hollow from above, -1 where it is domed, 0 where straight
-    double bulgeHz = 0; // the farthest that the curve can leave the straight lines to its neighbors
+    double bend = 0;    // 1 where the speed curve is convex, -1 where it is concave, 0 where it is straight
+    double bulgeHz = 0; // maximum deviation of the curve from the straight lines to its neighbors
 };
 
-// Bounds the jerk of a segment wherever its acceleration does not step.
+// Returns a bound of the jerk of a segment wherever its acceleration does not step.
 [[nodiscard]] double jerkBound(const Segment& segment);
 
 class SpeedCurve {
 public:
-    // The motion's magnitude, at pulsesPerMm, in about so many samples; there are samples on both sides of
-    // each step of the acceleration. A motion that ends at rest is stretched to whole pulses, by less than
-    // half a pulse in all; one that ends moving goes on at its speed up to the next whole pulse.
+    // Samples the magnitude of the motion at pulsesPerMm with about `sampleCount` samples; each step of the
+    // acceleration has samples on both sides. A motion that ends at rest is stretched to whole pulses, by
+    // less than half a pulse. A motion that ends moving continues at its speed up to the next whole pulse.
     SpeedCurve(const MotionProfile& motion, double pulsesPerMm, int sampleCount);
 
     [[nodiscard]] const std::vector<CurveSample>& samples() const { return m_samples; }
-    // Indices of the samples at which the acceleration may step.
+    // Returns the indices of the samples at which the acceleration may step.
     [[nodiscard]] const std::vector<std::size_t>& corners() const { return m_corners; }
     [[nodiscard]] std::int64_t wholePulses() const { return m_wholePulses; }
     [[nodiscard]] double stretch() const { return m_stretch; }
-    [[nodiscard]] double durationS() const { return m_samples.back().timeS; } // of the motion
+    [[nodiscard]] double durationS() const { return m_samples.back().timeS; } // duration of the motion
     [[nodiscard]] double fastestHz() const { return m_fastestHz; }
     [[nodiscard]] double steepestHzPerS() const { return m_steepestHzPerS; }
     [[nodiscard]] bool beginsAtRest() const { return m_samples.front().speedHz <= m_restHz; }
     [[nodiscard]] bool endsAtRest() const { return m_samples.back().speedHz <= m_restHz; }
-    // When so many pulses have passed; the last one when the motion ends, or is continued to it.
+    // Returns the time at which this many pulses have passed. The last pulse comes when the motion, or its
+    // continuation, ends.
     [[nodiscard]] double timeAt(std::int64_t pulses) const;
-    [[nodiscard]] double speedAt(double timeS) const; // of the later stretch at a joint
-    // Index of the last sample that is not later.
+    [[nodiscard]] double speedAt(double timeS) const; // at a joint: the later segment
+    // Returns the index of the last sample that is not later.
     [[nodiscard]] std::size_t indexAt(double timeS) const;
 
 private:
@@ -51,12 +52,12 @@ private:
 
     std::vector<CurveSample> m_samples;
     std::vector<std::size_t> m_corners;
-    std::vector<std::size_t> m_nearby; // samples, where indexAt() begins to look
+    std::vector<std::size_t> m_nearby; // start indices of the search in indexAt()
     std::int64_t m_wholePulses = 0;
     double m_stretch = 1;
     double m_fastestHz = 0;
     double m_steepestHzPerS = 0;
-    double m_restHz = 0; // a speed not above it is none
+    double m_restHz = 0; // a speed up to this value counts as rest
 };
 
 } // namespace campanel::profile::detail

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cubic 2-3: the law of the paper. As a speed law its acceleration is zero at both ends.
+// Cubic 2-3: the law of the paper. As a speed law it has zero acceleration at both ends.
 #pragma once
 
 #include "profile/model/law.h"

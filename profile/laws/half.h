@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// For symmetric laws only the first half is written down; the second is its point reflection.
+// Defines a symmetric law by its first half; the second half is the point reflection.
 #pragma once
 
 #include "profile/model/law.h"
 
 namespace campanel::profile::detail {
 
-// firstHalf(x) is valid for x in [0, 1/2]. For x beyond: g(x) = 1 - g(1-x), G(x) = x - 1/2 + G(1-x).
+// Returns the law at x from firstHalf(x), which is valid for x in [0, 1/2]. For larger x: g(x) = 1 - g(1-x),
+// G(x) = x - 1/2 + G(1-x).
 template <typename FirstHalf> LawPoint reflected(double x, FirstHalf firstHalf)
 {
     if (x <= 0.5)
@@ -15,7 +16,7 @@ template <typename FirstHalf> LawPoint reflected(double x, FirstHalf firstHalf)
     return {1 - p.g, p.g1, -p.g2, p.g3, x - 0.5 + p.integral};
 }
 
-// One stretch of constant g''' beginning at `start`, u after its beginning.
+// Returns the point at u after `start` of a stretch with constant g'''.
 inline LawPoint constantJerk(const LawPoint& start, double g2, double g3, double u)
 {
     LawPoint p;

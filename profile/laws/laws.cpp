@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One row per law. Order is the order of presentation; keys and codes never change.
+// The table of laws. The order is that of presentation; keys and codes never change.
 #include "profile/laws/laws.h"
 
 #include "profile/laws/cubic.h"

@@ -11,7 +11,7 @@ namespace campanel::profile {
 
 [[nodiscard]] std::span<const Law> laws();
 
-// The law with this key or code, or null.
+// Returns the law with this key or code, or null.
 [[nodiscard]] const Law* findLaw(std::string_view key);
 [[nodiscard]] const Law* findLaw(LawId id);
 

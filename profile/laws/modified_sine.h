@@ -14,7 +14,7 @@ inline constexpr double modifiedSineScale = 4 + std::numbers::pi;
 inline LawPoint modifiedSineFirstHalf(double x)
 {
     using std::numbers::pi;
-    // All constants are made while compiling: a division costs as much as half a sine.
+    // The constants are computed at compile time: a division costs as much as half a sine.
     constexpr double d = modifiedSineScale;
     constexpr double p1 = pi / d;
     constexpr double p2 = 4 * pi * pi / d;

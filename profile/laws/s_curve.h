@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seven-segment S: a trapezoid whose ramps begin and end with constant jerk during the share q of the ramp.
+// Seven-segment S: a trapezoid with ramps that begin and end with constant jerk during the share q of the
+// ramp.
 #pragma once
 
 #include "profile/laws/half.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Trapezoid: g' rises evenly during the ramp fraction r, stays, and falls evenly.
+// Trapezoid: g' rises linearly during the ramp fraction r, is constant, and falls linearly.
 #pragma once
 
 #include "profile/laws/half.h"

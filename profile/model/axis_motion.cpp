@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Peaks from Cv, Ca and Cj of each stretch's law, and the time spans in which a limit is broken by bisection
-// between the places where speed or acceleration turn.
+// Computes peaks from Cv, Ca and Cj of each segment's law. Finds the time spans of an exceeded limit by
+// bisection between the extrema of speed or acceleration.
 #include "profile/model/axis_motion.h"
 
 #include "profile/model/limit_tolerance.h"
@@ -14,9 +14,9 @@ namespace campanel::profile {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
-// Differences of acceleration or speed below this share of the peak are rounding.
+// The share of the peak below which differences of acceleration or speed are rounding.
 constexpr double stepTolerance = 1e-6;
-// Spans closer than this are one.
+// The distance below which two spans are joined.
 constexpr double joinedS = 1e-9;
 
 bool exceedsAllowance(double actual, double limit)
@@ -24,7 +24,7 @@ bool exceedsAllowance(double actual, double limit)
     return actual > limit + detail::limitTolerance * std::abs(limit);
 }
 
-// Takes the place only of what is really smaller, so that the first of equal peaks is named.
+// Replaces the peak only by a really larger one, so that the first of equal peaks is named.
 void takeLarger(double& peak, double& peakTimeS, double candidate, double timeS)
 {
     if (std::abs(candidate) > peak * (1 + detail::limitTolerance)) {
@@ -48,13 +48,13 @@ bool isMoving(const Segment& segment)
     return false;
 }
 
-// Elapsed time at which the parabola of speed turns, when that is inside.
+// Returns the elapsed time of the extremum of the speed's parabola, when it is inside.
 double vertexS(const Segment& cubic)
 {
     return -cubic.startAccelerationMmPerS2 / cubic.jerkMmPerS3;
 }
 
-// Times between which the speed is monotone, the ends included.
+// Returns the times between which the speed is monotone, including the ends.
 std::vector<double> speedTurns(const Segment& s)
 {
     if (s.form == SegmentForm::Displacement && isMoving(s))
@@ -64,8 +64,8 @@ std::vector<double> speedTurns(const Segment& s)
     return {s.startS, s.endS()};
 }
 
-// Times between which the acceleration is monotone. A displacement law is symmetric: it turns at caAt and at
-// 1 - caAt.
+// Returns the times between which the acceleration is monotone. A displacement law is symmetric: it has
+// extrema at caAt and at 1 - caAt.
 std::vector<double> accelerationTurns(const Segment& s)
 {
     if (!isMoving(s) || s.form == SegmentForm::Cubic)
@@ -130,7 +130,7 @@ struct AxisComparison {
     Field field; // the machine's limit
     double actual;
     double allowed;
-    bool isAcceleration;    // of the two quantities below
+    bool isAcceleration;    // selects one of the two quantities below
     double allowedInMotion; // the limit as a speed, mm/s, or an acceleration, mm/s^2
 };
 
@@ -143,8 +143,8 @@ double torqueAllowance(const Machine& machine)
     return left >= 0 ? std::numeric_limits<double>::max() : std::numeric_limits<double>::lowest();
 }
 
-// Judged in the motion's own quantity, as the spans are: beside much friction a small torque would drown in
-// the tolerance.
+// Compares in the motion's own quantity, like the spans: beside a large friction a small torque would be lost
+// in the tolerance.
 bool isBroken(const AxisComparison& c, const AxisPeaks& peaks)
 {
     return exceedsAllowance(c.isAcceleration ? peaks.accelerationMmPerS2 : peaks.speedMmPerS,
@@ -163,7 +163,7 @@ std::array<AxisComparison, 4> compareAxis(const AxisPeaks& peaks, const Machine&
               pulses / axisPulsesPerMm(m)}}};
 }
 
-// The last time from `trueS` towards `falseS` at which the condition holds.
+// Returns the last time from `trueS` towards `falseS` at which the condition holds.
 template <typename Condition> double lastTrueS(double trueS, double falseS, Condition condition)
 {
     constexpr int halvings = 60;
@@ -174,7 +174,7 @@ template <typename Condition> double lastTrueS(double trueS, double falseS, Cond
     return trueS;
 }
 
-// Appends the part of [fromS, toS], in which |quantity| is monotone, where it is above the limit.
+// Appends the part of [fromS, toS] above the limit; |quantity| must be monotone there.
 template <typename Quantity>
 void appendBrokenAxisSpan(std::vector<TimeSpan>& spans, double fromS, double toS, double limit,
                           Quantity quantity)
@@ -216,7 +216,7 @@ std::vector<TimeSpan> brokenAxisSpans(const MotionProfile& motion, const AxisCom
                 appendBrokenAxisSpan(spans, fromS, toS, allowed, quantity);
                 continue;
             }
-            // The magnitude turns where the quantity is zero, which may last.
+            // The magnitude has its minimum where the quantity is zero, possibly for some time.
             const auto hasFirstSign = [&](double timeS) { return sign * quantity(timeS) > 0; };
             const auto hasLastSign = [&](double timeS) { return sign * quantity(timeS) < 0; };
             appendBrokenAxisSpan(spans, fromS, lastTrueS(fromS, toS, hasFirstSign), allowed, quantity);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a motion demands of an axis other than the knife's, compared with what the axis allows. Moves, point
-// cams and the press share it.
+// Compares what a motion demands of an axis with what the axis allows. Used by moves, point cams and the
+// press; the knife has limits.h.
 #pragma once
 
 #include "profile/model/machine.h"
@@ -11,7 +11,7 @@
 
 namespace campanel::profile {
 
-// Largest magnitudes and when they are reached.
+// The largest magnitudes and the times at which they are reached.
 struct AxisPeaks {
     double speedMmPerS = 0;
     double speedTimeS = 0;
@@ -20,20 +20,20 @@ struct AxisPeaks {
     double accelerationMmPerS2 = 0;
     double accelerationTimeS = 0;
     double torqueNm = 0;
-    double jerkMmPerS3 = 0; // infinite where the acceleration has a step, at the ends too
+    double jerkMmPerS3 = 0; // infinite where the acceleration has a step, also at the ends
 };
 
-// A solved program that is not a rotary cutter: one cycle of it, what it demands, and which limits it breaks.
+// A solved program other than a rotary cutter: one cycle of motion, its peaks, and the limits it exceeds.
 struct AxisMotion {
     MotionProfile motion;
     AxisPeaks peaks;
-    std::vector<Refusal> broken; // limits of the machine; empty when the axis can do it
-    std::vector<double> marksS;  // joints worth a line on the plot: stages, knots
+    std::vector<Refusal> broken; // exceeded limits of the machine; empty when the axis can execute the motion
+    std::vector<double> marksS;  // joints to mark on the plot: stages, knots
 };
 
-// The largest speed and acceleration that break no limit of the machine: speed by motor speed and pulse
-// frequency, acceleration by its own limit and by the torque that is left beside friction. Negative
-// acceleration when friction alone takes more torque than there is.
+// The largest speed and acceleration within the limits of the machine. Motor speed and pulse frequency limit
+// the speed. The acceleration limit and the torque left after friction limit the acceleration. The
+// acceleration is negative when friction alone exceeds the available torque.
 struct AxisAllowance {
     double speedMmPerS = 0;
     double accelerationMmPerS2 = 0;
@@ -41,16 +41,17 @@ struct AxisAllowance {
 
 [[nodiscard]] AxisAllowance axisAllowance(const Machine& machine);
 
-// By the closed forms of each stretch of the motion. A motion that ends as it begins (speed and acceleration)
-// may repeat; any other has no acceleration before and after, so that one at its ends is a step.
+// Computes the peaks from the closed forms of each segment. A motion may repeat when it ends with the speed
+// and acceleration it begins with. Any other motion has no acceleration before and after it: one at its ends
+// counts as a step.
 [[nodiscard]] AxisPeaks axisPeaks(const MotionProfile& motion, const Machine& machine);
 
-// Every broken limit (motor speed, acceleration, torque, pulse frequency) with its peak, its place and the
-// time spans where it is broken; without suggestions, which each kind adds.
+// Returns every exceeded limit (motor speed, acceleration, torque, pulse frequency) with its peak, the place
+// of the peak and the time spans. Suggestions are missing; each kind of program adds its own.
 [[nodiscard]] std::vector<Refusal> checkAxis(const MotionProfile& motion, const AxisPeaks& peaks,
                                              const Machine& machine);
 
-// True when checkAxis would find nothing. Cheap.
+// Returns true when checkAxis() would find nothing. Cheap.
 [[nodiscard]] bool isWithinLimits(const AxisPeaks& peaks, const Machine& machine);
 
 } // namespace campanel::profile

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Look-ups in the table of fields.
+// Searches in the table of fields.
 #include "profile/model/fields.h"
 
 #include <algorithm>
@@ -18,10 +18,10 @@ constexpr bool indexedByField()
 }
 static_assert(indexedByField(), "fields must stand in the order of enum Field");
 
-// Room for the rounding of derived values at the edges of a range: this share of its upper end, but never
-// anything that a person could enter.
+// The tolerance for derived values at the limits of a range: this share of the upper limit, but always less
+// than a person can enter.
 constexpr double rangeTolerance = 1e-9;
-constexpr double resolutionShare = 1e-3; // of the smallest step
+constexpr double resolutionShare = 1e-3; // share of the smallest step
 
 } // namespace
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every number a person can enter: stable id (also the key in the recipe file), unit, range, default and
-// decimals. The panel, the command line and the validation of recipes read this one table.
+// Every number that a person can enter: stable id (also the key in the recipe file), unit, range, default and
+// decimals. The panel, the command line and the validation of recipes use this table.
 #pragma once
 
 #include <array>
@@ -70,13 +70,13 @@ struct FieldInfo {
     std::string_view id;     // key in the recipe file
     std::string_view name;   // English name
     std::string_view symbol; // in formulas
-    std::string_view unit;   // empty: a pure number
+    std::string_view unit;   // empty: dimensionless
     double min = 0;
     double max = 0;
     double defaultValue = 0;
-    int decimals = 0; // digits after the point that a person enters
+    int decimals = 0; // decimal places that a person can enter
 
-    // Smallest step a person can enter: 10^-decimals.
+    // Returns the smallest step that a person can enter: 10^-decimals.
     [[nodiscard]] constexpr double resolution() const
     {
         double step = 1;
@@ -117,7 +117,7 @@ inline constexpr std::array fields{
     FieldInfo{Field::TimerBits, "timer_bits", "Timer width", "bits", "bit", 8, 32, 16, 0},
     FieldInfo{Field::RowCapacity, "row_capacity", "Table rows of the controller", "rows", "", 5, 65535, 2048,
               0},
-    // Axes other than the knife's, and the programs that run on them.
+    // Axes other than the knife axis, and their programs.
     FieldInfo{Field::FeedPerMotorRev, "feed_mm_per_motor_rev", "Feed per motor revolution", "p", "mm", 0.01,
               10000, 100, 3},
     FieldInfo{Field::MaxAcceleration, "max_acceleration_mm_per_s2", "Largest acceleration", "a_max", "mm/s^2",
@@ -163,13 +163,14 @@ inline constexpr std::array fields{
     return fields[static_cast<std::size_t>(field)];
 }
 
-// The field with this id, or nothing.
+// Returns the field with this id, or nothing.
 [[nodiscard]] std::optional<Field> fieldById(std::string_view id);
 
-// True when the value is finite and inside the field's range (with room for the rounding of a derived value).
+// Returns true when the value is finite and inside the field's range, with a tolerance for the rounding of
+// derived values.
 [[nodiscard]] bool inRange(Field field, double value);
 
-// The value on the field's grid that is nearest and not outside its range.
+// Returns the nearest value on the field's grid that is inside its range.
 [[nodiscard]] double snapToGrid(Field field, double value);
 
 } // namespace campanel::profile

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The nearest feasible value of one field: candidates, rounded to the field's grid, put through the whole
-// check. A Program has value(), setValue() and isFeasible() of its own. Internal to profile/.
+// Finds the nearest feasible value of one field. Candidates are rounded to the field's grid and fully
+// checked. `Program` needs value(), setValue() and isFeasible(). Internal to profile/.
 #pragma once
 
 #include "profile/model/machine.h"
@@ -11,7 +11,7 @@
 
 namespace campanel::profile::detail {
 
-// Tests values of one field and keeps the feasible one nearest to the present value.
+// Tests values of one field and stores the feasible one nearest to the present value.
 template <typename Program> class GridSearch {
 public:
     GridSearch(const Program& program, const Machine& machine, Field field)
@@ -24,7 +24,8 @@ public:
             m_present = info(field).defaultValue;
     }
 
-    // Tries the grid points around a candidate; from its nearest one, or rounding could skip one of them.
+    // Tries the grid points around a candidate, starting at the nearest one: rounding could skip a point
+    // otherwise.
     void tryAround(double candidate)
     {
         if (!std::isfinite(candidate))
@@ -66,7 +67,8 @@ private:
     std::optional<double> m_best;
 };
 
-// A refused value outside its range becomes the range's nearest end, when the whole program then is feasible.
+// Moves a refused value that is out of range to the nearest limit of its range, if the whole program is
+// feasible then.
 template <typename Program>
 [[nodiscard]] std::optional<Suggestion> nearestInRange(Program program, Machine machine,
                                                        const Refusal& refusal)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A law is a normalised transition g: [0,1] -> [0,1] with g(0) = 0 and g(1) = 1, known by closed formulas.
-// As a speed law it leads from one speed to another: v = v0 + (v1 - v0) g(t / duration).
+// A law is a normalised transition g: [0,1] -> [0,1] with g(0) = 0 and g(1) = 1, given by closed formulas. A
+// speed law changes one speed to another: v = v0 + (v1 - v0) g(t / duration).
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace campanel::profile {
 
-// Stable codes: they are stored beside the table in the controller.
+// Stable codes: the controller stores them beside the table.
 enum class LawId : std::uint16_t {
     Cubic = 1,
     Quintic = 2,
@@ -38,8 +38,8 @@ struct LawPoint {
     double integral = 0;
 };
 
-// Largest |g'|, |g''|, |g'''| (Cv, Ca, Cj; infinite where g'' has a step inside), and the first x where |g'|
-// and |g''| are largest.
+// The maxima of |g'|, |g''|, |g'''| (Cv, Ca, Cj; infinite where g'' has a step inside), and the first x of
+// the maxima of |g'| and |g''|.
 struct LawPeaks {
     double cv = 0;
     double ca = 0;
@@ -48,8 +48,8 @@ struct LawPeaks {
     double caAt = 0;
 };
 
-// Between 0, the joints and 1 a law is smooth, and |g'''| and |g''''| are at most g3 and g4. A law with fewer
-// joints has 1 in the other places.
+// The smooth pieces of a law: it is smooth between 0, the joints and 1. Bounds of |g'''| and |g''''| there
+// are g3 and g4. Unused joints are 1.
 struct LawPieces {
     std::array<double, 6> joints{1, 1, 1, 1, 1, 1}; // ascending
     double g3 = 0;

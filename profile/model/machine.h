@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The machine that a program runs on: knife, drive, gear, its limits, and the controller's pulse timer and
-// table size.
+// The machine that a program runs on: knife, drive, gear, limits, and the controller's pulse timer and table
+// size.
 #pragma once
 
 #include "profile/model/fields.h"
@@ -21,14 +21,14 @@ struct Machine {
         info(Field::MaxPulseFrequency).defaultValue; // 200 kHz open collector, 500 kHz line driver
     double maxRateBagsPerMin = info(Field::MaxRate).defaultValue;
 
-    // An axis other than the knife's: what moves is not on a circle.
+    // An axis other than the knife axis: a linear motion.
     double feedMmPerMotorRev = info(Field::FeedPerMotorRev).defaultValue;
     double maxAccelerationMmPerS2 = info(Field::MaxAcceleration).defaultValue;
     double maxTorqueNm = info(Field::MaxTorque).defaultValue;
-    double inertiaKgCm2 = info(Field::Inertia).defaultValue; // of all that turns, seen by the motor
-    double frictionNm = info(Field::Friction).defaultValue;  // seen by the motor
+    double inertiaKgCm2 = info(Field::Inertia).defaultValue; // total, referred to the motor shaft
+    double frictionNm = info(Field::Friction).defaultValue;  // referred to the motor shaft
 
-    // From the controller's identity block.
+    // The figures from the controller's identity block.
     std::uint32_t timerClockHz = 8000000;
     int timerBits = 16;
     int rowCapacity = 2048;
@@ -37,7 +37,7 @@ struct Machine {
 [[nodiscard]] double value(const Machine& machine, Field field); // field must be one of the machine's
 void setValue(Machine& machine, Field field, double value);      // integers are rounded
 
-// Pulses of one cycle as an exact rational: whole + remainder / divisor, remainder < divisor.
+// The pulses of one cycle as an exact rational: whole + remainder / divisor, remainder < divisor.
 struct PulsesPerCycle {
     std::int64_t whole = 0;
     std::int64_t remainder = 0;
@@ -54,14 +54,14 @@ struct PulsesPerCycle {
 [[nodiscard]] double pulsesPerMm(const Machine& machine);            // K Z / (2 pi R), eq. 10 of the paper
 [[nodiscard]] double motorRpmPerMmPerS(const Machine& machine);      // 60 Z / (2 pi R)
 
-// The same of an axis other than the knife's.
+// The same figures for an axis other than the knife axis.
 [[nodiscard]] double axisPulsesPerMm(const Machine& machine);  // K / feed
 [[nodiscard]] double axisRpmPerMmPerS(const Machine& machine); // 60 / feed
-// Motor torque at this acceleration: J alpha + friction, always as a magnitude.
+// Returns the motor torque at this acceleration: J alpha + friction, always as a magnitude.
 [[nodiscard]] double axisTorqueNm(const Machine& machine, double accelerationMmPerS2);
 
-// Range of timer constants, in ticks per pulse. The smallest also bounds the frequency: clock / smallest <=
-// max.
+// Returns the limits of the timer constant, in ticks per pulse. The minimum also limits the frequency: clock
+// / smallest <= max.
 [[nodiscard]] std::int64_t smallestTimerConstant(const Machine& machine);
 [[nodiscard]] std::int64_t largestTimerConstant(const Machine& machine);
 [[nodiscard]] double pulseFrequencyLimitHz(const Machine& machine);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Evaluation of a profile. A mirrored ramp is the law reversed in time, which is right for asymmetric laws as
-// well: v(x) = v0 + (v1 - v0) (1 - g(1 - x)), and its travel uses G(1) - G(1 - x).
+// Evaluates a profile. A mirrored ramp is the law reversed in time, also valid for asymmetric laws: v(x) = v0
+// + (v1 - v0) (1 - g(1 - x)), and its travel uses G(1) - G(1 - x).
 #include "profile/model/motion_profile.h"
 
 #include <algorithm>
@@ -145,7 +145,7 @@ double MotionProfile::timeAt(double positionMm, double guessS) const
     double low = 0;
     double high = durationS();
     double time = std::clamp(guessS, low, high);
-    // Newton's method, halving the bracket whenever a step leaves it or the speed is zero.
+    // Newton's method with bisection whenever a step leaves the bracket or the speed is zero.
     for (int step = 0; step < maxSteps && high - low > timeToleranceS; ++step) {
         const MotionPoint p = at(time);
         const double ahead = p.positionMm - positionMm;

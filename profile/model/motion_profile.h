@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A profile pieced together from laws: position, velocity, acceleration and jerk as pure functions of time.
-// Position is exact, by the laws' closed integrals; nothing is integrated numerically.
+// A profile composed of laws: position, velocity, acceleration and jerk as pure functions of time. The
+// position is exact, by the closed integrals of the laws, without numerical integration.
 #pragma once
 
 #include "profile/model/law.h"
@@ -20,13 +20,13 @@ struct MotionPoint {
 };
 
 enum class SegmentForm : std::uint8_t {
-    Constant,     // of speed
-    Ramp,         // of the speed by a speed law, from the start to the end speed
+    Constant,     // speed
+    Ramp,         // from the start to the end speed by a speed law
     Displacement, // by a displacement law: s = startPosition + startVelocity t + distance g(t / duration)
-    Cubic,        // a third-degree polynomial of time: start speed, acceleration and constant jerk
+    Cubic,        // a cubic polynomial of time: start speed, acceleration and constant jerk
 };
 
-// A stretch of time.
+// A segment in time.
 struct Segment {
     SegmentForm form = SegmentForm::Constant;
     double startS = 0;
@@ -39,7 +39,7 @@ struct Segment {
     double jerkMmPerS3 = 0;              // Cubic
     const Law* law = nullptr;            // Ramp, Displacement
     LawParameters parameters{};
-    bool isMirrored = false; // Ramp: the law runs backwards in time, from its end to its beginning
+    bool isMirrored = false; // Ramp: the law runs backward in time, from its end to its start
 
     [[nodiscard]] double endS() const { return startS + durationS; }
     [[nodiscard]] MotionPoint at(double timeS) const;
@@ -47,25 +47,25 @@ struct Segment {
 
 class MotionProfile {
 public:
-    // Appends a stretch of constant speed, or a ramp. Time, position continue where the last one ended.
+    // Appends a segment of constant speed, or a ramp. Time and position continue from the last segment.
     void addConstant(double durationS, double velocityMmPerS);
     void addRamp(double durationS, double fromMmPerS, double toMmPerS, const Law& law,
                  const LawParameters& parameters, bool isMirrored);
 
-    // Appends distanceMm by a displacement law, on top of a constant speed. A law as a rest-to-rest move has
+    // Appends distanceMm by a displacement law, added to a constant speed. A rest-to-rest move has
     // velocityMmPerS = 0.
     void addDisplacement(double durationS, double distanceMm, const Law& law, const LawParameters& parameters,
                          double velocityMmPerS = 0);
-    // Appends a stretch of constant jerk; with jerk 0 of constant acceleration.
+    // Appends a segment of constant jerk; jerk 0 gives constant acceleration.
     void addCubic(double durationS, double velocityMmPerS, double accelerationMmPerS2, double jerkMmPerS3);
-    // Where the next stretch begins; 0 unless set before the first one.
+    // Sets the position at which the next segment starts; 0 unless set before the first one.
     void setStartPosition(double positionMm) { m_startPositionMm = positionMm; }
 
     [[nodiscard]] double durationS() const;
-    // timeS is clamped to [0, durationS]. At a joint of two segments the later one answers.
+    // Returns the point at timeS, clamped to [0, durationS]. At a joint it belongs to the later segment.
     [[nodiscard]] MotionPoint at(double timeS) const;
-    // When a profile that never runs backwards reaches this position: the guess itself where it already is
-    // there, else to within 1e-10 s.
+    // Returns the time at which a profile that never reverses reaches this position, to within 1e-10 s.
+    // Returns the guess itself when it is exact.
     [[nodiscard]] double timeAt(double positionMm, double guessS) const;
     [[nodiscard]] std::span<const Segment> segments() const { return m_segments; }
 

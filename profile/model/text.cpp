@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers as text through std::to_chars, which knows no locale.
+// Formats numbers through std::to_chars, which is independent of the locale.
 #include "profile/model/text.h"
 
 #include <array>
@@ -8,7 +8,7 @@
 namespace campanel::profile::detail {
 namespace {
 
-// Room for the longest double in fixed notation: 309 digits, sign, point and decimals.
+// A buffer for the longest double in fixed notation: 309 digits, sign, point and decimals.
 using Buffer = std::array<char, 352>;
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers as text, independent of the process's locale. Internal to profile/.
+// Formats numbers as text, independent of the process's locale. Internal to profile/.
 #pragma once
 
 #include <initializer_list>

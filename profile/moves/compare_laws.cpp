@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One move by many laws.
+// Solves one move with several laws.
 #include "profile/moves/compare_laws.h"
 
 #include "profile/laws/laws.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One move by many laws: peaks side by side, and curves to draw over each other.
+// One move computed with several laws: the peaks side by side, and curves for overlaid plots.
 #pragma once
 
 #include "profile/cutter/sampling.h"
@@ -18,22 +18,22 @@ struct LawChoice {
 
 struct LawComparison {
     LawChoice choice;
-    tl::expected<AxisMotion, Refusal> result; // of the same move by this law
+    tl::expected<AxisMotion, Refusal> result; // the same move with this law
 };
 
-// The laws that such a move can use, in the order of laws(), with their default parameters; the program's own
-// law with the program's.
+// Returns the laws that can be used for the move, in the order of laws(). Parameters are the defaults, except
+// for the program's own law.
 [[nodiscard]] std::vector<LawChoice> suitableLaws(const PositionMoveProgram& program);
 [[nodiscard]] std::vector<LawChoice> suitableLaws(const SpeedMoveProgram& program);
 
-// The same move by each of these laws, all other inputs kept. One that is not suitable is refused in its
-// result.
+// Solves the move with each of these laws; all other inputs stay. The result of an unsuitable law is a
+// refusal.
 [[nodiscard]] std::vector<LawComparison>
 compareLaws(const PositionMoveProgram& program, const Machine& machine, std::span<const LawChoice> choices);
 [[nodiscard]] std::vector<LawComparison> compareLaws(const SpeedMoveProgram& program, const Machine& machine,
                                                      std::span<const LawChoice> choices);
 
-// Curves of a move on this machine's axis: sampleCurves() with the axis' pulses per mm.
+// Samples the curves of a move: sampleCurves() with the pulses per mm of the machine's axis.
 [[nodiscard]] Curves sampleAxisCurves(const AxisMotion& motion, const Machine& machine, std::size_t points);
 
 } // namespace campanel::profile

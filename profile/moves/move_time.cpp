@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What position and speed moves share.
+// Shared functions of position and speed moves.
 #include "profile/moves/move_time.h"
 
 #include "profile/cutter/validate.h"
@@ -33,7 +33,7 @@ Refusal noTorqueLeft(const Machine& machine)
 
 tl::expected<double, Refusal> timeOnGrid(double shortestS)
 {
-    // A time that is a grid point but for rounding stays that point; far less than limits tolerate.
+    // The share within which a time counts as a grid point; far below the tolerance of limits.
     constexpr double roundingShare = 2e-10;
     const FieldInfo& f = info(Field::MoveTime);
     const double steps = std::ceil(shortestS / f.resolution() * (1 - roundingShare));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What position and speed moves share: the grid of the time field, refusals, and the checked motion. Internal
+// Shared by position and speed moves: the grid of the time field, refusals, and the checked motion. Internal
 // to profile/.
 #pragma once
 
@@ -9,17 +9,17 @@
 
 namespace campanel::profile::detail {
 
-// Nothing would move; `field` with this value is the reason.
+// Returns the refusal of a move without motion, caused by this value of `field`.
 [[nodiscard]] Refusal noMotion(Field field, double value);
 
-// Friction alone takes all the torque that there is, so that no time is long enough.
+// Returns the refusal for friction that takes all the available torque, so that no time is long enough.
 [[nodiscard]] Refusal noTorqueLeft(const Machine& machine);
 
-// The time rounded up to the grid of Field::MoveTime, so that what is feasible stays it; refuses what is
+// Rounds the time up to the grid of Field::MoveTime, so that a feasible move stays feasible. Refuses a time
 // beyond the range.
 [[nodiscard]] tl::expected<double, Refusal> timeOnGrid(double shortestS);
 
-// Peaks and broken limits, without suggestions.
+// Returns the motion with its peaks and exceeded limits, without suggestions.
 [[nodiscard]] AxisMotion checkedMotion(MotionProfile motion, const Machine& machine);
 
 } // namespace campanel::profile::detail

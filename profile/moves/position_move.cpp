@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solving a position move: v = S/T g', a = S/T^2 g'', so that each limit gives a shortest time or a longest
+// Solves a position move: v = S/T g', a = S/T^2 g'', so that each limit gives a minimum time or a maximum
 // distance in closed form from Cv and Ca.
 #include "profile/moves/position_move.h"
 
@@ -59,7 +59,7 @@ double longestDistanceMm(const PositionMoveProgram& program, const Machine& mach
                     allowed.accelerationMmPerS2 * timeS * timeS / law.ca);
 }
 
-// The time of the move, without suggestions in the refusal.
+// Returns the time of the move, without suggestions in the refusal.
 tl::expected<double, Refusal> positionMoveTimeS(const PositionMoveProgram& program, const Machine& machine)
 {
     if (auto refusal = findInvalidPositionInput(program, machine))

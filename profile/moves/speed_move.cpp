@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solving a speed move. The peak acceleration is |v1 - v0| Cv / T and the travel T (v0 + (v1 - v0) w), where
-// w is G(1), or 1 - G(1) mirrored; each limit is met exactly at a root of these in one of the inputs.
+// Solves a speed move. The peak acceleration is |v1 - v0| Cv / T and the travel T (v0 + (v1 - v0) w), where w
+// is G(1), or 1 - G(1) mirrored. Each limit is met exactly at a root of these in one of the inputs.
 #include "profile/moves/speed_move.h"
 
 #include "profile/cutter/validate.h"
@@ -26,7 +26,7 @@ double changeMmPerS(const SpeedMoveProgram& program)
     return program.endSpeedMmPerS - program.startSpeedMmPerS;
 }
 
-// G(1) of the law as it stands in the table, exactly 1/2 for a symmetric one.
+// Returns G(1) of the law in the table, exactly 1/2 for a symmetric one.
 double lawTravel(const SpeedMoveProgram& program)
 {
     const Law& law = *findLaw(program.law);
@@ -38,7 +38,7 @@ double lawCv(const SpeedMoveProgram& program)
     return findLaw(program.law)->peaks(program.lawParameters).cv;
 }
 
-// True for a value that solve() reads.
+// Returns true for a value that solve() uses.
 bool isRead(const SpeedMoveProgram& program, Field field)
 {
     switch (field) {
@@ -89,7 +89,7 @@ Refusal distanceRefusal(Limit limit, double actualMm, double allowedMm)
 
 tl::expected<double, Refusal> timeOverDistanceS(const SpeedMoveProgram& program)
 {
-    constexpr double rounding = 1e-12; // of the speeds: the way there and back cancel
+    constexpr double rounding = 1e-12; // share of the speeds: forward and backward travel cancel
     const double mean = meanSpeedMmPerS(program);
     const double speeds = std::abs(program.startSpeedMmPerS) + std::abs(program.endSpeedMmPerS);
     if (std::abs(mean) <= rounding * speeds)
@@ -97,7 +97,7 @@ tl::expected<double, Refusal> timeOverDistanceS(const SpeedMoveProgram& program)
     const double timeS = program.distanceMm / mean;
     if (timeS < 0)
         return tl::unexpected(distanceRefusal(Limit::DistanceSign, program.distanceMm, -program.distanceMm));
-    // Closer than inRange(), whose room is that of a value that a person enters.
+    // Stricter than inRange(), whose tolerance is for entered values.
     if (timeS > info(Field::MoveTime).max * (1 + rounding))
         return tl::unexpected(detail::outOfRange(Field::MoveTime, timeS));
     if (timeS >= info(Field::MoveTime).min * (1 - rounding))
@@ -108,7 +108,7 @@ tl::expected<double, Refusal> timeOverDistanceS(const SpeedMoveProgram& program)
         distanceRefusal(Limit::DistanceTooShort, program.distanceMm, std::copysign(least, mean)));
 }
 
-// The time of the move, without suggestions in the refusal.
+// Returns the time of the move, without suggestions in the refusal.
 tl::expected<double, Refusal> speedMoveTimeS(const SpeedMoveProgram& program, const Machine& machine)
 {
     if (auto refusal = findInvalidSpeedInput(program, machine))
@@ -130,7 +130,7 @@ MotionProfile speedMotion(const SpeedMoveProgram& program, double timeS)
     return motion;
 }
 
-// Changes of speed x at which a x^2 + b x = c.
+// Appends the speed changes x with a x^2 + b x = c.
 void appendRoots(std::vector<double>& changes, double a, double b, double c)
 {
     const double root = std::sqrt(b * b + 4 * a * c);
@@ -138,8 +138,8 @@ void appendRoots(std::vector<double>& changes, double a, double b, double c)
     changes.push_back((-b - root) / (2 * a));
 }
 
-// Changes v1 - v0 at which a limit of the acceleration or of the time is met exactly while the other speed
-// keeps its value.
+// Returns the changes v1 - v0 at which a limit of the acceleration or of the time is met exactly, with the
+// other speed fixed.
 std::vector<double> changesAtLimits(const SpeedMoveProgram& program, const Machine& machine, Field field)
 {
     const FieldInfo& time = info(Field::MoveTime);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks of a press program and its nominal stroke, with the ramps that the controller makes.
+// Checks a press program, and computes its nominal stroke with the ramps of the controller.
 #include "profile/press/press.h"
 
 #include "profile/cutter/validate.h"
@@ -20,8 +20,8 @@ namespace {
 constexpr Field firstInput = Field::ApproachPosition;
 constexpr Field lastInput = Field::MaxStopForce;
 
-// The recipe of a press has no torque, inertia or friction: what its motor needs most of all the work piece
-// decides. Its ramps are held by the largest acceleration.
+// Returns the machine without torque. The recipe of a press has no torque, inertia or friction, because the
+// work piece determines the torque. The maximum acceleration limits its ramps.
 Machine withoutTorque(Machine machine)
 {
     machine.inertiaKgCm2 = 0;
@@ -29,7 +29,7 @@ Machine withoutTorque(Machine machine)
     return machine;
 }
 
-// A stage ends beyond the one before it, and at another pulse.
+// Returns a refusal when a stage does not end beyond the previous one, at another pulse.
 std::optional<Refusal> findWrongStage(const PressProgram& program, const Machine& machine)
 {
     const double perMm = axisPulsesPerMm(machine);
@@ -86,8 +86,8 @@ std::optional<Refusal> findInvalidPress(const PressProgram& program, const Machi
     return findWrongForce(program);
 }
 
-// From standstill to standstill, up or down, with the ramps of a stage; short of the speed where the way is
-// short.
+// Adds a move from standstill to standstill, up or down, with the ramps of a stage; below the speed where the
+// distance is short.
 void addMove(MotionProfile& motion, double distanceMm, double speedMmPerS, const Machine& machine)
 {
     const double length = std::abs(distanceMm);
@@ -101,7 +101,7 @@ void addMove(MotionProfile& motion, double distanceMm, double speedMmPerS, const
     motion.addCubic(run.rampS, sign * run.speedMmPerS, -sign * run.accelerationMmPerS2, 0);
 }
 
-// What the rows of the table cannot hold.
+// Returns the values that the rows of the table cannot hold.
 std::vector<Refusal> findUnfit(const PressProgram& program, const Machine& machine)
 {
     std::vector<Refusal> unfit;
@@ -126,7 +126,8 @@ std::vector<Refusal> findUnfit(const PressProgram& program, const Machine& machi
     return unfit;
 }
 
-// A short way may not reach the speed of its row, whose frequency the controller refuses all the same.
+// Returns a row that is too fast: a short distance may not reach the speed of its row, but the controller
+// refuses the row's frequency.
 std::optional<Refusal> findFastRow(const PressProgram& program, const Machine& machine)
 {
     double fastest = 0;
@@ -144,7 +145,7 @@ std::optional<Refusal> findFastRow(const PressProgram& program, const Machine& m
     return refusal;
 }
 
-// The stroke and the limits that it breaks, without suggestions.
+// Returns the stroke and its exceeded limits, without suggestions.
 tl::expected<PressStroke, Refusal> strokeOf(const PressProgram& program, const Machine& machine)
 {
     if (auto refusal = findInvalidPress(program, machine))
@@ -173,7 +174,7 @@ tl::expected<PressStroke, Refusal> strokeOf(const PressProgram& program, const M
     endStage(0);
 
     stroke.motion = detail::checkedMotion(std::move(motion), withoutTorque(machine));
-    stroke.motion.peaks.torqueNm = std::numeric_limits<double>::quiet_NaN(); // not known
+    stroke.motion.peaks.torqueNm = std::numeric_limits<double>::quiet_NaN(); // unknown
     std::vector<Refusal> unfit = findUnfit(program, machine);
     std::ranges::move(stroke.motion.broken, std::back_inserter(unfit));
     const bool isPulsing = std::ranges::find(unfit, Limit::PulseFrequency, &Refusal::limit) != unfit.end();
@@ -191,7 +192,7 @@ namespace detail {
 
 std::int64_t pressRampMs(double speedMmPerS, const Machine& machine)
 {
-    constexpr double rounding = 1e-9; // of a quotient that is a whole number
+    constexpr double rounding = 1e-9; // share of a quotient that is a whole number
     const double ms = 1000 * speedMmPerS / machine.maxAccelerationMmPerS2;
     return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(ms - rounding)));
 }

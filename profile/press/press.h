@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The press stroke of the servo-press paper in its five stages: fast approach (A to B), probe until the work
-// piece is felt (C), press to a position (D), hold (to E), return (F). Where C lies the work piece decides;
-// for the preview it is taken in the middle of where it may lie.
+// The press stroke of the servo-press paper in five stages: fast approach (A to B), probing until contact
+// with the work piece (C), pressing to a position (D), hold (to E), return (F). The work piece determines C;
+// the preview assumes the middle of the possible range.
 #pragma once
 
 #include "profile/model/axis_motion.h"
@@ -14,7 +14,7 @@
 namespace campanel::profile {
 
 inline constexpr std::size_t pressStages = 5; // approach, probe, press, hold, return
-// At B, C and D the ram comes to stand before the controller looks where it is; D's is part of the hold.
+// The rest at B, C and D before the controller checks the position; the rest at D is part of the hold.
 inline constexpr double pressRestS = 0.02;
 
 struct StageSpan {
@@ -29,39 +29,38 @@ struct PressStroke {
     std::array<StageSpan, pressStages> stages;
 };
 
-// Refuses inputs out of range, stages of which one ends before it begins or at the same pulse (approach <
-// probe end < press position: the work piece is touched between the first two and pressed beyond), and forces
-// out of order (probe force < largest force, least <= most force at the stop <= largest force), with the
-// nearest inputs that alone mend the program. Each stage has constant acceleration at both ends, by a ramp of
-// whole milliseconds that needs no more than the machine's acceleration. Torque is no limit of a press and
-// its peak not known (NaN). A stroke that asks too much is solved; `broken` then names the limits, those of
-// the table among them (RampTooLong, TableRange, the pulse frequency of a row), and the input that alone
-// mends the program.
+// Solves the stroke. Refuses inputs out of range, stages that end before they begin or at the same pulse, and
+// forces out of order. A refusal names the nearest inputs that alone correct the program. The order of the
+// stages is approach < probe end < press position: contact occurs between the first two, pressing beyond
+// them. The order of the forces is probe force < largest force, least <= most force at the stop <= largest
+// force. Each stage has constant acceleration at both ends. Its ramp lasts whole milliseconds and stays
+// within the machine's acceleration. Torque is not a limit of a press; its peak is unknown (NaN). A stroke
+// that exceeds limits is solved; `broken` then names the limits and the input that alone corrects the
+// program. The limits include those of the table (RampTooLong, TableRange, the pulse frequency of a row).
 [[nodiscard]] tl::expected<PressStroke, Refusal> solveStroke(const PressProgram& program,
                                                              const Machine& machine);
-// True when the above finds nothing wrong; then there is a table.
+// Returns true when solveStroke() succeeds without exceeded limits; the program then has a table.
 [[nodiscard]] bool isFeasible(const PressProgram& program, const Machine& machine);
-// The motion of solveStroke.
 [[nodiscard]] tl::expected<AxisMotion, Refusal> solve(const PressProgram& program, const Machine& machine);
 
-// What the controller executes, a row per stage.
+// The table that the controller executes, one row per stage.
 struct PressRow {
     std::uint32_t speedHz = 0;  // 0: the hold
     std::int32_t endPulses = 0; // below the upper position
-    std::uint32_t forceN = 0;   // approach, probe: felt; the others: largest allowed
-    std::uint32_t timeMs = 0;   // ramp from standstill to the speed; of the hold its length
+    std::uint32_t forceN = 0;   // approach, probe: contact force; the others: maximum force
+    std::uint32_t timeMs = 0;   // ramp from standstill to the speed; in the hold row the hold time
 
     bool operator==(const PressRow&) const = default;
 };
 
 struct PressTable {
     std::array<PressRow, pressStages> rows;
-    std::uint32_t cycleTicks = 0; // of the preview's stroke, at most what 32 bits hold
-    double positionErrorMm = 0;   // largest, by rounding to whole pulses
-    double speedErrorMmPerS = 0;  // largest, by rounding to whole Hz
+    std::uint32_t cycleTicks = 0; // duration of the preview's stroke, limited to 32 bits
+    double positionErrorMm = 0;   // maximum, by rounding to whole pulses
+    double speedErrorMmPerS = 0;  // maximum, by rounding to whole Hz
 };
 
-// Refuses what solveStroke refuses, and a stroke that breaks a limit.
+// Builds the table. Refuses the same as solveStroke(), and a stroke that exceeds a limit.
 [[nodiscard]] tl::expected<PressTable, Refusal> buildPressTable(const PressProgram& program,
                                                                 const Machine& machine);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each stage has a speed of its own, so one speed mends a stroke when one stage alone breaks limits. A longer
-// ramp of whole milliseconds can lower the speed that a short way reaches, so every value of the grid is
-// tried.
+// Finds the nearest press inputs. Each stage has its own speed, so one speed corrects a stroke when only one
+// stage exceeds limits. A longer ramp of whole milliseconds can lower the speed over a short distance, so
+// every value of the grid is tried.
 #include "profile/model/grid_search.h"
 #include "profile/model/limit_tolerance.h"
 #include "profile/press/press_ramp.h"
@@ -36,7 +36,7 @@ std::optional<double> nearestSpeed(const MovingStage& stage, double present, con
     return best;
 }
 
-// The input that the refused one must come after or stay below.
+// Returns the input that the refused one must exceed or stay below.
 Field otherOf(Field refused)
 {
     switch (refused) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The press program as the controller takes it: whole pulses, Hz, N and ms.
+// Converts the press program to the controller's units: whole pulses, Hz, N and ms.
 #include "profile/press/press.h"
 #include "profile/press/press_ramp.h"
 

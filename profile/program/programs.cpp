@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One list of members for each structure of inputs: a new input is one row.
+// The lists of members for each structure of inputs: a new input is one row.
 #include "profile/program/programs.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace campanel::profile {
 namespace {
 
-// A number of a structure of inputs: a measure or a count.
+// A number in a structure of inputs: a measure or a count.
 template <typename P> struct Member {
     Field field = Field::BagLength;
     double P::*real = nullptr;

@@ -12,7 +12,7 @@ Rectangle {
     required property string text
     property int severity: Banner.Information
     property string buttonText
-    property string wayText                // of a second button, to where there is more; "" for none
+    property string wayText                // text of a second button for details; "" for none
     signal accepted()
     signal wayChosen()
 

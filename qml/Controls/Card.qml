@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A surface that holds what belongs together.
+// A surface for related content.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One entry of a list of choices: what it is, a note below, a tick when it holds.
+// One entry of a list of choices: text, a note below, a tick when it is selected.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T

@@ -11,8 +11,8 @@ T.AbstractButton {
     required property string glyph
     property string note
     property bool filled
-    property bool ready: true              // shown as pressable; a key that is not ready still takes the finger and says why
-    property bool square: false            // a plain filled square instead of the glyph: stop, and nothing like a mushroom button
+    property bool ready: true              // false: drawn as not ready, but a touch still explains the reason
+    property bool square: false            // a plain filled square instead of the glyph, unlike an emergency-stop button
     property bool small: false
     property color baseColor: Theme.color.good
     property color pressedColor: Theme.color.good

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A number that can be tapped: label, value, unit, and whether it is given (pinned) or derived from the others.
+// A number that can be tapped: label, value, unit, and a mark for pinned or derived values.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T
@@ -20,8 +20,8 @@ T.AbstractButton {
     implicitHeight: Theme.size.touch
     onPressAndHold: field.explain()
 
-    readonly property bool below: compact && caption.lineCount < 2    // the unit; a long label takes its room
-    // Beside a unit that is not below there is still the mark.
+    readonly property bool below: compact && caption.lineCount < 2    // a long label takes the space of the unit
+    // The mark remains when the unit is beside the value.
     readonly property real markRoom: compact && !below && mark.visible ? mark.width + Theme.size.accent : 0
     readonly property int inset: compact ? Theme.size.spacing + Theme.size.outline : Theme.size.padding
 
@@ -40,8 +40,8 @@ T.AbstractButton {
             text: field.label
             color: Theme.color.secondaryInk
             font.pixelSize: Theme.size.caption
-            // In two lines before it gets too small to be read. The small letters are measured themselves: whole pixels make them
-            // wider than their share of the large ones.
+            // Two lines before the text becomes too small to read. The small letters are measured themselves, because whole
+            // pixels make them wider than their share of the large ones.
             wrapMode: smallest.advanceWidth > width ? Text.WordWrap : Text.NoWrap
             fontSizeMode: Text.HorizontalFit
             minimumPixelSize: smallest.font.pixelSize

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One key of the numeric keypad: the whole cell takes the finger, the drawn key is a hair smaller.
+// One key of the numeric keypad: the whole cell is the touch target, the drawn key is slightly smaller.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T

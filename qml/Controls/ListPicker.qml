@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sheet with a list of which one entry is chosen; each choice is {key, text, note}.
+// A sheet with a list and one selected entry; each choice is {key, text, note}.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

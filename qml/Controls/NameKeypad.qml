@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Letters for a part of a name, as registers have them: small letters, digits, dot and underscore. Every key counts at once.
+// A keyboard for a part of a register name: small letters, digits, dot and underscore. Every key takes effect at once.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One page in the navigation; the current page has a tint and an accent at its edge, one that calls has a number.
+// One page in the navigation. The current page has a tint and an accent at its edge; a page that needs attention has a
+// number.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T
@@ -9,7 +10,7 @@ T.AbstractButton {
     id: button
 
     required property string glyph
-    property int calls                     // how many times; 0: not
+    property int calls                     // number displayed; 0: none
     property color callColor: Theme.color.fault
     readonly property color inkColor: checked || down ? Theme.color.touch : calls > 0 ? callColor : Theme.color.secondaryInk
 

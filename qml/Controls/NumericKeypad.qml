@@ -15,7 +15,7 @@ Card {
     required property real maximum
     required property real defaultValue
     required property int decimals
-    property string refusal                // the sentence that refuses typedValue; "" while it may be entered
+    property string refusal                // reason why typedValue is refused; "" when it is valid
     signal accepted(real value)
     signal canceled()
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Digits of a PIN, shown as dots; keys as those of the numeric keypad.
+// The digits of a PIN, displayed as dots; the keys are those of the numeric keypad.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -10,7 +10,7 @@ Card {
     required property string label
     property string hint
     property bool hintIsFault
-    property bool ready: true              // the digits may be entered now
+    property bool ready: true              // digits may be entered
     property int most: 8
     property int fewest: 4
     signal accepted(string pin)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far long work has come, 0..1.
+// The progress of a long operation, 0..1.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

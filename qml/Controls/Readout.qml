@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A large number with its unit on the same line; grey while its source is silent.
+// A large number with its unit on the same line; gray while its data is old.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -28,7 +28,7 @@ Item {
     }
     Label {
         id: suffix
-        visible: readout.known             // nothing has no unit
+        visible: readout.known             // an unknown value has no unit
         anchors { left: number.right; leftMargin: Theme.size.spacing; baseline: number.baseline }
         text: readout.unit
         color: Theme.color.secondaryInk

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shows that a list goes on, and where one is in it; not made to be touched.
+// The position in a list that can be scrolled; for display only.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

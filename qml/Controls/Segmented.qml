@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A row of choices of which one holds, or none yet; each choice is {key, text, glyph, name}, the name for who looks for it.
-// New words for the same number of choices leave the keys where they are, also under a finger that is down.
+// A row of choices with at most one selected. Each choice is {key, text, glyph, name}; tests find it by the name. New texts
+// for the same number of choices keep the keys, also during a touch.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T
@@ -25,7 +25,7 @@ Rectangle {
             T.AbstractButton {
                 id: choice
                 required property int index
-                readonly property var told: segmented.choices[index] ?? {}  // fewer choices: one that is about to go
+                readonly property var told: segmented.choices[index] ?? {}  // empty for a key being removed
                 readonly property bool holds: told.key === segmented.current
                 readonly property color ink: !enabled ? Theme.color.disabledInk : holds ? Theme.color.touch : Theme.color.secondaryInk
                 objectName: told.name ?? ""

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A dialog over the page area: title, content, footer. The frame gives it a region that never holds Start and Stop.
+// A dialog over the page area: title, content, footer. The frame gives it a region that never contains Start and Stop.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Letters, capitals, digits and signs for a text input that somebody else shows. A capital is for one letter; held, for all.
-// Small letters can be pinyin: `pinyin` then has the candidates, which somebody else shows too.
+// Letters, capitals, digits and signs for a text input elsewhere. The shift key applies to one letter; held, to all. Small
+// letters can be pinyin: `pinyin` then has the candidates, also displayed elsewhere.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The number that is being typed; see number_entry.h.
+// The number being typed; see number_entry.h.
 #include "number_entry.h"
 
 #include <QLocale>

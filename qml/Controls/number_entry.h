@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The number that is being typed: digits, one decimal point of the language, a sign. Says whether it is
-// complete and what it is worth.
+// The number being typed: digits, one decimal point of the language, a sign. Reports if it is complete, and
+// its value.
 #pragma once
 
 #include <QObject>
@@ -33,8 +33,8 @@ public:
     [[nodiscard]] bool isComplete() const;
     [[nodiscard]] double value() const;
 
-    // One key: a digit, the decimal point (of the language, or '.'), a minus sign (toggles). Anything that
-    // does not fit is ignored.
+    // Handles one key: a digit, the decimal point (of the language, or '.'), a minus sign (toggles). Ignores
+    // keys that do not fit.
     Q_INVOKABLE void type(const QString& key);
     Q_INVOKABLE void backspace();
     Q_INVOKABLE void clear();

@@ -10,7 +10,7 @@ namespace campanel::controls {
 
 namespace {
 
-// Opened once; without a dictionary of the user's own words: a panel has many users.
+// Opens the decoder once, without a user dictionary: a panel has many users.
 bool openDecoder()
 {
     static const bool isOpen = ime_pinyin::im_open_decoder(CAMPANEL_PINYIN_DICTIONARY, "");
@@ -47,7 +47,7 @@ void PinyinInput::erase()
     search();
 }
 
-// A candidate of so many characters stands for so many syllables.
+// Commits a candidate; its number of characters equals its number of syllables.
 void PinyinInput::choose(int number)
 {
     if (number < 0 || number >= m_candidates.size())
@@ -68,7 +68,7 @@ void PinyinInput::clear()
     search();
 }
 
-// Each time anew: the library's own way of choosing and taking back runs into its assertions.
+// Restarts the search each time: the library's own selection and undo fail with assertions.
 void PinyinInput::search()
 {
     m_candidates.clear();
@@ -83,7 +83,7 @@ void PinyinInput::search()
         const std::size_t syllables = ime_pinyin::im_get_spl_start_pos(starts);
         for (std::size_t i = 0; i < syllables; ++i)
             m_syllables << QString::fromLatin1(m_letters.mid(starts[i], starts[i + 1] - starts[i]));
-        // Letters that make no syllable yet.
+        // Letters that are not a syllable yet.
         if (starts[syllables] < m_letters.size())
             m_syllables << QString::fromLatin1(m_letters.mid(starts[syllables]));
     }

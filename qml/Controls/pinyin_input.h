@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chinese by pinyin: letters become candidates, a chosen candidate becomes text. What the letters mean knows
-// libgooglepinyin with its dictionary; it has one search at a time: for the GUI thread
-// only.
+// Chinese input by pinyin: letters become candidates, a chosen candidate becomes text. libgooglepinyin and
+// its dictionary convert the letters; the library has one search at a time: for the GUI thread only.
 #pragma once
 
 #include <QObject>
@@ -14,11 +13,11 @@ namespace campanel::controls {
 class PinyinInput : public QObject {
     Q_OBJECT
     QML_ELEMENT
-    // Its dictionary is there. Opens it the first time that it is asked.
+    // True when its dictionary exists. The first call opens it.
     Q_PROPERTY(bool available READ available CONSTANT FINAL)
-    // The letters that are not text yet, in their syllables: "bing'gan".
+    // The letters that are not text yet, in syllables: "bing'gan".
     Q_PROPERTY(QString spelling READ spelling NOTIFY changed FINAL)
-    // The likeliest first.
+    // The candidates, the most likely first.
     Q_PROPERTY(QStringList candidates READ candidates NOTIFY changed FINAL)
 
 public:
@@ -31,11 +30,11 @@ public:
     [[nodiscard]] QString spelling() const { return m_syllables.join(u'\''); }
     [[nodiscard]] QStringList candidates() const { return m_candidates; }
 
-    // 'a' to 'z'; others are ignored.
+    // Adds a letter 'a' to 'z'; ignores others.
     Q_INVOKABLE void add(const QString& letter);
-    // Takes the last letter back.
+    // Deletes the last letter.
     Q_INVOKABLE void erase();
-    // Its text is committed(); letters that it does not stand for are left over for the next choice.
+    // Commits the text of a candidate with committed(); the remaining letters stay for the next choice.
     Q_INVOKABLE void choose(int candidate);
     Q_INVOKABLE void clear();
 

@@ -5,15 +5,15 @@ import QtQuick
 
 QtObject {
     required property bool dark
-    required property real textContrast       // least contrast of a text with what is behind it, 1 to 21
-    required property real largeTextContrast  // of one of 24 px, bold from 19 px
+    required property real textContrast       // minimum contrast of a text with its background, 1 to 21
+    required property real largeTextContrast  // the same for texts of 24 px, bold from 19 px
     required property color ground        // behind the cards
     required property color surface       // cards, bars
     required property color inset         // fields and plots inside a card
     required property color ink
     required property color secondaryInk
     required property color line          // hairlines, borders
-    required property color touch         // what can be touched or is live
+    required property color touch         // touchable or live elements
     required property color touchTint     // its background
     required property color touchInk      // text on it
     required property color touchPressed
@@ -24,7 +24,7 @@ QtObject {
     required property color stopPressed
     required property color stopInk
     required property color target        // target curve, ring of the dial
-    required property color sync          // where the knife runs with the film
+    required property color sync          // the knife's synchronous range
     required property color disabledInk
     required property color scrim
     required property color acceleration

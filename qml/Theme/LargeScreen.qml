@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// 10.1" panels of 1280x800 and windows at least as big.
+// 10.1" panels of 1280x800 and windows of at least that size.
 pragma ComponentBehavior: Bound
 import QtQuick
 

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sizes of one screen class in pixels. Touch sizes come from millimetres and the density of the panel.
+// Sizes of one screen class in pixels. Touch sizes come from millimeters and the density of the panel.
 pragma ComponentBehavior: Bound
 import QtQuick
 
 QtObject {
     required property string name
-    required property size screen         // the panel this class is drawn for
+    required property size screen         // the panel that this class is drawn for
     required property real diagonalInch
     required property int topBar
     required property int navigation
     required property int wideGap         // between cards and to the edge, for a bare finger
     required property int padding         // inside a card
     required property int radius
-    required property int sideColumn      // the column of fields at the left
-    required property int fieldColumns    // fields beside one another in it
+    required property int sideColumn      // the column of fields on the left
+    required property int fieldColumns    // fields side by side in it
     required property int caption         // font sizes
     required property int body
     required property int title
@@ -27,13 +27,13 @@ QtObject {
     required property int curve           // width of a drawn curve
 
     property real pixelsPerMm: Math.hypot(screen.width, screen.height) / diagonalInch / 25.4
-    property real reach: 1                // how much larger than for a bare finger what is touched has to be
+    property real reach: 1                // scale of touch targets: 1 for a bare finger
     readonly property int hairline: 1
     readonly property int outline: 2
     readonly property int accent: 4
     readonly property int touch: Math.round(12 * reach * pixelsPerMm)
     readonly property int commandKey: Math.floor(18 * reach * pixelsPerMm)
-    // The room for larger keys comes from what is between them.
+    // Larger keys take their space from the gaps.
     readonly property int gap: reach > 1 ? Math.round(wideGap / 3) : wideGap
     readonly property int spacing: Math.round(padding / (reach > 1 ? 4 : 2))
     readonly property int actionBar: touch + 2 * spacing + hairline * 4

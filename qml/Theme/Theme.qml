@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one source of colors, sizes, icons, durations and number format. The frame sets what it depends on; the rest is data.
+// The only source of colors, sizes, icons, durations and number format. The frame sets its inputs; the rest is data.
 pragma ComponentBehavior: Bound
 pragma Singleton
 import QtQuick
@@ -10,7 +10,7 @@ QtObject {
     property string name: "light"
     property string language: "en"
     property size window: Qt.size(1024, 600)
-    // Pixels per millimetre of a real screen; 0 while the panel's size is known only by its class.
+    // Pixels per millimeter of a real screen; 0 while the panel's size is known only by its class.
     property real screenPixelsPerMm: 0
     property bool animated: true
 
@@ -50,7 +50,8 @@ QtObject {
         value: theme.gloves ? 1.25 : 1
     }
 
-    // A number as text in the panel's language, with a minus sign and not a hyphen; a value that is not known is "--", never 0. Digits are grouped in counts only.
+    // Formats a number in the panel's language, with a minus sign instead of a hyphen; an unknown value is "--", never 0.
+    // Only counts have group separators.
     function number(value: real, decimals: int): string {
         return theme.count(value, decimals).split(theme.locale.groupSeparator).join("")
     }
@@ -63,7 +64,7 @@ QtObject {
     function signedNumber(value: real, decimals: int): string {
         return (value > 0 ? "+" : "") + theme.number(value, decimals)
     }
-    // A sentence whose lines end neither between a number and its unit nor within a unit, at its slash.
+    // Returns a sentence without line breaks between a number and its unit, or within a unit at its slash.
     function unbroken(sentence: string): string {
         return sentence.replace(/(\d) (?=[%°µA-Za-z\u4e00-\u9fff])/g, "$1\u00a0").replace(/\//g, "/\u2060")
     }

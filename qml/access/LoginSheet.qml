@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Logging in: who may do what was touched, and the pad for the PIN of the one who is chosen.
+// Login: the users with the level for the requested action, and the PIN pad for the selected one.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -9,7 +9,7 @@ import CamPanel.Machine
 PinPanel {
     id: sheet
 
-    required property int level            // that is needed, Access.Viewer: any
+    required property int level            // required level, Access.Viewer: any
     readonly property var everybody: Access.users
     readonly property var people: sheet.everybody.filter(user => user.level >= sheet.level)
 

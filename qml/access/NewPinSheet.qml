@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A PIN to be set: typed twice, refused when it is easily guessed.
+// A new PIN: entered twice, refused when it is easy to guess.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Machine
@@ -7,9 +7,9 @@ import CamPanel.Machine
 PinPanel {
     id: sheet
 
-    required property int level            // of the user; Service needs more digits
+    required property int level            // level of the user; Service needs more digits
     readonly property int minDigits: Access.minPinDigits(sheet.level)
-    property string first                  // what was typed the first time
+    property string first                  // first entry
     property string refusal
     signal entered(string pin)
 

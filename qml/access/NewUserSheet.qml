@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A user to be added: level and name, then the PIN. The first one is of the level Service.
+// A new user: level and name, then the PIN. The first one has the level Service.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

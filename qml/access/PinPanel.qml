@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a PIN is asked for, at the left, and the pad for it beside Stop.
+// The purpose of a PIN on the left, and its pad beside Stop.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

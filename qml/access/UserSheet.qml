@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One user: level, PIN, and taking them out.
+// One user: level, PIN, and removal.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

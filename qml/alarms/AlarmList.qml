@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Occurrences of alarms below one another; without any, a sentence that says what is so.
+// A list of alarm occurrences; a sentence when it is empty.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -11,7 +11,7 @@ Item {
     required property var rows             // a model with the roles of AlarmRow
     required property string emptyText
     property string emptyGlyph
-    property string listName               // for who looks for it
+    property string listName               // name for tests
     signal opened(int row)
 
     ListView {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One occurrence of an alarm: how bad, what, in which state, when, how often. What wants to be acknowledged stands out.
+// One occurrence of an alarm: severity, title, state, time, count. Alarms that need to be acknowledged stand out.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One occurrence of an alarm: cause, what to do, when and how often; with the keys to acknowledge and to shelve it.
+// One occurrence of an alarm: cause, action, time and count, with keys to acknowledge and to shelve it.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A text of an alarm below its caption; without a text it takes no room.
+// A text of an alarm below its caption; takes no space without a text.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -8,10 +8,10 @@ import CamPanel.Controls
 Column {
     id: block
 
-    required property string name          // for who looks for it
+    required property string name          // name for tests
     required property string caption
     required property string text
-    property bool large                    // to be read at arm's length
+    property bool large                    // readable at arm's length
 
     width: parent.width
     visible: text.length > 0

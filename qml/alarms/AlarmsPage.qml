@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Alarms: what is wrong now, what was, what is shelved. A tap shows cause and what to do.
+// Alarms: the active, earlier and shelved ones. A tap displays cause and action.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -14,7 +14,7 @@ Page {
 
     Segmented {
         id: tabs
-        // Beside the other key also while that is not there: an alarm that comes moves nothing under a finger.
+        // The space of the hidden key stays free, so that a new alarm moves nothing under a finger.
         anchors { left: parent.left; right: acknowledgeAll.left; top: parent.top; rightMargin: Theme.size.spacing }
         color: Theme.color.surface
         choices: [{ key: 0, name: "alarmsLive", text: Alarms.active > 0 ? qsTr("Active: %1").arg(Alarms.active) : qsTr("Active") },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The alarms that are shelved, until when and by whom, each with a key that takes it back.
+// The shelved alarms, until when and by whom, each with a key to unshelve it.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

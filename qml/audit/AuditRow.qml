@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One row of the audit trail: when and who, what, and from what to what.
+// One row of the audit trail: time and user, object, old and new value.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The audit trail: rows newest first, by who and what; one of them in full; the state of the chain; a file of it.
+// The audit trail: rows newest first, filtered by user and area; one row in full; the state of the chain; the export.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

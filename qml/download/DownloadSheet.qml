@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a download would change, how far it is, and how to stop it. Closes when it is done; the page says the next step.
+// The changes of a download, its progress, and its cancellation. Closes at the end; the page names the next step.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

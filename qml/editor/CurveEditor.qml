@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The motion as curves, with the handles that a finger drags: the four ends of stretches of a cutter, the knots of a point cam. The
-// cursor's values stand above the curves, not under the finger.
+// The motion as curves with handles to drag: the four ends of segments of a cutter, the knots of a point cam. The cursor's
+// values are above the curves, not under the finger.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -98,8 +98,8 @@ Card {
         preventStealing: true
         enabled: Editor.solvable
         property real grab                 // px from the finger to the handle
-        property point start               // where the finger was put down
-        property real pixelSeconds         // of the scales at that moment: they follow the curve
+        property point start               // start of the touch
+        property real pixelSeconds         // scale at that moment: scales follow the curve
         property real pixelMm
         property bool hideCursor
 

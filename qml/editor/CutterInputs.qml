@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inputs of a rotary cutter: four values of which two are pinned, the ratios, the law.
+// The inputs of a rotary cutter: four values, two of them pinned, the ratios, the law.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inputs of every kind but the rotary cutter, as its tables list them: numbers, choices, law, knots. Longer than the
-// screen, it scrolls.
+// The inputs of every kind but the rotary cutter, from its tables: numbers, choices, law, knots. Scrolls when it is longer
+// than the screen.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What kind of program to begin anew.
+// The choice of the kind of a new program.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Controls

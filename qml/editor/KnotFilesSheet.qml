@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Knots from and to CSV files: on a USB stick or in the panel's own folder. One is chosen, what it means is read below, then taken.
+// Import and export of knots as CSV files: on a USB stick or in the panel's own folder. The selected file is described below
+// before the import.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

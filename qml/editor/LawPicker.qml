@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The speed laws with what each would mean for this recipe, not only their names.
+// The speed laws with their effects on this recipe.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

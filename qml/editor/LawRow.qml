@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One law: its name, its four peaks in columns, and below what it is good for and what it costs. As the header it shows the
-// column titles.
+// One law: its name, its four peaks in columns, and its strength and weakness below. The header row has the column titles.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T
@@ -13,8 +12,8 @@ T.AbstractButton {
     property list<string> notes            // strength, weakness
     property bool holds
     property bool header
-    property bool marked                   // drawn in grey behind
-    property bool usable: true             // breaks no limit
+    property bool marked                   // drawn in gray in the background
+    property bool usable: true             // exceeds no limit
     required property list<string> cells
 
     readonly property real cellWidth: width * 0.15

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the Motion page does besides editing: which curves are shown, the table, going back, the finer parameters.
+// Further functions of the Motion page: visible curves, the table, undo, the less common parameters.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -38,7 +38,7 @@ Sheet {
 
         Switch {
             objectName: "positionSwitch"
-            visible: Editor.kind !== Editor.Kind.PointCam   // whose knots stand on it
+            visible: Editor.kind !== Editor.Kind.PointCam   // a point cam has its knots on the page
             text: qsTr("Position curve")
             note: sheet.showPosition ? qsTr("shown") : qsTr("hidden")
             holds: sheet.showPosition

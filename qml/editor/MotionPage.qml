@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Motion: the recipe as numbers at the left, as curves at the right, and the verdict with the next step below.
+// Motion: the recipe as numbers on the left, as curves on the right, and the verdict with the next step below.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

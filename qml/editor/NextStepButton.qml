@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one next step: take the suggestion, download, watch the download, save, or nothing left to do.
+// The next step: use the suggestion, download, view the download, save, or nothing left to do.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The four ratios in one target; a tap opens the keypad at the one that was hit.
+// The four ratios in one touch target; a tap opens the keypad for the nearest one.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether the recipe can be done, what the controller runs instead, and the next step as one large button.
+// The feasibility of the recipe, the controller's program if it differs, and the next step as one large button.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -37,7 +37,7 @@ Card {
         font.weight: Font.DemiBold
     }
     Label {
-        visible: bar.good                  // a refused recipe has only one thing to say
+        visible: bar.good                  // a refused recipe displays only its refusal
         anchors { left: verdict.left; right: verdict.right; top: verdict.bottom; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
@@ -59,7 +59,7 @@ Card {
     }
     Row {
         id: tools
-        readonly property bool goesBack: Editor.canUndo || Editor.canRedo   // before the first edit the words have their room
+        readonly property bool goesBack: Editor.canUndo || Editor.canRedo   // before the first edit the texts have the space
         anchors { right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
         spacing: Theme.size.spacing
         Button {

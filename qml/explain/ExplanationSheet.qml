@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A derived number explained: formula, the numbers put in, the result.
+// A derived number explained: formula, formula with numbers, result.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Derived numbers explained, one below the other, as they were when the finger was held: what each is, formula, numbers, result.
+// Derived numbers explained, one below the other, with their values when the finger was held: meaning, formula, numbers,
+// result.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -11,7 +12,7 @@ Sheet {
 
     property var quantities: []            // list of Explanations.Quantity
     property var told: []                  // or of Explanation
-    property string heading                // of numbers that have one in common
+    property string heading                // common heading of the numbers
     readonly property bool single: told.length === 1
 
     title: sheet.heading.length > 0 ? sheet.heading : sheet.single ? told[0].title : qsTr("How these numbers come about")

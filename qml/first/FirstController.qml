@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the controller is: searched for on all ports, or simulated.
+// The choice of the controller: found by a search on all ports, or simulated.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

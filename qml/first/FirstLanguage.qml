@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The language, each under its own name.
+// The choice of the language, each in its own name.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers of the machine, each with what it means.
+// The numbers of the machine, each with its explanation.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

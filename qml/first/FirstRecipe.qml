@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Name, bag length and rate of the first recipe; the rest has good values to begin with.
+// Name, bag length and rate of the first recipe; the other values have useful defaults.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a new panel asks for, one step after the other: language, controller, PINs, machine, a first recipe.
+// The setup of a new panel, step by step: language, controller, PINs, machine, a first recipe.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -30,7 +30,7 @@ Page {
         if (Editor.edited)
             Recipes.save()
         page.finished()
-        Settings.endFirstStart() // takes this page away
+        Settings.endFirstStart() // closes this page
     }
 
     Rectangle {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Base of a step of the first start: it knows the page to ask for keypad and sheets.
+// The base of a step of the first start, with access to the page for keypad and sheets.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Parts

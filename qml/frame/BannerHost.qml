@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which sentence the operator must see now: a Stop that waits, the answer to a command, an active alarm, a lost link. Alarms can be put
-// aside and stay on the Alarms page, where acknowledging them puts them aside too; a waiting Stop is withdrawn or sent.
+// The most important sentence for the operator: a waiting Stop, the answer to a command, an active alarm, a lost link.
+// Alarms can be dismissed and stay on the Alarms page; acknowledging them there dismisses them too. A waiting Stop is
+// withdrawn or sent.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -10,20 +11,20 @@ import CamPanel.Machine
 Item {
     id: host
 
-    property bool startRefused             // ends when Start would be taken
-    property bool above                    // over a sheet, a keypad or the first start: only what answers the finger is worth it
-    property string answerBelow            // what stood on the page already when something opened above it
+    property bool startRefused             // ends when Start would be accepted
+    property bool above                    // over a sheet, a keypad or the first start: only answers to a touch
+    property string answerBelow            // the sentence on the page when something opened above it
     property string putAside
     signal alarmsRequested()
 
-    // A link takes a moment to come up; only one that stays away is worth a banner.
+    // A link needs some time to connect; only a longer failure causes a banner.
     readonly property bool isComing: Machine.connection === Machine.Connection.Searching
         || Machine.connection === Machine.Connection.Connecting
     readonly property bool isTrouble: isComing ? patience.over : Machine.connection !== Machine.Connection.Connected
     readonly property string linkTrouble: isTrouble ? Machine.connectionText : ""
     readonly property var alarms: Machine.alarmTexts
     readonly property string alarm: alarms.length > 0 ? alarms.join("\n") : linkTrouble
-    // One at a time has room on every screen.
+    // Every screen has space for one alarm at a time.
     readonly property string mostUrgent: alarms.length > 1 ? qsTr("%1\nAnd %2 more.").arg(alarms[0]).arg(alarms.length - 1) : alarm
     readonly property string answer: Machine.commandMessage.length > 0 ? Machine.commandMessage
         : Settings.notice.length > 0 ? Settings.notice : Editor.notice.length > 0 ? Editor.notice

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Start and Stop, on every page and beside every dialog. Between them whatever has to come first: reset, home.
+// Start and Stop, on every page and beside every dialog, with a key between them for the necessary first step: reset, home.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -12,7 +12,7 @@ Item {
     signal startRefused()
 
     readonly property bool homes: Service.homing.offered
-    readonly property bool wiping: Display.wipeSeconds > 0   // a cloth starts nothing
+    readonly property bool wiping: Display.wipeSeconds > 0   // cleaning must not start anything
     readonly property bool between: Machine.faulted || homes
 
     implicitWidth: Theme.size.commandKey
@@ -42,7 +42,7 @@ Item {
         id: stopKey
         objectName: "stopKey"
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
-        // Half of the column, unless what is above needs more of it.
+        // Half of the column, unless the keys above need more.
         height: Math.max(Theme.size.commandKey, Math.min((parent.height - Theme.size.gap) / 2,
             parent.height - (column.between ? 2 : 1) * (Theme.size.commandKey + Theme.size.gap)))
         glyph: Theme.icon.stop

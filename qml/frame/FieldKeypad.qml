@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The keypad for one field, or for several with a strip of tabs at its left that shows their values.
+// The keypad for one field, or for several with a strip of tabs on the left with their values.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T

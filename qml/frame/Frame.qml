@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every page stands in: top bar, navigation, page, banner, sheets and keypad, and the command column that nothing covers.
+// The frame of every page: top bar, navigation, page, banner, sheets and keypad, and the command column that nothing covers.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -23,8 +23,8 @@ Rectangle {
     property alias clockRuns: topBar.clockRuns
     property alias now: topBar.now
     property var sheet: null               // the open dialog
-    property int userOfShortPin            // whoever has to choose a longer one
-    property real shift                    // the page moves aside, so that the keypad does not cover the field
+    property int userOfShortPin            // user who must choose a longer PIN
+    property real shift                    // offset of the page, so that the keypad does not cover the field
 
     function openPage(index: int): void {
         frame.closeAll()
@@ -40,7 +40,7 @@ Rectangle {
         frame.openSheet(Qt.createComponent(frame.morePages), { pages: navigation.pagesBehind, current: frame.page })
         frame.sheet.chosen.connect(page => frame.openPage(page))
     }
-    // Another one may have taken its place by then.
+    // Another sheet may be open by then.
     function closeSheet(sheet: var): void {
         if (frame.sheet !== sheet)
             return
@@ -55,14 +55,14 @@ Rectangle {
             frame.sheet.destroy()
         frame.sheet = null
     }
-    // Whoever may do what needs that level logs in, above whatever is open.
+    // Opens a login for that level above any open dialog.
     function openLogin(level: int): void {
         if (loginLoader.active)
             return
         loginLoader.setSource("../Access/LoginSheet.qml", { level: level })
         loginLoader.active = true
     }
-    // In the place of the login that has shown it.
+    // Replaces the login.
     function openShortPin(user: int): void {
         frame.userOfShortPin = user
         loginLoader.setSource("../Access/NewPinSheet.qml", { title: qsTr("Your PIN is too short"), level: Access.Service })
@@ -140,10 +140,10 @@ Rectangle {
     TopBar {
         id: topBar
         visible: !frame.wiped
-        // At the first start there is no other page to go to.
+        // No navigation during the first start.
         anchors { left: firstStart.active ? parent.left : navigation.right; right: parent.right; top: parent.top }
     }
-    // What of the navigation stands above the sheets' region is dimmed with the rest of it, and cannot be touched.
+    // The part of the navigation above the sheets' region is dimmed too and cannot be touched.
     Rectangle {
         anchors { left: navigation.left; right: navigation.right; top: parent.top; bottom: topBar.bottom }
         visible: frame.sheet !== null || loginLoader.active || firstStart.active
@@ -153,7 +153,7 @@ Rectangle {
             onClicked: frame.closeAll()
         }
     }
-    // Sheets and keypad live here: everything but the top bar and the command column.
+    // The region of sheets and keypad: everything but the top bar and the command column.
     Item {
         id: overlay
         objectName: "overlay"
@@ -216,7 +216,8 @@ Rectangle {
             }
         }
     }
-    // On a page at its lower edge; over a sheet, a keypad or the first start at the upper one, where nothing is confirmed.
+    // At the lower edge of a page. Over a sheet, a keypad or the first start at the upper edge, away from the confirming
+    // keys.
     BannerHost {
         id: banner
         readonly property real leftEdge: above ? overlay.x : pageArea.x + (frame.openPageItem?.bannerLeft ?? 0)
@@ -225,7 +226,7 @@ Rectangle {
         x: leftEdge + Theme.size.gap
         y: above ? overlay.y + Theme.size.gap : parent.height - height - Theme.size.gap - (frame.openPageItem?.bannerBottom ?? 0)
         width: (above ? free : pageArea.x + pageArea.width - leftEdge) - 2 * Theme.size.gap
-        // What is lost in width is given in height.
+        // A narrow banner is higher.
         height: width < 0.75 * pageArea.width ? Math.round(1.5 * Theme.size.actionBar) : Theme.size.actionBar
         visible: shown && !frame.wiped
         onAlarmsRequested: frame.openPage(6)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keypad over the page: a frame around the field, the keypad beside Stop; a touch elsewhere cancels.
+// The keypad over the page: a frame around the field, the keypad beside Stop; a touch elsewhere cancels.
 pragma ComponentBehavior: Bound
 import QtQuick
 

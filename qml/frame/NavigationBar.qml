@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pages at the left, on a screen that is too low for all of them the last ones behind the key More; the key of the alarms counts what wants to be acknowledged.
+// The pages on the left; on a low screen the last ones are behind the key More. The key of the alarms counts those that need
+// to be acknowledged.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -13,7 +14,7 @@ Rectangle {
     signal chosen(int page)
     signal moreChosen()
 
-    // `page` as the frame numbers them; from top to bottom as they stand here.
+    // The pages from top to bottom; `page` is the number in the frame.
     readonly property var pages: [
         { page: 0, text: qsTr("Run"), glyph: Theme.icon.run },
         { page: 1, text: qsTr("Motion"), glyph: Theme.icon.motion },
@@ -24,11 +25,11 @@ Rectangle {
         { page: 2, text: qsTr("Settings"), glyph: Theme.icon.settings }
     ]
 
-    // Seven pages fit into the height of each screen with keys that a finger hits, but not always a glove.
+    // Seven pages fit into the height of each screen with keys for a finger, but not always for a glove.
     readonly property bool fits: Math.floor(height / pages.length) >= Theme.size.touch
     readonly property int inFront: 5
     readonly property var pagesBehind: fits ? [] : pages.slice(inFront)
-    // Without a height nothing is known yet: keys made for it would be made twice.
+    // Without a height no keys: they would be created twice.
     readonly property var keys: height === 0 ? [] : fits ? pages : pages.slice(0, inFront).concat([{ page: -1, text: qsTr("More"), glyph: Theme.icon.more }])
     readonly property real keyHeight: Math.min(Math.max(Theme.size.navigation, Theme.size.touch), Math.floor(height / Math.max(1, keys.length)))
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Base of what lies over a page: how much of the page it leaves free, and the wish to be closed.
+// The base of dialogs over a page: the part of the page that stays visible, and the request to close.
 pragma ComponentBehavior: Bound
 import QtQuick
 
 Item {
-    property real free                     // right end of what stays visible
+    property real free                     // right end of the visible part
     signal closed()
 }

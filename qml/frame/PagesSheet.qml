@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pages that have no key of their own in the navigation.
+// The pages without a key of their own in the navigation.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Controls

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Top bar: recipe, state of the controller in words, icon and color, the most urgent alarm, link, clock. It is read, not touched.
+// The top bar: recipe, state of the controller as text, icon and color, the most urgent alarm, link, clock. For display
+// only.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -19,7 +20,7 @@ Rectangle {
         Theme.color.warning, Theme.color.touch, Theme.color.touch, Theme.color.fault]
     readonly property color stateColor: Machine.fresh ? stateColors[Machine.state] : Theme.color.disabledInk
 
-    // The recipe on this panel is not the one that the controller has.
+    // The recipe on this panel differs from the controller's.
     readonly property bool runsAnother: Machine.active.isPresent && (Machine.active.name !== Editor.recipeName
         || Machine.active.version !== Editor.recipeVersion || Machine.active.kind !== Editor.kind)
 

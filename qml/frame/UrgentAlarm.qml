@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The most urgent active alarm, as long as its room allows: icon and title, icon and id, or the icon alone.
+// The most urgent active alarm, depending on the space: icon and title, icon and id, or the icon alone.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

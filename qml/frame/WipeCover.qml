@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Over all that a wiping cloth must not touch, for as long as Display says.
+// The cover over everything that must not be touched during cleaning, for the time in Display.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

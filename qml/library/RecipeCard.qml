@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The chosen recipe: what it is, whether it is open or runs, and what can be done with it.
+// The chosen recipe: its figures, open or active, and its actions.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -50,7 +50,7 @@ Card {
             font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
         }
     }
-    // The figures scroll above the keys; where there is no room for both, the keys come first and scroll with them.
+    // The figures scroll above the keys; without space for both, the keys come first and scroll with them.
     Flickable {
         id: list
         readonly property bool keysScroll: height < keys.height + card.figureHeight

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The chosen recipe against its own versions or against another recipe: candidates at the left, what differs at the right.
+// The chosen recipe compared with its own versions or with another recipe: candidates on the left, differences on the right.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

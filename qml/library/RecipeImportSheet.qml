@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recipe files on a USB stick or in the panel's own folder: one is chosen, what taking it means is read below, then taken.
+// Recipe files on a USB stick or in the panel's own folder; the consequence of the import is below the selected one.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -18,7 +18,7 @@ Sheet {
     title: qsTr("Import a recipe")
     Component.onCompleted: sheet.source.look()
 
-    // A stick is found when it is plugged in.
+    // Searches again, to find a stick when it is plugged in.
     Timer {
         interval: Theme.lookAgainTime
         repeat: true

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One recipe of the list: name, what it is, when it was saved; whether it is open or in the controller.
+// One recipe of the list: name, figures, time of the last save; open or active.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recipes: a list with a search at the left, the chosen one at the right; what was edited and not saved stands above both.
+// Recipes: a list with a search on the left, the chosen one on the right; unsaved edits are above both.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -13,9 +13,9 @@ Page {
     id: page
 
     property int newKind: 1
-    property int wantedVersion: -1         // to be opened once the edits are settled, -1: the chosen recipe
+    property int wantedVersion: -1         // version to open after the decision on the edits, -1: the chosen recipe
 
-    // What is edited and not saved would be gone: the person decides.
+    // Unsaved edits would be lost, so the user decides.
     function open(version: int): void {
         page.wantedVersion = version
         if (Editor.edited)

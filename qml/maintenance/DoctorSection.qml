@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why there is no connection and where the controller is: what is wrong now, diagnosis, search, and the found connection in one tap.
+// The link doctor: the present error, diagnosis, search, and one tap to use the connection found.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

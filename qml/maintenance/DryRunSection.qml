@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dry run: a finger turns the master of the edited recipe, and knife and film, or the axis, follow on the screen. Nothing moves.
+// Dry run: a finger turns the master of the edited recipe, and knife and film, or the axis, follow on the screen. The
+// machine does not move.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A heading with named figures below; those worth a look stand out. A finger that is held there asks how they come about.
+// A heading with named figures below; unusual ones stand out. A held finger requests their explanation.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -12,7 +12,7 @@ Item {
 
     required property string title
     required property FigureModel figures
-    property var quantities: []            // of Explanations, which of them are computed; nothing to explain: empty
+    property var quantities: []            // computed ones, of Explanations; empty: no explanation
     signal explainRequested(var quantities)
 
     readonly property int rowHeight: Math.round(Theme.size.caption * 1.5)

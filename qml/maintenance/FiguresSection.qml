@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What has passed on the line, in figures and as the picture of a day.
+// The statistics of the line, as figures and as a chart of 24 hours.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One finding of the link doctor: where, what, and what to do.
+// One finding of the link doctor: place, problem, action.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One frame of the line: when, which way, what it says.
+// One frame of the line: time, direction, contents.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One frame of the line: all its values, then its bytes; the neighbors by their keys.
+// One frame of the line: all its values, then its bytes; keys for the previous and the next frame.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

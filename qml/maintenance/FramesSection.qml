@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frames of the line in words, the newest at the bottom. A tap shows all of one: values and bytes.
+// The frames of the line as text, the newest at the bottom. A tap displays all values and bytes of one.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -52,7 +52,7 @@ ServiceSection {
     ListView {
         id: list
         objectName: "frameList"
-        property bool follows: true        // the newest stay in sight until somebody scrolls up
+        property bool follows: true        // keeps the newest visible until the user scrolls up
         anchors { left: parent.left; right: parent.right; top: filters.bottom; bottom: parent.bottom; topMargin: Theme.size.spacing }
         clip: true
         boundsBehavior: Flickable.StopAtBounds

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Homing: whether the controller knows where its axis is, what the key does to this machine, and what came of the last time.
+// Homing: the state of the axis position, the effect of the key on this machine, and the last result.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One side of what the controller tells of its inputs and outputs: lamp, name and value. A lamp that is on is full, one that is
-// off is a ring.
+// One column of the controller's inputs and outputs: lamp, name and value. A lit lamp is full, an unlit one is a ring.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the controller tells of its inputs and outputs, and its fault and warning bits, live.
+// The controller's inputs and outputs, and its fault and warning bits, live.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A key that moves the axis while a finger holds it: from the touch on, until the finger lets go or slides off.
+// A key that moves the axis while it is held: from the touch until the finger is lifted or slides off.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T
@@ -20,7 +20,7 @@ T.AbstractButton {
     implicitWidth: Theme.size.commandKey
     implicitHeight: Theme.size.commandKey
 
-    // Sliding back onto the key does not begin again: that takes a new touch.
+    // Sliding back onto the key does not start again: that needs a new touch.
     onPressed: jog.press(direction)
     onPressedChanged: {
         if (!pressed)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Jog: two keys that move the axis while a finger holds them, where it is, and in a sentence what it does or why it does not. Whatever
-// takes the keys off the screen lets go.
+// Jog: two keys that move the axis while they are held, its position, and a sentence about the movement or why there is
+// none. Removing the keys from the screen stops the axis.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

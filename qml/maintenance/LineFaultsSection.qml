@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What goes wrong, on purpose, on the line to the simulated controller: ready-made faults, each off, sometimes or often.
+// Simulated faults on the line to the simulated controller: predefined faults, each off, sometimes or often.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

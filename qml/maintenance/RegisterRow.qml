@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One register: name, group and address, its value with unit and as it is on the wire.
+// One register: name, group and address, its value with unit and its raw value.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T

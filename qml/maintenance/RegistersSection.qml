@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The controller's registers, live: found by group and name, read while they are in sight, parameters written here.
+// The controller's registers: filtered by group and name, read while they are visible; parameters can be written.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Service: what a technician needs, one section at a time in the full width. Three groups: the line to the controller, the machine, and what the panel keeps.
+// Service: the technician's pages, one section at a time in the full width. Three groups: the line to the controller, the
+// machine, and the panel's data.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -32,7 +33,7 @@ Page {
         { key: 1, name: "serviceMachine", text: "", glyph: Theme.icon.machine },
         { key: 2, name: "servicePanel", text: "", glyph: Theme.icon.save }
     ]
-    // With keys for gloves they do not fit beside the longest group: then one key opens the choice of them.
+    // With keys for gloves they do not fit beside the longest group: one key then opens the choice of groups.
     readonly property bool oneGroupKey: width < (groups.length + machine.length) * Theme.size.touch + Theme.size.spacing
     readonly property var all: [Machine.simulated ? page.simulatedLine : page.line, page.machine, page.memory]
     readonly property var shown: page.all[page.group][Math.min(page.chosen[page.group], page.all[page.group].length - 1)]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A dial that a finger turns: it follows the finger round its center from wherever it is touched.
+// A dial that a finger turns: it follows the finger around its center from any starting point.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One live value below its name; grey when it is old.
+// One live value below its name; gray when it is old.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

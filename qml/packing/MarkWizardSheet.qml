@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The distance from mark sensor to knife, corrected with bags and a ruler, one step after the other.
+// The correction of the distance from mark sensor to knife with bags and a ruler, step by step.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a cut lies behind its mark, for the wizard of the sensor's distance.
+// The keypad for the distance of a cut behind its mark, for the wizard of the sensor's distance.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One number or switch of a packing machine: what it is and its range, its value, and a key that takes a suggestion.
+// One number or switch of a packing machine: name and range, value, and a key to use a suggestion.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T

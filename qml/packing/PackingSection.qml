@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Commissioning of a packing machine: marks measured against the recipe, the way from their sensor to the knife, and the
-// numbers that the controller works with, some with a suggestion.
+// Commissioning of a packing machine: the marks compared with the recipe, the distance from their sensor to the knife, and
+// the controller's parameters, some with a suggestion.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

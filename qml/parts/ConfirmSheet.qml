@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A question before something that cannot be taken back by a second touch: what will happen, and the ways on.
+// A question before an action that cannot be undone by a second touch: the consequence, and the choices.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One value that a download would change: name, what runs now, what would run.
+// One value that a download would change: name, active value, new value.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Over the derived numbers of a card: a finger that is held there asks how they come about.
+// A touch area over the derived numbers of a card: a held finger requests their explanation.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One number of the recipe or the machine; tapped to edit, held to explain.
+// One number of the recipe or the machine; a tap edits it, a held finger explains it.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Controls

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One large live number with what it is below.
+// One large live number with its name below.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

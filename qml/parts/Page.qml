@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Base of every page: what a page may ask of the frame around it.
+// The base of every page: its requests to the frame.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Machine
 
 Item {
-    property real bottomInset              // taken by a banner at the lower edge
-    // What the banner leaves free at the left and below: what it asks for may be there.
+    property real bottomInset              // height of a banner at the lower edge
+    // The space that the banner leaves free on the left and below, for the object that it mentions.
     property real bannerLeft
     property real bannerBottom
-    property bool covered                  // a sheet, a keypad or the login lies above it
+    property bool covered                  // a sheet, a keypad or the login is above it
 
     signal editRequested(var fields, int index, Item source)
     signal explainRequested(EditorField field)
-    // Some of Explanations, told in one sheet.
+    // Requests one sheet for several quantities of Explanations.
     signal numbersExplainRequested(var quantities)
-    // A list of Explanation, told in one sheet of that title.
+    // Requests one sheet with that title for a list of Explanation.
     signal explanationsRequested(string title, var explanations)
     signal sheetRequested(Component sheet)
 }

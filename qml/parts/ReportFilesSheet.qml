@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a report is to be written: a USB stick or the panel's own folder.
+// The place for a report: a USB stick or the panel's own folder.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -16,7 +16,7 @@ Sheet {
     property ReportFiles files: Service.files
     readonly property string hint: sheet.files.busy ? qsTr("Looking …") : qsTr("Choose the place of the new files.")
 
-    // A stick is found when it is plugged in.
+    // Searches again, to find a stick when it is plugged in.
     Timer {
         interval: Theme.lookAgainTime
         repeat: true

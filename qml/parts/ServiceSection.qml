@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Base of a section of the Service page: it knows the page to ask for keypad and sheets, and whether it is on the screen.
+// The base of a section of the Service page, with access to the page for keypad and sheets; visible or not.
 pragma ComponentBehavior: Bound
 import QtQuick
 

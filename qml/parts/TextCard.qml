@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One large live text with what it is below.
+// One large live text with its name below.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -12,7 +12,7 @@ Card {
     required property string text
     required property string caption
     property color captionColor: Theme.color.secondaryInk
-    property var quantities: []            // of Explanations, what the text is; nothing to explain: empty
+    property var quantities: []            // the quantity of the text, of Explanations; empty: no explanation
     signal explainRequested(var quantities)
 
     Readout {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A text to be entered: what it is above the keyboard, and below it why it cannot be taken as it stands.
+// The entry of a text: its purpose above the keyboard, and below it why the present text is not valid.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -8,8 +8,8 @@ import CamPanel.Controls
 Sheet {
     id: sheet
 
-    property string text                   // at the beginning
-    property string problem                // empty: can be taken
+    property string text                   // initial text
+    property string problem                // empty: valid
     property bool acceptable: problem.length === 0
     signal edited(string text)
     signal accepted()
@@ -29,7 +29,7 @@ Sheet {
         id: field
         anchors { left: parent.left; top: parent.top }
         width: keyboard.composing ? Math.round(parent.width / 3) : parent.width
-        // Beside it, and over the problem below it, is a key for letters high.
+        // Leaves the height of a letter key for this and the problem below.
         height: Math.max(Math.round(1.5 * Theme.size.value), Math.ceil(Theme.size.touch / Theme.size.reach) - problemLabel.height)
         radius: Theme.size.radius
         color: Theme.color.inset
@@ -50,7 +50,7 @@ Sheet {
             Keys.onEscapePressed: sheet.closed()
         }
     }
-    // What the letters of pinyin may mean, beside the field.
+    // The candidates of the pinyin letters, beside the field.
     Item {
         anchors { left: field.right; leftMargin: Theme.size.spacing; right: parent.right; top: field.top; bottom: problemLabel.bottom }
         visible: keyboard.composing

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is taken to a stick: everything that the panel keeps, and back; the report of a machine that runs; what a
-// manufacturer needs who is asked for help.
+// Exports to a stick: backup and restore of all the panel's data, the commissioning report, and the archive for the
+// manufacturer's support.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

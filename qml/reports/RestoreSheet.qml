@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Backups on a USB stick or in the panel's own folder: one is chosen, what is in it is read below, then it is checked.
+// Backups on a USB stick or in the panel's own folder: the contents of the selected one are below, then it is checked.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -17,7 +17,7 @@ Sheet {
     title: qsTr("Restore a backup")
     Component.onCompleted: Backup.look()
 
-    // A stick is found when it is plugged in.
+    // Searches again, to find a stick when it is plugged in.
     Timer {
         interval: Theme.lookAgainTime
         repeat: true

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Something that can be done, with what it does in a sentence and its key.
+// An action with a sentence about its effect, and its key.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -11,7 +11,7 @@ Item {
     required property string title
     required property string note
     required property string action
-    required property string name          // of the key, for who looks for it
+    required property string name          // name of the key for tests
     property string glyph
     property real keyWidth: key.implicitWidth
     readonly property alias naturalKeyWidth: key.implicitWidth

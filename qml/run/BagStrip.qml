@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The last bag's length, large, and beside it the last sixty as points in the tolerance band with their mean and scatter.
+// The last bag's length in large digits, and beside it the last sixty as points in the tolerance band with their mean and
+// scatter.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

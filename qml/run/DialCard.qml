@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The knife's live angle with the arc where it runs with the film.
+// The knife's live angle with the arc of synchronous motion.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

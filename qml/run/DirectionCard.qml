@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which way the master of a point cam turns, and the choice of the other way, also while it runs. The choice that holds is what
-// the controller reports, not what was touched.
+// The direction of a point cam's master, with the choice of the other one, also during a run. The selected choice is the
+// controller's setting, not the last touch.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The film from the mark sensor to the knife as a moving picture, and in words how the marks are followed. A tap asks for the numbers behind it.
+// The film from the mark sensor to the knife as a moving picture, and the mark tracking as text. A tap opens the numbers.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the signs in the picture of the film mean.
+// The legend of the picture of the film.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Force over way of the newest stroke, with the gate that it must end in.
+// The force over the position of the newest stroke, with its end gate.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

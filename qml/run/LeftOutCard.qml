@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the packing machine left out and why, and the film that this saved. A tap asks for the numbers behind it.
+// The skipped cuts of the packing machine with their causes, and the film saved. A tap opens the numbers.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers of a packing machine behind its picture: how the cuts follow the marks, what was left out and why.
+// The numbers of a packing machine behind its picture: mark tracking, skipped cuts and their causes.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

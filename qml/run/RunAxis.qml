@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Run of a move or a point cam: speed, position, count, and the speed over its target; of a point cam also its master.
+// Run of a move or a point cam: speed, position, count, and the measured speed over its target; for a point cam also its
+// master.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

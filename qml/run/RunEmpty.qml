@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Run before there is a program: what to do about it.
+// Run without a program: instructions for a first one.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Run of a packing machine: rate and bag length first, then the film as a picture, the knife's speed over its target and what was left out.
+// Run of a packing machine: rate and bag length first, then the film as a picture, the knife's speed over its target and the
+// skipped cuts.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

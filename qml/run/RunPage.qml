@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Run: what the program of the controller moves and makes. Each kind has its own view; only the one in use is loaded.
+// Run: the controller's program at work. Each kind has its own view; only the present one is loaded.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Parts
@@ -8,7 +8,8 @@ import CamPanel.Machine
 Page {
     id: page
 
-    // By Machine.active.kind: no program, cutter (of a controller that tells nothing of film and marks), position move, speed move, point cam, press.
+    // The views by Machine.activeKind: no program, cutter (of a controller without film and marks), position move, speed
+    // move, point cam, press.
     readonly property list<string> views: ["RunEmpty.qml", "RunCutter.qml", "RunAxis.qml", "RunAxis.qml", "RunAxis.qml", "RunPress.qml"]
     readonly property string view: Machine.active.kind === 1 && Machine.packing.present ? "RunPacking.qml" : page.views[Machine.active.kind]
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Run of a press: force and position now, the stage, the newest stroke as a curve and the strokes before it.
+// Run of a press: present force and position, the stage, the newest stroke as a curve and the earlier strokes.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Speed over one cycle: what the program asks for, and what the axis did in the newest cycle.
+// The speed over one cycle: the target of the program, and the axis in the newest cycle.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -13,7 +13,7 @@ Card {
     signal explainRequested(var quantities)
 
     required property string title
-    property bool compact                  // there is no room for many words
+    property bool compact                  // little space for texts
     readonly property color traceColor: Machine.fresh ? Theme.color.touch : Theme.color.disabledInk
 
     component Key: Row {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The five stages of a press stroke; the one under way is tinted, framed and bold.
+// The five stages of a press stroke; the present one is tinted, framed and bold.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

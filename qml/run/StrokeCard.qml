@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The strokes of a press, newest first: a good one is quiet, a bad one has an icon, a color and its reason.
+// The strokes of a press, newest first; a bad one has an icon, a color and its reason.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Version, licence, and what this panel is not: a safety function.
+// Version and license, and the note that this panel is not a safety function.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the controller is reached: the simulated one, or a serial port with its parameters. Nothing changes before Connect.
+// The connection to the controller: the simulated one, or a serial port with its parameters. Nothing changes before Connect.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Language, theme and keys for gloves; all change at once, on every page. Behind a key what belongs to the computer.
+// Language, theme and keys for gloves; all change at once, on every page. A key leads to the settings of the computer.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -18,7 +18,7 @@ SettingsSection {
     readonly property var languages: Settings.languages
     readonly property var themes: Settings.themes
 
-    // Taller keys where there is room.
+    // Taller keys if there is space.
     readonly property real keyHeight: Math.max(Theme.size.touch, Math.min(1.5 * Theme.size.touch, (height - bodyTop) / 4))
 
     title: qsTr("Display")
@@ -88,7 +88,7 @@ SettingsSection {
             onClicked: (section.page as SettingsPage).openSystem()
         }
         Label {
-            visible: parent.y + y + implicitHeight <= section.height // said where there is room
+            visible: parent.y + y + implicitHeight <= section.height // only if there is space
             width: parent.width
             wrapMode: Text.WordWrap
             text: qsTr("Light for a bright hall, dark for the night shift, high contrast for tired eyes or a dirty screen. For gloves all keys are a quarter larger. Numbers and units follow the language.")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The machine's own numbers, as the kind of program needs them, and the limits that every recipe is checked against.
+// The machine data needed by the kind of program, and the limits that every recipe is checked against.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

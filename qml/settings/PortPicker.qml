@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The serial ports of this computer; a port that cannot be used says why.
+// The serial ports of this computer, with the reason for those that cannot be used.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

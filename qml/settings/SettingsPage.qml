@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Settings: sections at the left, the chosen one at the right.
+// Settings: sections on the left, the selected one on the right.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -20,7 +20,7 @@ Page {
         { name: "section2", text: qsTr("Machine"), note: qsTr("drive, gear, motor limits"), source: "MachineSection.qml" },
         { name: "sectionUsers", text: qsTr("Users"), note: qsTr("PINs, levels, audit"), source: "UsersSection.qml" },
         { name: "section3", text: qsTr("About"), note: qsTr("version, safety"), source: "AboutSection.qml" },
-        { source: "SystemSection.qml" } // behind Display
+        { source: "SystemSection.qml" } // opened from Display
     ]
     readonly property int inMenu: sections.length - 1
 

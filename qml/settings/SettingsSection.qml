@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Base of a section of the Settings page: a title, and the page to ask for keypad and sheets.
+// The base of a section of the Settings page: a title, and access to the page for keypad and sheets.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

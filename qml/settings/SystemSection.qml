@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The screen itself, and the computer behind it: brightness, going dark, wiping; clock and network to look at.
+// The screen and the computer: brightness, automatic switch-off, cleaning; clock and network read-only.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

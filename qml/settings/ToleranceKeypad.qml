@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much a bag's length may be off.
+// The keypad for the tolerance of a bag's length.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

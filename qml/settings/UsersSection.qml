@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who may do what at this panel: the people with their levels, logging in and out, and the audit trail.
+// Access: the users with their levels, login and logout, and the audit trail.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The curves of the chosen quantities. Above each stands what it is, and its figures: of the window, or at the cursor, where the finger is not.
+// The curves of the chosen quantities, each with its name and its figures above: for the window, or at the cursor, away from
+// the finger.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -34,7 +35,7 @@ Card {
         if (told.length > 0)
             card.explanationsRequested(card.words.titles[Trends.chosen[lane]], told)
     }
-    // `at` is the revision of the curves that a binding depends on.
+    // Returns the figures; `at` is the revision of the curves that a binding depends on.
     function valuesOf(lane: int, quantity: int, at: int): string {
         const values = plot.valuesAt(lane, card.cursor)
         return isNaN(values[1]) ? qsTr("%1 · nothing recorded").arg(card.momentOf(card.cursor))

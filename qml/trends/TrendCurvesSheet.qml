@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which quantities are drawn.
+// The choice of the quantities drawn.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the quantities of the trends are called, in which unit and how exactly they are shown.
+// The names, units and decimals of the trend quantities.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Trends: the course of bags, rate and line over minutes to days, moved and zoomed by fingers, as CSV on demand.
+// Trends: the course of bags, rate and line over minutes to days, with touch gestures for moving and zooming, and CSV
+// export.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Status exchanges and table downloads against the real controller program, whose bytes take as long as on
-// the wire.
+// Status exchanges and table downloads with the real controller program and the time of real wires.
 #include "bench_report.h"
 
 #include "app/program/program_image.h"
@@ -66,7 +65,7 @@ double downloadSeconds(modbus::RtuClient& client, const std::vector<std::uint16_
     using Phase = modbus::Download::Phase;
     const modbus::Identity identity = valueOrThrow(client.identify());
     modbus::Download download(image, identity, {});
-    // The panel polls the status all the time; a download knows the last one.
+    // The panel polls the status continuously; a download has the last one.
     static_cast<void>(valueOrThrow(download.noteStatus(valueOrThrow(client.exchangeStatus(1, 0)))));
     const auto start = Clock::now();
     while (!download.ended() && download.phase() != Phase::AwaitActive)

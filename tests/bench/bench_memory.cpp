@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Eight hours of running in accelerated time: the real Run page with a status for every exchange of a line at
-// 115200 baud, drawn once a second of that time, and a record of every frame. What is resident may not grow.
+// 115200 baud, drawn once a second of that time, and a record of every frame. The resident memory must not
+// grow.
 #include "bench_report.h"
 
 #include "app/shell/memory.h"
@@ -24,7 +25,7 @@ constexpr int statusPerS = 78;
 constexpr int secondsPerHour = 3600;
 constexpr int hours = 8;
 
-// What passes on the line in one exchange, one in a hundred lost.
+// Records one exchange on the line; one in a hundred is lost.
 void record(modbus::LinkRecord& line, int exchange, modbus::LinkFigures::WallTime at)
 {
     constexpr std::array<std::uint8_t, 19> question{1, 23};

@@ -32,7 +32,7 @@ void editOnce(benchmark::State& state)
     }
 }
 
-// Keeps the medians instead of printing.
+// Stores the medians instead of printing.
 class MedianReporter : public benchmark::BenchmarkReporter {
 public:
     bool ReportContext(const Context&) override { return true; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the finger on the key of a page to the painted page with its data, at 1024x600 on the software
-// renderer, with everything that the panel may have on its disk.
+// The time from the touch of a page's key to the painted page with its data, at 1024x600 on the software
+// renderer, with the maximum of data on the disk.
 #include "bench_pages.h"
 
 #include "app/store/database/database.h"
@@ -40,7 +40,7 @@ public:
         m_finger.settle();
     }
 
-    // Leaves for Run first.
+    // Opens Run first.
     double openTrendsMs()
     {
         leave();
@@ -55,7 +55,7 @@ public:
         return ms;
     }
 
-    // The history is on the page's second sheet, which it shows again when it is opened again.
+    // The history is on the page's second sheet, which is displayed again when the page is opened again.
     double openAlarmsMs()
     {
         leave();

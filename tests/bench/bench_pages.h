@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pages that show what is on the disk.
+// Measures the pages that display stored data.
 #pragma once
 
 #include "bench_report.h"
@@ -8,10 +8,10 @@
 
 namespace campanel::bench {
 
-// Within this a page must show what it was asked for.
+// The limit for the display of requested data.
 inline constexpr double pageLimitMs = 200;
 
-// The panel of that folder, whose bags and trends are there already. The log of alarms in it is filled first.
+// Measures the panel of that folder, which already has bags and trends. Fills its log of alarms first.
 [[nodiscard]] Figures measurePages(const QString& folder);
 
 } // namespace campanel::bench

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel's client beside plain libmodbus and QModbusRtuSerialClient, on lines of the same pace: status
-// exchanges a second, and 1024 registers written and read back. The peers neither keep the silence between
-// frames nor prove their answers.
+// The panel's client compared with plain libmodbus and QModbusRtuSerialClient on lines of the same speed:
+// status exchanges a second, and 1024 registers written and read back. The peers neither keep the silence
+// between frames nor prove their answers.
 #include "bench_report.h"
 
 #include "master.h"
@@ -32,7 +32,7 @@ double seconds(std::chrono::nanoseconds time)
     return std::chrono::duration<double>(time).count();
 }
 
-// As the panel's client offers it, so that one piece of work serves all three.
+// Adapts the panel's client, so that one piece of work serves all three.
 class ProvenMaster : public Master {
 public:
     explicit ProvenMaster(modbus::LinkSettings settings)
@@ -105,7 +105,7 @@ void transfer(Master& master, modbus::TransferOperation operation, int block,
         throw std::runtime_error("the controller refused block " + std::to_string(block));
 }
 
-// Into the shadow bank, and all of it read back.
+// Writes to the shadow bank, and reads all of it back.
 double writeAndVerifySeconds(Master& master)
 {
     std::vector<std::uint16_t> words(registerCount);
@@ -130,8 +130,8 @@ double writeAndVerifySeconds(Master& master)
     return seconds(Clock::now() - start);
 }
 
-// With both silences around every frame; plain reads for the peers, proven ones (three registers more each
-// way) for ours.
+// Includes both silences around every frame; plain reads for the peers, proven ones (three registers more in
+// each direction) for ours.
 double wireSeconds(const modbus::LineSettings& line)
 {
     std::chrono::nanoseconds total = modbus::pairTime(line, modbus::transferFrames(3));

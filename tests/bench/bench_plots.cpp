@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From an edited field to the frame that shows it: the real Motion page at 1024x600 on the software renderer.
+// The time from an edited field to its frame: the real Motion page at 1024x600 on the software renderer.
 #include "bench_report.h"
 
 #include "tests/looks/stage.h"

@@ -23,7 +23,8 @@ namespace {
 
 using Seconds = std::chrono::duration<double>;
 
-// Fastest of many short rounds, in seconds per call: what others do on the machine only makes a round slower.
+// Returns the fastest of many short rounds, in seconds per call: other load on the machine only makes a round
+// slower.
 double secondsPerCall(int calls, const std::function<void()>& call)
 {
     constexpr int rounds = 25;
@@ -97,8 +98,8 @@ profile::PointCamProgram hundredKnots()
     return cam;
 }
 
-// The time that scipy needs for the same: a periodic spline through 100 knots and its values and slopes at
-// 1001 places.
+// Returns scipy's time for the same: a periodic spline through 100 knots and its values and slopes at 1001
+// places.
 double scipyS()
 {
     const char* program =
@@ -159,7 +160,7 @@ Figure slowestPreview()
         "solve and sample the slowest kind (" + name + ")", slowest * msPerS, 16, "ms", "one frame", true};
 }
 
-// A move with each law as intervals, as the panel compiles it.
+// Returns the slowest move over all laws as intervals, as compiled by the panel.
 Figure slowestIntervals()
 {
     constexpr double msPerS = 1000;

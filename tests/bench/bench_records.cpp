@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ten million bags and full rings of trends: how long the page waits for its data, what a bag takes on the
-// disk, and that neither file nor process grows when more bags come.
+// Ten million bags and full rings of trends: the waiting time of the page, the size of a bag on the disk, and
+// that neither file nor process grows with more bags.
 #include "bench_pages.h"
 
 #include "app/panel/controller/machine.h"
@@ -43,7 +43,7 @@ double megabytes(const QString& path)
     return static_cast<double>(QFileInfo(path).size()) / 1e6;
 }
 
-// Bags up to `endMs` as a controller that follows marks tells them.
+// Adds bags up to `endMs` like a controller that follows marks.
 void fillBags(store::Database& database, qint64 endMs)
 {
     must(database.execute(u"INSERT INTO program VALUES (1, 'Biscuit 250', 3, 250000, ?)"_s, {endMs}));
@@ -57,7 +57,7 @@ void fillBags(store::Database& database, qint64 endMs)
     must(database.execute(u"PRAGMA wal_checkpoint(TRUNCATE)"_s));
 }
 
-// All six quantities from the deviations of the bags, and a year of hours.
+// Adds all six quantities from the deviations of the bags, and a year of hours.
 void fillTrends(store::Database& database, qint64 endMs)
 {
     using Log = store::TrendLog;
@@ -97,7 +97,7 @@ struct Panel {
     machine::Trends trends;
     qint64 wallMs;
 
-    // Until nothing is asked any more: the opening asks once more.
+    // Waits until no request is left: opening causes another request.
     void settle()
     {
         for (int round = 0; round < 2; ++round) {
@@ -107,7 +107,7 @@ struct Panel {
             untilAnswered.exec();
         }
     }
-    // From asking until it is shown.
+    // Returns the time from the request to the display.
     double askMs(const std::function<void()>& ask)
     {
         QEventLoop untilShown;
@@ -120,7 +120,7 @@ struct Panel {
     }
 };
 
-// As a running machine writes: 25 bags in five seconds, the oldest ones go.
+// Writes like a running machine: 25 bags in five seconds, the oldest ones are deleted.
 void addBags(store::Database& database, qint64 fromMs, int batches)
 {
     constexpr int bagsOfABatch = 25;
@@ -197,7 +197,7 @@ Figures measureRecords()
         for (int i = 0; i < times; ++i)
             (void)panel.askMs([&] { panel.trends.showSpan(i % 2 == 0 ? 3'600'000.0 : 7 * 86'400'000.0); });
     };
-    addBags(*database, nowMs, 1000); // both caches are full from here on
+    addBags(*database, nowMs, 1000); // both caches are full now
     readMany(100);
     const double beforeMb = residentMb(QCoreApplication::applicationPid());
     QElapsedTimer timer;

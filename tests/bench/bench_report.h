@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One line per figure: what was measured, against which limit or peer, and their ratio.
+// The figures of the benchmark, one line each: the measured value, its limit or peer, and their ratio.
 #pragma once
 
 #include <chrono>
@@ -10,15 +10,16 @@
 
 namespace campanel::bench {
 
-// A ratio is always measured / limit; `atMost` says whether 1 is its upper or its lower end.
+// A figure. The ratio is always measured / limit; `atMost` says if 1 is its upper or its lower limit.
 struct Figure {
     std::string what;
     double measured = 0;
     double limit = 0;
     std::string unit;
-    std::string limitText; // what the limit is: "a frame", "wire's limit", "an empty window"
+    std::string limitText; // meaning of the limit: "a frame", "wire's limit", "an empty window"
     bool atMost = true;
-    bool isPeer = false; // `limit` is what another one does under the same conditions, nothing to be kept
+    bool isPeer = false; // `limit` is another implementation's result under the same conditions, not a
+                         // requirement
 
     [[nodiscard]] double ratio() const { return measured / limit; }
     [[nodiscard]] bool holds() const { return atMost ? ratio() <= 1.0 : ratio() >= 1.0; }
@@ -26,11 +27,10 @@ struct Figure {
 
 using Figures = std::vector<Figure>;
 
-// So long status exchanges are counted.
+// The time during which status exchanges are counted.
 inline constexpr std::chrono::seconds statusTime{5};
 
-// The parts; each returns its figures, or throws std::runtime_error when something could not be measured at
-// all.
+// The parts. Each returns its figures, or throws std::runtime_error when a measurement was impossible.
 [[nodiscard]] Figures measureMotion();
 [[nodiscard]] Figures measurePrograms();
 [[nodiscard]] Figures measurePacking();
@@ -41,13 +41,13 @@ inline constexpr std::chrono::seconds statusTime{5};
 [[nodiscard]] Figures measureMemory(); // takes some minutes
 [[nodiscard]] Figures measureRecords();
 
-// Memory of a process; throws std::runtime_error when there is no such process.
+// Returns the memory of a process; throws std::runtime_error when the process does not exist.
 [[nodiscard]] double residentMb(std::int64_t processId);
 
-// The value below which `fraction` of the samples lie.
+// Returns the value below which `fraction` of the samples lie.
 [[nodiscard]] double quantile(std::vector<double> samples, double fraction);
 
-// Markdown table with the processor's name above it.
+// Returns a Markdown table with the processor's name above it.
 [[nodiscard]] std::string format(const Figures& figures);
 
 } // namespace campanel::bench

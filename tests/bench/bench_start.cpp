@@ -15,7 +15,7 @@ namespace {
 using namespace Qt::StringLiterals;
 
 constexpr int runs = 9;
-constexpr int settleMs = 1500; // memory is read when the first seconds' work is done
+constexpr int settleMs = 1500; // memory is read after the work of the first seconds
 
 struct Start {
     double firstFrameMs = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanel-bench: measures the figures of docs/figures.md as ratios against limits and peers in one run.
+// campanel-bench: measures the figures of the README, as ratios against limits and peers in one run.
 #include "bench_report.h"
 
 #include "app/shell/qml_modules.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A Modbus master for comparison: the two questions that a panel asks, written as each library's
-// documentation has it.
+// A Modbus master for comparison: the two requests of a panel, written as in each library's documentation.
 #pragma once
 
 #include <cstdint>
@@ -11,20 +10,20 @@
 
 namespace campanel::bench {
 
-// Every call throws std::runtime_error when it does not get its answer. 8N1, unit 1.
+// A master, 8N1, unit 1. Every call throws std::runtime_error without an answer.
 class Master {
 public:
     virtual ~Master() = default;
-    // Function 23: writes, then reads.
+    // Writes, then reads (function 23).
     virtual std::vector<std::uint16_t> writeAndRead(std::uint16_t writeAddress,
                                                     std::span<const std::uint16_t> written,
                                                     std::uint16_t readAddress, std::uint16_t count) = 0;
-    // Function 3.
+    // Reads (function 3).
     virtual std::vector<std::uint16_t> read(std::uint16_t address, std::uint16_t count) = 0;
 };
 
 [[nodiscard]] std::unique_ptr<Master> plainMaster(const std::string& port, std::uint32_t baud); // libmodbus
-// QModbusRtuSerialClient; nothing when the benchmark was built without it.
+// Returns QModbusRtuSerialClient; nothing when the benchmark was built without it.
 [[nodiscard]] std::unique_ptr<Master> qtMaster(const std::string& port, std::uint32_t baud);
 
 } // namespace campanel::bench

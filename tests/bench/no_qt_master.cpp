@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// In place of qt_master.cpp where qt6-serialbus-dev is not installed.
+// Replaces qt_master.cpp where qt6-serialbus-dev is not installed.
 #include "master.h"
 
 namespace campanel::bench {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Both ends of a faulty line on made-up time: a panel that asks, and a controller that answers at once.
+// Both ends of a faulty line on simulated time: a panel that asks, and a controller that answers at once.
 #pragma once
 
 #include "ctl_crc.h"
@@ -56,7 +56,7 @@ public:
         }
         m_nowNs = untilNs;
     }
-    // One question, and all that follows from it within so long.
+    // Sends one request and returns everything received within this time.
     FrameBytes exchange(std::int64_t withinNs = 100 * ms)
     {
         m_panel.clear();
@@ -65,8 +65,8 @@ public:
         return m_panel;
     }
 
-    std::vector<FrameBytes> m_heard; // frames, by the controller
-    FrameBytes m_panel;              // bytes
+    std::vector<FrameBytes> m_heard; // frames received by the controller
+    FrameBytes m_panel;              // bytes received by the panel
     std::vector<std::int64_t> m_panelTimes;
     std::vector<std::pair<std::int64_t, LineEvent>> m_events;
     FrameBytes m_reply = reply;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A press on a bench: the core with its machine, called as late and as irregularly as a test likes, with or
-// without Modbus traffic; it looks at every pulse.
+// A press on a bench: the core with its machine, called at irregular intervals, with or without Modbus
+// traffic; every pulse is checked.
 #pragma once
 
 #include "ctl_core.h"
@@ -16,7 +16,7 @@ namespace campanel::test {
 struct Disturbance {
     std::uint64_t seed = 1;
     std::uint32_t longestTickUs = 250; // the controller is called after 50 us up to this
-    bool traffic = false;              // status blocks asked for back to back
+    bool traffic = false;              // continuous requests for status blocks
 };
 
 class PressBench {
@@ -27,11 +27,11 @@ public:
     PressBench& operator=(const PressBench&) = delete;
     ~PressBench() = default;
 
-    // Until the state is no longer Running or Stopping, or a minute has passed.
+    // Runs until the state is no longer Running or Stopping, or for a minute.
     void runToStandstill();
-    // One call of the controller, the machine moving meanwhile.
+    // Calls the controller once and moves the machine.
     void tick();
-    // Start, then as above; false when Start was refused.
+    // Starts and runs to standstill; returns false when Start was refused.
     bool stroke();
 
     [[nodiscard]] const ctl_stroke& last() const { return m_core->motion.press.last; }
@@ -39,11 +39,11 @@ public:
     [[nodiscard]] controller::Machine& machine() { return m_machine; }
     [[nodiscard]] std::uint64_t nowUs() const { return m_nowUs; }
 
-    // Of the last stroke: where the ram truly stood at the end of the hold, and how often a pulse came
-    // upwards before the return.
+    // The figures of the last stroke: the ram's true position at the end of the hold, and the number of
+    // upward pulses before the return.
     double heldMm = 0.0;
     int backwards = 0;
-    std::uint32_t answers = 0; // to the traffic, in all
+    std::uint32_t answers = 0; // total answers to the traffic
 
 private:
     void onPulses(std::int32_t count);

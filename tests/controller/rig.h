@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A controller with its machine on a bench, on simulated time: frames in, answers out, no line in between.
+// A controller with its machine on a bench, on simulated time: frames in, answers out, without a line.
 #pragma once
 
 #include "simulated_controller.h"
@@ -17,20 +17,20 @@ namespace campanel::test {
 using Bytes = std::vector<std::uint8_t>;
 using Registers = std::vector<std::uint16_t>;
 
-// Flash in memory that can lose its power after so many more bytes written (an erase counts as one).
+// A flash in memory that can lose its power after a number of written bytes (an erase counts as one).
 class MemoryFlash final : public controller::FlashDevice {
 public:
     bool read(std::uint32_t slot, std::uint32_t offset, std::span<std::uint8_t> bytes) override;
     bool erase(std::uint32_t slot) override;
     bool write(std::uint32_t slot, std::uint32_t offset, std::span<const std::uint8_t> bytes) override;
 
-    std::array<Bytes, 2> contents; // of each slot
+    std::array<Bytes, 2> contents; // contents of each slot
     std::optional<std::size_t> bytesUntilPowerCut;
     std::size_t written = 0;
 };
 
 ctl_config benchConfig();
-// The frame with its CRC-16, computed bit by bit.
+// Returns the frame with its CRC-16, computed bit by bit.
 Bytes frame(Bytes content);
 std::uint32_t crc32(const Registers& registers);
 
@@ -38,11 +38,11 @@ class Rig {
 public:
     explicit Rig(const controller::MachineOptions& options = {}, MemoryFlash* flash = nullptr);
 
-    // The answer to a raw frame; empty when there is none.
+    // Returns the answer to a raw frame; empty when there is none.
     Bytes exchange(const Bytes& raw);
-    // Registers read; empty when refused.
+    // Returns the registers read; empty when refused.
     Registers read(std::uint16_t address, std::uint16_t count);
-    // 0 or the exception code.
+    // Returns 0 or the exception code.
     int write(std::uint16_t address, const Registers& values);
     Registers readWrite(std::uint16_t readAddress, std::uint16_t readCount, std::uint16_t writeAddress,
                         const Registers& values);
@@ -50,13 +50,13 @@ public:
     std::uint16_t status(std::uint16_t address) { return read(address, 1).at(0); }
     std::uint32_t statusWide(std::uint16_t address);
     std::int32_t signedWide(std::uint16_t address) { return static_cast<std::int32_t>(statusWide(address)); }
-    // The refusal (CTL_REFUSAL_...).
+    // Returns the refusal (CTL_REFUSAL_...).
     std::uint16_t command(std::uint16_t code, std::uint16_t argument0 = 0, std::uint16_t argument1 = 0,
                           std::uint32_t argument2 = 0);
-    // The eight transfer result registers.
+    // Returns the eight transfer result registers.
     Registers transfer(std::uint16_t session, std::uint16_t operation, std::uint16_t block,
                        const Registers& data);
-    // Result of the seal; announced as a program of the image's kind where no other is given.
+    // Returns the result of the seal. The announced kind is that of the image unless `kind` is given.
     std::uint16_t download(const Registers& image, std::uint16_t session = 1,
                            std::optional<std::uint16_t> kind = {});
     std::uint16_t apply(const Registers& image, std::uint16_t mode, std::uint16_t session = 1);
@@ -69,15 +69,15 @@ public:
     void setParameter(std::uint16_t address, std::uint16_t value);
 
     void run(std::uint64_t timeUs);
-    // False when the state is not reached in so much simulated time.
+    // Returns false when the state is not reached within this simulated time.
     bool runUntilState(std::uint16_t state, std::uint64_t timeoutUs = 60'000'000);
-    // Runs for so long; the largest change of the commanded speed from one slice to the next, in pulses a
+    // Runs for this time; returns the largest change of the commanded speed between two slices, in pulses per
     // slice.
     std::int64_t largestJolt(std::uint64_t timeUs);
 
     [[nodiscard]] ctl_core& core() { return m_controller.core(); }
     [[nodiscard]] controller::SimulatedController& controller() { return m_controller; }
-    // Pulses sent since homing.
+    // Returns the pulses sent since homing.
     [[nodiscard]] std::int64_t commanded() { return core().motion.commanded - core().motion.origin; }
 
 private:

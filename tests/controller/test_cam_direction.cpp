@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which way a point cam's master runs: the sign of its speed in the program, turned once more by the
-// parameter. Backwards the same rows give the same curve, without drift.
+// The direction of a point cam's master: the sign of its speed in the program, reversed by the parameter.
+// Backward, the same rows give the same curve without drift.
 #include "rig.h"
 #include "support/cam_image.h"
 #include "tests/support/test_program.h"
@@ -58,7 +58,7 @@ void TestCamDirection::signAndParameter()
     rig.start();
     std::int64_t before = rig.commanded();
     rig.run(second / 10);
-    // From the very start: never first the other way.
+    // From the first pulse: never in the other direction.
     QVERIFY(direction * (rig.commanded() - before) > 0);
     rig.run(4 * second);
     QVERIFY(direction * rig.commanded() > 50'000);
@@ -76,8 +76,8 @@ void TestCamDirection::backwardsWithoutDrift_data()
     QTest::newRow("closed") << 0.0 << 0u;
 }
 
-// At each update, some fifty at angles all over the cycle, the axis has arrived where the master was at the
-// one before; the curve itself is computed in floating point, over 10^4 cycles.
+// At each update, at about fifty angles of the cycle, the axis has reached the master's position of the
+// previous update. The curve itself is computed in floating point, over 10^4 cycles.
 void TestCamDirection::backwardsWithoutDrift()
 {
     QFETCH(double, whole);
@@ -95,7 +95,7 @@ void TestCamDirection::backwardsWithoutDrift()
     cam.masterRate = backwards;
     Rig rig;
     rig.install(cam.registers());
-    rig.write(CTL_REG_PARAMETER_FOLLOWING_ERROR_LIMIT, {15, 0}); // the lag itself is not to trip
+    rig.write(CTL_REG_PARAMETER_FOLLOWING_ERROR_LIMIT, {15, 0}); // the lag itself must not cause a fault
     rig.start();
     const std::uint64_t begunUs = rig.controller().nowUs();
     double worst = 0;
@@ -114,7 +114,7 @@ void TestCamDirection::backwardsWithoutDrift()
     QVERIFY(std::abs(static_cast<double>(rig.commanded()) - exact) <= 0.5 + 1.0 / 256.0);
 }
 
-// The new program begins at a boundary as the old one ran, then turns round by the ramp.
+// The new program begins at a boundary in the old direction, then reverses by the ramp.
 void TestCamDirection::changeOfSignWhileRunning()
 {
     CamImage cam = sineCam(10'000.0, 800.0, 100, 4'000'000);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cam-point engine driven directly: the cubic, its smoothness, exact wraps both ways, pulses on a
-// straight line from update to update, and which banks are refused.
+// The cam-point engine driven directly: the cubic, its smoothness, exact wraps in both directions, pulses on
+// a straight line between updates, and refused banks.
 #include "ctl_table.h"
 #include "rig.h"
 #include "support/cam_image.h"
@@ -31,14 +31,14 @@ std::unique_ptr<ctl_bank> bankOf(const CamImage& image)
     return bank;
 }
 
-// A master over a bank, at full speed, updates in their rhythm.
+// A master over a bank, at full speed, with regular updates.
 struct Follower {
     explicit Follower(const ctl_bank& bank)
     {
         ctl_table_init(&table, &config);
         ctl_table_reset(&table, &bank);
     }
-    // So many ticks of the master and of time; returns the pulses.
+    // Passes this many ticks of the master and of time; returns the pulses.
     std::int64_t pass(std::uint32_t ticks, std::int32_t direction = 1)
     {
         std::int64_t pulses = 0;
@@ -92,7 +92,7 @@ void TestCamEngine::targetIsTheCubic()
         CamImage image;
         image.cycleTicks = 100'000 + static_cast<std::uint32_t>(random() % 4'000'000'000u);
         const unsigned intervals = 1 + static_cast<unsigned>(random() % 2000);
-        // Half of what 200 kHz allows, as position and as slope.
+        // Half of the slope that 200 kHz allows, as position and as slope.
         const double most = std::min(0.5 * 256.0 * 200'000.0 * image.cycleTicks / 8e6 / intervals, 1e6);
         std::uniform_real_distribution<double> any(-most, most);
         std::int32_t position = 0;
@@ -130,9 +130,9 @@ void TestCamEngine::velocityHasNoSawTooth_data()
     QTest::newRow("1000 intervals") << 1000u;
 }
 
-// Velocity from update to update against that of the curve the table was made from: a step is a second
-// difference of positions that are good to one unit each, so four units at the most. Were the slopes not
-// shared, or the advance at the wrap wrong, steps would stand out at the table's points.
+// Compares the velocity between updates with that of the source curve. A step is a second difference of
+// positions with an error of one unit each, so four units at most. Without shared slopes, or with a wrong
+// advance at the wrap, larger steps would appear at the table's points.
 void TestCamEngine::velocityHasNoSawTooth()
 {
     QFETCH(unsigned, intervals);
@@ -197,7 +197,7 @@ void TestCamEngine::noDriftInAMillionWraps()
     QFETCH(int, direction);
     constexpr std::int64_t wraps = 1'000'000;
     CamImage image = sineCam(net, 20.0, 10, 32'003); // 4 ms
-    image.masterRate = 10'000;                       // its ratio says the cycle to half a tick
+    image.masterRate = 10'000;                       // its ratio gives the cycle to half a tick
     image.remainder = remainder;
     image.divisor = divisor;
     const auto bank = bankOf(image);
@@ -206,7 +206,7 @@ void TestCamEngine::noDriftInAMillionWraps()
              CTL_TRANSFER_RESULT_ACCEPTED);
     Follower follower(*bank);
     std::int64_t sent = 0;
-    // No update moves further than the steepest stretch of the curve takes.
+    // No update moves farther than the steepest part of the curve allows.
     const double most = (std::abs(net) + 20.0 * turn) * updateTicks / image.cycleTicks + 2.0;
     std::int64_t largest = 0;
     while (follower.cycles * direction < wraps) {
@@ -232,7 +232,7 @@ void TestCamEngine::noDriftInAMillionWraps()
     QCOMPARE(sent, static_cast<std::int64_t>(std::floor((static_cast<double>(exact) + 128.0) / 256.0)));
 }
 
-// A master that turns round anywhere, also on the boundary, finds every position again.
+// A master that reverses anywhere, also on the boundary, reaches every position again.
 void TestCamEngine::reversalsComeBack()
 {
     constexpr std::uint64_t seed = 22;
@@ -261,7 +261,7 @@ void TestCamEngine::reversalsComeBack()
     }
 }
 
-// However time is cut, the pulses are those of the line between two updates.
+// The pulses are those of the line between two updates, for any division of time.
 void TestCamEngine::pulsesLieOnTheLine()
 {
     constexpr std::uint64_t seed = 23;
@@ -289,7 +289,7 @@ void TestCamEngine::pulsesLieOnTheLine()
     }
 }
 
-// The last slope goes on without a fraction lost, however time is cut.
+// The last slope continues without losing a fraction, for any division of time.
 void TestCamEngine::holdIsExact()
 {
     constexpr std::uint64_t seed = 24;

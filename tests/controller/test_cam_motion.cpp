@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cams and moves on the bench: homing or none, the master's ramps and reversals, both stops, one run per
-// start, a speed that is held, faults.
+// Cams and moves on the bench: with and without homing, the master's ramps and reversals, both stops, one run
+// per start, a held speed, faults.
 #include "rig.h"
 #include "support/cam_image.h"
 #include "tests/support/test_program.h"
@@ -55,7 +55,7 @@ void TestCamMotion::pointCamHomesToTheMotorsMark()
     QCOMPARE(rig.core().motion.state, CTL_STATE_HOMING);
     QVERIFY(rig.runUntilState(CTL_STATE_RUNNING, 5 * second));
     QVERIFY((rig.status(CTL_REG_STATUS_WARNING) & 1u << CTL_WARNING_BIT_NOT_HOMED) == 0);
-    // The mark lies 300 degrees of the motor behind where it stood at power-up.
+    // The mark is 300 degrees of the motor behind its position at power-up.
     QCOMPARE(rig.core().motion.origin, std::int64_t{4000 / 6 + 1});
     rig.run(5 * second);
     QVERIFY(std::abs(rig.commanded()) <= 2001);
@@ -76,7 +76,7 @@ void TestCamMotion::stopsEndWhereTheyShould_data()
     }
 }
 
-// At the boundary: so many times the advance. Now: anywhere, and from there on again.
+// At the boundary: a multiple of the advance. Now: anywhere, and then from there.
 void TestCamMotion::stopsEndWhereTheyShould()
 {
     QFETCH(unsigned, shape);
@@ -142,7 +142,7 @@ void TestCamMotion::masterTurnsRound()
     rig.run(3 * second);
     for (const std::uint16_t direction : {std::uint16_t{1}, std::uint16_t{0}, std::uint16_t{1}}) {
         rig.setParameter(CTL_REG_PARAMETER_MASTER_DIRECTION, direction);
-        // 30 kHz are 7.5 pulses a slice; a slice of the ramp changes that by hardly anything.
+        // 30 kHz are 7.5 pulses per slice; a slice of the ramp hardly changes that.
         const std::int64_t jolt = rig.largestJolt(3 * second);
         QVERIFY2(jolt <= 2, qPrintable(QString::number(jolt)));
         QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
@@ -178,7 +178,7 @@ void TestCamMotion::moveRunsOncePerStart()
     Rig rig;
     rig.install(move.registers());
     QVERIFY((rig.status(CTL_REG_STATUS_WARNING) & 1u << CTL_WARNING_BIT_NOT_HOMED) == 0);
-    rig.setParameter(CTL_REG_PARAMETER_MASTER_DIRECTION, 1); // is the point cam's alone
+    rig.setParameter(CTL_REG_PARAMETER_MASTER_DIRECTION, 1); // applies only to point cams
     for (int run = 1; run <= 6; ++run) {
         QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
         QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
@@ -246,7 +246,7 @@ void TestCamMotion::speedIsHeldUntilAStop()
         const std::int64_t top = rig.core().motion.commanded;
         QVERIFY(rig.largestJolt(400'000 + settleUs) <= 2);
         QCOMPARE(rig.core().motion.state, CTL_STATE_READY);
-        // Half of what full speed would have made in the ramp, and the two updates under way.
+        // Half of the travel at full speed during the ramp, and two pending updates.
         const std::int64_t braked = rig.core().motion.commanded - top;
         QVERIFY2(std::abs(braked - 4000) <= 90, qPrintable(QString::number(braked)));
         QCOMPARE(rig.status(CTL_REG_STATUS_MASTER_ANGLE), 0);
@@ -315,7 +315,7 @@ void TestCamMotion::masterTooFast()
     cam.advance = 36'000;
     Rig rig;
     rig.install(cam.registers());
-    rig.write(CTL_REG_PARAMETER_FOLLOWING_ERROR_LIMIT, {15, 0}); // the lag itself is not to trip
+    rig.write(CTL_REG_PARAMETER_FOLLOWING_ERROR_LIMIT, {15, 0}); // the lag itself must not cause a fault
     for (int i = 0; i < 2; ++i) {
         QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
         QVERIFY(rig.runUntilState(CTL_STATE_FAULT, second));
@@ -333,7 +333,7 @@ void TestCamMotion::masterTooFast()
     QCOMPARE(rig.core().motion.commanded - before, std::int64_t{10'000});
 }
 
-// The updates keep their rhythm however irregularly the clock is moved on.
+// The updates keep their period for irregular calls.
 void TestCamMotion::callsMayComeAtAnyTime()
 {
     constexpr std::uint64_t seed = 32;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the core's sources may contain: no floating point (an ARM7 has none), no heap, no globals, no foreign
-// headers.
+// The restrictions on the core's sources: no floating point (an ARM7 has none), no heap, no globals, no
+// foreign headers.
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
 
@@ -39,7 +39,7 @@ QList<Source> coreSources()
     return sources;
 }
 
-// Lines of the core that match, each with its file.
+// Returns the matching lines of the core, each with its file.
 QStringList findings(const QString& pattern)
 {
     const QRegularExpression expression(pattern);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanel-controller as a process: its port, its options, its end, its flash; and what it costs when idle.
+// campanel-controller as a process: its port, its options, its end, its flash; and its idle load.
 #include "rig.h"
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
@@ -29,7 +29,7 @@ namespace {
 constexpr int answerTimeoutMs = 3000;
 constexpr int startTimeoutMs = 10000;
 
-// The program, with a state directory of its own unless the arguments name one.
+// The program, with a state directory of its own unless the arguments set one.
 class Program {
 public:
     explicit Program(QStringList arguments = {})
@@ -53,7 +53,7 @@ public:
     }
     [[nodiscard]] QString port() const { return m_port; }
     [[nodiscard]] qint64 processId() const { return m_process.processId(); }
-    // How it ended when it was asked to.
+    // Ends the program and returns true for a clean exit.
     [[nodiscard]] bool endsCleanly()
     {
         m_process.terminate();
@@ -93,7 +93,7 @@ public:
         if (write(m_descriptor, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()))
             qFatal("cannot write to the port");
     }
-    // As many bytes as asked for, fewer when they do not come in time.
+    // Returns the requested number of bytes, fewer when they do not arrive in time.
     [[nodiscard]] Bytes receive(std::size_t size) const
     {
         Bytes bytes;
@@ -120,7 +120,7 @@ private:
 const Bytes readDeviceType{1, 3, 0, 0, 0, 1};
 const Bytes readStatus{1, 3, 1, 0, 0, 40};
 
-// Exit code and what was written to the error stream.
+// Returns the exit code and the error output.
 std::pair<int, QByteArray> runToEnd(const QStringList& arguments)
 {
     QProcess process;
@@ -253,7 +253,7 @@ void TestExecutable::answersTakeAsLongAsOnTheWire_data()
     QTest::addColumn<int>("baud");
     QTest::addColumn<QString>("parity");
     QTest::addColumn<double>("leastMs");
-    // 8 bytes there, 3.5 characters of silence, 85 bytes back.
+    // 8 bytes out, 3.5 characters of silence, 85 bytes back.
     QTest::newRow("115200 8N1") << 115200 << u"N"_s << (93 * 10 / 115.2 + 1.75);
     QTest::newRow("9600 8E1") << 9600 << u"E"_s << (93 + 3.5) * 11 / 9.6;
 }
@@ -370,7 +370,7 @@ void TestExecutable::endsWithItsParent()
     QCOMPARE(kill(static_cast<pid_t>(controller), 0), 0);
     shell.kill();
     shell.waitForFinished();
-    const auto isGone = [controller] { // or waits for whoever inherits it
+    const auto isGone = [controller] { // or waits for its new parent
         QFile status(u"/proc/%1/stat"_s.arg(controller));
         return !status.open(QIODevice::ReadOnly) || status.readAll().contains(") Z ");
     };
@@ -391,7 +391,7 @@ void TestExecutable::idlesCheaply()
     const Port port(controller.port());
     pollfd nothing{port.descriptor(), POLLIN, 0};
     constexpr int idleMs = 2000;
-    QCOMPARE(poll(&nothing, 1, idleMs), 0); // an idle controller says nothing
+    QCOMPARE(poll(&nothing, 1, idleMs), 0); // an idle controller prints nothing
     const qint64 usedMs = processorMs() - beforeMs;
     qInfo("%.1f %% of a processor", 100.0 * static_cast<double>(usedMs) / idleMs);
     QVERIFY(usedMs <= idleMs * 3 / 100);

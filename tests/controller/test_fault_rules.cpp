@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The language of fault scripts: what it says, and the sentence for what is wrong in it.
+// The language of fault scripts: valid rules, and the sentences for errors.
 #include "fault_rules.h"
 #include "tests/support/test_program.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every fault of the line on made-up time, with a controller that answers at once: what it hears and what the
-// panel hears, byte by byte.
+// Every fault of the line on simulated time, with a controller that answers at once: what both sides receive,
+// byte by byte.
 #include "fault_bench.h"
 #include "tests/support/test_program.h"
 
@@ -95,7 +95,7 @@ void TestFaultyLine::lostAndRepeatedFrames()
     }
 }
 
-// Between the pieces the line is silent for less than 3.5 characters; what the second one takes is no
+// Between the pieces the line is silent for less than 3.5 characters; the time of the second one is not
 // silence.
 void TestFaultyLine::requestInTwoPieces()
 {
@@ -132,7 +132,7 @@ void TestFaultyLine::lateRequestsKeepTheirOrder()
     bench.ask();
     bench.runTo(100 * ms);
     QVERIFY(bench.m_heard.empty());
-    bench.ask(framed({1, 3, 0, 0, 0, 4})); // waits behind it, without silence between the two
+    bench.ask(framed({1, 3, 0, 0, 0, 4})); // waits behind it, without silence between both
     bench.runTo(300 * ms);
     QVERIFY(bench.m_heard == std::vector<FrameBytes>{joined({question, framed({1, 3, 0, 0, 0, 4})})});
 }
@@ -149,7 +149,7 @@ void TestFaultyLine::damagedAnswers()
     const FrameBytes longer = Bench("trailing bytes=4").exchange();
     QCOMPARE(longer.size(), reply.size() + 4);
     QVERIFY(std::equal(reply.begin(), reply.end(), longer.begin()));
-    // Whatever is flipped, the checksum never fits by chance.
+    // The checksum never matches by chance.
     Bench bench("corrupt bits=4");
     for (int i = 0; i < 2000; ++i)
         QVERIFY(!hasRightCrc(bench.exchange(50 * ms)));
@@ -247,7 +247,7 @@ void TestFaultyLine::secondMasterIsHeard()
         const FrameBytes& foreign = bench.m_heard.at(static_cast<std::size_t>(1 - own));
         QVERIFY(hasRightCrc(foreign));
         QVERIFY(foreign != question);
-        QCOMPARE(int{foreign.at(5)}, 3); // as many registers, so that its answer looks like the panel's
+        QCOMPARE(int{foreign.at(5)}, 3); // as many registers, so the answer looks like the panel's
         QVERIFY(heard == (own == 1 ? joined({foreign, reply, reply}) : joined({reply, foreign, reply})));
     }
 }
@@ -310,7 +310,7 @@ void TestFaultyLine::restartLosesWhatIsUnderWay()
 void TestFaultyLine::newRulesEndWhatIsUnderWay_data()
 {
     QTest::addColumn<QByteArray>("script");
-    QTest::addColumn<int>("event"); // what is still to come, -1: nothing
+    QTest::addColumn<int>("event"); // future event, -1: none
     QTest::newRow("silence") << QByteArray("silence time=1e8") << -1;
     QTest::newRow("wrong baud") << QByteArray("wrong-baud time=1e8 limit=1") << -1;
     QTest::newRow("unplugged") << QByteArray("unplug when=idle time=1e8")
@@ -343,7 +343,7 @@ void TestFaultyLine::identityIsThatOfTheRule()
     bench.ask(framed({1, 23, 3, 0x10, 0, 5, 3, 0, 0, 3, 6, 0, 5, 0, 0, 0, 2}));
     bench.runTo(100 * ms);
     QVERIFY(bench.m_panel == framed({1, 23, 10, 0, 5, 0, 0, 0, 2, 0xCA, 0x3D, 0, 7}));
-    // Others are left alone.
+    // Other requests are unchanged.
     Bench other("map-version major=7");
     other.ask(framed({1, 3, 0, 3, 0, 3}));
     other.runTo(100 * ms);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What survives a power loss: program, parameters, generation; a power cut at any byte leaves the older slot.
+// The data that survives a power loss: program, parameters, generation; a power cut at any byte leaves the
+// older slot.
 #include "rig.h"
 #include "support/cam_image.h"
 #include "tests/support/test_program.h"

@@ -15,7 +15,7 @@ using namespace campanel::test;
 
 namespace {
 
-// What a write would change.
+// Returns the memory that a write would change.
 std::string memoryOf(const ctl_core& core)
 {
     return std::string(reinterpret_cast<const char*>(&core.written), sizeof core.written) +
@@ -162,7 +162,7 @@ void TestFrames::endsAFrameOnlyAfterTheSilence()
     QCOMPARE(ctl_take_answer(&rig.core(), answer.data()), std::size_t{0});
     rig.run(250);
     QCOMPARE(ctl_take_answer(&rig.core(), answer.data()), std::size_t{7});
-    // ... 1.75 ms apart it is two bad ones, also when nobody looked in between.
+    // ... 1.75 ms apart it is two bad ones, also without a call in between.
     ctl_receive(&rig.core(), request.data(), 3, rig.controller().nowUs());
     ctl_receive(&rig.core(), request.data() + 3, request.size() - 3, rig.controller().nowUs() + 1750);
     rig.run(4000);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stops the machine by itself: jog without a heartbeat, a lost panel, a drive that does not follow, a
+// The automatic stops of the machine: jog without a heartbeat, a lost panel, a drive that does not follow, a
 // damaged table.
 #include "rig.h"
 #include "tests/support/test_program.h"
@@ -41,7 +41,7 @@ void TestGuards::jogDiesWithTheHeartbeat()
     QCOMPARE(ctl_motion_commanded_hz(&rig.core()), std::int64_t{1000});
     rig.heartbeat(1u << CTL_JOG_BIT_FORWARD);
     const std::uint64_t lastUs = rig.core().heartbeat.advanced_us;
-    // The same heartbeat again is none.
+    // The same heartbeat again does not count.
     const Registers same = rig.read(CTL_REG_EXCHANGE_TAG, 3);
     rig.write(CTL_REG_EXCHANGE_TAG, same);
     rig.controller().runTo(lastUs + 199'750);
@@ -51,7 +51,7 @@ void TestGuards::jogDiesWithTheHeartbeat()
     rig.controller().runTo(lastUs + 250'250);
     QCOMPARE(rig.core().motion.state, CTL_STATE_IDLE);
     const std::int64_t stopped = rig.core().motion.commanded;
-    // It does not come back with the heartbeat while the key is still held.
+    // It does not restart with the heartbeat while the key is still held.
     for (int i = 0; i < 5; ++i) {
         rig.heartbeat(1u << CTL_JOG_BIT_FORWARD);
         rig.run(50'000);
@@ -139,7 +139,7 @@ void TestGuards::followingErrorStopsThePulses()
     QCOMPARE(rig.core().motion.commanded, stopped);
     QCOMPARE(rig.status(CTL_REG_STATUS_MASTER_SPEED), 0);
     QCOMPARE(rig.command(CTL_COMMAND_HOME), CTL_REFUSAL_IN_FAULT);
-    // What the drive did not follow is written off; the knife has to be homed again.
+    // Unfollowed pulses are discarded; the knife must be homed again.
     rig.controller().machine().setDriveOn(true);
     QCOMPARE(rig.command(CTL_COMMAND_RESET_FAULT), CTL_REFUSAL_NONE);
     QCOMPARE(rig.status(CTL_REG_STATUS_FAULT), 0);
@@ -174,7 +174,7 @@ void TestGuards::damagedTableIsNoticed()
     QCOMPARE(rig.status(CTL_REG_STATUS_FAULT), 1u << CTL_FAULT_BIT_ACTIVE_TABLE_DAMAGED);
     rig.run(second);
     QCOMPARE(rig.command(CTL_COMMAND_RESET_FAULT), CTL_REFUSAL_FAULT_PERSISTS);
-    rig.install(camBank(10000, 1, 8'000'000)); // a new download is the way out
+    rig.install(camBank(10000, 1, 8'000'000)); // a new download corrects it
     QCOMPARE(rig.command(CTL_COMMAND_RESET_FAULT), CTL_REFUSAL_NONE);
     rig.start();
 }
@@ -183,7 +183,7 @@ void TestGuards::homingWithoutMarkIsAFault()
 {
     Rig rig;
     rig.install(camBank(10000, 1, 8'000'000));
-    rig.write(CTL_REG_PARAMETER_FOLLOWING_ERROR_LIMIT, {15, 0}); // 983040: the lag itself is not to trip
+    rig.write(CTL_REG_PARAMETER_FOLLOWING_ERROR_LIMIT, {15, 0}); // 983040: the lag must not cause a fault
     rig.controller().machine().setDriveOn(false);
     rig.command(CTL_COMMAND_START);
     QVERIFY(rig.runUntilState(CTL_STATE_FAULT, 15 * second));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The interval engine: the published pulse times of CamMov(10, 50, 800, 40000), the corrected total, the
-// status bits of the double buffer, and equality with the accumulators gone through iteration by iteration.
+// status bits of the double buffer, and equality with a simulation iteration by iteration.
 #include "ctl_interval.h"
 #include "ctl_words.h"
 #include "rig.h"
@@ -25,7 +25,7 @@ const ctl_interval_row paperRow{10, 50, 800, 40000};
 // Speeds times k = 2^23 / (50e6 / 6) = 1.00663296, the acceleration times k squared, 8 bits of fraction.
 const ctl_interval_row correctedRow{10, 12885, 206158, 10376294};
 
-// The flow chart of the paper, one iteration after the other.
+// The flow chart of the paper, iteration by iteration.
 struct PlainModel {
     unsigned fraction = 0;
     std::uint64_t now = 0;
@@ -62,7 +62,7 @@ ctl_dda standing(std::uint32_t fraction)
     return dda;
 }
 
-// Iteration of every pulse, the generator asked for one iteration at a time.
+// Returns the iteration of every pulse, with single-iteration calls of the generator.
 std::vector<std::uint64_t> singleSteps(ctl_dda& dda)
 {
     std::vector<std::uint64_t> pulses;
@@ -74,7 +74,7 @@ std::vector<std::uint64_t> singleSteps(ctl_dda& dda)
     return pulses;
 }
 
-// Short enough to be gone through one iteration after the other; the ramp's whole pulses fit.
+// Returns a row short enough for a simulation iteration by iteration; the ramp's whole pulses fit.
 ctl_interval_row randomRow(std::mt19937_64& random, unsigned fraction)
 {
     const auto pick = [&random](std::uint64_t low, std::uint64_t high) {
@@ -148,7 +148,7 @@ private slots:
     void check();
 };
 
-// The times were found with an independent model in another language; the tenth is the published 21.442 ms.
+// The times come from an independent model in another language; the tenth is the published 21.442 ms.
 void TestIntervalEngine::publishedPulseTimes()
 {
     const std::vector<std::uint64_t> expectedNs{5'980'440,  8'897'400,  11'145'720, 13'044'600, 14'719'200,
@@ -166,7 +166,7 @@ void TestIntervalEngine::publishedPulseTimes()
         QVERIFY(timesNs.size() < 11 && now < 1'000'000);
     }
     QCOMPARE(timesNs, expectedNs);
-    // V1 is reached while the eighth pulse is on its way, so that eight intervals between pulses shrink.
+    // V1 is reached before the eighth pulse, so that eight intervals between pulses become shorter.
     QCOMPARE(reachedNs, std::vector<std::uint64_t>{18'874'440});
     QVERIFY(reachedNs[0] > timesNs[6] && reachedNs[0] <= timesNs[7]);
     for (std::size_t i = 1; i < 8; ++i)
@@ -201,7 +201,7 @@ void TestIntervalEngine::doubleBuffer()
     std::uint32_t iterations = 1'000'000;
     QCOMPARE(ctl_dda_iterate(&dda, &iterations), 3u);
     QCOMPARE(iterations, (3u << 23u) / 800u + 1u);
-    // Taken over with the pulse that ended the first: writable again, the last speed not reached.
+    // Accepted with the last pulse of the first: writable again, the last speed not reached.
     QCOMPARE(ctl_dda_status(&dda), std::uint32_t{CTL_DDA_WRITABLE});
     iterations = 1'000'000;
     QCOMPARE(ctl_dda_iterate(&dda, &iterations), 2u);
@@ -306,7 +306,7 @@ void TestIntervalEngine::clocksAreKeptExactly()
             const auto due = std::ranges::upper_bound(once, iterations) - once.begin();
             QCOMPARE(emitted, cycle * once.size() + static_cast<std::uint64_t>(due));
         }
-        // The tick in which the last pulse came.
+        // The tick of the last pulse.
         QCOMPARE(ticksPassed, ((cycle + 1) * once.back() * 24 + 24) / 25);
     }
 }
@@ -318,7 +318,7 @@ void TestIntervalEngine::fractionOwed_data()
     QTest::newRow("backward") << true;
 }
 
-// advance + 2/3 per cycle, whichever the direction.
+// advance + 2/3 per cycle, in either direction.
 void TestIntervalEngine::fractionOwed()
 {
     QFETCH(bool, backwards);
@@ -340,7 +340,7 @@ void TestIntervalEngine::fractionOwed()
     }
 }
 
-// After the ten pulses the accumulators run on at the last speed, without a gap.
+// After the ten pulses the accumulators continue at the last speed, without a gap.
 void TestIntervalEngine::holdsTheLastSpeed()
 {
     const auto bank = bankOf(std::vector{correctedRow}, 8, true);
@@ -359,7 +359,7 @@ void TestIntervalEngine::holdsTheLastSpeed()
         QVERIFY(ctl_interval_holding(&interval));
     }
     QVERIFY(!ctl_interval_between_cycles(&interval));
-    QCOMPARE(ctl_interval_hz(&interval), std::int64_t{-799}); // 799.9995, cut off
+    QCOMPARE(ctl_interval_hz(&interval), std::int64_t{-799}); // 799.9995, truncated
     PlainModel plain{8};
     (void)plain.run(correctedRow);
     const std::uint64_t rest = std::uint64_t{25'000'000} * seconds / 3 - plain.now;
@@ -369,7 +369,7 @@ void TestIntervalEngine::holdsTheLastSpeed()
 
 void TestIntervalEngine::check_data()
 {
-    QTest::addColumn<unsigned>("offset"); // of the register that is spoiled, from the header or the row
+    QTest::addColumn<unsigned>("offset"); // of the corrupted register, from the header or the row
     QTest::addColumn<bool>("inRow");
     QTest::addColumn<unsigned>("value");
     QTest::addColumn<unsigned>("result");

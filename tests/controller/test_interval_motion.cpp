@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Moves of intervals on the bench, by commands: one run per start, a speed that is held, both stops, flash,
-// refusals. Positions are compared with evenly accelerated motion in floating point.
+// Moves of intervals on the bench, by commands: one run per start, a held speed, both stops, flash, refusals.
+// Positions are compared with uniformly accelerated motion in floating point.
 #include "rig.h"
 #include "support/cam_image.h"
 #include "support/interval_image.h"
@@ -48,7 +48,7 @@ private slots:
     void refusals();
 };
 
-// 2/3 pulse per run are owed, towards plus infinity whichever the direction.
+// 2/3 pulse per run are owed, towards plus infinity in either direction.
 void TestIntervalMotion::moveRunsOncePerStart()
 {
     QFETCH(bool, backwards);
@@ -58,7 +58,7 @@ void TestIntervalMotion::moveRunsOncePerStart()
     Rig rig;
     rig.install(move.registers());
     QVERIFY((rig.status(CTL_REG_STATUS_WARNING) & 1u << CTL_WARNING_BIT_NOT_HOMED) == 0);
-    rig.setParameter(CTL_REG_PARAMETER_MASTER_DIRECTION, 1); // is the point cam's alone
+    rig.setParameter(CTL_REG_PARAMETER_MASTER_DIRECTION, 1); // applies only to point cams
     const std::int64_t begin = rig.core().motion.commanded;
     const double sign = backwards ? -1 : 1;
     for (std::int64_t run = 1; run <= 6; ++run) {
@@ -70,7 +70,7 @@ void TestIntervalMotion::moveRunsOncePerStart()
         double endS = 0;
         while (rig.core().motion.state == CTL_STATE_RUNNING) {
             rig.controller().step();
-            // The table's own ticks: what passed between the command and its first slice is not its time.
+            // The table's own ticks: the time between the command and its first slice is not included.
             const std::uint32_t ticks = rig.core().motion.table.interval.cycle_ticks;
             endS = ticks / 8e6;
             const auto moved = static_cast<double>(rig.core().motion.commanded - runBegin);
@@ -106,7 +106,7 @@ void TestIntervalMotion::moveStoppedMidwayIsOver()
     QCOMPARE(rig.command(CTL_COMMAND_STOP_NOW), CTL_REFUSAL_NONE);
     const std::int64_t top = rig.core().motion.commanded;
     QVERIFY(rig.largestJolt(second / 10) <= 2);
-    // Half-way through the ramp the generator runs at half its pace.
+    // Half-way through the ramp the generator runs at half its speed.
     const std::int32_t hz = rig.signedWide(CTL_REG_STATUS_COMMANDED_FREQUENCY);
     QVERIFY(std::abs(std::abs(hz) - 9700) < 500 && (hz < 0) == backwards);
     QVERIFY(rig.largestJolt(second / 10) <= 2);
@@ -176,7 +176,7 @@ void TestIntervalMotion::speedIsHeldUntilAStop()
         QVERIFY(rig.largestJolt(390'000) <= 1);
         QVERIFY(rig.runUntilState(CTL_STATE_READY, second / 10));
         QVERIFY(rig.controller().nowUs() - begunUs <= 405'000);
-        // Half of what the held speed would have made in the ramp, and the time that the command took.
+        // Half of the travel at the held speed during the ramp, and the time of the command.
         const std::int64_t braked = sign * (rig.core().motion.commanded - top);
         QVERIFY2(std::abs(braked - 4000) <= 60, qPrintable(QString::number(braked)));
         QCOMPARE(rig.status(CTL_REG_STATUS_MASTER_ANGLE), 0);
@@ -238,7 +238,7 @@ void TestIntervalMotion::survivesPowerLoss()
     QCOMPARE(rig.core().motion.commanded - begin, move.advance());
 }
 
-// A damaged number of rows leads neither the engine nor the check of the bank out of it.
+// A damaged number of rows leads neither the engine nor the check outside the bank.
 void TestIntervalMotion::damagedWhileRunning()
 {
     Rig rig;

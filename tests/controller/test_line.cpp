@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paced line on made-up time: bytes take as long as on the wire, in both directions.
+// The paced line on simulated time: bytes take as long as on the wire, in both directions.
 #include "line.h"
 #include "tests/support/test_program.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fault rules given to the running program: what it answers, and what happens to its port.
+// Fault rules sent to the running program: its answers, and the state of its port.
 #include "rig.h"
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
@@ -43,7 +43,7 @@ public:
     }
     [[nodiscard]] QString path(const QString& name) const { return m_folder.filePath(name); }
     [[nodiscard]] QString port() const { return m_port; }
-    // The next line that it prints, empty when none comes.
+    // Returns the next printed line, empty when none comes.
     [[nodiscard]] QString line()
     {
         while (!m_process.canReadLine()) {
@@ -68,7 +68,7 @@ private:
 const Bytes readDeviceType{1, 3, 0, 0, 0, 1};
 const Bytes deviceTypeAnswer{1, 3, 2, 0xCA, 0x3D};
 
-// What comes within the time, at most as long as a right answer; a port that has gone gives nothing.
+// Returns the bytes within the time, at most the length of a correct answer; nothing for a lost port.
 Bytes ask(const QString& path, int timeMs)
 {
     const int port = open(QFile::encodeName(path).constData(), O_RDWR | O_NOCTTY | O_CLOEXEC);
@@ -136,7 +136,7 @@ void TestLiveFaults::portComesBackUnderAnotherName()
     QVERIFY(!QFileInfo::exists(controller.path(u"port"_s)));
     QCOMPARE(QFile::symLinkTarget(other), back.mid(5));
     QVERIFY(ask(other, waitMs) == frame(deviceTypeAnswer));
-    // Unplugged for an hour, and called back.
+    // Unplugged for an hour, and restored.
     QCOMPARE(controller.tell("unplug when=idle time=3600000 limit=1"), u"ok 1"_s);
     QVERIFY(ask(other, waitMs) == frame(deviceTypeAnswer));
     QCOMPARE(controller.line(), u"unplugged"_s);
@@ -208,7 +208,7 @@ void TestLiveFaults::thereIsNothingToMeasureBeforeABag()
     QCOMPARE(controller.tell("exception code=4"), u"ok 0"_s);
     QCOMPARE(controller.tell("measure"), u"measured none"_s);
     QVERIFY(ask(controller.port(), 200) == frame({1, 0x83, 4}));
-    QCOMPARE(controller.tell("clear"), u"ok 1"_s); // measuring is no rule
+    QCOMPARE(controller.tell("clear"), u"ok 1"_s); // measuring is not a rule
 }
 
 void TestLiveFaults::endOfInputIsNotTheEnd()

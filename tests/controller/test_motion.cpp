@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// States and motion: homing, start, both stops, change while running, the cut bags.
+// States and motion: homing, start, both stops, change during a run, the cut bags.
 #include "rig.h"
 #include "tests/support/test_program.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t second = 1'000'000;
 
-// Pulses that so many whole cycles of K / N pulses have.
+// Returns the pulses of this many whole cycles of K / N pulses.
 std::int64_t pulsesOf(const BankImage& bank, std::uint64_t cycles)
 {
     return static_cast<std::int64_t>(cycles * bank.pulsesPerMotorRev / bank.knives);
@@ -74,7 +74,7 @@ void TestMotion::homingFindsTheMark()
         QCOMPARE(rig.command(CTL_COMMAND_HOME), CTL_REFUSAL_NONE);
         QVERIFY(rig.runUntilState(CTL_STATE_READY, 10 * second));
         rig.run(second / 10);
-        // The knife stands on its mark as the machine knows it, not only as the controller believes.
+        // The knife is at its mark in the machine, not only in the controller.
         const double physical = std::fmod(
             start / 360.0 * 10000 + static_cast<double>(rig.controller().machine().encoder()), 10000.0);
         QVERIFY2(std::min(physical, 10000.0 - physical) <= 1.0, qPrintable(QString::number(physical)));
@@ -110,7 +110,7 @@ void TestMotion::rampReachesTheTablesSpeed()
     QVERIFY(std::abs(static_cast<int>(rig.status(CTL_REG_STATUS_MASTER_SPEED)) - 5000) <= 25);
     rig.run(450'000);
     QCOMPARE(rig.status(CTL_REG_STATUS_MASTER_SPEED), 10000);
-    // Encoder speed follows the commanded one: compare the means of a cycle.
+    // The encoder speed follows the commanded one: compare the means of a cycle.
     std::int64_t commanded = 0;
     std::int64_t actual = 0;
     for (int i = 0; i < 4000; ++i) {
@@ -156,7 +156,7 @@ void TestMotion::stopAtCycleEndEndsOnTheBoundary()
             const std::uint32_t speed = ramp.speed;
             rig.controller().step();
             QVERIFY(rig.core().motion.commanded >= last);
-            // 2000 ticks of ramp a step; the last creeping aside, never much harder than that.
+            // 2000 ticks of ramp per step; except for the last slow part, never much more.
             QVERIFY(speed <= ramp.speed + 4000 || speed < ramp.full / 100);
             last = rig.core().motion.commanded;
             QVERIFY(rig.controller().nowUs() - begunUs < 60 * second);
@@ -234,7 +234,7 @@ void TestMotion::changeWhileRunningDoesNotJump()
         generation += 1;
         QCOMPARE(rig.core().banks.generation, generation);
         QCOMPARE(rig.core().banks.active_crc, crc32(image));
-        // It took over at a boundary: what is left of the step belongs to the new table's first row.
+        // It changed at a boundary: the rest of the step belongs to the new table's first row.
         const ctl_step& step = rig.core().motion.table.step;
         QVERIFY(step.cycle_ticks <= 2000);
         QCOMPARE(rig.commanded(), pulsesOf(slow, rig.core().motion.cycle_count) + step.row_pulses);
@@ -248,7 +248,7 @@ void TestMotion::changeWhileRunningDoesNotJump()
 void TestMotion::changeAtStandstillMidCycleHomesAgain()
 {
     campanel::controller::MachineOptions options;
-    options.products.missing = 1.0; // none that the knife has to wait for
+    options.products.missing = 1.0; // no product for the knife to wait for
     Rig rig(options);
     rig.install(camBank(10000, 1, 8'000'000));
     rig.start();
@@ -261,7 +261,7 @@ void TestMotion::changeAtStandstillMidCycleHomesAgain()
     QCOMPARE(rig.core().motion.state, CTL_STATE_HOMING);
     QVERIFY(rig.runUntilState(CTL_STATE_RUNNING));
     QCOMPARE(rig.commanded(), std::int64_t{0});
-    // At a boundary the phase is kept and no homing is needed.
+    // At a boundary the phase is kept and homing is not necessary.
     rig.run(second);
     rig.command(CTL_COMMAND_STOP_AT_CYCLE_END);
     QVERIFY(rig.runUntilState(CTL_STATE_READY));
@@ -286,13 +286,13 @@ void TestMotion::armedChangeSurvivesStop()
     rig.command(CTL_COMMAND_STOP_AT_CYCLE_END);
     QCOMPARE(rig.core().banks.generation, 1u);
     QVERIFY(rig.runUntilState(CTL_STATE_READY));
-    QCOMPARE(rig.core().banks.generation, 2u); // the boundary came with the standstill
+    QCOMPARE(rig.core().banks.generation, 2u); // the boundary was reached at standstill
     QCOMPARE(rig.core().banks.active_crc, crc32(image));
     QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
     QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
 }
 
-// While it slows down over several cycles the table stays; the change comes with the last boundary.
+// The table stays during a slow-down over several cycles; the change comes with the last boundary.
 void TestMotion::armedChangeWaitsForTheEndOfTheStop()
 {
     const Registers image = camBank(10000, 1, 1'200'000).registers();
@@ -354,7 +354,7 @@ void TestMotion::bagsAreMeasured()
     exact.run(10 * second);
     const std::uint32_t bags = exact.statusWide(CTL_REG_STATUS_BAG_COUNT);
     QVERIFY(bags >= 8 && bags <= 10);
-    // The table's steps and the servo leave some hundredths of a millimetre.
+    // The table's steps and the servo leave some hundredths of a millimeter.
     QVERIFY(std::abs(static_cast<int>(exact.statusWide(CTL_REG_STATUS_BAG_LENGTH)) - 250'000) <= 30);
     QCOMPARE(static_cast<std::int16_t>(exact.status(CTL_REG_STATUS_BAG_DEVIATION)),
              static_cast<int>(exact.statusWide(CTL_REG_STATUS_BAG_LENGTH)) - 250'000);

@@ -24,7 +24,7 @@ tl::expected<Options, Ending> parse(std::vector<std::string> words)
     std::vector<char*> arguments;
     for (std::string& word : words)
         arguments.push_back(word.data());
-    optind = 0; // getopt begins anew
+    optind = 0; // restarts getopt
     const auto count = static_cast<int>(arguments.size());
     arguments.push_back(nullptr);
     return parseOptions(count, arguments.data());

@@ -28,7 +28,7 @@ BankImage cutter(std::uint32_t bagUm = 250'000)
     return bank;
 }
 
-// Nothing goes wrong by itself.
+// Returns a machine without disturbances.
 MachineOptions calm()
 {
     MachineOptions options;
@@ -42,7 +42,7 @@ MachineOptions calm()
     return options;
 }
 
-// Deviations of the bags cut while it runs for so long, mm.
+// Returns the deviations of the bags cut during this time, mm.
 std::vector<double> bagsOf(Rig& rig, std::uint64_t timeUs)
 {
     std::vector<double> deviations;
@@ -96,7 +96,7 @@ void TestPackingLine::filmIsDrawnExactly()
     rig.run(20'000'000);
     const ctl_packer& packer = rig.core().packer;
     QVERIFY(packer.number > 90);
-    // 100.001 mm are 1706683.7 in 1/256 pulse of 0.015 mm: rounded down once, then exact for good.
+    // 100.001 mm are 1706683.7 in 1/256 pulse of 0.015 mm: rounded down once, then exact.
     const std::int64_t bag = 100'001LL * 10'000 * 256 / 150'000;
     QCOMPARE(packer.film.start, packer.number * bag);
     QVERIFY(std::abs(static_cast<double>(packer.film_sent) * fine -
@@ -171,12 +171,12 @@ void TestPackingLine::knifeStaysOpenOverAProduct()
     }
     QVERIFY(stood);
     QVERIFY(packer.skipped > 20);
-    // Not one cut more or fewer than there are bags of film.
+    // The cuts correspond exactly to the bags of film.
     QVERIFY(std::abs(static_cast<int>(packer.skipped) + cuts -
                      static_cast<int>(packer.film.start / packer.bag)) <= 3);
 }
 
-// Whenever it begins anew the knife may stand before a product that nobody asked about.
+// At every start the knife may be above an unchecked product.
 void TestPackingLine::firstCutIsAskedAboutToo()
 {
     MachineOptions options;
@@ -254,7 +254,7 @@ void TestPackingLine::filmWaitsForAProduct()
     QCOMPARE(empty, 0u);
     QCOMPARE(packer.saved_um, std::uint64_t{250'000} * packer.empty);
     QVERIFY(std::abs(cuts + static_cast<int>(packer.empty) - 400) < 12);
-    // Infeed and film are as many cycles apart as bags were saved.
+    // Infeed and film are apart by the cycles of the saved bags.
     const double apart =
         static_cast<double>(packer.number * packer.bag - packer.film.start) / static_cast<double>(packer.bag);
     QVERIFY2(std::abs(apart - packer.empty) < 1.1, qPrintable(QString::number(apart)));
@@ -335,7 +335,7 @@ void TestPackingLine::jogIsForgottenByTheNextRun()
     rig.start();
     const ctl_packer& packer = rig.core().packer;
     rig.run(30 * cycleUs);
-    QCOMPARE(packer.infeed.start % packer.flight, 0); // back among the products' places
+    QCOMPARE(packer.infeed.start % packer.flight, 0); // again among the products' places
     QCOMPARE(packer.marks.state, CTL_MARK_STATE_TRACKING);
     QVERIFY(largest(bagsOf(rig, 20 * cycleUs)) < 0.05);
 }
@@ -357,7 +357,7 @@ void TestPackingLine::teachingMeasuresTheMarks()
     QVERIFY(rig.status(CTL_REG_PACKER_TEACH_SCATTER) < 5);
 }
 
-// A slot as controllers with ten parameters wrote it.
+// A slot as written by controllers with ten parameters.
 void TestPackingLine::feedsThatAreTooFastAreRefused()
 {
     Rig rig;
@@ -424,7 +424,7 @@ void TestPackingLine::registersTellWhatHappens()
     const unsigned newest = CTL_REG_PACKER_BAGS + CTL_BAG_REGISTERS * (packer.bags % CTL_BAG_RECORDS);
     QVERIFY(std::abs(static_cast<std::int16_t>(at(newest))) < 20);
     QCOMPARE(at(newest + 3), 1u << CTL_BAG_BIT_TRACKED | 1u << 8);
-    // Cuts a bag apart, marks where the cuts are, a product in the middle between two of them.
+    // Cuts are a bag apart, marks at the cuts, a product in the middle between two of them.
     const auto tenths = [&](unsigned address) { return static_cast<std::int16_t>(at(address)); };
     for (unsigned i = 0; i + 1 < CTL_VIEW_CUTS; ++i)
         QVERIFY(std::abs(tenths(CTL_REG_PACKER_CUTS + i + 1) - tenths(CTL_REG_PACKER_CUTS + i) - 2500) <= 4);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of a packing machine's line alone: gate, feed, marks, products.
+// The separate parts of a packing machine's line: gate, feed, marks, products.
 #include "ctl_feed.h"
 #include "ctl_gate.h"
 #include "ctl_marks.h"
@@ -33,7 +33,7 @@ ctl_mark_settings markSettings()
     return settings;
 }
 
-// Two marks were seen, a bag apart, the second one at 2 bags.
+// Returns marks after two of them, a bag apart, the second one at 2 bags.
 ctl_marks followingMarks()
 {
     ctl_marks marks{};
@@ -60,7 +60,7 @@ ctl_product_settings productSettings()
     return settings;
 }
 
-// Product `number` goes by under the eye, `behind` its place.
+// Passes product `number` under the eye, `behind` its place.
 void passEye(ctl_products& products, std::int64_t number, std::int64_t behind, std::int64_t length)
 {
     const ctl_product_settings& settings = products.settings;
@@ -94,7 +94,7 @@ private slots:
     void acrossMeansWithClearance();
 };
 
-// Any window, any pieces, any answers. Seeds are fixed; the failing one is in the message.
+// Any window, pieces and answers. Seeds are fixed; the message contains the failing one.
 void TestPackingParts::gateLagsByWholeCyclesAndIsNeverSlowInTheWindow()
 {
     for (std::uint32_t seed = 1; seed <= 300; ++seed) {
@@ -153,7 +153,7 @@ void TestPackingParts::gateStandsAtTheBoundary()
     ctl_gate_answer(&gate, false);
     QCOMPARE(gate.state, CTL_GATE_STATE_GAINING);
     QCOMPARE(ctl_gate_advance(&gate, 800), 400u);
-    // 600 + 800 + 200 + 1000 + 800 of the driver are 3400: two cycles and 400 were left out.
+    // 600 + 800 + 200 + 1000 + 800 of the driver are 3400: two cycles and 400 were skipped.
     QCOMPARE(gate.state, CTL_GATE_STATE_RUNNING);
     QCOMPARE(gate.phase, 400u);
 }
@@ -219,7 +219,7 @@ void TestPackingParts::marksAreFoundAndReckonedBack()
     QCOMPARE(marks.state, CTL_MARK_STATE_ALIGNING);
     QCOMPARE(newest(marks).at, 2 * bag + sensor);
     QVERIFY(newest(marks).seen);
-    // Those between sensor and knife went by before anybody looked.
+    // Those between sensor and knife had passed before the start.
     QCOMPARE(marks.count, 5u);
     for (std::uint32_t i = 0; i < 4; ++i) {
         QCOMPARE(ctl_marks_waiting(&marks, i)->at, newest(marks).at - (4 - i) * bag);
@@ -233,7 +233,7 @@ void TestPackingParts::errorIsDividedBetweenSlipAndLength()
     const std::int64_t first = ctl_marks_waiting(&marks, 0)->at;
     ctl_marks_see(&marks, 3 * bag + 800);
     QCOMPARE(marks.error, 800);
-    QCOMPARE(ctl_marks_waiting(&marks, 0)->at, first + 200); // a quarter is slip: all lie elsewhere
+    QCOMPARE(ctl_marks_waiting(&marks, 0)->at, first + 200); // a quarter is slip: all are at other places
     QCOMPARE(newest(marks).at, 3 * bag + 200 + sensor);
     QCOMPARE(marks.pitch, bag + 80); // a tenth is length
     QCOMPARE(marks.expected, 4 * bag + 200 + 80);
@@ -307,7 +307,7 @@ void TestPackingParts::filmThatDoesNotFit()
         ctl_marks_see(&marks, i * (bag + bag / 10));
     QCOMPARE(marks.state, CTL_MARK_STATE_SEARCHING);
     QCOMPARE(marks.alarm, CTL_WARNING_BIT_MARK_PITCH_WRONG);
-    // Found first, another film spliced to it later: marks come, but never where they are expected.
+    // Found first, then spliced to another film: marks come, but never at the expected places.
     ctl_marks spliced = followingMarks();
     for (int i = 1; i < 8; ++i)
         ctl_marks_see(&spliced, 2 * bag + bag / 2 + i * bag);
@@ -346,7 +346,7 @@ void TestPackingParts::productsLieWhereTheyWereSeen()
     passEye(products, 3, 0, 200'000);
     passEye(products, 4, -30'000, 100'000);
     QCOMPARE(products.longest, 200'000);
-    // Laid half way between two readings, when the film stood at 5000.
+    // Laid half-way between two readings, with the film at 5000.
     QCOMPARE(ctl_products_lay(&products, 3'400'000, 3'600'000, 0, 10'000), 0u);
     QCOMPARE(products.laid_count, 1u);
     QCOMPARE(products.laid[0].lead, 5000 + settings.distance - 100'000);
@@ -366,7 +366,7 @@ void TestPackingParts::missingProductIsKnownInTime()
     // The place of product 3 is at the eye from 1.0 to 2.0 million, that of product 4 up to 3.0.
     QVERIFY(!ctl_products_missing(&products, 3, 1'999'999));
     QVERIFY(ctl_products_missing(&products, 3, 2'000'000));
-    // The one before was under the eye already when the watch began: nobody knows.
+    // The previous one was already under the eye at the start: unknown.
     QVERIFY(!ctl_products_missing(&products, 1, 2'000'000));
     ctl_products_edge(&products, 2'900'000, true); // begins in its place, ends in the next one's
     QVERIFY(!ctl_products_missing(&products, 4, 3'000'000));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A press among the states of the controller: download, commands in every stage, what the status block says.
+// A press among the states of the controller: download, commands in every stage, the status block.
 #include "press_bench.h"
 #include "tests/support/test_program.h"
 
@@ -75,7 +75,7 @@ void TestPressCommands::overTheLine()
         if (stages.empty() || stages.back() != press.at(0))
             stages.push_back(press.at(0));
         largest = std::max(largest, press.at(1));
-        // A stroke tells its result when it is over.
+        // A stroke reports its result at its end.
         QCOMPARE(press.at(4) == CTL_STROKE_RESULT_NONE, press.at(0) != CTL_PRESS_STAGE_STANDING);
         rig.run(10'000);
     }
@@ -125,7 +125,7 @@ void TestPressCommands::stopNowInEveryStage_data()
     QTest::newRow("return") << int{CTL_PRESS_STAGE_RETURN} << int{CTL_STROKE_RESULT_OK}; // was pressed
 }
 
-// Stands where it is; the next Start goes up first and then makes a whole stroke.
+// Stops in place; the next Start goes up first and then performs a whole stroke.
 void TestPressCommands::stopNowInEveryStage()
 {
     QFETCH(int, stage);
@@ -200,7 +200,7 @@ void TestPressCommands::armedProgramTakesOverAfterTheStroke()
     QVERIFY(rig.runUntilState(CTL_STATE_READY));
     QCOMPARE(rig.statusWide(CTL_REG_STATUS_ACTIVE_CRC), crc32(image));
     QVERIFY(std::abs(int{rig.status(CTL_REG_STATUS_STOP_FORCE)} - 5000) <=
-            200); // still the first one's depth
+            200); // the first one's depth still
     QCOMPARE(rig.command(CTL_COMMAND_START), std::uint16_t{CTL_REFUSAL_NONE});
     QVERIFY(rig.runUntilState(CTL_STATE_READY));
     QCOMPARE(rig.status(CTL_REG_STATUS_STROKE_RESULT), std::uint16_t{CTL_STROKE_RESULT_OK});

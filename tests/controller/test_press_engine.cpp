@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The press: counted runs, the figures of the servo-press paper (100 strokes at each speed, two pulses
-// there), and what happens when the work piece is not where it should be.
+// there), and misplaced work pieces.
 #include "ctl_count.h"
 #include "press_bench.h"
 #include "tests/support/test_program.h"
@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint32_t clockHz = 8'000'000;
 
-// Ticks of every pulse of a run, found tick by tick or in portions.
+// Returns the ticks of every pulse of a run, found tick by tick or in portions.
 std::vector<std::uint64_t> pulseTicks(ctl_count run, std::uint32_t portion)
 {
     std::vector<std::uint64_t> times;
@@ -79,7 +79,8 @@ void TestPressEngine::countedRunIsExactHoweverItIsCut()
     const std::vector<std::uint64_t> times = pulseTicks(run, 1);
     QCOMPARE(times.size(), std::size_t{pulses});
 
-    // Even acceleration, computed here in floating point: s = a t^2 / 2 up to f, then even, then mirrored.
+    // Uniform acceleration, computed here in floating point: s = a t^2 / 2 up to f, then constant speed, then
+    // mirrored.
     const double period = double{clockHz} / hz;
     const double square = 2.0 * rampMs / 1000.0 * clockHz * period;
     const auto rising = std::min<std::uint32_t>(
@@ -169,8 +170,8 @@ void TestPressEngine::stopErrorOfThePaper()
     QCOMPARE(bench.core().motion.cycle_count, std::uint32_t{strokes});
 }
 
-// The same machine under a prompt and under a late, busy controller: the stop differs by no more than the
-// scale's rounding at the place of touching.
+// The same machine with a prompt and with a late, busy controller: the stop differs by at most the scale's
+// rounding at the contact.
 void TestPressEngine::stopDoesNotDependOnTheController()
 {
     MachineOptions options;
@@ -188,7 +189,8 @@ void TestPressEngine::stopDoesNotDependOnTheController()
     QVERIFY(most - least <= 0.012);
 }
 
-// Twenty times the play and twenty times the error of the screw's lead: measured away up to C.
+// Twenty times the backlash and twenty times the error of the screw's lead: compensated by the measurement up
+// to C.
 void TestPressEngine::transmissionIsCompensated()
 {
     MachineOptions options;
@@ -204,7 +206,7 @@ void TestPressEngine::transmissionIsCompensated()
     QCOMPARE(bench.last().result, CTL_STROKE_RESULT_POSITION_OUTSIDE);
 }
 
-// Scatter, heat and missing work pieces come from the seed.
+// The seed determines scatter, heat and missing work pieces.
 void TestPressEngine::sameSeedSameStrokes()
 {
     const auto strokes = [](std::uint64_t seed) {
@@ -246,18 +248,18 @@ void TestPressEngine::wrongWorkPiece_data()
                                 << int{CTL_FAULT_BIT_NEVER_TOUCHED} << 90.02;
     QTest::newRow("too deep") << 95.0 << 0.0 << 200.0 << int{CTL_STROKE_RESULT_NEVER_TOUCHED}
                               << int{CTL_FAULT_BIT_NEVER_TOUCHED} << 90.02;
-    // 200 N after 1 mm at 80 mm/s; the servo then runs out by 2 / (2 pi 80 Hz) * 80 mm/s = 0.32 mm.
+    // 200 N after 1 mm at 80 mm/s; the servo then overruns by 2 / (2 pi 80 Hz) * 80 mm/s = 0.32 mm.
     QTest::newRow("too high") << 40.0 << 0.0 << 200.0 << int{CTL_STROKE_RESULT_TOUCHED_TOO_EARLY}
                               << int{CTL_FAULT_BIT_TOUCHED_TOO_EARLY} << 41.4;
     // 8000 N after 16 mm.
     QTest::newRow("too stiff") << 75.0 << 0.0 << 500.0 << int{CTL_STROKE_RESULT_FORCE_LIMIT}
                                << int{CTL_FAULT_BIT_FORCE_LIMIT} << 91.1;
-    // Felt and, before it stands, above the limit.
+    // Contact and, before standstill, above the limit.
     QTest::newRow("too high and too stiff")
         << 40.0 << 0.0 << 1e6 << int{CTL_STROKE_RESULT_FORCE_LIMIT} << int{CTL_FAULT_BIT_FORCE_LIMIT} << 40.4;
 }
 
-// Stops at once, goes up again, and only then is in fault; reset, the next stroke runs.
+// Stops at once, goes up again, and only then enters the fault state; after a reset the next stroke runs.
 void TestPressEngine::wrongWorkPiece()
 {
     QFETCH(double, pieceMm);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The registers against the one table: everything documented can be read, only what is documented as writable
-// can be written, limits hold, read-back tells the truth.
+// The registers against the register table: everything documented can be read, only writable registers can be
+// written, limits hold, read-back is true.
 #include "modbus/map/register_map.h"
 #include "rig.h"
 #include "tests/support/test_program.h"
@@ -85,7 +85,7 @@ void TestRegisters::defaultsAndLimits()
     for (const modbus::RegisterInfo& info : modbus::registers()) {
         if (!info.name.starts_with("parameter."))
             continue;
-        // By so many steps beyond a physical value.
+        // Exceeds a physical value by this many steps.
         const auto words = [&info](double value, int steps = 0) {
             const auto raw = static_cast<std::uint32_t>(std::llround(value / info.scale) + steps);
             return info.count == 2 ? Registers{static_cast<std::uint16_t>(raw >> 16),
@@ -157,7 +157,7 @@ void TestRegisters::uptimeAndSampleTime()
     const Registers block = rig.read(CTL_REG_STATUS_UPTIME, 8);
     QCOMPARE(block[1], 70);
     QCOMPARE(block[7],
-             static_cast<std::uint16_t>(70'001)); // 1.75 ms of silence before it was taken, wraps at 65536
+             static_cast<std::uint16_t>(70'001)); // 1.75 ms of silence before it was accepted, wraps at 65536
 }
 
 CAMPANEL_TEST(TestRegisters)

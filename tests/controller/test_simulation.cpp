@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulated machine: the same seed gives the same run however time is portioned; how fast it goes.
+// The simulated machine: the same seed gives the same run for any division of time; and its speed.
 #include "rig.h"
 #include "tests/support/test_program.h"
 
@@ -12,7 +12,7 @@ using namespace campanel::test;
 
 namespace {
 
-// Everything that a run leaves behind.
+// Returns everything that a run leaves behind.
 std::vector<std::int64_t> scenario(std::uint64_t seed, std::uint64_t portionUs)
 {
     campanel::controller::MachineOptions options;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The step-table engine: pulse by pulse and in bulk it is the same motion; no drift, cycle time right to the
-// tick.
+// The step-table engine: the same motion pulse by pulse and in bulk; no drift, cycle time exact to the tick.
 #include "ctl_ramp.h"
 #include "ctl_step.h"
 #include "rig.h"
@@ -176,7 +175,7 @@ void TestStepEngine::noDriftInAMillionCycles_data()
     QTest::newRow("K = 10007, N = 3") << 10007u << 3u;
 }
 
-// The pulses that were emitted are counted; the shaft must have turned exactly cycles / knives revolutions.
+// The emitted pulses are counted; the shaft must have turned exactly cycles / knives revolutions.
 void TestStepEngine::noDriftInAMillionCycles()
 {
     QFETCH(unsigned, pulsesPerRev);
@@ -256,7 +255,7 @@ void TestStepEngine::rampIsExactHoweverItIsCut()
         const auto ticks = static_cast<std::uint32_t>(1 + random() % 5000);
         travelled += ctl_ramp_up(&ramp, ticks);
         passed += ticks;
-        // The area under the ramp: t^2 / 2R, then R/2 + (t - R).
+        // The area below the ramp: t^2 / 2R, then R/2 + (t - R).
         const std::uint64_t exact =
             passed <= full ? passed * passed / (2u * std::uint64_t{full}) : passed - full / 2u;
         QCOMPARE(travelled, exact);
@@ -290,8 +289,8 @@ void TestStepEngine::landingIsExact()
             const std::uint32_t before = ramp.speed;
             remaining -= ctl_ramp_land(&ramp, 2000, remaining, ramp.full / 4);
             QVERIFY(ramp.speed <= most);
-            // Never harder than twice the ramp, until a tick of the master is longer than the rest of the
-            // way.
+            // Never more than twice the ramp, until a tick of the master is longer than the remaining
+            // distance.
             QVERIFY(before <= ramp.speed + 4000 || before < ramp.full / 100);
             QVERIFY(++slices < 100'000);
         }
@@ -350,7 +349,7 @@ void TestStepEngine::sCurveLandsExactly()
             QVERIFY(travelled <= remaining);
             remaining -= travelled;
             QVERIFY(ramp.speed <= most);
-            // No harder than the ramp, until a tick of the master is longer than the rest of the way.
+            // No more than the ramp, until a tick of the master is longer than the remaining distance.
             QVERIFY(before <= ramp.speed + 2000 || (remaining == 0 && before < ramp.full / 10));
             QVERIFY(++slices < 100'000);
         }

@@ -132,7 +132,7 @@ void TestTransfer::blocksInAnyOrderAndResumed()
     QCOMPARE(send(3).at(5), 0);
     QCOMPARE(send(0).at(5), 1);
     QCOMPARE(send(0).at(5), 1);
-    QCOMPARE(begin(rig, 5, image.size()).at(5), 1); // after a break the same transfer goes on
+    QCOMPARE(begin(rig, 5, image.size()).at(5), 1); // after an interruption the same transfer continues
     QCOMPARE(send(1).at(5), 2);
     QCOMPARE(send(2).at(5), 4);
     const Registers sealed = rig.transfer(5, CTL_TRANSFER_OPERATION_SEAL, 0, {});
@@ -212,10 +212,10 @@ void TestTransfer::sealChecksEveryRow_data()
     QTest::newRow("carry leaves no room") << Change([](Registers& image) {
         image.at(CTL_OFFSET_BANK_DIVISOR + 1) = 3;
         image.at(CTL_OFFSET_BANK_REMAINDER + 1) = 1;
-        image.at(64 + 60) = 5000; // 40 ticks a pulse; one pulse more is too fast
+        image.at(64 + 60) = 5000; // 40 ticks per pulse; one pulse more is too fast
     }) << int{CTL_TRANSFER_RESULT_BAD_ROW} << 20;
     header("radius 0", CTL_OFFSET_PROGRAM_KNIFE_RADIUS + 1, 0, CTL_OFFSET_PROGRAM_KNIFE_RADIUS);
-    // K Z / N is not what the rows add up to: the knife would slip from bag to bag.
+    // K Z / N differs from the sum of the rows: the knife would slip from bag to bag.
     const auto slips = [](const char* tag, unsigned offset, std::uint16_t value) {
         QTest::newRow(tag) << Change([=](Registers& image) { image.at(offset) = value; })
                            << int{CTL_TRANSFER_RESULT_BAD_SUM}
@@ -392,7 +392,7 @@ void TestTransfer::applyRefusals()
     QCOMPARE(rig.command(CTL_COMMAND_APPLY_STAGED, 0, 9, crc32(image) ^ 1u), CTL_REFUSAL_WRONG_CHECKSUM);
     QCOMPARE(rig.command(CTL_COMMAND_CANCEL_APPLY), CTL_REFUSAL_NOT_ARMED);
     QCOMPARE(rig.statusWide(CTL_REG_STATUS_GENERATION), 0u);
-    QCOMPARE(rig.apply(image, CTL_APPLY_MODE_NEXT_CYCLE, 9), CTL_REFUSAL_NONE); // standing still: at once
+    QCOMPARE(rig.apply(image, CTL_APPLY_MODE_NEXT_CYCLE, 9), CTL_REFUSAL_NONE); // at standstill: at once
     QCOMPARE(rig.statusWide(CTL_REG_STATUS_GENERATION), 1u);
 }
 
@@ -441,7 +441,7 @@ void TestTransfer::singleRegistersCarryOutNothing_data()
     QTest::newRow("counter last") << false;
 }
 
-// The code of another command would be carried out in one order, half a command in the other.
+// The code of another command would be executed in one order, half a command in the other.
 void TestTransfer::singleRegistersCarryOutNothing()
 {
     QFETCH(bool, ascending);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel's own classes without its window, changing the bag length and downloading for ever, and saying
-// what is confirmed: to be killed at any moment. Arguments: folder, port.
+// The panel's own classes without its window: changes the bag length and downloads endlessly, and prints the
+// confirmed programs; it is killed at any moment. Arguments: folder, port.
 #include "app/link/threaded_link.h"
 #include "app/panel/access/access.h"
 #include "app/panel/audit/audit_trail.h"

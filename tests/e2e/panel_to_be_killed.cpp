@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A panel for test_after_a_crash: panel_to_be_killed FOLDER PORT [KEY]. Keeps everything in the folder, taps
-// the key once the machine is there, and prints "page N state S" whenever that changes. SIGTERM ends it in
-// order.
+// A panel for test_after_a_crash: panel_to_be_killed FOLDER PORT [KEY]. Stores everything in the folder, taps
+// the key once the machine is connected, and prints "page N state S" at every change. SIGTERM ends it
+// properly.
 #include "app/link/threaded_link.h"
 #include "app/shell/end_signals.h"
 #include "app/shell/fonts.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel as it is delivered, on the real link, in a window under a finger; it keeps every status that came
-// over the line.
+// The complete panel on the real link, in a window operated by a Finger; it records every status from the
+// line.
 #pragma once
 
 #include "app/link/threaded_link.h"
@@ -14,7 +14,7 @@ namespace campanel::test {
 
 class PanelWindow {
 public:
-    // Loads the window and connects. A folder of its own: what it knows of the machine came over the line.
+    // Loads the window and connects. Its folder is new: all machine data comes from the line.
     explicit PanelWindow(const QString& port)
     {
         m_panel.settings().overrideLanguage(QStringLiteral("en"));
@@ -45,7 +45,7 @@ public:
     [[nodiscard]] const std::vector<modbus::StatusBlock>& statuses() const { return m_statuses; }
 
     void tap(const char* name) { m_finger.tap(QString::fromLatin1(name)); }
-    // On the keys of the open keypad.
+    // Taps digits on the open keypad.
     void tapDigits(const QString& digits)
     {
         for (const QChar digit : digits) {
@@ -57,9 +57,9 @@ public:
                 m_missing += digit;
         }
     }
-    // What was not on the screen when it was to be touched.
+    // Returns the items that were missing from the screen when they were needed.
     [[nodiscard]] QStringList complaints() const { return m_finger.complaints() + m_missing; }
-    // Every text on the screen.
+    // Returns every text on the screen.
     [[nodiscard]] QString texts() { return textsBelow(m_finger.root()); }
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel's process is killed while the machine runs: the machine goes on, and the next panel shows it, on
-// the page that was open. After an orderly end it begins with the first page.
+// The panel's process is killed during a run: the machine continues, and the next panel displays it, on the
+// same page. After a proper end it begins with the first page.
 #include "app/panel/controller/machine.h"
 #include "tests/support/controller_process.h"
 #include "tests/support/places.h"
@@ -35,7 +35,7 @@ public:
         m_process.kill();
         m_process.waitForFinished();
     }
-    // The last that it said.
+    // Returns the last output.
     QByteArray said()
     {
         while (m_process.canReadLine())
@@ -91,7 +91,7 @@ private slots:
         {
             PanelProcess second(panel);
             QTRY_COMPARE_WITH_TIMEOUT(second.said(), shown(4, Machine::State::Running), timeoutMs);
-            second.kill(); // again, without having touched anything
+            second.kill(); // again, without any touch
         }
         {
             PanelProcess third(panel);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A panel killed at random moments while it downloads to a machine that runs: the machine runs on with one
-// whole program, the confirmed one or one begun after it, and nothing that was confirmed is lost.
+// A panel killed at random moments during downloads to a running machine. The machine continues with one
+// whole program, the confirmed one or a later one, and no confirmed data is lost.
 #include "tests/support/controller_process.h"
 
 #include "app/link/threaded_link.h"
@@ -40,7 +40,7 @@ class TestKilledDownloads : public QObject {
     qint64 m_sequence = 0;
     qint64 m_generation = 0;
     QString m_crc;       // confirmed
-    QStringList m_begun; // after that
+    QStringList m_begun; // started after that
     int m_confirmed = 0;
 
     void take(const QByteArray& line)
@@ -72,7 +72,7 @@ class TestKilledDownloads : public QObject {
         ::kill(static_cast<pid_t>(panel.processId()), SIGKILL);
         QVERIFY(panel.waitForFinished(timeoutMs));
         QByteArrayList lines = panel.readAllStandardOutput().split('\n');
-        lines.removeLast(); // may be half a line
+        lines.removeLast(); // may be incomplete
         for (const QByteArray& line : lines)
             take(line);
     }
@@ -99,7 +99,7 @@ class TestKilledDownloads : public QObject {
         QVERIFY(qint64(status.generation) >= m_generation);
         if (mustRun)
             QCOMPARE(machine.state(), machine::Machine::State::Running);
-        // Until the next panel confirms, that one counts too.
+        // Until the next confirmation that one is possible too.
         m_begun << crc;
     }
 
@@ -124,7 +124,7 @@ private slots:
         const quint32 seed = QRandomGenerator::global()->generate();
         QRandomGenerator random(seed);
         for (int i = 0; i < kills; ++i) {
-            // The first ones live until the machine runs.
+            // The first ones run until the machine runs.
             const bool isFirst = m_confirmed == 0;
             const int lifeMs = isFirst ? 3000 : random.bounded(longestMs);
             runAndKill(lifeMs);

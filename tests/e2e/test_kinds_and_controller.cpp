@@ -23,8 +23,8 @@ namespace test_kinds_and_controller {
 
 using namespace campanel;
 using machine::Editor;
-using machine::ProgramDownload;
 using machine::Machine;
+using machine::ProgramDownload;
 using profile::Field;
 using profile::ProgramKind;
 using test::ControllerProcess;
@@ -54,7 +54,7 @@ struct Panel {
     Editor editor;
 };
 
-// What campanelctl prints; the words of its complaint when it does not end well.
+// Returns campanelctl's output, or its error line.
 QByteArray ctl(const QStringList& words, const QString& port)
 {
     QProcess process;
@@ -90,7 +90,7 @@ private slots:
     void aMissingWorkPieceIsAFault();
 
 private:
-    // With the panel's own buttons, until it runs there.
+    // Downloads and starts with the panel's own buttons, and waits until it runs.
     static void begin(Panel& panel)
     {
         QTRY_VERIFY2_WITH_TIMEOUT(panel.editor.programDownload()->canDownload(),
@@ -115,7 +115,7 @@ void TestKindsAndController::aMoveEndsAtItsPulses_data()
     QTest::newRow("as intervals") << QStringList{"--distance-mm", "600", "--execution", "intervals"} << 6000;
 }
 
-// Twice: from where it stands, as far again.
+// Twice: from its position, the same distance again.
 void TestKindsAndController::aMoveEndsAtItsPulses()
 {
     QFETCH(QStringList, words);
@@ -173,7 +173,7 @@ void TestKindsAndController::aSpeedIsHeldUntilTheStop()
     };
     QTRY_VERIFY2_WITH_TIMEOUT(isHeld(), qPrintable(QString::number(panel.status().commandedFrequencyHz)),
                               timeoutMs);
-    // By the pulses that came in two seconds of the machine, much closer than by the frequency.
+    // By the pulses within two seconds of the machine, more exact than by the frequency.
     const auto begin = panel.status();
     QTRY_VERIFY_WITH_TIMEOUT(
         static_cast<std::uint16_t>(panel.status().sampleTimeMs - begin.sampleTimeMs) >= 2000, timeoutMs);

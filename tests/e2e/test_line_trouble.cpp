@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The line breaks and comes back: controller killed and started again, port gone and back under another name,
-// a download torn in the middle, a jogging panel killed. The panel's own classes on one side,
-// campanel-controller on its pseudo-terminal on the other. Prints what it measured.
+// The line breaks and recovers: controller killed and restarted, port lost and back under another name, an
+// interrupted download, a jogging panel killed. The panel's own classes on one side, campanel-controller on
+// its pseudo-terminal on the other. Prints its measurements.
 #include "app/link/threaded_link.h"
 #include "app/panel/controller/machine.h"
 #include "app/panel/editor/editor.h"
@@ -27,15 +27,15 @@ namespace test_line_trouble {
 
 using namespace campanel;
 using machine::Editor;
-using machine::ProgramDownload;
 using machine::Machine;
+using machine::ProgramDownload;
 using test::ControllerProcess;
 
 namespace {
 
 constexpr int timeoutMs = 20'000;
 constexpr qint64 reconnectLimitMs = 2000;
-constexpr qint64 jogLimitMs = 350; // the controller's 200 ms, its ramp, and how often is looked
+constexpr qint64 jogLimitMs = 350; // the controller's 200 ms, its ramp, and the polling
 
 struct Panel {
     Panel()
@@ -81,7 +81,7 @@ struct Panel {
     Editor editor;
 };
 
-// What the panel shows is what the last status says, and that status is of now.
+// Checks that the panel displays the last status, and that the status is current.
 void verifyTrue(const Panel& panel)
 {
     const auto& status = *panel.machine.status();
@@ -98,8 +98,7 @@ modbus::LinkSettings lineTo(const char* port)
     return settings;
 }
 
-// A panel that does nothing but hold the jog key, until it is killed.
-// Jogs on the port that is its argument, until it is killed.
+// Holds the jog key on the port of its argument, until it is killed.
 int jog(int argc, char** argv)
 {
     if (argc != 2)
@@ -151,7 +150,7 @@ void TestLineTrouble::controllerIsKilledAndStartedAgain()
     QVERIFY(panel.machine.bags().count >= 1); // the last one, grey
     QVERIFY2(panel.machine.connectionText().contains(controller.port()),
              qPrintable(panel.machine.connectionText()));
-    panel.machine.start(); // is never sent
+    panel.machine.start(); // never sent
     QCOMPARE(panel.machine.commandMessage(), QStringLiteral("There is no connection to the controller."));
 
     controller.start();
@@ -195,7 +194,7 @@ void TestLineTrouble::portComesBackUnderAnotherName()
     panel.link.simulateFaults({QStringLiteral("unplug when=answer time=800 limit=1")});
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine.connection(), Machine::Connection::Lost, timeoutMs);
     QTRY_VERIFY_WITH_TIMEOUT(!QFileInfo::exists(before), timeoutMs);
-    // Whoever opens a terminal now gets the old name.
+    // A terminal opened now gets the old name.
     const int taken = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
     QVERIFY(taken >= 0);
     QElapsedTimer sinceReturn;
@@ -204,7 +203,7 @@ void TestLineTrouble::portComesBackUnderAnotherName()
         QObject::connect(&panel.machine, &Machine::connectionChanged, &panel.machine, [&] {
             if (!sinceReturn.isValid() && panel.machine.portName() != before) {
                 after = panel.machine.portName();
-                sinceReturn.start(); // the port is there and has just been tried
+                sinceReturn.start(); // the port exists and has just been tried
             }
         });
     QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected() && sinceReturn.isValid(), timeoutMs);
@@ -235,7 +234,7 @@ void TestLineTrouble::controllerRestartsWhileItRuns()
     const qint64 tookMs = sinceSilence.elapsed() - 1600;
     qInfo("controller restarted in a silence of 1600 ms: connected and fresh %lld ms after it", tookMs);
     QVERIFY(tookMs < reconnectLimitMs);
-    // Nothing was saved: it has no program now, and the panel says so.
+    // Nothing was saved: it has no program now, and the panel reports it.
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Idle, timeoutMs);
     QTRY_VERIFY_WITH_TIMEOUT(!panel.machine.active().isPresent, timeoutMs);
     verifyTrue(panel);
@@ -286,7 +285,7 @@ void TestLineTrouble::jogDiesWithItsPanel()
     panel.kill();
     QVERIFY(panel.waitForFinished(timeoutMs));
 
-    // Only reads: a heartbeat of the witness would be one.
+    // Only reads: writing a heartbeat would influence the test.
     modbus::RtuClient witness(lineTo(qPrintable(controller.port())));
     QVERIFY(witness.open());
     const modbus::RegisterInfo& state = modbus::registerNamed("status.state");

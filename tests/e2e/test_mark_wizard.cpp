@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way from the mark sensor to the knife is found over the whole line: campanel-controller with a sensor
-// that is not where the parameter says, the panel's own classes, a ruler on the simulated machine. And marks
-// taught.
+// The correction of the mark sensor's distance over the whole line: campanel-controller with a misplaced
+// sensor, the panel's own classes, measurements of the simulated machine. Also taught marks.
 #include "app/link/threaded_link.h"
 #include "app/panel/controller/machine.h"
 #include "app/panel/editor/editor.h"
@@ -21,10 +20,10 @@ namespace test_mark_wizard {
 
 using namespace campanel;
 using machine::Editor;
-using machine::ProgramDownload;
 using machine::Machine;
 using machine::MarkWizard;
 using machine::PackingLine;
+using machine::ProgramDownload;
 using Step = MarkWizard::Step;
 
 namespace {
@@ -35,7 +34,7 @@ constexpr double trueDistanceMm = 903.0;
 struct Panel {
     Panel()
     {
-        // The simulated controller as the panel starts it, with a machine of its own.
+        // The simulated controller as started by the panel, with a different machine.
         QFile script(folder.filePath(QStringLiteral("controller.sh")));
         if (!script.open(QIODevice::WriteOnly))
             qFatal("no script");
@@ -67,7 +66,7 @@ struct Panel {
                                   timeoutMs);
     }
 
-    // So many different bags under the ruler.
+    // Measures this many different bags.
     [[nodiscard]] bool measured(int bags)
     {
         if (!std::exchange(isRulerAsked, true))

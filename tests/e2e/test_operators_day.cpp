@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What people do with the panel from its first start on, by touches alone, with campanel-controller at the
-// other end of the line.
+// The work of operators from the first start on, by touches alone, with campanel-controller at the other end
+// of the line.
 #include "app/shell/fonts.h"
 #include "panel_window.h"
 #include "tests/support/controller_process.h"
@@ -14,8 +14,8 @@ namespace test_operators_day {
 
 using namespace campanel;
 using machine::Editor;
-using machine::ProgramDownload;
 using machine::Machine;
+using machine::ProgramDownload;
 using test::ControllerProcess;
 using test::PanelWindow;
 
@@ -111,7 +111,7 @@ private slots:
         QCOMPARE(panel.complaints(), QStringList());
     }
 
-    // As little as a new panel asks for, with Start pressed where it cannot work yet.
+    // The minimum setup of a new panel, with Start pressed before it can work.
     void theFirstBagTakesTwelveTouches()
     {
         const ControllerProcess controller;
@@ -145,7 +145,7 @@ private slots:
         QVERIFY2(!panel.texts().contains(refusal), qPrintable(panel.texts()));
         QVERIFY2(panel.texts().contains(QStringLiteral("Press Start to run this recipe.")),
                  qPrintable(panel.texts()));
-        QVERIFY(panel.finger().find("middleKey")); // Home, which the controller takes now
+        QVERIFY(panel.finger().find("middleKey")); // Home, which the controller accepts now
         touch("startKey");
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Running, timeoutMs);
         QTRY_VERIFY_WITH_TIMEOUT(panel.machine().bags().count > 0, timeoutMs);
@@ -163,7 +163,7 @@ private slots:
         panel.tap("textChinese");
         typeText(panel, QStringLiteral("binggan"));
         QVERIFY2(panel.texts().contains(QStringLiteral("bing'gan")), qPrintable(panel.texts()));
-        panel.tap("textAccept"); // the likeliest
+        panel.tap("textAccept"); // the most likely
         panel.tap("textChinese");
         typeText(panel, QStringLiteral(" xl"));
         panel.tap("textAccept");
@@ -294,7 +294,7 @@ private slots:
         enter(panel, "field_bagLength", QStringLiteral("270"));
         panel.tap("field_rate");
         panel.tapDigits(QStringLiteral("4"));
-        panel.settings().setLanguage(QStringLiteral("zh_CN")); // by another person, on another way
+        panel.settings().setLanguage(QStringLiteral("zh_CN")); // by another person, in another way
         panel.finger().settle();
         panel.tapDigits(QStringLiteral("5"));
         panel.tap("keypadAccept");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel's window touched as an operator does, campanel-controller at the other end of the line, and
-// campanelctl as the witness of what the controller runs.
+// The panel's window touched like an operator does, campanel-controller at the other end of the line, and
+// campanelctl as a witness of the controller's state.
 #include "app/program/program_image.h"
 #include "app/shell/fonts.h"
 #include "panel_window.h"
@@ -21,9 +21,9 @@ namespace test_panel_and_controller {
 
 using namespace campanel;
 using machine::Editor;
-using machine::ProgramDownload;
 using machine::Machine;
 using machine::PackingLine;
+using machine::ProgramDownload;
 using modbus::State;
 using modbus::StatusBlock;
 using test::ControllerProcess;
@@ -59,7 +59,7 @@ bool moves(const StatusBlock& status)
     return status.state == State::Running || status.state == State::Stopping;
 }
 
-// Empty, or what is wrong with the motion: never backward, never further than the fastest row allows.
+// Returns an empty text, or the error of the motion: backward, or faster than the fastest row.
 QString faultOfMotion(const std::vector<StatusBlock>& statuses, double highestHz)
 {
     for (std::size_t i = 1; i < statuses.size(); ++i) {
@@ -103,7 +103,7 @@ private:
         panel.tapDigits(digits);
         panel.tap("keypadAccept");
     }
-    // Until the controller runs it.
+    // Waits until the controller runs it.
     static void download(PanelWindow& panel)
     {
         QTRY_VERIFY_WITH_TIMEOUT(panel.editor().programDownload()->canDownload(), timeoutMs);
@@ -192,7 +192,7 @@ void TestPanelAndController::changeWhileItRuns(PanelWindow& panel)
     QVERIFY(changed != statuses.end());
     QCOMPARE(changed[0].state, std::optional(State::Running));
     QCOMPARE(changed[1].state, std::optional(State::Running));
-    // A cycle's boundary lies between the two.
+    // A cycle's boundary is between both.
     const auto boundary = changed[1].commandedPositionPulses / pulsesPerCycle * pulsesPerCycle;
     QVERIFY2(boundary >= changed[0].commandedPositionPulses,
              qPrintable(QStringLiteral("changed between pulse %1 and %2")
@@ -201,7 +201,7 @@ void TestPanelAndController::changeWhileItRuns(PanelWindow& panel)
     QCOMPARE(statuses.back().commandedPositionPulses % pulsesPerCycle, 0);
 }
 
-// The first panel is gone, and with it all that it knew.
+// The first panel is gone, with all its knowledge.
 void TestPanelAndController::lookFromOutsideAndAgain(const QString& port)
 {
     const QJsonObject outside = statusFromOutside(port);
@@ -222,7 +222,7 @@ void TestPanelAndController::lookFromOutsideAndAgain(const QString& port)
     QCOMPARE(panel.complaints(), QStringList());
 }
 
-// While it runs, by a touch; what a panel that comes later shows is what the controller holds.
+// During a run, by a touch; a later panel displays the controller's value.
 void TestPanelAndController::theMasterIsTurnedRound()
 {
     using Way = machine::MasterDirection::Way;
@@ -295,7 +295,7 @@ void TestPanelAndController::badPorts_data()
     QTest::addColumn<QString>("port");
     QTest::addColumn<Machine::Connection>("connection");
     QTest::addColumn<QString>("words");
-    // It may still be plugged in: the panel goes on looking for it.
+    // It may still be plugged in: the panel keeps searching.
     QTest::newRow("absent") << "/dev/ttyNONE7" << Machine::Connection::Searching
                             << "There is no port /dev/ttyNONE7. Plug the adapter in, or choose another port";
     QTest::newRow("no serial port") << "/dev/null" << Machine::Connection::PortProblem

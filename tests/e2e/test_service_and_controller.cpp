@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Service page touched as a technician does, campanel-controller at the other end of the line: a register
-// written and read back, figures and frames of it, a diagnosis, and a wrong unit number found and mended.
+// The Service page touched like a technician does, campanel-controller at the other end of the line. A
+// register written and read back, its figures and frames, a diagnosis, and a wrong unit number found and
+// corrected.
 #include "app/shell/fonts.h"
 #include "panel_window.h"
 #include "tests/support/controller_process.h"
@@ -77,13 +78,13 @@ private slots:
         machine::Jog& jog = *panel.service().jog();
         QTRY_COMPARE_WITH_TIMEOUT(jog.speed()->frequencyHz(), 1000.0, timeoutMs);
         panel.finger().touch(QStringLiteral("jogForward"));
-        QTRY_VERIFY_WITH_TIMEOUT(jog.positionPulses() > 500, timeoutMs); // longer than a forgotten key lives
+        QTRY_VERIFY_WITH_TIMEOUT(jog.positionPulses() > 500, timeoutMs); // longer than the validity of a key
         QCOMPARE(panel.machine().state(), Machine::State::Jogging);
         panel.finger().lift();
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
         const double stoodAt = jog.positionPulses();
 
-        // The page goes away under the finger.
+        // The page disappears under the finger.
         panel.finger().touch(QStringLiteral("jogReverse"));
         QTRY_VERIFY_WITH_TIMEOUT(jog.positionPulses() < stoodAt - 300, timeoutMs);
         QMetaObject::invokeMethod(panel.finger().frame(), "openPage", Q_ARG(int, 0));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recipe's table as the controller executes it: downloaded frame by frame, then 10^6 cycles of its engine.
-// What is counted is compared with K Z / N as an exact fraction, computed here. Tables of intervals go
-// through the controller's check and its engine.
+// A recipe's table as executed by the controller: downloaded frame by frame, then 10^6 cycles of its engine.
+// The counts are compared with K Z / N as an exact fraction, computed here. Tables of intervals pass the
+// controller's check and its engine.
 #include "app/program/program_image.h"
 #include "ctl_interval.h"
 #include "ctl_words.h"
@@ -52,14 +52,14 @@ program::Recipe recipeOf(const Case& values)
     return recipe;
 }
 
-// Whole pulses that n cycles have to give: floor(n K Z / N).
+// Returns the whole pulses of n cycles: floor(n K Z / N).
 std::int64_t exactPulses(const Case& values, std::int64_t cycles)
 {
     const std::int64_t numerator = std::int64_t{values.pulsesPerRev} * values.gearNumerator;
     return cycles * numerator / (std::int64_t{values.gearDenominator} * values.knives);
 }
 
-// As the line brings it: blocks, seal with the controller's own check, CRC-32, apply.
+// Installs like the line: blocks, seal with the controller's own check, CRC-32, apply.
 void install(Rig& rig, const program::ProgramImage& image)
 {
     QCOMPARE(rig.download(image.registers), CTL_TRANSFER_RESULT_ACCEPTED);
@@ -68,7 +68,7 @@ void install(Rig& rig, const program::ProgramImage& image)
     QCOMPARE(rig.core().banks.generation, 1u);
 }
 
-// As the controller holds it.
+// Returns the bank as held by the controller.
 std::unique_ptr<ctl_bank> bankOf(const profile::IntervalTable& table)
 {
     auto bank = std::make_unique<ctl_bank>();
@@ -112,7 +112,7 @@ void TestTableInController::aMillionCyclesWithoutDrift_data()
     QTest::newRow("K 10000") << Case{};
     QTest::newRow("K 10007, N 3") << Case{.pulsesPerRev = 10007, .knives = 3, .bagLengthMm = 83};
     QTest::newRow("gear 7/3") << Case{.gearNumerator = 7, .gearDenominator = 3};
-    // 82.7 a minute is no whole number of ticks: what is rounded must be rounded once, not once a row.
+    // 82.7 per minute is not a whole number of ticks: the value must be rounded once, not once per row.
     QTest::newRow("K 10007, N 3, gear 7/3, rate 82.7, 60 slices") << Case{10007, 3, 7, 3, 60, 83, 82.7};
 }
 
@@ -157,7 +157,7 @@ void TestTableInController::slicesDoNotChangeTheCycle_data()
         QTest::addRow("%d slices", slices) << slices;
 }
 
-// Each pulse as the timer's interrupt gives it, one by one.
+// Each pulse as given by the timer's interrupt, one by one.
 void TestTableInController::slicesDoNotChangeTheCycle()
 {
     QFETCH(int, slices);
@@ -190,7 +190,7 @@ void TestTableInController::theShaftStandsWhereItShould_data()
 }
 
 // The whole controller with its machine: homed, started, a hundred seconds of bags, stopped at a cycle's end.
-// The pulses sent and the encoder of the shaft must both be where the number of cycles puts them.
+// The sent pulses and the encoder of the shaft must both match the number of cycles.
 void TestTableInController::theShaftStandsWhereItShould()
 {
     QFETCH(Case, values);
@@ -210,7 +210,7 @@ void TestTableInController::theShaftStandsWhereItShould()
     QCOMPARE(rig.core().motion.actual - rig.core().motion.origin, exactPulses(values, cycles));
 }
 
-// Random moves between rest and speeds: whatever is compiled, the controller's own check accepts, and its
+// Random moves between rest and speeds: the controller's own check accepts every compiled table, and its
 // engine gives all pulses in the table's time.
 void TestTableInController::intervalsAreAccepted()
 {

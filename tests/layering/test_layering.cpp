@@ -169,7 +169,7 @@ QStringList filesBelow(const QStringList& folders, const QStringList& patterns)
     return result;
 }
 
-// Returns every first capture of `pattern` in the text that no rule for that path allows, as "path: what".
+// Returns every first capture of `pattern` in the file that no rule allows, as "path: what".
 QStringList violationsIn(const QString& text, const QString& relativePath, const QList<Rule>& rules,
                          const QRegularExpression& pattern)
 {
@@ -200,6 +200,10 @@ QStringList violations(const QString& relativePath, const QList<Rule>& rules,
 
 const QRegularExpression includePattern(uR"(^\s*#\s*include\s*[<\x22]([^>\x22]+)[>\x22])"_s,
                                         QRegularExpression::MultilineOption);
+// The beginnings of comments without a subject. The controller's core is not checked yet.
+const QRegularExpression
+    subjectlessComment(uR"((?://|/\*+|^\s*\*) (Of|Who|What|Whether|To be|That)\b[^\n]*)"_s,
+                       QRegularExpression::MultilineOption);
 const QRegularExpression importPattern(uR"(^\s*import\s+([A-Za-z][A-Za-z.]*))"_s,
                                        QRegularExpression::MultilineOption);
 
@@ -269,6 +273,23 @@ private slots:
             QVERIFY(file.open(QIODevice::ReadOnly));
             QVERIFY2(file.read(200).contains("SPDX-License-Identifier: Apache-2.0"), qPrintable(name));
         }
+    }
+
+    void everyHeaderCommentHasASubject()
+    {
+        const QStringList files = filesBelow({u"profile"_s, u"modbus"_s, u"controller/host"_s,
+                                              u"controller/sim"_s, u"app"_s, u"qml"_s, u"tests"_s},
+                                             {u"*.h"_s});
+        QVERIFY(files.size() > 20);
+        QStringList found;
+        for (const QString& name : files) {
+            QFile file(QDir(campanel::test::sourcePath(".")).filePath(name));
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const QString text = QString::fromUtf8(file.readAll());
+            for (const QRegularExpressionMatch& match : subjectlessComment.globalMatch(text))
+                found << name + u": "_s + match.captured(0);
+        }
+        QVERIFY2(found.isEmpty(), qPrintable(u"comments without a subject:\n  "_s + found.join(u"\n  "_s)));
     }
 };
 

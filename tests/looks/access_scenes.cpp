@@ -33,7 +33,7 @@ void waitUntil(const std::function<bool()>& isSo)
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
 }
 
-// The job is done and everything that was handed in before it.
+// Runs the job and waits for it and all earlier ones.
 void inStore(Stage& stage, const std::function<void(store::Database&)>& job)
 {
     bool isDone = false;
@@ -69,7 +69,8 @@ void reloadUsers(Stage& stage)
 
 void addUsers(Stage& stage)
 {
-    // Of scenePin, by libsodium's least effort: a panel's own takes a noticeable time, by design.
+    // The hash of scenePin with libsodium's minimum effort: the normal effort takes a noticeable time, by
+    // design.
     static const QString hash =
         u"$argon2id$v=19$m=8,t=1,p=1$8yYBaYPM+R3w4b3kUB7MRw$mLOp+RvpUsfFLzUtbAH1lgnGr+Nf4v9EsIee/4j4IB8"_s;
     emptyStore(stage);
@@ -161,7 +162,7 @@ void openUsers(Stage& stage, const QStringList& taps)
         stage.tap(tapped);
 }
 
-// The users, with Anna logged in, and taps from there.
+// Opens the users, with Anna logged in, then taps.
 Scene users(const char* name, const QStringList& taps)
 {
     return {QString::fromLatin1(name), [taps](Stage& stage) {
@@ -184,7 +185,7 @@ Scene trail(const char* name, const QStringList& taps, const QString& tamper = {
             }};
 }
 
-// Somebody wants what a technician may do, and taps from there.
+// Requests an action for technicians, then taps.
 Scene login(const char* name, const QStringList& taps, int wrongPins = 0)
 {
     return {QString::fromLatin1(name), [taps, wrongPins](Stage& stage) {
@@ -227,7 +228,7 @@ QList<Scene> accessScenes()
             users("run-user", {u"nav0"_s}),
             login("login", {u"pin2"_s, u"pin5"_s}),
             login("login-wait", {}, 1),
-            // The users are lost: nobody can log in.
+            // Removes the users: nobody can log in.
             {u"login-locked"_s,
              [](Stage& stage) {
                  emptyStore(stage);

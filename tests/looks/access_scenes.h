@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Users, logging in and the audit trail with something to see.
+// Scenes of users, logins and the audit trail, with example data.
 #pragma once
 
 #include "tests/looks/scenes.h"
@@ -8,10 +8,10 @@ namespace campanel::looks {
 
 [[nodiscard]] QList<Scene> accessScenes();
 
-// Takes out the users of another scene, so that nothing is restricted.
+// Removes the users of another scene, so that nothing is restricted.
 void forgetUsers(Stage& stage);
 
-// Of everybody in the scenes.
+// The PIN of all users in the scenes.
 inline constexpr auto scenePin = "258036";
 
 } // namespace campanel::looks

@@ -12,7 +12,7 @@ using store::AlarmRow;
 
 const QString alarmsPage = QStringLiteral("nav6");
 
-// Shift after shift of a demonstration log, always the same.
+// Returns a demonstration log of many shifts, always the same.
 QList<AlarmRow> demoLog()
 {
     const QStringList codes{QStringLiteral("W-02"), QStringLiteral("M-01"), QStringLiteral("L-03"),
@@ -36,7 +36,7 @@ QList<AlarmRow> demoLog()
     return rows;
 }
 
-// Until the first page has come.
+// Waits for the first page.
 void waitForHistory(Stage& stage)
 {
     machine::AlarmHistory& history = *stage.panel().alarms().history();
@@ -64,12 +64,12 @@ void openHistory(Stage& stage, const QList<AlarmRow>& rows)
         },
         [](const tl::expected<void, store::StoreError>&) {});
     stage.tap(alarmsPage);
-    stage.tap(QStringLiteral("alarmsLive")); // it is read when it comes into sight
+    stage.tap(QStringLiteral("alarmsLive")); // read when it becomes visible
     stage.tap(QStringLiteral("alarmsHistory"));
     waitForHistory(stage);
 }
 
-// A fault, and a connection that was lost before: acknowledged, gone, not acknowledged.
+// Shows a fault, and an earlier lost connection: acknowledged, returned, not acknowledged.
 void showTrouble(Stage& stage)
 {
     stage.link().show(Situation::MarksLost);
@@ -93,7 +93,7 @@ Scene trouble(const char* name, const QStringList& names)
             }};
 }
 
-// The connection is lost, which may be shelved.
+// Shows a lost connection, which may be shelved.
 Scene lost(const char* name, const QStringList& names)
 {
     return {QString::fromLatin1(name), [names](Stage& stage) {

@@ -14,7 +14,7 @@ namespace {
 
 void openBackup(Stage& stage)
 {
-    stage.panel().trends().open(); // a backup waits for it
+    stage.panel().trends().open(); // required for a backup
     stage.link().show(DemoLink::Situation::Stopped);
     stage.lookAtClock();
     for (const char* tapped : {"nav3", "servicePanel", "serviceBackup"})
@@ -27,7 +27,7 @@ void waitUntilIdle(Stage& stage)
                     [](const machine::Backup& backup) { return !backup.busy(); });
 }
 
-// A backup of this panel and a file that is none, at a place of their own.
+// Creates a backup of this panel and an invalid file in a folder of their own.
 void fillStick(Stage& stage)
 {
     machine::Backup& backup = stage.panel().backup();
@@ -66,7 +66,7 @@ Scene restoring(const char* name, const QStringList& taps)
 
 QList<Scene> backupScenes()
 {
-    // Of the two files the backup is the newer one.
+    // The backup is the newer of the two files.
     return {{u"backup"_s, &openBackup},
             {u"backup-places"_s,
              [](Stage& stage) {

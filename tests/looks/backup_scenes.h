@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes of backup and restore, with a stick that nobody has to plug in.
+// Scenes of backup and restore, with a simulated stick.
 #pragma once
 
 #include "tests/looks/scenes.h"

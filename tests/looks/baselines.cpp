@@ -13,7 +13,7 @@
 namespace campanel::looks {
 namespace {
 
-// True when it is the same; else said so.
+// Returns true when both are the same; otherwise reports it.
 bool compareOne(const QDir& captured, const QDir& baselines, const QString& name)
 {
     const QImage found(captured.filePath(name));
@@ -55,7 +55,7 @@ int compareWithBaselines(const QString& folder, const QString& baselines, bool i
         return EXIT_FAILURE;
     }
     for (const QString& name : names)
-        QFile::remove(QDir(folder).filePath(name)); // of another time
+        QFile::remove(QDir(folder).filePath(name)); // from an earlier run
     if (!captureThose(folder, allLooks(), allScenes(),
                       [&](const QString& name) { return names.contains(name); }))
         return EXIT_FAILURE;

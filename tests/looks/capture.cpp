@@ -10,9 +10,9 @@
 namespace campanel::looks {
 namespace {
 
-constexpr int smallestFile = 0; // as the PNG writer of Qt understands quality
+constexpr int smallestFile = 0; // quality for Qt's PNG writer
 
-// In this look, into the folder. False after an error.
+// Captures one look into the folder. Returns false after an error.
 bool captureLook(const QDir& target, const Look& look, const QList<Scene>& scenes)
 {
     Stage stage(look);

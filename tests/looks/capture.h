@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes each scene in each look as a PNG file, always the same picture for the same program.
+// Writes each scene in each look as a PNG file, reproducibly for the same program.
 #pragma once
 
 #include "tests/looks/scenes.h"
 
 namespace campanel::looks {
 
-// Files are named as pictureName() says. The exit code for main().
+// Captures to files named by pictureName(). Returns the exit code for main().
 [[nodiscard]] int capture(const QString& folder, const QList<Look>& looks, const QList<Scene>& scenes);
 
-// "run-light-en-800x480.png".
+// Returns "run-light-en-800x480.png".
 [[nodiscard]] QString pictureName(const Scene& scene, const Look& look);
 
-// Captures those whose name is wanted. The number of pictures; nothing after an error, which went to stderr.
+// Captures the pictures with a wanted name. Returns their number; nothing after an error, which went to
+// stderr.
 [[nodiscard]] std::optional<int> captureThose(const QString& folder, const QList<Look>& looks,
                                               const QList<Scene>& scenes,
                                               const std::function<bool(const QString& name)>& isWanted);

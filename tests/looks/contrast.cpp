@@ -17,7 +17,7 @@ namespace {
 constexpr int largePx = 24;
 constexpr int largeBoldPx = 19;
 
-// Of an sRGB channel, 0 to 1; WCAG 2.1, "relative luminance".
+// Returns the linear value of an sRGB channel, 0 to 1; WCAG 2.1, "relative luminance".
 double linear(double channel)
 {
     return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
@@ -68,7 +68,7 @@ QColor inkOn(const QQuickItem& text, const QColor& behind)
 
 double contrastNeeded(const QQuickItem& text, const TextContrast& least)
 {
-    // A fitted text is drawn smaller than its font says.
+    // A fitted text is drawn smaller than its font.
     const int px = text.property("fontInfo").value<QJSValue>().property(QStringLiteral("pixelSize")).toInt();
     const bool isBold = text.property("font").value<QFont>().bold();
     return px >= (isBold ? largeBoldPx : largePx) ? least.large : least.small;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A day of a line, made up; see demo_line.h.
+// A day of a line, invented; see demo_line.h.
 #include "tests/looks/demo_line.h"
 
 #include <QByteArray>
@@ -18,8 +18,8 @@ namespace {
 using Verdict = modbus::FrameVerdict;
 
 constexpr unsigned answerSeed = 11;
-constexpr int answersPerMinute = 60; // fewer than a line has: they are made one by one
-constexpr int badHour = 9;           // of the day, when a welder stood beside the cable
+constexpr int answersPerMinute = 60; // less than a real line, because each is created separately
+constexpr int badHour = 9;           // hour of a welder beside the cable
 constexpr int nightEnds = 5;         // the panel was off before
 
 struct Frame {
@@ -57,7 +57,7 @@ constexpr std::array frames{
           "0026340000100400001000000435840003D0F80028000030C0000015180002000000000000006E0078E5"
           "5D"},
 };
-constexpr std::size_t statusFrame = 1; // the answer whose registers are shown
+constexpr std::size_t statusFrame = 1; // the answer with the displayed registers
 
 modbus::FrameRecord recordOf(const Frame& frame, std::uint64_t number, link::SteadyTime end)
 {
@@ -178,7 +178,7 @@ link::ScanReport demoSearchEnd(bool isFound, const modbus::Identity& identity)
 std::vector<std::uint16_t> demoRegisters(const link::ReadRequest& request,
                                          const program::ProgramImage& program)
 {
-    // As big as the map.
+    // Has the size of the map.
     std::vector<std::uint16_t> map(modbus::stagedBankBase + modbus::bankRegisters);
     for (const modbus::RegisterInfo& info : modbus::registers()) {
         if (info.defaultValue != 0)

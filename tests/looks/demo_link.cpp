@@ -19,25 +19,25 @@ namespace {
 
 constexpr std::uint32_t firstBag = 12420;
 constexpr int bagsShown = 61;       // the first one was begun before the program and does not count
-constexpr int samplesPerCycle = 78; // as over 115200 baud at one bag a second
+constexpr int samplesPerCycle = 78; // one bag a second at 115200 baud
 constexpr int samplesPerBatch = 6;
-constexpr int bagsInBatches = 2;    // the newest: how often a status comes is that of the last second
-constexpr double shareShown = 0.62; // of the newest cycle
-constexpr double lagS = 0.0012;     // of the knife behind its target
+constexpr int bagsInBatches = 2;    // newest bags, for the status rate of the last second
+constexpr double shareShown = 0.62; // of the newest cycle, displayed share
+constexpr double lagS = 0.0012;     // lag of the knife behind its target
 constexpr unsigned strokeSeed = 7;
 constexpr std::uint32_t firstGeneration = 12;
 constexpr double samplesPerS = 78;
-constexpr std::uint16_t everyBit = 0x01FF; // of the faults and warnings that there are
+constexpr std::uint16_t everyBit = 0x01FF; // all faults and warnings that exist
 
-constexpr std::uint32_t cyclesBefore = 1283; // of a move or a cam
+constexpr std::uint32_t cyclesBefore = 1283; // for a move or a cam
 constexpr std::uint32_t firstStroke = 4170;
 constexpr int strokesShown = 24;
-constexpr int badStroke = 21; // of these
+constexpr int badStroke = 21;
 constexpr double stopForceN = 3900;
 constexpr double weakForceN = 640;
 constexpr double forceScatterN = 90;
 constexpr double stopScatterMm = 0.006;
-constexpr double frictionShare = 0.45; // of the force, before the part is seated
+constexpr double frictionShare = 0.45; // share of the force before the part is seated
 
 program::ProgramImage demoProgram(profile::ProgramKind kind)
 {
@@ -68,7 +68,7 @@ std::uint32_t generationOf(profile::ProgramKind kind)
     return firstGeneration + static_cast<std::uint32_t>(kind);
 }
 
-// What pressing a part takes `share` of the way from where it is touched to the stop: friction, then seating.
+// Returns the force at `share` of the way from contact to the stop: friction, then seating.
 double pressForceN(double share, double touchForceN)
 {
     const double friction =
@@ -114,7 +114,7 @@ void DemoLink::readParameter(quint32 id, const std::string& name)
 {
     const link::ParameterOutcome outcome{id, name, link::ParameterEnd::Done, m_parameters[name],
                                          std::nullopt};
-    // Later, as from a line: who asks knows the id by then.
+    // Queued as on a line: the caller knows the id by then.
     QMetaObject::invokeMethod(
         this, [this, outcome] { emit parameterEnded(outcome); }, Qt::QueuedConnection);
 }
@@ -236,7 +236,7 @@ void DemoLink::show(Situation situation, Kind kind)
         return;
     }
     if (situation == Situation::Empty)
-        emit reported({}); // another controller: what was known of the first one is forgotten
+        emit reported({}); // another controller: the data of the first one is cleared
     report(link::LinkState::Connected);
     if (situation == Situation::Empty) {
         emit programRead({});
@@ -248,7 +248,7 @@ void DemoLink::show(Situation situation, Kind kind)
         const std::vector<std::uint16_t> header(bank.begin(), bank.begin() + modbus::bankHeaderRegisters);
         const modbus::KnotSpan span = modbus::knotSpan(header);
         const auto knots = bank.begin() + span.offset;
-        pass(0, statusAt(0)); // a program is read when the status names it
+        pass(0, statusAt(0)); // the status causes the program to be read
         emit programRead({generationOf(m_kind), m_program.crc, header, {knots, knots + span.count}});
         runProgram();
     }
@@ -331,7 +331,7 @@ void DemoLink::runBags()
     tellFilm();
 }
 
-// One whole cycle, so that the trace has an end, and the one under way.
+// Runs one whole cycle, so that the trace has an end, and the present one.
 void DemoLink::runCycles()
 {
     const double cycleS = m_program.solved.cycleS();
@@ -343,7 +343,8 @@ void DemoLink::runCycles()
     }
 }
 
-// The strokes before by their ends alone, then one as it goes; while it runs it is shown in its hold.
+// Runs the earlier strokes by their ends alone, then a complete one; while running it is displayed in its
+// hold.
 void DemoLink::runStrokes()
 {
     std::mt19937 random(strokeSeed);
@@ -415,7 +416,7 @@ modbus::StatusBlock DemoLink::statusAt(double cycleShare) const
     const program::SolvedProgram& solved = m_program.solved;
     const double cycleS = solved.cycleS();
     const double timeS = cycleShare * cycleS;
-    // A cutter and a cam come from the cycle before; a move and a stroke begin at rest.
+    // A cutter and a cam continue from the previous cycle; a move and a stroke begin at rest.
     const bool repeats = m_kind == Kind::RotaryCutter || m_kind == Kind::PointCam;
     const double lateS = repeats ? std::fmod(timeS - lagS + cycleS, cycleS) : std::max(0.0, timeS - lagS);
     const auto wanted = solved.motion.at(timeS);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tests' link with answers: as a controller that runs a known program would give them, always with the
-// same numbers and on its own clock.
+// A link without a line: it answers like a controller that runs a known program, always with the same numbers
+// and on its own clock. For captures and the self-test.
 #pragma once
 
 #include "tests/support/fake_link.h"
@@ -16,8 +16,9 @@ class DemoLink : public test::FakeLink {
     Q_OBJECT
 
 public:
-    // Fresh: with a program that has not run yet. Empty: without one. ProductAcross: a cutter that waits for
-    // one to pass. MarksLost: a cutter that stopped for that. ManyAlarms: every fault and warning at once.
+    // Fresh: with a program that has not run yet. Empty: without a program. ProductAcross: a cutter that
+    // waits for a product to pass. MarksLost: a cutter that stopped because of lost marks. ManyAlarms: every
+    // fault and warning at once.
     enum class Situation {
         Running,
         Stopped,
@@ -49,14 +50,14 @@ public:
     void watchFrames(bool isWatched) override;
 
     void show(Situation situation, Kind kind = Kind::RotaryCutter);
-    // The search that was begun comes to its end; by itself it never does.
+    // Ends the search; it never ends without this call.
     void endScan(bool isFound);
-    // As if the line were that to the simulated controller.
+    // Behaves like the line to the simulated controller.
     void setSimulated(bool isSimulated);
-    // A controller of an older register map, which tells nothing of film and marks; holds from the next
-    // show() of another situation on. True when that is another one than before.
+    // Sets a controller of an older register map without film and marks, effective from the next change of
+    // the situation. Returns true when this is a change.
     bool setOld(bool isOld) { return std::exchange(m_isOld, isOld) != isOld; }
-    // A Stop waits for the line, as long as the situation is this one.
+    // Shows a Stop that waits for the line until the situation changes.
     void showWaitingStop();
     // How often Stop arrived so far.
     [[nodiscard]] qsizetype stopRequests() const;
@@ -66,7 +67,7 @@ public:
         return jogs.isEmpty() ? link::JogDirection::None : jogs.constLast();
     }
     [[nodiscard]] link::SteadyTime now() const { return m_now; }
-    // So much of that time goes by.
+    // Advances the clock.
     void advance(std::chrono::microseconds time) { m_now += time; }
 
 private:
@@ -93,8 +94,8 @@ private:
     bool m_isSimulated = false;
     bool m_isScanning = false;
     bool m_isOld = false;
-    std::optional<link::ReadRequest> m_filmRequest; // the last one; answered again with every bag
-    double m_cycleShare = 0;                        // of the bag under way
+    std::optional<link::ReadRequest> m_filmRequest; // last request; answered again with every bag
+    double m_cycleShare = 0;                        // share of the present bag
 };
 
 } // namespace campanel::looks

@@ -12,8 +12,8 @@
 namespace campanel::looks {
 namespace {
 
-constexpr int longPressMs = 1; // while something is held: nobody waits for it in real time
-constexpr int holdTimeMs = 20; // longer than that
+constexpr int longPressMs = 1; // during a hold, to avoid waiting in real time
+constexpr int holdTimeMs = 20; // longer than longPressMs
 
 QQuickItem* visibleItem(QQuickItem& below, const QString& name)
 {
@@ -31,7 +31,7 @@ QQuickItem* visibleItem(QQuickItem& below, const QString& name)
 void sendMouse(QQuickWindow& window, QEvent::Type type, const QPointF& at)
 {
     const Qt::MouseButtons buttons = type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton;
-    // A move that names a button would count as another press.
+    // A move with a button would count as another press.
     const Qt::MouseButton changed = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
     QMouseEvent event(type, at, window.mapToGlobal(at), changed, buttons, Qt::NoModifier);
     QCoreApplication::sendEvent(&window, &event);
@@ -73,7 +73,7 @@ void Finger::press(QQuickItem& item, int holdMs)
     while (held.elapsed() < holdMs)
         QCoreApplication::processEvents(QEventLoop::AllEvents, holdMs);
     if (holdMs > 0)
-        QCoreApplication::processEvents(); // a timer that ended just now
+        QCoreApplication::processEvents(); // a timer that has expired
     sendMouse(window(), QEvent::MouseButtonRelease, at);
     settle();
 }
@@ -90,7 +90,7 @@ void Finger::tap(QQuickItem& item)
 
 void Finger::hold(const QString& name)
 {
-    QStyleHints& hints = *QGuiApplication::styleHints(); // of keys; of other items it is the theme's
+    QStyleHints& hints = *QGuiApplication::styleHints(); // for keys; other items use the theme's
     const int usualMs = hints.mousePressAndHoldInterval();
     const QVariant usualTime = theme()->property("longPressTime");
     hints.setMousePressAndHoldInterval(longPressMs);
@@ -139,13 +139,14 @@ void Finger::closeDialogs()
 
 void Finger::settle()
 {
-    constexpr int rounds = 4; // loaders, then their bindings, then polish
+    constexpr int rounds = 4; // loaders, then their bindings, then layout
     for (int i = 0; i < rounds; ++i) {
         QCoreApplication::processEvents();
         QCoreApplication::sendPostedEvents(nullptr,
-                                           QEvent::DeferredDelete); // closed dialogs; no event loop runs here
+                                           QEvent::DeferredDelete); // deletes closed dialogs; no event loop
+                                                                    // runs here
     }
-    QEvent frame(QEvent::UpdateRequest); // drawn at once, and not copied as grab() does
+    QEvent frame(QEvent::UpdateRequest); // draws at once, without a copy as in grab()
     QCoreApplication::sendEvent(&window(), &frame);
 }
 

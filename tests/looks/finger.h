@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drives a panel's window as a finger would: find by name, tap, hold, type, grab. The panel may have any
-// link.
+// Operates a panel's window like a finger: find by name, tap, hold, type, grab. For captures, the self-test
+// and the tests, with any link.
 #pragma once
 
 #include "app/shell/panel.h"
@@ -13,7 +13,7 @@ namespace campanel::looks {
 
 class Finger {
 public:
-    // The panel must outlive it and be loaded before anything is called here.
+    // The panel must outlive the object and be loaded before any call.
     explicit Finger(panel::Panel& panel)
         : m_panel(panel)
     {
@@ -22,22 +22,22 @@ public:
     [[nodiscard]] QQuickWindow& window() { return m_panel.window(); }
     [[nodiscard]] QQuickItem& root() { return *m_panel.window().contentItem(); }
     [[nodiscard]] QObject* theme(); // the Theme singleton
-    [[nodiscard]] QObject* frame(); // what every page stands in
+    [[nodiscard]] QObject* frame(); // parent of every page
     [[nodiscard]] const QStringList& complaints() const { return m_complaints; }
 
-    // The first visible item of that objectName; null if there is none.
+    // Returns the first visible item with that objectName, or null.
     [[nodiscard]] QQuickItem* find(const QString& name);
-    // What cannot be found or reached becomes a complaint.
+    // Taps an item. An item that cannot be found or reached becomes a complaint.
     void tap(const QString& name);
     void tap(QQuickItem& item);
     void hold(const QString& name);
-    // Goes down on an item's middle and stays there; then wherever it is, up again.
+    // Presses the center of an item and holds it; the next call releases it.
     void touch(const QString& name);
-    void slide(const QPointF& to); // in the window, px
+    void slide(const QPointF& to); // to a place in the window, px
     void lift();
     void type(const QString& keys);
     void closeDialogs();
-    // Events handled, bindings and layout settled, one frame drawn.
+    // Handles events, settles bindings and layout, and draws one frame.
     void settle();
     [[nodiscard]] QImage grab();
 

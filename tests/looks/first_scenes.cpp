@@ -7,7 +7,7 @@ namespace campanel::looks {
 
 namespace {
 
-// That many steps on, and taps from there.
+// Advances by this number of steps, then taps.
 Scene step(const char* name, int steps, const QStringList& tapped = {})
 {
     return {QString::fromLatin1(name), [steps, tapped](Stage& stage) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The steps of the first start.
+// Scenes of the first start.
 #pragma once
 
 #include "tests/looks/scenes.h"

@@ -9,9 +9,9 @@ namespace {
 
 const QString plainLetters = QStringLiteral("aeiouyAEIOUYcnszCNSZ");
 const QString accentedLetters = QStringLiteral("åéîôüýÅÉÎÔÜÝçñšžÇÑŠŽ");
-constexpr qsizetype vowels = 12; // the first of them
+constexpr qsizetype vowels = 12; // first one of them
 
-// How many characters stand for a value from here on: "%1", "%L12", "%n"; 0: none.
+// Returns the length of a placeholder at this place: "%1", "%L12", "%n"; 0: none.
 qsizetype valueAt(const QString& text, qsizetype at)
 {
     if (text[at] != u'%')

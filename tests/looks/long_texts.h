@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// A language for tests only: every text in English, two fifths longer and with accents, "[Bååg lééngth]", as
-// the longest of the real languages would be. A text without brackets or accents was never given to a
-// translator.
+// A language for tests: English texts, two fifths longer and with accents, "[Bååg lééngth]", like the longest
+// of the real languages. A text without brackets or accents has bypassed the translator.
 #pragma once
 
 #include <QTranslator>
 
 namespace campanel::looks {
 
-// Two fifths longer (at least by the two brackets); what stands for values, "%1", "%n", "%L2", stays.
+// Lengthens the text by two fifths (at least by the two brackets); placeholders, "%1", "%n", "%L2", stay.
 [[nodiscard]] QString longText(const QString& text);
 
-// Installed for as long as it lives.
+// The translator is installed during its lifetime.
 class LongTexts : public QTranslator {
     Q_OBJECT
 

@@ -10,7 +10,7 @@
 namespace campanel::looks {
 namespace {
 
-QStringList g_warnings; // written by the message handler, which knows no object
+QStringList g_warnings; // written by the message handler, which has no object
 
 void noteMessage(QtMsgType type, const QMessageLogContext&, const QString& message)
 {

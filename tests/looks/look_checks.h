@@ -7,7 +7,7 @@
 
 namespace campanel::looks {
 
-// The exit code for main().
+// Returns the exit code for main().
 [[nodiscard]] int checkLooks(const QList<Look>& looks, const QList<Scene>& scenes);
 
 } // namespace campanel::looks

@@ -12,7 +12,7 @@ namespace {
 
 using Step = machine::MarkWizard::Step;
 
-// What the controller tells of the line, as registers.
+// The controller's report of the line, as registers.
 class Packer {
 public:
     void set(const char* name, double value)
@@ -26,7 +26,7 @@ public:
     }
     void tell(DemoLink& link) const
     {
-        constexpr quint32 packingLine = 1; // who asks for this group
+        constexpr quint32 packingLine = 1; // id of the reader of this group
         const link::ReadRequest request{packingLine, modbus::packerAddress, modbus::packerRegisters};
         emit link.registersRead({request, link::ReadEnd::Done, m_registers, link.now(), std::nullopt});
     }
@@ -60,7 +60,7 @@ void showValues(Stage& stage, double bags = 12480)
     stage.settle();
 }
 
-// Marks that the film's slip and the sensor's scatter move a little, always the same.
+// Shows marks that vary with the film's slip and the sensor's scatter, always the same.
 void showSuggestions(Stage& stage)
 {
     constexpr std::array errorsUm{60, -40, 20, 90, -70, 10, -30, 80, -20, -50, 40};
@@ -81,7 +81,6 @@ void openSection(Stage& stage)
     showValues(stage);
 }
 
-// The wizard up to that step.
 void openWizard(Stage& stage, Step step)
 {
     openSection(stage);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far two pictures of the same scene are from one another, in the eyes of a person: other rounding of
-// glyphs and lines is nothing, a word, color or place that changed is something.
+// The visible difference between two pictures of the same scene. Rounding of glyphs and lines is ignored; a
+// changed word, color or place counts.
 #pragma once
 
 #include <QImage>
@@ -8,16 +8,16 @@
 
 namespace campanel::looks {
 
-// Pictures are compared by squares of that many pixels, a mean color each.
+// The size of the squares in pixels whose mean colors are compared.
 inline constexpr int comparedSquarePx = 8;
-// A square differs when one channel of its mean is further away than this, of 255.
+// The tolerance for each channel of a square's mean, of 255.
 inline constexpr int toleratedStep = 12;
 
 struct PictureDifference {
     bool isOtherSize = false;
-    int squares = 0; // that differ
-    QRect around;    // all of them, in pixels
-    QImage picture;  // the second picture pale, with red where it differs; null when nothing does
+    int squares = 0; // different squares
+    QRect around;    // bounding box of all, in pixels
+    QImage picture;  // the second picture, pale, with differences in red; null without differences
 
     [[nodiscard]] bool isNone() const { return !isOtherSize && squares == 0; }
 };

@@ -16,7 +16,7 @@ struct Kept {
     double lengthMm;
     double rateBagsPerMin;
     const char* by;
-    int day; // of January
+    int day; // day of January
 };
 
 constexpr std::array kept{Kept{"Chocolate bar 120", 120, 180, "Anna", 5},
@@ -27,7 +27,7 @@ constexpr std::array kept{Kept{"Chocolate bar 120", 120, 180, "Anna", 5},
                           Kept{"Wafer 90", 90, 190, "Anna", 11},
                           Kept{"\xE8\x8B\x8F\xE6\x89\x93\xE9\xA5\xBC\xE5\xB9\xB2 200", 200, 90, "Li Wei", 12},
                           Kept{"Crispbread 160", 160, 120, "Anna", 13}};
-constexpr int keptNames = 7; // the one that is open among them
+constexpr int keptNames = 7; // including the open one
 
 tl::expected<void, store::StoreError> saveAll(store::Database& database)
 {
@@ -45,7 +45,7 @@ tl::expected<void, store::StoreError> saveAll(store::Database& database)
     return {};
 }
 
-// The page with a library, and taps from there.
+// Opens the page with a library, then taps.
 void openLibrary(Stage& stage, const QStringList& tapped = {})
 {
     Recipes& recipes = stage.panel().recipes();
@@ -68,7 +68,7 @@ Scene page(const char* name, const QStringList& tapped = {})
     return {QString::fromLatin1(name), [tapped](Stage& stage) { openLibrary(stage, tapped); }};
 }
 
-// One file that can be taken over and one that cannot.
+// Returns one usable file and one unusable file.
 QList<store::RecipeOffer> recipesOnStick(const QString& /*ownFolder*/)
 {
     const QString path = QStringLiteral("/media/panel/KINGSTON/");
@@ -95,7 +95,7 @@ Scene importing(const char* name, const QString& tapped)
             }};
 }
 
-// A dialog whose rows come from the database.
+// Opens a dialog with rows from the database.
 Scene versions(const char* name, const QString& tapped)
 {
     return {QString::fromLatin1(name), [tapped](Stage& stage) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page of recipes and its dialogs, on a library that is the same each time.
+// Scenes of the recipe page and its dialogs, with a fixed library.
 #pragma once
 
 #include "tests/looks/scenes.h"

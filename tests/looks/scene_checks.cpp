@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks of what is on the screen; see scene_checks.h.
+// Checks the screen contents; see scene_checks.h.
 #include "tests/looks/scene_checks.h"
 
 #include <QImage>
@@ -11,11 +11,11 @@ namespace campanel::looks {
 namespace {
 
 constexpr double tolerancePx = 1.0; // rounding of glyph metrics
-constexpr double overlapPx = 2.0;   // font boxes hold more than the ink
+constexpr double overlapPx = 2.0;   // font boxes are larger than the ink
 
 struct PaintedText {
     QString text;
-    QRectF rect; // what is painted, in scene coordinates
+    QRectF rect; // painted area, in scene coordinates
 };
 
 bool isText(const QQuickItem& item)
@@ -34,7 +34,7 @@ QString nameOf(const QQuickItem& item)
     return QStringLiteral("%1 \"%2\"").arg(item.objectName(), text);
 }
 
-// The painted part of a text item in its own coordinates.
+// Returns the painted part of a text item in its own coordinates.
 QRectF paintedRect(const QQuickItem& text)
 {
     const double width = text.property("contentWidth").toDouble();
@@ -49,7 +49,7 @@ QRectF paintedRect(const QQuickItem& text)
     return {left + x, y, width, height};
 }
 
-// The list or flickable that the item scrolls in; null if it stands still.
+// Returns the list or flickable that contains the item; null if it does not scroll.
 const QQuickItem* scrollerOf(const QQuickItem& item)
 {
     const QQuickItem* parent = item.parentItem();
@@ -58,7 +58,7 @@ const QQuickItem* scrollerOf(const QQuickItem& item)
     return parent;
 }
 
-// All of it is painted: no list or flickable that it scrolls in, nor one around that, cuts it off.
+// Returns true when the whole rectangle is visible, not clipped by any list or flickable around it.
 bool isInSight(const QQuickItem& item, const QRectF& rect)
 {
     for (const QQuickItem* scroller = scrollerOf(item); scroller; scroller = scrollerOf(*scroller)) {
@@ -68,7 +68,7 @@ bool isInSight(const QQuickItem& item, const QRectF& rect)
     return true;
 }
 
-// The button or surface that the text stands on.
+// Returns the button or surface below the text.
 const QQuickItem* surfaceOf(const QQuickItem& text)
 {
     const QQuickItem* parent = text.parentItem();
@@ -77,7 +77,6 @@ const QQuickItem* surfaceOf(const QQuickItem& text)
     return parent;
 }
 
-// A key of a keyboard with letters.
 bool isLetterKey(const QQuickItem& item)
 {
     const QString name = item.objectName();
@@ -150,7 +149,7 @@ private:
         m_texts.append({text, rect});
     }
 
-    // What cannot be used now may be pale (WCAG exempts it).
+    // Checks the contrast, except for disabled items (WCAG exempts them).
     void checkContrast(const QQuickItem& item, const QRectF& rect)
     {
         const double scale = m_picture.devicePixelRatio();

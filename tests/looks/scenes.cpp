@@ -26,7 +26,7 @@ namespace {
 using Situation = DemoLink::Situation;
 using Kind = DemoLink::Kind;
 
-// A tap on each name in turn; the navigation is "nav0" (Run), "nav1" (Motion), "nav2" (Settings), "nav3"
+// Taps each name in turn; the navigation is "nav0" (Run), "nav1" (Motion), "nav2" (Settings), "nav3"
 // (Service), "nav6" (Alarms).
 Scene taps(const char* name, const QStringList& names)
 {
@@ -36,7 +36,7 @@ Scene taps(const char* name, const QStringList& names)
             }};
 }
 
-// What a finger is told that is held there.
+// Opens the explanation of an item by a held finger.
 Scene held(const char* name, const QString& page, const QString& item)
 {
     return {QString::fromLatin1(name), [page, item](Stage& stage) {
@@ -45,7 +45,7 @@ Scene held(const char* name, const QString& page, const QString& item)
             }};
 }
 
-// What is behind the key More, on a screen that has one; else a page as it is.
+// Opens the pages behind the key More, if the screen has one; else a page as it is.
 Scene morePages(const char* name)
 {
     return {QString::fromLatin1(name), [](Stage& stage) {
@@ -72,7 +72,7 @@ Scene running(const char* name, Kind kind, Situation situation = Situation::Runn
             }};
 }
 
-// Motion with a new program of this kind, which the controller runs too, and taps from there.
+// Opens Motion with a new program of this kind, also active in the controller, then taps.
 Scene editing(const char* name, Kind kind, const QStringList& names = {})
 {
     return {QString::fromLatin1(name), [kind, names](Stage& stage) {
@@ -94,7 +94,7 @@ Scene edited(const char* name, double bagLengthMm, const QStringList& names)
             }};
 }
 
-// Two files on a stick that nobody has to plug in, with their dates, and the panel's own folder.
+// Returns two files on a simulated stick with their dates, and the panel's own folder.
 machine::KnotFiles::Found knotsOnStick(const QString&)
 {
     machine::KnotFiles::Found found;
@@ -117,7 +117,7 @@ machine::KnotFiles::Found knotsOnStick(const QString&)
     return found;
 }
 
-// The sheet of knot files, once what there is has been found, and taps from there.
+// Opens the sheet of knot files after the search, then taps.
 Scene knotFiles(const char* name, const QStringList& names)
 {
     return {QString::fromLatin1(name), [names](Stage& stage) {
@@ -134,7 +134,7 @@ Scene knotFiles(const char* name, const QStringList& names)
             }};
 }
 
-// A section of Service, while the controller stands still, and taps from there.
+// Opens a section of Service with the controller at standstill, then taps.
 Scene service(const char* name, const QStringList& names, Situation situation = Situation::Stopped)
 {
     return {QString::fromLatin1(name), [names, situation](Stage& stage) {
@@ -157,7 +157,7 @@ Scene searched(const char* name, bool isFound)
             }};
 }
 
-// Where reports go, once the places have been found.
+// Opens the places for reports after the search.
 Scene reportPlaces(const char* name)
 {
     return {QString::fromLatin1(name), [](Stage& stage) {
@@ -412,9 +412,8 @@ QStringList usualLooks()
 {
     QStringList names;
     for (const QSize size : lookSizes) {
-        // A color moves no text but the bold name of its theme, and all three lay out the same: of dark and
-        // high contrast one language each at each size, in turn, is enough; so is one theme for gloves and
-        // for longer texts.
+        // Colors change no layout except for the bold name of the theme. So dark and high contrast need only
+        // one language at each size, in turn, and gloves and longer texts only one theme.
         const bool isMiddle = size.width() == 1024;
         const QString light = u"light"_s;
         const QString english = u"en"_s;
@@ -472,7 +471,7 @@ void enterScene(Stage& stage, const Scene& scene)
 {
     auto& editor = stage.panel().editor();
     machine::Display& display = stage.panel().display();
-    while (display.wipeSeconds() > 0) // a wiped screen takes no taps
+    while (display.wipeSeconds() > 0) // no taps during cleaning
         display.tick();
     stage.closeDialogs();
     stage.panel().settings().endFirstStart();

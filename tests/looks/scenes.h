@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every page and dialog of the panel as named scenes, each with the touches that lead to it.
+// Every page and dialog of the panel as named scenes, each with the touches that open it.
 #pragma once
 
 #include "tests/looks/stage.h"
@@ -17,16 +17,16 @@ struct Scene {
 
 [[nodiscard]] const QList<Scene>& allScenes();
 
-// Every language in every theme at every size, with gloves and without.
+// Returns every combination of language, theme, size, with and without gloves.
 [[nodiscard]] QList<Look> allLooks();
 
-// Those that one of the patterns names, as of a shell and with commas between them ("run*,motion"). Of looks
-// the word "usual" names every language and size in the light theme, in the others what their colors could
-// change, gloves, and texts that are longer.
+// Return those that match one of the comma-separated shell patterns ("run*,motion"). For looks, "usual" means
+// every language and size in the light theme. In the other themes it means
+// the looks that their colors could change; gloves and longer texts are added.
 [[nodiscard]] QList<Look> looksNamed(const QString& patterns);
 [[nodiscard]] QList<Scene> scenesNamed(const QString& patterns);
 
-// From wherever the stage is to the scene.
+// Enters the scene from any present state of the stage.
 void enterScene(Stage& stage, const Scene& scene);
 
 } // namespace campanel::looks

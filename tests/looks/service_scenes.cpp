@@ -26,7 +26,7 @@ Scene scene(const char* name, const char* section, Situation situation, Kind kin
             }};
 }
 
-// With values that were there before the line was lost.
+// Opens a section with values from before the line was lost.
 Scene oldValues(const char* name, const char* section)
 {
     return {QString::fromLatin1(name), [section](Stage& stage) {
@@ -36,7 +36,6 @@ Scene oldValues(const char* name, const char* section)
             }};
 }
 
-// The controller is in this state now.
 void tell(Stage& stage, modbus::State state, std::uint16_t warningBits = 0)
 {
     modbus::StatusBlock status = *stage.panel().machine().status();
@@ -46,7 +45,7 @@ void tell(Stage& stage, modbus::State state, std::uint16_t warningBits = 0)
     stage.settle();
 }
 
-// The dry run of a new recipe of this kind, turned by so many degrees.
+// Opens the dry run of a new recipe of this kind, turned by this angle.
 Scene dryRun(const char* name, Kind kind, double turnedDeg)
 {
     return {QString::fromLatin1(name), [kind, turnedDeg](Stage& stage) {

@@ -101,7 +101,7 @@ void Stage::waitFor(machine::KnotFiles& files)
 
 void Stage::waitForTrends()
 {
-    // What is asked after it is answered after it; the second time for what waited for the first answer.
+    // Requests are answered in order; the second round is for requests that waited for the first answer.
     for (int round = 0; round < 2; ++round) {
         QEventLoop untilAnswered;
         m_panel.trends().store().run(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A panel on the demonstration link under a finger.
+// A panel on the demonstration link, operated by a Finger. For captures and the self-test.
 #pragma once
 
 #include "tests/looks/demo_link.h"
@@ -13,7 +13,7 @@
 namespace campanel::looks {
 
 struct Look {
-    QString language; // of Settings.languages, or "long": English texts that are longer, see long_texts.h
+    QString language; // from Settings.languages, or "long": longer English texts, see long_texts.h
     QString theme;
     QSize size;
     bool gloves = false;
@@ -26,25 +26,26 @@ class Stage : public Finger {
 public:
     explicit Stage(const Look& look);
 
-    // False when the window could not be loaded.
+    // Returns false when the window could not be loaded.
     [[nodiscard]] bool isReady() const { return m_isReady; }
     [[nodiscard]] DemoLink& link() { return m_link; }
     [[nodiscard]] panel::Panel& panel() { return m_panel; }
 
     using Finger::tap;
-    // A page whose key is not in the navigation, as in glove mode on a small screen, is behind the key More;
-    // a group of Service that has no key of its own, behind that for all groups.
+    // Taps an item, also one behind a menu. A page without a key in the navigation, as in glove mode on a
+    // small screen, is behind the key More. A group of Service without a key is behind the key for all
+    // groups.
     void tap(const QString& name);
-    // The machine looks at the age of its data now; by itself it does so every tenth of a real second.
+    // Updates the age of the machine's data, as its timer does every tenth of a real second.
     void lookAtClock();
-    // Until it has found what there is.
+    // Waits until the search has ended.
     void waitFor(machine::KnotFiles& files);
     void waitFor(machine::ReportFiles& files);
-    // Until it has read what it was asked for so far; its store must be open.
+    // Waits until all requested trends are read; their store must be open.
     void waitForTrends();
     void waitFor(machine::RecipeFiles& files);
 
-    // Until `condition` holds, looked at whenever the object emits that signal.
+    // Waits until `condition` holds; checks it whenever the object emits that signal.
     template <typename Object, typename Signal, typename Condition>
     void waitUntil(Object& object, Signal signal, Condition condition)
     {

@@ -18,8 +18,8 @@ using store::TrendQuantity;
 constexpr unsigned trendSeed = 11;
 constexpr qint64 msPerSecond = 1000;
 constexpr qint64 secondsOfNow = 600;
-constexpr qint64 secondsOfPause = 70; // in these
-constexpr qint64 endOfPause = 150;    // seconds before now
+constexpr qint64 secondsOfPause = 70; // of endOfPause
+constexpr qint64 endOfPause = 150;    // before now
 constexpr qint64 tenMinutes = 600;
 constexpr qint64 tenMinutesOfAWeek = 7 * 24 * 6;
 
@@ -28,7 +28,7 @@ qint64 nowMs()
     return QDateTime(QDate(2026, 1, 15), QTime(14, 7)).toMSecsSinceEpoch();
 }
 
-// A bag a second that wanders about a little; `second` decides what it is.
+// Adds the values of one bag, with variations that depend on `second`.
 void addSecond(QList<TrendPart>& parts, qint64 second, std::mt19937& random)
 {
     std::normal_distribution<double> scatter(0, 0.06);
@@ -50,8 +50,8 @@ void addSecond(QList<TrendPart>& parts, qint64 second, std::mt19937& random)
     add(TrendQuantity::Latency, {8.1 + scatter(random), 8.4, 9.9 + std::abs(20 * scatter(random))});
 }
 
-// The last ten minutes second by second with a pause, and of the week before one second in ten minutes of the
-// shifts: enough for a picture of the week.
+// Returns the last ten minutes second by second with a pause, and one second in ten minutes for the shifts of
+// the last week.
 QList<TrendPart> demoTrends()
 {
     std::mt19937 random(trendSeed);
@@ -85,7 +85,7 @@ QList<store::Bag> demoBags()
     return bags;
 }
 
-// What the demonstration's machine has recorded goes: it depends on the scenes before.
+// Deletes the recorded trends, which depend on earlier scenes.
 tl::expected<void, store::StoreError> deleteTrends(store::Database& database)
 {
     for (const char* table : {"bag", "program", "trend_second", "trend_minute", "trend_hour"}) {
@@ -102,7 +102,7 @@ tl::expected<void, store::StoreError> fill(store::Database& database)
     store::BagLog bags(database);
     const QList<store::Bag> wanted = demoBags();
     const auto found = bags.countBetween(wanted.first().timeMs, nowMs(), wanted.size());
-    if (found == wanted.size()) // by a scene before
+    if (found == wanted.size()) // by an earlier scene
         return {};
     if (const auto cleared = deleteTrends(database); !cleared)
         return cleared;
@@ -129,7 +129,7 @@ void change(Stage& stage, Change change)
         qWarning("the demonstration's trends cannot be written");
 }
 
-// The page with these quantities over the last ten minutes.
+// Opens the page with these quantities over the last ten minutes.
 void openPage(Stage& stage,
               const QList<int>& quantities = {machine::Trends::Deviation, machine::Trends::MarkError})
 {

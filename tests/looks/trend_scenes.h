@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page Trends: empty, with a week of a machine's life, its sheets.
+// Scenes of the page Trends: empty, with a week of example data, its sheets.
 #pragma once
 
 #include "tests/looks/scenes.h"

@@ -152,7 +152,7 @@ void DownloadTest::linkErrorsAreRepeated()
     QFETCH(int, fault);
     const auto f = static_cast<Fault>(fault);
     const auto ok = Fault::None;
-    // Begin, the second block, seal and apply meet the fault; status exchanges go between.
+    // Begin, the second block, seal and apply get the fault; status exchanges are in between.
     m_slave->script({ok, f, ok, ok, ok, f, ok, ok, ok, f, ok, ok, f, ok, ok, f});
     Download download = make({ApplyMode::WhenStopped, 23, true});
     QVERIFY(run(download, Download::Phase::Active));
@@ -221,7 +221,7 @@ void DownloadTest::resumedAfterApplyWasSent()
     QVERIFY(run(download, Download::Phase::Apply));
     m_slave->script({Fault::LostAnswer, Fault::LostRequest, Fault::LostRequest, Fault::LostRequest});
     QVERIFY(!download.advance(*m_client).has_value());
-    download.resume(); // as after a broken line, before any status has told
+    download.resume(); // as after a broken line, before any status
     while (download.phase() != Download::Phase::AwaitActive)
         QVERIFY(download.advance(*m_client).has_value());
     m_slave->reachCycleBoundary();
@@ -245,7 +245,7 @@ void DownloadTest::applyWithoutAnyAnswer()
     QFETCH(bool, statusFirst);
     Download download = make({static_cast<ApplyMode>(mode), 27, false});
     QVERIFY(run(download, Download::Phase::Apply));
-    // The command is carried out, but neither its answer nor any question for its result comes through.
+    // The command is executed, but its answer and all requests for its result are lost.
     m_slave->script({Fault::LostAnswer, Fault::LostRequest, Fault::LostRequest, Fault::LostRequest});
     const auto unknown = download.advance(*m_client);
     QVERIFY(!unknown.has_value());
@@ -310,7 +310,7 @@ void DownloadTest::differingRegisterIsNamed()
     verify();
     QCOMPARE(phase, Download::Phase::Resuming); // the controller may have restarted
     damage(0);
-    verify(); // it has not
+    verify(); // it has not restarted
     QVERIFY(!phase.has_value());
     QCOMPARE(phase.error().kind, DownloadErrorKind::RowsDiffer);
     QCOMPARE(phase.error().offset, 200u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The record of the line: every byte is in it, what was dropped too, and it reads in words.
+// The record of the line: it contains every byte, also dropped ones, and can be decoded as text.
 #include "modbus/line/crc16.h"
 #include "modbus/line/frame_text.h"
 #include "modbus/line/rtu_client.h"
@@ -134,7 +134,7 @@ private slots:
         QCOMPARE(figures.answers(), std::uint64_t{0});
         QCOMPARE(figures.receivedBytes(), static_cast<std::uint64_t>(length));
         QCOMPARE(figures.drains(), std::uint64_t{1});
-        // Asked again, it is a retry.
+        // A repetition is a retry.
         QVERIFY(m_client->exchangeStatus(2, 0).has_value());
         QCOMPARE(m_client->record().figures.retries(), std::uint64_t{1});
         QVERIFY(m_client->exchangeStatus(3, 0).has_value());

@@ -31,8 +31,8 @@ using Depth = ScanPlan::Depth;
 
 namespace {
 
-// Answers whatever comes with bytes that are no frame, as a line does at a wrong baud rate; or, with none,
-// takes everything in silence.
+// Answers everything with bytes that are not a frame, like a line at a wrong baud rate; or, without bytes,
+// stays silent.
 class NoisyPort {
 public:
     explicit NoisyPort(std::vector<std::uint8_t> noise, bool isEchoing = false)
@@ -166,7 +166,7 @@ private slots:
             scan.advance();
         QVERIFY(scan.controller() != nullptr);
         QCOMPARE(scan.controller()->unit, 9);
-        QCOMPARE(scan.findings().size(), std::size_t{1}); // no other device at the units asked meanwhile
+        QCOMPARE(scan.findings().size(), std::size_t{1}); // no other device at the other units
         QCOMPARE(slave.writes(), 0);
     }
 
@@ -221,7 +221,7 @@ private slots:
     void busyPortNamesItsOwner()
     {
         ScriptedSlave slave;
-        // Another process with the port open and locked, as a terminal program would have it.
+        // Another process with the port open and locked, like a terminal program.
         QProcess owner;
         owner.start("flock",
                     {"-n", QString::fromStdString(slave.port()), "-c", "echo locked; exec sleep 60"});
@@ -305,7 +305,7 @@ private slots:
         QCOMPARE(scan.controller()->port, slave.port());
         QCOMPARE(scan.findings().front().condition, LineCondition::PortNotSerial);
         QCOMPARE(slave.writes(), 0);
-        QVERIFY(scan.progress().done < 300); // the useless port was left out, the likely settings came first
+        QVERIFY(scan.progress().done < 300); // the useless port was skipped, the likely settings came first
     }
 
     void adapterThatDisappears()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The figures of the line: percentiles, the strip of 24 hours, the allowance that follows what is measured.
+// The statistics of the line: percentiles, the strip of 24 hours, the measured allowance.
 #include "modbus/line/answer_allowance.h"
 #include "modbus/line/link_figures.h"
 #include "tests/support/test_program.h"
@@ -115,7 +115,7 @@ private slots:
         }
         QCOMPARE(strip.back().latencyMaxUs, 40'000u);
         QCOMPARE(strip.back().latencyP99Us, 40'000u);
-        // A pause of more than a day leaves nothing of before.
+        // A pause of more than a day clears everything earlier.
         answerAt(figures, atMinute(start + 10 * LinkFigures::stripMinutes));
         std::uint32_t answers = 0;
         for (const MinuteFigures& minute : figures.strip())
@@ -147,7 +147,7 @@ private slots:
     {
         LinkFigures figures;
         const QString empty = QString::fromStdString(figuresCsv(figures));
-        QVERIFY(empty.contains("\nlatency_p99_ms,\n")); // not known is not zero
+        QVERIFY(empty.contains("\nlatency_p99_ms,\n")); // unknown is not zero
         QVERIFY(empty.contains("\nwire_share,\n"));
         answerAt(figures, atMinute(29'000'000), 12'500us);
         figures.noteError(LinkErrorKind::BadChecksum, 1ms, atMinute(29'000'000));
@@ -166,7 +166,7 @@ private slots:
         AnswerAllowance allowance(100ms);
         for (std::uint64_t i = 1; i < AnswerAllowance::fewest; ++i)
             allowance.noteTurnaround(1ms);
-        QCOMPARE(allowance.value(), 100ms); // too few to tell
+        QCOMPARE(allowance.value(), 100ms); // too few measurements
         for (int i = 0; i < 500; ++i)
             allowance.noteTurnaround(1ms);
         QCOMPARE(allowance.value(), AnswerAllowance::shortest);
@@ -189,7 +189,7 @@ private slots:
         for (int i = 0; i < 10; ++i)
             allowance.noteSilence();
         QCOMPARE(allowance.value(), AnswerAllowance::longest);
-        // The slow answers that it now waits for are measured, and it stays long enough for them.
+        // The slow answers are now measured, and the allowance stays long enough.
         for (int i = 0; i < 500; ++i)
             allowance.noteTurnaround(90ms);
         QVERIFY(allowance.value() >= 270ms);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Invariants of the register table and of the words; REGISTERS.md is what the table generates.
+// Invariants of the register table and its texts; REGISTERS.md must match the table.
 // `campanel-generate-registers --markdown` writes it.
 #include "modbus/map/blocks.h"
 #include "modbus/map/register_document.h"
@@ -73,7 +73,7 @@ void RegisterMapTest::everyEnumNameIsListed()
 void RegisterMapTest::enumValuesAreUniqueAndExplained()
 {
     for (const EnumInfo& info : enumerations()) {
-        // Values count up without gaps, from 0 or, of laws, from 1: a decoder may compare with the last one.
+        // Values count up without gaps, from 0 or, for laws, from 1: a decoder may compare with the last one.
         std::uint16_t expected = info.name == "Law" ? 1 : 0;
         for (const EnumValue& value : info.values) {
             QVERIFY2(value.value == expected++, value.name.data());
@@ -108,7 +108,7 @@ void RegisterMapTest::banksFitBetweenTheirBases()
 
 void RegisterMapTest::windowsFitOneFrame()
 {
-    // Function 23 carries at most 121 written and 125 read registers.
+    // Function 23 has at most 121 written and 125 read registers.
     const int transferWritten =
         findRegister("transfer.data")->address + blockRegisters - findRegister("transfer.session")->address;
     QVERIFY(transferWritten <= 121);

@@ -113,7 +113,7 @@ void RtuClientTest::foreignDeviceIsLeftAlone()
     QVERIFY(QString::fromStdString(describe(identity.error())).contains("0x1234"));
     m_slave->script({Fault::Exception2});
     QCOMPARE(m_client->identify().error().kind, LinkErrorKind::NotCamPanel);
-    m_slave->script({Fault::Busy}); // says nothing about which device it is
+    m_slave->script({Fault::Busy}); // does not identify the device
     QCOMPARE(m_client->identify().error().kind, LinkErrorKind::Exception);
     QCOMPARE(m_slave->writes(), 0);
 }
@@ -209,7 +209,7 @@ void RtuClientTest::answersThatAreAlwaysLateAreTaken()
         QVERIFY(m_client->exchangeStatus(heartbeat, 0).has_value());
 }
 
-// The answers of a controller that has become slow come during the next question, where they are foreign.
+// The answers of a slow controller come during the next question, where they are foreign.
 void RtuClientTest::slowerAnswersAreWaitedForSoon()
 {
     LinkSettings settings;
@@ -249,7 +249,7 @@ void RtuClientTest::echoIsTakenOffTheAnswers()
 
 void RtuClientTest::lateAnswersNeverBecomeValues()
 {
-    // Seeded; every second request on average is answered late, so that its answer meets the next question.
+    // Seeded; on average every second request is answered late, so that its answer meets the next question.
     const unsigned seed = 20240517;
     qInfo("seed %u", seed);
     std::mt19937 random(seed);
@@ -274,11 +274,11 @@ void RtuClientTest::lateAnswersNeverBecomeValues()
             QCOMPARE(status->heartbeat, static_cast<std::uint16_t>(i));
     }
     QVERIFY(right > 0);
-    // Answered late, and then another question asked: the stale answer has another length.
+    // Answered late, then another question: the late answer has another length.
     m_slave->script({Fault::LateAnswer});
     QCOMPARE(m_client->exchangeStatus(0, 0).error().kind, LinkErrorKind::NoAnswer);
     QVERIFY(m_client->readProven(0x0400, 1).has_value());
-    // The same question answered late and asked again: the stale answer has the right length and address.
+    // The same question answered late and repeated: the late answer has the right length and address.
     m_slave->setRegister(0x0400, 1);
     m_slave->script({Fault::LateAnswer});
     QCOMPARE(m_client->readProven(0x0400, 1).error().kind, LinkErrorKind::NoAnswer);
@@ -300,7 +300,7 @@ void RtuClientTest::exceptionIsNotWaitedOut()
 void RtuClientTest::answerToNobodyIsDropped()
 {
     QVERIFY(m_client->exchangeStatus(1, 0).has_value());
-    // Bytes between the questions, as of an answer that came after its time: written from the slave's side.
+    // Bytes between the questions, as from a late answer: written from the slave's side.
     m_slave->script({Fault::LateAnswer, Fault::LostAnswer});
     QVERIFY(!m_client->exchangeStatus(2, 0).has_value());
     QVERIFY(!m_client->exchangeStatus(3, 0).has_value());
@@ -376,7 +376,7 @@ void RtuClientTest::commandWithoutAnyAnswerIsUnknown()
 void RtuClientTest::commandBeforeARestartIsUnknown()
 {
     QVERIFY(m_client->command(Command::Start).has_value());
-    m_slave->script({Fault::Restart}); // carried out, then nothing is known of it any more
+    m_slave->script({Fault::Restart}); // executed, then nothing is known of it
     const auto result = m_client->command(Command::SaveToFlash);
     QVERIFY(!result.has_value());
     QCOMPARE(result.error().kind, LinkErrorKind::OutcomeUnknown);
@@ -389,7 +389,7 @@ void RtuClientTest::counterOfARestartedControllerIsNotUsed()
 {
     m_slave->setRegister(registerNamed("status.command_counter").address, 0xFFFF);
     QVERIFY(m_client->exchangeStatus(1, 0).has_value());
-    m_slave->restart(); // its counter is 0, and the command after 0xFFFF is none that it has had
+    m_slave->restart(); // its counter is 0, and the command after 0xFFFF is unknown to it
     const auto result = m_client->command(Command::Start);
     QVERIFY(result.has_value());
     QVERIFY(result->done());
@@ -416,7 +416,7 @@ void RtuClientTest::parameterIsProven()
     const auto lost = m_client->writeParameter(info, 90000);
     QVERIFY(!lost.has_value());
     QCOMPARE(lost.error().kind, LinkErrorKind::ReadBackDiffers);
-    // An exception may be another question's: what the register holds decides.
+    // An exception may belong to another question: the register decides.
     m_slave->script({Fault::Exception2Done});
     QVERIFY(m_client->writeParameter(info, 91000).has_value());
     m_slave->script({Fault::Exception2});
@@ -536,7 +536,7 @@ void RtuClientTest::silenceIsKeptBetweenFrames()
     timer.start();
     for (std::uint16_t i = 1; i <= exchanges; ++i)
         QVERIFY(slow.exchangeStatus(i, 0).has_value());
-    // The scripted slave answers at once, so the silences are all that takes time.
+    // The scripted slave answers at once, so only the silences take time.
     QVERIFY(std::chrono::nanoseconds(timer.nsecsElapsed()) >= exchanges * frameSilence(settings.line));
 }
 

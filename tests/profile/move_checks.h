@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every solved or refused move must be, for tests with seeded random moves.
+// The properties of every solved or refused move, for tests with seeded random moves.
 #pragma once
 
 #include "profile/laws/laws.h"
@@ -33,7 +33,8 @@ public:
     {
         return std::uniform_real_distribution<double>(from, to)(m_random);
     }
-    // On the field's grid, even over the decades; of either sign where the field has both.
+    // Returns a number on the field's grid, uniform over the decades; of either sign where the field has
+    // both.
     double decades(Field field, double from, double to)
     {
         const double magnitude = std::exp(uniform(std::log(from), std::log(to)));
@@ -58,7 +59,7 @@ public:
         m.maxTorqueNm = decades(Field::MaxTorque, 0.1, 100);
         m.inertiaKgCm2 = pick(10) == 0 ? 0 : decades(Field::Inertia, 0.01, 100);
         m.frictionNm = pick(10) == 0 ? 0 : decades(Field::Friction, 0.001, 0.2);
-        if (m.frictionNm == m.maxTorqueNm) // no torque at all is left, but not by an amount that can be told
+        if (m.frictionNm == m.maxTorqueNm) // no torque is left, but by an amount that cannot be measured
             m.frictionNm = 0;
         return m;
     }
@@ -76,7 +77,8 @@ inline bool isBeyondLimits(const MotionPoint& p, const Machine& m, double room)
            axisTorqueNm(m, p.accelerationMmPerS2) > m.maxTorqueNm * (1 + room);
 }
 
-// By sampling: within the peaks, and within the machine's limits exactly when none is said to be broken.
+// Checks by sampling: within the peaks, and within the machine's limits exactly when no limit is reported as
+// exceeded.
 inline void verifyAgainstSamples(const AxisMotion& solved, const Machine& machine)
 {
     constexpr int samples = 200;
@@ -102,7 +104,7 @@ inline void verifyAgainstSamples(const AxisMotion& solved, const Machine& machin
     }
 }
 
-// Feasible also without the tolerance that limits have.
+// Returns true when the program is feasible even without the tolerance of the limits.
 template <typename Program> bool isClearlyFeasible(const Program& program, const Machine& machine)
 {
     constexpr double clear = 1 - 2e-9;
@@ -112,7 +114,7 @@ template <typename Program> bool isClearlyFeasible(const Program& program, const
            solved->peaks.accelerationMmPerS2 <= allowed.accelerationMmPerS2 * clear;
 }
 
-// Each suggestion is on its grid and mends the program; the grid point before it does not.
+// Checks each suggestion: it is on its grid and corrects the program; the previous grid point does not.
 template <typename Program>
 void verifySuggestions(const Program& program, const Machine& machine, const Refusal& refusal)
 {

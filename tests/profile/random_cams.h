@@ -54,7 +54,7 @@ public:
     }
 
 private:
-    // A few waves with some scatter; without a net advance or with one. A broken list of knots now and then.
+    // Returns a few waves with some scatter, with or without a net advance, and occasionally invalid knots.
     std::vector<Knot> knots(bool isProgressive)
     {
         const std::size_t count = 5 + pick(96);

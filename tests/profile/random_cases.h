@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many seeded random programs a test tries: ten thousand unless it says otherwise, or what
-// CAMPANEL_RANDOM_CASES says (a million, in the nightly tier).
+// The number of seeded random programs in a test: ten thousand by default, or CAMPANEL_RANDOM_CASES (a
+// million in the nightly tier).
 #pragma once
 
 #include <QtGlobal>

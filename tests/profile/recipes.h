@@ -16,7 +16,7 @@ struct Recipe {
     Machine machine;
 };
 
-// R = 60 mm, one knife, k = 4, 2.5, 5/3, 4/3, cubic, K = 10000, Z = 1.
+// Returns the recipe with R = 60 mm, one knife, k = 4, 2.5, 5/3, 4/3, cubic, K = 10000, Z = 1.
 inline Recipe checkRecipe(double bagLengthMm = 250, double rateBagsPerMin = 60)
 {
     Recipe recipe;
@@ -33,7 +33,7 @@ inline constexpr std::array<std::array<Field, 2>, 6> allPairs{{{Field::BagLength
                                                                {Field::BagLength, Field::FilmSpeed},
                                                                {Field::BaseSpeed, Field::FilmSpeed}}};
 
-// Values are on the grids of their fields; some recipes are feasible, some are not.
+// Random recipes with values on the grids of their fields; some are feasible, some are not.
 class RandomRecipes {
 public:
     explicit RandomRecipes(unsigned seed)

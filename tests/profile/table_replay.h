@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plays a step table pulse by pulse as its definition says, independent of how it was built.
+// Replays a step table pulse by pulse by its definition, independent of how it was built.
 #pragma once
 
 #include "profile/cutter/step_table.h"
@@ -20,7 +20,7 @@ inline std::int64_t sumOfTicks(const StepTable& table)
                            [](std::int64_t sum, const StepRow& row) { return sum + row.ticks; });
 }
 
-// Every timer constant of the row is within the machine's range, with `extra` pulses added.
+// Returns true when every timer constant of the row is within the machine's range, with `extra` pulses added.
 inline bool isWithinTimer(const StepRow& row, const Machine& machine, std::int64_t extra = 0)
 {
     const std::int64_t pulses = row.pulses + extra;
@@ -32,7 +32,7 @@ inline bool isWithinTimer(const StepRow& row, const Machine& machine, std::int64
            longest <= largestTimerConstant(machine);
 }
 
-// Calls back with the tick of every pulse of one cycle.
+// Calls `pulse` with the tick of every pulse of one cycle.
 template <typename Pulse> void replay(const StepTable& table, Pulse pulse)
 {
     std::int64_t start = 0;

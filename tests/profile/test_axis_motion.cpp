@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Peaks of every form of stretch against dense sampling, steps of the acceleration, and broken limits with
-// their place and their time spans.
+// Peaks of every form of segment against dense sampling, steps of the acceleration, and exceeded limits with
+// their place and time spans.
 #include "move_checks.h"
 
 #include "profile/cutter/sampling.h"
@@ -18,7 +18,7 @@ const Law& quintic()
     return *findLaw(LawId::Quintic);
 }
 
-// Rises, runs, and comes back by cubic pieces; superposed speed in between.
+// Returns a motion that rises, runs, and returns by cubic pieces, with an added speed in between.
 MotionProfile mixedMotion()
 {
     MotionProfile motion;
@@ -138,7 +138,7 @@ void TestAxisMotion::peaksOfAMixedMotion()
 
 void TestAxisMotion::parabolaTurnsInside()
 {
-    MotionProfile motion; // v = -100 - 50 t + 200 t^2 is least at t = 1/8
+    MotionProfile motion; // v = -100 - 50 t + 200 t^2 has its minimum at t = 1/8
     motion.addCubic(0.5, -100, -50, 400);
     const AxisPeaks peaks = axisPeaks(motion, Machine());
     QCOMPARE(peaks.speedMmPerS, 103.125);
@@ -170,7 +170,7 @@ void TestAxisMotion::jerkIsInfiniteAtSteps()
     QCOMPARE(ramp(LawId::Parabolic, false), 100 * 4 / 4.0);
     QVERIFY(std::isinf(ramp(LawId::Exponential, false)));
     QVERIFY(std::isinf(ramp(LawId::Exponential, true)));
-    // A closed cam may repeat: there is no step where it ends as it began.
+    // A closed cam may repeat: there is no step when it ends as it began.
     QCOMPARE(jerk([](MotionProfile& m) {
                  m.addCubic(1, 0, 6, -12);
                  m.addCubic(1, 0, -6, 12);
@@ -286,7 +286,7 @@ void TestAxisMotion::frictionAlone()
     QCOMPARE(broken.front().limit, Limit::MotorTorque);
     QCOMPARE(broken.front().brokenDuring.front().toS, 3.0);
     QVERIFY(axisAllowance(machine).accelerationMmPerS2 < 0);
-    machine.frictionNm = 1.5; // nothing is left to accelerate with
+    machine.frictionNm = 1.5; // no torque is left to accelerate
     QCOMPARE(axisAllowance(machine).accelerationMmPerS2, 0.0);
     QVERIFY(check(motion, machine).empty());
     MotionProfile gentle;

@@ -61,7 +61,7 @@ Machine fastMachine()
     return machine;
 }
 
-// What the rows sum to after so many cycles, by the accumulator that the controller keeps.
+// Returns the sum of the rows after this many cycles, by the controller's accumulator.
 std::int64_t pulsesAfter(const PulsesPerCycle& advance, std::int64_t cycles)
 {
     std::int64_t position = 0;
@@ -86,7 +86,7 @@ void verifyRows(const CamRecipe& recipe, const CamTable& table)
     const double ticks = camCycleS(recipe.program) * recipe.machine.timerClockHz;
     QVERIFY(std::abs(table.cycleTicks - ticks) <= 0.5 + 1e-3);
     const double netMm = netAdvanceMm(recipe.program) * recipe.program.slaveScale;
-    // The last row is the exact advance, rounded, and so is what a million cycles sum to.
+    // The last row is the exact advance, rounded, and so is the sum of a million cycles.
     QVERIFY(std::abs(table.rows.back().position256 - 256 * table.advance.asDouble()) <= 0.5 + 1e-3);
     QVERIFY(std::abs(table.advance.asDouble() - netMm * axisPulsesPerMm(recipe.machine)) <=
             1e-9 * std::max(1.0, std::abs(table.advance.asDouble())));
@@ -187,8 +187,8 @@ void TestCamTable::statesTheInterpolationError_data()
     QTest::addColumn<int>("points");
     QTest::addColumn<double>("mostMm");
     QTest::addColumn<double>("mostMmPerS");
-    // A clamped spline of a smooth curve is off by at most 5/384 h^4 max|s''''| in position and h^3 / 24
-    // max|s''''| in speed; s'''' = 6000 (720 x - 360), at most 2 160 000 mm/s^4. Rows are rounded to 1/256
+    // A clamped spline of a smooth curve has an error of at most 5/384 h^4 max|s''''| in position and h^3 /
+    // 24 max|s''''| in speed; s'''' = 6000 (720 x - 360), at most 2 160 000 mm/s^4. Rows are rounded to 1/256
     // pulse (0.00004 mm), slopes likewise.
     QTest::newRow("100 points") << 100 << 5.0 / 384 * 1e-8 * 2160000 << 1e-6 / 24 * 2160000;
     QTest::newRow("1000 points") << 1000 << 5.0 / 384 * 1e-12 * 2160000 << 1e-9 / 24 * 2160000;
@@ -210,12 +210,12 @@ void TestCamTable::statesTheInterpolationError()
     QVERIFY(errors.positionMm <= mostMm + rounding);
     QVERIFY(errors.positionMm > 0);
     QCOMPARE(errors.positionPulses, errors.positionMm * 100);
-    // Half a unit of each of two positions and two slopes, over an interval.
+    // Half a unit for each of two positions and two slopes, over an interval.
     QVERIFY(errors.speedMmPerS <= mostMmPerS + 2 * rounding * points);
     QVERIFY(errors.speedMmPerS > mostMmPerS / 10);
 }
 
-// By replay at many places of each interval: no error is larger than stated, nor much smaller.
+// Replays each interval at many places: no error is larger than stated, nor much smaller.
 void TestCamTable::verifyErrors(const CamTable& table, const MotionProfile& motion, const Machine& machine,
                                 CamUse use, int parts)
 {
@@ -257,7 +257,7 @@ void TestCamTable::statedErrorsAreTheRealOnes()
     QVERIFY(camErrors(table, forwardMotion(program), {}, CamUse::Repeats).positionMm < 1e-3);
 }
 
-// Every law, as a displacement and as a ramp both ways, with joints that lie inside of intervals.
+// Every law, as a displacement and as a ramp in both directions, with joints inside intervals.
 void TestCamTable::statedErrorsOfEveryLaw()
 {
     for (const Law& law : laws()) {
@@ -323,7 +323,7 @@ void TestCamTable::advanceIsExact()
         constexpr std::int64_t cycles = 1000000;
         QCOMPARE(pulsesAfter(table.advance, cycles), whole * cycles + remainder * cycles / divisor);
     }
-    // Integers only: the fraction agrees with the entered numbers to the last digit.
+    // Integers only: the fraction matches the entered numbers to the last digit.
     const qint64 scale1000 = std::llround(slaveScale * 1000);
     const qint64 feed1000 = std::llround(feed * 1000);
     QCOMPARE((whole * divisor + remainder) * feed1000 * 1000, 376991 * scale1000 * pulsesPerRev * divisor);
@@ -339,7 +339,7 @@ void TestCamTable::slopesContinueAtTheWrap()
     const CamTable clamped = built(program);
     QCOMPARE(clamped.rows.front().slope256, 0);
     QCOMPARE(clamped.rows.back().slope256, 0);
-    program.ends = SplineEnds::Natural; // its own slopes on either side: nothing rings beside the jump
+    program.ends = SplineEnds::Natural; // its own slopes on either side: no ringing beside the jump
     const CamTable natural = built(program);
     const MotionProfile motion = forwardMotion(program);
     const CamErrors errors = camErrors(natural, motion, {}, CamUse::Repeats);
@@ -353,12 +353,12 @@ void TestCamTable::directionAndPhaseOfTheTable()
 {
     PointCamProgram program = knifeCam();
     const CamTable forwards = built(program);
-    program.masterRateRevPerMin = -30; // the controller runs the same rows backwards
+    program.masterRateRevPerMin = -30; // the controller runs the same rows backward
     QVERIFY(built(program).rows == forwards.rows);
     program.masterRateRevPerMin = 15; // a slower master: the same rows in twice the time
     QVERIFY(built(program).rows == forwards.rows);
     QCOMPARE(built(program).cycleTicks, 2 * forwards.cycleTicks);
-    program.phaseDeg = 90; // a quarter of 1000 rows on
+    program.phaseDeg = 90; // a quarter of 1000 rows later
     const CamTable late = built(program);
     const std::int32_t start = forwards.rows[250].position256;
     for (std::size_t i = 0; i <= 750; i += 10)
@@ -394,7 +394,7 @@ void TestCamTable::refusals()
         QVERIFY(!far && far.error().limit == Limit::TableRange);
         QVERIFY(far.error().actual > far.error().allowed);
     }
-    // There and back: no advance, but rows that do not fit.
+    // Forward and back: no advance, but rows that do not fit.
     MotionProfile bothWays = moveOf(LawId::Quintic, 90000, 200);
     const Law& law = *findLaw(LawId::Quintic);
     bothWays.addDisplacement(200, -90000, law, {});

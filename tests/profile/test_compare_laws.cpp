@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One move by many laws: peaks side by side, and their curves.
+// One move with many laws: peaks side by side, and their curves.
 #include "profile/laws/laws.h"
 #include "profile/moves/compare_laws.h"
 #include "tests/support/test_program.h"

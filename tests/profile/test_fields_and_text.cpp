@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of fields, the sentences of refusals, and the explanations: their numbers, evaluated, give the
+// The table of fields, the sentences of refusals, and the explanations: their evaluated numbers give the
 // result.
 #include "recipes.h"
 
@@ -34,7 +34,7 @@ template <typename Tuple, typename Visit> void forEach(Tuple& owners, Visit visi
     std::apply([&](auto&... owner) { (visit(owner), ...); }, owners);
 }
 
-// Of a value that was derived.
+// Returns the rounding of a derived value.
 double roundingOf(const FieldInfo& field)
 {
     return std::min(1e-10 * field.max, 1e-4 * field.resolution());
@@ -159,7 +159,7 @@ void TestFieldsAndText::everyFieldHasAnOwner()
         int count = 0;
         forEach(owners, [&](const auto& owner) { count += std::isnan(value(owner, field.field)) ? 0 : 1; });
         const bool ofMachine = !std::isnan(value(std::get<Machine>(owners), field.field));
-        // What the machine has, no program has as well; programs of several kinds may have the same input.
+        // No machine field is a program field; programs of several kinds may share an input.
         QVERIFY2(count == 1 || (count > 1 && !ofMachine), field.id.data());
     }
 }
@@ -170,7 +170,7 @@ void TestFieldsAndText::defaultsAreFeasible()
     for (const FieldInfo& field : fields) {
         forEach(owners, [&](const auto& owner) {
             const double present = value(owner, field.field);
-            // A cam that repeats has room for a finer table than a move.
+            // A repeating cam has space for a finer table than a move.
             const bool isFinerCam =
                 std::is_same_v<decltype(owner), const PointCamProgram&> && field.field == Field::CamPoints;
             if (!std::isnan(present))
@@ -183,7 +183,7 @@ void TestFieldsAndText::defaultsAreFeasible()
     QVERIFY(cam && cam->broken.empty());
     const auto stroke = solve(PressProgram{}, machine);
     QVERIFY(stroke && stroke->broken.empty());
-    // The papers' moves, 6000 mm in 1 s and up to 9000 mm/s, want a faster motor and output stage.
+    // The papers' moves, 6000 mm in 1 s and up to 9000 mm/s, need a faster motor and output stage.
     Machine faster;
     faster.maxMotorRpm = 7000;
     faster.maxPulseFrequencyHz = 1'200'000;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The compiler of intervals: sums, joints and errors of its tables, checked with the accumulators gone
-// through iteration by iteration; the number of rows against known shapes and against the fewest straight
-// lines.
+// The compiler of intervals: sums, joints and errors of its tables, checked iteration by iteration; the
+// number of rows against known shapes and against the fewest straight lines.
 #include "profile/intervals/intervals.h"
 #include "profile/laws/laws.h"
 #include "random_cases.h"
@@ -42,7 +41,7 @@ MotionProfile ramp(LawId id, double fromMmPerS, double toMmPerS, double duration
     return motion;
 }
 
-// It is fast enough for every motion here.
+// Returns a machine fast enough for every motion here.
 Machine machineOf(double pulsesPerMm)
 {
     Machine machine;
@@ -77,7 +76,7 @@ bool fitsItsDistance(const IntervalRow& row, int fractionBits)
     return row.acceleration != 0 && (sum * change + twice - 1) / twice <= row.pulses;
 }
 
-// What holds for every table; empty when it does.
+// Returns the violated property of a table; empty when all hold.
 QString broken(const IntervalTable& table, double speedErrorMmPerS)
 {
     std::int64_t pulses = 0;
@@ -98,7 +97,7 @@ QString broken(const IntervalTable& table, double speedErrorMmPerS)
     return {};
 }
 
-// Time of the last pulse by the flow chart of the paper.
+// Returns the time of the last pulse by the flow chart of the paper.
 double plainTimeS(const IntervalTable& table)
 {
     std::uint64_t iterations = 0;
@@ -122,8 +121,8 @@ double plainTimeS(const IntervalTable& table)
     return static_cast<double>(iterations) * 6 / 50e6;
 }
 
-// The largest errors by the flow chart of the paper, seen at every so many iterations and more closely at the
-// ends of the rows and of the motion, until both stand or have run on for a tenth of the time.
+// Returns the largest errors by the flow chart of the paper. Samples are `stride` iterations apart, closer at
+// the ends of the rows and of the motion, until both are at rest or have continued for a tenth of the time.
 IntervalErrors replayed(const IntervalTable& table, const MotionProfile& motion, double pulsesPerMm,
                         IntervalMode mode, std::uint64_t stride)
 {
@@ -177,7 +176,7 @@ IntervalErrors replayed(const IntervalTable& table, const MotionProfile& motion,
     return result;
 }
 
-// By which the speed's register changes at once: a unit, or what it gains in an iteration.
+// Returns the step of the speed register: a unit, or the change in an iteration.
 double stepMmPerS(const IntervalTable& table, double pulsesPerMm)
 {
     double units = 1;
@@ -186,7 +185,7 @@ double stepMmPerS(const IntervalTable& table, double pulsesPerMm)
     return std::ldexp(units, -table.fractionBits) / pulsesPerMm;
 }
 
-// The largest acceleration of a row over the largest of the motion.
+// Returns the largest acceleration of a row over the largest of the motion.
 double steepness(const IntervalTable& table, const MotionProfile& motion)
 {
     double ofMotion = 0;
@@ -259,7 +258,7 @@ void TestIntervals::trapezoidIsTwoRows()
     const double accelerationUnit = mode == 0 ? 1 : 256 * k * k;
     QVERIFY(std::abs(table->rows[0].acceleration / accelerationUnit - 100'000) < 100);
     QVERIFY(std::abs(table->rows[1].acceleration / accelerationUnit - 80'000) < 100);
-    // The published registers run k times slower; a rest is reached to a thousandth of a pulse only.
+    // The published registers run k times slower; rest is reached only to a thousandth of a pulse.
     QVERIFY(std::abs(table->timeS - 0.95 * (mode == 0 ? k : 1)) < 0.003);
 }
 
@@ -285,9 +284,9 @@ void TestIntervals::laws_data()
     QTest::addColumn<int>("law");
     QTest::addColumn<double>("speedError");
     QTest::addColumn<int>("mostRows");
-    // 600 mm in 1 s. A line of duration h bends away from a curve of constant jerk j by j h^2 / 16 at the
-    // least, by j h^2 / 12 when it makes the same distance: for the cubic law (3600 mm/s at its peak speed of
-    // 900) 8 lines at 10 mm/s, 25 at 1 mm/s.
+    // 600 mm in 1 s. A line of duration h deviates from a curve of constant jerk j by at least j h^2 / 16, or
+    // j h^2 / 12 for the same distance. The cubic law (3600 mm/s at its peak speed of 900) needs 8 lines at
+    // 10 mm/s, 25 at 1 mm/s.
     QTest::newRow("cubic, 10 mm/s") << static_cast<int>(LawId::Cubic) << 10.0 << 8;
     QTest::newRow("cubic, 1 mm/s") << static_cast<int>(LawId::Cubic) << 1.0 << 25;
     QTest::newRow("quintic, 10 mm/s") << static_cast<int>(LawId::Quintic) << 10.0 << 10;
@@ -314,7 +313,7 @@ void TestIntervals::laws()
     QVERIFY(std::abs(table->timeS - 1) < 5e-4);
 }
 
-// The knife of L = 250 mm, its feed being the circumference.
+// The knife of L = 250 mm, with the circumference as feed.
 void TestIntervals::cutter()
 {
     const test::Recipe recipe = test::checkRecipe();
@@ -342,7 +341,7 @@ void TestIntervals::speedsAtTheEndsAreExact_data()
     QTest::newRow("backwards, down") << -900.0 << -90.0;
 }
 
-// The last speed of a speed move is held for as long as it runs.
+// The last speed of a speed move is held to the end.
 void TestIntervals::speedsAtTheEndsAreExact()
 {
     QFETCH(double, fromMmPerS);
@@ -408,7 +407,7 @@ void TestIntervals::refusedErrorNamesOneThatIsKept()
     const auto tight = compileIntervals(motion, machine, error, IntervalMode::Corrected);
     QVERIFY(!tight && tight.error().limit == Limit::SpeedError);
     const std::string text = describe(tight.error());
-    // As it is read from the sentence.
+    // The value as read from the sentence.
     const double allowed = std::stod(text.substr(text.find("they can keep ") + 14));
     QVERIFY2(allowed > error && allowed <= largest, text.c_str());
     const auto table = compileIntervals(motion, machine, allowed, IntervalMode::Corrected);
@@ -548,7 +547,7 @@ void TestIntervals::largerErrorsNeedNoMoreRows()
 void TestIntervals::randomMoves()
 {
     constexpr unsigned seed = 31;
-    constexpr int replayedEvery = 20; // iteration by iteration, which takes long
+    constexpr int replayedEvery = 20; // iteration by iteration is slow
     const int cases = campanel::test::randomCases(2000);
     qInfo("seed %u", seed);
     std::mt19937 random(seed);
@@ -556,7 +555,7 @@ void TestIntervals::randomMoves()
         return std::uniform_real_distribution<double>(low, high)(random);
     };
     int refused = 0;
-    int fewest = 0; // tables that have no more rows than lines are needed
+    int fewest = 0; // tables with the minimum number of rows
     double steepest = 0;
     double rows = 0;
     double links = 0;
@@ -592,7 +591,7 @@ void TestIntervals::randomMoves()
         QVERIFY((table->advance > 0) == (sign > 0));
         const auto count = static_cast<int>(table->rows.size());
         steepest = std::max(steepest, steepness(*table, motion));
-        // A row goes along two lines at most.
+        // A row covers at most two lines.
         QVERIFY(table->fewestLinks >= 1 && table->fewestLinks <= 2 * count);
         fewest += count <= table->fewestLinks ? 1 : 0;
         if (i % replayedEvery == 0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Knots as CSV: what is read, what is refused and how exactly, and that writing and reading are inverse.
+// Knots as CSV: valid files, exact refusals, and writing as the inverse of reading.
 #include "profile/cam/knots_csv.h"
 #include "tests/support/test_program.h"
 

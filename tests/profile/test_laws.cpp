@@ -298,8 +298,7 @@ void TestLaws::continuousAtJoints()
     QCOMPARE(jerkStep > 1e-11, hasJerkSteps && law.id != LawId::Parabolic && law.id != LawId::Trapezoid);
 }
 
-// What the sentences claim, in numbers.
-// The joints are those known here, and between them g''' changes no faster than g4.
+// Checks that a law is smooth between the joints known here, and that g''' changes no faster than g4.
 void TestLaws::piecesAreSmooth()
 {
     QFETCH(int, row);
@@ -361,7 +360,7 @@ void TestLaws::strengthsAndWeaknessesAreTrue()
     }
     QCOMPARE(findLaw(LawId::Polynomial4567)->at(0, {}).g3, 0.0);
     QVERIFY(std::abs(findLaw(LawId::HalfModifiedSine)->at(1, {}).g2) > 1);
-    // At the same time and peak acceleration a trapezoid has the lowest peak speed.
+    // For the same time and peak acceleration a trapezoid has the lowest peak speed.
     for (const Law& law : laws()) {
         if (!law.isDisplacementLaw)
             continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits: what is broken, where, and that the value offered instead is feasible and the nearest.
+// Limits: which one is exceeded, where, and that the suggested value is feasible and the nearest.
 #include "recipes.h"
 
 #include "profile/cutter/limits.h"
@@ -21,7 +21,7 @@ bool near(double a, double b, double tolerance)
     return std::abs(a - b) <= tolerance;
 }
 
-// Walks the field's grid outwards from the present value until a value is feasible.
+// Searches the field's grid outwards from the present value until a value is feasible.
 std::optional<double> nearestByWalking(Recipe recipe, Field field)
 {
     const double present = value(recipe.program, field);
@@ -89,7 +89,7 @@ void TestLimits::brokenLimit()
     QFETCH(double, timeS);
     QFETCH(double, brokenS);
     Recipe r = checkRecipe();
-    r.machine.timerClockHz = 60000000; // so that the timer rounds the allowed frequency little
+    r.machine.timerClockHz = 60000000; // so that the timer hardly rounds the allowed frequency
     setValue(r.machine, static_cast<Field>(field), allowed);
     const auto cutter = solve(r.program, r.machine);
     QVERIFY(cutter.has_value());
@@ -231,7 +231,7 @@ void TestLimits::nearestIsTheNearest()
         }
         ++compared;
     }
-    QVERIFY(impossible > 0 && impossible < 2 * compared); // both outcomes were seen
+    QVERIFY(impossible > 0 && impossible < 2 * compared); // both outcomes occurred
 }
 
 void TestLimits::fastestRateIsTheFastest_data()
@@ -257,7 +257,7 @@ void TestLimits::fastestRateIsTheFastest()
     QFETCH(int, limit);
     Recipe r = checkRecipe();
     setValue(r.machine, static_cast<Field>(field), limitValue);
-    for (const auto& pair : allPairs) { // whatever is pinned, and however fast it is now
+    for (const auto& pair : allPairs) { // for any pinned pair, at any speed
         Recipe same = r;
         const CycleNumbers c = solve(checkRecipe(250, 170).program, r.machine)->cycle;
         same.program.pinned = pair;

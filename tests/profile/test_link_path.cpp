@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fewest straight lines through a channel: parabolas, for which the number is known; steps and shut
-// gates; random channels against a search over a grid of knots, which may not find fewer.
+// The fewest straight lines through a channel: parabolas with a known number; steps and closed gates; random
+// channels against a grid search, which may not find fewer.
 #include "profile/intervals/link_path.h"
 #include "random_cases.h"
 #include "tests/support/test_program.h"
@@ -16,7 +16,8 @@ using namespace campanel::profile::detail;
 
 namespace {
 
-// How far the path leaves the channel at any gate; the knots between two gates count against the walls there.
+// Returns how far the path leaves the channel at any gate; the knots between two gates are compared with the
+// walls there.
 double outside(const std::vector<Gate>& channel, const std::vector<PathPoint>& path)
 {
     const auto speedAt = [&](double time) {
@@ -48,7 +49,8 @@ double outside(const std::vector<Gate>& channel, const std::vector<PathPoint>& p
     return worst;
 }
 
-// The fewest lines between knots on a grid: at the gates and half-way between them, on levels of the channel.
+// Returns the fewest lines between knots on a grid: at the gates and half-way between them, on levels of the
+// channel.
 int fewestOnGrid(const std::vector<Gate>& channel)
 {
     constexpr int levels = 12;
@@ -141,7 +143,7 @@ void TestLinkPath::straightIsOne()
     QCOMPARE(path->back().speedHz, 5.0);
 }
 
-// A step of the walls that still lets a line through, and one that does not.
+// A step of the walls that a line can pass, and one that it cannot.
 void TestLinkPath::steps()
 {
     std::vector<Gate> channel{{0, 0, 1}, {1, 0, 1}, {1, 0.8, 1.8}, {2, 0.8, 1.8}};

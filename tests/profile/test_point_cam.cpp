@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Point cams: bad knots, the cycle in time (scales, phase, direction, wrap), limits and the rate that mends
-// them, the wrap check and its repair, and the edits of a panel.
+// Point cams: invalid knots, the cycle in time (scales, phase, direction, wrap), limits and the rate that
+// corrects them, the wrap check and its repair, and the panel's edits.
 #include "profile/cam/point_cam_edit.h"
 #include "tests/support/test_program.h"
 
@@ -189,7 +189,7 @@ void TestPointCam::cycleFollowsTheSpline()
         const double turns = std::floor(total / 360);
         const SplinePoint expected = curve.at(total - 360 * turns);
         const MotionPoint p = cam.motion.at(timeS);
-        // A negative phase starts in the cycle as it is, not in the one before.
+        // A negative phase starts in the present cycle, not in the previous one.
         const double startTurn = std::floor(phase / 360);
         QVERIFY(near(p.positionMm, -1.5 * (expected.value + 376.991 * (turns - startTurn))));
         QVERIFY(near(p.velocityMmPerS, -1.5 * expected.slope * degPerS));
@@ -236,7 +236,7 @@ void TestPointCam::limitsNameTheRateThatMends()
 
 void TestPointCam::overshootIsNamed()
 {
-    // A steep rise between two dwells: the spline swings out on both sides.
+    // A steep rise between two dwells: the spline overshoots on both sides.
     PointCamProgram program;
     program.knots = {{0, 0}, {150, 0}, {170, 100}, {270, 100}, {360, 0}};
     for (const SplineEnds ends : {SplineEnds::Natural, SplineEnds::Clamped, SplineEnds::Periodic}) {
@@ -247,7 +247,7 @@ void TestPointCam::overshootIsNamed()
         QVERIFY(overshoot->nearest.empty());
         QVERIFY(overshoot->actual < -10 || overshoot->actual > 110);
         QCOMPARE(overshoot->allowed, overshoot->actual < 0 ? 0.0 : 100.0);
-        // Nothing on a dense grid goes farther.
+        // No point on a dense grid is farther.
         const Spline curve = camCurve(program);
         double farthest = 0;
         for (int i = 0; i <= 36000; ++i) {
@@ -285,7 +285,7 @@ void TestPointCam::wrapJumpTakesTorque()
     QVERIFY(slower.peaks.torqueNm <= machine.maxTorqueNm);
     program.masterRateRevPerMin += 0.1;
     QVERIFY(!solved(program, machine).broken.empty());
-    program.ends = SplineEnds::Periodic; // no jump, and nothing counts as one
+    program.ends = SplineEnds::Periodic; // no jump
     QVERIFY(std::isfinite(solved(program, machine).peaks.jerkMmPerS3));
     QVERIFY(solved(program, machine).peaks.torqueNm < 0.1);
 }
@@ -333,7 +333,7 @@ void TestPointCam::nearlyClosedIsClosedByRepair()
     QVERIFY(!wrap.isSmooth);
     QCOMPARE(repaired(program).knots.back().slaveMm, 0.0);
     QVERIFY(wrapCheck(repaired(program)).isSmooth);
-    program.knots.back().slaveMm = 0.6; // meant
+    program.knots.back().slaveMm = 0.6; // meant as net advance
     wrap = wrapCheck(program);
     QCOMPARE(wrap.positionMm, 0.0);
     QVERIFY(near(wrap.advanceMm, 0.6));
@@ -355,7 +355,7 @@ void TestPointCam::insertsOnTheCurve()
     QCOMPARE(program.knots.at(1).masterDeg, 0.1);
     QCOMPARE(insertKnot(program, 400).value_or(0), std::size_t{7});
     QCOMPARE(program.knots.at(7).masterDeg, 359.9);
-    QVERIFY(!insertKnot(program, 0.05).has_value()); // no room
+    QVERIFY(!insertKnot(program, 0.05).has_value()); // no space
     QVERIFY(!insertKnot(program, noNumber).has_value());
     while (program.knots.size() < mostKnots)
         QVERIFY(insertKnot(program, 1.0 + static_cast<double>(program.knots.size()) * 3).has_value());

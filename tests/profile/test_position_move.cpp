@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Position moves: the servo paper's numbers, what is refused, the fastest time, and seeded random moves.
+// Position moves: the servo paper's numbers, refusals, the fastest time, and seeded random moves.
 #include "move_checks.h"
 #include "random_cases.h"
 
@@ -192,7 +192,7 @@ void TestPositionMove::fastest()
 {
     PositionMoveProgram program;
     program.duration = MoveDuration::Fastest;
-    program.timeS = std::nan(""); // not read
+    program.timeS = std::nan(""); // not used
     Machine machine;
     machine.maxPulseFrequencyHz = 4000000;
     const auto limitedBySpeed = solve(program, machine);
@@ -205,7 +205,7 @@ void TestPositionMove::fastest()
     const auto limitedByTorque = solve(program, machine);
     QCOMPARE(limitedByTorque->motion.durationS(), 6.598);
     program.distanceMm = 0.001;
-    QCOMPARE(solve(program, machine)->motion.durationS(), 0.01); // the field's shortest
+    QCOMPARE(solve(program, machine)->motion.durationS(), 0.01); // minimum of the field
 }
 
 void TestPositionMove::fastestBeyondTheRange()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The press program: stages and times of the nominal stroke by hand, the ranges of the servo-press paper, the
-// orders of positions and forces, the limits of the machine, the table.
+// order of positions and forces, the limits of the machine, the table.
 #include "profile/press/press.h"
 #include "random_cases.h"
 #include "tests/support/test_program.h"
@@ -71,7 +71,8 @@ private:
                                    const std::vector<Suggestion>& suggestions);
 };
 
-// 0.01 mm per pulse, 50 m/s^2: ramps of 2, 1, 1 and 2 ms. A stage takes its way over its speed plus a ramp.
+// 0.01 mm per pulse, 50 m/s^2: ramps of 2, 1, 1 and 2 ms. A stage takes its distance over its speed plus a
+// ramp.
 void TestPress::strokeOfTheDefaults()
 {
     const auto stroke = solveStroke(PressProgram{}, Machine{});
@@ -122,7 +123,7 @@ void TestPress::strokeIsContinuous()
     }
 }
 
-// On half the way the speed is sqrt(a s) after sqrt(s / a).
+// On half the distance the speed is sqrt(a s) after sqrt(s / a).
 void TestPress::shortStagesStayBelowTheirSpeed()
 {
     PressProgram program;
@@ -213,13 +214,13 @@ void TestPress::wrongOrders()
         setValue(program, suggestion.field, suggestion.value);
         QVERIFY(solve(program, Machine{}).has_value());
     }
-    PressProgram weak; // below the probe's force and the window: both say how far
+    PressProgram weak; // below the probe's force and the window: both report the limit
     weak.maxForceN = 100;
     const auto force = solve(weak, Machine{}).error().nearest;
     QCOMPARE(force.size(), std::size_t{1});
     QCOMPARE(static_cast<int>(force[0].field), static_cast<int>(Field::MaxForce));
     QCOMPARE(force[0].value, 6000.0);
-    // Just inside of every order.
+    // Just within every order.
     PressProgram close;
     close.probeEndMm = 60.01;
     close.pressPositionMm = 60.02;
@@ -384,7 +385,7 @@ void TestPress::tableRefusesWhatItCannotHold()
     QVERIFY(isNear(same.error().nearest[0].value, 65)); // half way to the next pulse
     QVERIFY(isNear(same.error().nearest[1].value, 54.99));
 
-    // 200 kHz are 60 mm/s; the way is too short for more than 29, but the row asks for 80.
+    // 200 kHz are 60 mm/s; the distance is too short for more than 29, but the row requires 80.
     Machine fast;
     fast.pulsesPerMotorRev = 20000;
     fast.feedMmPerMotorRev = 6;
@@ -399,7 +400,8 @@ void TestPress::tableRefusesWhatItCannotHold()
     QVERIFY(!buildPressTable(brief, fast).has_value());
 }
 
-// A suggestion works alone, and the place of the grid one step nearer to the present value does not.
+// Checks that a suggestion works alone, and that the grid point one step nearer to the present value does
+// not.
 void TestPress::verifySuggestions(const PressProgram& program, const Machine& machine,
                                   const std::vector<Suggestion>& suggestions)
 {
@@ -422,7 +424,7 @@ void TestPress::verifySuggestions(const PressProgram& program, const Machine& ma
     }
 }
 
-// Every value of every speed, against what is suggested.
+// Compares every value of every speed with the suggestions.
 void TestPress::verifyNearestSpeed(const PressProgram& program, const Machine& machine,
                                    const std::vector<Suggestion>& suggestions)
 {
@@ -433,7 +435,7 @@ void TestPress::verifyNearestSpeed(const PressProgram& program, const Machine& m
         for (double speed = f.min; speed < f.max + 0.05; speed += 0.1) {
             PressProgram mended = program;
             setValue(mended, field, snapToGrid(field, speed));
-            if (isFeasible(mended, machine)) // which is held against the table for every program
+            if (isFeasible(mended, machine)) // compared with the table for every program
                 least = std::min(least, std::abs(snapToGrid(field, speed) - value(program, field)));
         }
         const auto found = std::ranges::find(suggestions, field, &Suggestion::field);
@@ -443,7 +445,7 @@ void TestPress::verifyNearestSpeed(const PressProgram& program, const Machine& m
     }
 }
 
-// Programs and machines of which many are refused: curve and table agree on that, and so do the suggestions.
+// Programs and machines with many refusals: curve and table agree, and so do the suggestions.
 void TestPress::randomSuggestionsWork()
 {
     constexpr unsigned randomSeed = 17;

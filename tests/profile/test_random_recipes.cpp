@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ten thousand seeded random recipes: whatever is asked, it is solved within limits or refused with help that
-// is true.
+// Ten thousand seeded random recipes: each is solved within limits or refused with a correct suggestion.
 #include "random_cases.h"
 #include "recipes.h"
 #include "table_replay.h"
@@ -82,7 +81,7 @@ void verifyTable(const RotaryCutter& cutter, const StepTable& table)
         QVERIFY(isWithinTimer(row, cutter.machine));
     if (pulses.remainder > 0)
         QVERIFY(isWithinTimer(table.rows.at(table.carryRow), cutter.machine, 1));
-    // Half a tick at the highest frequency, and the fraction that is carried.
+    // Half a tick at the highest frequency, and the carried fraction.
     QVERIFY(table.errors.boundaryPulses <= 1.5);
     QVERIFY(table.errors.rmsPulses <= table.errors.insidePulses + 1e-9);
 }
@@ -90,7 +89,7 @@ void verifyTable(const RotaryCutter& cutter, const StepTable& table)
 void verifyOtherPair(const RotaryCutter& cutter, const std::array<Field, 2>& pair)
 {
     const CycleNumbers& c = cutter.cycle;
-    // A resting knife says nothing about rate or length, so v_a = 0 and L do not determine the cycle.
+    // A resting knife does not determine rate or length, so v_a = 0 and L do not determine the cycle.
     if (c.baseSpeedMmPerS < 1 && pair == allPairs[3])
         return;
     RotaryCutterProgram p = cutter.program;
@@ -153,7 +152,7 @@ void TestRandomRecipes::solvedWithinLimitsOrRefused()
     qInfo("%d refused, %d beyond a limit, %d tables", refused, broken, tables);
     if (QTest::currentTestFailed())
         return;
-    // Every kind of outcome was exercised.
+    // Every kind of outcome occurred.
     QVERIFY(refused > recipeCount / 20 && broken > recipeCount / 20 && tables > recipeCount / 20);
 }
 

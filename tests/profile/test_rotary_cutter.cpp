@@ -125,7 +125,7 @@ void TestRotaryCutter::everyPairGivesTheSameCycle()
     }
 }
 
-// With a law of G(1) = 0.568 the ramps must mirror in time: the travel of both is the same and the stroke
+// With a law of G(1) = 0.568 the ramps must mirror in time: the travel of both is equal and the stroke
 // closes.
 void TestRotaryCutter::asymmetricLawClosesTheStroke()
 {
@@ -151,7 +151,7 @@ void TestRotaryCutter::asymmetricLawClosesTheStroke()
     }
 }
 
-// Eq. (5) of the paper, literally.
+// Checks Eq. (5) of the paper, literally.
 void TestRotaryCutter::paperFormulaOfTheCubic()
 {
     const Recipe r = checkRecipe(100);
@@ -193,7 +193,7 @@ void TestRotaryCutter::curvesHoldTheJoints()
     QVERIFY(near(curves.frequencyHz.front(), 11813.83, 0.01));
 }
 
-// The figures of the drawing that the Motion page starts from.
+// Checks the figures of the Motion page's drawing.
 void TestRotaryCutter::figuresOfTheDrawing()
 {
     const Recipe r = checkRecipe(250);

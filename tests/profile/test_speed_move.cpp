@@ -165,7 +165,7 @@ void TestSpeedMove::overDistance()
     program.endSpeedMmPerS = end;
     program.distanceMm = distance;
     program.duration = MoveDuration::OverDistance;
-    program.timeS = -1; // not read
+    program.timeS = -1; // not used
     const auto solved = solve(program, Machine());
     QVERIFY(solved.has_value());
     QVERIFY(near(solved->motion.durationS(), time, 1e-8));
@@ -199,7 +199,7 @@ void TestSpeedMove::refused()
     verifySuggestions(program, Machine(), solve(program, Machine()).error());
     program = gentleMove();
     program.startSpeedMmPerS = -1000;
-    program.law = LawId::Quintic; // there and back to the same place, whatever the time
+    program.law = LawId::Quintic; // forward and back to the same place, for any time
     program.duration = MoveDuration::OverDistance;
     QCOMPARE(solve(program, Machine()).error().limit, Limit::NoMotion);
     Machine machine;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Splines against scipy's CubicSpline (spline_golden.txt, made by make_spline_golden.py), and the properties
-// that make a spline: through its knots, twice continuously differentiable, right at its ends.
+// of a spline: through its knots, twice continuously differentiable, correct at its ends.
 #include "profile/cam/spline.h"
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
@@ -145,7 +145,7 @@ void TestSpline::isTwiceDifferentiable()
         const Spline spline(x, y, ends, {1, -2});
         const auto pieces = spline.pieces();
         QCOMPARE(pieces.size(), x.size() - 1);
-        // Curvatures reach some 100 / 0.1^2.
+        // Curvatures are up to 100 / 0.1^2.
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             const SplinePoint end = pieces[i].at(x[i + 1]);
             QCOMPARE(pieces[i].at0.value, y[i]);

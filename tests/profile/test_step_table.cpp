@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The step table: exact sums, timer range, distance from the curve by replay, awkward machines, refusals.
+// The step table: exact sums, timer range, distance from the curve by replay, difficult machines, refusals.
 #include "recipes.h"
 #include "table_replay.h"
 
@@ -113,8 +113,8 @@ void TestStepTable::noDriftInAMillionCycles()
     QCOMPARE(total, numerator / (std::int64_t{gearDenominator} * knives));
 }
 
-// 10007 / 3 = 3335 + 2/3: the missing two thirds of a pulse slow the carry row alone, every other row is the
-// curve's.
+// 10007 / 3 = 3335 + 2/3: the missing two thirds of a pulse slow only the carry row, every other row follows
+// the curve.
 void TestStepTable::fractionStaysInTheCarryRow()
 {
     Recipe r = checkRecipe(60);
@@ -144,7 +144,7 @@ void TestStepTable::replayStaysAtTheCurve_data()
         QTest::newRow(std::string(laws()[i].key).c_str()) << static_cast<int>(i);
 }
 
-// At every pulse the count so far and the curve's travel agree within the stated error and the pulse itself.
+// At every pulse the count and the curve's travel agree within the stated error and the pulse itself.
 void TestStepTable::replayStaysAtTheCurve()
 {
     QFETCH(int, row);
@@ -197,7 +197,7 @@ void TestStepTable::statedErrorsAreTheRealOnes_data()
     row("rows that are split", 2, 1280003, 3, LawId::Parabolic);
 }
 
-// By replay of the rows at many places of each: no error is larger than stated, nor is it overstated.
+// Replays the rows at many places of each: no error is larger than stated, nor overstated.
 void TestStepTable::statedErrorsAreTheRealOnes()
 {
     QFETCH(int, slices);
@@ -236,14 +236,14 @@ void TestStepTable::statedErrorsAreTheRealOnes()
             const double ahead = count + hz(row) * elapsed - p.positionMm * perMm;
             speed = std::max(speed, std::abs(hz(row) / perMm - p.velocityMmPerS));
             inside = std::max(inside, std::abs(ahead));
-            const int weight = i == 0 || i == parts ? 1 : 2 + 2 * (i % 2); // of Simpson's rule
+            const int weight = i == 0 || i == parts ? 1 : 2 + 2 * (i % 2); // for Simpson's rule
             squares += ahead * ahead * row.ticks / clock / parts * weight / 3;
         }
         start += row.ticks / clock;
         count += row.pulses;
     }
     const TableErrors& stated = built->errors;
-    // What is found between places that are looked at, and rounding.
+    // The tolerance for maxima between the sampled places, and rounding.
     const auto agrees = [](double a, double b, double most) {
         return a >= b * (1 - 1e-6) - 1e-8 && a <= b * most + 1e-8;
     };

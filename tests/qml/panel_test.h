@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel in a window on the demonstration link, under a finger, for each test anew.
+// The panel in a window on the demonstration link, operated by a Finger, new for each test.
 #pragma once
 
 #include "app/shell/fonts.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the panel looks: colors of high contrast, keys for gloves, numbers that explain themselves, longer
-// texts, and what makes two pictures different.
+// The looks of the panel: colors of high contrast, keys for gloves, explained numbers, longer texts, and the
+// comparison of pictures.
 #include "panel_test.h"
 #include "tests/looks/contrast.h"
 #include "tests/looks/picture_difference.h"
@@ -22,7 +22,7 @@ class TestLooks : public test::PanelTest {
     Q_OBJECT
 
 private:
-    // Of the looks that patterns with commas or spaces between them name.
+    // Returns the looks named by patterns with commas or spaces between them.
     static QSet<QString> namesOf(QString patterns)
     {
         QSet<QString> names;
@@ -35,8 +35,8 @@ private:
     QObject* part(const char* name) { return m_stage->theme()->property(name).value<QObject*>(); }
 
 private slots:
-    // The plots paint their texts and curves themselves, where the self-test sees no item: the colors they
-    // are given.
+    // The plots paint their texts and curves themselves, invisible to the self-test: this checks their
+    // colors.
     void highContrastHoldsForEveryColorThatIsReadOrFollowed()
     {
         m_stage->panel().settings().setTheme(QStringLiteral("contrast"));
@@ -177,7 +177,7 @@ private slots:
              ++quantity) {
             if (quantity >= machine::Explanations::FastestRate &&
                 quantity <= machine::Explanations::PeakFrequency)
-                continue; // of the recipe, which is known
+                continue; // of the recipe, thus known
             const machine::Explanation told = explanations.of(quantity);
             QVERIFY(!told.title.isEmpty() && !told.meaning.isEmpty() && !told.formula.isEmpty());
             QVERIFY2(told.numbers.isEmpty(), qPrintable(told.text()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The number under the keypad: what keys make of it, in which language, and when it is complete.
+// The number of the keypad: the effect of keys, the language, and completeness.
 #include "qml/Controls/number_entry.h"
 #include "tests/support/test_program.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole panel in a window, touched as a finger would, on the demonstration link: keypad, pins, handles,
+// The whole panel in a window, operated by a Finger, on the demonstration link: keypad, pins, handles,
 // navigation, Stop, language.
 #include "panel_test.h"
 
@@ -187,7 +187,7 @@ private slots:
         QCOMPARE(editor().knots()->count(), 5);
         QVERIFY(!m_stage->find(QStringLiteral("knotRemove"))->isEnabled());
         QVERIFY2(!m_stage->find(QStringLiteral("knotRepair"))->isEnabled(), "nothing is broken yet");
-        editor().setChoice(0, 0); // natural ends: speed jumps where the cycle closes
+        editor().setChoice(0, 0); // natural ends: speed jumps at the wrap
         m_stage->settle();
         QVERIFY(editor().knots()->wrapText().contains(QStringLiteral("jumps")));
         tap("knotRepair");
@@ -401,7 +401,7 @@ private slots:
             if (const QQuickItem* wanted = m_stage->find(QString::fromLatin1(name)))
                 QVERIFY2(!notice.intersects(wanted->mapRectToScene(wanted->boundingRect())), name);
         }
-        tap("bannerButton"); // nothing lies above it
+        tap("bannerButton"); // nothing is above it
         QVERIFY(!m_stage->find(QStringLiteral("banner")));
     }
 

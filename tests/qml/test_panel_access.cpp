@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Users and logging in under a finger: the first PIN, what is restricted then, a wrong PIN, the way back.
+// Users and logins by touch: the first PIN, the restrictions, a wrong PIN, the logout.
 #include "panel_test.h"
 #include "tests/looks/access_scenes.h"
 #include "tests/support/test_program.h"
@@ -41,7 +41,7 @@ private slots:
         QTRY_COMPARE(access().level(), Access::Service);
         QVERIFY(textOf("usersNobody").startsWith(u"No PIN is set"));
         tap("userAdd");
-        QVERIFY(!isOn("level1")); // of Service, nothing to choose
+        QVERIFY(!isOn("level1")); // level Service, without a choice
         tap("userPin");
         typePin("123456");
         QVERIFY2(textOf("pinHint").startsWith(u"Digits in a row"), qPrintable(textOf("pinHint")));
@@ -69,7 +69,7 @@ private slots:
         QVERIFY(isOn("loginUsers"));
         QVERIFY(isOn("login_Li Wei"));
         QVERIFY(isOn("login_Anna"));
-        QVERIFY(!isOn("login_Tom")); // an operator may not either
+        QVERIFY(!isOn("login_Tom")); // an operator lacks the level too
         QVERIFY(!m_stage->find(u"pinAccept"_s)->isEnabled());
         const qsizetype stops = m_stage->link().stopRequests();
         tap("stopKey");
@@ -91,7 +91,7 @@ private slots:
         QVERIFY(isOn("keypadAccept"));
     }
 
-    // The users are lost: the reason is said where a login is asked for, and Stop stays.
+    // The users are lost: the login states the reason, and Stop stays.
     void lostUsersOpenNothing()
     {
         enter("login-locked");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An alarm as an operator meets it: it calls, is opened, acknowledged, gone and found again in the history.
+// An alarm by touch: it calls, is opened, acknowledged, returns and is found in the history.
 #include "panel_test.h"
 #include "tests/support/test_program.h"
 

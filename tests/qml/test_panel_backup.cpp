@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Backup and restore under a finger: everything is taken to a stick, everything is changed, everything is
-// back; a damaged file is refused; the report is written as a PDF.
+// Backup and restore by touch: everything is written to a stick, changed, and restored; a damaged file is
+// refused; the report is written as a PDF.
 #include "panel_test.h"
 
 #include "app/store/logs/audit_log.h"
@@ -97,7 +97,7 @@ private slots:
 
         QVERIFY(QFile::exists(folder + u"/restore-ready/trends.sqlite"_s));
 
-        // The next panel, as after an end at any moment from here on.
+        // The next panel, as after an end at any later moment.
         QTemporaryDir copy;
         QVERIFY(copyAll(folder, copy.path()));
         looks::DemoLink link(nullptr);
@@ -119,7 +119,7 @@ private slots:
         QVERIFY(chain->fault() == store::ChainCheck::Fault::None);
     }
 
-    // As main() does it: the end of one panel's window does not end the next one's event loop.
+    // Like main(): the end of one panel's window does not end the next one's event loop.
     void anotherPanelTakesItsPlace()
     {
         m_stage.reset();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the panel says of its line, touched as a finger would: link doctor, frames, a silent line, a waiting
-// Stop, the proof, simulated faults.
+// The panel's reports of its line, by touch: link doctor, frames, a silent line, a waiting Stop, the proof,
+// simulated faults.
 #include "panel_test.h"
 #include "tests/support/test_program.h"
 
@@ -14,7 +14,8 @@ namespace machine = campanel::machine;
 class TestPanelLine : public campanel::test::PanelTest {
     Q_OBJECT
 
-    // Every visible text with a digit, or named as a value, below the page or the top bar's state.
+    // Collects every visible text with a digit, or with a value's name, below the page or the top bar's
+    // state.
     static void collectTexts(QQuickItem& below, QList<QQuickItem*>& texts)
     {
         if (!below.isVisible() || below.opacity() == 0)
@@ -99,7 +100,7 @@ private slots:
                                                                  ->property("disabledInk")
                                                                  .value<QColor>();
         };
-        // What is said of the program and not measured.
+        // Texts of the program that are not measured.
         const QStringList given{"toleranceText", "gateText"};
         const auto live = [&] {
             QList<QQuickItem*> texts;
@@ -167,7 +168,7 @@ private slots:
             tap(name);
         QVERIFY2(textOf("proofText").startsWith(QStringLiteral("Equal: all ")),
                  qPrintable(textOf("proofText")));
-        tap("proofCancel"); // "Close" by now
+        tap("proofCancel"); // "Close" at this time
         QVERIFY(!m_stage->find(QStringLiteral("sheetPanel")));
     }
 
@@ -183,7 +184,7 @@ private slots:
         tap("faultsOff");
         QVERIFY(textOf("faultsText").startsWith(QStringLiteral("No faults")));
         tap("fault1often");
-        m_stage->link().setSimulated(false); // another section takes its place
+        m_stage->link().setSimulated(false); // replaced by another section
         m_stage->settle();
         QVERIFY(!m_stage->find(QStringLiteral("faultList")));
         QVERIFY(m_stage->find(QStringLiteral("service3")));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel's command line: a wrong option gives one sentence, exit code 2 and no window. And the self-test.
+// The refusals of the panel's command line: one sentence, exit code 2, and no window. The selection of the
+// self-test.
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The section of Service for packing machines under a finger: a value entered, a switch, the wizard to its
-// end.
+// The section of Service for packing machines by touch: a value, a switch, the wizard to its end.
 #include "panel_test.h"
 #include "tests/looks/scenes.h"
 #include "tests/support/test_program.h"

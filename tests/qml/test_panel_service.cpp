@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The machine's sections of Service under a finger: a jog key that is held, what takes the finger's hold
-// away, and the dial of the dry run.
+// The machine's sections of Service by touch: a held jog key, the events that release it, and the dial of the
+// dry run.
 #include "panel_test.h"
 #include "tests/looks/scenes.h"
 #include "tests/support/test_program.h"
@@ -128,7 +128,7 @@ private slots:
         QVERIFY(dial);
         const QPointF center = dial->mapToScene(dial->boundingRect().center());
         const double radius = dial->width() / 3;
-        touch("dryRunDial"); // its middle is as good as any place
+        touch("dryRunDial"); // its center, or any place
         m_stage->slide(center + QPointF(0, -radius));
         const double before = run.masterDeg();
         m_stage->slide(center + QPointF(radius, 0));

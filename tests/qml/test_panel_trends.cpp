@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page Trends under a finger: opened, span chosen, moved away and back, a place pointed at, curves
-// chosen, exported to a stick.
+// The page Trends by touch: opened, span selected, moved away and back, a time selected, curves selected,
+// exported to a stick.
 #include "panel_test.h"
 #include "tests/looks/scenes.h"
 #include "tests/support/test_program.h"
@@ -92,7 +92,7 @@ private slots:
         m_stage->hold(QStringLiteral("trendFigures0"));
         const QQuickItem* sheet = m_stage->find(QStringLiteral("sheetPanel"));
         QVERIFY(sheet);
-        const QString text = textOf("explanationText"); // of the mean, which comes first
+        const QString text = textOf("explanationText"); // the mean, which comes first
         QVERIFY2(text.contains(QStringLiteral("sum of the values / n")), qPrintable(text));
         QVERIFY2(text.contains(QStringLiteral(" / 531\n= ")), qPrintable(text));
         const QVariantMap found = trends().statistics().first().toMap();
@@ -100,7 +100,7 @@ private slots:
                                                              0, 'f', 2)),
                  qPrintable(text));
         QCOMPARE(m_stage->panel().explanations().ofTrend(0).size(), 4);
-        QCOMPARE(m_stage->panel().explanations().ofTrend(1).size(), 3); // marks are judged by nobody
+        QCOMPARE(m_stage->panel().explanations().ofTrend(1).size(), 3); // marks have no tolerance
         QVERIFY(m_stage->panel().explanations().ofTrend(2).isEmpty());
         tap("sheetClose");
         QVERIFY(trends().live());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Letters of pinyin become Chinese text by the dictionary that is installed.
+// Pinyin letters become Chinese text by the installed dictionary.
 #include "qml/Controls/pinyin_input.h"
 #include "tests/support/test_program.h"
 
@@ -86,7 +86,7 @@ private slots:
         input.erase();
     }
 
-    // The library ends the program by assertions when it is asked too much.
+    // The library ends the program by assertions for excessive input.
     void anyLettersAndChoicesAreSurvived()
     {
         QRandomGenerator random(1);

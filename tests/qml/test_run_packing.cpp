@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Run page of a packing machine under a finger: the film's picture, what it says in words, and the page
-// of a controller that tells nothing of film and marks.
+// The Run page of a packing machine by touch: the film's picture, its texts, and the page for a controller
+// without film and marks.
 #include "panel_test.h"
 
 #include "app/plot/film_picture.h"

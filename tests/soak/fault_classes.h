@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every class of fault as the rules that the soak gives to the controller.
+// The fault classes and the rules that the soak test gives to the controller.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@ namespace campanel::soak {
 struct FaultClass {
     std::string_view name;
     std::string_view rules;
-    // Registers may say otherwise than they were written: another device answers.
+    // True when registers may differ from the written values: another device answers.
     bool otherIdentity = false;
 };
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr auto answerTime = std::chrono::seconds{10};
 
-// Both ends close with exec, so that a controller does not keep those of another alive.
+// Creates a pipe with close-on-exec ends, so that a controller does not keep those of another open.
 std::array<int, 2> makePipe()
 {
     std::array<int, 2> ends{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The real campanel-controller as a child process whose line faults are given while it runs. Its answers and
-// events are stamped by a thread of their own, so that what happened is known to the millisecond.
+// The real campanel-controller as a child process with line faults that change while it runs. A separate
+// thread adds time stamps to its answers and events, so that their times are known to the millisecond.
 #pragma once
 
 #include <chrono>
@@ -18,24 +18,24 @@ using Clock = std::chrono::steady_clock;
 
 class FaultyController {
 public:
-    // With an empty flash in `folder`, which it must have for itself. Throws std::runtime_error when it
-    // cannot be started; it serves once it has taken rules.
+    // Starts it with an empty flash in `folder`, which must not be shared. Throws std::runtime_error when it
+    // cannot be started; it serves once it has received rules.
     FaultyController(const std::filesystem::path& folder, bool paced, std::uint32_t baud);
     ~FaultyController();
     FaultyController(const FaultyController&) = delete;
     FaultyController& operator=(const FaultyController&) = delete;
 
-    // Where the port can be; a fault may bring it back under the second name.
+    // Return the possible paths of the port; a fault may bring it back under the second name.
     [[nodiscard]] std::string port() const { return (m_folder / "port").string(); }
     [[nodiscard]] std::string otherPort() const { return (m_folder / "other-port").string(); }
-    // The one of both that exists now; the first when none does.
+    // Returns the existing one of both; the first when neither exists.
     [[nodiscard]] std::string portNow() const;
 
-    // Replaces the rules. Returns how many faults the ones before have applied; throws when the controller
+    // Replaces the rules. Returns how many faults the earlier ones have applied; throws when the controller
     // refuses the line.
     std::uint64_t setFaults(const std::string& rules);
 
-    // What has happened up to now, nothing of it left in the pipe.
+    // The events up to now; the pipe is empty afterwards.
     struct Events {
         int restarts = 0;
         int plugs = 0;
@@ -52,7 +52,7 @@ private:
     pid_t m_process = -1;
     int m_input = -1;
     int m_output = -1;
-    std::mutex m_mutex; // guards what follows up to the thread
+    std::mutex m_mutex; // guards the members below up to the thread
     std::string m_begun;
     Events m_events;
     std::vector<std::string> m_answers;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanel-soak: the real controller program behind a line with every class of fault, driven by the panel's
-// client and, beside it, by a plain libmodbus master. Ends with 1 when the panel's client believed a wrong
-// value, repeated a command, mixed tables or did not come back.
+// campanel-soak: the real controller program behind a line with every class of fault, operated by the panel's
+// client and, beside it, by a plain libmodbus master. Exits with 1 when the panel's client accepted a wrong
+// value, repeated a command, mixed tables or did not recover.
 #include "tests/soak/panel_master.h"
 #include "tests/soak/plain_master.h"
 #include "tests/soak/report.h"
@@ -51,7 +51,7 @@ template <typename Number> bool takeNumber(const char* text, Number& number)
     return parsed.ec == std::errc() && parsed.ptr == end;
 }
 
-// Empty after --help or a mistake.
+// Returns nothing after --help or an error.
 std::optional<Options> parseOptions(int argc, char** argv)
 {
     Options options;
@@ -87,7 +87,7 @@ std::optional<Options> parseOptions(int argc, char** argv)
     return std::nullopt;
 }
 
-// One controller of its own for each class and master.
+// One separate controller for each class and master.
 struct Work {
     std::size_t faultClass = 0;
     std::optional<modbus_error_recovery_mode> plain; // empty: the panel's client
@@ -144,7 +144,7 @@ void doWork(const Work& work, const Options& options, const std::filesystem::pat
     }
 }
 
-// Ends the program when a call does not return: nothing else could say so.
+// Ends the program when a call does not return: nothing else could report it.
 void watchOver(const std::vector<Watch>& watches, const std::atomic<bool>& finished)
 {
     constexpr double longestCallS = 30;
@@ -202,7 +202,7 @@ int main(int argc, char** argv)
         std::perror("campanel-soak: no folder for the controllers");
         return 2;
     }
-    std::signal(SIGPIPE, SIG_IGN); // of a controller that has ended, which is said in words
+    std::signal(SIGPIPE, SIG_IGN); // an ended controller is reported as text
     const auto begun = Clock::now();
     Results results;
     runAll(allWork(*options), *options, folder, results);

@@ -13,7 +13,7 @@ namespace {
 using modbus::LinkErrorKind;
 using std::chrono::milliseconds;
 
-// As in app/link: pause between two tries to find the controller.
+// The pause between two attempts to find the controller, as in app/link.
 constexpr milliseconds retryDelay{250};
 constexpr milliseconds reconnectLimit{2000};
 constexpr milliseconds longestSearch{20'000};
@@ -196,7 +196,7 @@ void PanelMaster::readRegisters(std::uint16_t address, std::uint16_t count)
         return;
     }
     ++m_tally.believed;
-    // What another device says of itself is true of it.
+    // Another device's own values are true.
     if (address < CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT && m_faults.otherIdentity)
         return;
     if (const auto wrong = m_truth.checkRegisters(address, *registers); !wrong.empty())
@@ -211,7 +211,8 @@ void PanelMaster::readBankSlice()
     readRegisters(static_cast<std::uint16_t>(CTL_REG_ACTIVE + offset), static_cast<std::uint16_t>(count));
 }
 
-// In pieces, as the panel does: they belong together when the status before and after names the same program.
+// Reads in pieces, like the panel: they belong together when the statuses before and after name the same
+// program.
 void PanelMaster::readWholeBank()
 {
     const auto before = m_program;
@@ -266,7 +267,7 @@ void PanelMaster::oneStep()
 
 void PanelMaster::prepare()
 {
-    m_controller.setFaults("clear"); // taken once it serves
+    m_controller.setFaults("clear"); // accepted once it serves
     connect();
     const modbus::RegisterInfo& patience = modbus::registerNamed("parameter.heartbeat_timeout");
     if (!m_client->writeParameter(patience, patience.maximum))
@@ -299,7 +300,7 @@ void PanelMaster::finish()
     constexpr milliseconds longestFinish{20'000};
     const auto begun = Clock::now();
     const std::uint64_t believed = m_tally.believed;
-    // Late answers and returning ports are part of it: until three in a row are good.
+    // Includes late answers and returning ports, until three in a row are good.
     while (m_download || m_tally.believed < believed + 3) {
         if (Clock::now() > begun + longestFinish)
             throw std::runtime_error("a clean line does not work again");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drives one controller as the panel does, with the project's own client and download, at random but seeded,
-// and compares everything that it believes with the truth.
+// Operates one controller like the panel, with the project's own client and download, at random but seeded,
+// and compares every result with the truth.
 #pragma once
 
 #include "modbus/download/download.h"
@@ -20,11 +20,11 @@ struct MasterSettings {
     std::chrono::milliseconds answerAllowance{20};
     std::uint64_t seed = 1;
 
-    // Of a status exchange: the time-out that late answers are measured in.
+    // Returns the time-out of a status exchange, the unit of late answers.
     [[nodiscard]] std::chrono::milliseconds statusTimeout() const;
 };
 
-// The class's rules with seed, time-out and the names of this controller's ports.
+// Returns the rules of the class with seed, time-out and the names of this controller's ports.
 [[nodiscard]] std::string rulesFor(const FaultClass& faults, const MasterSettings& settings,
                                    const FaultyController& controller);
 
@@ -34,17 +34,17 @@ public:
                 Tally& tally, Watch& watch);
     ~PanelMaster();
 
-    // On a clean line: a program, parameters, both saved.
+    // Downloads a program, sets parameters and saves both on a clean line.
     void prepare();
-    // So many exchanges with the faults; then on a clean line again whether everything is as it should be.
+    // Performs this many exchanges with the faults, then checks everything on a clean line.
     void run(std::uint64_t exchanges);
 
     [[nodiscard]] Truth& truth() { return m_truth; }
-    // Lets go of the port.
+    // Closes the port.
     void disconnect() { m_client.reset(); }
 
 private:
-    enum class Slow : bool { No, Yes }; // the controller may take its time
+    enum class Slow : bool { No, Yes }; // the controller may take longer
 
     template <typename Ask> auto timed(const char* what, int exchanges, Slow slow, Ask ask);
     void connect();
@@ -78,24 +78,24 @@ private:
     std::optional<modbus::Identity> m_identity;
     std::unique_ptr<modbus::Download> m_download;
     std::optional<std::pair<std::uint32_t, std::uint32_t>>
-        m_program;                   // generation and CRC-32 by the last status
-    FaultyController::Events m_seen; // events up to here are part of the truth
-    bool m_replugOpen = false;       // the port has come back, no good status since
+        m_program;                   // generation and CRC-32 of the last status
+    FaultyController::Events m_seen; // events already included in the truth
+    bool m_replugOpen = false;       // the port is back, without a good status since
     bool m_restartOpen = false;
-    bool m_isClean = true; // no faults now
+    bool m_isClean = true; // without faults at present
     std::uint16_t m_heartbeat = 0;
     std::uint16_t m_session = 0;
 };
 
-// Counts the exchange and holds the call to its bound: so many exchanges, each with draining before a
-// question and after a doubtful answer, and something for the other programs on this computer.
+// Counts the exchange and checks the duration of the call. The limit covers this many exchanges, each with
+// draining before a question and after a doubtful answer, and a margin for other programs on this computer.
 template <typename Ask> auto PanelMaster::timed(const char* what, int exchanges, Slow slow, Ask ask)
 {
     using std::chrono::milliseconds;
     constexpr milliseconds drainBound{2 * 650};
     constexpr milliseconds schedulingBound{1000};
     constexpr milliseconds slowWork{2000};
-    constexpr int longestFrames = 512; // bytes, both ways
+    constexpr int longestFrames = 512; // bytes, both directions
     const auto single =
         std::chrono::ceil<milliseconds>(modbus::charactersTime(m_settings.line, longestFrames)) +
         m_settings.answerAllowance + drainBound + (slow == Slow::Yes ? slowWork : milliseconds{0});

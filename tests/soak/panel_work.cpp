@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a panel changes in its controller: parameters, commands, downloads.
+// The panel's changes in its controller: parameters, commands, downloads.
 #include "modbus/map/codec.h"
 #include "tests/soak/panel_master.h"
 
@@ -30,7 +30,7 @@ void PanelMaster::writeParameter()
                                [&] { return m_client->writeParameter(info, modbus::toPhysical(info, raw)); });
     if (!written) {
         noteError(written.error());
-        // The exception to the writing itself, not one to reading it back.
+        // The exception to the write itself, not one to the read-back.
         if (written.error().kind == LinkErrorKind::Exception && written.error().request == info.name)
             m_truth.refused(info.address, registers);
         return;
@@ -45,7 +45,7 @@ void PanelMaster::command(modbus::Command code, modbus::CommandArguments argumen
     const int restarts = m_seen.restarts;
     const auto slow = code == modbus::Command::SaveToFlash ? Slow::Yes : Slow::No;
     const auto result = timed("command", 5, slow, [&] { return m_client->command(code, arguments); });
-    if (restarts != m_seen.restarts) // whatever it did is gone
+    if (restarts != m_seen.restarts) // any effect is lost
         return;
     if (!result) {
         settle(result.error(), code);
@@ -59,7 +59,7 @@ void PanelMaster::command(modbus::Command code, modbus::CommandArguments argumen
         m_truth.saved();
 }
 
-// As the panel does: what is not known is asked for until it is.
+// Requests unknown results until they are known, like the panel.
 void PanelMaster::settle(const modbus::LinkError& error, modbus::Command code)
 {
     const int restarts = m_seen.restarts;
@@ -142,11 +142,10 @@ void PanelMaster::endDownload(const modbus::DownloadError* error)
             m_tally.find(m_tally.wrong, "a download said that it is active, and is not");
     } else {
         ++m_tally.work["downloads ended: " + modbus::describe(*error)];
-        // Withdrawn by the soak's own command or, with what was armed, by a restart; nothing else may end
-        // one.
+        // Withdrawn by the soak's own command or, after arming, by a restart; nothing else may cause it.
         if (error->kind != modbus::DownloadErrorKind::Withdrawn)
             m_tally.find(m_tally.hangs, "a download did not survive: " + modbus::describe(*error));
-        m_truth.notApplied(); // they all say that the active program is unchanged
+        m_truth.notApplied(); // all mean that the active program is unchanged
     }
     m_download.reset();
 }

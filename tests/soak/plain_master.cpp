@@ -110,7 +110,7 @@ void PlainMaster::oneStep()
     const auto bankSize = static_cast<std::uint32_t>(m_truth.activeImage().size());
     if (choice < 60)
         readStatus();
-    else if (choice < 90) // as many registers as the status has: answers that can be taken for each other
+    else if (choice < 90) // as many registers as the status: the answers can be confused
         readRegisters(static_cast<std::uint16_t>(CTL_REG_ACTIVE + pick(bankSize)), modbus::statusRegisters);
     else
         readRegisters(CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT, 10);
@@ -118,7 +118,7 @@ void PlainMaster::oneStep()
 
 void PlainMaster::run(std::uint64_t exchanges)
 {
-    constexpr int cleanReads = 20; // so that the truth knows the controller's clock
+    constexpr int cleanReads = 20; // for the controller's clock in the truth
     m_truth.resetClock();
     m_restarts = m_controller.events().restarts;
     for (int i = 0; i < cleanReads; ++i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A master as one writes it from libmodbus's documentation: reads, checks the return value, believes. Only
-// reads, so that what it believes can be judged exactly.
+// A master as written from libmodbus's documentation: reads, checks the return value, and trusts it. It only
+// reads, so that its results can be checked exactly.
 #pragma once
 
 #include "tests/soak/fault_classes.h"
@@ -18,8 +18,8 @@ namespace campanel::soak {
 
 class PlainMaster {
 public:
-    // The controller has been prepared; `truth` knows how. Recovery LINK is not for a panel: when an adapter
-    // is pulled, it does not return.
+    // The controller must be prepared; `truth` has its data. Recovery LINK is not suitable for a panel: it
+    // does not return after an adapter is pulled.
     PlainMaster(FaultyController& controller, const FaultClass& faults, const MasterSettings& settings,
                 modbus_error_recovery_mode recovery, Truth& truth, Tally& tally, Watch& watch);
     ~PlainMaster();
@@ -33,7 +33,7 @@ private:
 
     void connect();
     void oneStep();
-    // False after an error.
+    // Returns false after an error.
     [[nodiscard]] bool read(std::uint16_t address, std::vector<std::uint16_t>& registers);
     void readStatus();
     void readRegisters(std::uint16_t address, std::uint16_t count);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The soak's table.
+// The table of the soak test.
 #pragma once
 
 #include "tests/soak/fault_classes.h"
@@ -15,7 +15,7 @@ struct ClassResult {
 };
 using Results = std::array<ClassResult, faultClasses.size()>;
 
-// Prints everything; true when the panel's client did nothing wrong.
+// Prints everything; returns true when the panel's client made no error.
 [[nodiscard]] bool report(const Results& results);
 
 } // namespace campanel::soak

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the soak counts, and the watch over calls that do not return.
+// The counters of the soak test, and the watch over calls that do not return.
 #pragma once
 
 #include "tests/soak/faulty_controller.h"
@@ -13,19 +13,19 @@
 namespace campanel::soak {
 
 struct Tally {
-    std::uint64_t exchanges = 0; // questions of the master, not its client's own repetitions
+    std::uint64_t exchanges = 0; // questions of the master, without its client's repetitions
     std::uint64_t faults = 0;    // applied by the line
     std::uint64_t believed = 0;
-    std::uint64_t wrong = 0;    // believed, and not so
-    std::uint64_t repeated = 0; // commands carried out more often than they were given
-    std::uint64_t mixed = 0;    // tables that are none of those sent
-    std::uint64_t hangs = 0;    // calls beyond their bound, and controllers that were not found again in time
+    std::uint64_t wrong = 0;    // accepted, but wrong
+    std::uint64_t repeated = 0; // commands executed more often than they were sent
+    std::uint64_t mixed = 0;    // tables other than those sent
+    std::uint64_t hangs = 0;    // calls beyond their limit, and controllers that were not found again in time
     std::map<std::string, std::uint64_t> errors; // by kind
     std::map<std::string, std::uint64_t> work;   // commands and downloads by outcome
-    std::vector<double> replugMs;                // the port's return to the first good status
-    std::vector<double> restartMs;               // the controller's return to that
+    std::vector<double> replugMs;                // from the port's return to the first good status
+    std::vector<double> restartMs;               // from the controller's return to the first good status
     double longestCallMs = 0;
-    std::vector<std::string> findings; // the first few violations in words
+    std::vector<std::string> findings; // the first few violations as text
 
     void find(std::uint64_t& counter, const std::string& sentence)
     {
@@ -37,7 +37,7 @@ struct Tally {
     void add(const Tally& other);
 };
 
-// One for each thread that asks: what it is doing, and since when.
+// The present action of one asking thread, and its start.
 class Watch {
 public:
     void begin(const char* what)
@@ -47,7 +47,7 @@ public:
     }
     void end() { m_since = 0; }
     [[nodiscard]] const char* what() const { return m_what; }
-    // Zero while nothing is under way.
+    // Returns zero while no action is in progress.
     [[nodiscard]] double seconds() const
     {
         const auto since = m_since.load();

@@ -12,9 +12,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// Steps of the simulation, rounding of the registers.
+// The tolerance for steps of the simulation and rounding of the registers.
 constexpr milliseconds clockTolerance{3};
-// After a start the axis stands again by then.
+// The time after a start until the axis is at rest again.
 constexpr milliseconds longestMove{1000};
 constexpr std::uint16_t parametersBegin = CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT;
 constexpr std::uint16_t parametersEnd = CTL_REG_PARAMETER_MASTER_DIRECTION + 1;
@@ -40,7 +40,7 @@ std::vector<Image> knownImages()
 std::string ControllerClock::check(std::uint32_t uptimeS, std::uint16_t sampleTimeMs, Clock::time_point asked,
                                    Clock::time_point answered)
 {
-    // Both count from power-up, so that the one must fit into the second of the other.
+    // Both count from power-up, so that one must fit into the second of the other.
     const auto withinSecond = static_cast<std::uint16_t>(sampleTimeMs - uptimeS * 1000u);
     if (withinSecond >= 1000)
         return "sample time " + std::to_string(sampleTimeMs) + " ms does not belong to uptime " +
@@ -162,7 +162,7 @@ std::string Truth::checkCommands(const modbus::StatusBlock& status)
     const auto counter = static_cast<std::uint16_t>(m_counterBase.value_or(0) + m_commands);
     if (status.commandCounter != counter)
         return differs("command counter", status.commandCounter, counter);
-    // One start is one cycle of so many pulses.
+    // One start is one cycle of this many pulses.
     const bool isUnderWay = !stands(status) && status.cycleCount + 1 == m_starts;
     if (status.cycleCount != m_starts && !isUnderWay)
         return differs("cycles", status.cycleCount, m_starts);
@@ -177,7 +177,7 @@ std::string Truth::checkStatus(const modbus::StatusBlock& status, Clock::time_po
 {
     if (auto wrong = m_clock.check(status.uptimeS, status.sampleTimeMs, asked, answered); !wrong.empty())
         return wrong;
-    // Counts every answer, so that no two status blocks may have the same.
+    // The counter increases with every answer, so that no two status blocks may have the same.
     const auto more = static_cast<std::uint16_t>(
         status.linkRequests - m_linkRequests.value_or(static_cast<std::uint16_t>(status.linkRequests - 1)));
     if (more == 0 || more > 0x8000)
@@ -196,7 +196,7 @@ std::string Truth::checkBankSlice(std::size_t offset, std::span<const std::uint1
             return false;
         const Image& image = found->second;
         for (std::size_t i = 0; i < registers.size(); ++i) {
-            // Behind the image the bank holds zeros.
+            // Behind the image the bank contains zeros.
             if (registers[i] != (offset + i < image.size() ? image[offset + i] : 0))
                 return false;
         }
@@ -225,7 +225,7 @@ std::string Truth::checkRegisters(std::uint16_t address, std::span<const std::ui
                        known->second != value) {
                 return differs("a parameter register", value, known->second);
             }
-            m_perhaps.erase(at); // read, so that it is known again
+            m_perhaps.erase(at); // read, and therefore certain again
         }
     }
     return {};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is true of one controller, as far as whoever drives it can know without believing the line: what was
-// written, applied and commanded, what the flash holds, and how fast its clock runs. Every value that a
-// master believes is compared with it; the check returns a sentence when it is wrong.
+// The true state of one controller, known to its master without trusting the line: what was written, applied
+// and commanded, the contents of the flash, and the speed of its clock. Every value that a master accepts is
+// compared with it; the check returns a sentence when it is wrong.
 #pragma once
 
 #include "modbus/map/blocks.h"
@@ -19,12 +19,12 @@ namespace campanel::soak {
 
 using Image = std::vector<std::uint16_t>;
 
-// Short moves of the same distance, no two tables alike.
+// Returns short moves of the same distance, no two tables alike.
 [[nodiscard]] std::vector<Image> knownImages();
 inline constexpr std::int32_t pulsesOfMove = 100;
 
-// Power-up as a moment of this program's clock, in an interval that becomes narrower with every answer. An
-// answer that was taken before it was asked for, or after it came, is a wrong one.
+// The time of power-up on this program's clock, in an interval that becomes narrower with every answer. An
+// answer from before its request, or from after its arrival, is wrong.
 class ControllerClock {
 public:
     [[nodiscard]] std::string check(std::uint32_t uptimeS, std::uint16_t sampleTimeMs,
@@ -39,14 +39,14 @@ class Truth {
 public:
     Truth();
 
-    // --- What was done.
-    void restarted(); // what was in RAM is gone, the flash is loaded
-    void saved();     // the state now is what the flash holds
+    // --- Events.
+    void restarted(); // RAM contents are lost, the flash is loaded
+    void saved();     // the present state is in the flash
     void commandCarriedOut(bool isStart, Clock::time_point when);
-    void writing(std::uint16_t address, std::span<const std::uint16_t> registers); // from now on it may be so
-    void written(std::uint16_t address, std::span<const std::uint16_t> registers); // from now on it is so
-    void refused(std::uint16_t address, std::span<const std::uint16_t> registers); // the master was told so
-    void applying(std::uint32_t crc);           // from now on it may become active
+    void writing(std::uint16_t address, std::span<const std::uint16_t> registers); // it may be so from now on
+    void written(std::uint16_t address, std::span<const std::uint16_t> registers); // it is so from now on
+    void refused(std::uint16_t address, std::span<const std::uint16_t> registers); // reported to the master
+    void applying(std::uint32_t crc);           // it may become active from now on
     void notApplied() { m_pendingCrc.reset(); } // the master was told that the active program is unchanged
     void resetClock() { m_clock = {}; }
 
@@ -55,19 +55,19 @@ public:
     [[nodiscard]] const std::vector<std::uint32_t>& imageCrcs() const { return m_crcs; }
     [[nodiscard]] const Image& image(std::uint32_t crc) const { return m_images.at(crc); }
 
-    // --- What a master believes. Empty: it is so.
-    // Everything but the tag and the heartbeat, which are the asker's.
+    // --- Checks of a master's results. Empty: correct. Check everything but the tag and the heartbeat, which
+    // the master sets.
     [[nodiscard]] std::string checkStatus(const modbus::StatusBlock& status, Clock::time_point asked,
                                           Clock::time_point answered);
-    // How many commands were carried out, by the counter, by the cycles and by where the axis stands.
+    // Checks how many commands were executed, by the counter, by the cycles and by the position of the axis.
     [[nodiscard]] std::string checkCommands(const modbus::StatusBlock& status);
-    // Registers of identity, parameters and active bank; others are not judged.
+    // Checks registers of identity, parameters and active bank; ignores others.
     [[nodiscard]] std::string checkRegisters(std::uint16_t address, std::span<const std::uint16_t> registers);
-    // A whole bank that was read in pieces: one of the known ones, and the active one.
+    // Checks a whole bank that was read in pieces: it must be a known one, and the active one.
     [[nodiscard]] std::string checkBank(const std::vector<std::uint16_t>& registers) const;
 
 private:
-    struct State { // what a save keeps
+    struct State { // contents of a save
         std::uint32_t crc = 0;
         std::uint32_t generation = 0;
         std::map<std::uint16_t, std::uint16_t> parameters;
@@ -83,11 +83,11 @@ private:
     State m_now;
     State m_flash;
     std::optional<std::uint32_t> m_pendingCrc;
-    std::map<std::uint16_t, std::set<std::uint16_t>> m_perhaps; // parameters whose write was not confirmed
+    std::map<std::uint16_t, std::set<std::uint16_t>> m_perhaps; // parameters with an unconfirmed write
     std::map<std::uint16_t, std::uint16_t> m_identity;          // as first read
-    std::uint16_t m_commands = 0;                               // carried out since power-up
-    // Counter of the controller before the first of them. After a restart it is 0, but the master may go on
-    // from where it was: then empty until a status tells.
+    std::uint16_t m_commands = 0;                               // executed since power-up
+    // The controller's counter before the first of them. After a restart it is 0, but the master may continue
+    // from its own: then empty until a status reports it.
     std::optional<std::uint16_t> m_counterBase = 0;
     std::uint32_t m_starts = 0;
     Clock::time_point m_lastStart;

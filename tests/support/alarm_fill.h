@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fills the log of alarms within the database itself: 100 000 rows take a fraction of a second.
+// Fills the log of alarms inside the database: 100 000 rows take a fraction of a second.
 #pragma once
 
 #include "app/store/logs/alarm_log.h"
 
 namespace campanel::test {
 
-// So many occurrences after the last one, ten seconds apart, each acknowledged and gone again.
+// Adds this many occurrences after the last one, ten seconds apart, each acknowledged and returned.
 [[nodiscard]] inline bool fillAlarmLog(store::Database& database, int rows)
 {
     return database

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Program banks for tests, made without the profile layer: rows as a test wants them, sums and header filled
-// in.
+// Program banks for tests, built without the profile layer: any rows, with sums and header filled in.
 #pragma once
 
 #include "ctl_registers.h"
@@ -38,7 +37,7 @@ struct BankImage {
         return std::accumulate(rows.begin(), rows.end(), 0u,
                                [](std::uint32_t sum, const BankRow& row) { return sum + row.ticks; });
     }
-    // Header and rows as they go over the line.
+    // Returns header and rows as sent over the line.
     [[nodiscard]] std::vector<std::uint16_t> registers() const
     {
         std::vector<std::uint16_t> result(CTL_BANK_HEADER_REGISTERS, 0);
@@ -72,8 +71,8 @@ struct BankImage {
     }
 };
 
-// A cam-like table: `rowCount` (even) rows of equal time, symmetrical, slow at the ends and fast in the
-// middle; K / N pulses a cycle with the fraction carried in the middle.
+// Returns a cam-like table: `rowCount` (even) rows of equal time, symmetrical, slow at the ends and fast in
+// the middle; K / N pulses a cycle with the carry in the middle.
 inline BankImage camBank(std::uint32_t pulsesPerRev, std::uint16_t knives, std::uint32_t cycleTicks,
                          std::uint32_t rowCount = 40)
 {
@@ -85,7 +84,8 @@ inline BankImage camBank(std::uint32_t pulsesPerRev, std::uint16_t knives, std::
     bank.carryRow = static_cast<std::uint16_t>(rowCount / 2);
     const std::uint64_t pulses = pulsesPerRev / knives;
     const std::uint64_t half = rowCount / 2;
-    // Weight of row i: 1 + i up to the middle and back; cut points at rounded sums keep the total exact.
+    // The weight of row i is 1 + i up to the middle and back; cut points at rounded sums keep the total
+    // exact.
     const std::uint64_t total = half * (half + 1);
     std::uint64_t weight = 0;
     for (std::uint64_t i = 0; i < rowCount; ++i) {
@@ -98,8 +98,7 @@ inline BankImage camBank(std::uint32_t pulsesPerRev, std::uint16_t knives, std::
     return bank;
 }
 
-// Rows anywhere within an 8 MHz, 16-bit timer and 200 kHz, pauses among them, with a random fraction to
-// carry.
+// Returns random rows within an 8 MHz, 16-bit timer and 200 kHz, with pauses and a random carry.
 inline BankImage randomBank(std::mt19937_64& random)
 {
     const auto pick = [&random](std::uint32_t low, std::uint32_t high) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Banks of cam points for tests, made without the profile layer: any curve with its derivative, sampled at
+// Banks of cam points for tests, built without the profile layer: any curve with its derivative, sampled at
 // the ends of equal intervals.
 #pragma once
 
@@ -30,7 +30,7 @@ struct CamImage {
     std::uint16_t knots = 0;
     std::uint32_t pulsesPerMotorRev = 10000;
     std::uint32_t feedUm = 100'000;
-    std::int16_t masterRate = 600; // of a point cam, 0.1 r/min
+    std::int16_t masterRate = 600; // only for a point cam, 0.1 r/min
     double clockHz = 8e6;
 
     [[nodiscard]] std::uint32_t speedUmPerS(const CamRow& row) const
@@ -39,7 +39,7 @@ struct CamImage {
             row.slope / 256.0 * static_cast<double>(rows.size() - 1) * clockHz / cycleTicks;
         return static_cast<std::uint32_t>(std::lround(pulsesPerS * feedUm / pulsesPerMotorRev));
     }
-    // Header, rows and knots as they go over the line.
+    // Returns header, rows and knots as sent over the line.
     [[nodiscard]] std::vector<std::uint16_t> registers() const
     {
         std::vector<std::uint16_t> result(CTL_BANK_HEADER_REGISTERS, 0);
@@ -103,7 +103,7 @@ struct CamImage {
     }
 };
 
-// Rows of `curve` (pulses) and `derivative` (pulses per cycle), both of x = 0..1.
+// Returns rows of `curve` (pulses) and `derivative` (pulses per cycle), both over x = 0..1.
 template <typename Curve, typename Derivative>
 std::vector<CamRow> camRows(unsigned intervals, Curve curve, Derivative derivative)
 {
@@ -116,7 +116,7 @@ std::vector<CamRow> camRows(unsigned intervals, Curve curve, Derivative derivati
     return rows;
 }
 
-// A progressive cam: net pulses a cycle with a sine on top, `swing` pulses to both sides.
+// Returns a progressive cam: net pulses per cycle plus a sine of amplitude `swing` pulses.
 inline CamImage sineCam(double net, double swing, unsigned intervals, std::uint32_t cycleTicks)
 {
     constexpr double turn = 2.0 * std::numbers::pi;
@@ -129,7 +129,7 @@ inline CamImage sineCam(double net, double swing, unsigned intervals, std::uint3
     return cam;
 }
 
-// From rest to rest over so many pulses, by the quintic.
+// Returns a move from rest to rest over this many pulses, by the quintic.
 inline CamImage quinticMove(double pulses, unsigned intervals, std::uint32_t cycleTicks)
 {
     CamImage cam;
@@ -144,7 +144,8 @@ inline CamImage quinticMove(double pulses, unsigned intervals, std::uint32_t cyc
     return cam;
 }
 
-// From rest to so many pulses a second, by the cubic 2-3 as speed law; that speed is held.
+// Returns a ramp from rest to this many pulses per second, by the cubic 2-3 as speed law; the last speed is
+// held.
 inline CamImage speedMove(double pulsesPerS, unsigned intervals, std::uint32_t cycleTicks,
                           double clockHz = 8e6)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Starting, waiting for the port, killing.
+// Starts the process, waits for the port, and kills it.
 #include "tests/support/controller_process.h"
 #include "tests/support/places.h"
 
@@ -42,8 +42,8 @@ void ControllerProcess::kill()
 {
     if (m_process.state() == QProcess::NotRunning)
         return;
-    // The name goes first, as with a pulled adapter: the system gives the terminal's number to whoever asks
-    // next, and the name would then lead to the controller of another test.
+    // The name is removed first, as with a pulled adapter: the system reuses the terminal's number, and the
+    // name would then lead to the controller of another test.
     QFile::remove(port());
     m_process.kill();
     m_process.waitForFinished();

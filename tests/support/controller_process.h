@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The real campanel-controller as a child process, on a port whose name outlives it, so that it can be killed
-// and started again with the flash that it had.
+// The real campanel-controller as a child process. The name of its port is permanent, so that it can be
+// killed and restarted with its flash.
 #pragma once
 
 #include <QProcess>
@@ -12,17 +12,17 @@ namespace campanel::test {
 
 class ControllerProcess {
 public:
-    // Starts it, with an empty state directory of its own; throws std::runtime_error when it does not serve
-    // within ten seconds.
+    // Starts it with an empty state directory; throws std::runtime_error when it does not serve within ten
+    // seconds.
     explicit ControllerProcess(QStringList arguments = {});
     ~ControllerProcess();
     ControllerProcess(const ControllerProcess&) = delete;
     ControllerProcess& operator=(const ControllerProcess&) = delete;
 
-    // The same before and after a restart.
+    // Returns the path, the same before and after a restart.
     [[nodiscard]] QString port() const { return m_folder.filePath(QStringLiteral("port")); }
 
-    void kill();  // as a power cut would
+    void kill();  // like a power cut
     void start(); // again, after kill()
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A Link without a line: keeps what was asked and lets a test say what the controller answers. No thread.
+// A Link without a line: records requests and lets a test set the controller's answers. No thread.
 #pragma once
 
 #include "app/link/link.h"
@@ -97,7 +97,7 @@ public:
         emit reported(report);
     }
 
-    // One status; `status` can be changed between two.
+    // Sends one status; `status` can be changed between two calls.
     void sendStatus(link::SteadyTime at)
     {
         link::StatusBatch batch;
@@ -105,7 +105,7 @@ public:
         emit statusReceived(batch);
     }
 
-    // As if this program had been downloaded: the status names it, its header and knots are read.
+    // Behaves as after a download of this program: the status names it, its header and knots are read.
     void activate(const program::ProgramImage& image, link::SteadyTime at)
     {
         ++status.generation;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A disk that is full, for this process and those that it starts.
+// A full disk, for this process and its children.
 #pragma once
 
 #include <csignal>
@@ -7,7 +7,7 @@
 
 namespace campanel::test {
 
-// No file can grow beyond `bytes` while it lives: as on a disk that is full. Pipes still take everything.
+// Limits every file to `bytes` during its lifetime, like a full disk. Pipes are not limited.
 class FullDisk {
 public:
     explicit FullDisk(rlim_t bytes = 0)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Banks of intervals for tests, made without the profile layer: rows from distances and speeds, corrected for
-// the generator's clock, with eight fraction bits.
+// Banks of intervals for tests, built without the profile layer: rows from distances and speeds, corrected
+// for the generator's clock, with eight fraction bits.
 #pragma once
 
 #include "ctl_registers.h"
@@ -19,7 +19,7 @@ struct Interval {
     [[nodiscard]] double timeS() const { return 2.0 * pulses / (firstHz + lastHz); }
 };
 
-// Pulses of evenly accelerated rows after so many seconds.
+// Returns the pulses of uniformly accelerated rows after this many seconds.
 inline double pulsesAfter(const std::vector<Interval>& rows, double timeS)
 {
     double pulses = 0;
@@ -50,7 +50,7 @@ struct IntervalImage {
             sum += row.timeS();
         return sum;
     }
-    // Without the fraction owed.
+    // Returns the advance without the fraction.
     [[nodiscard]] std::int64_t advance() const
     {
         std::int64_t sum = 0;
@@ -63,7 +63,7 @@ struct IntervalImage {
         return static_cast<std::uint32_t>(
             std::lround((backwards ? -pulseHz : pulseHz) * feedUm / pulsesPerMotorRev));
     }
-    // Header and rows as they go over the line.
+    // Returns header and rows as sent over the line.
     [[nodiscard]] std::vector<std::uint16_t> registers() const
     {
         constexpr unsigned fractionBits = 8;
@@ -99,7 +99,7 @@ struct IntervalImage {
             wide(CTL_OFFSET_SPEED_MOVE_START_SPEED, speedUmPerS(rows.front().firstHz));
             wide(CTL_OFFSET_SPEED_MOVE_END_SPEED, speedUmPerS(rows.back().lastHz));
         }
-        // 2^23 iterations a second are meant, 50 MHz / 6 there are.
+        // The nominal rate is 2^23 iterations a second, the real one 50 MHz / 6.
         constexpr double speedUnit = (1u << fractionBits) * 1.00663296;
         for (const Interval& row : rows) {
             const double first = std::round(row.firstHz * speedUnit);
@@ -114,7 +114,7 @@ struct IntervalImage {
     }
 };
 
-// 50 Hz to 20 kHz in about 0.2 s, 0.5 s, back in about 0.25 s: the trapezoid of the paper on moves.
+// Returns 50 Hz to 20 kHz in about 0.2 s, 0.5 s, back in about 0.25 s: the trapezoid of the paper on moves.
 inline IntervalImage trapezoidMove(bool backwards = false)
 {
     IntervalImage move;
@@ -123,7 +123,7 @@ inline IntervalImage trapezoidMove(bool backwards = false)
     return move;
 }
 
-// From 50 Hz to 20 kHz in about 0.5 s; that speed is held.
+// Returns 50 Hz to 20 kHz in about 0.5 s; the last speed is held.
 inline IntervalImage rampAndHold(bool backwards = false)
 {
     IntervalImage move;

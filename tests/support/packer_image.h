@@ -25,7 +25,6 @@ public:
     {
         m_registers[modbus::findRegister(name)->address - modbus::packerAddress + index] = value;
     }
-    // The next bag, with this error of its mark.
     void addBag(double markErrorMm)
     {
         ++m_bag;

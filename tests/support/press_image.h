@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Press banks for tests, made without the profile layer; 0.01 mm per pulse.
+// Press banks for tests, built without the profile layer; 0.01 mm per pulse.
 #pragma once
 
 #include "ctl_press.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recipes of any kind for tests: every field, choice, law parameter and knot at random, about half of them
+// Random recipes of any kind for tests: every field, choice, law parameter and knot, about half of them
 // within the limits of their machine.
 #pragma once
 
@@ -27,7 +27,7 @@ public:
     }
     int below(int count) { return static_cast<int>(m_random() % static_cast<unsigned>(count)); }
 
-    // Every value around that of the default recipe, on its grid.
+    // Returns a recipe with values around those of the default recipe, on their grids.
     program::Recipe around(profile::ProgramKind kind)
     {
         program::Recipe recipe = program::defaultRecipe(kind);
@@ -51,7 +51,7 @@ public:
         return recipe;
     }
 
-    // Anything that can be entered.
+    // Returns any recipe that can be entered.
     program::Recipe anywhere(profile::ProgramKind kind)
     {
         program::Recipe recipe = around(kind);
@@ -97,7 +97,7 @@ private:
         case Field::MaxAcceleration:
         case Field::MaxPulseFrequency:
         case Field::MaxTorque:
-        case Field::PressPosition: // after the touch, whatever that became
+        case Field::PressPosition: // after the probe end, whatever its value
         case Field::MaxForce:
             value = program::value(recipe, field) * between(1, 1.2);
             break;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A slave on a pseudo-terminal that keeps the contract's echoes and misbehaves as scripted, one entry per
+// A slave on a pseudo-terminal that sends the contract's echoes and misbehaves as scripted, one entry per
 // request. libmodbus's server side receives; the answers are built here so that they can be wrong.
 #pragma once
 
@@ -18,7 +18,7 @@ enum class Fault {
     None,
     LostRequest,    // not executed, not answered
     LostAnswer,     // executed, not answered
-    LateAnswer,     // executed; the answer comes right before that of the next request
+    LateAnswer,     // executed; the answer comes just before that of the next request
     BadChecksum,    // executed, CRC-16 of the answer inverted
     Truncated,      // executed, the answer stops in the middle
     Exception2,     // not executed, exception 2
@@ -35,26 +35,26 @@ public:
     ScriptedSlave& operator=(const ScriptedSlave&) = delete;
 
     [[nodiscard]] const std::string& port() const { return m_port; }
-    // Faults of the next requests, in order; afterwards None.
+    // Sets the faults of the next requests, in order; afterwards None.
     void script(std::vector<Fault> faults);
     void setRegister(std::uint16_t address, std::uint16_t value);
     [[nodiscard]] std::uint16_t getRegister(std::uint16_t address);
-    // How often a command was carried out, how many requests arrived, how many of them wrote.
+    // Return how many commands were executed, how many requests arrived, and how many of them wrote.
     [[nodiscard]] int commandsExecuted() const { return m_commands; }
     [[nodiscard]] int requests() const { return m_requests; }
     [[nodiscard]] int writes() const { return m_writes; }
-    // Closes both ends of the pseudo-terminal, as a pulled adapter.
+    // Closes both ends of the pseudo-terminal, like a pulled adapter.
     void unplug();
-    // Forgets the transfer session, as after a restart of the controller.
+    // Clears the transfer session, as a restart of the controller does.
     void forgetTransfer();
-    // What is in RAM is lost; an older program, the sixth, comes from the flash.
+    // Loses the contents of RAM; an older program, the sixth, comes from the flash.
     void restart();
-    // Makes an armed change active, as at the cycle boundary.
+    // Activates an armed change, as at the cycle boundary.
     void reachCycleBoundary();
     void refuseRow(std::uint16_t row);
-    // Every answer comes so much later.
+    // Delays every answer by this time.
     void delayAnswers(std::chrono::milliseconds delay) { m_delayMs = static_cast<int>(delay.count()); }
-    // The adapter returns every request before its answer.
+    // Returns every request before its answer, like some adapters.
     void setEchoing(bool isEchoing) { m_isEchoing = isEchoing; }
 
 private:
@@ -77,7 +77,7 @@ private:
     std::string m_port;
     int m_master = -1;
     int m_keptSlave = -1;
-    std::mutex m_mutex; // guards everything below up to the thread
+    std::mutex m_mutex; // guards all members below up to the thread
     std::vector<std::uint16_t> m_registers;
     std::deque<Fault> m_faults;
     std::vector<bool> m_received;

@@ -28,7 +28,7 @@ struct Entry {
     campanel::test::Run run;
 };
 
-// A function's, because registrations of other files come before this file's variables.
+// A function, because registrations in other files come before this file's variables.
 std::map<std::string, Entry>& entries()
 {
     static std::map<std::string, Entry> all;

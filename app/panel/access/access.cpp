@@ -67,7 +67,7 @@ void Access::open()
 void Access::takeUsers(const Users& users)
 {
     if (!users) {
-        // Nobody is more than an operator then. That the database cannot be opened was said already.
+        // Nobody is more than an operator then. The unopened database was already reported.
         if (m_isLoaded || users.error().kind == store::StoreError::Kind::PinsLost)
             m_records.complain(users.error());
         if (!m_isLoaded)
@@ -211,7 +211,7 @@ void Access::admit(const store::User& user)
         leave(u"user.logout"_s);
     const auto known = std::ranges::find(m_users, user.id, &store::User::id);
     if (known == m_users.end())
-        return; // removed meanwhile
+        return; // removed in the meantime
     *known = user;
     m_user = user;
     m_touchedAt = m_machine.now();

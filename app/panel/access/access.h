@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Access` in QML: who is at the panel and what they may do. Until a first PIN is set nothing is restricted.
-// Viewing and Stop never need a login.
+// `Access` in QML: the person at the panel and their permissions. Nothing is restricted until a first PIN is
+// set. Viewing and Stop never need a login.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -30,29 +30,29 @@ class Access : public QObject {
     QML_ELEMENT
     QML_SINGLETON
 
-    // Of whoever is at the panel now.
+    // The level of the person at the panel.
     Q_PROPERTY(Level level READ level NOTIFY changed FINAL)
     Q_PROPERTY(QString levelText READ levelText NOTIFY changed FINAL)
     Q_PROPERTY(QString userName READ userName NOTIFY changed FINAL) // empty: nobody is logged in
     Q_PROPERTY(bool loggedIn READ loggedIn NOTIFY changed FINAL)
     Q_PROPERTY(bool protectedByPins READ protectedByPins NOTIFY changed FINAL)
-    // The users cannot be read: nobody can log in, and refusalText() says why.
+    // True when the users cannot be read: nobody can log in, and refusalText() says why.
     Q_PROPERTY(bool locked READ locked NOTIFY changed FINAL)
     Q_PROPERTY(bool mayOperate READ mayOperate NOTIFY changed FINAL)
     Q_PROPERTY(bool maySetUp READ maySetUp NOTIFY changed FINAL) // as a technician
     Q_PROPERTY(bool mayService READ mayService NOTIFY changed FINAL)
 
-    // Of {id, name, level, levelText, current}, by name.
+    // A list of {id, name, level, levelText, current}, sorted by name.
     Q_PROPERTY(QVariantList users READ users NOTIFY changed FINAL)
-    // Of {key, text, note}: the levels that a user may have.
+    // The levels that a user may have: a list of {key, text, note}.
     Q_PROPERTY(QVariantList levels READ levels NOTIFY changed FINAL)
 
-    // A PIN is being looked at, or a change of the users is on its way.
+    // True while a PIN is checked or the users are changed.
     Q_PROPERTY(bool busy READ busy NOTIFY busyChanged FINAL)
-    // What became of the last login or change; empty when there is nothing to say.
+    // The result of the last login or change; empty when there is none.
     Q_PROPERTY(QString message READ message NOTIFY messageChanged FINAL)
     Q_PROPERTY(bool failed READ failed NOTIFY messageChanged FINAL)
-    // Who wants to log in, 0: not chosen yet; and how long they have to wait after wrong PINs.
+    // The user selected for login, 0: none; and the waiting time after wrong PINs.
     Q_PROPERTY(int chosen READ chosen WRITE choose NOTIFY chosenChanged FINAL)
     Q_PROPERTY(bool waits READ waits NOTIFY chosenChanged FINAL)
     Q_PROPERTY(QString waitText READ waitText NOTIFY chosenChanged FINAL)
@@ -61,7 +61,7 @@ public:
     enum Level { Viewer, Operator, Technician, Service };
     Q_ENUM(Level)
 
-    // What somebody did with users and logins, for the audit trail; `object` is the user's name.
+    // An action on users and logins, for the audit trail; `object` is the user's name.
     struct Event {
         QString what;
         QString object;
@@ -72,39 +72,39 @@ public:
 
     using WallClock = std::function<qint64()>; // ms since 1970 UTC
 
-    // All must outlive it.
+    // All arguments must outlive the object.
     Access(Records& records, Machine& machine, Settings& settings, QObject* parent);
     ~Access() override;
 
-    // The instance that attachToEngine() gave to this engine.
     static Access* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
-    // Reads the users; until they are known nobody is more than an operator. Before open() nothing is
+    // Reads the users; until then nobody has more rights than an operator. Before open() nothing is
     // restricted.
     void open();
-    // A clock for tests; how long nobody has touched the panel goes by the Machine's.
+    // Sets a clock for tests. The idle time of the panel uses the Machine's clock.
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
-    // Logs out who has touched nothing for too long; by itself it does so once a second.
+    // Logs out a user who has been idle for too long; runs once a second.
     void lookAtClock();
 
-    // True when whoever is at the panel may do what needs that level. Otherwise loginRequested().
+    // Returns true when the person at the panel has that level; otherwise emits loginRequested().
     Q_INVOKABLE bool ask(int level);
     [[nodiscard]] Q_INVOKABLE QString refusalText(int level) const;
     [[nodiscard]] Q_INVOKABLE QString permissionText(int level) const;
-    // Why a user of that level cannot choose this PIN; empty when they can.
+    // Returns why a user of that level cannot choose this PIN; empty when they can.
     [[nodiscard]] Q_INVOKABLE QString pinRefusal(const QString& pin, int level) const;
     [[nodiscard]] Q_INVOKABLE int minPinDigits(int level) const;
-    // Why it is no name for another user; empty when it is one.
+    // Returns why the name is not valid for another user; empty when it is.
     [[nodiscard]] Q_INVOKABLE QString nameRefusal(const QString& name) const;
-    // A name that nobody has: "Technician 2".
+    // Returns a free name: "Technician 2".
     [[nodiscard]] Q_INVOKABLE QString freeName(int level) const;
 
-    // The chosen one. Ends in loggedIn or in a message, busy until then.
+    // Logs in the chosen user. Ends in loggedIn or in a message, busy until then.
     Q_INVOKABLE void login(const QString& pin);
     Q_INVOKABLE void logOut();
     Q_INVOKABLE void clearMessage();
 
-    // For the level Service; all end in a message. The first user is of that level and logged in by it.
+    // Changes the users, for the level Service; all end in a message. The first user gets that level and is
+    // logged in.
     Q_INVOKABLE void addUser(const QString& name, int level, const QString& pin);
     Q_INVOKABLE void changePin(int id, const QString& pin);
     Q_INVOKABLE void changeLevel(int id, int level);
@@ -136,9 +136,9 @@ signals:
     void chosenChanged();
     void loginRequested(int level);
     void loginSucceeded();
-    // Comes after loginSucceeded(): the PIN has fewer digits than the user's level needs today.
+    // Emitted after loginSucceeded() when the PIN has fewer digits than the user's level requires today.
     void newPinWanted(int id);
-    // Nobody has touched the panel for long.
+    // Emitted when nobody has touched the panel for the idle time.
     void leftAlone();
     void happened(const campanel::machine::Access::Event& event);
 
@@ -159,13 +159,13 @@ private:
     struct Verdict {
         bool isRight = false;
         bool isShort = false;               // for the user's level
-        std::optional<QString> renewedHash; // when the one that is kept was made with less effort
+        std::optional<QString> renewedHash; // when the stored hash was made with less effort
     };
     void takeVerdict(const store::User& user, const Verdict& verdict);
     void admit(const store::User& user);
     void leave(const QString& what);
     void update();
-    // Work for a thread of its own, `then` in this one.
+    // Hashes in a thread of its own and calls `then` in this one.
     void hash(const QString& pin, std::function<void(const QString& hash)> then);
     void apply(Change change, const Event& event, const QString& done);
     void begin();
@@ -178,7 +178,7 @@ private:
     WallClock m_wallClock;
     bool m_isOpened = false;
     bool m_isLoaded = false;
-    std::optional<store::StoreError> m_lock; // why the users cannot be read
+    std::optional<store::StoreError> m_lock; // reason why the users cannot be read
     QList<store::User> m_users;
     std::optional<store::User> m_user; // logged in
     qint64 m_chosen = 0;
@@ -188,7 +188,7 @@ private:
     link::SteadyTime m_touchedAt;
     QTimer m_idleTimer;
     QTimer m_waitTimer;
-    QThreadPool m_pool; // one thread; waits for it at the end
+    QThreadPool m_pool; // one thread; the destructor waits for it
 };
 
 } // namespace campanel::machine

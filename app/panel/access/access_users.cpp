@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The users as Access shows them, and what the level Service does with them.
+// The list of users in Access, and their changes by the level Service.
 #include "app/panel/access/access.h"
 
 #include "app/panel/controller/machine.h"
@@ -17,7 +17,7 @@ namespace campanel::machine {
 
 namespace {
 
-constexpr int longestName = 24; // fits into the top bar
+constexpr int longestName = 24; // limited by the top bar
 
 QString levelKey(store::UserLevel level)
 {
@@ -144,7 +144,7 @@ void Access::apply(Change change, const Event& event, const QString& done)
                 told.outcome = u"refused"_s;
             tell(outcome ? done : store::StoreErrorText::describe(outcome.error()), !outcome);
             if (outcome)
-                m_records.makeCopy(); // which must not know a PIN that is no longer valid
+                m_records.makeCopy(); // the copy must not contain an invalid PIN
             emit happened(told);
             end();
         });

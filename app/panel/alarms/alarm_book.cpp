@@ -11,7 +11,7 @@ using store::AlarmRow;
 
 namespace {
 
-// Smaller is more urgent.
+// Returns a smaller value for a more urgent alarm.
 auto urgency(const AlarmEntry& entry)
 {
     const int group = entry.isShelved ? 3 : entry.isUnacknowledged() ? (entry.isActive() ? 0 : 1) : 2;
@@ -125,7 +125,7 @@ bool AlarmBook::endShelves(qint64 utcMs)
     return true;
 }
 
-// What is shelved wants nothing; what comes off the shelf and is still active wants to be acknowledged.
+// Updates the calls: a shelved alarm does not call; an active one that is unshelved needs to be acknowledged.
 void AlarmBook::updateShelved()
 {
     for (AlarmEntry& entry : m_entries) {

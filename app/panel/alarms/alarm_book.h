@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The states of all alarms since the start: active or returned, acknowledged or not, shelved. One entry per
-// kind, so that no flood makes it grow; what has changed is collected for the log. Values only: no clock, no
+// kind limits the size in a flood of alarms. Changes are collected for the log. Values only: no clock, no
 // thread.
 #pragma once
 
@@ -17,7 +17,7 @@ struct AlarmEntry {
     const AlarmKind* kind = nullptr;
     store::AlarmRow row;
     link::SteadyTime returnedAt{};
-    bool isShelved = false; // now
+    bool isShelved = false; // at present
 
     [[nodiscard]] bool isActive() const { return row.end == store::AlarmRow::End::Active; }
     [[nodiscard]] bool isUnacknowledged() const
@@ -29,9 +29,9 @@ struct AlarmEntry {
 
 class AlarmBook {
 public:
-    // One that comes again so soon is the same occurrence, counted.
+    // The time within which a repeated alarm counts as the same occurrence.
     static constexpr std::chrono::seconds sameWithin{10};
-    // With so many rows waiting for the disk, each that comes again is the same occurrence.
+    // The number of rows waiting for the disk at which every repeated alarm counts as the same occurrence.
     static constexpr std::size_t waitingRows = 1000;
 
     struct Now {
@@ -40,31 +40,31 @@ public:
     };
 
     void raise(const AlarmKind& kind, const QString& detail, const Now& now);
-    // Nothing happens when it is not active.
+    // Ends an occurrence; does nothing when the alarm is not active.
     void clear(const AlarmKind& kind, const Now& now,
                store::AlarmRow::End end = store::AlarmRow::End::Returned);
-    // This occurrence and the ones before it.
+    // Acknowledges this occurrence and the earlier ones.
     void acknowledge(const QString& code, qint64 id, const QString& by, qint64 utcMs);
-    // False when it stops the machine: such a one calls until it is dealt with.
+    // Shelves an alarm. Returns false when it stops the machine: such an alarm cannot be shelved.
     bool shelve(const QString& code, qint64 untilMs, const QString& by, qint64 utcMs);
     void unshelve(const QString& code);
-    // Takes off the shelf what has been there long enough, or was put there in the future: the clock was set.
-    // True when there was something.
+    // Ends shelves that have expired, or that began in the future because the clock was set. Returns true
+    // when there was one.
     bool endShelves(qint64 utcMs);
 
-    // The log ends with this id and these shelves: what came meanwhile follows it. Called once.
+    // Starts after the log's last id and shelves; earlier occurrences get the following ids. Called once.
     void begin(const store::AlarmLog::Start& start);
 
-    // Active, or wanting to be acknowledged; the most urgent first.
+    // Returns the alarms that are active or need to be acknowledged, the most urgent first.
     [[nodiscard]] std::vector<AlarmEntry> live() const;
-    // Null when the kind's last occurrence is another one.
+    // Returns null when the kind's last occurrence has another id.
     [[nodiscard]] const AlarmEntry* entryWith(qint64 id) const;
     [[nodiscard]] const QList<store::AlarmShelf>& shelves() const { return m_shelves; }
     [[nodiscard]] bool isShelved(const QString& code) const;
 
-    // What is to be written; empty afterwards.
+    // Returns the changes to write and clears them.
     [[nodiscard]] store::AlarmChanges takeChanges();
-    // It could not be written.
+    // Puts changes that could not be written back into the queue.
     void putBack(const store::AlarmChanges& changes);
     [[nodiscard]] bool hasChanges() const
     {
@@ -76,7 +76,7 @@ private:
     void note(const AlarmEntry& entry);
     void updateShelved();
 
-    std::vector<AlarmEntry> m_entries; // the last occurrence of each kind that came
+    std::vector<AlarmEntry> m_entries; // the last occurrence of each kind
     QList<store::AlarmShelf> m_shelves;
     qint64 m_lastId = 0;
     std::map<qint64, store::AlarmRow> m_waiting; // by id

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One occurrence of an alarm with all there is to know about it; it follows what becomes of it.
+// One occurrence of an alarm in detail; it is updated while the state changes.
 #pragma once
 
 #include "app/panel/alarms/alarm_book.h"
@@ -21,21 +21,21 @@ class AlarmDetail : public QObject {
     Q_PROPERTY(QString stateText READ stateText NOTIFY changed FINAL)
     Q_PROPERTY(QString cause READ cause NOTIFY changed FINAL)
     Q_PROPERTY(QString action READ action NOTIFY changed FINAL)
-    // What was said when it came; empty: nothing more.
+    // The additional text of the occurrence; empty when there is none.
     Q_PROPERTY(QString detail READ detail NOTIFY changed FINAL)
     Q_PROPERTY(QString raisedText READ raisedText NOTIFY changed FINAL)
     Q_PROPERTY(QString returnedText READ returnedText NOTIFY changed FINAL)
     Q_PROPERTY(QString acknowledgedText READ acknowledgedText NOTIFY changed FINAL)
     Q_PROPERTY(int times READ times NOTIFY changed FINAL)
-    Q_PROPERTY(bool calls READ calls NOTIFY changed FINAL) // wants to be acknowledged
+    Q_PROPERTY(bool calls READ calls NOTIFY changed FINAL) // needs to be acknowledged
     Q_PROPERTY(bool shelvable READ shelvable NOTIFY changed FINAL)
-    Q_PROPERTY(bool shelved READ shelved NOTIFY changed FINAL) // now
+    Q_PROPERTY(bool shelved READ shelved NOTIFY changed FINAL) // at present
 
 public:
     using QObject::QObject;
 
     void show(const store::AlarmRow& row, const AlarmBook& book, const QDate& today);
-    // Something has changed in the book.
+    // Updates the occurrence after a change of the book.
     void update(const AlarmBook& book, const QDate& today);
 
     [[nodiscard]] const store::AlarmRow& row() const { return m_row; }

@@ -101,7 +101,7 @@ void AlarmHistory::applyRow(const AlarmRow& row)
         return;
     }
     if (at > 0 || (count() == 0 && !m_isAtEnd))
-        return; // it has gone already, or it is on a page that was not read yet
+        return; // already deleted, or on a page that was not read yet
     beginInsertRows({}, 0, 0);
     m_rows.prepend(row);
     endInsertRows();

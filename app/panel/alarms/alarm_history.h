@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The log of alarms as a list, the newest first, read page by page while somebody looks; what happens
-// meanwhile shows at once.
+// The log of alarms as a list, newest first. It is read page by page while it is watched; new entries appear
+// at once.
 #pragma once
 
 #include "app/store/logs/alarm_log.h"
@@ -19,14 +19,14 @@ class AlarmHistory : public QAbstractListModel {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The lists belong to Alarms")
-    // Nothing is read or kept here before and after.
+    // True while the list is displayed; only then it reads and stores rows.
     Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY changed FINAL)
-    // The first page has not come yet.
+    // True until the first page has arrived.
     Q_PROPERTY(bool loading READ loading NOTIFY changed FINAL)
     Q_PROPERTY(int count READ count NOTIFY countChanged FINAL)
 
 public:
-    // The records must outlive it.
+    // The records must outlive the object.
     AlarmHistory(Records& records, QObject* parent);
 
     [[nodiscard]] bool watched() const { return m_isWatched; }
@@ -36,7 +36,7 @@ public:
     [[nodiscard]] const QList<store::AlarmRow>& rows() const { return m_rows; }
 
     void setToday(std::function<QDate()> today) { m_today = std::move(today); }
-    // This goes to the disk now, after whatever went before.
+    // Adds changes that are about to be written after all earlier ones.
     void note(const store::AlarmChanges& changes);
     void retranslate();
 
@@ -55,14 +55,14 @@ private:
     void takePage(const QList<store::AlarmRow>& page);
     void apply(const store::AlarmChanges& changes);
     void applyRow(const store::AlarmRow& row);
-    // The row of the first one with this id or an older one.
+    // Returns the row of the first entry with this id or an older one.
     [[nodiscard]] int rowFrom(qint64 id) const;
 
     Records& m_records;
     std::function<QDate()> m_today = &QDate::currentDate;
     QList<store::AlarmRow> m_rows;          // descending ids
-    QList<store::AlarmChanges> m_meanwhile; // noted while a page is on its way, which may be without them
-    quint32 m_round = 0;                    // a page of an earlier one comes too late
+    QList<store::AlarmChanges> m_meanwhile; // received while a page is being read, which may not contain them
+    quint32 m_round = 0;                    // discards pages of an earlier request
     bool m_isWatched = false;
     bool m_isLoaded = false;
     bool m_isReading = false;

@@ -37,7 +37,7 @@ void LiveAlarms::setEntries(std::vector<AlarmEntry> entries, const QDate& today)
         emit countChanged();
 }
 
-// What stands before it is in its place already.
+// Moves the row of an entry to `at`; the rows before it are already in order.
 void LiveAlarms::place(const AlarmEntry& entry, int at)
 {
     const auto there = m_entries.begin() + at;
@@ -80,7 +80,7 @@ QHash<int, QByteArray> LiveAlarms::roleNames() const
 void ShelvedAlarms::setShelves(const QList<store::AlarmShelf>& shelves, const QDate& today)
 {
     if (shelves == m_shelves && today == m_today)
-        return; // the list stays where the finger left it
+        return; // the scroll position stays
     beginResetModel();
     m_shelves = shelves;
     m_today = today;

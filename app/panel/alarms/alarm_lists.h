@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The alarms that are active or want to be acknowledged, the most urgent first; and what is shelved.
+// The lists of alarms that are active or need to be acknowledged, the most urgent first, and of shelved
+// alarms.
 #pragma once
 
 #include "app/panel/alarms/alarm_book.h"
@@ -19,7 +20,7 @@ class LiveAlarms : public QAbstractListModel {
 public:
     using QAbstractListModel::QAbstractListModel;
 
-    // Occurrences that stay keep their rows: the list stays where the finger left it.
+    // Updates the rows. Remaining occurrences keep their rows, so the scroll position stays.
     void setEntries(std::vector<AlarmEntry> entries, const QDate& today);
     [[nodiscard]] const std::vector<AlarmEntry>& entries() const { return m_entries; }
     [[nodiscard]] int count() const { return static_cast<int>(m_entries.size()); }
@@ -46,7 +47,7 @@ class ShelvedAlarms : public QAbstractListModel {
     Q_PROPERTY(int count READ count NOTIFY countChanged FINAL)
 
 public:
-    // `until` and `by` are sentences.
+    // The roles; `until` and `by` are sentences.
     enum Role { CodeRole = Qt::UserRole + 1, TitleRole, UntilRole, ByRole };
 
     using QAbstractListModel::QAbstractListModel;

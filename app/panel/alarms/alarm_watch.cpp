@@ -19,7 +19,7 @@ namespace {
 constexpr int patienceMs = 3000;
 constexpr unsigned statusBits = 16;
 
-// A link that is just coming up, or has been looked for so long that it is no longer that.
+// Returns true while a link is connecting, however long that takes.
 bool isComing(link::LinkState state)
 {
     return state == link::LinkState::Searching || state == link::LinkState::Connecting;
@@ -72,7 +72,7 @@ void AlarmWatch::noteController()
         tellController({}, {}, AlarmRow::End::Unknown); // another controller
         return;
     }
-    // What cannot be seen has not ended.
+    // Invisible alarms have not ended.
     if (!m_machine.isConnected())
         return;
     const QString bits = u"0x%1 0x%2"_s.arg(status->faultBits, 4, 16, QLatin1Char('0'))
@@ -98,7 +98,7 @@ void AlarmWatch::noteLink()
 {
     const link::LinkReport& report = m_machine.report();
     if (report.isScanning)
-        return; // the link doctor has the ports
+        return; // a scan of the link doctor uses the ports
     if (report.state == link::LinkState::Connected) {
         m_patience.stop();
         m_isPatienceOver = false;
@@ -111,8 +111,8 @@ void AlarmWatch::noteLink()
                 m_patience.start();
             return;
         }
-        // What was found to be wrong is wrong until it is seen to be something else; only a connection that
-        // was lost has become another one.
+        // Keeps the link alarm until another state is certain; only a lost connection may become another
+        // problem.
         if (m_link && m_link != AlarmCatalogue::of(link::LinkState::Lost))
             return;
     }
@@ -150,7 +150,7 @@ void AlarmWatch::noteOpening(const store::StoreThread::Report& report)
 void AlarmWatch::noteTrouble(const store::StoreError& error)
 {
     if (error.kind == store::StoreError::Kind::Refused)
-        return; // an answer to who asked, nothing that is wrong
+        return; // an answer to a request, not a problem
     const AlarmKind& kind = AlarmCatalogue::of(error.kind);
     m_store.insert(&kind);
     emit raised(kind, store::StoreErrorText::describe(error));

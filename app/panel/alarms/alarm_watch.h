@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Looks at controller, link, recipe, settings and database and tells when an alarm comes and when it goes.
+// Watches controller, link, recipe, settings and database and reports when an alarm comes and goes.
 #pragma once
 
 #include "app/panel/words/alarm_catalogue.h"
@@ -21,16 +21,16 @@ class AlarmWatch : public QObject {
     Q_OBJECT
 
 public:
-    // All must outlive it.
+    // All arguments must outlive the object.
     AlarmWatch(Machine& machine, Editor& editor, Records& records, Settings& settings, QObject* parent);
 
-    // What there is at the beginning. Connect to the signals before.
+    // Reports the initial state. Connect the signals first.
     void begin();
-    // How long a link may take to come up; 3 s by default.
+    // Sets how long a link may take to connect; 3 s by default.
     void setPatienceMs(int patienceMs) { m_patience.setInterval(patienceMs); }
-    // Something was written to the database.
+    // Ends the database alarm after a successful write.
     void noteStored();
-    // What says nothing by itself.
+    // Checks the sources that have no signal of their own.
     void look();
 
 signals:
@@ -47,7 +47,7 @@ private:
     void noteRecipe();
     void noteOpening(const store::StoreThread::Report& report);
     void noteTrouble(const store::StoreError& error);
-    // It has happened and does not last.
+    // Reports an event, which does not last.
     void tellEvent(const AlarmKind& kind, const QString& detail);
 
     Machine& m_machine;
@@ -57,7 +57,7 @@ private:
     bool m_isPatienceOver = false;
     Kinds m_controller;
     const AlarmKind* m_link = nullptr;
-    Kinds m_store; // until something can be written again
+    Kinds m_store; // until the next successful write
     bool m_areSettingsKept = true;
 };
 

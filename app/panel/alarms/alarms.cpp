@@ -166,7 +166,7 @@ void Alarms::takeWritten(const AlarmChanges& changes, const tl::expected<void, S
     } else {
         m_book.putBack(changes);
         if (!hadFailed)
-            m_records.complain(written.error()); // once is enough
+            m_records.complain(written.error()); // only one report
     }
     if (m_book.hasChanges())
         noteChange();

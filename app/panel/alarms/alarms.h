@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Alarms` in QML: what is wrong now, what was, who acknowledged it, what is shelved. It follows controller,
-// link and panel by itself and keeps its log in the database; nothing here waits for the disk.
+// `Alarms` in QML: the active, earlier and shelved alarms, and who acknowledged them. It watches controller,
+// link and panel and stores its log in the database; nothing here waits for the disk.
 #pragma once
 
 #include "app/panel/alarms/alarm_detail.h"
@@ -28,18 +28,18 @@ class Alarms : public QObject {
     Q_PROPERTY(campanel::machine::LiveAlarms* live READ live CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::AlarmHistory* history READ history CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::ShelvedAlarms* shelved READ shelved CONSTANT FINAL)
-    // The one that was tapped.
+    // The selected alarm.
     Q_PROPERTY(campanel::machine::AlarmDetail* detail READ detail CONSTANT FINAL)
-    // Neither counts what is shelved.
+    // The number of active alarms without the shelved ones.
     Q_PROPERTY(int active READ active NOTIFY changed FINAL)
     Q_PROPERTY(int unacknowledged READ unacknowledged NOTIFY changed FINAL)
-    // Of what wants to be acknowledged; None: nothing does.
+    // The highest severity that needs to be acknowledged; None when there is none.
     Q_PROPERTY(Severity callingSeverity READ callingSeverity NOTIFY changed FINAL)
-    // The most urgent active one, notices apart; empty: none.
+    // The most urgent active alarm, without notices; empty: none.
     Q_PROPERTY(QString urgentCode READ urgentCode NOTIFY changed FINAL)
     Q_PROPERTY(QString urgentTitle READ urgentTitle NOTIFY changed FINAL)
     Q_PROPERTY(Severity urgentSeverity READ urgentSeverity NOTIFY changed FINAL)
-    // Something is active and somebody has seen all of it.
+    // True when an alarm is active and all are acknowledged.
     Q_PROPERTY(bool seen READ seen NOTIFY changed FINAL)
 
 public:
@@ -48,18 +48,17 @@ public:
 
     using WallClock = std::function<QDateTime()>;
 
-    // All must outlive it. The log begins when the records are opened.
+    // All arguments must outlive the object. The log begins when the records are opened.
     Alarms(Machine& machine, Editor& editor, Records& records, Settings& settings, QObject* parent);
-    // What is not written yet is.
+    // Writes the pending changes.
     ~Alarms() override;
 
-    // The instance that attachToEngine() gave to this engine.
     static Alarms* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
-    // How long changes are collected before they are shown; 100 ms by default.
+    // Sets how long changes are collected before they are published; 100 ms by default.
     void setPaceMs(int paceMs) { m_publishTimer.setInterval(paceMs); }
-    // Who acknowledges and shelves from now on; empty: nobody in particular.
+    // Sets the person who acknowledges and shelves; empty: unknown.
     void setPerson(const QString& person) { m_person = person; }
     [[nodiscard]] AlarmWatch& watch() { return m_watch; }
 
@@ -75,19 +74,19 @@ public:
     [[nodiscard]] Severity urgentSeverity() const;
     [[nodiscard]] bool seen() const { return m_isSeen; }
 
-    // A row of `live`, and all earlier occurrences of the same alarm.
+    // Acknowledges a row of `live` and all earlier occurrences of the same alarm.
     Q_INVOKABLE void acknowledge(int row);
     Q_INVOKABLE void acknowledgeAll();
-    // Of `live`, of `history`.
+    // Selects a row of `live` or `history` for `detail`.
     Q_INVOKABLE void showLive(int row);
     Q_INVOKABLE void showHistory(int row);
     Q_INVOKABLE void acknowledgeShown();
-    // Logged from now on, but not calling for anybody. Nothing happens to what stops the machine.
+    // Shelves the selected alarm: it is logged but does not call. Does nothing for an alarm that stops the
+    // machine.
     Q_INVOKABLE void shelveShown(int hours);
     Q_INVOKABLE void unshelveShown();
-    // A row of `shelved`.
     Q_INVOKABLE void unshelve(int row);
-    // Ends what is shelved long enough; by itself every ten seconds.
+    // Ends expired shelves; runs every ten seconds.
     void look();
 
 signals:
@@ -100,7 +99,7 @@ private:
     void raise(const AlarmKind& kind, const QString& detail);
     void clear(const AlarmKind& kind, store::AlarmRow::End end);
     void begin(const tl::expected<store::AlarmLog::Start, store::StoreError>& start);
-    // The lists, numbers and disk follow soon, a few times a second at most.
+    // Publishes and writes the changes soon, at most a few times a second.
     void noteChange();
     void publish();
     void write();
@@ -124,7 +123,7 @@ private:
     QTimer m_lookTimer;
     bool m_isBegun = false; // the end of the log is known
     bool m_isWriting = false;
-    bool m_hasWriteFailed = false; // the last one
+    bool m_hasWriteFailed = false; // result of the last write
     int m_active = 0;
     int m_unacknowledged = 0;
     Severity m_callingSeverity = Severity::None;

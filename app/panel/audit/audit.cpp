@@ -22,7 +22,7 @@ namespace campanel::machine {
 namespace {
 
 constexpr int page = 100;
-constexpr int checkedAtOnce = 5000; // some ten milliseconds of the database's thread
+constexpr int checkedAtOnce = 5000; // about ten milliseconds of the database's thread
 
 QVariantMap choice(const QString& key, const QString& text)
 {
@@ -244,7 +244,7 @@ QVariantList Audit::detail() const
     add(tr("Who"),
         u"%1 · %2"_s.arg(AuditWords::who(entry),
                          AccessSentences::level(static_cast<Level>(std::clamp(entry.level, 0, 3)))));
-    // Words for who reads it, the key for who looks for it in the register document.
+    // The text for the reader, the key for a search in the register document.
     const QString words = AuditWords::object(entry);
     add(tr("What"), words == entry.object ? words : u"%1 (%2)"_s.arg(words, entry.object));
     add(tr("Before"), entry.before);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Audit` in QML: the audit trail to look at. The rows as a list, newest first, read page by page; one of
-// them in full; whether the chain is unbroken; the rows as a file.
+// `Audit` in QML: the view of the audit trail. The rows as a list, newest first, read page by page; one row
+// in full; the check of the chain; the export to a file.
 #pragma once
 
 #include "app/store/logs/audit_log.h"
@@ -28,16 +28,16 @@ class Audit : public QAbstractListModel {
     QML_SINGLETON
     Q_PROPERTY(int count READ count NOTIFY changed FINAL)
     Q_PROPERTY(bool busy READ busy NOTIFY changed FINAL)
-    // Who and what is shown: a name of `names` and a key of `areas`, empty for all.
+    // The filter: a name of `names` and a key of `areas`, empty for all.
     Q_PROPERTY(QString who READ who WRITE setWho NOTIFY changed FINAL)
     Q_PROPERTY(QString area READ area WRITE setArea NOTIFY changed FINAL)
     Q_PROPERTY(QString areaText READ areaText NOTIFY changed FINAL)
-    Q_PROPERTY(QVariantList names READ names NOTIFY changed FINAL) // of {key, text}
+    Q_PROPERTY(QVariantList names READ names NOTIFY changed FINAL) // list of {key, text}
     Q_PROPERTY(QVariantList areas READ areas NOTIFY changed FINAL)
-    // Of the row that was selected: pairs of {label, text}.
+    // The selected row: pairs of {label, text}.
     Q_PROPERTY(QVariantList detail READ detail NOTIFY detailChanged FINAL)
     Q_PROPERTY(QString detailTitle READ detailTitle NOTIFY detailChanged FINAL)
-    // The chain: not checked yet, being checked, unbroken or broken, in words.
+    // The state of the chain as text: not checked, being checked, unbroken or broken.
     Q_PROPERTY(bool checking READ checking NOTIFY chainChanged FINAL)
     Q_PROPERTY(bool broken READ broken NOTIFY chainChanged FINAL)
     Q_PROPERTY(QString chainText READ chainText NOTIFY chainChanged FINAL)
@@ -45,22 +45,21 @@ class Audit : public QAbstractListModel {
 public:
     enum Role { TimeRole = Qt::UserRole + 1, WhoRole, WhatRole, ObjectRole, ChangeRole, ProblemRole };
 
-    // As many rows as a CSV file holds at most: the newest ones.
+    // The maximum number of rows in a CSV file; the newest ones are exported.
     static constexpr int mostExported = 100'000;
 
-    // All must outlive it.
+    // All arguments must outlive the object.
     Audit(Records& records, AuditTrail& trail, ReportFiles& files, QObject* parent);
 
-    // The instance that attachToEngine() gave to this engine.
     static Audit* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
-    // To be called when it comes to be shown: reads the newest rows and checks the chain.
+    // Reads the newest rows and checks the chain; call it when the page opens.
     Q_INVOKABLE void open();
-    // The next page of older rows.
+    // Reads the next page of older rows.
     Q_INVOKABLE void readMore();
     Q_INVOKABLE void select(int row);
     Q_INVOKABLE void check();
-    // Offers what is shown to the report files, once it has been read.
+    // Reads the filtered rows and offers them to the report files.
     Q_INVOKABLE void exportCsv();
 
     [[nodiscard]] int count() const { return static_cast<int>(m_rows.size()); }
@@ -106,12 +105,12 @@ private:
     QStringList m_names;
     bool m_isOpened = false;
     bool m_isReading = false;
-    bool m_isReadAgain = false; // the filter changed meanwhile
+    bool m_isReadAgain = false; // the filter changed during a read
     bool m_hasAll = false;
     bool m_isExporting = false;
     bool m_isChecking = false;
     std::optional<store::AuditRow> m_selected;
-    std::optional<store::ChainCheck> m_check; // the last one that came to its end
+    std::optional<store::ChainCheck> m_check; // the last completed check
 };
 
 } // namespace campanel::machine

@@ -20,7 +20,7 @@ namespace campanel::machine {
 
 namespace {
 
-// A status with the new generation comes within a poll or two.
+// The time limit for the status with the new generation, which comes within a poll or two.
 constexpr auto longestProof = 3s;
 
 QString commandKey(modbus::Command command)
@@ -79,7 +79,7 @@ QString outcomeKey(link::ParameterEnd end)
     return u"unknown"_s;
 }
 
-// The same in every language: it is hashed.
+// Formats a number independently of the language: it is hashed.
 QString numberText(double value)
 {
     return QLocale::c().toString(value, 'g', 10);
@@ -138,7 +138,7 @@ QString outcomeKey(Homing::Result result)
     return u"unknown"_s;
 }
 
-// Of an axis; empty while it is not known.
+// Returns the position of an axis; empty while it is unknown.
 QString pulsesText(double pulses)
 {
     return std::isnan(pulses) ? QString() : u"%1 pulses"_s.arg(numberText(pulses));
@@ -229,7 +229,8 @@ void AuditTrail::noteSending(const link::CommandRequest& request)
     m_commands.insert(request.id, sent);
 }
 
-// What a finger on the jog keys does is not a command; how homing ends is known long after it was sent.
+// Records jogging and homing: jogging is not a command, and the result of homing comes long after its
+// command.
 void AuditTrail::watchManual()
 {
     connect(m_watched.service.jog(), &Jog::begun, this, [this](int direction, double position) {
@@ -262,8 +263,7 @@ void AuditTrail::watchParameters()
     connect(m_watched.service.packing()->wizard(), &MarkWizard::changed, this, &AuditTrail::noteWizard);
 }
 
-// The value before is read just before the new one is written: what was read earlier may not be true any
-// more.
+// Reads the value just before the new one is written: an earlier reading may be outdated.
 void AuditTrail::noteWriting(const QString& name, quint32 id, double value)
 {
     store::AuditEntry writing = entry(u"parameter.write"_s, name);
@@ -359,7 +359,8 @@ void AuditTrail::endDownload(const link::DownloadReport& report)
     append(failed);
 }
 
-// The controller has taken it; what it holds now is in its status. `isLast`: that did not come in time.
+// Completes the entry with the controller's status after the download. `isLast`: the status did not come in
+// time.
 void AuditTrail::proveDownload(bool isLast)
 {
     if (!m_download || !m_isDownloadProven)

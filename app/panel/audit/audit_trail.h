@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Watches what is done at the panel and writes it into the audit trail: commands, parameters, downloads,
-// settings, users, each with the value before, the one wanted and what the controller held afterwards.
+// Watches the actions at the panel and writes them into the audit trail: commands, parameters, downloads,
+// settings, users. Each entry has the old value, the requested one and the value that the controller held
+// afterwards.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -32,7 +33,7 @@ class AuditTrail : public QObject {
     Q_OBJECT
 
 public:
-    // Whose doings are watched; all must outlive the trail.
+    // The watched objects; all must outlive the trail.
     struct Watched {
         Machine& machine;
         Editor& editor;
@@ -43,19 +44,19 @@ public:
 
     AuditTrail(Records& records, const Watched& watched, QObject* parent);
 
-    // Records from now on.
+    // Starts recording.
     void open();
-    // For what nobody watches here: time, who and level are added.
+    // Adds an entry that is not watched here; sets its time, user and level.
     void note(store::AuditEntry entry);
     void setWallClock(Access::WallClock clock) { m_wallClock = std::move(clock); }
 
 signals:
-    // It is on the disk.
+    // Emitted when the row is on the disk.
     void appended(const campanel::store::AuditRow& row);
 
 private:
     struct Download {
-        QList<store::AuditEntry> entries; // the first one is the program, then its values
+        QList<store::AuditEntry> entries; // the first one is the program, the others its values
         std::uint32_t crc = 0;
     };
     struct SettingsSeen {
@@ -91,11 +92,12 @@ private:
     Records& m_records;
     Watched m_watched;
     Access::WallClock m_wallClock;
-    QHash<quint32, store::AuditEntry> m_commands; // by id, under way
+    QHash<quint32, store::AuditEntry> m_commands; // pending, by id
     QHash<quint32, store::AuditEntry> m_writes;
-    QHash<quint32, quint32> m_readsBefore; // id of the read -> of the write that it belongs to
+    QHash<quint32, quint32> m_readsBefore; // id of the read -> id of its write
     std::optional<Download> m_download;
-    bool m_isDownloadProven = false; // by the link; the status with its generation may still be on its way
+    bool m_isDownloadProven = false; // proven by the link; the status with its generation may still be
+                                     // pending
     QTimer m_proofTimer;
     SettingsSeen m_settings;
     QString m_faults;

@@ -104,7 +104,7 @@ constexpr std::array outcomeWords{
     Word{"off_target", QT_TRANSLATE_NOOP("AuditWords", "written, but the cuts are off")},
 };
 
-// "mm" of "program.bag_length"; empty for what is no register or has none.
+// Returns "mm" for "program.bag_length"; empty without a register or a unit.
 QString unitOf(const store::AuditEntry& entry)
 {
     const std::string name = entry.object.toStdString();
@@ -164,7 +164,7 @@ QString AuditWords::object(const store::AuditEntry& entry)
 
 QString AuditWords::outcome(const QString& outcome)
 {
-    // "refused 7": the controller's number of the reason.
+    // The form "refused 7", with the controller's number of the reason.
     const QString key = outcome.section(u' ', 0, 0);
     const char* words = wordsFor(outcomeWords, key);
     const QString number = outcome.section(u' ', 1);
@@ -180,7 +180,7 @@ QString AuditWords::who(const store::AuditEntry& entry)
 
 QString AuditWords::change(const store::AuditEntry& entry)
 {
-    // One line; all of it is in the detail.
+    // The length of one line; the detail has the full text.
     constexpr qsizetype longest = 56;
     const QString before = entry.before.section(u" · CRC-32"_s, 0, 0);
     const QString after = entry.after.section(u" · CRC-32"_s, 0, 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The measured curve over one cycle, drawn as a recorder's pen does: each new point takes the place of those
-// of the cycle before that the pen has passed.
+// The measured curve over one cycle, drawn like a chart recorder: each new point replaces the points of the
+// previous cycle that the pen has passed.
 #pragma once
 
 #include <QList>
@@ -16,11 +16,11 @@ public:
 
     struct Sample {
         std::uint32_t cycle = 0; // counts the cycles completed
-        double share = 0;        // of the cycle, 0..1
+        double share = 0;        // 0..1 within the cycle
         double value = 0;
     };
 
-    // Points are at share * durationS.
+    // Adds a point at share * durationS.
     void add(const Sample& sample, double durationS);
     void clear();
     [[nodiscard]] const QList<QPointF>& points() const { return m_points; } // ascending in x

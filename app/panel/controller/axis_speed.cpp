@@ -65,7 +65,7 @@ void AxisSpeed::write(double frequencyHz)
     emit changed();
 }
 
-// Also of what others read and write: every value that comes with one is proven by reading.
+// Uses also the readings and writes of others: every value in an outcome is proven by reading.
 void AxisSpeed::takeOutcome(const link::ParameterOutcome& outcome)
 {
     if (outcome.name != parameterOf(m_use))
@@ -75,7 +75,7 @@ void AxisSpeed::takeOutcome(const link::ParameterOutcome& outcome)
     if (outcome.value)
         m_frequencyHz = outcome.value;
     else if (outcome.end == link::ParameterEnd::OutcomeUnknown)
-        m_frequencyHz.reset(); // perhaps written
+        m_frequencyHz.reset(); // possibly written
     if (outcome.id != 0 && outcome.id == m_writeId) {
         m_writeId = 0;
         m_failure = ConnectionSentences::parameter(label(), outcome);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pulse frequency of jogging or of homing as the controller keeps it: read when somebody looks, written
-// with proof. NaN while it is not known.
+// The pulse frequency for jogging or homing, as stored in the controller: read on demand, written with proof.
+// NaN while it is unknown.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -20,18 +20,18 @@ class AxisSpeed : public QObject {
     QML_UNCREATABLE("Speeds belong to Jog and Homing")
     Q_PROPERTY(QString label READ label NOTIFY changed FINAL)
     Q_PROPERTY(double frequencyHz READ frequencyHz NOTIFY changed FINAL)
-    // "1,000 Hz · 3.1 mm/s"; the second figure needs a program.
+    // The value as text, "1,000 Hz · 3.1 mm/s"; the second figure needs a program.
     Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
     Q_PROPERTY(double minimum READ minimum CONSTANT FINAL)
     Q_PROPERTY(double maximum READ maximum CONSTANT FINAL)
     Q_PROPERTY(double defaultValue READ defaultValue CONSTANT FINAL)
-    // Why the last value was not written; empty after one that was.
+    // The reason why the last value was not written; empty after a success.
     Q_PROPERTY(QString failure READ failure NOTIFY changed FINAL)
 
 public:
     enum class Use { Jog, Home };
 
-    // The machine must outlive it.
+    // The machine must outlive the object.
     AxisSpeed(Machine& machine, Use use, QObject* parent);
 
     [[nodiscard]] QString label() const;
@@ -42,9 +42,9 @@ public:
     [[nodiscard]] double defaultValue() const { return m_info.defaultValue; }
     [[nodiscard]] QString failure() const { return m_failure; }
 
-    // Asks the controller, unless it is known.
+    // Reads the value from the controller unless it is known.
     Q_INVOKABLE void read();
-    // For technicians.
+    // Writes the value; for technicians.
     Q_INVOKABLE void write(double frequencyHz);
 
 signals:

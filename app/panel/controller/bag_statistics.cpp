@@ -14,7 +14,7 @@ bool BagStatistics::note(std::uint32_t bagCount, std::optional<double> lengthMm,
     if (m_bagCount == bagCount)
         return false;
     if (m_bagCount && bagCount < *m_bagCount)
-        restart(); // so did the controller
+        restart(); // the controller restarted the count
     m_bagCount = bagCount;
     if (!lengthMm || !deviationMm)
         return true;

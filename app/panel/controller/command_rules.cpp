@@ -8,7 +8,7 @@ namespace {
 using modbus::Refusal;
 using modbus::State;
 
-// In the order in which the core asks.
+// Returns the refusal, in the order of the core's checks.
 Refusal refusalToMove(const modbus::StatusBlock& status, Refusal whenMoving)
 {
     if (status.state == State::Fault)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the controller reports, as values for QML. NaN, empty or -1 while unknown.
+// Reports of the controller as values for QML. NaN, empty or -1 while unknown.
 #pragma once
 
 #include "app/panel/kit/numbers.h"
@@ -104,7 +104,7 @@ public:
     double syncEndDeg = unknown;
     double cutAngleDeg = unknown;
     QVariant curves; // as Editor.curves
-    // Of a press.
+    // The limits of a press.
     double approachPositionMm = unknown;
     double pressPositionMm = unknown;
     double minStopForceN = unknown;

@@ -18,7 +18,7 @@ namespace campanel::machine {
 namespace {
 
 constexpr auto agePeriod = 100ms;
-constexpr auto qualityPeriod = 500ms; // figures that change faster cannot be read
+constexpr auto qualityPeriod = 500ms; // faster changes cannot be read
 
 } // namespace
 
@@ -110,10 +110,10 @@ void Machine::noteLoss()
     m_lostAt = m_wallClock();
     m_beforeLoss = m_status;
     if (!m_returnMessage.isEmpty() && m_commandMessage == m_returnMessage)
-        showMessage({}); // it is not true any more
+        showMessage({}); // outdated
 }
 
-// What has changed while nobody was looking.
+// Reports the changes during the interruption.
 void Machine::noteReturn(const modbus::StatusBlock& status)
 {
     const std::optional<modbus::StatusBlock> before = std::exchange(m_beforeLoss, std::nullopt);
@@ -193,7 +193,7 @@ void Machine::takeBag(const modbus::BagRecord& bag)
 void Machine::trace(const modbus::StatusBlock& status)
 {
     const bool turns = status.state == modbus::State::Running || status.state == modbus::State::Stopping;
-    // Only samples of the program that is known: its pulses and cycle give the scale.
+    // Only samples of the known program: its pulses and cycle define the scale.
     if (!turns || !status.masterAngleDeg || !m_program || m_program->generation != status.generation ||
         m_program->pulsesPerMm <= 0)
         return;
@@ -279,23 +279,23 @@ quint32 Machine::writeParameter(const char* name, double value)
 
 void Machine::takeOutcome(const link::CommandOutcome& outcome)
 {
-    // Stop at standstill asks for what is already so.
+    // Stop at standstill has no effect.
     const bool isNeedlessStop =
         outcome.reason == modbus::Refusal::NotRunning &&
         (outcome.command == modbus::Command::StopNow || outcome.command == modbus::Command::StopAtCycleEnd);
-    // What the link does by itself has no id; only the last press is of interest.
+    // The link's own requests have no id; only the last press counts.
     if (outcome.id != 0)
         emit commandEnded(outcome);
     if (outcome.id != m_lastRequestId)
         return;
     if (std::exchange(m_hasStopWaited, false)) {
-        m_beforeLoss.reset(); // what has become of the Stop is what has changed
+        m_beforeLoss.reset(); // the result of the Stop is the change
         showMessage(stopOutcomeText(outcome));
     } else if (!isNeedlessStop)
         showMessage(ConnectionSentences::command(outcome));
 }
 
-// Of one that has waited for the line.
+// Returns the result of a Stop that has waited for the line.
 QString Machine::stopOutcomeText(const link::CommandOutcome& outcome) const
 {
     switch (outcome.end) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Machine` in QML: the live controller. Every number is NaN and every string empty while it is not known.
-// Lives in the GUI thread; everything it knows came from the link as values.
+// `Machine` in QML: the live controller. Unknown numbers are NaN and unknown strings empty. Lives in the GUI
+// thread; all its data arrives from the link as values.
 #pragma once
 
 #include "app/link/link.h"
@@ -50,7 +50,7 @@ class Machine : public QObject {
     Q_PROPERTY(bool fresh READ fresh NOTIFY freshChanged FINAL)
     Q_PROPERTY(double ageMs READ ageMs NOTIFY ageChanged FINAL)
 
-    // A Stop waits for the line, see stopWaitsText.
+    // True while a Stop waits for the line, see stopWaitsText.
     Q_PROPERTY(bool stopWaits READ stopWaits NOTIFY connectionChanged FINAL)
     Q_PROPERTY(QString stopWaitsText READ stopWaitsText NOTIFY connectionChanged FINAL)
 
@@ -65,10 +65,10 @@ class Machine : public QObject {
     Q_PROPERTY(campanel::machine::ActiveProgramValues active READ active NOTIFY programChanged FINAL)
     Q_PROPERTY(QList<QPointF> actualTrace READ actualTrace NOTIFY liveChanged FINAL)
 
-    // Of a point cam.
     Q_PROPERTY(campanel::machine::MasterDirection* direction READ direction CONSTANT FINAL)
-    // Of a rotary cutter.
+    // The packing line, only for a rotary cutter.
     Q_PROPERTY(campanel::machine::PackingLine* packing READ packing CONSTANT FINAL)
+    // The figures of a press.
     Q_PROPERTY(QStringList stageNames READ stageNames NOTIFY stateChanged FINAL)
     Q_PROPERTY(campanel::machine::StrokeModel* strokes READ strokes CONSTANT FINAL)
 
@@ -82,21 +82,20 @@ public:
     enum class State { Unknown, Idle, Ready, Running, Stopping, Jogging, Homing, Fault };
     Q_ENUM(State)
 
-    // Older data is grey on the screen.
+    // The age from which data is gray on the screen.
     static constexpr std::chrono::milliseconds freshFor{1000};
 
     using Clock = std::function<link::SteadyTime()>;
     using WallClock = std::function<QDateTime()>;
 
-    // Both must outlive it. Nothing is connected before open().
+    // Link and settings must outlive the object. Connects only after open().
     Machine(link::Link& link, Settings& settings, QObject* parent);
 
-    // The instance that attachToEngine() gave to this engine.
     static Machine* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
-    // Connects as the settings say, now and whenever they change.
+    // Connects with the settings, now and whenever they change.
     void open();
-    // A clock for tests; the steady clock by default.
+    // Sets a clock for tests; the default is the steady clock.
     void setClock(Clock clock);
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
 
@@ -126,23 +125,25 @@ public:
     [[nodiscard]] double generation() const;
     [[nodiscard]] bool canStart() const { return startBlockedReason().isEmpty(); }
     [[nodiscard]] QString startBlockedReason() const { return blockedReason(modbus::Command::Start); }
-    // Why the controller would refuse the command now, as far as its last status tells; empty: it takes it.
+    // Returns why the controller would refuse the command according to its last status; empty: it would
+    // accept it.
     [[nodiscard]] QString blockedReason(modbus::Command command) const;
     [[nodiscard]] QString commandMessage() const { return m_commandMessage; }
 
     Q_INVOKABLE void start();
-    // At the end of the cycle; pressed again while stopping: now. Without a connection it waits for the line.
+    // Stops at the end of the cycle; pressed again while stopping: at once. Without a connection the Stop
+    // waits for the line.
     Q_INVOKABLE void stop();
     Q_INVOKABLE void withdrawStop();
     Q_INVOKABLE void home();
     Q_INVOKABLE void resetFault();
     Q_INVOKABLE void dismissMessage();
 
-    // What whoever is at the panel may do. Start, home, reset and a withdrawn Stop are for operators; Stop is
-    // everybody's.
+    // Returns the permissions of the person at the panel. Start, home, reset and a withdrawn Stop need an
+    // operator; Stop is for everybody.
     [[nodiscard]] Gate& gate() { return m_gate; }
 
-    // For the Editor and the Alarms.
+    // Returns the link, for the Editor and the Alarms.
     [[nodiscard]] link::Link& link() { return m_link; }
     [[nodiscard]] const link::LinkReport& report() const { return m_report; }
     [[nodiscard]] link::SteadyTime now() const { return m_clock(); }
@@ -153,8 +154,8 @@ public:
     void send(modbus::Command command, const modbus::CommandArguments& arguments = {});
     // Returns an id for link().readRegisters() that no other reader has.
     [[nodiscard]] quint32 nextReadId() { return ++m_lastReadId; }
-    // A register of the controller by its name, see link::Link. Ends in one parameterEnded() with the id that
-    // is returned. Writing is for technicians; 0 when the gate does not admit it.
+    // Read or write a controller register by its name, see link::Link. The request ends in one
+    // parameterEnded() with the returned id. Writing is for technicians; the id is 0 when the gate refuses.
     [[nodiscard]] quint32 readParameter(const char* name);
     [[nodiscard]] quint32 writeParameter(const char* name, double value);
 
@@ -171,7 +172,7 @@ signals:
     void commandsChanged();
     void commandMessageChanged();
     void parameterEnded(const campanel::link::ParameterOutcome& outcome);
-    // For the audit trail: before the question goes to the link, and what became of it.
+    // Emitted for the audit trail: before the request goes to the link, and with its result.
     void commandSending(const campanel::link::CommandRequest& request);
     void commandEnded(const campanel::link::CommandOutcome& outcome);
     void parameterWriting(const QString& name, quint32 id, double value);
@@ -188,9 +189,10 @@ private:
     void noteLoss();
     void noteReturn(const modbus::StatusBlock& status);
     [[nodiscard]] QString stopOutcomeText(const link::CommandOutcome& outcome) const;
-    // The program that the last status is of; null while that is another one than is known.
+    // Returns the program of the last status; null while another one is known.
     [[nodiscard]] const ControllerProgram* runningProgram() const;
     void trace(const modbus::StatusBlock& status);
+    // Returns the active program if it is a press, else null.
     void forgetStatus();
     void updateAge();
     void showMessage(const QString& text);
@@ -201,7 +203,7 @@ private:
     Clock m_clock;
     WallClock m_wallClock;
     link::LinkReport m_report;
-    std::optional<modbus::StatusBlock> m_status; // the last one, also after the connection is lost
+    std::optional<modbus::StatusBlock> m_status; // last status, also after the connection is lost
     std::optional<link::SteadyTime> m_statusAt;
     std::shared_ptr<const ControllerProgram> m_program;
     ActualTrace m_trace;
@@ -213,10 +215,10 @@ private:
     QTimer m_ageTimer;
     QTimer m_qualityTimer;
     bool m_fresh = false;
-    QDateTime m_lostAt;                              // since when there is no connection, once there was one
-    std::optional<modbus::StatusBlock> m_beforeLoss; // until the first status after it
-    QString m_returnMessage;                         // what had changed when the line was back
-    bool m_hasStopWaited = false;                    // the last Stop, for the line
+    QDateTime m_lostAt;                              // time when an existing connection was lost
+    std::optional<modbus::StatusBlock> m_beforeLoss; // until the first status after the loss
+    QString m_returnMessage;                         // changes found when the line was back
+    bool m_hasStopWaited = false;                    // the last Stop had to wait for the line
     quint32 m_lastRequestId = 0;
     quint32 m_lastReadId = 0;
     quint32 m_lastParameterId = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the properties of Machine answer, from the last status and the active program.
+// The property getters of Machine, from the last status and the active program.
 #include "app/panel/controller/command_rules.h"
 #include "app/panel/controller/machine.h"
 #include "app/panel/settings/settings.h"

@@ -36,7 +36,7 @@ void MarkSetup::doubt()
     }
 }
 
-// Also of what others read and write: the value is proven by reading in any case.
+// Uses also the readings and writes of others: the value is proven by reading in any case.
 void MarkSetup::takeOutcome(const link::ParameterOutcome& outcome)
 {
     const auto entry = std::ranges::find_if(
@@ -53,7 +53,7 @@ void MarkSetup::takeOutcome(const link::ParameterOutcome& outcome)
     } else if (isOwn) {
         entry->isMissing = outcome.end == link::ParameterEnd::Refused;
     } else if (outcome.end == link::ParameterEnd::OutcomeUnknown) {
-        entry->isCertain = false; // perhaps written
+        entry->isCertain = false; // possibly written
     }
 }
 

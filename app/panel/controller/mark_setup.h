@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the mark sensor is and how far from its place a mark still counts, as the controller keeps them: read
-// once per connection and program, and taken from whatever is written meanwhile.
+// The mark sensor's distance and the tolerance of the mark position, as stored in the controller. Read once
+// per connection and program, and updated by every write.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -19,18 +19,18 @@ class MarkSetup : public QObject {
     Q_OBJECT
 
 public:
-    // The machine must outlive it.
+    // `machine` must outlive the object.
     explicit MarkSetup(Machine& machine);
 
-    // mm; NaN while it is not known.
+    // Return mm; NaN while unknown.
     [[nodiscard]] double sensorMm() const { return valueOf(m_entries[0]); } // mark sensor before the knife
-    [[nodiscard]] double windowMm() const { return valueOf(m_entries[1]); } // to both sides
+    [[nodiscard]] double windowMm() const { return valueOf(m_entries[1]); } // in both directions
 
-    // Asks for what is not certain and not being asked for.
+    // Requests the values that are uncertain and not already requested.
     void ask();
-    // Another controller: nothing is known of it.
+    // Clears all values, for another controller.
     void forget();
-    // Who knows what was written meanwhile: all is asked for anew, and is as it was until the answer.
+    // Requests all values again because others may have been written; the old ones stay until the answer.
     void doubt();
 
 signals:
@@ -41,8 +41,8 @@ private:
         const char* name;
         std::optional<double> value{};
         bool isCertain = false;
-        quint32 readId = 0;     // 0: not asked for
-        bool isMissing = false; // the controller does not have it
+        quint32 readId = 0;     // 0: not requested
+        bool isMissing = false; // the controller does not have this register
     };
 
     [[nodiscard]] static double valueOf(const Entry& entry)

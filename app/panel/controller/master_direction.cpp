@@ -12,10 +12,10 @@ namespace campanel::machine {
 
 namespace {
 
-constexpr auto parameterName = "parameter.master_direction"; // 0 as the program's rate, 1 the other way
-// Between two statuses a master that passes more of its cycle may have turned either way.
+constexpr auto parameterName = "parameter.master_direction"; // 0 like the program's rate, 1 reversed
+// The maximum change of the angle between two statuses that shows the direction without doubt.
 constexpr double mostTellingDeg = 150;
-constexpr double leastTellingDeg = 0.05; // the status has hundredths
+constexpr double leastTellingDeg = 0.05; // the resolution of the status is 0.01
 
 } // namespace
 
@@ -103,7 +103,7 @@ void MasterDirection::noteProgram()
 void MasterDirection::noteStatus(const modbus::StatusBlock& status)
 {
     if (status.uptimeS < m_uptimeS)
-        m_reversed.reset(); // it has started anew
+        m_reversed.reset(); // the controller was restarted
     m_uptimeS = status.uptimeS;
     if (status.masterAngleDeg)
         observe({*status.masterAngleDeg, status.masterSpeedPercent, status.sampleTimeMs});
@@ -132,7 +132,7 @@ void MasterDirection::askWhenUnknown()
         m_readId = m_machine.readParameter(parameterName);
 }
 
-// The register inspector writes the same parameter.
+// Handles writes of the register inspector to the same parameter.
 void MasterDirection::noteOthersWrite(const link::ParameterOutcome& outcome)
 {
     if (outcome.name != parameterName || !outcome.value || !m_reversed)
@@ -149,7 +149,8 @@ void MasterDirection::takeOutcome(const link::ParameterOutcome& outcome)
         return;
     }
     (isWrite ? m_writeId : m_readId) = 0;
-    m_reversed = outcome.value ? std::optional(*outcome.value != 0) : std::nullopt; // the next status asks
+    m_reversed = outcome.value ? std::optional(*outcome.value != 0) : std::nullopt; // the next status
+                                                                                    // requests it
     m_isMissing = !isWrite && outcome.end == link::ParameterEnd::Refused;
     if (isWrite && outcome.end != link::ParameterEnd::Done)
         emit failed(ConnectionSentences::parameter(tr("The direction of the master"), outcome));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which way the master of a point cam turns: what the controller is set to, as read from it, and whether the
-// master has come round to it. Forward and backward are the master's own, whatever the sign of its rate.
+// The direction of a point cam's master: the controller's setting, as read back, and whether the master has
+// reached it. Forward and backward refer to the master itself, regardless of the sign of its rate.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -18,19 +18,19 @@ class MasterDirection : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The direction belongs to the Machine")
-    // As the controller is set; Unknown until that was read.
+    // The controller's setting; Unknown until it is read.
     Q_PROPERTY(Way way READ way NOTIFY changed FINAL)
-    // It runs the other way yet: down to zero, then up again.
+    // True during the reversal: down to zero, then up again.
     Q_PROPERTY(bool turning READ turning NOTIFY changed FINAL)
     Q_PROPERTY(bool canChange READ canChange NOTIFY changed FINAL)
-    // What the master does, or why it cannot be turned round.
+    // The master's movement, or the reason why it cannot be reversed.
     Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
 
 public:
     enum class Way { Unknown, Forward, Backward };
     Q_ENUM(Way)
 
-    // The machine must outlive it.
+    // The machine must outlive the object.
     explicit MasterDirection(Machine& machine);
 
     [[nodiscard]] Way way() const;
@@ -38,10 +38,10 @@ public:
     [[nodiscard]] bool canChange() const { return blockedReason().isEmpty(); }
     [[nodiscard]] QString text() const;
 
-    // Asks the controller; `way` follows when it has proven to hold it.
+    // Requests the direction; `way` changes when the controller is proven to have stored it.
     Q_INVOKABLE void turn(campanel::machine::MasterDirection::Way way);
 
-    // For the Machine.
+    // Handle events of the Machine.
     void noteConnection();
     void noteProgram();
     void noteStatus(const modbus::StatusBlock& status);
@@ -60,20 +60,20 @@ private:
     };
 
     [[nodiscard]] QString blockedReason() const;
-    // Of the program: 1 or -1; empty while the controller runs no point cam.
+    // Returns the sign of the program, 1 or -1; empty while the controller runs no point cam.
     [[nodiscard]] std::optional<int> programSign() const;
     void askWhenUnknown();
     void noteOthersWrite(const link::ParameterOutcome& outcome);
     void observe(const Sample& now);
 
     Machine& m_machine;
-    std::optional<bool> m_reversed; // the parameter of the controller; empty: not known
-    std::optional<int> m_observed;  // 1 or -1, by the master's angle; empty: it cannot be told
+    std::optional<bool> m_reversed; // the controller's parameter; empty: unknown
+    std::optional<int> m_observed;  // 1 or -1, from the master's angle; empty: unknown
     std::optional<Sample> m_before;
     std::uint32_t m_uptimeS = 0;
-    quint32 m_readId = 0; // under way, else 0
+    quint32 m_readId = 0; // pending, else 0
     quint32 m_writeId = 0;
-    bool m_isMissing = false; // a controller without that parameter
+    bool m_isMissing = false; // the controller does not have this parameter
 };
 
 } // namespace campanel::machine

@@ -14,7 +14,7 @@ namespace campanel::machine {
 namespace {
 
 constexpr auto shortestPeriod = 150ms;
-// On a slow line: at most this share of its time.
+// The maximum share of a slow line's time.
 constexpr int shareOfTheLine = 5;
 constexpr double mmPerUm = 0.001;
 
@@ -34,7 +34,7 @@ PackingLine::PackingLine(Machine& machine)
 bool PackingLine::recordsBags() const
 {
     const auto& status = m_machine.status();
-    // A controller of an older map does not have these registers.
+    // The first version of the map with these registers.
     constexpr std::uint16_t firstMinor = 2;
     return m_machine.isConnected() && m_machine.identity() && m_machine.identity()->mapMinor >= firstMinor &&
            status && status->programKind == modbus::ProgramKind::RotaryCutter;
@@ -53,7 +53,7 @@ void PackingLine::noteConnection()
     askWhenIdle();
 }
 
-// The bag under way was begun under another program: which one it is shows the next reading.
+// Resets the last bag: it was begun under another program, and the next reading identifies it.
 void PackingLine::noteProgram()
 {
     m_toldBag.reset();
@@ -113,7 +113,7 @@ void PackingLine::takeRead(const link::ReadOutcome& outcome)
     emit changed();
 }
 
-// Of a controller that has restarted the count begins anew.
+// Reports the new bags. After a restart the controller counts from the start.
 void PackingLine::tellBags()
 {
     const bool hasRestarted = m_toldBag && *m_toldBag > m_status->bagNumber;
@@ -199,7 +199,7 @@ bool PackingLine::knifeOpen() const
     return m_status && m_status->knifeGate != modbus::GateState::Running;
 }
 
-// One pitch behind the last mark that the sensor saw or should have seen.
+// Returns the place one pitch behind the last mark that the sensor detected or should have detected.
 double PackingLine::nextMarkMm() const
 {
     const bool isExpected = markState() == MarkState::Aligning || markState() == MarkState::Tracking;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Film, marks, products and bags of a packing machine, as its controller tells them; asked for a few times a
-// second while a cutter's program is active. Every number is NaN and every text empty while it is not known.
+// Film, marks, products and bags of a packing machine, as reported by its controller several times a second
+// while a cutter's program is active. Unknown numbers are NaN and unknown texts empty.
 #pragma once
 
 #include "app/link/link.h"
@@ -23,9 +23,10 @@ class PackingLine : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The packing line belongs to the Machine")
-    // There is one: a cutter's program in a controller that tells of its film, or told before it was lost.
+    // True with a cutter's program in a controller that reports its film, or did so before the connection was
+    // lost.
     Q_PROPERTY(bool present READ present NOTIFY changed FINAL)
-    // The controller has told, and not longer than a second ago.
+    // True when the last report is at most a second old.
     Q_PROPERTY(bool known READ known NOTIFY changed FINAL)
     Q_PROPERTY(bool fresh READ fresh NOTIFY changed FINAL)
 
@@ -45,21 +46,22 @@ class PackingLine : public QObject {
     Q_PROPERTY(double filmSavedM READ filmSavedM NOTIFY changed FINAL)
     Q_PROPERTY(QString lastSkipText READ lastSkipText NOTIFY changed FINAL)
     Q_PROPERTY(double correctionsLimited READ correctionsLimited NOTIFY changed FINAL)
-    // What knife and film are doing when they do not simply run: "Knife waits", ...; empty while they do.
+    // The state of knife and film when they do not simply run: "Knife waits", ...; else empty.
     Q_PROPERTY(QString gateText READ gateText NOTIFY changed FINAL)
     Q_PROPERTY(int teachMarks READ teachMarks NOTIFY changed FINAL)
     Q_PROPERTY(double teachPitchMm READ teachPitchMm NOTIFY changed FINAL)
     Q_PROPERTY(double teachScatterMm READ teachScatterMm NOTIFY changed FINAL)
-    // The film as a picture. Distances to the knife in mm when the film motor was at filmPositionMm; lists
-    // are empty while nothing is known. Cuts as (distance, 1 when left out), marks as (distance, 1 when
-    // reckoned), products as (leading edge, trailing edge).
+    // The film as a picture. Distances to the knife are in mm, with the film motor at filmPositionMm; lists
+    // are empty while unknown. Cuts are (distance, 1 when skipped), marks (distance, 1 when calculated),
+    // products (leading edge, trailing edge).
     Q_PROPERTY(double filmPositionMm READ filmPositionMm NOTIFY changed FINAL)
     Q_PROPERTY(double filmSpeedMmPerS READ filmSpeedMmPerS NOTIFY changed FINAL) // 0 at standstill
-    Q_PROPERTY(bool knifeOpen READ knifeOpen NOTIFY changed FINAL)               // stands open for whole bags
-    Q_PROPERTY(double sensorMm READ sensorMm NOTIFY changed FINAL) // mark sensor before the knife
+    Q_PROPERTY(bool knifeOpen READ knifeOpen NOTIFY changed FINAL)               // waits open for whole bags
+    Q_PROPERTY(double sensorMm READ sensorMm NOTIFY changed FINAL) // distance of the mark sensor before the
+                                                                   // knife
     Q_PROPERTY(
-        double windowMm READ windowMm NOTIFY changed FINAL) // to both sides of where a mark is expected
-    Q_PROPERTY(double nextMarkMm READ nextMarkMm NOTIFY changed FINAL) // where the next mark is expected
+        double windowMm READ windowMm NOTIFY changed FINAL) // in both directions from the expected mark
+    Q_PROPERTY(double nextMarkMm READ nextMarkMm NOTIFY changed FINAL) // expected position of the next mark
     Q_PROPERTY(QList<QPointF> cuts READ cuts NOTIFY changed FINAL)
     Q_PROPERTY(QList<QPointF> seenMarks READ seenMarks NOTIFY changed FINAL)
     Q_PROPERTY(QList<QPointF> seenProducts READ seenProducts NOTIFY changed FINAL)
@@ -68,7 +70,7 @@ public:
     enum class MarkState { Unknown, Off, Searching, Aligning, Tracking };
     Q_ENUM(MarkState)
 
-    // The machine must outlive it.
+    // `machine` must outlive the object.
     explicit PackingLine(Machine& machine);
 
     [[nodiscard]] bool present() const { return known() || recordsBags(); }
@@ -119,11 +121,12 @@ public:
     // Measures the distances between the next marks; teachMarks counts up to that number.
     Q_INVOKABLE void teach(int marks);
 
-    // For the Machine and for who shows single bags.
+    // Returns the last report, for the Machine and for lists of single bags.
     [[nodiscard]] const std::optional<modbus::PackerStatus>& status() const { return m_status; }
-    // When status() was read.
+    // Returns the time when status() was read.
     [[nodiscard]] link::SteadyTime receivedAt() const { return m_receivedAt; }
-    // The controller records its bags: they come by bagRecorded() and not with its status.
+    // Returns true when the controller records its bags: they arrive with bagRecorded() and not with its
+    // status.
     [[nodiscard]] bool recordsBags() const;
     void noteConnection();
     void noteProgram();
@@ -131,7 +134,7 @@ public:
 
 signals:
     void changed();
-    // A bag not told before, oldest first.
+    // Emitted for each new bag, oldest first.
     void bagRecorded(const campanel::modbus::BagRecord& bag);
 
 private:

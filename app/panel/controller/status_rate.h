@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How well the line does: status blocks per second and the share of failed exchanges over the last seconds.
+// The quality of the line: status blocks per second and the share of failed exchanges over the last seconds.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -13,9 +13,9 @@ public:
     void note(const link::StatusBatch& batch, link::SteadyTime now);
     void clear() { m_batches.clear(); }
 
-    // NaN before the first second is over.
+    // Returns NaN in the first second.
     [[nodiscard]] double perSecond(link::SteadyTime now) const;
-    // 4: no failure in the window, 3: below 1 %, 2: below 5 %, 1: more, 0: nothing comes.
+    // Returns 4: no failure in the window, 3: below 1 %, 2: below 5 %, 1: more, 0: no status.
     [[nodiscard]] int quality(link::SteadyTime now) const;
 
 private:
@@ -25,7 +25,7 @@ private:
         int failed = 0;
     };
 
-    std::deque<Batch> m_batches; // of the window, oldest first
+    std::deque<Batch> m_batches; // in the window, oldest first
 };
 
 } // namespace campanel::machine

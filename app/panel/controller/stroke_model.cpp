@@ -29,7 +29,7 @@ void StrokeModel::note(const modbus::StatusBlock& status, double pulsesPerMm)
     emit changed();
 }
 
-// From the beginning of the approach to the end of the return.
+// Records from the start of the approach to the end of the return.
 void StrokeModel::noteCurve(const modbus::StatusBlock& status, double pulsesPerMm)
 {
     const bool isInStroke = status.press->stage && *status.press->stage != modbus::PressStage::Standing;

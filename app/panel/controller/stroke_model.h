@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The strokes of a press as they ended, newest first, and the force over the way of the stroke under way.
+// The completed strokes of a press, newest first, and the force over the position of the present stroke.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -18,7 +18,7 @@ class StrokeModel : public QAbstractListModel {
     QML_UNCREATABLE("Strokes belong to the Machine")
     Q_PROPERTY(int count READ count NOTIFY changed FINAL)
     Q_PROPERTY(int goodCount READ goodCount NOTIFY changed FINAL)
-    // x position in mm, y force in N, of the newest stroke in the order of time.
+    // The newest stroke in order of time: x position in mm, y force in N.
     Q_PROPERTY(QList<QPointF> forceCurve READ forceCurve NOTIFY curveChanged FINAL)
 
 public:
@@ -36,10 +36,10 @@ public:
 
     using QAbstractListModel::QAbstractListModel;
 
-    // One status of a press; pulsesPerMm of its program.
+    // Adds one status of a press; pulsesPerMm is that of its program.
     void note(const modbus::StatusBlock& status, double pulsesPerMm);
     void clear();
-    // Tells that the texts are in another language now.
+    // Updates the texts after a change of the language.
     void retranslate();
 
     [[nodiscard]] int count() const { return static_cast<int>(m_strokes.size()); }

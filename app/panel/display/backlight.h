@@ -11,13 +11,13 @@ namespace campanel::machine {
 
 class Backlight {
 public:
-    // The first one below `folder` that can be set by this user; empty: there is none.
+    // Returns the first backlight below `folder` that this user can set; empty: none.
     [[nodiscard]] static std::optional<Backlight>
     find(const QString& folder = QStringLiteral("/sys/class/backlight"));
 
-    // Of its range, 0..100.
+    // Returns the brightness as a percentage of its range, 0..100.
     [[nodiscard]] int percent() const;
-    // False when the kernel refused it.
+    // Returns false when the kernel refused the value.
     [[nodiscard]] bool setPercent(int percent) const;
 
 private:

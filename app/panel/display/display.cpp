@@ -36,7 +36,7 @@ Display::Display(Machine& machine, Settings& settings, QObject* parent)
     const int minutes = m_file.value(darkAfterKey).toInt(&isSet);
     if (isSet && possibleDarkAfter.contains(minutes))
         m_darkAfterMinutes = minutes;
-    if (m_file.contains(brightnessKey)) // else it stays as the system has it
+    if (m_file.contains(brightnessKey)) // else the system's brightness stays
         light(m_brightness);
     m_timer.callOnTimeout(this, &Display::tick);
     m_timer.start(1s);
@@ -90,10 +90,10 @@ void Display::setDarkAfterMinutes(int minutes)
 void Display::light(int percent)
 {
     if (m_backlight && !m_backlight->setPercent(percent))
-        setBacklight({}); // it can no longer be set
+        setBacklight({}); // the backlight is not adjustable any more
 }
 
-// Who has to see or to stop something must not have to wake a screen first.
+// Returns false while somebody must see or stop something without waking the screen first.
 bool Display::mayBeDark() const
 {
     switch (m_machine.state()) {
@@ -135,7 +135,7 @@ void Display::tick()
         emit wipeChanged();
     }
     if (!mayBeDark())
-        m_touchedAt = m_machine.now(); // the time runs from standstill on
+        m_touchedAt = m_machine.now(); // the time starts at standstill
     if (m_darkAfterMinutes > 0 && m_machine.now() - m_touchedAt >= std::chrono::minutes(m_darkAfterMinutes))
         setDark(true);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Display` in QML: brightness, a screen that goes dark when nobody touches it and nothing moves, and half a
-// minute in which it can be wiped: only Stop works then. The touch that wakes a dark screen does nothing
-// else.
+// `Display` in QML: brightness, a screen that turns off when it is not touched and nothing moves, and half a
+// minute for cleaning it. Only Stop works during cleaning. The touch that wakes a dark screen has no other
+// effect.
 #pragma once
 
 #include "app/panel/display/backlight.h"
@@ -25,28 +25,27 @@ class Display : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
-    // This computer has a backlight that can be set.
+    // True when this computer has an adjustable backlight.
     Q_PROPERTY(bool adjustable READ adjustable NOTIFY changed FINAL)
-    // Per cent; the next of `brightnessChoices`.
+    // The brightness in percent, rounded to the next of `brightnessChoices`.
     Q_PROPERTY(int brightness READ brightness WRITE setBrightness NOTIFY changed FINAL)
     Q_PROPERTY(QList<int> brightnessChoices READ brightnessChoices CONSTANT FINAL)
-    // Minutes without a touch; 0: never.
+    // The minutes without a touch until the screen turns off; 0: never.
     Q_PROPERTY(int darkAfterMinutes READ darkAfterMinutes WRITE setDarkAfterMinutes NOTIFY changed FINAL)
     Q_PROPERTY(QList<int> darkChoices READ darkChoices CONSTANT FINAL)
     Q_PROPERTY(bool dark READ dark NOTIFY darkChanged FINAL)
-    // Until touches count again; 0: they do.
+    // The remaining seconds without touch input; 0: touch input is active.
     Q_PROPERTY(int wipeSeconds READ wipeSeconds NOTIFY wipeChanged FINAL)
 
 public:
     static constexpr int wipeTimeS = 30;
 
-    // Keeps what is set in the file of the settings. They and the machine must outlive it.
+    // Stores its values in the settings file. Settings and machine must outlive the object.
     Display(Machine& machine, Settings& settings, QObject* parent);
 
-    // The instance that attachToEngine() gave to this engine.
     static Display* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
-    // Instead of the one of this computer, for tests and captures.
+    // Replaces the backlight of this computer, for tests and captures.
     void setBacklight(const std::optional<Backlight>& backlight);
 
     [[nodiscard]] bool adjustable() const { return m_backlight.has_value(); }
@@ -60,7 +59,7 @@ public:
     [[nodiscard]] int wipeSeconds() const { return m_wipeSeconds; }
 
     Q_INVOKABLE void wipe();
-    // Looks whether it is time to go dark; comes by itself once a second.
+    // Turns the screen off after its idle time; runs once a second.
     void tick();
 
 signals:
@@ -85,7 +84,7 @@ private:
     int m_darkAfterMinutes = 0;
     int m_wipeSeconds = 0;
     bool m_isDark = false;
-    bool m_isWaking = false; // the finger that woke it is still there
+    bool m_isWaking = false; // the waking touch has not ended
 };
 
 } // namespace campanel::machine

@@ -10,7 +10,7 @@ namespace campanel::machine {
 
 namespace {
 
-// A number that neither of the two programs reads.
+// Returns true for a number that neither of the two programs uses.
 bool isUnreadInBoth(const program::Difference& difference, const program::Recipe& active,
                     const program::Recipe& edited)
 {

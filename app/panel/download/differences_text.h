@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which inputs a download would change, as a list for a person: old and new value of each.
+// The inputs that a download would change, as text: old and new value of each.
 #pragma once
 
 #include "app/panel/kit/difference_model.h"
@@ -15,7 +15,7 @@ class DifferencesText {
     Q_DECLARE_TR_FUNCTIONS(DifferencesText)
 
 public:
-    // Numbers that are derived in both programs, and the version, are left out.
+    // Returns the rows without the version and without numbers that are derived in both programs.
     [[nodiscard]] static QList<DifferenceRow> rows(const ControllerProgram& active,
                                                    const program::ProgramImage& edited);
 

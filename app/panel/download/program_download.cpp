@@ -40,7 +40,7 @@ bool ProgramDownload::isUnderWay() const
 void ProgramDownload::compare()
 {
     const ControllerProgram* active = m_machine.program().get();
-    // The status tells before the header has been read again.
+    // The status arrives before the header has been read again.
     const bool isActive = m_offer && m_machine.status() && m_machine.status()->activeCrc == m_offer->crc;
     const auto rows =
         m_offer && active && !isActive ? DifferencesText::rows(*active, *m_offer) : QList<DifferenceRow>();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way of the edited recipe into the controller: what differs, what may be sent, how far it has come.
+// The download of the edited recipe to the controller: differences, permission and progress.
 #pragma once
 
 #include "app/panel/download/program_proof.h"
@@ -30,12 +30,13 @@ class ProgramDownload : public QObject {
     Q_PROPERTY(bool canSave READ canSave NOTIFY changed FINAL)
 
 public:
+    // The states, in the order and with the names of Editor.DownloadState in QML.
     enum class State { NothingToDo, Ready, Blocked, Transferring, Sealing, Armed, Applied, Failed };
     Q_ENUM(State)
 
     ProgramDownload(Machine& machine, QObject* parent);
 
-    // What would be downloaded; null when the recipe is not feasible.
+    // Sets the image to download; null when the recipe is not feasible.
     void offer(std::shared_ptr<const program::ProgramImage> image);
 
     [[nodiscard]] State state() const { return m_state; }
@@ -49,7 +50,7 @@ public:
     [[nodiscard]] bool isSaved() const;
     [[nodiscard]] bool canSave() const;
 
-    // Sends the image of this recipe; applied() gives the recipe back when it is active.
+    // Sends the image of this recipe; applied() returns the recipe when it is active.
     void download(const program::ProgramImage& image, const program::Recipe& recipe);
     void cancel();
     void save();
@@ -58,13 +59,13 @@ public:
 signals:
     void changed();
     void applied(const campanel::program::Recipe& recipe);
-    // For the audit trail: what is about to be sent, and what became of it.
+    // Emitted for the audit trail: the image about to be sent, and the result.
     void begun(const campanel::program::ProgramImage& image);
     void ended(const campanel::link::DownloadReport& report);
 
 private:
     [[nodiscard]] bool isUnderWay() const;
-    [[nodiscard]] QString blockedReason() const; // empty when it may be sent
+    [[nodiscard]] QString blockedReason() const; // empty when the download is possible
     [[nodiscard]] bool changesMachineData() const;
     void takeReport(const link::DownloadReport& report);
     void compare();
@@ -79,7 +80,7 @@ private:
     std::optional<program::Recipe> m_sent;
     std::vector<std::uint16_t> m_sentRegisters;
     link::DownloadReport m_report;
-    bool m_hasEnded = false; // the report is that of a download that ended and was not edited since
+    bool m_hasEnded = false; // the report belongs to an ended download without edits since then
 };
 
 } // namespace campanel::machine

@@ -19,8 +19,7 @@ namespace {
 
 const auto unknownText = u"--"_s;
 
-// What runs was within the limits of whoever downloaded it; they are not in the bank and do not shape the
-// table.
+// Returns the recipe without limits: they are not in the bank and do not influence the table.
 program::Recipe withoutLimits(program::Recipe recipe)
 {
     using profile::Field;
@@ -34,8 +33,8 @@ program::Recipe withoutLimits(program::Recipe recipe)
     return recipe;
 }
 
-// The table with this CRC-32 that follows from the recipe; empty when none does. The limits refuse some and
-// shape others.
+// Returns the table of the recipe with this CRC-32; empty when there is none. Limits cause refusals and
+// influence some tables.
 std::vector<std::uint16_t> rebuilt(const program::Recipe& recipe, std::uint32_t crc)
 {
     for (const program::Recipe& each : {recipe, withoutLimits(recipe)}) {
@@ -64,7 +63,7 @@ void ProgramProof::noteDownloaded(std::vector<std::uint16_t> registers, std::uin
 void ProgramProof::update()
 {
     const auto& status = m_machine.status();
-    // A result is of one program, and true as long as the line is watched.
+    // A result belongs to one program, and is valid while the line is watched.
     const bool isFinding = result() == Result::Equal || result() == Result::Different;
     if (m_hasResult &&
         (!status || status->generation != m_report.generation || (isFinding && !m_machine.isConnected())))
@@ -219,7 +218,7 @@ QString ProgramProof::failureText() const
                : QString();
 }
 
-// A field of the header by its name in the register document, a row by its number.
+// Returns the name of a header field as in the register document, or the number of a row.
 QString ProgramProof::nameOf(quint16 offset) const
 {
     if (offset >= modbus::bankHeaderRegisters)

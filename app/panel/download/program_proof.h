@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Editor.proof` in QML: the program that is edited, the one that the controller runs and the one that it
-// keeps, and the proof that it runs what it should: its table read back and compared, on demand.
+// `Editor.proof` in QML: the edited, the active and the saved program, and the proof that the controller runs
+// the right one. On demand its table is read back and compared.
 #pragma once
 
 #include "app/link/link.h"
@@ -23,10 +23,10 @@ class ProgramProof : public QObject {
     Q_PROPERTY(Result result READ result NOTIFY changed FINAL)
     Q_PROPERTY(bool running READ running NOTIFY changed FINAL)
     Q_PROPERTY(double progress READ progress NOTIFY changed FINAL) // 0..1
-    // The result, or how far it is, in words; before the first comparison what it would do.
+    // The result, or the progress, as text; before the first comparison its purpose.
     Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
     Q_PROPERTY(bool canCompare READ canCompare NOTIFY changed FINAL)
-    // Name, version, generation and CRC-32; "--" while not known.
+    // Name, version, generation and CRC-32; "--" while unknown.
     Q_PROPERTY(QString activeText READ activeText NOTIFY changed FINAL)
     Q_PROPERTY(QString savedText READ savedText NOTIFY changed FINAL)
 
@@ -34,10 +34,10 @@ public:
     enum class Result { None, Equal, Different, Undecided };
     Q_ENUM(Result)
 
-    // The machine must outlive it.
+    // The machine must outlive the object.
     ProgramProof(Machine& machine, QObject* parent);
 
-    // What this panel downloaded and the controller made active.
+    // Stores what this panel downloaded and the controller activated.
     void noteDownloaded(std::vector<std::uint16_t> registers, std::uint32_t crc);
     void update(); // after a change in the controller or of the language
 
@@ -56,10 +56,10 @@ signals:
     void changed();
 
 private:
-    // With what the controller's table is compared.
+    // The reference of the comparison.
     enum class Basis { Downloaded, Rebuilt, OwnChecksum };
 
-    [[nodiscard]] QString blockedReason() const; // empty when it may be asked for
+    [[nodiscard]] QString blockedReason() const; // empty when a comparison is possible
     [[nodiscard]] QString basisText() const;
     [[nodiscard]] QString resultText() const;
     [[nodiscard]] QString differentText() const;
@@ -70,7 +70,7 @@ private:
     Machine& m_machine;
     std::vector<std::uint16_t> m_downloaded;
     std::uint32_t m_downloadedCrc = 0;
-    std::vector<std::uint16_t> m_expected; // of the comparison under way or last made
+    std::vector<std::uint16_t> m_expected; // for the pending or last comparison
     Basis m_basis = Basis::OwnChecksum;
     bool m_isRunning = false;
     bool m_hasResult = false;

@@ -10,7 +10,7 @@ namespace campanel::machine {
 
 template <typename Value> class EditHistory {
 public:
-    // `before`: the value that the edit has just replaced.
+    // Records an edit; `before` is the value that it has replaced.
     void note(Value before)
     {
         m_redo.clear();
@@ -28,11 +28,12 @@ public:
     [[nodiscard]] bool canUndo() const { return !m_undo.empty(); }
     [[nodiscard]] bool canRedo() const { return !m_redo.empty(); }
 
-    // What undo() and redo() lead to.
+    // Return the values that undo() and redo() restore.
     [[nodiscard]] const Value& previous() const { return m_undo.back(); }
     [[nodiscard]] const Value& next() const { return m_redo.back(); }
 
-    // The value to return to; `present` is kept for the way back. Only when canUndo() or canRedo().
+    // Returns the previous or next value; `present` is stored for the way back. Requires canUndo() or
+    // canRedo().
     [[nodiscard]] Value undo(Value present) { return move(m_undo, m_redo, std::move(present)); }
     [[nodiscard]] Value redo(Value present) { return move(m_redo, m_undo, std::move(present)); }
 

@@ -24,7 +24,7 @@ namespace {
 
 using profile::Field;
 
-// Name of a field in QML and in tests: the cutter's have short ones, the others that of the recipe file.
+// Returns the name of a field in QML and in tests: short ones for the cutter, else that of the recipe file.
 QString fieldId(Field field)
 {
     switch (field) {
@@ -46,13 +46,14 @@ QString fieldId(Field field)
     }
 }
 
-// Bag length and rate are the operator's, all else is set up by a technician.
+// Returns the level for a field: bag length and rate are for operators, all others for technicians.
 Level levelFor(Field field)
 {
     return field == Field::BagLength || field == Field::Rate ? Level::Operator : Level::Technician;
 }
 
-// What leads from one to the other: bag length and rate alone, or more.
+// Returns the level for the change from one recipe to the other: an operator's only when bag length and rate
+// alone differ.
 Level levelBetween(const program::Recipe& before, const program::Recipe& after)
 {
     if (!before.isCutter() || !after.isCutter())
@@ -64,7 +65,7 @@ Level levelBetween(const program::Recipe& before, const program::Recipe& after)
     return sameRecipe(before, same) ? Level::Operator : Level::Technician;
 }
 
-// Edits that follow one another faster are kept together: writing a file takes longer than a frame.
+// The delay that combines fast edits: writing a file takes longer than a frame.
 constexpr auto keepDelay = 300ms;
 constexpr auto tableDelay = 80ms;
 
@@ -162,7 +163,7 @@ void Editor::connectKnots()
     });
     connect(&m_knots, &KnotModel::dragged, this, [this](const profile::PointCamProgram& program) {
         if (!m_beforeDrag && !admits(Level::Technician)) {
-            show(); // the handle goes back
+            show(); // the handle returns
             return;
         }
         if (!m_beforeDrag)
@@ -225,7 +226,7 @@ void Editor::compareLaw(const QString& lawId)
     show();
 }
 
-// The law that is compared stays while the recipe is edited.
+// Computes the compared law again; it stays selected while the recipe is edited.
 void Editor::compareCurves()
 {
     m_comparedCurves.reset();
@@ -264,7 +265,7 @@ void Editor::dragRatio(int index, double timeSeconds)
     if (!m_recipe.isCutter() || index < 0 || index >= static_cast<int>(m_recipe.cutter().k.size()))
         return;
     if (!m_beforeDrag && !admits(Level::Technician)) {
-        show(); // the handle goes back
+        show(); // the handle returns
         return;
     }
     if (!m_beforeDrag)
@@ -313,7 +314,7 @@ void Editor::recompute()
 {
     m_recipe.version = edited() ? nextVersion() : m_stored.version;
     m_tableTimer.stop();
-    // After a download the recipe is the one that it was: its table stays on offer.
+    // After a download the recipe is unchanged: its table stays on offer.
     const bool isKnown =
         m_solution.image && sameRecipe(m_solvedFor, m_recipe) && m_solvedFor.version == m_recipe.version;
     m_solvedFor = m_recipe;
@@ -358,7 +359,7 @@ void Editor::show()
     emit recipeChanged();
 }
 
-// Told only when other fields are to be shown: the items of a list are made anew then.
+// Emits only when the fields themselves change: the list then creates its items again.
 void Editor::showFields()
 {
     QList<Field> shown;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Editor` in QML: the recipe being edited, what it demands of the machine, and its way into the controller.
+// `Editor` in QML: the recipe being edited, its demands on the machine, and its download to the controller.
 #pragma once
 
 #include "app/panel/download/program_download.h"
@@ -41,7 +41,7 @@ class Editor : public QObject {
     Q_PROPERTY(campanel::machine::EditorField* lawParameter1 READ lawParameter1 CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::EditorField* lawParameter2 READ lawParameter2 CONSTANT FINAL)
 
-    // The kind of program, its fields that are read as it is set, and the data of the machine that it needs.
+    // The kind of program, its relevant fields, and the machine data that it needs.
     Q_PROPERTY(Kind kind READ kind NOTIFY kindChanged FINAL)
     Q_PROPERTY(QStringList kindNames READ kindNames NOTIFY kindChanged FINAL)
     Q_PROPERTY(QVariantList fields READ fields NOTIFY fieldsChanged FINAL)
@@ -60,7 +60,6 @@ class Editor : public QObject {
     Q_PROPERTY(Severity severity READ severity NOTIFY solutionChanged FINAL)
     Q_PROPERTY(QString suggestionText READ suggestionText NOTIFY solutionChanged FINAL)
 
-    // Drawn in grey behind the curves: another law for the same move, else what the controller runs.
     Q_PROPERTY(QVariant overlayCurves READ overlayCurves NOTIFY overlayChanged FINAL)
     Q_PROPERTY(QString overlayName READ overlayName NOTIFY overlayChanged FINAL)
     Q_PROPERTY(QString peakText READ peakText NOTIFY solutionChanged FINAL)
@@ -80,11 +79,10 @@ public:
     enum class Severity { Good, Warning, Bad };
     Q_ENUM(Severity)
 
-    // Both recipes are kept in `folder`. The machine must outlive it.
+    // Stores both recipes in `folder`. The machine must outlive the object.
     Editor(Machine& machine, const QString& folder, QObject* parent);
     ~Editor() override;
 
-    // The instance that attachToEngine() gave to this engine.
     static Editor* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     [[nodiscard]] EditorField* bagLength() { return item(profile::Field::BagLength); }
@@ -109,7 +107,7 @@ public:
     }
     [[nodiscard]] Kind kind() const { return static_cast<Kind>(m_recipe.kind()); }
     [[nodiscard]] QStringList kindNames() const;
-    [[nodiscard]] QVariantList fields() const; // of EditorField*
+    [[nodiscard]] QVariantList fields() const; // list of EditorField*
     [[nodiscard]] QVariantList machineFields() const;
     [[nodiscard]] ChoiceModel* choices() { return &m_choices; }
     [[nodiscard]] KnotModel* knots() { return &m_knots; }
@@ -135,16 +133,15 @@ public:
     [[nodiscard]] bool edited() const;
     [[nodiscard]] QString notice() const { return m_notice; }
 
-    // A new recipe of this kind, with the defaults of its paper. Can be undone.
+    // Creates a recipe of this kind with the defaults of its paper. Can be undone.
     Q_INVOKABLE void newProgram(int kind);
-    // `row` of choices, `option` of its options.
     Q_INVOKABLE void setChoice(int row, int option);
     Q_INVOKABLE void setLaw(const QString& lawId);
-    // Lays the curves of the same motion by another law behind; an empty id ends it.
+    // Displays the curves of the same motion with another law in the background; an empty id ends it.
     Q_INVOKABLE void compareLaw(const QString& lawId);
     Q_INVOKABLE void applySuggestion();
-    // Moves the end of stretch `index` (0..3: ta, tb, tc, td) while a finger drags it; commitDrag() ends it
-    // as one undo step.
+    // Moves the end of segment `index` (0..3: ta, tb, tc, td) during a drag; commitDrag() ends it as one undo
+    // step.
     Q_INVOKABLE void dragRatio(int index, double timeSeconds);
     Q_INVOKABLE void commitDrag();
     Q_INVOKABLE void undo();
@@ -155,21 +152,20 @@ public:
     Q_INVOKABLE void saveToFlash();
     Q_INVOKABLE void dismissNotice();
 
-    // What follows from the recipe now.
+    // Returns the results computed from the present recipe.
     [[nodiscard]] const Solution& solution() const { return m_solution; }
     [[nodiscard]] const program::Recipe& recipe() const { return m_recipe; }
-    // What edited() compares with: the version that was opened, downloaded or saved last.
+    // Returns the reference of edited(): the version last opened, downloaded or saved.
     [[nodiscard]] const program::Recipe& storedRecipe() const { return m_stored; }
 
-    // Another recipe is edited from now on: as it is, or on from `edited`. Nothing of the one before remains,
-    // nor can it be undone.
+    // Opens another recipe, unchanged or with the edits in `edited`. Clears the previous recipe and the undo
+    // history.
     void open(const program::Recipe& stored, const std::optional<program::Recipe>& edited = {});
-    // This, that has been saved, is what edited() compares with from now on; the edits stay.
+    // Sets the saved recipe as the new reference of edited(); the edits stay.
     void takeStored(const program::Recipe& recipe);
-    // Tells the newest version that is kept under a name, 0: none. An edited recipe has the one after it.
+    // Returns the newest stored version of a name, 0: none. An edited recipe has the next version.
     using NewestVersion = std::function<int(const std::string& name)>;
     void setNewestVersion(NewestVersion newest);
-    // A new program of this kind is made for this machine.
     void setMachine(profile::ProgramKind kind, const profile::Machine& machine)
     {
         m_machines[kind] = machine;
@@ -177,7 +173,7 @@ public:
     [[nodiscard]] program::Recipe newRecipe(profile::ProgramKind kind) const;
 
 signals:
-    // The controller executes it.
+    // Emitted when the controller executes the recipe.
     void applied(const campanel::program::Recipe& recipe);
     void kindChanged();
     void fieldsChanged();
@@ -186,7 +182,7 @@ signals:
     void historyChanged();
     void recipeChanged();
     void noticeChanged();
-    // For the audit trail, see ProgramDownload.
+    // Emitted for the audit trail, see DownloadDesk.
     void downloadBegun(const campanel::program::ProgramImage& image);
     void downloadEnded(const campanel::link::DownloadReport& report);
 
@@ -198,7 +194,7 @@ private:
     void connectKnots();
     void compareCurves();
     void showFields();
-    // Who may not is asked to log in, and nothing changes.
+    // Returns true when the person has the level. Otherwise requests a login, and nothing changes.
     [[nodiscard]] bool admits(Level needed) const;
     template <typename Change> void edit(Level needed, Change change);
     void replace(program::Recipe recipe); // undo, redo, revert
@@ -213,7 +209,7 @@ private:
 
     EditorField m_lawParameter1{QStringLiteral("lawParameter1"), this};
     EditorField m_lawParameter2{QStringLiteral("lawParameter2"), this};
-    std::array<EditorField*, profile::fields.size()> m_fields{}; // by field; children
+    std::array<EditorField*, profile::fields.size()> m_fields{}; // children, by field
     KnotModel m_knots;
     KnotFiles m_knotFiles;
     ChoiceModel m_choices;
@@ -225,20 +221,20 @@ private:
     store::LastRecipe m_storedFile;
     store::LastRecipe m_workingFile;
     QTimer m_keepTimer;
-    QTimer m_tableTimer; // a slow table is made when the finger rests
+    QTimer m_tableTimer; // builds a slow table once the finger rests
     program::Recipe m_stored;
     program::Recipe m_recipe;
     NewestVersion m_newestVersion = [](const std::string&) { return 0; };
     std::map<profile::ProgramKind, profile::Machine> m_machines;
     std::optional<program::Recipe> m_beforeDrag;
     EditHistory<program::Recipe> m_history;
-    std::optional<modbus::Identity> m_controller; // that the solution was made for
+    std::optional<modbus::Identity> m_controller; // controller that the solution was computed for
     Solution m_solution;
     program::Recipe m_solvedFor;
     std::optional<profile::LawId> m_comparedLaw;
     std::shared_ptr<const profile::Curves> m_comparedCurves;
-    QList<profile::Field> m_shownFields; // of which fieldsChanged() told
-    double m_cycleSeconds = 1;           // the last that was known, so that the handles stay where they are
+    QList<profile::Field> m_shownFields; // last fields reported by fieldsChanged()
+    double m_cycleSeconds = 1;           // the last known one, so that the handles keep their places
     QString m_notice;
 };
 

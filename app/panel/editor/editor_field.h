@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One number of the recipe as a person sees and enters it. The Editor owns it and is the only one to update
-// it.
+// One number of the recipe as a person reads and enters it. The Editor owns it and alone updates it.
 #pragma once
 
 #include "app/panel/kit/gate.h"
@@ -13,13 +12,13 @@
 
 namespace campanel::machine {
 
-// What the field shows; a value that the Editor computes anew after each change.
+// The contents of the field, computed by the Editor after each change.
 struct FieldView {
     QString label;
     QString unit;
     double value = std::numeric_limits<double>::quiet_NaN();
-    QString text;       // the value in the language's digits, "--" when unknown
-    QString activeText; // the same of the program in the controller, empty when there is none
+    QString text;       // the value in localized digits, "--" when unknown
+    QString activeText; // the same for the controller's program, empty when there is none
     double minimum = 0;
     double maximum = 0;
     double defaultValue = 0;
@@ -39,7 +38,7 @@ class EditorField : public QObject {
     QML_UNCREATABLE("Fields belong to the Editor")
 
     Q_PROPERTY(QString fieldId READ fieldId CONSTANT FINAL)
-    // Who may change it, as Access.level.
+    // The level needed to change it, as Access.level.
     Q_PROPERTY(int neededLevel READ neededLevel CONSTANT FINAL)
     Q_PROPERTY(QString label READ label NOTIFY changed FINAL)
     Q_PROPERTY(QString unit READ unit NOTIFY changed FINAL)
@@ -77,13 +76,13 @@ public:
     [[nodiscard]] bool visible() const { return m_view.visible; }
     [[nodiscard]] QString explanation() const { return m_view.explanation; }
 
-    // Empty when the value may be entered, else a sentence with the limit that it breaks.
+    // Returns an empty text when the value may be entered, else a sentence with the limit.
     Q_INVOKABLE QString check(double value) const;
-    // Refused values (see check) change nothing.
+    // Sets the value. Values refused by check() change nothing.
     Q_INVOKABLE void set(double value);
     Q_INVOKABLE void togglePin();
 
-    // For the Editor.
+    // Updates the field; called by the Editor.
     void show(FieldView view);
 
 signals:

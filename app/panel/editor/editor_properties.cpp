@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the properties of Editor answer, from the recipe and its solution.
+// The property getters of Editor, from the recipe and its solution.
 #include "app/panel/editor/editor.h"
 
 #include "app/panel/controller/machine.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of the Editor outlives an edit: the stored recipe, the working copy, and the versions between them.
+// The persistent data of the Editor: the stored recipe, the working copy, and their versions.
 #include "app/panel/editor/editor.h"
 
 #include "app/panel/recipe/recipe_edit.h"

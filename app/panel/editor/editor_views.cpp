@@ -68,7 +68,7 @@ FieldView EditorViews::field(Field field) const
     return view;
 }
 
-// A ratio may be entered between its neighbors only.
+// Limits a ratio to the range between its neighbors.
 void EditorViews::narrowRatio(Field field, FieldView& view) const
 {
     const double step = profile::info(field).resolution();
@@ -111,7 +111,7 @@ FieldView EditorViews::lawParameter(std::size_t index) const
     return view;
 }
 
-// What the law would ask for; unknown where it makes no motion.
+// Returns the demands of the law; unknown without a motion.
 LawDemand EditorViews::demandOf(const profile::Law& law) const
 {
     program::Recipe tried = m_recipe;
@@ -128,7 +128,7 @@ LawDemand EditorViews::demandOf(const profile::Law& law) const
         }
         return demand;
     }
-    // Without its curves: a dozen cutters are solved after each change.
+    // Without its curves: up to twelve cutters are solved after each change.
     demand.isFeasible = profile::isFeasible(tried.cutter(), tried.machine);
     if (const auto cycle = profile::solveNumbers(tried.cutter(), tried.machine)) {
         const profile::Peaks peaks = profile::peaks(*cycle, tried.cutter(), tried.machine);
@@ -160,7 +160,7 @@ QList<LawRow> EditorViews::laws(std::optional<profile::LawId> compared) const
         row.usable = isFeasible;
         row.peakRpmText = tr("%1 r/min").arg(format.number(peaks.motorRpm, 0));
         row.peakAccelerationText = tr("%1 m/s²").arg(format.number(peaks.accelerationMmPerS2 / 1000, 2));
-        // A knife has no inertia in the recipe; what counts for it is the pulse frequency.
+        // A knife has no inertia in the recipe; its limit is the pulse frequency.
         row.peakFrequencyText = m_recipe.isCutter()
                                     ? tr("%1 kHz").arg(format.number(peaks.pulseFrequencyHz / 1000, 1))
                                     : tr("%1 Nm").arg(format.number(peaks.torqueNm, 3));
@@ -178,7 +178,7 @@ QString EditorViews::peaks() const
         return {};
     const Format format;
     const profile::AxisPeaks& peaks = m_solution.solved->peaks;
-    // The recipe has no inertia of a knife or of a press.
+    // The recipe has no inertia for a knife or a press.
     if (!m_solution.cutter() && m_recipe.kind() != profile::ProgramKind::Press)
         return tr("peak %1 r/min · %2 m/s² · %3 Nm · %4 kHz")
             .arg(format.number(peaks.motorRpm, 0), format.number(peaks.accelerationMmPerS2 / 1000, 2),

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the editor's fields and lists show, made from the recipe, what follows from it, and the active
-// program.
+// The contents of the editor's fields and lists, built from the recipe, its solution and the active program.
 #pragma once
 
 #include "app/panel/editor/editor_field.h"
@@ -13,7 +12,7 @@
 
 namespace campanel::machine {
 
-// What a law asks of the machine; peaks are NaN where it makes no motion.
+// The demands of a law on the machine; peaks are NaN without a motion.
 struct LawDemand {
     profile::AxisPeaks peaks;
     bool isFeasible = false;
@@ -31,12 +30,14 @@ public:
     }
 
     [[nodiscard]] FieldView field(profile::Field field) const;
-    [[nodiscard]] FieldView lawParameter(std::size_t index) const; // not visible when the law has no such one
-    // Empty for a kind without a law.
+    [[nodiscard]] FieldView lawParameter(std::size_t index) const; // not visible when the law has no such
+                                                                   // parameter
+    // Returns an empty list for a kind without a law.
     [[nodiscard]] QList<LawRow> laws(std::optional<profile::LawId> compared) const;
     [[nodiscard]] QString peaks() const; // "peak 71 r/min · 1.95 m/s² · 11.8 kHz"
     [[nodiscard]] QString verdict() const;
 
+    // Returns the value with the field's decimals; ratios without superfluous zeros.
 private:
     [[nodiscard]] QString explanation(profile::Field field) const;
     [[nodiscard]] LawDemand demandOf(const profile::Law& law) const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The knots of a point cam as CSV files: those that can be brought in, and the places they can be taken to.
-// A stick may be slow or broken: everything that touches a disk happens in a thread of its own.
+// The knots of a point cam as CSV files: files to import and places to export to. A stick may be slow or
+// broken: everything that accesses a disk runs in a thread of its own.
 #pragma once
 
 #include "app/panel/kit/offer_model.h"
@@ -21,10 +21,10 @@ class KnotFiles : public QObject {
     QML_UNCREATABLE("Files of knots belong to the Editor")
     Q_PROPERTY(campanel::machine::OfferModel* files READ files CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::OfferModel* places READ places CONSTANT FINAL)
-    // The folder of this panel, the place that is always there.
+    // The folder of this panel, which is always available.
     Q_PROPERTY(QString ownFolder READ ownFolder CONSTANT FINAL)
     Q_PROPERTY(bool busy READ busy NOTIFY changed FINAL)
-    // What became of the last write: where the file is, or why there is none. Empty until then.
+    // The result of the last write: the path, or the error. Empty until then.
     Q_PROPERTY(QString message READ message NOTIFY changed FINAL)
     Q_PROPERTY(bool failed READ failed NOTIFY changed FINAL)
 
@@ -33,15 +33,15 @@ public:
         QList<store::Place> places;
         QList<store::KnotsOffer> offers;
     };
-    // Looks for places and files; called in another thread.
+    // Searches for places and files; called in another thread.
     using Looker = std::function<Found(const QString& ownFolder)>;
 
     KnotFiles(const QString& ownFolder, QObject* parent);
     ~KnotFiles() override;
 
-    // Instead of the disks of this computer, for tests and captures.
+    // Replaces the search of this computer's disks, for tests and captures.
     void setLooker(Looker looker) { m_looker = std::move(looker); }
-    // What would be written, and the name of the recipe that it belongs to.
+    // Sets the knots to write and the name of their recipe.
     void show(const std::vector<profile::Knot>& knots, const QString& recipeName);
 
     [[nodiscard]] OfferModel* files() { return &m_files; }
@@ -51,11 +51,11 @@ public:
     [[nodiscard]] QString message() const { return m_message; }
     [[nodiscard]] bool failed() const { return m_failed; }
 
-    // Looks again at what there is and forgets the message.
+    // Searches again and clears the message.
     Q_INVOKABLE void look();
-    // Takes over the knots of a file that is usable.
+    // Imports the knots of a usable file.
     Q_INVOKABLE void take(int file);
-    // Writes a new file to that place, then looks again.
+    // Writes a new file to that place, then searches again.
     Q_INVOKABLE void write(int place);
 
 signals:
@@ -77,7 +77,7 @@ private:
     QString m_message;
     bool m_failed = false;
     int m_jobs = 0;
-    QThreadPool m_pool; // one thread; waits for it at the end
+    QThreadPool m_pool; // one thread; the destructor waits for it
 };
 
 } // namespace campanel::machine

@@ -12,12 +12,12 @@ namespace {
 
 constexpr double cycleDeg = 360;
 
-// Share of the cycle on the time axis at which the master passes this angle of the cam.
+// Returns the share of the cycle on the time axis at which the master passes this angle of the cam.
 double shareOf(const profile::PointCamProgram& program, double masterDeg)
 {
     const double behind = (masterDeg - program.phaseDeg) / cycleDeg;
     const bool isWhole = std::floor(behind) == behind;
-    // The first knot begins the axis and the last one ends it.
+    // The first knot is at the start of the axis and the last one at its end.
     const double share = isWhole && masterDeg >= cycleDeg ? 1 : behind - std::floor(behind);
     return program.masterRateRevPerMin < 0 ? 1 - share : share;
 }
@@ -38,7 +38,7 @@ KnotModel::KnotModel(QObject* parent)
 void KnotModel::show(const std::optional<profile::PointCamProgram>& program, double cycleS)
 {
     if (!program && !m_program)
-        return; // another kind, as before: nobody is told
+        return; // still another kind: nothing to report
     const int before = count();
     const int after = program ? static_cast<int>(program->knots.size()) : 0;
     if (before != after)

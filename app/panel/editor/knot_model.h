@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The knots of a point cam as a list and as handles on the curve. It shows what the Editor gives it and asks
-// the Editor for every change.
+// The knots of a point cam as a list and as handles on the curve. It displays the Editor's values and sends
+// every change to the Editor.
 #pragma once
 
 #include "app/panel/editor/editor_field.h"
@@ -19,10 +19,10 @@ class KnotModel : public QAbstractListModel {
     QML_UNCREATABLE("Knots belong to the Editor")
     Q_PROPERTY(int count READ count NOTIFY changed FINAL)
     Q_PROPERTY(int selected READ selected WRITE select NOTIFY changed FINAL)
-    // Place of the selected knot; for the keypad.
+    // The place of the selected knot; for the keypad.
     Q_PROPERTY(campanel::machine::EditorField* master READ master CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::EditorField* slave READ slave CONSTANT FINAL)
-    // Where the knots stand on the time axis of the curves, s.
+    // The times of the knots on the time axis of the curves, s.
     Q_PROPERTY(QList<double> times READ times NOTIFY changed FINAL)
     Q_PROPERTY(QString wrapText READ wrapText NOTIFY changed FINAL)
     Q_PROPERTY(bool canRepair READ canRepair NOTIFY changed FINAL)
@@ -33,7 +33,7 @@ public:
 
     explicit KnotModel(QObject* parent);
 
-    // The program as it is now and the seconds of its cycle; nothing for other kinds.
+    // Sets the program and the seconds of its cycle; nothing for other kinds.
     void show(const std::optional<profile::PointCamProgram>& program, double cycleS);
 
     [[nodiscard]] int count() const;
@@ -46,17 +46,17 @@ public:
     [[nodiscard]] bool canRepair() const;
     [[nodiscard]] bool canRemove() const;
 
-    // Moves a knot by so many seconds of the time axis and mm of the curve from where it was when the drag
-    // began; endDrag() makes it one step of undo.
+    // Start and end a drag of a knot. The offset is in seconds of the time axis and mm of the curve, from the
+    // start of the drag; endDrag() makes it one undo step.
     Q_INVOKABLE void beginDrag(int index);
     Q_INVOKABLE void drag(double seconds, double mm);
     Q_INVOKABLE void endDrag();
-    // A new knot on the curve at this time; it becomes the selected one.
+    // Inserts a knot on the curve at this time and selects it.
     Q_INVOKABLE void insert(double seconds);
-    // The same halfway to the next one, of the last one halfway to the one before.
+    // Inserts a knot halfway to the next one; after the last knot, halfway to the previous one.
     Q_INVOKABLE void insertAfterSelected();
     Q_INVOKABLE void removeSelected();
-    // Periodic ends, so that nothing jumps where the cycle closes.
+    // Sets periodic ends, so that nothing jumps at the wrap.
     Q_INVOKABLE void repairWrap();
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;

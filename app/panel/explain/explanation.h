@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a derived number comes about, as a person reads it: what it is, the formula, the numbers put in, the
-// result.
+// The explanation of a derived number: meaning, formula, formula with numbers, result.
 #pragma once
 
 #include <QMetaType>
@@ -17,13 +16,13 @@ struct Explanation {
 
 public:
     QString title;
-    QString value; // in the language's digits, "--" when unknown
+    QString value; // in localized digits, "--" when unknown
     QString unit;  // empty for a count
     QString meaning;
-    QString formula; // in words: "set length + mean deviation"
-    QString numbers; // the same in numbers: "250.00 + 0.02"; empty while one of them is not known
+    QString formula; // as text: "set length + mean deviation"
+    QString numbers; // with numbers: "250.00 + 0.02"; empty while one of them is unknown
 
-    // All of it in lines: meaning, formula, "= numbers", "= value unit".
+    // Returns all parts in lines: meaning, formula, "= numbers", "= value unit".
     [[nodiscard]] QString text() const;
 };
 

@@ -16,7 +16,7 @@ namespace campanel::machine {
 
 namespace {
 
-// "a + b" of numbers that are all known, else nothing.
+// Returns the text when all numbers are known, else an empty one.
 QString ifKnown(std::initializer_list<double> numbers, const QString& text)
 {
     for (const double number : numbers) {

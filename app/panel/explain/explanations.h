@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Explanations` in QML: the derived numbers of Run, of the Motion verdict, of the line's figures and of the
-// trends explained, each as it is at that moment. What a field of the recipe follows from is told by its
-// EditorField.
+// `Explanations` in QML: explains the derived numbers of Run, of the Motion verdict, of the link figures and
+// of the trends with their present values. A field of the recipe is explained by its EditorField.
 #pragma once
 
 #include "app/panel/explain/explanation.h"
@@ -57,22 +56,22 @@ public:
         Trends& trends;
     };
 
-    // All must outlive it.
+    // All arguments must outlive the object.
     Explanations(const Sources& sources, QObject* parent);
 
-    // The instance that attachToEngine() gave to this engine.
     static Explanations* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
-    // `quantity` is one of Quantity; of the packing line and the press those of the controller, FastestRate
-    // and the peaks those of the recipe in the editor.
+    // Explains a value of Quantity. Packing line and press use the controller's values; FastestRate and the
+    // peaks use the recipe in the editor.
     [[nodiscard]] Q_INVOKABLE campanel::machine::Explanation of(int quantity) const;
-    // What can be told of the recipe's verdict: of FastestRate and the peaks those that are known. A list of
-    // quantities.
+    // Returns the explainable quantities of the recipe's verdict: the known ones of FastestRate and the
+    // peaks.
     [[nodiscard]] Q_INVOKABLE QList<int> ofVerdict() const;
-    // The statistics of a curve of the trends, counted from the top; a list of Explanation, empty while
-    // nothing was recorded in the window.
+    // Explains the statistics of a trend curve, counted from the top. Returns a list of Explanation, empty
+    // when nothing was recorded in the window.
     [[nodiscard]] Q_INVOKABLE QVariantList ofTrend(int lane) const;
-    // What its cursor reads, {lowest, mean, highest}: one Explanation, none where nothing was recorded.
+    // Explains the values at the cursor, {lowest, mean, highest}. Returns one Explanation, or none when
+    // nothing was recorded.
     [[nodiscard]] Q_INVOKABLE QVariantList ofTrendCursor(int lane, const QList<double>& values) const;
 
 private:
@@ -86,7 +85,7 @@ private:
     [[nodiscard]] Explanation wireShare() const;
     [[nodiscard]] Explanation answers(Quantity quantity) const;
     [[nodiscard]] Explanation answerAllowance() const;
-    [[nodiscard]] static QString trendUnit(int quantity); // of Trends.Quantity
+    [[nodiscard]] static QString trendUnit(int quantity); // for a Trends.Quantity
 
     Machine& m_machine;
     Editor& m_editor;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What was counted on the line and kept as trends, explained; see explanations.h.
+// Explains the statistics of the line and of the trends; see explanations.h.
 #include "app/panel/explain/explanations.h"
 
 #include "app/panel/maintenance/line_figures.h"
@@ -23,7 +23,7 @@ double millisecondsOf(std::chrono::nanoseconds time)
     return 1000 * secondsOf(time);
 }
 
-// How many digits a mean of this quantity has after the mark, as the page shows it.
+// Returns the decimals of a mean of this quantity, as on the page.
 int decimalsOf(int quantity)
 {
     return quantity == Trends::Rate || quantity == Trends::Latency ? 1 : 2;

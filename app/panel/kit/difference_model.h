@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a download would change: one row for each number that differs between controller and editor.
+// The changes of a download: one row for each number that differs between controller and editor.
 #pragma once
 
 #include <QAbstractListModel>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gives a QML engine the objects behind the singletons of this module (Machine, Editor ...). Each engine has
-// its own, so that tests run side by side and nothing is global.
+// Assigns a QML engine the objects behind the singletons of this module (Machine, Editor ...). Each engine
+// has its own objects, so that tests run side by side and nothing is global.
 #pragma once
 
 #include <QJSEngine>
@@ -9,13 +9,13 @@
 
 namespace campanel::machine {
 
-// Name of the engine's dynamic property that holds the instance of a singleton type.
+// Returns the name of the engine's dynamic property that holds the instance of a singleton type.
 template <typename Type> [[nodiscard]] const char* instanceKey()
 {
     return Type::staticMetaObject.className();
 }
 
-// One object per singleton type. They stay owned by the caller and must outlive the engine.
+// Assigns one object per singleton type. The caller keeps the ownership; the objects must outlive the engine.
 template <typename... Types> void attachToEngine(QQmlEngine& engine, Types&... instances)
 {
     (engine.setProperty(instanceKey<Types>(), QVariant::fromValue(&instances)), ...);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Named figures as a list: what it is, how much, and whether that is worth a look.
+// Named figures as a list: name, value, and a mark for unusual values.
 #pragma once
 
 #include <QAbstractListModel>

@@ -6,8 +6,7 @@
 namespace campanel::machine {
 
 namespace {
-// The minus sign is as wide as a digit and as long as a plus; the hyphen that locales write is easily
-// overlooked.
+// Replaces the hyphen of locales by a minus sign, which is as wide as a digit and easier to see.
 QString withMinus(QString text, const QLocale& locale)
 {
     return text.replace(locale.negativeSign(), QChar(0x2212));

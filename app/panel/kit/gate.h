@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the person at the panel may do now. Everything that changes something asks the gate where it is done,
-// not only where it is shown; who is turned away is asked to log in. Without PINs it admits everybody.
+// The permissions of the person at the panel. Every function that changes something asks the gate itself, not
+// only the screen. A refused person is asked to log in. Without PINs the gate admits everybody.
 #pragma once
 
 #include <QObject>
 
 namespace campanel::machine {
 
-// Viewer: nobody is logged in where operators log in too.
+// The levels. Viewer: nobody is logged in, and operators need a login too.
 enum class Level { Viewer, Operator, Technician, Service };
 
 class Gate : public QObject {
@@ -18,7 +18,7 @@ public:
 
     [[nodiscard]] Level level() const { return m_level; }
     void setLevel(Level level) { m_level = level; }
-    // False with a refused().
+    // Returns false and emits refused() when the level is too low.
     [[nodiscard]] bool admits(Level needed)
     {
         if (m_level >= needed)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The number that stands for one that is not known, and the mean of numbers.
+// The value of an unknown number, and the mean of numbers.
 #pragma once
 
 #include <QList>
@@ -11,7 +11,7 @@ namespace campanel::machine {
 
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-// Unknown of none.
+// Returns the mean; unknown for an empty list.
 [[nodiscard]] inline double mean(const QList<double>& values)
 {
     return values.isEmpty()

@@ -6,7 +6,7 @@ namespace campanel::machine {
 void OfferModel::setRows(QList<OfferRow> rows)
 {
     if (rows == m_rows)
-        return; // the list stays where the finger left it
+        return; // the scroll position stays
     beginResetModel();
     m_rows = std::move(rows);
     endResetModel();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Things to choose from, with what there is to know about each before it is chosen: files, places.
+// A list of items to choose from, such as files and places, with their details.
 #pragma once
 
 #include <QAbstractListModel>
@@ -11,8 +11,8 @@ namespace campanel::machine {
 struct OfferRow {
     QString title;
     QString note;       // short, below the title
-    QString detail;     // what choosing it means, or why it cannot be chosen
-    bool usable = true; // else `detail` is the reason
+    QString detail;     // the consequence of choosing it, or why it cannot be chosen
+    bool usable = true; // when false, `detail` is the reason
 
     bool operator==(const OfferRow&) const = default;
 };

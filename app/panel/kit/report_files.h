@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reports taken to a stick or to the panel's own folder, as new files. A stick may be slow or broken:
-// everything that touches a disk, and the making of long texts, happens in a thread of its own.
+// Reports written as new files to a stick or to the panel's own folder. A stick may be slow or broken: disk
+// access and the creation of long texts run in a thread of their own.
 #pragma once
 
 #include "app/panel/kit/offer_model.h"
@@ -15,10 +15,10 @@
 namespace campanel::machine {
 
 struct ReportFile {
-    QString name; // a person's words; see store::freePath()
+    QString name; // readable name; see store::freePath()
     QString suffix;
     std::function<QByteArray()> content; // called in another thread
-    store::FileWriter write{};           // the same of a large one, instead of `content`
+    store::FileWriter write{};           // for large files, instead of `content`
 };
 
 class ReportFiles : public QObject {
@@ -27,20 +27,20 @@ class ReportFiles : public QObject {
     QML_UNCREATABLE("Report files belong to the Service")
     Q_PROPERTY(campanel::machine::OfferModel* places READ places CONSTANT FINAL)
     Q_PROPERTY(bool busy READ busy NOTIFY changed FINAL)
-    // What became of the last write: where the files are, or why there are none. Empty until then.
+    // The result of the last write: the paths, or the error. Empty until then.
     Q_PROPERTY(QString message READ message NOTIFY changed FINAL)
     Q_PROPERTY(bool failed READ failed NOTIFY changed FINAL)
 
 public:
-    // Looks for places; called in another thread.
+    // Searches for places; called in another thread.
     using Looker = std::function<QList<store::Place>(const QString& ownFolder)>;
 
     ReportFiles(const QString& ownFolder, QObject* parent);
     ~ReportFiles() override;
 
-    // Instead of the disks of this computer, for tests and captures.
+    // Replaces the search of this computer's disks, for tests and captures.
     void setLooker(Looker looker) { m_looker = std::move(looker); }
-    // What will be written; forgets the last message and looks for places.
+    // Sets the files to write; clears the last message and searches for places.
     void offer(QList<ReportFile> files);
 
     [[nodiscard]] OfferModel* places() { return &m_places; }
@@ -48,16 +48,16 @@ public:
     [[nodiscard]] QString message() const { return m_message; }
     [[nodiscard]] bool failed() const { return m_failed; }
 
-    // Looks again at what there is and forgets the message.
+    // Searches again and clears the message.
     Q_INVOKABLE void look();
-    // The same in silence, for who waits for a stick: the message stays.
+    // Searches again without clearing the message, for a page that waits for a stick.
     Q_INVOKABLE void refresh();
-    // Writes new files to that place, then looks again.
+    // Writes new files to that place, then searches again.
     Q_INVOKABLE void write(int place);
 
 signals:
     void changed();
-    // Of what was offered; `problem` is empty when all of it was.
+    // Emitted with the files written; `problem` is empty when all were written.
     void written(const QStringList& paths, const QString& problem);
 
 private:
@@ -73,7 +73,7 @@ private:
     bool m_failed = false;
     int m_jobs = 0;
     bool m_isRefreshing = false;
-    QThreadPool m_pool; // one thread; waits for it at the end
+    QThreadPool m_pool; // one thread; the destructor waits for it
 };
 
 } // namespace campanel::machine

@@ -19,7 +19,7 @@ QString valueText(const QJsonValue& value)
 {
     if (value.isString())
         return value.toString();
-    if (value.isArray()) // a point cam's knots
+    if (value.isArray()) // the knots of a point cam
         return QString::fromUtf8(QJsonDocument(value.toArray()).toJson(QJsonDocument::Compact));
     return value.toVariant().toString();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the audit trail keeps of changes of the recipes, in stable words.
+// The audit entries of changes of the recipes, in stable words.
 #pragma once
 
 #include "app/store/logs/audit_log.h"
@@ -9,8 +9,8 @@
 
 namespace campanel::machine {
 
-// The values that differ, by their keys in the recipe's file: "version 3: bag_length_mm 250" to "version 4:
-// bag_length_mm 260". `before`: the newest version so far, empty for a new recipe.
+// Returns an entry of the differing values, by their keys in the recipe's file: "version 3: bag_length_mm
+// 250" to "version 4: bag_length_mm 260". `before`: the newest earlier version, empty for a new recipe.
 [[nodiscard]] store::AuditEntry recipeSaved(const std::optional<store::RecipeVersion>& before,
                                             const store::RecipeVersion& kept);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recipe files on a stick or in the panel's own folder, each with what taking it would mean. A stick may be
-// slow or broken: everything that touches a disk happens in a thread of its own.
+// Recipe files on a stick or in the panel's own folder, each with the consequence of importing it. A stick
+// may be slow or broken: everything that accesses a disk runs in a thread of its own.
 #pragma once
 
 #include "app/panel/kit/offer_model.h"
@@ -19,20 +19,20 @@ class RecipeFiles : public QObject {
     QML_ELEMENT
     QML_UNCREATABLE("Recipe files belong to the Recipes")
     Q_PROPERTY(campanel::machine::OfferModel* files READ files CONSTANT FINAL)
-    // The folder of this panel, the place that is always there.
+    // The folder of this panel, which is always available.
     Q_PROPERTY(QString ownFolder READ ownFolder CONSTANT FINAL)
     Q_PROPERTY(bool busy READ busy NOTIFY changed FINAL)
 
 public:
-    // Looks for files; called in another thread.
+    // Searches for files; called in another thread.
     using Looker = std::function<QList<store::RecipeOffer>(const QString& ownFolder)>;
-    // What taking it would mean, a whole sentence.
+    // Returns the consequence of importing the recipe, a whole sentence.
     using Consequence = std::function<QString(const program::Recipe& recipe)>;
 
     RecipeFiles(const QString& ownFolder, Consequence consequence, QObject* parent);
     ~RecipeFiles() override;
 
-    // Instead of the disks of this computer, for tests and captures.
+    // Replaces the search of this computer's disks, for tests and captures.
     void setLooker(Looker looker) { m_looker = std::move(looker); }
 
     [[nodiscard]] OfferModel* files() { return &m_files; }
@@ -40,9 +40,9 @@ public:
     [[nodiscard]] bool busy() const { return m_jobs > 0; }
 
     Q_INVOKABLE void look();
-    // The same in silence, for who waits for a stick.
+    // Searches again without clearing the message, for a page that waits for a stick.
     Q_INVOKABLE void refresh();
-    // Takes over the recipe of a file that is usable.
+    // Imports the recipe of a usable file.
     Q_INVOKABLE void take(int file);
 
 signals:
@@ -60,7 +60,7 @@ private:
     QList<store::RecipeOffer> m_found;
     int m_jobs = 0;
     bool m_isRefreshing = false;
-    QThreadPool m_pool; // one thread; waits for it at the end
+    QThreadPool m_pool; // one thread; the destructor waits for it
 };
 
 } // namespace campanel::machine

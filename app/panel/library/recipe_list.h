@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The recipes of the panel as a list to choose from, narrowed by a search.
+// The recipes of the panel as a list, filtered by a search.
 #pragma once
 
 #include <QAbstractListModel>
@@ -13,9 +13,9 @@ struct RecipeRow {
     QString name;
     int version = 0;
     QString summary;       // "250.0 mm · 60.0 bags/min"
-    QString savedText;     // when and by whom
-    bool isOpen = false;   // is being edited
-    bool isActive = false; // the controller has it
+    QString savedText;     // time and author
+    bool isOpen = false;   // being edited
+    bool isActive = false; // active in the controller
 
     bool operator==(const RecipeRow&) const = default;
 };

@@ -47,7 +47,7 @@ Recipes::Recipes(Machine& machine, Editor& editor, Records& records, const QStri
 {
     connect(&records.store(), &store::StoreThread::opened, this, [this] {
         reload();
-        // What is edited outlives the database: it is in a file of its own.
+        // Edits outlive the database, because they have their own file.
         keep(m_editor.storedRecipe(), {});
     });
     connect(&editor, &Editor::applied, this, [this](const Recipe& recipe) { keep(recipe, {}); });
@@ -175,7 +175,7 @@ QString Recipes::savedText(const RecipeVersion& version) const
     return version.savedBy.isEmpty() ? when : tr("%1 by %2", "date, person").arg(when, version.savedBy);
 }
 
-// Told with every step of a drag, when nothing of the list changes.
+// Follows the editor, which signals every step of a drag, also without a change of the list.
 void Recipes::followEditor()
 {
     if (m_editor.recipeName() != m_shownName || nextVersion() != m_shownNextVersion)
@@ -318,7 +318,7 @@ void Recipes::save()
     if (!m_machine.gate().admits(Level::Operator))
         return;
     keep(m_editor.recipe(), [this, before = m_editor.storedRecipe()](const RecipeVersion& kept) {
-        // Unless another recipe has been opened meanwhile.
+        // Unless another recipe has been opened since then.
         if (sameRecipe(m_editor.storedRecipe(), before))
             m_editor.takeStored(kept.recipe);
         say(tr("Saved: %1, version %2.").arg(nameOf(kept.recipe)).arg(kept.version));
@@ -467,7 +467,7 @@ void Recipes::dismissMessage()
 bool Recipes::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance()) {
-        dismissMessage(); // it was told in the other language
+        dismissMessage(); // the message is in the previous language
         show();
     }
     return QObject::eventFilter(watched, event);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Recipes` in QML: the recipes of this panel with all their versions. One is chosen in the list; what is
-// edited is the Editor's. Everything goes through the database's thread.
+// `Recipes` in QML: the recipes of this panel with all their versions. One is chosen in the list; the edited
+// one belongs to the Editor. All database access runs in the database's thread.
 #pragma once
 
 #include "app/panel/kit/difference_model.h"
@@ -33,13 +33,13 @@ class Recipes : public QObject {
     QML_ELEMENT
     QML_SINGLETON
 
-    // What the search lets through; the one saved last comes first.
+    // The recipes that match the search; the one saved last comes first.
     Q_PROPERTY(campanel::machine::RecipeList* list READ list CONSTANT FINAL)
     Q_PROPERTY(QString search READ search WRITE setSearch NOTIFY listChanged FINAL)
     Q_PROPERTY(int total READ total NOTIFY listChanged FINAL)  // without the search
     Q_PROPERTY(bool ready READ ready NOTIFY listChanged FINAL) // the database has been read
 
-    // The chosen one as a row of the list, -1: none, and what there is to know about it.
+    // The chosen recipe: its row in the list, -1: none, and its details.
     Q_PROPERTY(int chosen READ chosen NOTIFY listChanged FINAL)
     Q_PROPERTY(QString chosenName READ chosenName NOTIFY listChanged FINAL)
     Q_PROPERTY(QString chosenNote READ chosenNote NOTIFY listChanged FINAL)
@@ -47,20 +47,20 @@ class Recipes : public QObject {
     Q_PROPERTY(bool chosenIsActive READ chosenIsActive NOTIFY listChanged FINAL)
     Q_PROPERTY(campanel::machine::FigureModel* figures READ figures CONSTANT FINAL)
 
-    // The name that is being entered, and why it cannot be had; empty: it can.
+    // The name being entered, and the reason why it is not available; empty when it is.
     Q_PROPERTY(QString wantedName READ wantedName WRITE setWantedName NOTIFY wantedNameChanged FINAL)
     Q_PROPERTY(QString nameProblem READ nameProblem NOTIFY wantedNameChanged FINAL)
 
-    // What the chosen one is compared with: its versions or the other recipes, and what differs.
+    // The versions or other recipes to compare the chosen one with, and the differences.
     Q_PROPERTY(campanel::machine::OfferModel* candidates READ candidates CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::DifferenceModel* differences READ differences CONSTANT FINAL)
     Q_PROPERTY(QString beforeTitle READ beforeTitle NOTIFY comparisonChanged FINAL)
     Q_PROPERTY(QString afterTitle READ afterTitle NOTIFY comparisonChanged FINAL)
     Q_PROPERTY(bool compared READ compared NOTIFY comparisonChanged FINAL)
 
-    Q_PROPERTY(int nextVersion READ nextVersion NOTIFY listChanged FINAL) // that the edited recipe would have
-    Q_PROPERTY(QString message READ message NOTIFY messageChanged FINAL)  // what became of the last verb
-    Q_PROPERTY(bool canRestore READ canRestore NOTIFY messageChanged FINAL) // what was deleted last
+    Q_PROPERTY(int nextVersion READ nextVersion NOTIFY listChanged FINAL) // next version of the edited recipe
+    Q_PROPERTY(QString message READ message NOTIFY messageChanged FINAL)  // result of the last action
+    Q_PROPERTY(bool canRestore READ canRestore NOTIFY messageChanged FINAL) // the last deletion
     Q_PROPERTY(campanel::machine::RecipeFiles* files READ files CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::ReportFiles* exports READ exports CONSTANT FINAL)
 
@@ -68,18 +68,17 @@ public:
     using WallClock = std::function<QDateTime()>;
     using Author = std::function<QString()>;
 
-    // All must outlive it. Files of its own are exchanged in a folder below `folder`.
+    // All arguments must outlive the object. Its own files are in a folder below `folder`.
     Recipes(Machine& machine, Editor& editor, Records& records, const QString& folder, QObject* parent);
     ~Recipes() override;
 
-    // The instance that attachToEngine() gave to this engine.
     static Recipes* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
-    // Who is at the panel; empty while nobody is known.
+    // Sets the function that returns the person at the panel; empty while unknown.
     void setAuthor(Author author) { m_author = std::move(author); }
 
-    // Reads all again: something else has written the database.
+    // Reads all recipes again after the database was changed elsewhere.
     void reload();
 
     [[nodiscard]] RecipeList* list() { return &m_list; }
@@ -108,13 +107,14 @@ public:
     [[nodiscard]] ReportFiles* exports() { return &m_exports; }
 
     Q_INVOKABLE void choose(int row);
-    // The chosen one into the Editor; edits that were not saved are gone.
+    // Opens the chosen recipe in the Editor; unsaved edits are lost.
     Q_INVOKABLE void open();
-    // The edited recipe as the next version of its name.
+    // Saves the edited recipe as the next version of its name.
     Q_INVOKABLE void save();
-    // These take wantedName, which must have no problem. A new one and a copy are opened.
+    // Create, copy and rename with wantedName, which must have no problem. A new recipe and a copy are
+    // opened.
     Q_INVOKABLE void create(int kind);
-    Q_INVOKABLE void copy(); // of the chosen one
+    Q_INVOKABLE void copy(); // the chosen recipe
     Q_INVOKABLE void saveAs();
     Q_INVOKABLE void rename();
     Q_INVOKABLE void remove();
@@ -124,17 +124,17 @@ public:
     // Fills the candidates with the versions of the chosen recipe, or with the other recipes.
     Q_INVOKABLE void lookAtVersions();
     Q_INVOKABLE void lookAtOthers();
-    // Of the candidates: a version with the one before it or with the newest, another recipe with the chosen
+    // Compares a candidate: a version with the previous or the newest one, another recipe with the chosen
     // one.
     Q_INVOKABLE void compareVersion(int row, bool withNewest);
     Q_INVOKABLE void compareOther(int row);
     Q_INVOKABLE void openVersion(int row);
 
-    // What will be written by `exports`: the chosen recipe, or all of them.
+    // Sets the recipes for `exports`: the chosen one, or all of them.
     Q_INVOKABLE void offerExport(bool all);
 
 signals:
-    // For the audit trail.
+    // Emitted for the audit trail.
     void noted(const campanel::store::AuditEntry& entry);
     void listChanged();
     void wantedNameChanged();
@@ -147,9 +147,10 @@ protected:
 private:
     using Versions = QList<store::RecipeVersion>;
 
-    // Calls `job` with the library in its thread, then `done` here; an error is told.
+    // Calls `job` with the library in its thread, then `done` in this one; reports an error.
     template <typename Job, typename Done> void work(Job job, Done done);
-    // Saves it, tells of it (its `recipe` is the one that was given, under its version) and reads all again.
+    // Saves the recipe, reports it (`recipe` of the result is the given one, under its version) and reads all
+    // again.
     void keep(const program::Recipe& recipe, std::function<void(const store::RecipeVersion& kept)> done);
     void keepAndOpen(const program::Recipe& recipe,
                      std::function<QString(const program::Recipe& kept)> sentence);
@@ -163,7 +164,7 @@ private:
     [[nodiscard]] const store::RecipeVersion* chosenRecipe() const;
     [[nodiscard]] const store::RecipeVersion* named(const QString& name) const;
     [[nodiscard]] program::Recipe onThisMachine(program::Recipe recipe) const;
-    // The first version under the wanted name.
+    // Returns the recipe as first version of the wanted name.
     [[nodiscard]] program::Recipe renamed(program::Recipe recipe) const;
     [[nodiscard]] QString savedText(const store::RecipeVersion& version) const;
     [[nodiscard]] QString consequence(const program::Recipe& recipe) const;
@@ -180,12 +181,12 @@ private:
     DifferenceModel m_differences{this};
     RecipeFiles m_files;
     ReportFiles m_exports;
-    Versions m_compared; // behind the candidates
+    Versions m_compared; // the rows of the candidates
     QString m_beforeTitle;
     QString m_afterTitle;
     QString m_search;
     QString m_wantedName;
-    QString m_shownName; // of the recipe in the Editor when the list was shown, and its next version
+    QString m_shownName; // name of the Editor's recipe at the last update of the list, and its next version
     int m_shownNextVersion = 0;
     QString m_message;
     qint64 m_chosenId = 0;

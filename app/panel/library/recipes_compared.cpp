@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recipes against one another and against their own past, and their ways in and out.
+// The comparison of recipes and versions, and import and export.
 #include "app/panel/library/recipes.h"
 
 #include "app/panel/controller/machine.h"

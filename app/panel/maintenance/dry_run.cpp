@@ -14,10 +14,10 @@ namespace campanel::machine {
 namespace {
 
 constexpr auto playPeriod = 33ms;
-constexpr double playDegPerS = 24; // a cycle in a quarter of a minute: the eye keeps up
+constexpr double playDegPerS = 24; // one cycle in 15 seconds, slow enough for the eye
 constexpr double degPerFrame = playDegPerS * 0.033;
 constexpr int bagsInSight = 5;
-constexpr int manyCycles = 100; // the picture of the film needs no more
+constexpr int manyCycles = 100; // sufficient for the picture of the film
 
 double degAt(double x, double y)
 {
@@ -86,7 +86,7 @@ double DryRun::syncEndMasterDeg() const
     return cutter() ? solution()->cutter()->angleDegAt(solution()->cutter()->cycle.tcS) : unknown;
 }
 
-// As in the header of what is downloaded.
+// Returns the angle, as in the header of a download.
 double DryRun::cutMasterDeg() const
 {
     return (syncStartMasterDeg() + syncEndMasterDeg()) / 2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Service.dryRun` in QML: the edited recipe turned by a finger. Computes what knife, film or axis would do
-// at each angle of the master; nothing of it goes to the controller. NaN while there is no motion.
+// `Service.dryRun` in QML: the edited recipe turned by hand on the screen. Computes the knife, the film or
+// the axis at each angle of the master; sends nothing to the controller. NaN while there is no motion.
 #pragma once
 
 #include "app/panel/kit/figure_model.h"
@@ -20,15 +20,15 @@ class DryRun : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The dry run belongs to the Service")
-    // There is a motion to look at, even one that breaks a limit.
+    // True when the recipe has a motion, even one that exceeds a limit.
     Q_PROPERTY(bool available READ available NOTIFY changed FINAL)
     Q_PROPERTY(bool cutter READ cutter NOTIFY changed FINAL)
     Q_PROPERTY(double masterDeg READ masterDeg NOTIFY changed FINAL) // 0..360, one cycle
-    Q_PROPERTY(double timeS READ timeS NOTIFY changed FINAL)         // in it, at full speed
+    Q_PROPERTY(double timeS READ timeS NOTIFY changed FINAL)         // within the cycle, at full speed
     Q_PROPERTY(bool playing READ playing WRITE setPlaying NOTIFY playingChanged FINAL)
     Q_PROPERTY(campanel::machine::FigureModel* figures READ figures CONSTANT FINAL)
 
-    // Of a rotary cutter. Angles of the master, then of the knife's shaft in this cycle.
+    // Figures of a rotary cutter: angles of the master, then of the knife shaft in this cycle.
     Q_PROPERTY(double syncStartMasterDeg READ syncStartMasterDeg NOTIFY changed FINAL)
     Q_PROPERTY(double syncEndMasterDeg READ syncEndMasterDeg NOTIFY changed FINAL)
     Q_PROPERTY(double cutMasterDeg READ cutMasterDeg NOTIFY changed FINAL)
@@ -39,13 +39,13 @@ class DryRun : public QObject {
     Q_PROPERTY(bool synchronous READ synchronous NOTIFY changed FINAL)
     Q_PROPERTY(double filmPositionMm READ filmPositionMm NOTIFY changed FINAL)
     Q_PROPERTY(double bagLengthMm READ bagLengthMm NOTIFY changed FINAL)
-    // Bag boundaries as (mm before the knife, 0), as a FilmPicture draws them.
+    // The bag boundaries as (mm before the knife, 0), as drawn by a FilmPicture.
     Q_PROPERTY(QList<QPointF> cuts READ cuts NOTIFY changed FINAL)
 
 public:
     explicit DryRun(QObject* parent);
 
-    // The recipe that is turned; must outlive it.
+    // Sets the recipe to turn; it must outlive the object.
     void follow(const Editor& editor);
 
     [[nodiscard]] bool available() const;
@@ -67,10 +67,10 @@ public:
     [[nodiscard]] double bagLengthMm() const;
     [[nodiscard]] QList<QPointF> cuts() const;
 
-    // By so many degrees of the master; past 360 the next cycle begins.
+    // Turns the master by this angle; past 360 degrees the next cycle begins.
     Q_INVOKABLE void turn(double deg);
     Q_INVOKABLE void toStart();
-    // A finger on the dial, by its place from the dial's center; then where it has gone.
+    // Starts a drag on the dial, relative to its center, and moves it.
     Q_INVOKABLE void grab(double x, double y);
     Q_INVOKABLE void drag(double x, double y);
 

@@ -43,7 +43,7 @@ void FrameList::setPaused(bool isPaused)
 
 void FrameList::watchNow()
 {
-    // From its beginning the link sends all that it still knows: what was missed comes with it.
+    // The first report contains all frames that the link still has, also the missed ones.
     m_link.watchFrames(m_isWatched && !m_isPaused);
     emit changed();
 }
@@ -103,7 +103,7 @@ void FrameList::takeFrames(const QList<modbus::FrameRecord>& frames)
             continue;
         m_lastNumber = record.number;
         Entry entry = entryOf(record);
-        // The question that met an error belongs to it.
+        // The question before an error belongs to it.
         if (entry.isError && !m_ring.empty() && m_ring.back().record.isSent()) {
             Entry& question = m_ring.back();
             question.isError = true;

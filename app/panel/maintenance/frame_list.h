@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The last frames of the line as a list, the newest last, filtered by what they are for. A ring: it never
-// grows beyond what the link itself keeps, and nothing comes while nobody looks.
+// The last frames of the line as a list, newest last, filtered by purpose. The size is limited to that of the
+// link's own ring; nothing is read while the list is not watched.
 #pragma once
 
 #include "app/link/link.h"
@@ -21,11 +21,12 @@ class FrameList : public QAbstractListModel {
     QML_ELEMENT
     QML_UNCREATABLE("The frames belong to the Service")
     Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY changed FINAL)
-    // Stands still; what passes meanwhile is fetched afterwards, as far as the link still knows it.
+    // True while the list is paused. Frames that pass meanwhile are read afterwards, as far as the link still
+    // has them.
     Q_PROPERTY(bool paused READ paused WRITE setPaused NOTIFY changed FINAL)
     Q_PROPERTY(Filter filter READ filter WRITE setFilter NOTIFY changed FINAL)
     Q_PROPERTY(int count READ count NOTIFY countChanged FINAL)
-    // The frame that was tapped: when and which, then all its values, then its bytes.
+    // The selected frame: time and number, then all its values, then its bytes.
     Q_PROPERTY(QString detailTitle READ detailTitle NOTIFY detailChanged FINAL)
     Q_PROPERTY(QStringList detailLines READ detailLines NOTIFY detailChanged FINAL)
     Q_PROPERTY(QString detailBytes READ detailBytes NOTIFY detailChanged FINAL)
@@ -39,10 +40,10 @@ public:
 
     static constexpr std::size_t capacity = 2048;
 
-    // Both must outlive it.
+    // Both arguments must outlive the object.
     FrameList(link::Link& link, ReportFiles& files, QObject* parent);
 
-    // Which time of day a moment of the link's clock is, for tests and captures; now is now by default.
+    // Sets the time of day of a moment of the link's clock, for tests and captures; the default is now.
     void setTimeOfDay(link::SteadyTime moment, const QDateTime& timeOfDay);
 
     [[nodiscard]] bool watched() const { return m_isWatched; }
@@ -62,7 +63,7 @@ public:
     Q_INVOKABLE void showDetail(int row);
     Q_INVOKABLE void showPrevious();
     Q_INVOKABLE void showNext();
-    // Offers the frames that the filter shows as a text file.
+    // Offers the filtered frames as a text file.
     Q_INVOKABLE void exportText();
 
     void retranslate();
@@ -79,9 +80,9 @@ signals:
 private:
     struct Entry {
         modbus::FrameRecord record;
-        bool isCommand = false; // or the answer to one
+        bool isCommand = false; // a command or its answer
         bool isWrite = false;
-        bool isError = false; // or the question that met one
+        bool isError = false; // an error or the question that failed
     };
 
     void watchNow();
@@ -91,17 +92,17 @@ private:
     void makeRoom();
     void append(const std::deque<quint64>& numbers);
     void rebuild();
-    [[nodiscard]] const Entry* entryWith(quint64 number) const; // null when it is gone
-    // Row of the first shown frame with this number or a higher one.
+    [[nodiscard]] const Entry* entryWith(quint64 number) const; // null when it was dropped
+    // Returns the row of the first visible frame with this number or a higher one.
     [[nodiscard]] int rowFrom(quint64 number) const;
     [[nodiscard]] QString timeText(const modbus::FrameRecord& record) const;
 
     link::Link& m_link;
     ReportFiles& m_files;
     std::deque<Entry> m_ring;     // ascending numbers
-    std::deque<quint64> m_shown;  // those of them that pass
-    quint64 m_lastNumber = 0;     // seen, also when it was cleared
-    bool m_isCommandOpen = false; // what the last question was
+    std::deque<quint64> m_shown;  // those of them that match the filter
+    quint64 m_lastNumber = 0;     // last received, also before a clear
+    bool m_isCommandOpen = false; // type of the last question
     bool m_isWriteOpen = false;
     std::optional<modbus::FrameRecord> m_detail;
     link::SteadyTime m_moment;

@@ -25,7 +25,7 @@ Homing::Homing(Machine& machine, QObject* parent)
         connect(&machine, told, this, &Homing::note);
     connect(&machine, &Machine::programChanged, this, &Homing::noteProgram);
     connect(&machine, &Machine::commandEnded, this, [this](const link::CommandOutcome& outcome) {
-        // A press takes the place where it stands: done when the command is.
+        // A press sets the present position: homing ends with the command.
         if (outcome.command == modbus::Command::Home && outcome.end == link::CommandEnd::Done && !moves())
             end(Result::Done);
     });
@@ -154,7 +154,7 @@ void Homing::note()
     emit changed();
 }
 
-// Another program may be for another machine: what came of its homing is of no use.
+// Clears the result: another program may be for another machine.
 void Homing::noteProgram()
 {
     if (m_result != Result::UnderWay)

@@ -18,18 +18,18 @@ class Homing : public QObject {
     QML_UNCREATABLE("Homing belongs to the Service")
     Q_PROPERTY(Place place READ place NOTIFY changed FINAL)
     Q_PROPERTY(QString placeText READ placeText NOTIFY changed FINAL)
-    // What pressing Home does to this machine.
+    // The effect of Home on this machine.
     Q_PROPERTY(QString explanation READ explanation NOTIFY changed FINAL)
     Q_PROPERTY(QString keyText READ keyText NOTIFY changed FINAL)
     Q_PROPERTY(bool possible READ possible NOTIFY changed FINAL)
     Q_PROPERTY(QString blockedReason READ blockedReason NOTIFY changed FINAL)
-    // Home stands beside Start, where it is touched in passing: not for a press whose upper position is
-    // known, as all its strokes would become wrong.
+    // True when Home is displayed beside Start, where it may be touched by mistake. False for a press with a
+    // known upper position: homing would make all its strokes wrong.
     Q_PROPERTY(bool offered READ offered NOTIFY changed FINAL)
-    // What came of the last homing that was seen; empty before one.
+    // The result of the last homing; empty before the first.
     Q_PROPERTY(QString resultText READ resultText NOTIFY changed FINAL)
     Q_PROPERTY(bool failed READ failed NOTIFY changed FINAL)
-    // Of a press nothing turns.
+    // True when homing moves the axis; on a press nothing moves.
     Q_PROPERTY(bool moves READ moves NOTIFY changed FINAL)
     Q_PROPERTY(campanel::machine::AxisSpeed* speed READ speed CONSTANT FINAL)
 
@@ -38,7 +38,7 @@ public:
     Q_ENUM(Place)
     enum class Result { None, UnderWay, Done, Stopped, Failed, Interrupted };
 
-    // The machine must outlive it.
+    // The machine must outlive the object.
     Homing(Machine& machine, QObject* parent);
 
     [[nodiscard]] Place place() const;
@@ -53,14 +53,14 @@ public:
     [[nodiscard]] bool moves() const;
     [[nodiscard]] AxisSpeed* speed() { return &m_speed; }
 
-    // Machine::home(), when nothing blocks it.
+    // Calls Machine::home(), when nothing blocks it.
     Q_INVOKABLE void home();
 
     void retranslate() { emit changed(); }
 
 signals:
     void changed();
-    // For the audit trail: Done, Stopped, Failed or Interrupted.
+    // Emitted for the audit trail: Done, Stopped, Failed or Interrupted.
     void ended(campanel::machine::Homing::Result result);
 
 private:

@@ -15,7 +15,7 @@ namespace campanel::machine {
 
 namespace {
 
-// A lamp that shows something that came since the last look must be seen.
+// The minimum time of a lamp for a short event, so that it can be seen.
 constexpr auto lampLookPeriod = 300ms;
 
 using modbus::FaultBit;
@@ -114,7 +114,7 @@ void IoList::addAxis(QList<Row>& rows, const modbus::StatusBlock& status) const
          << Row{Side::Output, tr("Sent minus encoder"), pulses(status.followingErrorPulses), Lamp::None};
 }
 
-// Of a packing machine, whose controller tells of film, marks and products.
+// Adds the rows of a packing machine whose controller reports film, marks and products.
 void IoList::addLine(QList<Row>& rows)
 {
     const PackingLine& line = *m_machine.packing();

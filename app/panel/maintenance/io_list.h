@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the controller tells of its inputs and outputs, live, while somebody looks. It counts what comes in at
-// its pins and tells the counts, not the levels; nothing else is shown.
+// The controller's inputs and outputs, updated while they are watched. The controller counts the edges at its
+// pins and sends the counts, not the levels; the list contains nothing else.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -17,28 +17,28 @@ class IoList : public QAbstractListModel {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("Inputs and outputs belong to the Service")
-    // While it is false nothing is updated.
+    // True while the list is displayed; otherwise nothing is updated.
     Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
-    // All rows are older than a second, or of no connection.
+    // True when all rows are older than a second, or without a connection.
     Q_PROPERTY(bool stale READ stale NOTIFY staleChanged FINAL)
 
 public:
     enum class Side { Input, Output, Fault, Warning };
     Q_ENUM(Side)
-    enum class Lamp { None, Off, On, Bad }; // Bad: on, and worth a look
+    enum class Lamp { None, Off, On, Bad }; // Bad: on, and needs attention
     Q_ENUM(Lamp)
     enum Role { NameRole = Qt::UserRole + 1, ValueRole, SideRole, LampRole };
 
     struct Row {
         Side side = Side::Input;
         QString name;
-        QString value; // empty for a bit: its lamp is all
+        QString value; // empty for a bit, which has only a lamp
         Lamp lamp = Lamp::None;
 
         bool operator==(const Row&) const = default;
     };
 
-    // The machine must outlive it.
+    // The machine must outlive the object.
     IoList(Machine& machine, QObject* parent);
 
     [[nodiscard]] bool watched() const { return m_timer.isActive(); }
@@ -66,7 +66,7 @@ private:
     QTimer m_timer;
     QList<Row> m_rows;
     bool m_isStale = true;
-    double m_marks = 0; // at the last look
+    double m_marks = 0; // at the last update
     double m_products = 0;
 };
 

@@ -67,7 +67,7 @@ Jog::Jog(Machine& machine, QObject* parent)
                             &Machine::programChanged})
         connect(&machine, told, this, &Jog::check);
     connect(&machine, &Machine::liveChanged, this, &Jog::positionChanged);
-    // Any command, Stop above all: whoever sends one does not jog.
+    // Any command ends jogging, above all Stop.
     connect(&machine, &Machine::commandSending, this, [this] { finish(End::Stopped); });
 }
 
@@ -191,7 +191,7 @@ void Jog::letGo()
 
 void Jog::begin(int direction)
 {
-    tellEnd(); // of the one before
+    tellEnd(); // for the previous one
     m_held = direction;
     m_isRefused = false;
     m_machine.link().setJog(linkDirection(direction));

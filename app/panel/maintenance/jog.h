@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Jogging from the screen: the axis moves while exactly one key is held, and no longer. The link is told
-// again and again as long as it is; a panel that hangs lets go. What ended it by itself must be let go first.
+// Jogging from the screen: the axis moves only while exactly one key is held. The link needs a periodic
+// update from the screen, so a panel that hangs stops the axis. After an automatic stop the key must be
+// released first.
 #pragma once
 
 #include "app/panel/controller/axis_speed.h"
@@ -17,11 +18,11 @@ class Jog : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("Jog belongs to the Service")
-    // A key that is pressed now would move the axis.
+    // True when pressing a key would move the axis.
     Q_PROPERTY(bool possible READ possible NOTIFY changed FINAL)
-    // What the controller is asked for: 1 forward, -1 in reverse, 0 nothing.
+    // The requested direction: 1 forward, -1 reverse, 0 none.
     Q_PROPERTY(int held READ held NOTIFY changed FINAL)
-    // What it does, what blocks it, or what ended it.
+    // The present movement, or the reason why it is blocked or ended.
     Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
     Q_PROPERTY(bool troubled READ troubled NOTIFY changed FINAL) // the text is a reason not to move
     Q_PROPERTY(QString forwardNote READ forwardNote NOTIFY changed FINAL)
@@ -30,10 +31,10 @@ class Jog : public QObject {
     Q_PROPERTY(campanel::machine::AxisSpeed* speed READ speed CONSTANT FINAL)
 
 public:
-    // What ended a jog.
+    // The reason for the end of a jog.
     enum class End { Released, Stopped, Blocked, BothKeys, LeftScreen };
 
-    // The machine must outlive it.
+    // The machine must outlive the object.
     Jog(Machine& machine, QObject* parent);
 
     [[nodiscard]] bool possible() const;
@@ -45,10 +46,10 @@ public:
     [[nodiscard]] double positionPulses() const;
     [[nodiscard]] AxisSpeed* speed() { return &m_speed; }
 
-    // A finger goes down on a key and up again; direction 1 or -1. For technicians.
+    // Handle a finger on a key, down and up; direction 1 or -1. For technicians.
     Q_INVOKABLE void press(int direction);
     Q_INVOKABLE void release(int direction);
-    // The keys are not on the screen any more, or the window is not in front.
+    // Stops the jog when the keys leave the screen or the window is not in front.
     Q_INVOKABLE void letGo();
 
     void retranslate() { emit changed(); }
@@ -56,8 +57,8 @@ public:
 signals:
     void changed();
     void positionChanged();
-    // For the audit trail, with the position in pulses, NaN when it is not known: a key is held; and once the
-    // axis stands again, or the line is lost.
+    // Emitted for the audit trail, with the position in pulses, NaN when it is unknown. begun() comes with
+    // the key; ended() when the axis stands still or the line is lost.
     void begun(int direction, double positionPulses);
     void ended(int direction, campanel::machine::Jog::End end, double positionPulses);
 
@@ -72,13 +73,13 @@ private:
     Machine& m_machine;
     AxisSpeed m_speed;
     QTimer m_repeatTimer;
-    QTimer m_patienceTimer; // with a controller that does not move
-    QTimer m_settleTimer;   // until it stands
+    QTimer m_patienceTimer; // limits the wait for a controller that does not move
+    QTimer m_settleTimer;   // until the axis stands still
     unsigned m_pressed = 0; // keys under a finger, as bits
     int m_held = 0;
-    int m_endedDirection = 0; // one that is not yet told as ended
+    int m_endedDirection = 0; // ended but not reported yet
     End m_end = End::Released;
-    bool m_isRefused = false; // held for some time, and the controller does not move
+    bool m_isRefused = false; // held for some time without movement
 };
 
 } // namespace campanel::machine

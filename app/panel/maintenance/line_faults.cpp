@@ -18,7 +18,7 @@ struct ReadyMade {
     const char* often;
 };
 
-// At full speed some 80 exchanges pass in a second: a probability of 0.001 is once in twelve seconds.
+// About 80 exchanges pass per second at full speed: a probability of 0.001 means once in twelve seconds.
 constexpr std::array faults{
     ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Late answers"),
               QT_TRANSLATE_NOOP("campanel::machine::LineFaults",
@@ -109,7 +109,7 @@ void LineFaults::clear()
 void LineFaults::send()
 {
     if (m_sent)
-        return; // the answer goes on
+        return; // the answer continues
     m_sent = m_wanted;
     m_link.simulateFaults(rules(m_wanted));
 }
@@ -130,7 +130,7 @@ void LineFaults::takeOutcome(const link::FaultsOutcome& outcome)
         send();
 }
 
-// A simulated controller that was started anew by the choice of a connection has no faults.
+// Clears the faults of a simulated controller that was restarted by another connection.
 void LineFaults::takeReport(const link::LinkReport& report)
 {
     const bool isAnother = report.simulator == link::SimulatorState::Starting || !report.simulated;

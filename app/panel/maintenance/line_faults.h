@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Service.lineFaults` in QML: what goes wrong, on purpose, on the line to the simulated controller. A list
-// of ready-made faults in words, each off, sometimes or often. A level shown is one that the controller
-// accepted.
+// `Machine.lineFaults` in QML: simulated faults on the line to the simulated controller. A list of predefined
+// faults, each off, sometimes or often. The displayed level is the one that the controller accepted.
 #pragma once
 
 #include "app/link/link.h"
@@ -21,9 +20,9 @@ class LineFaults : public QAbstractListModel {
     QML_UNCREATABLE("The line faults belong to the Service")
 
     Q_PROPERTY(int activeCount READ activeCount NOTIFY changed FINAL)
-    // What is active, in words.
+    // The active faults as text.
     Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
-    // Why the last change was not made; empty when it was.
+    // The reason why the last change failed; empty after a success.
     Q_PROPERTY(QString errorText READ errorText NOTIFY changed FINAL)
 
 public:
@@ -31,10 +30,10 @@ public:
     Q_ENUM(Level)
     enum Role { NameRole = Qt::UserRole + 1, NoteRole, LevelRole };
 
-    // Both must outlive it. Changes are for technicians.
+    // Link and gate must outlive the object. Changes are for technicians.
     LineFaults(link::Link& link, Gate& gate, QObject* parent);
 
-    // At another level from the moment that the controller accepts it.
+    // Requests another level; it becomes valid when the controller accepts it.
     Q_INVOKABLE void setLevel(int row, int level);
     Q_INVOKABLE void clear();
     void retranslate();
@@ -42,7 +41,7 @@ public:
     [[nodiscard]] int activeCount() const;
     [[nodiscard]] QString text() const;
     [[nodiscard]] QString errorText() const;
-    // Rules for campanel-controller of these levels, one for each row of the list.
+    // Returns the rules of these levels for campanel-controller, one level for each row of the list.
     [[nodiscard]] static QStringList rules(const QList<Level>& levels);
     [[nodiscard]] QStringList rulesInForce() const { return rules(m_levels); }
 
@@ -61,9 +60,9 @@ private:
 
     link::Link& m_link;
     Gate& m_gate;
-    QList<Level> m_levels; // in force
+    QList<Level> m_levels; // accepted
     QList<Level> m_wanted;
-    std::optional<QList<Level>> m_sent; // not yet answered
+    std::optional<QList<Level>> m_sent; // sent but not answered
     std::optional<link::FaultsOutcome> m_failure;
 };
 

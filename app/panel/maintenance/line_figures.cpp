@@ -137,7 +137,8 @@ void LineFigures::showStrip()
     m_stripP99Ms.clear();
     for (const modbus::MinuteFigures& minute : strip) {
         const auto errors = std::accumulate(minute.errors.begin(), minute.errors.end(), 0.0);
-        const bool isKnown = minute.answers > 0 || errors > 0; // else there was no connection, or no panel
+        const bool isKnown = minute.answers > 0 || errors > 0; // otherwise there was no connection, or no
+                                                               // panel
         m_stripAnswers << (isKnown ? minute.answers : unknown);
         m_stripErrors << (isKnown ? errors : unknown);
         m_stripP99Ms << (minute.answers > 0 ? minute.latencyP99Us / 1000.0 : unknown);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What has passed on the line, counted: exchanges, errors by class, times, the controller's own counters, and
-// the last 24 hours minute by minute. Comes once a second while it is watched.
+// The statistics of the line: exchanges, errors by class, times, the controller's own counters, and the last
+// 24 hours minute by minute. Updated once a second while it is watched.
 #pragma once
 
 #include "app/link/link.h"
@@ -25,14 +25,14 @@ class LineFigures : public QObject {
     Q_PROPERTY(campanel::machine::FigureModel* errors READ errors CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::FigureModel* times READ times CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::FigureModel* controller READ controller CONSTANT FINAL)
-    // One number for each minute, oldest first, the last one of the minute `stripEnd`; NaN: nothing happened.
+    // One number for each minute, oldest first; the last one is the minute `stripEnd`. NaN: no exchange.
     Q_PROPERTY(QList<double> stripAnswers READ stripAnswers NOTIFY stripChanged FINAL)
     Q_PROPERTY(QList<double> stripErrors READ stripErrors NOTIFY stripChanged FINAL)
     Q_PROPERTY(QList<double> stripP99Ms READ stripP99Ms NOTIFY stripChanged FINAL)
     Q_PROPERTY(QDateTime stripEnd READ stripEnd NOTIFY stripChanged FINAL)
 
 public:
-    // Both must outlive it.
+    // Both arguments must outlive the object.
     LineFigures(link::Link& link, ReportFiles& files, QObject* parent);
 
     [[nodiscard]] bool watched() const { return m_isWatched; }
@@ -45,13 +45,14 @@ public:
     [[nodiscard]] QList<double> stripErrors() const { return m_stripErrors; }
     [[nodiscard]] QList<double> stripP99Ms() const { return m_stripP99Ms; }
     [[nodiscard]] QDateTime stripEnd() const { return m_stripEnd; }
-    // What came last; empty before the first.
+    // Returns the last report; empty before the first.
     [[nodiscard]] const std::optional<link::FiguresReport>& report() const { return m_report; }
 
-    // Tells `context` of the next report, which comes within a second also when nobody watches.
+    // Calls `take` with the next report, within a second, also when the figures are not watched. The call
+    // ends with `context`.
     void readOnce(QObject* context, const std::function<void(const link::FiguresReport&)>& take);
 
-    // Counts from zero.
+    // Resets all counters.
     Q_INVOKABLE void reset();
     // Offers figures and strip as two CSV files.
     Q_INVOKABLE void exportCsv();
@@ -82,7 +83,7 @@ private:
     QList<double> m_stripP99Ms;
     QDateTime m_stripEnd;
     bool m_isWatched = false;
-    int m_readers = 0; // who waits for one report
+    int m_readers = 0; // pending readOnce() calls
 };
 
 } // namespace campanel::machine

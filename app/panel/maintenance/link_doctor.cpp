@@ -128,7 +128,7 @@ void LinkDoctor::take()
 void LinkDoctor::takeLinkReport(const link::LinkReport& report)
 {
     m_isStopWaiting = report.pendingStop.has_value();
-    // Somebody pressed Stop: the ports are wanted for it now.
+    // Stop was pressed and needs the ports now.
     if (m_isStopWaiting && report.isScanning)
         m_machine.link().cancelScan();
     emit changed();
@@ -139,7 +139,7 @@ void LinkDoctor::takeDownload(const link::DownloadReport& report)
     const bool isBegun = report.stage == link::DownloadStage::Transferring ||
                          report.stage == link::DownloadStage::Sealing ||
                          report.stage == link::DownloadStage::Armed;
-    // One that lost its connection waits for what the doctor finds.
+    // A download that lost its connection waits for the doctor's result.
     const bool isDownloading = isBegun && !report.isInterrupted;
     if (isDownloading == m_isDownloading)
         return;

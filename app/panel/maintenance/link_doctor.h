@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why there is no connection, and where the controller is: diagnosis and search, their findings in words, and
-// the found connection taken over. Never begins while something moves: a scan closes the connection.
+// Finds out why there is no connection and where the controller is: diagnosis, search, their findings as
+// text, and the use of the connection found. Never starts while something moves: a scan closes the
+// connection.
 #pragma once
 
 #include "app/link/link.h"
@@ -21,22 +22,22 @@ class LinkDoctor : public QObject {
     QML_ELEMENT
     QML_UNCREATABLE("The doctor belongs to the Service")
     Q_PROPERTY(bool running READ running NOTIFY changed FINAL)
-    // Why it may not begin now; empty when it may.
+    // The reason why it cannot start now; empty when it can.
     Q_PROPERTY(QString blockedReason READ blockedReason NOTIFY changed FINAL)
     Q_PROPERTY(bool canBegin READ canBegin NOTIFY changed FINAL)
-    // While it runs: what is tried, how many of how many, and 0..1 of them.
+    // The progress of a run: the present trial, the number of trials, and their share 0..1.
     Q_PROPERTY(QString triedText READ triedText NOTIFY changed FINAL)
     Q_PROPERTY(QString progressText READ progressText NOTIFY changed FINAL)
     Q_PROPERTY(double progress READ progress NOTIFY changed FINAL)
-    // What came of it, or what it would do.
+    // The result, or the purpose before the first run.
     Q_PROPERTY(QString resultText READ resultText NOTIFY changed FINAL)
-    // A controller answers on a connection that is not the one in use.
+    // True when a controller answers on a connection other than the present one.
     Q_PROPERTY(bool canTake READ canTake NOTIFY changed FINAL)
     Q_PROPERTY(QString foundText READ foundText NOTIFY changed FINAL)
     Q_PROPERTY(campanel::machine::OfferModel* findings READ findings CONSTANT FINAL)
 
 public:
-    // Both must outlive it.
+    // Both arguments must outlive the object.
     LinkDoctor(Machine& machine, Settings& settings, QObject* parent);
 
     [[nodiscard]] bool running() const { return m_report && m_report->isRunning; }
@@ -50,12 +51,12 @@ public:
     [[nodiscard]] QString foundText() const;
     [[nodiscard]] OfferModel* findings() { return &m_findings; }
 
-    // The port in use, a few questions.
+    // Checks the port in use with a few questions.
     Q_INVOKABLE void diagnose();
-    // Every port with every setting; ends with the first controller.
+    // Searches every port with every setting, up to the first controller.
     Q_INVOKABLE void search();
     Q_INVOKABLE void cancel();
-    // Connects as found, now and from now on.
+    // Uses the connection found, now and in future.
     Q_INVOKABLE void take();
 
     void retranslate();

@@ -15,7 +15,7 @@ namespace campanel::machine {
 
 namespace {
 
-constexpr auto readPeriod = 250ms; // between the end of one round and the next: the status goes first
+constexpr auto readPeriod = 250ms; // between the end of one round and the next: the status has priority
 constexpr auto staleAfter = 1000ms;
 
 } // namespace
@@ -108,7 +108,7 @@ void RegisterInspector::takeRead(const link::ReadOutcome& outcome)
         return;
     const bool isRefused = outcome.error && (outcome.error->kind == modbus::LinkErrorKind::RangeNotReadable ||
                                              outcome.error->kind == modbus::LinkErrorKind::Exception);
-    // After another failure the value stays, and grows old before everybody's eyes.
+    // After another failure the value stays and is displayed as old.
     if (outcome.end == link::ReadEnd::Done || isRefused)
         m_registers.take(outcome);
     const RegisterRow* chosen = row();
@@ -184,7 +184,7 @@ QString RegisterInspector::unit() const
 QString RegisterInspector::valueText() const
 {
     const auto value = m_registers.valueAt(m_selected);
-    // Words of a state come without a physical value: the keypad shows their number.
+    // A state has no physical value: the keypad displays its number.
     return value ? Format().number(value->physical.value_or(static_cast<double>(value->raw)), decimals())
                  : Format::unknownText();
 }

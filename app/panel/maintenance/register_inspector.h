@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The controller's registers, live: those in sight are read again and again, parameters can be written and
-// are shown as the controller gives them back.
+// The controller's registers: the visible rows are read periodically. Parameters can be written and are
+// displayed as read back.
 #pragma once
 
 #include "app/panel/maintenance/register_model.h"
@@ -20,22 +20,22 @@ class RegisterInspector : public QObject {
     QML_ELEMENT
     QML_UNCREATABLE("The inspector belongs to the Service")
     Q_PROPERTY(campanel::machine::RegisterModel* registers READ registers CONSTANT FINAL)
-    // Nothing is read while it is off.
+    // True while the registers are displayed; otherwise nothing is read.
     Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
-    // A key of `groups`, "" for all.
+    // The filter: a key of `groups`, "" for all.
     Q_PROPERTY(QString group READ group WRITE setGroup NOTIFY filterChanged FINAL)
     Q_PROPERTY(QString groupText READ groupText NOTIFY filterChanged FINAL)
     Q_PROPERTY(QString nameFilter READ nameFilter WRITE setNameFilter NOTIFY filterChanged FINAL)
-    Q_PROPERTY(QVariantList groups READ groups NOTIFY filterChanged FINAL) // of {key, text}
-    // -1: none.
+    Q_PROPERTY(QVariantList groups READ groups NOTIFY filterChanged FINAL) // list of {key, text}
+    // The selected row; -1: none.
     Q_PROPERTY(int selected READ selected NOTIFY selectionChanged FINAL)
     Q_PROPERTY(QString selectedName READ selectedName NOTIFY selectionChanged FINAL)
-    // Why it cannot be written, its limits, or what became of the last write.
+    // The limits, the reason why it cannot be written, or the result of the last write.
     Q_PROPERTY(QString selectedText READ selectedText NOTIFY selectionChanged FINAL)
     Q_PROPERTY(bool failed READ failed NOTIFY selectionChanged FINAL)
     Q_PROPERTY(bool canWrite READ canWrite NOTIFY selectionChanged FINAL)
     Q_PROPERTY(bool writable READ writable NOTIFY selectionChanged FINAL)
-    // Of the selected one, for the keypad.
+    // The selected register, for the keypad.
     Q_PROPERTY(QString unit READ unit NOTIFY selectionChanged FINAL)
     Q_PROPERTY(QString valueText READ valueText NOTIFY selectionChanged FINAL)
     Q_PROPERTY(double minimum READ minimum NOTIFY selectionChanged FINAL)
@@ -44,7 +44,7 @@ class RegisterInspector : public QObject {
     Q_PROPERTY(int decimals READ decimals NOTIFY selectionChanged FINAL)
 
 public:
-    // The machine must outlive it.
+    // The machine must outlive the object.
     RegisterInspector(Machine& machine, QObject* parent);
 
     [[nodiscard]] RegisterModel* registers() { return &m_registers; }
@@ -69,12 +69,11 @@ public:
     [[nodiscard]] double defaultValue() const;
     [[nodiscard]] int decimals() const;
 
-    // The rows on the screen.
     Q_INVOKABLE void setVisibleRows(int first, int last);
     Q_INVOKABLE void select(int row);
-    // Writes the selected one and shows what the controller then holds.
+    // Writes the selected register and displays the value read back.
     Q_INVOKABLE void write(double value);
-    // Why the value may not be written; empty when it may.
+    // Returns why the value must not be written; empty when it may.
     [[nodiscard]] Q_INVOKABLE QString check(double value) const;
 
     void retranslate();
@@ -92,19 +91,19 @@ private:
     void takeRead(const link::ReadOutcome& outcome);
     void takeWritten(const link::ParameterOutcome& outcome);
     [[nodiscard]] const RegisterRow* row() const { return m_registers.rowAt(m_selected); }
-    [[nodiscard]] QString number(double value) const; // as the selected one has it, with unit
+    [[nodiscard]] QString number(double value) const; // format of the selected register, with unit
 
     Machine& m_machine;
     RegisterModel m_registers{this};
     QTimer m_readTimer;
-    QSet<quint32> m_reads; // under way
-    quint32 m_writeId = 0; // under way, else 0
+    QSet<quint32> m_reads; // pending
+    quint32 m_writeId = 0; // pending, else 0
     int m_first = 0;
     int m_last = -1;
     int m_selected = -1;
     QString m_group;
     QString m_nameFilter;
-    QString m_outcome; // of the last write
+    QString m_outcome; // result of the last write
     bool m_isFailed = false;
     bool m_isWatched = false;
 };

@@ -33,7 +33,7 @@ QList<RegisterRow> RegisterModel::allRows() const
         }
     };
     addBank(u"active"_s, modbus::activeBankBase, m_kind, m_layout);
-    // What kind of program is being staged is nobody's knowledge yet.
+    // The kind of the staged program is unknown.
     addBank(u"staged"_s, modbus::stagedBankBase, modbus::ProgramKind::None, modbus::TableLayout::None);
     return rows;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The registers of the map as a list, filtered by group and name, each with what was last read of it. What is
-// only for another kind of program than the active one is left out, and so are the blocks of plain data.
+// The registers of the map as a list, filtered by group and name, each with its last reading. Registers of
+// other kinds of program and blocks of plain data are not listed.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -16,7 +16,7 @@ namespace campanel::machine {
 struct RegisterRow {
     const modbus::RegisterInfo* info = nullptr;
     quint16 address = 0; // absolute
-    QString group;       // "status"; of the two banks "active" and "staged"
+    QString group;       // "status"; the two banks are "active" and "staged"
     QString name;        // as in the register document
 
     bool operator==(const RegisterRow&) const = default;
@@ -41,22 +41,21 @@ public:
 
     explicit RegisterModel(QObject* parent);
 
-    // Of the active program.
+    // Sets the active program.
     void setProgram(modbus::ProgramKind kind, modbus::TableLayout layout);
-    // Empty: all. Names that contain `name`, in any case.
+    // Sets the filter. Empty: all. Names match when they contain `name`, in any case.
     void setFilter(const QString& group, const QString& name);
     [[nodiscard]] QStringList groups() const;
     [[nodiscard]] int count() const { return static_cast<int>(m_shown.size()); }
     [[nodiscard]] const RegisterRow* rowAt(int row) const; // null outside
     [[nodiscard]] std::optional<modbus::NamedValue> valueAt(int row) const;
 
-    // Rows that follow one another without a gap are read as one, at most readbackRegisters long.
+    // Returns the spans to read: rows without a gap between them form one span of at most readbackRegisters.
     [[nodiscard]] QList<modbus::RegisterSpan> spans(int first, int last) const;
-    // What was read; an empty one: these cannot be read.
+    // Stores a reading; an empty one means that these registers cannot be read.
     void take(const link::ReadOutcome& outcome);
-    // What is not between these rows is forgotten, it grows old unseen.
+    // Clears the readings outside these rows, which would become old unnoticed.
     void keepOnly(int first, int last);
-    // What was read before that is shown as old.
     void markOlderThan(link::SteadyTime time);
     void retranslate();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Service` in QML: what a technician needs to know about the line, and the controller's registers.
+// `Service` in QML: the maintenance figures of the line, and the controller's registers.
 #pragma once
 
 #include "app/panel/kit/report_files.h"
@@ -40,10 +40,9 @@ class Service : public QObject {
     Q_PROPERTY(campanel::machine::ReportFiles* files READ files CONSTANT FINAL)
 
 public:
-    // Machine and settings must outlive it. Reports are kept in a folder below `folder`.
+    // Machine and settings must outlive the object. Reports are stored in a folder below `folder`.
     Service(Machine& machine, Settings& settings, const QString& folder, QObject* parent);
 
-    // The instance that attachToEngine() gave to this engine.
     static Service* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     [[nodiscard]] LinkDoctor* doctor() { return &m_doctor; }

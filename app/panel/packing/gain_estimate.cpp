@@ -16,18 +16,18 @@ namespace campanel::machine {
 
 namespace {
 
-constexpr double leastScatterMm = 0.002; // below what the registers resolve there is nothing to weigh
+constexpr double leastScatterMm = 0.002; // below the resolution of the registers no estimate is possible
 constexpr double leastPhaseGain = 0.1;
 constexpr double mostPhaseGain = 0.6;
 constexpr double leastLengthGain = 0.02;
 constexpr double mostLengthGain = 0.2;
 constexpr double gainStep = 0.01;
-// The film's stretch changes slowly: the distances lie along a straight line for so many bags.
+// The number of distances that lie along a straight line: the film's stretch changes slowly.
 constexpr std::size_t longestRun = 100;
 constexpr std::size_t shortestRun = 10;
-constexpr double jumpMm = 1.5; // an error that the controller does not take for slip
+constexpr double jumpMm = 1.5; // an error that the controller does not count as slip
 
-// Without their mean and slope.
+// Returns the values without their mean and slope.
 std::vector<double> withoutLine(const std::vector<double>& values)
 {
     const double middle = (static_cast<double>(values.size()) - 1.0) / 2.0;
@@ -47,7 +47,7 @@ std::vector<double> withoutLine(const std::vector<double>& values)
     return result;
 }
 
-// Sum of the squares of what a filter with this gain would not have foreseen.
+// Returns the sum of the squared prediction errors of a filter with this gain.
 double unforeseen(const std::vector<double>& distances, double gain)
 {
     double innovation = 0.0;
@@ -61,9 +61,9 @@ double unforeseen(const std::vector<double>& distances, double gain)
 
 } // namespace
 
-// The controller expects the next mark one filtered distance behind the place where it believes this one to
-// be, and believes it where it was expected plus the phase gain's share of the error. So the distance as it
-// was seen is pitch + error - (1 - gain) * error before.
+// Adds a mark. The controller expects the next mark one filtered distance after the assumed position of this
+// one. The assumed position is the expected one plus the phase gain's share of the error. So the measured
+// distance is pitch + error - (1 - gain) * error before.
 void GainEstimate::take(const MarkSample& mark, double phaseGain)
 {
     if (m_before && m_before->marks == mark.marks && m_before->missing == mark.missing)
@@ -120,7 +120,7 @@ std::optional<GainSuggestion> GainEstimate::suggestion() const
     suggestion.slipMm = best * std::sqrt(variance);
     suggestion.sensorMm = std::sqrt((1.0 - best) * variance);
     suggestion.phaseGain = std::clamp(best, leastPhaseGain, mostPhaseGain);
-    // Gain of the length that settles best with it: T. R. Benedict, G. W. Bordner, 1962.
+    // The length gain with the best settling for it: T. R. Benedict, G. W. Bordner, 1962.
     const double length = suggestion.phaseGain * suggestion.phaseGain / (2.0 - suggestion.phaseGain);
     suggestion.lengthGain = std::clamp(length, leastLengthGain, mostLengthGain);
     return suggestion;

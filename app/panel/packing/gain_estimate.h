@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much of a mark's error to believe, from the marks themselves. The film slips a little from bag to bag,
-// which adds up, and the sensor scatters, which does not; how the distances between the marks vary tells one
-// from the other.
+// Estimates the gain of the mark correction from the marks themselves. The film slips from bag to bag, which
+// accumulates; the sensor scatters, which does not. The variation of the distances between marks separates
+// the two.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,19 @@
 
 namespace campanel::machine {
 
-// What the controller tells of the last mark, see the group `packer`.
+// The controller's data of the last mark, see the group `packer`.
 struct MarkSample {
-    std::uint32_t marks = 0;   // followed so far
-    std::uint32_t missing = 0; // so far
-    double errorMm = 0.0;      // where it came minus where it was expected
-    double pitchMm = 0.0;      // distance expected to the next one
+    std::uint32_t marks = 0;   // followed up to now
+    std::uint32_t missing = 0; // up to now
+    double errorMm = 0.0;      // measured minus expected position
+    double pitchMm = 0.0;      // expected distance to the next mark
 };
 
 struct GainSuggestion {
     double phaseGain = 0.0;
     double lengthGain = 0.0;
-    double slipMm = 0.0;   // standard deviations: of the film per bag
-    double sensorMm = 0.0; // of the sensor per mark
+    double slipMm = 0.0;   // standard deviation of the film per bag
+    double sensorMm = 0.0; // standard deviation of the sensor per mark
 };
 
 class GainEstimate {
@@ -31,17 +31,17 @@ public:
     static constexpr int fewestBags = 50;
     static constexpr int mostBags = 400;
 
-    // To be told every mark; distances next to one that was not told, or was missing, are left out.
-    // `phaseGain`: what the controller works with.
+    // Adds a mark; call it for every mark. Distances next to a missing mark are ignored. `phaseGain`: the
+    // gain in the controller.
     void take(const MarkSample& mark, double phaseGain);
     void clear() { *this = {}; }
-    // Distances that count.
+    // Returns the number of distances that count.
     [[nodiscard]] int bags() const;
-    // Empty before there are fewestBags, and where the marks do not scatter.
+    // Returns nothing before there are fewestBags, or when the marks do not scatter.
     [[nodiscard]] std::optional<GainSuggestion> suggestion() const;
 
 private:
-    // Distances between marks in mm without a gap among them, oldest first.
+    // Consecutive distances between marks in mm, oldest first.
     using Run = std::vector<double>;
 
     std::optional<MarkSample> m_before;

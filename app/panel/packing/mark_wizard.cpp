@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a cut falls: the controller cuts when distance + offset (its parameters) of film have passed since
-// the sensor saw the mark, and the mark has then passed the knife by distance + offset - true distance. So
-// the true distance is distance + offset - what was measured behind the mark. Whole bag lengths make no
-// difference: marks are alike.
+// The position of a cut. The controller cuts when distance + offset (its parameters) of film have passed
+// since the sensor detected the mark. The mark has then passed the knife by distance + offset - true
+// distance. So the true distance is distance + offset - measured distance behind the mark. Whole bag lengths
+// make no difference: all marks are equal.
 #include "app/panel/packing/mark_wizard.h"
 
 #include "app/panel/controller/machine.h"
@@ -20,10 +20,11 @@ constexpr auto distanceName = "parameter.mark_distance";
 constexpr auto offsetName = "parameter.mark_offset";
 constexpr auto phaseLimitName = "parameter.phase_limit";
 constexpr int watchedBags = 5;
-constexpr double rightWithinMm = 0.3; // mean mark error of those
-// The controller takes a quarter of a mark's error for slip (parameter.phase_gain): 0.75^20 of it is left.
+constexpr double rightWithinMm = 0.3; // tolerance of their mean mark error
+// The bags until the correction has settled. The controller corrects a quarter of a mark's error
+// (parameter.phase_gain): 0.75^20 of it remains.
 constexpr int settlingBags = 20;
-constexpr double scatterMm = 1.0; // measurements further apart are of other bags or marks
+constexpr double scatterMm = 1.0; // measurements with a larger scatter are of other bags or marks
 constexpr double umPerMm = 1000.0;
 
 QString millimeters(double value, int decimals)
@@ -63,7 +64,7 @@ void MarkWizard::setStep(Step step)
     m_step = step;
     m_steppedAt = m_machine.now();
     const auto& status = m_machine.packing()->status();
-    // What was read before the new distance was written tells of bags cut with the old one.
+    // Earlier readings are of bags cut with the old distance.
     m_firstBag.reset();
     if (status && step != Step::Watch)
         m_firstBag = status->bagNumber;
@@ -143,7 +144,7 @@ int MarkWizard::bagsSinceStep() const
                : 0;
 }
 
-// Bags whose marks had passed the sensor before the new distance, and one for each end.
+// Returns the bags whose marks had passed the sensor before the new distance, and one for each end.
 int MarkWizard::bagsUnderWay() const
 {
     const double bagMm = m_machine.active().bagLengthMm;
@@ -151,7 +152,7 @@ int MarkWizard::bagsUnderWay() const
     return bagMm > 0 ? static_cast<int>(std::ceil(distanceMm / bagMm)) + 2 : 0;
 }
 
-// At most: until the cuts have moved by the whole correction and have settled.
+// Returns the maximum: until the cuts have moved by the whole correction and have settled.
 int MarkWizard::bagsToWatch() const
 {
     const double limitMm = m_fields.value(phaseLimitName);
@@ -164,8 +165,8 @@ void MarkWizard::followBags()
 {
     const auto& status = m_machine.packing()->status();
     if (status && m_firstBag && status->bagNumber < *m_firstBag)
-        m_firstBag = status->bagNumber; // it counts anew
-    // What is not tracked does not count.
+        m_firstBag = status->bagNumber; // the controller restarted its count
+    // Untracked bags do not count.
     if (m_step == Step::Cutting && !blockedReason().isEmpty() && status)
         m_firstBag = status->bagNumber;
     if (m_step == Step::Cutting && bagsSinceStep() >= bagsToCut)
@@ -177,7 +178,7 @@ void MarkWizard::followBags()
     emit changed();
 }
 
-// The last bags: right, or it is too late for them to become right.
+// Judges the last bags: correct, or too late to become correct.
 void MarkWizard::judgeBags()
 {
     const double meanErrorMm = mean(m_errorsMm);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The true distance from mark sensor to knife, found with bags and a ruler: a few bags are cut, the distance
-// of their cuts behind their marks is measured, the parameter is corrected by what it is off, and the next
-// bags are watched. Nothing is changed before the step that says so.
+// Finds the true distance from mark sensor to knife with bags and a ruler. A few bags are cut, and the
+// distance of their cuts behind their marks is measured. The parameter is corrected by the difference, and
+// the next bags are checked. Nothing is changed before the step that announces it.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -23,21 +23,21 @@ class MarkWizard : public QObject {
     QML_ELEMENT
     QML_UNCREATABLE("The wizard belongs to the packing setup")
     Q_PROPERTY(Step step READ step NOTIFY changed FINAL)
-    // What this step is about, in whole sentences.
+    // The instructions of this step, in whole sentences.
     Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
-    // Why it cannot go on; empty when it can or is over.
+    // The reason why the wizard cannot continue; empty when it can or has ended.
     Q_PROPERTY(QString blockedReason READ blockedReason NOTIFY changed FINAL)
     Q_PROPERTY(bool canGoOn READ canGoOn NOTIFY changed FINAL)
     Q_PROPERTY(bool canReadRuler READ canReadRuler NOTIFY changed FINAL)
-    // 0..1 of the bags that this step waits for.
+    // The progress 0..1 of the bags in this step.
     Q_PROPERTY(double progress READ progress NOTIFY changed FINAL)
-    // "3.1 mm, 3.0 mm"; empty before the first.
+    // The measurements, "3.1 mm, 3.0 mm"; empty before the first.
     Q_PROPERTY(QString measuredText READ measuredText NOTIFY changed FINAL)
     Q_PROPERTY(QString meanText READ meanText NOTIFY changed FINAL)
     Q_PROPERTY(QString offsetText READ offsetText NOTIFY changed FINAL)
     Q_PROPERTY(QString oldText READ oldText NOTIFY changed FINAL)
     Q_PROPERTY(QString newText READ newText NOTIFY changed FINAL)
-    // Of a measurement, mm.
+    // The maximum of a measurement, mm.
     Q_PROPERTY(double mostMm READ mostMm NOTIFY changed FINAL)
 
 public:
@@ -46,19 +46,19 @@ public:
     static constexpr int bagsToCut = 5;
     static constexpr int mostMeasured = 5;
 
-    // Machine and fields must outlive it.
+    // Machine and fields must outlive the object.
     MarkWizard(Machine& machine, PackingFields& fields, QObject* parent);
 
-    // From the beginning; a wizard that is closed waits there too.
+    // Restarts the wizard; closing it does the same.
     Q_INVOKABLE void restart();
-    // To the next step; in Confirm that writes.
+    // Continues with the next step; in Confirm it writes the value.
     Q_INVOKABLE void goOn();
-    // How far a cut lies behind its mark; negative: before it.
+    // Adds the distance of a cut behind its mark; negative: before it.
     Q_INVOKABLE void addMeasurement(double behindMm);
     Q_INVOKABLE void dropMeasurement();
-    // Of the simulated machine; one measurement of its last bag.
+    // Measures the last bag of the simulated machine.
     Q_INVOKABLE void readRuler();
-    // Why it is no measurement; empty when it is one.
+    // Returns why the measurement is invalid; empty when it is valid.
     [[nodiscard]] Q_INVOKABLE QString check(double behindMm) const;
 
     [[nodiscard]] Step step() const { return m_step; }
@@ -73,7 +73,7 @@ public:
     [[nodiscard]] QString oldText() const;
     [[nodiscard]] QString newText() const;
     [[nodiscard]] double mostMm() const;
-    // mm; NaN while something of it is not known.
+    // Returns mm; NaN while an input is unknown.
     [[nodiscard]] double newDistanceMm() const;
     void retranslate();
 
@@ -97,15 +97,15 @@ private:
     PackingFields& m_fields;
     Step m_step = Step::Explain;
     link::SteadyTime m_steppedAt;
-    std::optional<std::uint32_t> m_firstBag; // when the step began
+    std::optional<std::uint32_t> m_firstBag; // at the start of the step
     QList<double> m_measuredMm;
     double m_oldMm = unknown;
     double m_offsetMm = unknown;
-    double m_newMm = unknown; // when it was written
+    double m_newMm = unknown; // the written distance
     QString m_failure;
-    QList<double> m_errorsMm; // of the last bags watched
+    QList<double> m_errorsMm; // mark errors of the last bags
     bool m_isRulerAsked = false;
-    std::optional<link::RulerOutcome> m_ruler; // last reading
+    std::optional<link::RulerOutcome> m_ruler; // last measurement
     bool m_isSameBag = false;
 };
 

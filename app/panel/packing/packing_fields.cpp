@@ -21,7 +21,7 @@ struct Listed {
     bool isSwitch;
 };
 
-// In the order of the screen; the registers' own words are the map's.
+// The fields in the order of the screen; the register map has the texts.
 constexpr std::array listed{
     Listed{"parameter.mark_tracking",
            QT_TRANSLATE_NOOP("campanel::machine::PackingFields", "Cuts follow the marks"), true},
@@ -106,7 +106,7 @@ QString PackingFields::words(const QString& name)
     return {};
 }
 
-// Reads under way end by themselves, as all that was asked without a connection.
+// Pending reads end on their own, as all requests without a connection do.
 void PackingFields::forget()
 {
     m_reads.clear();
@@ -145,13 +145,13 @@ void PackingFields::takeOutcome(const link::ParameterOutcome& outcome)
 {
     m_reads.remove(outcome.id);
     const bool isOwn = m_writes.remove(outcome.id);
-    // Whoever asked: the registers can be written elsewhere too.
+    // Handles outcomes of any origin: the registers can be written elsewhere too.
     const QString name = QString::fromStdString(outcome.name);
     Field* field = find(name);
     if (!field)
         return;
     const bool isDone = outcome.end == link::ParameterEnd::Done;
-    // After a failure the value is not known any more when it may have been written.
+    // After a failure the value is unknown if it may have been written.
     if (isDone || outcome.end == link::ParameterEnd::OutcomeUnknown)
         field->value = isDone ? outcome.value : std::nullopt;
     if (isOwn) {
@@ -284,7 +284,7 @@ int PackingFields::decimals() const
     return selected() ? RegisterWords::decimals(*selected()->info) : 0;
 }
 
-// With unit, or On and Off.
+// Returns the text with its unit, or On and Off.
 QString PackingFields::text(const Field& field, double value)
 {
     if (field.isSwitch)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers of a packing machine that a technician sets, as the controller holds them: in words, with
-// range, and with a suggestion where there is one. Read when they are shown, written with proof.
+// The parameters of a packing machine that a technician sets, as stored in the controller: with label, range,
+// and a suggestion where there is one. Read when displayed, written with proof.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -21,7 +21,7 @@ class PackingFields : public QAbstractListModel {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The fields belong to the packing setup")
-    // Of the selected one, for the keypad; 0 and empty while none is.
+    // The selected field, for the keypad; 0 and empty while none is selected.
     Q_PROPERTY(QString label READ label NOTIFY changed FINAL)
     Q_PROPERTY(QString unit READ unit NOTIFY changed FINAL)
     Q_PROPERTY(QString valueText READ valueText NOTIFY changed FINAL)
@@ -29,46 +29,47 @@ class PackingFields : public QAbstractListModel {
     Q_PROPERTY(double maximum READ maximum NOTIFY changed FINAL)
     Q_PROPERTY(double defaultValue READ defaultValue NOTIFY changed FINAL)
     Q_PROPERTY(int decimals READ decimals NOTIFY changed FINAL)
-    // What became of the last write; empty before there was one.
+    // The result of the last write; empty before the first.
     Q_PROPERTY(QString outcomeText READ outcomeText NOTIFY changed FINAL)
     Q_PROPERTY(bool failed READ failed NOTIFY changed FINAL)
-    // Values that were written since the controller last put them into its flash.
+    // True when written values are not in the controller's flash yet.
     Q_PROPERTY(bool unsaved READ unsaved NOTIFY changed FINAL)
 
 public:
     enum Role {
         NameRole = Qt::UserRole + 1,
-        ValueRole, // "--" while it is not known
+        ValueRole, // "--" while unknown
         UnitRole,
-        NoteRole,   // range, or why it is suggested
+        NoteRole,   // range, or the reason for the suggestion
         SwitchRole, // on or off instead of a number
         OnRole,
         KnownRole,
-        SuggestionRole // another value than now; empty when there is none
+        SuggestionRole // a value other than the present one; empty when there is none
     };
 
-    // The machine must outlive it.
+    // The machine must outlive the object.
     PackingFields(Machine& machine, QObject* parent);
 
-    // Asks the controller for every value; does nothing while some are on their way.
+    // Reads every value from the controller; does nothing while reads are pending.
     void read();
     void forget();
-    // A parameter as this page calls it; empty for one that is not here. `name` as in the register table.
+    // Returns the label of a parameter; empty for one that is not in this list. `name` as in the register
+    // table.
     [[nodiscard]] static QString words(const QString& name);
     void suggest(const std::optional<GainSuggestion>& gains, int bags);
-    // NaN while it is not known. `name` as in the register table.
+    // Returns NaN while the value is unknown. `name` as in the register table.
     [[nodiscard]] double value(const char* name) const;
-    // For technicians. Ends in one written().
+    // Writes a value; for technicians. Ends in one written().
     void write(const char* name, double value);
     void retranslate();
 
     Q_INVOKABLE void select(int row);
-    // The selected one; nothing outside its range.
+    // Writes the selected field; values outside its range are ignored.
     Q_INVOKABLE void writeSelected(double value);
     Q_INVOKABLE void setOn(int row, bool on);
     Q_INVOKABLE void takeSuggestion(int row);
     Q_INVOKABLE void save();
-    // Why the value may not be written; empty when it may.
+    // Returns why the value must not be written; empty when it may.
     [[nodiscard]] Q_INVOKABLE QString check(double value) const;
 
     [[nodiscard]] QString label() const;
@@ -110,8 +111,8 @@ private:
 
     Machine& m_machine;
     std::vector<Field> m_fields;
-    QSet<quint32> m_reads;  // under way
-    QSet<quint32> m_writes; // under way
+    QSet<quint32> m_reads;  // pending
+    QSet<quint32> m_writes; // pending
     int m_selected = -1;
     std::optional<GainSuggestion> m_gains;
     int m_bags = 0;

@@ -31,7 +31,7 @@ PackingSetup::PackingSetup(Machine& machine, QObject* parent)
             m_teaching = Teaching::No;
         emit changed();
     });
-    // Another film, another estimate.
+    // Another film needs another estimate.
     connect(&machine, &Machine::programChanged, this, [this] {
         m_estimate.clear();
         m_fields.suggest(std::nullopt, 0);
@@ -76,7 +76,7 @@ void PackingSetup::takeCommand(const link::CommandOutcome& outcome)
     emit changed();
 }
 
-// What comes first after the command was accepted may have been read before it.
+// Waits for the second status: the first one may have been read before the command was accepted.
 void PackingSetup::followTeaching()
 {
     if (m_teaching == Teaching::Accepted)

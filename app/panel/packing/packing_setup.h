@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Service.packing` in QML: what a technician does when a packing machine is commissioned. The marks measured
-// and compared with the recipe, the way from their sensor to the knife, and the numbers with suggestions.
+// `Service.packing` in QML: the commissioning of a packing machine. Compares the measured marks with the
+// recipe, corrects the distance from their sensor to the knife, and lists the parameters with suggestions.
 #pragma once
 
 #include "app/panel/packing/gain_estimate.h"
@@ -18,20 +18,20 @@ class PackingSetup : public QObject {
     QML_UNCREATABLE("The packing setup belongs to the Service")
     Q_PROPERTY(campanel::machine::PackingFields* fields READ fields CONSTANT FINAL)
     Q_PROPERTY(campanel::machine::MarkWizard* wizard READ wizard CONSTANT FINAL)
-    // A packing machine's program is active and the controller tells of it.
+    // True when a packing machine's program is active and the controller reports it.
     Q_PROPERTY(bool available READ available NOTIFY changed FINAL)
     Q_PROPERTY(bool teaching READ teaching NOTIFY changed FINAL)
     Q_PROPERTY(bool canTeach READ canTeach NOTIFY changed FINAL)
-    // 0..1 of the marks that are measured.
+    // The progress 0..1 of the marks being measured.
     Q_PROPERTY(double teachProgress READ teachProgress NOTIFY changed FINAL)
     Q_PROPERTY(QString teachText READ teachText NOTIFY changed FINAL)
-    // The marks do not fit the recipe.
+    // True when the marks do not fit the recipe.
     Q_PROPERTY(bool misfit READ misfit NOTIFY changed FINAL)
 
 public:
     static constexpr int marksToTeach = 10;
 
-    // The machine must outlive it.
+    // The machine must outlive the object.
     PackingSetup(Machine& machine, QObject* parent);
 
     [[nodiscard]] PackingFields* fields() { return &m_fields; }
@@ -44,7 +44,7 @@ public:
     [[nodiscard]] bool misfit() const;
 
     Q_INVOKABLE void teach();
-    // Reads all values; to be called when they come to be shown.
+    // Reads all values; call it when the page opens.
     Q_INVOKABLE void open();
     void retranslate();
 
@@ -63,7 +63,7 @@ private:
     MarkWizard m_wizard;
     GainEstimate m_estimate;
     Teaching m_teaching = Teaching::No;
-    QString m_refusal; // of the last teaching
+    QString m_refusal; // refusal of the last teaching
 };
 
 } // namespace campanel::machine

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inputs of the recipe that are not numbers, each with its options; the law has a list of its own.
+// The inputs of the recipe that are not numbers, each with its options; the law has its own list.
 #pragma once
 
 #include "app/program/recipe.h"
@@ -24,7 +24,7 @@ public:
 
     void show(const program::Recipe& recipe);
     [[nodiscard]] int count() const { return static_cast<int>(m_rows.size()); }
-    // Puts the option of a row into the recipe; false when there is none.
+    // Sets the option of a row in the recipe; returns false when there is none.
     bool apply(int row, int option, program::Recipe& recipe) const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;

@@ -14,7 +14,7 @@ namespace {
 
 Q_LOGGING_CATEGORY(motionLog, "campanel.motion")
 
-// Angle of the knife's shaft at a master angle, 0 at the index mark.
+// Returns the angle of the knife shaft at a master angle, 0 at the index mark.
 double knifeDegAt(const profile::RotaryCutter& cutter, double masterDeg)
 {
     const double positionMm = cutter.motion.at(masterDeg / 360 * cutter.cycle.cycleTimeS).positionMm;
@@ -51,7 +51,7 @@ std::shared_ptr<const ControllerProgram> readProgram(const link::ActiveProgram& 
     program->pulsesPerMm = solved->pulsesPerMm;
     program->version = program->header.recipeVersion;
     program->bagLengthMm = program->header.bagLengthMm;
-    // The rows of a press are stages: how long a stroke takes is not in the bank.
+    // The rows of a press are stages: the bank does not contain the duration of a stroke.
     const std::uint32_t ticks = program->header.cycleTicks;
     program->cycleSeconds = ticks > 0 ? static_cast<double>(ticks) / identity.timerClockHz : solved->cycleS();
     program->rateBagsPerMin = ticks > 0 ? 60 / program->cycleSeconds : 0;

@@ -12,7 +12,7 @@ void LawModel::setRows(QList<LawRow> rows)
         emit countChanged();
         return;
     }
-    // The list stays where the finger left it: only rows that differ are repainted.
+    // Only changed rows are updated, so that the scroll position stays.
     for (qsizetype row = 0; row < rows.size(); ++row) {
         if (m_rows[row] == rows[row])
             continue;

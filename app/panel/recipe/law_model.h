@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The speed laws with what each would demand of the machine for the recipe being edited.
+// The speed laws with their demands on the machine for the recipe being edited.
 #pragma once
 
 #include <QAbstractListModel>
@@ -18,8 +18,8 @@ struct LawRow {
     QString peakFrequencyText;
     QString peakJerkText;
     bool current = false;
-    bool usable = false;   // breaks no limit with this recipe
-    bool compared = false; // its curves are laid behind
+    bool usable = false;   // exceeds no limit with this recipe
+    bool compared = false; // its curves are in the background
 
     bool operator==(const LawRow&) const = default;
 };

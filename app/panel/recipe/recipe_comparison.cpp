@@ -53,7 +53,7 @@ QList<DifferenceRow> RecipeComparison::rows(const Recipe& before, const Recipe& 
     compare(tr("Recipe"), QString::fromStdString(a.name), QString::fromStdString(b.name));
     if (a.kind() != b.kind()) {
         compare(tr("Kind of program"), RecipeWords::kindName(a.kind()), RecipeWords::kindName(b.kind()));
-        return rows; // the inputs of one kind say nothing about those of another
+        return rows; // inputs of different kinds cannot be compared
     }
     if (a.isCutter())
         compare(tr("Pinned"), pinnedText(a), pinnedText(b));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two recipes compared input by input, in words; they need not be feasible, nor be in any controller.
+// Compares two recipes input by input, as text. They need not be feasible, nor in any controller.
 #pragma once
 
 #include "app/panel/kit/difference_model.h"
@@ -13,13 +13,14 @@ class RecipeComparison {
     Q_DECLARE_TR_FUNCTIONS(RecipeComparison)
 
 public:
-    // The numbers of a cycle that follow from the pinned ones, filled in; as it is when it is no cycle.
+    // Returns the recipe with the numbers of a cycle that follow from the pinned ones. Returns it unchanged
+    // when there is no cycle.
     [[nodiscard]] static program::Recipe solved(program::Recipe recipe);
-    // What differs; active is `before`, edited is `after`. The version and the data of the machine do not
-    // count, nor does a number that neither of the two reads.
+    // Returns the differences; active is `before`, edited is `after`. The version, the machine data and
+    // numbers that neither recipe uses are ignored.
     [[nodiscard]] static QList<DifferenceRow> rows(const program::Recipe& before,
                                                    const program::Recipe& after);
-    // "250.0 mm · 60.0 bags/min": the first two inputs.
+    // Returns the first two inputs, "250.0 mm · 60.0 bags/min".
     [[nodiscard]] static QString summary(const program::Recipe& recipe);
 
 private:

@@ -11,7 +11,7 @@ namespace {
 
 using profile::Field;
 
-// Smallest share of a cycle between two ends of stretches that a finger can leave.
+// The minimum share of a cycle between two ends of segments after a drag.
 constexpr double smallestGap = 0.01;
 
 using program::pinnableFields;
@@ -30,7 +30,7 @@ Field counterpart(Field field)
     }
 }
 
-// pinned[0] is the one that was edited longest ago.
+// Pins a field; pinned[0] is the one with the oldest edit.
 void pin(profile::RotaryCutterProgram& program, Field field)
 {
     if (program.pinned[1] == field)

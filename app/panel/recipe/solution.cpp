@@ -16,7 +16,7 @@ bool Solution::isCloseToLimit() const
     const profile::AxisPeaks& peaks = solved->peaks;
     const double speedShare = std::max(peaks.motorRpm / machine.maxMotorRpm,
                                        peaks.pulseFrequencyHz / profile::pulseFrequencyLimitHz(machine));
-    // A press always ramps with the largest acceleration.
+    // A press always uses the maximum acceleration in its ramps.
     if (image->recipe.kind() == profile::ProgramKind::Press)
         return speedShare > closeShare;
     if (cutter())

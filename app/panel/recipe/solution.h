@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Everything that follows from a recipe, computed at once after each change: well below one frame (27 us for
-// the table of a cutter, 10 us for the curves). Only intervals take longer; they may be left for later.
+// the table of a cutter, 10 us for the curves). Only intervals take longer; they may be deferred.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -17,27 +17,28 @@
 namespace campanel::machine {
 
 struct Solution {
-    std::optional<program::SolvedProgram> solved;       // empty: cannot be a motion at all
-    std::shared_ptr<const profile::Curves> curves;      // of the solved program
-    std::vector<profile::Refusal> refusals;             // empty: the machine can do it
-    std::optional<modbus::CodecError> unstorable;       // a value that the controller cannot hold
-    std::shared_ptr<const program::ProgramImage> image; // what would be downloaded; null unless feasible
-    std::optional<profile::FastestRate> fastest;        // of a rotary cutter
-    bool isTablePending = false; // within the limits, the table has been left for later
+    std::optional<program::SolvedProgram> solved;       // empty: the recipe has no motion
+    std::shared_ptr<const profile::Curves> curves;      // for the solved program
+    std::vector<profile::Refusal> refusals;             // empty: the machine can execute it
+    std::optional<modbus::CodecError> unstorable;       // a value that its register cannot hold
+    std::shared_ptr<const program::ProgramImage> image; // image for a download; null unless feasible
+    std::optional<profile::FastestRate> fastest;        // only for a rotary cutter
+    bool isTablePending = false;                        // within the limits, the table is deferred
 
-    // Null unless it is a solved rotary cutter.
+    // Returns null unless it is a solved rotary cutter.
     [[nodiscard]] const profile::RotaryCutter* cutter() const
     {
         return solved && solved->cutter ? &*solved->cutter : nullptr;
     }
     [[nodiscard]] bool isFeasible() const { return image != nullptr; }
-    // Feasible, but with little to spare.
+    // Returns true when the recipe is feasible with a small margin.
     [[nodiscard]] bool isCloseToLimit() const;
 };
 
 enum class TableWork { All, WithoutSlow };
 
-// With the timer and table size of the controller, when it is known. WithoutSlow leaves intervals out.
+// Solves the recipe with the timer and table size of the controller, when it is known. WithoutSlow defers
+// intervals.
 [[nodiscard]] Solution solveRecipe(const program::Recipe& recipe,
                                    const std::optional<modbus::Identity>& controller,
                                    TableWork work = TableWork::All);

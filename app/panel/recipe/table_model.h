@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table behind the curves, one row of the controller's table per row, in the columns of its kind. Texts
-// are made when they are shown.
+// are created on demand.
 #pragma once
 
 #include "app/program/program_image.h"
@@ -43,7 +43,7 @@ signals:
 
 private:
     std::shared_ptr<const program::ProgramImage> m_image;
-    std::vector<double> m_startS; // of the rows
+    std::vector<double> m_startS; // start of each row
 };
 
 } // namespace campanel::machine

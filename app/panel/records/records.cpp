@@ -34,7 +34,7 @@ Records* Records::create(QQmlEngine* qmlEngine, QJSEngine*)
 void Records::takeOpening(const store::StoreThread::Report& report)
 {
     if (!report.error && !report.opening.isReplaced()) {
-        makeCopy(); // what could be read is worth one; should it fail, the file itself is still there
+        makeCopy(); // the readable data is worth a copy; if that fails, the file itself still exists
         return;
     }
     m_opening = report;
@@ -55,7 +55,7 @@ void Records::makeCopy()
         });
 }
 
-// Writes it into the system's log and the audit trail: the notice on the screen is gone once it was
+// Writes the replacement into the system's log and the audit trail, because the notice on the screen can be
 // dismissed.
 void Records::noteReplacement(const store::Database::Opening& opening)
 {

@@ -25,7 +25,7 @@ namespace campanel::machine {
 
 namespace {
 
-constexpr qsizetype mostFound = 50; // of a place
+constexpr qsizetype mostFound = 50; // in one place
 const QString suffix = u"zip"_s;
 
 QString snapshotName()
@@ -39,7 +39,7 @@ bool moves(Machine::State state)
            state == Machine::State::Jogging || state == Machine::State::Homing;
 }
 
-// Number and hash of the newest row, which the restored trail will name.
+// Returns number and hash of the newest row, which the restored trail will contain.
 QString newestRowOf(store::Database& database)
 {
     const auto rows = store::readAudit(database, {}, std::nullopt, 1);
@@ -67,7 +67,7 @@ Backup::Backup(const Parts& parts, const QString& folder, QObject* parent)
         entry.outcome = problem.isEmpty() ? u"done"_s : u"failed"_s;
         m_parts.trail.note(entry);
     });
-    // Left by a panel that was killed.
+    // Files left by a panel that was killed.
     QDir home(folder);
     for (const QString& old : home.entryList({snapshotName() + u'*'}, QDir::Dirs))
         QDir(home.filePath(old)).removeRecursively();
@@ -212,7 +212,7 @@ void Backup::search(const std::function<void()>& done)
 void Backup::takeFound(const QList<Found>& found)
 {
     m_files = found;
-    // The newest backup first, what is none last.
+    // The newest backup first, invalid files last.
     std::ranges::stable_sort(m_files, std::greater<>(), [](const Found& each) {
         return each.manifest ? each.manifest->made.toMSecsSinceEpoch() : 0;
     });
@@ -294,7 +294,7 @@ void Backup::restore()
         return;
     if (moves(m_parts.machine.state()))
         return tell(tr("The machine moves. Stop it first: the panel starts anew after a restore."), true);
-    // Into the trail that goes, so that it tells its end too.
+    // The old trail gets an entry too, so that it documents its end.
     store::AuditEntry entry;
     entry.what = u"backup.restore"_s;
     entry.object = QFileInfo(m_checked->path).fileName();
@@ -339,7 +339,7 @@ bool Backup::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance()) {
         takeFound(m_files);
-        tell({}, false); // it was told in the other language
+        tell({}, false); // the message is in the previous language
     }
     return QObject::eventFilter(watched, event);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Backup` in QML: everything that the panel keeps into one file, and back. A restore is checked completely
-// before it may be confirmed; then the panel starts anew with what was in the file. For the level Service.
+// `Backup` in QML: saves everything that the panel stores to one file, and restores it. A restore is checked
+// completely before it may be confirmed; then the panel restarts with the restored data. For the level
+// Service.
 #pragma once
 
 #include "app/panel/kit/offer_model.h"
@@ -35,20 +36,20 @@ class Backup : public QObject {
     QML_SINGLETON
 
     Q_PROPERTY(campanel::machine::ReportFiles* places READ places CONSTANT FINAL)
-    // Backups on a stick or in the panel's own folder.
+    // The backups on a stick or in the panel's own folder.
     Q_PROPERTY(campanel::machine::OfferModel* found READ found CONSTANT FINAL)
     Q_PROPERTY(bool busy READ busy NOTIFY changed FINAL)
-    // What became of the last thing that was asked for; empty: nothing to say.
+    // The result of the last request; empty: none.
     Q_PROPERTY(QString message READ message NOTIFY changed FINAL)
     Q_PROPERTY(bool failed READ failed NOTIFY changed FINAL)
-    // What restoring the checked one means; empty while none is.
+    // The consequence of restoring the checked backup; empty while none is checked.
     Q_PROPERTY(QString question READ question NOTIFY changed FINAL)
 
 public:
     using Looker = std::function<QList<store::Place>(const QString& ownFolder)>;
     using WallClock = std::function<QDateTime()>;
 
-    // What goes into a backup and who is asked; all must outlive it.
+    // The contents of a backup and the access checks; all must outlive the object.
     struct Parts {
         Machine& machine;
         Editor& editor;
@@ -59,25 +60,25 @@ public:
         AuditTrail& trail;
     };
 
-    // Files of its own are kept in a folder below `folder`, in which the database is.
+    // Stores its own files in a folder below `folder`, which also holds the database.
     Backup(const Parts& parts, const QString& folder, QObject* parent);
     ~Backup() override;
 
-    // The instance that attachToEngine() gave to this engine.
     static Backup* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
-    // Instead of the disks of this computer, for tests and captures.
+    // Replaces the search of this computer's disks, for tests and captures.
     void setLooker(Looker looker);
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
 
-    // Reads what there is and offers it to `places`; then offered().
+    // Reads the present data and offers it to `places`; then emits offered().
     Q_INVOKABLE void make();
-    // Looks for backups; refresh() in silence, for who waits for a stick.
+    // Searches for backups; refresh() leaves the message, for a page that waits for a stick.
     Q_INVOKABLE void look();
     Q_INVOKABLE void refresh();
-    // Unpacks and checks it; then checked() and a question, or a message that says why not.
+    // Unpacks and checks the backup. Ends in checked() and a question, or in a message with the reason.
     Q_INVOKABLE void check(int row);
-    // The checked one: keeps a backup of the present state, then restartWanted(), or a message.
+    // Restores the checked backup: saves a backup of the present state, then emits restartWanted() or shows a
+    // message.
     Q_INVOKABLE void restore();
 
     [[nodiscard]] ReportFiles* places() { return &m_places; }
@@ -92,7 +93,7 @@ signals:
     void changed();
     void offered();
     void checked();
-    // What was confirmed is ready on the disk: the panel is to be put together anew.
+    // Emitted when the confirmed data is ready on the disk: the panel must be rebuilt.
     void restartWanted();
 
 protected:
@@ -108,12 +109,12 @@ private:
         QString path;
         store::BackupManifest manifest;
     };
-    // The present state in a folder that goes with the last one who holds it.
+    // The present state in a folder that is deleted with its last owner.
     struct Snapshot {
         std::shared_ptr<QTemporaryDir> folder;
         store::BackupManifest manifest;
         store::BackupParts parts;
-        QString newestRow; // of the audit trail: number and hash
+        QString newestRow; // number and hash of the newest row of the audit trail
     };
 
     [[nodiscard]] bool admits();
@@ -141,7 +142,7 @@ private:
     bool m_failed = false;
     bool m_isRefreshing = false;
     int m_jobs = 0;
-    QThreadPool m_pool; // one thread; waits for it at the end
+    QThreadPool m_pool; // one thread; the destructor waits for it
 };
 
 } // namespace campanel::machine

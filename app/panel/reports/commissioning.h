@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Commissioning` in QML: the report that is handed over with a machine that runs: recipe, machine data,
-// limits, curves, table, what the controller runs, the last bags. Gathered here as texts and curves in the
-// language of the panel; the printer that is given makes a PDF of them.
+// `Commissioning` in QML: the commissioning report of a machine: recipe, machine data, limits, curves, table,
+// the controller's program, the last bags. It collects texts and curves in the panel's language; the given
+// printer makes a PDF.
 #pragma once
 
 #include "app/panel/kit/report_files.h"
@@ -27,18 +27,18 @@ class Machine;
 
 struct ReportSection {
     QString title;
-    QList<std::pair<QString, QString>> rows; // what and its value
-    QStringList lines;                       // whole sentences below them
+    QList<std::pair<QString, QString>> rows; // label and value
+    QStringList lines;                       // whole sentences below the rows
 };
 
 struct ReportData {
     QString title;
     QString recipe;   // name and version
-    QString footer;   // who, when, which CamPanel
+    QString footer;   // author, time and version of CamPanel
     QString pageText; // "Page %1"
     QList<ReportSection> sections;
     bool isFeasible = false;
-    // Of the plots; see plot::CurvePlot.
+    // The texts of the plots; see plot::CurvePlot.
     QString curvesTitle;
     QVariant curves;
     QStringList quantities;
@@ -60,16 +60,15 @@ public:
     using Printer = std::function<QByteArray(const ReportData&)>;
     using WallClock = std::function<QDateTime()>;
 
-    // All must outlive it.
+    // All arguments must outlive the object.
     Commissioning(Machine& machine, Editor& editor, Access& access, ReportFiles& files, QObject* parent);
 
-    // The instance that attachToEngine() gave to this engine.
     static Commissioning* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     void setPrinter(Printer printer) { m_printer = std::move(printer); }
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
 
-    // Prints what is so now and offers it to the files.
+    // Prints the present state and offers it to the files.
     Q_INVOKABLE void offer();
 
     [[nodiscard]] ReportData data() const;

@@ -150,7 +150,7 @@ void ServiceBundle::gather(const link::FiguresReport& figures)
                            {u"audit.csv"_s, store::auditCsv(*audit), {}}};
         },
         [this, entries](const tl::expected<Entries, store::StoreError>& logs) {
-            // Without its logs it helps too; the panel says by itself that they cannot be read.
+            // The bundle is useful without the logs; the panel reports elsewhere that they cannot be read.
             if (!logs)
                 m_parts.records.complain(logs.error());
             offer(entries + logs.value_or(Entries()));

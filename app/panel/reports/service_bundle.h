@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// `ServiceBundle` in QML: one archive for the manufacturer who is asked for help: the open recipe with its
-// table, what the controller runs, alarms and changes of the last week, the figures of the line, the last ten
-// seconds of the machine and those before its last fault. No PIN and no hash of one is in it.
+// `ServiceBundle` in QML: one archive for the manufacturer's support. It contains the open recipe with its
+// table, the controller's program, alarms and changes of the last week, and the figures of the line. It also
+// contains the last ten seconds of the machine and those before its last fault. No PIN and no hash of one is
+// in it.
 #pragma once
 
 #include "app/panel/kit/report_files.h"
@@ -28,7 +29,7 @@ class ServiceBundle : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
-    // Gathers what goes into it.
+    // True while the contents are collected.
     Q_PROPERTY(bool busy READ busy NOTIFY busyChanged FINAL)
 
 public:
@@ -42,15 +43,14 @@ public:
         ReportFiles& files;
     };
 
-    // All must outlive it.
+    // All arguments must outlive the object.
     ServiceBundle(const Parts& parts, QObject* parent);
 
-    // The instance that attachToEngine() gave to this engine.
     static ServiceBundle* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
 
-    // Gathers what is so now and offers it to the files, then offered().
+    // Collects the present data and offers it to the files, then emits offered().
     Q_INVOKABLE void make();
 
     [[nodiscard]] bool busy() const { return m_isBusy; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The last ten seconds of what the controller said, sample by sample, and those before its last fault: what
-// a manufacturer wants to see who was not there.
+// The controller's status of the last ten seconds, sample by sample, and of those before its last fault. It
+// lets a manufacturer analyze a fault afterwards.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -20,11 +20,11 @@ public:
     void add(const link::StatusSample& sample);
 
     [[nodiscard]] const std::deque<link::StatusSample>& latest() const { return m_latest; }
-    // Ends with the sample that first told of the fault; empty: there was none.
+    // Returns the samples up to the first one with the fault; empty: no fault.
     [[nodiscard]] const std::deque<link::StatusSample>& beforeFault() const { return m_beforeFault; }
 
-    // A line for each sample; times as UTC, at `moment` of the link's clock it was `timeOfDay`. What is not
-    // known is empty.
+    // Returns a line for each sample, with times in UTC. `timeOfDay` is the time of day at `moment` of the
+    // link's clock. Unknown values are empty.
     [[nodiscard]] static QByteArray csv(const std::deque<link::StatusSample>& samples,
                                         link::SteadyTime moment, const QDateTime& timeOfDay);
 

@@ -10,8 +10,8 @@ namespace campanel::machine {
 
 struct PortRow {
     QString name;        // "/dev/ttyUSB0"
-    QString description; // of the adapter
-    QString problem;     // why it cannot be used, empty when it can
+    QString description; // description of the adapter
+    QString problem;     // reason why it cannot be used, empty when it can
 };
 
 class PortModel : public QAbstractListModel {

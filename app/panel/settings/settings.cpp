@@ -49,8 +49,8 @@ QString chosen(const QString& wanted, const QStringList& possible, const QString
     return possible.contains(wanted) ? wanted : otherwise;
 }
 
-// What was edited by hand into nonsense becomes the standard; only the simulated controller is never chosen
-// by it.
+// Returns the stored connection. Invalid values become the default, but never select the simulated
+// controller.
 ConnectionChoice storedConnection(const store::SettingsFile& file, const ConnectionChoice& standard)
 {
     if (std::none_of(connectionKeys.begin(), connectionKeys.end(),
@@ -70,7 +70,7 @@ ConnectionChoice storedConnection(const store::SettingsFile& file, const Connect
 
 ConnectionChoice choiceOf(const link::ConnectionSettings& settings, const ConnectionChoice& before)
 {
-    ConnectionChoice choice = before; // a simulated one needs no port: the last one stays chosen
+    ConnectionChoice choice = before; // a simulated one needs no port: the last one stays selected
     choice.simulated = settings.simulated;
     if (settings.simulated)
         return choice;
@@ -118,12 +118,12 @@ Settings::Settings(const QString& storage, QObject* parent, const StandardSettin
     m_applied = storedConnection(m_file, standard.connection);
     m_draft = m_applied;
     QLocale::setDefault(QLocale(m_language));
-    // After the texts of the new language are there.
+    // Queued until the texts of the new language are available.
     connect(this, &Settings::languageChanged, this, &Settings::noticeChanged, Qt::QueuedConnection);
 }
 
-// Which controller this panel had is not known any more. It is not a new panel either: until somebody
-// chooses, also after the next start, it has none.
+// Removes the connection when the panel's controller is unknown. The panel is not new either: it has no
+// controller until somebody chooses one, also after the next start.
 void Settings::forgetController(ConnectionChoice standard)
 {
     standard.simulated = false;
@@ -152,7 +152,7 @@ void Settings::dismissNotice()
 
 QStringList Settings::fileKeys()
 {
-    // Brightness and dark screen are written by Display.
+    // Display writes brightness and screen-off time.
     return QStringList{languageKey,
                        themeKey,
                        glovesKey,

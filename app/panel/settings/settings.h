@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Settings` in QML: what this panel remembers for itself (language, looks, connection), kept in a file.
+// `Settings` in QML: the panel's own settings (language, appearance, connection), stored in a file.
 // Connection fields are a draft until applyConnection().
 #pragma once
 
@@ -18,7 +18,7 @@ class QQmlEngine;
 
 namespace campanel::machine {
 
-// How to reach the controller.
+// The connection to the controller.
 struct ConnectionChoice {
     bool simulated = true;
     QString portName; // "/dev/ttyUSB0"
@@ -30,10 +30,10 @@ struct ConnectionChoice {
     bool operator==(const ConnectionChoice&) const = default;
 };
 
-// What holds until somebody sets another value on the panel.
+// The defaults until another value is set on the panel.
 struct StandardSettings {
     ConnectionChoice connection;
-    QString language; // empty: the system's, or English
+    QString language; // empty: the system's language, or English
     QString theme = QStringLiteral("light");
     bool gloves = false;
     double bagToleranceMm = 0.5;
@@ -51,9 +51,9 @@ class Settings : public QObject {
     Q_PROPERTY(QStringList languageNames READ languageNames CONSTANT FINAL)
     Q_PROPERTY(QString theme READ theme WRITE setTheme NOTIFY themeChanged FINAL)
     Q_PROPERTY(QStringList themes READ themes CONSTANT FINAL)
-    // Keys for a hand in a thick glove: a quarter larger.
+    // True for larger keys, for thick gloves: a quarter larger.
     Q_PROPERTY(bool gloves READ gloves WRITE setGloves NOTIFY glovesChanged FINAL)
-    // +- mm that a bag's length may be off; only shown, the controller does not know it.
+    // The tolerance of a bag's length, +- mm; for display only, the controller does not know it.
     Q_PROPERTY(
         double bagToleranceMm READ bagToleranceMm WRITE setBagToleranceMm NOTIFY bagToleranceChanged FINAL)
     Q_PROPERTY(double leastBagToleranceMm READ leastBagToleranceMm CONSTANT FINAL)
@@ -69,23 +69,23 @@ class Settings : public QObject {
     Q_PROPERTY(bool connectionDirty READ connectionDirty NOTIFY connectionChanged FINAL)
     Q_PROPERTY(QList<int> bauds READ bauds CONSTANT FINAL)
 
-    // Minutes without a touch until whoever is logged in is logged out.
+    // The minutes without a touch until the automatic logout.
     Q_PROPERTY(
         int autoLogoutMinutes READ autoLogoutMinutes WRITE setAutoLogoutMinutes NOTIFY accessChanged FINAL)
     Q_PROPERTY(QList<int> autoLogoutChoices READ autoLogoutChoices CONSTANT FINAL)
-    // Without a login one may only look and stop, not operate.
+    // True when operating needs a login; viewing and Stop never do.
     Q_PROPERTY(bool operatorsLogIn READ operatorsLogIn WRITE setOperatorsLogIn NOTIFY accessChanged FINAL)
     Q_PROPERTY(campanel::machine::PortModel* ports READ ports CONSTANT FINAL)
-    // The panel is new: language, controller, PINs, machine and a first recipe are to be set.
+    // True on a new panel: language, controller, PINs, machine and a first recipe must be set.
     Q_PROPERTY(bool firstStart READ firstStart NOTIFY firstStartChanged FINAL)
-    // What the operator must know about the settings: they were damaged; empty: nothing.
+    // The notice about damaged settings; empty: none.
     Q_PROPERTY(QString notice READ notice NOTIFY noticeChanged FINAL)
 
 public:
-    // `storage` as an ini file's path; empty for the user's usual place.
+    // `storage` is the path of an ini file; empty: the user's standard folder.
     explicit Settings(const QString& storage, QObject* parent, const StandardSettings& standard = {});
 
-    // What can be chosen, and the limits of the tolerance.
+    // Return the choices, and the limits of the tolerance.
     [[nodiscard]] static QList<int> possibleBauds();
     [[nodiscard]] static QStringList possibleParities();
     [[nodiscard]] static QStringList possibleLanguages();
@@ -94,21 +94,19 @@ public:
     static constexpr double leastToleranceMm = 0.05;
     static constexpr double mostToleranceMm = 5;
 
-    // Where they are kept for that `storage`.
+    // Returns the path of the file for that `storage`.
     [[nodiscard]] static QString fileName(const QString& storage);
-    // The keys that the file can have.
     [[nodiscard]] static QStringList fileKeys();
-    // The file as it is now; the screen keeps its own settings in it too.
+    // Returns the present contents of the file, including the screen's own settings.
     [[nodiscard]] QByteArray contents() const { return m_file.contents(); }
     [[nodiscard]] store::SettingsFile& file() { return m_file; }
 
-    // What was set last has been written.
+    // Returns true when the last change has been written.
     [[nodiscard]] bool areKept() const { return m_file.isKept(); }
 
     [[nodiscard]] QString notice() const;
     Q_INVOKABLE void dismissNotice();
 
-    // The instance that attachToEngine() gave to this engine.
     static Settings* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     [[nodiscard]] QString language() const { return m_language; }
@@ -121,7 +119,7 @@ public:
     [[nodiscard]] bool gloves() const { return m_gloves; }
     void setGloves(bool gloves);
     [[nodiscard]] double bagToleranceMm() const { return m_bagToleranceMm; }
-    void setBagToleranceMm(double toleranceMm); // what is beyond the limits becomes the limit
+    void setBagToleranceMm(double toleranceMm); // limited to its range
     [[nodiscard]] double leastBagToleranceMm() const { return leastToleranceMm; }
     [[nodiscard]] double mostBagToleranceMm() const { return mostToleranceMm; }
     [[nodiscard]] double defaultBagToleranceMm() const { return m_standardToleranceMm; }
@@ -147,12 +145,12 @@ public:
     [[nodiscard]] QList<int> autoLogoutChoices() const { return possibleLogouts(); }
     [[nodiscard]] bool operatorsLogIn() const { return m_operatorsLogIn; }
     void setOperatorsLogIn(bool logIn);
-    // From now on it is asked before a change: connection and tolerance are for technicians, logging in and
-    // out for service, language and looks for everybody.
+    // Sets the access check before changes: connection and tolerance need a technician, login settings the
+    // level Service, language and appearance nobody.
     void guardBy(Gate& gate) { m_gate = &gate; }
 
     [[nodiscard]] bool firstStart() const { return m_isFirstStart; }
-    // It is one when nothing has been set yet, or when the last one was not brought to its end.
+    // Offers the first start when nothing has been set yet, or when the last one was not completed.
     void offerFirstStart();
     void beginFirstStart();
     Q_INVOKABLE void endFirstStart();
@@ -160,15 +158,15 @@ public:
     Q_INVOKABLE void refreshPorts();
     Q_INVOKABLE void applyConnection();
 
-    // The connection in use, and the same for the link.
+    // Return the connection in use, and the same for the link.
     [[nodiscard]] const ConnectionChoice& connection() const { return m_applied; }
     [[nodiscard]] link::ConnectionSettings linkSettings() const;
-    // Uses this connection from now on and stores it; a draft is given up.
+    // Uses and stores this connection; discards a draft.
     void takeConnection(const link::ConnectionSettings& settings);
     [[nodiscard]] bool isInUse(const link::ConnectionSettings& settings) const;
-    // Runs this program as the simulated controller instead of the one that is found, with its flash there.
+    // Runs this program as the simulated controller instead of the default one, with its flash in stateDir.
     void overrideSimulator(const QString& program, const QString& stateDir);
-    // For this run only, as the command line wants it; nothing is stored.
+    // Uses this connection for the present run only, for the command line; nothing is stored.
     void overrideConnection(const ConnectionChoice& choice);
     void overrideLanguage(const QString& language);
     void overrideTheme(const QString& theme);
@@ -198,7 +196,7 @@ private:
     double m_bagToleranceMm;
     int m_autoLogoutMinutes;
     bool m_operatorsLogIn;
-    bool m_isNoticed; // the notice was not dismissed yet
+    bool m_isNoticed;
     bool m_isFirstStart = false;
     QPointer<Gate> m_gate;
     ConnectionChoice m_draft;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `SystemFacts` in QML: the clock and the network of this computer, to look at. They are set where the system
-// is, not here.
+// `SystemFacts` in QML: the clock and the network of this computer, read-only. They are set in the operating
+// system.
 #pragma once
 
 #include <QDateTime>
@@ -16,10 +16,10 @@ namespace campanel::machine {
 class SystemFacts : public QObject {
     Q_OBJECT
     QML_ELEMENT
-    // "22 November 2026 14:07:31", "Europe/Berlin (UTC+01:00)".
+    // The clock, "22 November 2026 14:07:31", and the time zone, "Europe/Berlin (UTC+01:00)".
     Q_PROPERTY(QString clockText READ clockText NOTIFY changed FINAL)
     Q_PROPERTY(QString zoneText READ zoneText NOTIFY changed FINAL)
-    // A line for each interface that is up: "eth0: 192.168.1.20, fe80::1".
+    // A line for each active interface: "eth0: 192.168.1.20, fe80::1".
     Q_PROPERTY(QStringList networks READ networks NOTIFY changed FINAL)
 
 public:
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] QString zoneText() const;
     [[nodiscard]] QStringList networks() const { return m_networks; }
 
-    // For captures, which must not depend on where they are made; of all that are made afterwards.
+    // Fixed values for reproducible captures; they apply to all instances created afterwards.
     struct Fixed {
         QDateTime now;
         QStringList networks;

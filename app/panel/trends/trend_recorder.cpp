@@ -30,7 +30,7 @@ TrendRecorder::TrendRecorder(Machine& machine, Settings& settings)
     , m_settings(settings)
     , m_clock(&QDateTime::currentMSecsSinceEpoch)
 {
-    // After the machine, which took the signal first.
+    // Connected after the machine, which handles the signal first.
     connect(&machine.link(), &link::Link::statusReceived, this, &TrendRecorder::takeStatus);
     connect(machine.packing(), &PackingLine::bagRecorded, this, &TrendRecorder::takeBag);
     connect(&machine, &Machine::programChanged, this, [this] {
@@ -115,7 +115,7 @@ void TrendRecorder::add(store::Bag bag)
     const double rate = m_machine.live().rateBagsPerMin;
     if (std::isfinite(rate))
         bag.rateBagsPerMin = rate;
-    // One of several lengths counts by one of them: it would flatten the curve of all others.
+    // A bag of several lengths counts by one of them: otherwise it would flatten the curve of all others.
     const bool isWithin = std::abs(bag.deviationMm) <= m_settings.bagToleranceMm();
     add(TrendQuantity::BagLength, bag.timeMs, bag.setLengthMm + bag.deviationMm, isWithin);
     add(TrendQuantity::Deviation, bag.timeMs, bag.deviationMm, isWithin);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gathers what the controller tells - bags, mark errors, following errors, rate, times of answers - into one
-// bucket per second and quantity, until somebody takes them to keep them.
+// Collects the controller's data - bags, mark errors, following errors, rate, answer times - in one bucket
+// per second and quantity until take() fetches them.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -29,20 +29,20 @@ public:
 
         [[nodiscard]] bool isEmpty() const { return bags.isEmpty() && parts.isEmpty(); }
     };
-    // ms since 1970 UTC.
+    // Milliseconds since 1970 UTC.
     using WallClock = std::function<qint64()>;
 
-    // Both must outlive it.
+    // Both arguments must outlive the object.
     TrendRecorder(Machine& machine, Settings& settings);
 
     void setWallClock(WallClock clock) { m_clock = std::move(clock); }
-    // What has come since the last time. Nobody takes it for long: what is older than ten minutes is dropped.
+    // Returns the data since the last call. Data older than ten minutes is dropped.
     [[nodiscard]] Batch take();
 
 private:
     void takeStatus(const link::StatusBatch& batch);
     void takeBag(const modbus::BagRecord& bag);
-    // Of a controller that does not record its bags.
+    // Adds a bag of a controller that does not record its bags.
     void noteBag(const modbus::StatusBlock& status);
     void noteMotion(const modbus::StatusBlock& status, qint64 nowMs);
     void add(store::Bag bag);
@@ -55,7 +55,7 @@ private:
     std::map<std::pair<qint64, store::TrendQuantity>, store::TrendBucket> m_parts;
     std::optional<double> m_worstFollowingMm; // since the last bag
     std::optional<std::uint32_t> m_bagCount;
-    bool m_isNextOfTwoPrograms = false; // it was begun under another one: its deviation says nothing
+    bool m_isNextOfTwoPrograms = false; // begun under another program: its deviation does not count
 };
 
 } // namespace campanel::machine

@@ -23,12 +23,13 @@ using store::TrendQuantity;
 
 static_assert(static_cast<int>(TrendQuantity::Latency) == Trends::Latency);
 
-constexpr qint64 shortestStepMs = 1000; // of a window that follows the time
+constexpr qint64 shortestStepMs = 1000; // for a window that follows the time
 constexpr qint64 longestStepMs = 30'000;
 constexpr qint64 stepsInAWindow = 600;
-constexpr qint64 bagsInMemory = 20'000; // when the file cannot be had
+constexpr qint64 bagsInMemory = 20'000; // when the file cannot be opened
 constexpr qint64 mostBagsExported = 200'000;
-// What is farther apart is a gap: bags come one by one, the rest many times a second.
+// The distance from which bags have a gap between them: bags come one by one, other values many times a
+// second.
 constexpr qint64 gapOfBagsMs = 15'000;
 constexpr qint64 gapOfStatusMs = 3000;
 
@@ -59,7 +60,7 @@ qint64 gapOf(TrendQuantity quantity)
     return gapOfStatusMs;
 }
 
-// Means, lowest and highest; with a point without a value where nothing was recorded.
+// Returns means, lowest and highest values; a point without a value is a gap.
 QList<QList<QPointF>> linesOf(const store::TrendCurve& curve, qint64 columnMs)
 {
     QList<QList<QPointF>> lines(3);
@@ -111,7 +112,7 @@ Trends::Trends(Machine& machine, Settings& settings, Records& records, ReportFil
 Trends::~Trends()
 {
     m_isWriting = false;
-    write(); // the store does all its jobs before its end
+    write(); // the store completes all jobs before its end
 }
 
 Trends* Trends::create(QQmlEngine* qmlEngine, QJSEngine*)
@@ -211,7 +212,7 @@ store::TrendQuestion Trends::question() const
     return question;
 }
 
-// What was gathered is written first, so that the newest values are in the answer.
+// Writes the collected data first, so that the answer contains it.
 void Trends::refresh()
 {
     if (!m_isWatched)
@@ -289,7 +290,7 @@ void Trends::takeKept(const tl::expected<void, StoreError>& kept)
         complain(kept.error());
 }
 
-// Once: a full disk is full every five seconds.
+// Reports an error once: a full disk fails every five seconds.
 void Trends::complain(const StoreError& error)
 {
     if (std::exchange(m_hasComplained, true))
@@ -316,7 +317,7 @@ void Trends::exportCsv()
         return;
     emit exportingChanged();
     struct Files {
-        QByteArray bags; // compressed: they wait until a place was chosen
+        QByteArray bags; // compressed, until a place is chosen
         QByteArray trends;
         tl::expected<void, StoreError> kept;
         std::optional<StoreError> error;

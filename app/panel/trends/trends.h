@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Trends` in QML: keeps every bag and the course of what is measured, and shows a window of it. Reading and
-// writing happen in the thread of their own database; what is asked meanwhile waits for one answer.
+// `Trends` in QML: stores every bag and the course of the measured values, and displays a window of it.
+// Reading and writing run in the thread of their own database. Requests made during a read wait for its
+// answer.
 #pragma once
 
 #include "app/panel/trends/trend_recorder.h"
@@ -24,29 +25,31 @@ class Trends : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
-    // Quantities from top to bottom, at least one, at most `mostChosen`.
+    // The quantities from top to bottom, at least one, at most `mostChosen`.
     Q_PROPERTY(QList<int> chosen READ chosen NOTIFY chosenChanged FINAL)
     // The window in ms since 1970 UTC. It moves with the time while `live`.
     Q_PROPERTY(double fromMs READ fromMs NOTIFY windowChanged FINAL)
     Q_PROPERTY(double toMs READ toMs NOTIFY windowChanged FINAL)
     Q_PROPERTY(double spanMs READ spanMs NOTIFY windowChanged FINAL)
     Q_PROPERTY(bool live READ live NOTIFY windowChanged FINAL)
-    // Somebody looks: the window is read again while it moves.
+    // True while the trends are displayed: the window is read again while it moves.
     Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
-    // For the plot: std::shared_ptr<const QList<QList<QPointF>>>, of each chosen quantity the means, the
-    // lowest and the highest values over the time in ms, half a window more on both sides. A point whose y is
-    // NaN is a gap.
+    // The curves for the plot: std::shared_ptr<const QList<QList<QPointF>>>. Each chosen quantity has the
+    // means, the lowest and the highest values over the time in ms, with half a window more on both sides. A
+    // point with a NaN as y is a gap.
     Q_PROPERTY(QVariant curves READ curves NOTIFY shownChanged FINAL)
-    // Of each chosen quantity {count, mean, scatter, low, high, within}; NaN: none; within: share, 0..1.
+    // The statistics of each chosen quantity, {count, mean, scatter, low, high, within}. NaN: none; within:
+    // share, 0..1.
     Q_PROPERTY(QVariantList statistics READ statistics NOTIFY shownChanged FINAL)
     Q_PROPERTY(Content content READ content NOTIFY shownChanged FINAL)
-    // A CSV is being made; then exportReady() comes.
+    // True while a CSV is created; then exportReady() follows.
     Q_PROPERTY(bool exporting READ exporting NOTIFY exportingChanged FINAL)
 
 public:
     enum Quantity { BagLength, Deviation, MarkError, FollowingError, Rate, Latency };
     Q_ENUM(Quantity)
-    // Unread: nothing was asked yet. NothingYet: nothing was ever recorded. NothingHere: not in this window.
+    // The content. Unread: not requested yet. NothingYet: nothing recorded at all. NothingHere: nothing in
+    // this window.
     enum Content { Unread, NothingYet, NothingHere, Shown };
     Q_ENUM(Content)
 
@@ -55,22 +58,21 @@ public:
     static constexpr qint64 longestSpanMs = 30LL * 24 * 3'600'000;
     static constexpr int writePeriodMs = 5000;
 
-    // All must outlive it. The database is kept in `folder`.
+    // All arguments must outlive the object. `folder` contains the database.
     Trends(Machine& machine, Settings& settings, Records& records, ReportFiles& files, const QString& folder,
            QObject* parent);
-    // Keeps what is not yet kept.
+    // Stores the remaining data.
     ~Trends() override;
 
-    // Opens the database; what comes until then waits for it.
+    // Opens the database; earlier requests wait for it.
     void open() { m_store.open(); }
 
-    // The instance that attachToEngine() gave to this engine.
     static Trends* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
-    // What was measured and is not yet kept goes into the database before what store() is asked for next.
+    // Writes the measured data to the database before the next request of store().
     void flush();
 
-    // For tests and captures: the time of day instead of the computer's.
+    // Replaces the computer's time of day, for tests and captures.
     void setWallClock(const TrendRecorder::WallClock& clock);
     [[nodiscard]] store::StoreThread& store() { return m_store; }
 
@@ -84,22 +86,22 @@ public:
     [[nodiscard]] QVariant curves() const { return m_curves; }
     [[nodiscard]] QVariantList statistics() const { return m_statistics; }
     [[nodiscard]] Content content() const { return m_content; }
-    [[nodiscard]] qint64 columnMs() const { return m_columnMs; } // of the curves; 0 before the first answer
+    [[nodiscard]] qint64 columnMs() const { return m_columnMs; } // per column; 0 before the first answer
     [[nodiscard]] bool exporting() const { return m_isExporting; }
 
-    // Takes the quantity in or out; the last one stays, a fourth one takes the place of the lowest.
+    // Adds or removes the quantity. The last one stays; a fourth one replaces the lowest.
     Q_INVOKABLE void toggle(int quantity);
-    // A span about the middle of the window; while it is live, up to now.
+    // Displays a span around the middle of the window; while live, up to now.
     Q_INVOKABLE void showSpan(double spanMs);
-    // A shorter (below 1) or longer one.
+    // Changes the span; a factor below 1 shortens it.
     Q_INVOKABLE void zoom(double factor) { showSpan(spanMs() * factor); }
-    // What lies in the future is not shown; up to now it is live again.
+    // Displays this window without its future part. A window up to now is live again.
     Q_INVOKABLE void showWindow(double fromMs, double toMs);
     Q_INVOKABLE void showNow();
-    // Makes CSV files of the window and offers them: each bag while there are not too many, and the columns
-    // of the chosen quantities.
+    // Creates and offers CSV files of the window: each bag unless there are too many, and the columns of the
+    // chosen quantities.
     Q_INVOKABLE void exportCsv();
-    // Reads the window again, with what has come since.
+    // Reads the window again, with the new data.
     void refresh();
 
 signals:
@@ -139,10 +141,10 @@ private:
     qint64 m_columnMs = 0;
     bool m_isLive = true;
     bool m_isWatched = false;
-    bool m_isAsked = false;  // one answer is awaited
-    bool m_isWanted = false; // and another one is wanted after it
+    bool m_isAsked = false;  // an answer is pending
+    bool m_isWanted = false; // another read is needed after it
     bool m_isWriting = false;
-    bool m_hasComplained = false; // until something was kept again
+    bool m_hasComplained = false; // until the next successful write
     bool m_isExporting = false;
     QVariant m_curves;
     QVariantList m_statistics;

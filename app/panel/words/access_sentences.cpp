@@ -14,7 +14,7 @@ bool hasOnlyDigits(const QString& pin)
     return std::ranges::all_of(pin, [](QChar digit) { return digit >= u'0' && digit <= u'9'; });
 }
 
-// Every digit as far from the one before: 0000, 1234, 9876.
+// Returns true when all digits have the same distance: 0000, 1234, 9876.
 bool isRow(const QString& pin)
 {
     const int step = pin[1].unicode() - pin[0].unicode();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Levels, PINs and logging in, in words.
+// The texts for levels, PINs and logins.
 #pragma once
 
 #include "app/panel/kit/gate.h"
@@ -15,14 +15,13 @@ class AccessSentences {
 
 public:
     [[nodiscard]] static QString level(Level level);
-    // What somebody of that level may do.
+    // Describes what a user of that level may do.
     [[nodiscard]] static QString permission(Level level);
-    // Who may do what was just refused.
     [[nodiscard]] static QString refusal(Level needed);
-    // Why nobody can log in and be more than an operator, and what brings the logins back.
+    // Returns why nobody can log in as more than an operator, and how to restore the logins.
     [[nodiscard]] static QString locked(const store::StoreError& reason);
     [[nodiscard]] static int minPinDigits(Level level);
-    // Why a user of that level cannot choose this PIN; empty when they can.
+    // Returns why a user of that level cannot choose this PIN; empty when they can.
     [[nodiscard]] static QString pinRefusal(const QString& pin, Level level);
     [[nodiscard]] static QString wrongPin(qint64 waitMs);
     [[nodiscard]] static QString mustWait(qint64 waitMs);

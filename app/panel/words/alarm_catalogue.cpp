@@ -162,7 +162,7 @@ QString translated(const char* source)
     return QCoreApplication::translate("AlarmCatalogue", source);
 }
 
-// Of this file's own ids, so there is one.
+// Returns the kind of an id from this file, which must exist.
 const AlarmKind& known(std::string_view id)
 {
     return *std::ranges::find(kinds, id, [](const AlarmKind& kind) { return std::string_view(kind.id); });

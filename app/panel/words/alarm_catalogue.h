@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every alarm there is: its id, how bad it is, and in words what it is, why, and what to do. Ids never change
-// and are never used again: C controller fault, W controller warning, M packing machine, L link, P panel.
+// The catalogue of alarms: id, severity, and texts for description, cause and action. Ids never change and
+// are never reused: C controller fault, W controller warning, M packing machine, L link, P panel.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -12,43 +12,44 @@
 
 namespace campanel::machine {
 
-// Worst last. A notice is listed and logged and needs no acknowledgement.
+// The severities in ascending order. A notice is listed and logged but needs no acknowledgement.
 enum class AlarmSeverity { None, Notice, Warning, Fault };
 
 struct AlarmKind {
     const char* id = "";
     AlarmSeverity severity = AlarmSeverity::Warning;
-    bool stopsMachine = false; // such a one cannot be shelved
-    // English sources of the texts; see the functions below.
+    bool stopsMachine = false; // an alarm that stops the machine cannot be shelved
+    // The English sources of the texts; see the functions below.
     const char* titleSource = "";
     const char* causeSource = "";
     const char* actionSource = "";
 
     [[nodiscard]] QString code() const { return QString::fromLatin1(id); }
-    // In the language of the program: a few words; then one or two sentences each.
+    // Returns the title in the language of the program, in a few words; the next two return one or two
+    // sentences.
     [[nodiscard]] QString title() const;
     [[nodiscard]] QString cause() const;
     [[nodiscard]] QString action() const;
-    // Cause and action.
+    // Returns cause and action.
     [[nodiscard]] QString sentence() const;
 };
 
 class AlarmCatalogue {
 public:
     [[nodiscard]] static std::span<const AlarmKind> all();
-    // Null when there is none: the log may hold one of a newer version.
+    // Returns null when there is none: the log may hold an alarm of a newer version.
     [[nodiscard]] static const AlarmKind* find(const QString& code);
 
     [[nodiscard]] static const AlarmKind& of(modbus::FaultBit bit);
     [[nodiscard]] static const AlarmKind& of(modbus::WarningBit bit);
-    // Bits that this version does not know.
+    // Returns the kind for bits that this version does not know.
     [[nodiscard]] static const AlarmKind& unknownFault();
     [[nodiscard]] static const AlarmKind& unknownWarning();
-    // Null while the state is no problem.
+    // Returns null when the state is not a problem.
     [[nodiscard]] static const AlarmKind* of(link::LinkState state);
     [[nodiscard]] static const AlarmKind& simulatorMissing();
     [[nodiscard]] static const AlarmKind& of(store::StoreError::Kind kind);
-    // The database was damaged, and its last good copy has taken its place or not.
+    // Returns the alarm of a damaged database, replaced by its last good copy or not.
     [[nodiscard]] static const AlarmKind& memoryDamaged(bool isFromCopy);
     [[nodiscard]] static const AlarmKind& recipeNotKept();
     [[nodiscard]] static const AlarmKind& settingsNotKept();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An occurrence of an alarm in words, and as the roles that the lists of alarms have in common.
+// The texts of an occurrence of an alarm, and the roles that the alarm lists share.
 #pragma once
 
 #include "app/panel/words/alarm_catalogue.h"
@@ -21,21 +21,21 @@ public:
         CodeRole = Qt::UserRole + 1,
         TitleRole,
         SeverityRole, // Alarms.Severity
-        TimeRole,     // when it came
+        TimeRole,     // time of the occurrence
         StateRole,    // "active, acknowledged", ...
-        CallsRole,    // wants to be acknowledged
+        CallsRole,    // needs to be acknowledged
         LiveRole,     // active
         CountRole
     };
 
     [[nodiscard]] static QHash<int, QByteArray> roles();
-    // `today`: what is of another day has its date.
+    // Returns the data of a role. Times on a day other than `today` include the date.
     [[nodiscard]] static QVariant role(const store::AlarmRow& row, int role, const QDate& today);
 
     [[nodiscard]] static QString title(const QString& code);
     [[nodiscard]] static AlarmSeverity severity(const QString& code);
     [[nodiscard]] static QString state(const store::AlarmRow& row);
-    // Of a day that is not `today` with its date.
+    // Returns the time, with its date on a day other than `today`.
     [[nodiscard]] static QString time(qint64 utcMs, const QDate& today);
 };
 

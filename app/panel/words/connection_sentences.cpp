@@ -161,7 +161,7 @@ QString ConnectionSentences::command(const link::CommandOutcome& outcome)
     const QString name = commandName(outcome.command);
     switch (outcome.end) {
     case CommandEnd::Done:
-    case CommandEnd::Withdrawn: // by the person who pressed it
+    case CommandEnd::Withdrawn: // the user already knows
         return {};
     case CommandEnd::Refused:
         return tr("%1 was refused: %2", "%1: command, %2: whole sentence")

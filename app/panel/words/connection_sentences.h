@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the link has to say, in whole translated sentences: what is wrong and what to do.
+// The link's reports in whole translated sentences: what is wrong and what to do.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -13,12 +13,12 @@ class ConnectionSentences {
     Q_DECLARE_TR_FUNCTIONS(ConnectionSentences)
 
 public:
-    // `lostAt`: since when a connection that was there is lost.
+    // Describes the connection. `lostAt`: the time when the connection was lost.
     [[nodiscard]] static QString connection(const link::LinkReport& report, const QDateTime& lostAt);
     [[nodiscard]] static QString error(const modbus::LinkError& error);
-    // Empty when the command was carried out.
+    // Returns an empty text when the command was executed.
     [[nodiscard]] static QString command(const link::CommandOutcome& outcome);
-    // Empty when it was written; `what` begins the sentence.
+    // Returns an empty text when the value was written; `what` begins the sentence.
     [[nodiscard]] static QString parameter(const QString& what, const link::ParameterOutcome& outcome);
     [[nodiscard]] static QString download(const link::DownloadReport& report);
 

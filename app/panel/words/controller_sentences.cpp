@@ -41,7 +41,7 @@ QStringList ControllerSentences::alarms(const modbus::StatusBlock& status)
         if (status.has(bit))
             texts << AlarmCatalogue::of(bit).sentence();
     }
-    // Not homed and without a clock is what a controller is when it was switched on.
+    // NotHomed and ClockNotSet are normal after power-up.
     for (const WarningBit bit :
          {WarningBit::HeartbeatLost, WarningBit::FlashSlotInvalid, WarningBit::MarksLost,
           WarningBit::MarkPitchWrong, WarningBit::CorrectionAtLimit, WarningBit::ProductTooLong,

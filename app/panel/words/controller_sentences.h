@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The controller's words (states, faults, warnings, refusals) as translated text.
+// The controller's states, faults, warnings and refusals as translated text.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -14,7 +14,7 @@ class ControllerSentences {
 
 public:
     [[nodiscard]] static QString state(modbus::State state);
-    // Two sentences for each, of the alarm catalogue: what it is and what to do. Faults first.
+    // Returns two sentences of the alarm catalogue for each alarm: description and action. Faults come first.
     [[nodiscard]] static QStringList alarms(const modbus::StatusBlock& status);
     [[nodiscard]] static QString refusal(modbus::Refusal reason);
     [[nodiscard]] static QString pressStage(modbus::PressStage stage);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the link doctor found, in whole translated sentences: what is the matter and what to do.
+// The findings of the link doctor in whole translated sentences: what is wrong and what to do.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -12,12 +12,12 @@ class DoctorSentences {
     Q_DECLARE_TR_FUNCTIONS(DoctorSentences)
 
 public:
-    // "9600 baud, 8E1, unit 7".
+    // Returns "9600 baud, 8E1, unit 7".
     [[nodiscard]] static QString settings(const modbus::LineSettings& line, int unit);
-    // A few words: "No answer".
+    // Returns a few words: "No answer".
     [[nodiscard]] static QString condition(modbus::LineCondition condition);
     [[nodiscard]] static QString finding(const modbus::LineFinding& finding);
-    // "12 of 7410, at most 11 min more".
+    // Returns "12 of 7410, at most 11 min more".
     [[nodiscard]] static QString progress(const modbus::ScanProgress& progress);
 
 private:

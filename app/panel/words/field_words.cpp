@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The short names of the fields on screen.
+// The short display names of the fields.
 #include "app/panel/words/recipe_words.h"
 
 namespace campanel::machine {

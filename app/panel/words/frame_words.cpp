@@ -141,7 +141,7 @@ QString FrameWords::answer(const DecodedFrame& frame)
             .arg(valueOf(frame, "transfer_result.operation"), valueOf(frame, "transfer_result.result"));
     if (frame.values.empty())
         return tr("Answer: done");
-    // What was read back comes after the echo of the question.
+    // The values read follow the echo of the question.
     constexpr std::size_t echo = 3;
     const bool isReadback = starts(frame.read, "readback_result.tag") && frame.values.size() > echo;
     return tr("Answer: %1").arg(assignment(frame.values[isReadback ? echo : 0]));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames of the line in translated words: one line for the list, all values for who looks closer.
+// Frames of the line as translated text: one line for the list, all values for the detail view.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -13,11 +13,11 @@ class FrameWords {
     Q_DECLARE_TR_FUNCTIONS(FrameWords)
 
 public:
-    // "Status: Running, 12.34 deg".
+    // Returns "Status: Running, 12.34 deg".
     [[nodiscard]] static QString line(const modbus::FrameRecord& record);
-    // What became of it, unit and function, then each value: "status.state = Running".
+    // Returns verdict, unit and function, then each value: "status.state = Running".
     [[nodiscard]] static QStringList details(const modbus::FrameRecord& record);
-    // "01 03 00 00", empty without bytes.
+    // Returns "01 03 00 00", empty without bytes.
     [[nodiscard]] static QString bytes(const modbus::FrameRecord& record);
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the numbers of the machine mean, for whoever enters them.
+// The explanations of the machine's numbers, for the person who enters them.
 #include "app/panel/words/recipe_words.h"
 
 namespace campanel::machine {

@@ -228,7 +228,7 @@ QString RecipeWords::limitName(Limit limit)
         return tr("table rows");
     case Limit::MachineRate:
         return tr("largest rate");
-    case Limit::FieldRange: // of the fastest rate: the end of the speeds that a recipe can have
+    case Limit::FieldRange: // for the fastest rate: the limit of the speeds in a recipe
         return tr("knife speed");
     case Limit::PinnedPair:
     case Limit::LawUnknown:

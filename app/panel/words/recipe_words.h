@@ -16,22 +16,22 @@ class RecipeWords {
 
 public:
     [[nodiscard]] static QString fieldName(profile::Field field);
-    // What a number of the machine means, where it stands and what a wrong one does; empty for the other
-    // fields.
+    // Explains a number of the machine: its meaning, where to find it and the effect of a wrong one. Empty
+    // for the other fields.
     [[nodiscard]] static QString machineHelp(profile::Field field);
     // Returns the value with the field's decimals and without its unit; ratios without superfluous zeros.
     [[nodiscard]] static QString valueText(profile::Field field, double value);
     [[nodiscard]] static QString unit(std::string_view unit); // "mm/s^2" -> "mm/s²"
     [[nodiscard]] static QString lawName(profile::LawId law);
-    // The sentences of the table of laws.
+    // Return the sentences of the table of laws.
     [[nodiscard]] static QString lawStrength(profile::LawId law);
     [[nodiscard]] static QString lawWeakness(profile::LawId law);
     [[nodiscard]] static QString lawParameterName(std::string_view parameterId);
     [[nodiscard]] static QString kindName(profile::ProgramKind kind);
     [[nodiscard]] static QString choiceName(program::Choice choice);
-    // Of an option of a choice other than the law, by its key.
+    // Returns the name of an option of a choice other than the law, by its key.
     [[nodiscard]] static QString optionName(std::string_view key);
-    // "acceleration", for the end of a sentence
+    // Returns "acceleration", for the end of a sentence.
     [[nodiscard]] static QString limitName(profile::Limit limit);
 };
 

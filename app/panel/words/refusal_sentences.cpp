@@ -11,7 +11,7 @@ using profile::Limit;
 
 namespace {
 
-// What the machine would do, in the units of the plots: accelerations in m/s².
+// Formats a value in the units of the plots: accelerations in m/s².
 QString quantityText(profile::Field field, double value)
 {
     if (field != profile::Field::MaxKnifeAcceleration && field != profile::Field::MaxAcceleration)

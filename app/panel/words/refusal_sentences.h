@@ -15,11 +15,11 @@ class RefusalSentences {
 
 public:
     [[nodiscard]] static QString refusal(const profile::Refusal& refusal);
-    // For a button: "Rate 143.2 bags/min".
+    // Returns the text of a button: "Rate 143.2 bags/min".
     [[nodiscard]] static QString suggestion(const profile::Suggestion& suggestion);
     [[nodiscard]] static QString withinLimits(const std::optional<profile::FastestRate>& fastest);
     [[nodiscard]] static QString closeToLimits(const std::optional<profile::FastestRate>& fastest);
-    // "60.0 mm"
+    // Returns "60.0 mm".
     [[nodiscard]] static QString valueWithUnit(profile::Field field, double value);
 
 private:

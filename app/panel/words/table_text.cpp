@@ -121,7 +121,7 @@ QStringList TableText::cells(std::size_t row, double startS) const
 QString TableText::stretchName(double timeS) const
 {
     const profile::CycleNumbers& cycle = m_image.cutter().cycle;
-    // Rows begin at timer ticks, the stretches anywhere.
+    // Rows start at timer ticks, segments anywhere.
     const double tolerance = 1.0 / m_image.solved.machine.timerClockHz;
     if (timeS < cycle.taS - tolerance || timeS >= cycle.tdS - tolerance)
         return tr("base");
@@ -164,7 +164,7 @@ QStringList TableText::summaryOf(const profile::StepTable& table) const
 QStringList TableText::summaryOf(const profile::CamTable& table) const
 {
     const Format format;
-    // The table of a cam is that of the forward motion, whichever way the master turns.
+    // The table of a cam is that of the forward motion, in either direction of the master.
     const auto* cam = std::get_if<profile::PointCamProgram>(&m_image.recipe.program);
     const profile::CamErrors errors =
         profile::camErrors(table, cam ? profile::forwardMotion(*cam) : m_image.solved.motion,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A table of any kind in words: its columns, rows and error figures.
+// The texts of a table of any kind: its columns, rows and error figures.
 #pragma once
 
 #include "app/program/program_image.h"
@@ -15,7 +15,7 @@ class TableText {
     Q_DECLARE_TR_FUNCTIONS(TableText)
 
 public:
-    // The image must outlive it.
+    // The image must outlive the object.
     explicit TableText(const program::ProgramImage& image)
         : m_image(image)
     {
@@ -23,10 +23,11 @@ public:
 
     [[nodiscard]] QString name() const;
     [[nodiscard]] QStringList columns() const;
-    // Beginning of each row on the time axis; of a press 0 for all, as its stages end where they end.
+    // Returns the start of each row on the time axis. All are 0 for a press, because its stages have no fixed
+    // ends.
     [[nodiscard]] std::vector<double> startsS() const;
     [[nodiscard]] QStringList cells(std::size_t row, double startS) const;
-    // What the table says of its own errors, a line each.
+    // Returns the errors of the table, one line each.
     [[nodiscard]] QStringList summary() const;
 
 private:

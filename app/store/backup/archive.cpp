@@ -35,7 +35,7 @@ QString reasonOf(int code)
     return text;
 }
 
-// Null when it cannot be read.
+// Returns null when the source cannot be read.
 zip_source_t* sourceOf(zip_t* archive, const ArchiveEntry& entry)
 {
     if (!entry.file.isEmpty())
@@ -56,7 +56,7 @@ bool addEntry(zip_t* archive, const ArchiveEntry& entry)
     return true;
 }
 
-// Every piece of the entry that is `name`, of at most `mostBytes` together.
+// Passes the pieces of the entry `name` to `take`, at most `mostBytes` together.
 tl::expected<void, Error> readPieces(zip_t* archive, const QString& name, qint64 mostBytes,
                                      const std::function<bool(const QByteArray&)>& take)
 {
@@ -68,7 +68,7 @@ tl::expected<void, Error> readPieces(zip_t* archive, const QString& name, qint64
         QByteArray piece(pieceBytes, Qt::Uninitialized);
         const zip_int64_t got = zip_fread(entry.get(), piece.data(), pieceBytes);
         total += got;
-        if (got < 0 || total > mostBytes) // the checksum of the entry is wrong, or it is another one
+        if (got < 0 || total > mostBytes) // wrong checksum, or another entry
             return tl::unexpected(Error{Fault::Damaged, name});
         if (got == 0)
             return {};
@@ -89,7 +89,7 @@ tl::expected<void, QString> writeArchive(const QString& path, const QList<Archiv
     bool isWritten = true;
     for (const ArchiveEntry& entry : entries)
         isWritten = isWritten && addEntry(archive, entry);
-    // Writes beside, then renames.
+    // libzip writes a temporary file, then renames it.
     if (isWritten && zip_close(archive) == 0)
         return {};
     const QString reason = QString::fromLocal8Bit(zip_strerror(archive));
@@ -99,13 +99,13 @@ tl::expected<void, QString> writeArchive(const QString& path, const QList<Archiv
 
 void ArchiveReader::Closer::operator()(zip* archive) const
 {
-    zip_discard(archive); // nothing was changed
+    zip_discard(archive); // no change
 }
 
 tl::expected<ArchiveReader, Error> ArchiveReader::open(const QString& path)
 {
     QFile file(path);
-    if (const QFileInfo present(path); present.exists() && !present.isFile()) // a pipe would be waited for
+    if (const QFileInfo present(path); present.exists() && !present.isFile()) // opening a pipe would block
         return tl::unexpected(Error{Fault::NotReadable, FileErrorText::notAFile()});
     if (!file.open(QIODevice::ReadOnly))
         return tl::unexpected(Error{Fault::NotReadable, file.errorString()});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Zip archives by libzip: written as a whole, read entry by entry. Names of entries are only ever compared
-// with names that are known, never taken as paths. Not for the GUI thread.
+// Zip archives by libzip: written as a whole, read entry by entry. Names of entries are only compared with
+// known names, never used as paths. Not for the GUI thread.
 #pragma once
 
 #include <QByteArray>
@@ -18,10 +18,10 @@ namespace campanel::store {
 struct ArchiveEntry {
     QString name;
     QByteArray bytes;
-    QString file; // when not empty its content instead of `bytes`
+    QString file; // when not empty, its content is used instead of `bytes`
 };
 
-// The archive is there as a whole or not at all. The system's reason on failure.
+// Writes the whole archive or none. The error is the system's reason.
 [[nodiscard]] tl::expected<void, QString> writeArchive(const QString& path,
                                                        const QList<ArchiveEntry>& entries);
 
@@ -30,14 +30,14 @@ public:
     enum class Fault { NotReadable, NotAnArchive, Damaged, NotWritable };
     struct Error {
         Fault fault = Fault::Damaged;
-        QString detail; // the system's reason, or the entry
+        QString detail; // the system's reason, or the name of the entry
     };
 
     [[nodiscard]] static tl::expected<ArchiveReader, Error> open(const QString& path);
 
-    // The whole entry, which must not be longer than `mostBytes`.
+    // Reads a whole entry, which must not be longer than `mostBytes`.
     [[nodiscard]] tl::expected<QByteArray, Error> read(const QString& name, qint64 mostBytes);
-    // Of an entry of exactly `bytes` bytes: its SHA-256, while it is written to the new file `target`.
+    // Extracts an entry of exactly `bytes` bytes to the new file `target` and returns its SHA-256.
     [[nodiscard]] tl::expected<QByteArray, Error> extract(const QString& name, qint64 bytes,
                                                           const QString& target);
 

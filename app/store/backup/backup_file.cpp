@@ -32,10 +32,11 @@ const QString anchorName = u"campanel.sqlite.audit"_s;
 const QString storedName = u"recipe.json"_s;
 const QString workingName = u"working_copy.json"_s;
 const QStringList partNames{databaseName, anchorName, backedUpSettings, storedName, workingName};
-const QString& trendsName = trendDatabase().name; // where there are any, after the others
+const QString& trendsName = trendDatabase().name; // if it exists, after the others
 
 constexpr qint64 megabyte = 1'000'000;
-// A million rows of the audit trail, or ten million bags, take less than half of it.
+// The maximum size of a database: a million rows of the audit trail, or ten million bags, take less than half
+// of it.
 constexpr qint64 maxDatabaseBytes = 1'000 * megabyte;
 constexpr qint64 maxAnchorBytes = 10'000;
 
@@ -137,7 +138,7 @@ tl::expected<void, BackupError> checkRecipe(const QDir& folder, const QString& n
     return {};
 }
 
-// Sound and of today's schema.
+// Opens a database; it must be valid and have the present schema.
 tl::expected<std::unique_ptr<Database>, BackupError>
 openPart(const QString& folder, const DatabaseFile& file, const BackupManifest& manifest, const QString& path)
 {
@@ -152,7 +153,6 @@ openPart(const QString& folder, const DatabaseFile& file, const BackupManifest& 
     return std::move(*database);
 }
 
-// What the manifest says, too.
 tl::expected<void, BackupError> checkDatabase(const QString& folder, const BackupManifest& manifest,
                                               const QString& path)
 {
@@ -217,7 +217,7 @@ tl::expected<BackupManifest, StoreError> takeSnapshot(Database& database, const 
     const QDir target(folder);
     if (const auto done = copyInto(database, target.filePath(databaseName)); !done)
         return tl::unexpected(done.error());
-    // Not there before the first row.
+    // Does not exist before the first row.
     const QString anchor = database.path() + u".audit"_s;
     QFile empty(target.filePath(anchorName));
     if (!QFile::copy(anchor, target.filePath(anchorName)) && !empty.open(QIODevice::WriteOnly))
@@ -267,9 +267,9 @@ tl::expected<BackupManifest, BackupError> readManifest(const QString& path)
 tl::expected<void, BackupError> checkSizes(const BackupManifest& manifest, qint64 archiveBytes,
                                            qint64 freeBytes, const QString& path)
 {
-    constexpr qint64 maxRatio = 100; // a database is packed 5 to 30 times
+    constexpr qint64 maxRatio = 100; // the usual ratio for a database is 5 to 30
     constexpr qint64 smallBytes = 16 * megabyte;
-    constexpr qint64 reserveBytes = 64 * megabyte; // for what the panel goes on to write
+    constexpr qint64 reserveBytes = 64 * megabyte; // for the panel's further data
     qint64 total = 0;
     for (const BackupManifest::Part& part : manifest.parts) {
         if (part.bytes < 0 || part.bytes > maxBytesOf(part.name))

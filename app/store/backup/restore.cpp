@@ -27,7 +27,8 @@ std::filesystem::path native(const QString& path)
     return std::filesystem::path(path.toStdU16String());
 }
 
-// In one step, replacing what is there; across file systems by a copy that replaces in one step.
+// Moves a file in one step, replacing the existing one; across file systems by a copy that replaces in one
+// step.
 tl::expected<void, QString> move(const QString& from, const QString& to)
 {
     std::error_code failure;
@@ -44,13 +45,13 @@ tl::expected<void, QString> move(const QString& from, const QString& to)
     return {};
 }
 
-// Nothing to do is well done.
+// Succeeds when there is nothing to move.
 tl::expected<void, QString> moveIfThere(const QString& from, const QString& to)
 {
     return QFileInfo::exists(from) ? move(from, to) : tl::expected<void, QString>();
 }
 
-// What lies beside a database and belongs to it alone. Goes first: a new database never meets an old log.
+// Moves the files beside a database away. They go first: a new database must never meet an old log.
 tl::expected<void, QString> keepCompanions(const QString& path, const QString& kept)
 {
     tl::expected<void, QString> done;
@@ -59,8 +60,7 @@ tl::expected<void, QString> keepCompanions(const QString& path, const QString& k
     return done;
 }
 
-// The old one aside, the new one into its place. A part that is no longer among the ready ones is in its
-// place.
+// Moves the old part aside and the new one into place. A part that is missing in `ready` is already in place.
 tl::expected<void, QString> finishPart(const QDir& ready, const QDir& kept, const QString& name,
                                        const QString& path)
 {
@@ -105,7 +105,7 @@ tl::expected<void, QString> commitRestore(const QString& folder, const AuditEntr
         return tl::unexpected(home.filePath(keptName));
     return settle(staging)
         .map_error([](const FileError& error) { return error.found; })
-        // One that could not be finished.
+        // A restore that could not be finished.
         .and_then([&] { return moveIfThere(home.filePath(readyName), home.filePath(staleName)); })
         .and_then([&] { return move(staging, home.filePath(readyName)); })
         .and_then(
@@ -126,7 +126,7 @@ FinishedRestore finishRestore(const QString& folder, const QString& settingsFile
     if (!ready.exists())
         return {};
     const QDir kept(home.filePath(keptName));
-    (void)makePrivateFolder(kept.path()); // without it nothing can be moved, which is said
+    (void)makePrivateFolder(kept.path()); // without it nothing can be moved, which is reported
     FinishedRestore finished{true, {}, kept.path()};
     tl::expected<void, QString> done = finishPart(ready, kept, backedUpSettings, settingsFile);
     for (const QString& name : ready.entryList(QDir::Files)) {

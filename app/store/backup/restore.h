@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Puts a backup in the place of what the panel keeps, so that after a power cut at any moment it is either
-// all the old or all the new. A backup is unpacked and checked beside (stageRestore), made ready in one step
-// (commitRestore), and takes its place before anything is opened the next time (finishRestore). What it
-// replaces is moved into the folder "before-restore"; only the last such is kept.
+// Replaces the panel's data by a backup. After a power cut at any moment either all the old or all the new
+// data is in place. A backup is unpacked and checked (stageRestore), made ready in one step (commitRestore),
+// and moved into place before anything is opened at the next start (finishRestore). The replaced data is
+// moved into the folder "before-restore"; only the last one is kept.
 #pragma once
 
 #include "app/store/backup/backup_file.h"
@@ -10,24 +10,25 @@
 
 namespace campanel::store {
 
-// Unpacks and checks; what was staged before goes. Nothing that is in use is touched.
+// Unpacks and checks a backup; deletes the one staged before. Data in use is not touched.
 [[nodiscard]] tl::expected<BackupManifest, BackupError> stageRestore(const QString& backup,
                                                                      const QString& folder);
 
-// Writes `entry` as the next row into the trail of what was staged, and makes it ready. The system's reason
-// on failure.
+// Writes `entry` as the next row into the staged audit trail and makes the backup ready. The error is the
+// system's reason.
 [[nodiscard]] tl::expected<void, QString> commitRestore(const QString& folder, const AuditEntry& entry);
 
 void discardRestore(const QString& folder);
 
 struct FinishedRestore {
-    bool isDone = false; // there was one that was ready
-    QString problem;     // it could not be finished and is tried again the next time; the system's reason
-    QString keptIn;      // where that is which it has replaced
+    bool isDone = false; // a ready backup was restored
+    QString problem;     // it could not be finished and will be tried again at the next start; the system's
+                         // reason
+    QString keptIn;      // folder of the replaced data
 };
 
-// To be called before the settings are read and the database of `folder` is opened. Also ends what a power
-// cut has interrupted.
+// Finishes a restore, also one interrupted by a power cut. Call it before the settings are read and the
+// database of `folder` is opened.
 [[nodiscard]] FinishedRestore finishRestore(const QString& folder, const QString& settingsFile);
 
 } // namespace campanel::store

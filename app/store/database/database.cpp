@@ -18,7 +18,7 @@ const QString inMemoryPath = u":memory:"_s;
 
 // SQLite's result codes, the lower byte of the extended ones.
 enum class Code {
-    Logic = 1, // a statement that does not fit the tables
+    Logic = 1, // a statement that does not match the tables
     Busy = 5,
     Locked = 6,
     ReadOnly = 8,
@@ -99,7 +99,7 @@ StoreError Database::errorOf(const QSqlError& error) const
 std::unique_ptr<Database> Database::inMemory(const DatabaseFile& file, std::optional<StoreError> failure)
 {
     std::unique_ptr<Database> database(new Database(inMemoryPath, file));
-    // An empty one takes every statement.
+    // An empty database accepts every statement.
     (void)database->connect().and_then([&] { return database->configure(); }).and_then([&] {
         return database->migrate();
     });
@@ -127,7 +127,7 @@ tl::expected<void, StoreError> Database::configure()
     return {};
 }
 
-// A disk that cannot be read now is no damage: nothing is moved aside for it.
+// Checks the file. An unreadable disk is not damage: nothing is moved aside for it.
 tl::expected<void, StoreError> Database::checkSound()
 {
     if (!m_file.isPrecious)
@@ -145,7 +145,7 @@ tl::expected<void, StoreError> Database::checkSound()
     return {};
 }
 
-// Returns the number of steps that have made the tables, checked: it is an index into them.
+// Returns the number of executed schema steps, checked: it is an index.
 tl::expected<int, StoreError> Database::version()
 {
     auto asked = execute(u"PRAGMA user_version"_s);
@@ -176,13 +176,13 @@ tl::expected<void, StoreError> Database::migrate()
                 if (step.exec(statement))
                     continue;
                 StoreError error = errorOf(step.lastError());
-                // The tables are not those of the version that the file names.
+                // The tables do not match the version of the file.
                 if (step.lastError().nativeErrorCode().toInt() == static_cast<int>(Code::Logic))
                     error.kind = StoreError::Kind::Damaged;
                 return tl::unexpected(error);
             }
         }
-        // A pragma takes no bound value.
+        // A pragma does not accept bound values.
         const auto noted = execute(u"PRAGMA user_version = %1"_s.arg(newest));
         return noted ? tl::expected<void, StoreError>() : tl::unexpected(noted.error());
     });
@@ -195,7 +195,7 @@ Database::Result Database::execute(const QString& statement, std::initializer_li
     if (!query.prepare(statement))
         return tl::unexpected(errorOf(query.lastError()));
     for (const QVariant& value : values) {
-        // An empty text, not NULL: that is a QVariant without a value.
+        // An empty text, not NULL, which is a QVariant without a value.
         const bool isEmptyText = value.typeId() == QMetaType::QString && value.toString().isEmpty();
         query.addBindValue(isEmptyText ? QVariant(u""_s) : value);
     }
@@ -223,7 +223,7 @@ Database::transaction(const std::function<tl::expected<void, StoreError>()>& wor
             return {};
         done = tl::unexpected(committed.error());
     }
-    (void)execute(u"ROLLBACK"_s); // refused when the failure has rolled it back already
+    (void)execute(u"ROLLBACK"_s); // fails when the error has already rolled it back
     return done;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a database is opened, and what takes its place when it is missing or damaged.
+// Opens a database, and replaces a missing or damaged one.
 #include "app/store/database/database.h"
 
 #include "app/store/database/setup_marker.h"
@@ -31,7 +31,7 @@ QString copyPath(const QString& path)
     return path + u".copy"_s;
 }
 
-// Returns a name that no file has: two files may be moved aside within one second.
+// Returns an unused file name: two files may be moved aside within one second.
 QString freeName(const QString& path)
 {
     const QString stamp = QDateTime::currentDateTimeUtc().toString(u"yyyyMMdd-HHmmss"_s);
@@ -61,7 +61,7 @@ tl::expected<QString, StoreError> moveAside(const QString& path, const DatabaseF
     return isThere ? aside : QString();
 }
 
-// Replaces what is there, in one step.
+// Replaces the file in one step.
 tl::expected<void, StoreError> replace(const QString& from, const QString& to)
 {
     std::error_code failure;
@@ -72,14 +72,14 @@ tl::expected<void, StoreError> replace(const QString& from, const QString& to)
     return {};
 }
 
-// Moves a copy aside that cannot be used.
+// Moves an unusable copy aside.
 tl::expected<bool, StoreError> dropCopy(const QString& path, const DatabaseFile& file)
 {
     return moveAside(copyPath(path), file).map([](const QString&) { return false; });
 }
 
-// Puts the last good copy into the place of the database, where nothing is. False: there is none. A copy that
-// is damaged is moved aside.
+// Moves the last good copy into the empty place of the database. Returns false without a copy. A damaged copy
+// is moved aside.
 tl::expected<bool, StoreError> putCopy(const QString& path, const DatabaseFile& file)
 {
     const QString copy = copyPath(path);
@@ -104,7 +104,7 @@ tl::expected<bool, StoreError> putCopy(const QString& path, const DatabaseFile& 
 qint64 numberOf(Database& database, const QString& statement)
 {
     auto found = database.execute(statement);
-    return found && found->next() ? found->value(0).toLongLong() : -1; // it cannot be told
+    return found && found->next() ? found->value(0).toLongLong() : -1; // unknown
 }
 
 qint64 usersIn(Database& database)
@@ -112,7 +112,8 @@ qint64 usersIn(Database& database)
     return numberOf(database, u"SELECT count(*) FROM user WHERE deleted = 0"_s);
 }
 
-// True when `copy` holds what `database` does not: none of these numbers ever falls while a panel works.
+// Returns true when `copy` has data that `database` does not have: none of these numbers ever decreases
+// during operation.
 bool hasMore(Database& copy, Database& database)
 {
     const QStringList statements{u"SELECT count(*) FROM user"_s, u"SELECT count(*) FROM recipe"_s,
@@ -139,7 +140,7 @@ tl::expected<std::unique_ptr<Database>, StoreError> Database::openAsFound(const 
                            .and_then([&] { return database->migrate(); });
     if (!ready)
         return tl::unexpected(ready.error());
-    // Somebody has emptied it: a panel that has users keeps at least one.
+    // An emptied file: a panel with users keeps at least one.
     if (file.isPrecious && usersIn(*database) == 0) {
         const auto copy = openReadOnly(copyPath(path), file);
         if (copy && usersIn(**copy) > 0)
@@ -158,7 +159,7 @@ tl::expected<std::unique_ptr<Database>, StoreError> Database::open(const QString
     Opening opening;
     opening.isNew = QFileInfo(path).size() == 0;
     opening.wasMissing = opening.isNew && file.isPrecious && wasSetUp(path);
-    // As it is; then its copy; then, when that is damaged too, a new one.
+    // Tries the file itself, then its copy, then a new file.
     for (int attempt = opening.wasMissing ? 1 : 0;; ++attempt) {
         if (attempt > 0) {
             const auto kept = moveAside(path, file);
@@ -170,7 +171,7 @@ tl::expected<std::unique_ptr<Database>, StoreError> Database::open(const QString
             if (!put)
                 return tl::unexpected(put.error());
             opening.fromCopy = *put;
-            // Nobody knows any more whether there were PINs: then there were some.
+            // Unknown if there were PINs: assumes that there were.
             if (file.isPrecious && !*put && readSetupMarker(path) == SetUp::Unknown &&
                 !writeSetupMarker(path, SetUp::WithPins))
                 return tl::unexpected(fileError(StoreError::Kind::CannotOpen, setupMarkerPath(path),
@@ -195,7 +196,7 @@ tl::expected<std::unique_ptr<Database>, StoreError> Database::openReadOnly(const
         return tl::unexpected(
             fileError(StoreError::Kind::CannotOpen, path, StoreErrorText::tr("there is no such file")));
     std::unique_ptr<Database> database(new Database(path, file));
-    // Where nothing may be written the log cannot be joined; without a log there is nothing to join.
+    // A read-only folder does not allow merging the log; without a log that is not necessary.
     const bool hasLog = QFileInfo::exists(path + u"-wal"_s);
     QUrl uri = QUrl::fromLocalFile(QFileInfo(path).absoluteFilePath());
     uri.setQuery(hasLog ? u"mode=ro"_s : u"mode=ro&immutable=1"_s);
@@ -222,7 +223,7 @@ tl::expected<std::unique_ptr<Database>, StoreError> Database::openAnew(const QSt
     return database;
 }
 
-// Writes the setup marker. What fails is tried again at the next opening.
+// Writes the setup marker. After a failure the next opening repeats it.
 void Database::noteSetUp()
 {
     if (!m_file.isPrecious)
@@ -240,7 +241,7 @@ tl::expected<void, StoreError> Database::makeCopy()
     const QString copy = copyPath(m_path);
     const QString fresh = copy + u".new"_s;
     QFile::remove(fresh);
-    // Private from the beginning; VACUUM INTO takes an empty file.
+    // Private from its creation; VACUUM INTO accepts an empty file.
     const auto written =
         makePrivateFile(fresh)
             ? execute(u"VACUUM INTO ?"_s, {fresh}).map([](const auto&) {})

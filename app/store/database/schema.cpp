@@ -25,7 +25,7 @@ const std::vector<QStringList>& migrations()
                     PRIMARY KEY (recipe, version)) WITHOUT ROWID)"_s,
         },
         {
-            // What the machine is, one for each kind of program; apart from the recipes, which it outlives.
+            // The machine data, one for each kind of program; separate from the recipes, which it outlives.
             uR"(CREATE TABLE machine_data (
                     kind TEXT PRIMARY KEY,
                     saved_ms INTEGER NOT NULL,
@@ -33,8 +33,8 @@ const std::vector<QStringList>& migrations()
                     json BLOB NOT NULL) WITHOUT ROWID)"_s,
         },
         {
-            // Alarms: one row per occurrence, ids in their order; see AlarmRow. The indices hold only the few
-            // rows that are still open.
+            // Alarms: one row per occurrence, ids in their order; see AlarmRow. The indices contain only the
+            // few open rows.
             uR"(CREATE TABLE alarm (
                     id INTEGER PRIMARY KEY,
                     code TEXT NOT NULL,
@@ -57,8 +57,8 @@ const std::vector<QStringList>& migrations()
                     shelved_by TEXT NOT NULL) WITHOUT ROWID)"_s,
         },
         {
-            // People with their PINs, and what was changed by whom. A removed user stays as a name without a
-            // PIN. audit_start has at most one row: the last one that the trail has dropped.
+            // Users with their PINs, and the audit trail. A removed user stays as a name without a PIN.
+            // audit_start has at most one row: the last deleted one of the trail.
             uR"(CREATE TABLE user (
                     id INTEGER PRIMARY KEY,
                     name TEXT NOT NULL COLLATE NOCASE,

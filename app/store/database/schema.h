@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tables of the database, as the steps that lead from each version to the next. A step that was released
-// is never changed: a new one follows it.
+// The tables of the database, as the steps from each version to the next. A released step is never changed: a
+// new one follows it.
 #pragma once
 
 #include <QStringList>

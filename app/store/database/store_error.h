@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What kept the database from doing what was asked.
+// The reason why a request to the database failed.
 #pragma once
 
 #include <QCoreApplication>
@@ -12,13 +12,13 @@ struct StoreError {
         CannotOpen,  // `detail` is the system's reason
         NewerSchema, // written by a newer version of this program
         Damaged,
-        InUse,      // by another program
+        InUse,      // used by another program
         PinsLost,   // the panel had users, and there are none; `path` is the setup marker
         Full,       // no room on the disk
-        ReadOnly,   // the disk or the file
-        TrendsAnew, // bags and trends were damaged and begin anew; `detail` is where the damaged file is
-        Refused,    // by a rule of the tables; `detail` says which
-        Failed      // `detail` is the database's sentence
+        ReadOnly,   // the disk or the file is read-only
+        TrendsAnew, // bags and trends were damaged and start empty; `detail` is the path of the damaged file
+        Refused,    // by a rule of the tables, see `detail`
+        Failed      // `detail` is the database's message
     };
 
     Kind kind = Kind::Failed;
@@ -30,8 +30,8 @@ class StoreErrorText {
     Q_DECLARE_TR_FUNCTIONS(StoreErrorText)
 
 public:
-    // One or two sentences in the language of the program: what is wrong and what to do. Nothing that was
-    // confirmed before is lost by any of them.
+    // Returns one or two sentences in the language of the program: what is wrong and what to do. No error
+    // loses confirmed data.
     [[nodiscard]] static QString describe(const StoreError& error);
 };
 

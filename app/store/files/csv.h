@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// One text as a field of a CSV line (RFC 4180). All CSV files of CamPanel separate fields by commas and end
-// every line with a line feed alone.
+// Formats a text as a field of a CSV line (RFC 4180). All CSV files of CamPanel separate fields by commas and
+// end every line with a line feed alone.
 #pragma once
 
 #include <QString>
 
 namespace campanel::store {
 
-// Between quotation marks when it has to be.
+// Adds quotation marks when they are necessary.
 [[nodiscard]] inline QString csvField(const QString& text)
 {
     if (!text.contains(u',') && !text.contains(u'"') && !text.contains(u'\n') && !text.contains(u'\r'))

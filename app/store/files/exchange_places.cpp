@@ -13,7 +13,7 @@ namespace campanel::store {
 
 namespace {
 
-// What FAT and exFAT keep of a name.
+// Replaces the characters that FAT and exFAT do not allow.
 QString portableName(const QString& name)
 {
     constexpr qsizetype longest = 64;
@@ -28,7 +28,7 @@ QString portableName(const QString& name)
     while (kept.endsWith(u'.') || kept.endsWith(u' '))
         kept.chop(1);
     while (kept.startsWith(u'.') || kept.startsWith(u' '))
-        kept.remove(0, 1); // would be hidden
+        kept.remove(0, 1); // hidden otherwise
     return kept.isEmpty() ? u"knots"_s : kept;
 }
 
@@ -48,7 +48,7 @@ QList<Place> exchangePlaces(const QString& ownFolder)
             !QFileInfo(volume.rootPath()).isReadable())
             continue;
         const bool isReadOnly = volume.isReadOnly() || !QFileInfo(volume.rootPath()).isWritable();
-        // A volume without a label is known by its folder.
+        // A volume without a label has the name of its folder.
         const QString label = volume.name();
         places << Place{volume.rootPath(), label.isEmpty() ? QFileInfo(volume.rootPath()).fileName() : label,
                         isReadOnly, true};

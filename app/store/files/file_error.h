@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is wrong with a recipe file: where, what was found, what was expected.
+// An error in a recipe file: its place, the value found and the expected one.
 #pragma once
 
 #include <QCoreApplication>
@@ -14,13 +14,13 @@ struct FileError {
         NotWritable, // `found` is the system's reason
         NotJson,     // `found` is the parser's reason, `offset` the byte
         NotARecipe,
-        NewerVersion, // `found` is the file's format version, `expected` the one that is known
+        NewerVersion, // `found` is the file's format version, `expected` the supported one
         UnknownKey,
         MissingKey,
         WrongType,  // `expected` is "a number" and the like
         OutOfRange, // `expected` is "10 to 2000 mm"
         NotAChoice, // `expected` lists the choices
-        TooLong,    // `expected` is the largest number of bytes
+        TooLong,    // `expected` is the maximum number of bytes
         RepeatedKey,
     };
 
@@ -36,12 +36,12 @@ class FileErrorText {
     Q_DECLARE_TR_FUNCTIONS(FileErrorText)
 
 public:
-    // One or two sentences in the language of the program: what is wrong, where, and what to do.
+    // Returns one or two sentences in the language of the program: what is wrong, where, and what to do.
     [[nodiscard]] static QString describe(const FileError& error);
-    // The words that go into FileError::found, for what is no regular file or has more than 1 MB.
+    // Returns the text of FileError::found for anything but a regular file of at most 1 MB.
     [[nodiscard]] static QString notAFile();
     [[nodiscard]] static QString tooLarge();
-    // The words that go into FileError::expected.
+    // Return the texts of FileError::expected.
     [[nodiscard]] static QString aNumber();
     [[nodiscard]] static QString aWholeNumber();
     [[nodiscard]] static QString aText();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files through QSaveFile, which writes beside and renames.
+// Writes files by QSaveFile: a temporary file, then a rename.
 #include "app/store/files/files.h"
 
 #include <QFile>
@@ -21,8 +21,8 @@ tl::unexpected<FileError> refused(FileError::Kind kind, const QString& path, con
     return tl::unexpected(FileError{kind, path, {}, reason, {}, 0});
 }
 
-// Brings the name of a new file onto the medium. Not every file system can: then nothing is lost but the
-// name.
+// Flushes the name of a new file to the medium. Not every file system supports it: then only the name may be
+// lost.
 void settleFolder(const QString& path)
 {
     const int folder =
@@ -38,7 +38,7 @@ void settleFolder(const QString& path)
 tl::expected<QByteArray, FileError> readBytes(const QString& path)
 {
     using Kind = FileError::Kind;
-    // O_NONBLOCK: the opening of a pipe would wait for its writer.
+    // O_NONBLOCK: opening a pipe would wait for its writer.
     const int handle =
         ::open(QFile::encodeName(path).constData(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
     if (handle < 0) {
@@ -56,7 +56,7 @@ tl::expected<QByteArray, FileError> readBytes(const QString& path)
         return refused(Kind::NotReadable, path, qt_error_string());
     if (!S_ISREG(status.st_mode))
         return refused(Kind::NotReadable, path, FileErrorText::notAFile());
-    // What grows meanwhile is noticed by the byte too many.
+    // The additional byte detects a file that has grown.
     const QByteArray bytes = file.read(maxFileBytes + 1);
     if (file.error() != QFileDevice::NoError)
         return refused(Kind::NotReadable, path, file.errorString());
@@ -71,7 +71,7 @@ tl::expected<void, FileError> replaceBytes(const QString& path, const QByteArray
     if (const QFileInfo present(path); present.exists() && !present.isFile())
         return refused(Kind::NotWritable, path, FileErrorText::notAFile());
     QSaveFile file(path);
-    // Flushed and synchronized here: commit() does not notice that the last bytes found no room.
+    // Flushes and synchronizes here: commit() does not notice when the last bytes did not fit.
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.flush())
         return refused(Kind::NotWritable, path, file.errorString());
     if (::fsync(file.handle()) != 0)

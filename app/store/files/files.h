@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading and replacing small files as a whole: the one way in which all programs do it.
+// Reads and replaces small files as a whole, for all programs.
 #pragma once
 
 #include "app/store/files/file_error.h"
@@ -10,18 +10,18 @@
 
 namespace campanel::store {
 
-// Reads a regular file of at most 1 MB: what is stored here has a few KB. Anything else, such as a pipe, a
-// device or a longer file, is an error at once; nothing is waited for.
+// Reads a regular file of at most 1 MB; stored files have a few KB. A pipe, a device or a longer file is an
+// error at once, without waiting.
 [[nodiscard]] tl::expected<QByteArray, FileError> readBytes(const QString& path);
-// Replaces the file in one step after the new content has reached the medium. On an error the old file is
-// whole, also after a power cut. What is there and is no regular file is left alone.
+// Replaces the file in one step after the new content has reached the medium. After an error or a power cut
+// the old file is intact. Does not replace anything but a regular file.
 [[nodiscard]] tl::expected<void, FileError> replaceBytes(const QString& path, const QByteArray& bytes);
-// Brings all that was written to the file system of `path` onto its medium, names too. The system's reason on
-// failure.
+// Flushes everything written to the file system of `path` to its medium, including names. The error is the
+// system's reason.
 [[nodiscard]] tl::expected<void, FileError> settle(const QString& path);
 
-// Makes a text fit for a terminal or a log: control characters become visible, as "\u001b"; only line ends
-// and tabulators stay. A JSON text still says the same.
+// Makes a text safe for a terminal or a log: control characters become visible, as "\u001b"; only line ends
+// and tabs stay. The meaning of a JSON text does not change.
 [[nodiscard]] QString printable(const QString& text);
 
 // Returns the name of the copy that is kept of the last good file.

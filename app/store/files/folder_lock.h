@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keeps a second panel from a data folder. The lock belongs to the process: it ends with it, however that
-// ends, and leaves no file behind.
+// Locks a data folder against a second panel. The process owns the lock: it ends with the process in any case
+// and leaves no file behind.
 #pragma once
 
 #include <QString>
@@ -9,14 +9,14 @@ namespace campanel::store {
 
 class FolderLock {
 public:
-    // Makes the folder when it does not exist.
+    // Creates the folder when it does not exist.
     explicit FolderLock(const QString& folder);
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;
     FolderLock& operator=(const FolderLock&) = delete;
 
-    // True while another process has the folder. A folder that cannot be locked is not refused: what is wrong
-    // with it is said when its database is opened.
+    // Returns true while another process holds the folder. A folder that cannot be locked is accepted:
+    // opening its database reports the error.
     [[nodiscard]] bool isHeldByAnother() const { return m_isHeldByAnother; }
 
 private:

@@ -9,7 +9,7 @@
 namespace campanel::store {
 namespace {
 
-// Returns the position of the quotation mark that ends the text that begins at `begin`.
+// Returns the position of the closing quotation mark of the text that begins at `begin`.
 qsizetype endOfText(const QByteArray& json, qsizetype begin)
 {
     qsizetype i = begin + 1;
@@ -28,8 +28,8 @@ QString keyOf(const QByteArray& text)
 
 std::optional<QString> repeatedKey(const QByteArray& json)
 {
-    QList<QSet<QString>> objects; // an array has none
-    QStringList path;             // the key that is being read in each of them
+    QList<QSet<QString>> objects; // empty for an array
+    QStringList path;             // present key in each of them
     QByteArray text;
     for (qsizetype i = 0; i < json.size(); ++i) {
         switch (json[i]) {

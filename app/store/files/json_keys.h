@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What Qt's JSON reader does not say: that a key occurs twice. It takes the last value without a word.
+// Finds keys that occur twice. Qt's JSON reader uses the last value without an error.
 #pragma once
 
 #include <QByteArray>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading one object of a recipe file: remembers which keys were asked for and the first thing that was
-// wrong. Internal to app/store.
+// Reads one object of a recipe file; stores the requested keys and the first error. Internal to app/store.
 #pragma once
 
 #include "app/store/files/file_error.h"
@@ -26,7 +25,7 @@ inline QString idOf(profile::Field field)
     return toQString(profile::info(field).id);
 }
 
-// One object of the file; remembers which keys were asked for and the first thing that was wrong.
+// One object of the file; stores the requested keys and the first error.
 class ObjectReader {
 public:
     ObjectReader(const QJsonObject& object, QString prefix, std::optional<FileError>& failure)

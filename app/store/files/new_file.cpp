@@ -24,7 +24,7 @@ tl::expected<QString, QString> writeNewFile(const Place& place, const QString& n
     const auto written = write(path).and_then(
         [&path] { return settle(path).map_error([](const FileError& error) { return error.found; }); });
     if (!written) {
-        QFile::remove(path); // it was not there before
+        QFile::remove(path); // it did not exist before
         return tl::unexpected(
             FileErrorText::tr("%1 Make room there, unlock the stick or choose another place.",
                               "%1: whole sentence")

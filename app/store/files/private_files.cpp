@@ -27,7 +27,7 @@ bool makePrivateFolder(const QString& folder)
     if (!info.isRoot() && !makePrivateFolder(info.path()))
         return false;
     return ::mkdir(QFile::encodeName(info.filePath()).constData(), ownerOnlyFolder) == 0 ||
-           QFileInfo(info.filePath()).isDir(); // made by another process meanwhile
+           QFileInfo(info.filePath()).isDir(); // created by another process in the meantime
 }
 
 bool makePrivateFile(const QString& path)

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files and folders that the panel's own user alone may read: they hold recipes and the hashes of PINs.
+// Files and folders that only the panel's own user may read: they contain recipes and the hashes of PINs.
 #pragma once
 
 #include <QString>
 
 namespace campanel::store {
 
-// Makes the folder and its parents; mode 0700 for those that are new. False: it cannot be made.
+// Creates the folder and its parents; new ones get mode 0700. Returns false on failure.
 [[nodiscard]] bool makePrivateFolder(const QString& folder);
-// Makes an empty file of mode 0600. A file that exists keeps its content and gets that mode. False: it cannot
-// be made.
+// Creates an empty file of mode 0600. An existing file keeps its content and gets that mode. Returns false on
+// failure.
 [[nodiscard]] bool makePrivateFile(const QString& path);
-// Takes what others may do from a file or folder that exists.
+// Removes the permissions of other users from an existing file or folder.
 void makePrivate(const QString& path);
 
-// Brings the file's content onto its medium. False: it could not be.
+// Flushes the file's content to its medium. Returns false on failure.
 [[nodiscard]] bool syncFile(const QString& path);
 
 } // namespace campanel::store

@@ -28,7 +28,7 @@ QByteArray checksumLine(const QByteArray& body)
     return checksumMark + QCryptographicHash::hash(body, QCryptographicHash::Sha256).toHex() + '\n';
 }
 
-// Between quotation marks when the ini format would not give it back as it is.
+// Adds quotation marks when the ini format would change the value otherwise.
 QString quoted(QString value)
 {
     value.removeIf([](QChar letter) { return letter.category() == QChar::Other_Control; });
@@ -50,7 +50,7 @@ QString unquoted(const QString& value)
     return text;
 }
 
-// The values, or why they are none.
+// Returns the values, or why they are invalid.
 tl::expected<SettingsFile::Values, QString> parse(const QByteArray& body)
 {
     SettingsFile::Values values;
@@ -175,7 +175,7 @@ QByteArray SettingsFile::contents() const
     return checksumLine(body) + body;
 }
 
-// The copy follows the file: a power cut in between leaves both of them good.
+// Writes the file, then the copy: after a power cut in between both are valid.
 void SettingsFile::write()
 {
     QDir().mkpath(QFileInfo(m_path).absolutePath());

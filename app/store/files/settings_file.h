@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel's settings: keys with their values in an ini file, with a checksum, and the same once more as its
-// last good copy. What is damaged is never taken for settings that nobody has made.
+// The panel's settings: keys and values in an ini file with a checksum, and a last good copy. Damaged
+// settings are never mistaken for missing ones.
 #pragma once
 
 #include <QByteArray>
@@ -17,14 +17,14 @@ public:
     using Values = QMap<QString, QString>; // by "key" or "section/key"
 
     enum class Origin {
-        None,     // neither the file nor a copy was there: a new panel
-        File,     // as it was written
-        Copy,     // the file was damaged or gone; its last good copy took its place
-        Defaults, // the file was damaged and there was no good copy: nothing is known
+        None,     // neither the file nor a copy existed: a new panel
+        File,     // the file was intact
+        Copy,     // the file was damaged or missing; its last good copy was used
+        Defaults, // the file was damaged and there was no good copy: defaults
     };
 
-    // Reads the file. A damaged one is kept as FILE.damaged. `knownKeys` judge a file that has no checksum,
-    // as it was written by an earlier version or by hand: with another key it counts as damaged.
+    // Reads the file. A damaged one is kept as FILE.damaged. A file without a checksum (from an earlier
+    // version or written by hand) counts as damaged when it has a key that is not in `knownKeys`.
     SettingsFile(QString path, const QStringList& knownKeys);
 
     [[nodiscard]] const QString& path() const { return m_path; }
@@ -33,13 +33,13 @@ public:
     [[nodiscard]] bool contains(const QString& key) const { return m_values.contains(key); }
     [[nodiscard]] QString value(const QString& key, const QString& otherwise = {}) const;
 
-    // Writes at once, when something changes.
+    // Writes at once when a value changes.
     void set(const QString& key, const QString& value) { set(Values{{key, value}}); }
     void set(const Values& values);
 
-    // The last writing was done.
+    // Returns true when the last write succeeded.
     [[nodiscard]] bool isKept() const { return m_isKept; }
-    // What is in the file, or should be.
+    // Returns the contents that the file has or should have.
     [[nodiscard]] QByteArray contents() const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The log of what the panel keeps: files that were damaged or could not be written.
+// The log category of stored data: files that were damaged or could not be written.
 #pragma once
 
 #include <QLoggingCategory>

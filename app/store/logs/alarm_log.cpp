@@ -11,13 +11,12 @@ namespace {
 
 using Done = tl::expected<void, StoreError>;
 
-// Null for a time that is not.
 QVariant timeOrNull(qint64 ms)
 {
     return ms > 0 ? QVariant(ms) : QVariant();
 }
 
-// A null string would be NULL.
+// Returns an empty text instead of a null string, which would be stored as NULL.
 QString text(const QString& text)
 {
     return text.isNull() ? u""_s : text;
@@ -91,7 +90,7 @@ tl::expected<AlarmLog::Start, StoreError> AlarmLog::begin(Database& database)
 {
     static_assert(static_cast<int>(AlarmRow::End::Active) == 0 &&
                   static_cast<int>(AlarmRow::End::Unknown) == 2);
-    // With a bound value the index of the active ones would not be used.
+    // A literal instead of a bound value, so that the index of active alarms is used.
     if (const auto ended = database.execute(u"UPDATE alarm SET ending = 2 WHERE ending = 0"_s); !ended)
         return tl::unexpected(ended.error());
     auto last = database.execute(u"SELECT max(id) FROM alarm"_s);

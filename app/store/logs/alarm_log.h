@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The log of alarms in the database: one row per occurrence, a ring of the newest 100 000, and what is
-// shelved. Times are milliseconds since 1970 UTC. To be called in the thread that owns the database.
+// The log of alarms in the database: one row per occurrence, a ring of the newest 100 000, and the shelved
+// alarms. Times are milliseconds since 1970 UTC. Call it in the thread that owns the database.
 #pragma once
 
 #include "app/store/database/database.h"
@@ -13,19 +13,19 @@
 namespace campanel::store {
 
 struct AlarmRow {
-    enum class End { Active, Returned, Unknown }; // Unknown: it was active when the panel ended
+    enum class End { Active, Returned, Unknown }; // Unknown: active when the panel ended
 
-    qint64 id = 0; // ascending in the order in which they came
+    qint64 id = 0; // ascending in order of occurrence
     QString code;  // "C-01"
     qint64 raisedMs = 0;
     End end = End::Active;
-    qint64 returnedMs = 0; // with Returned only
+    qint64 returnedMs = 0; // only with Returned
     bool wantsAcknowledgement = true;
-    qint64 acknowledgedMs = 0; // 0: not
+    qint64 acknowledgedMs = 0; // 0: not acknowledged
     QString acknowledgedBy;
-    int count = 1;          // how often it came, when it came and went
-    bool isShelved = false; // it was when it came, or has been since
-    QString detail;         // at most detailLength is kept
+    int count = 1;          // how many times it came
+    bool isShelved = false; // at present or earlier
+    QString detail;         // limited to detailLength
 };
 
 struct AlarmShelf {
@@ -37,16 +37,16 @@ struct AlarmShelf {
     bool operator==(const AlarmShelf&) const = default;
 };
 
-// What is written in one go.
+// The changes of one transaction.
 struct AlarmChanges {
     struct Acknowledgement {
         QString code;
-        qint64 upToId = 0; // this occurrence and all before it that still want it
+        qint64 upToId = 0; // acknowledges this occurrence and all earlier ones that need it
         qint64 atMs = 0;
         QString by;
     };
 
-    QList<AlarmRow> rows; // new ones, and ones written before that have changed
+    QList<AlarmRow> rows; // new ones, and written ones that have changed
     QList<Acknowledgement> acknowledgements;
     std::optional<QList<AlarmShelf>> shelves; // all of them, if they have changed
 
@@ -60,16 +60,16 @@ public:
     static constexpr int detailLength = 300;
 
     struct Start {
-        qint64 lastId = 0; // 0: none yet
+        qint64 lastId = 0; // 0: none
         QList<AlarmShelf> shelves;
     };
 
-    // Once, before anything is written: ends as Unknown what was active when the panel ended.
+    // Marks alarms that were active when the panel ended as Unknown. Call it once, before the first write().
     [[nodiscard]] static tl::expected<Start, StoreError> begin(Database& database);
-    // All or nothing; then the oldest rows beyond the capacity go.
+    // Writes all changes or none, then deletes the oldest rows beyond the capacity.
     [[nodiscard]] static tl::expected<void, StoreError> write(Database& database,
                                                               const AlarmChanges& changes);
-    // Newest first, those before `beforeId`; 0: from the newest on.
+    // Returns the rows before `beforeId`, newest first; 0: the newest ones.
     [[nodiscard]] static tl::expected<QList<AlarmRow>, StoreError> page(Database& database, qint64 beforeId,
                                                                         int rows = pageRows);
 };

@@ -21,7 +21,7 @@ constexpr auto columns =
     "FROM audit "_L1;
 constexpr qint64 newestOfAll = std::numeric_limits<qint64>::max();
 
-// A place in the chain: a row, and its hash.
+// A link of the chain: a row, and its hash.
 struct Link {
     qint64 sequence = 0;
     QByteArray hash = QByteArray(32, '\0');
@@ -41,7 +41,7 @@ void addText(QByteArray& bytes, const QString& text)
     bytes.append(utf8);
 }
 
-// A null string would be stored as NULL.
+// Returns an empty text instead of a null string, which would be stored as NULL.
 QString stored(const QString& text)
 {
     return text.isNull() ? u""_s : text;
@@ -91,7 +91,7 @@ tl::expected<void, StoreError> setAnchor(const Database& database, const Link& l
     return written;
 }
 
-// Where the chain begins: the last row that is not kept any more.
+// Returns the start of the chain: the last deleted row.
 tl::expected<Link, StoreError> beginning(Database& database)
 {
     auto found = database.execute(u"SELECT sequence, hash FROM audit_start"_s);
@@ -133,14 +133,14 @@ AuditEntry ownEntry(const AuditEntry& like, const QString& what)
     return entry;
 }
 
-// The end of the trail cannot be told without the file beside. It is written after the first row: a process
-// that is killed in between leaves one row without it.
+// Returns true when the end of the trail needs the file beside the database. The file is written after the
+// first row: a process killed in between leaves one row without it.
 bool mustKnowEnd(const Database& database, qint64 lastSequence)
 {
     return isOnDisk(database) && lastSequence > 1;
 }
 
-// The file beside knows newer rows than there are, or is gone.
+// Records a loss: the file beside the database has newer rows, or is missing.
 tl::expected<Link, StoreError> noteLoss(Database& database, const Link& last, const AuditEntry& before)
 {
     const auto known = anchor(database);
@@ -156,7 +156,7 @@ tl::expected<Link, StoreError> noteLoss(Database& database, const Link& last, co
     return add(database, last, loss).map([](const AuditRow& row) { return Link{row.sequence, row.hash}; });
 }
 
-// Makes room for what is to come.
+// Makes space for new rows.
 tl::expected<Link, StoreError> trim(Database& database, const Link& last, const AuditEntry& before,
                                     const AuditBounds& bounds)
 {
@@ -289,7 +289,7 @@ tl::expected<void, StoreError> ChainCheck::advance(Database& database, int rows)
         if (const auto begun = begin(database); !begun)
             return begun;
     }
-    // The first part begins with whatever there is, also before where the chain should begin.
+    // The first part starts with the oldest row, even before the expected start of the chain.
     auto found = database.execute(columns + u"WHERE sequence >= ? ORDER BY sequence LIMIT ?"_s,
                                   {m_rows == 0 ? std::numeric_limits<qint64>::min() : m_next, rows});
     if (!found)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The audit trail in the database: who changed what, as rows of which each carries the hash of the one
-// before. What it proves: a row that was altered, inserted or taken out without computing the whole rest anew
-// is found, and so are rows missing at the end, by a small file beside the database that knows the newest
-// one. What it does not prove: somebody who may write both and computes everything anew leaves no trace here;
-// against that helps an exported copy, or the newest hash written down elsewhere.
+// The audit trail in the database: rows of changes and their authors, each with the hash of the previous row.
+// It detects a row that was altered, inserted or removed without recomputing all later ones. It detects
+// missing rows at the end by a small file beside the database with the newest row. It does not detect
+// somebody who can write both and recomputes everything; an exported copy, or the newest hash written down
+// elsewhere, protects against that.
 #pragma once
 
 #include "app/store/database/database.h"
@@ -20,11 +20,11 @@ struct AuditEntry {
     QString who;       // empty: nobody was logged in
     int level = 0;     // 0 view, 1 Operator, 2 Technician, 3 Service
     QString what;      // stable key: "parameter.write", "user.login" ...
-    QString object;    // what was changed: a register, a setting, a user
-    QString before;    // empty: not known, or there is none
+    QString object;    // the changed register, setting or user
+    QString before;    // empty: unknown, or none
     QString after;
-    QString readBack; // what the controller held then; empty: nothing was read
-    QString outcome;  // "done", or a stable key of what kept it from being done
+    QString readBack; // value in the controller afterwards; empty: not read
+    QString outcome;  // "done", or a stable key of the failure
 
     bool operator==(const AuditEntry&) const = default;
 };
@@ -33,24 +33,25 @@ struct AuditRow {
     qint64 sequence = 0; // 1, 2, 3 ...
     AuditEntry entry;
     QByteArray previous; // 32 bytes, zeros before the first
-    QByteArray hash;     // auditHash() of all the others
+    QByteArray hash;     // auditHash() of all other members
 
     bool operator==(const AuditRow&) const = default;
 };
 
-// SHA-256 over sequence, time and level as eight bytes each, big-endian, the texts in their order as four
-// bytes of length and UTF-8, and the previous hash.
+// Returns the SHA-256 of the entry and the previous hash. Sequence, time and level are eight bytes each,
+// big-endian. The texts follow in their order, as four bytes of length and UTF-8, then the previous hash.
 [[nodiscard]] QByteArray auditHash(qint64 sequence, const AuditEntry& entry, const QByteArray& previous);
 
-// When there are `most` rows, the oldest `dropped` go; where the chain begins from then on is kept, and a row
-// "audit.trimmed" says so.
+// The limits of the trail. At `most` rows the oldest `dropped` are deleted. The new start of the chain is
+// stored, and a row "audit.trimmed" records it.
 struct AuditBounds {
     qint64 most = 1'000'000;
     qint64 dropped = 10'000;
 };
 
-// When it returns a row, that is on the disk. A row "audit.loss" goes before it when the file beside knows of
-// newer ones than the database has, "audit.end_unknown" when that file is gone or cannot be read.
+// Adds a row; when it is returned, it is on the disk. A row "audit.loss" comes before it when the file beside
+// the database has newer rows than the database. A row "audit.end_unknown" comes before it when that file is
+// missing or unreadable.
 [[nodiscard]] tl::expected<AuditRow, StoreError> appendAudit(Database& database, const AuditEntry& entry,
                                                              const AuditBounds& bounds = {});
 
@@ -60,25 +61,25 @@ struct AuditFilter {
 
     bool operator==(const AuditFilter&) const = default;
 };
-// Newest first, from the one before `before` on.
+// Returns rows, newest first, starting before `before`.
 [[nodiscard]] tl::expected<QList<AuditRow>, StoreError>
 readAudit(Database& database, const AuditFilter& filter, std::optional<qint64> before, int most);
-// Everybody in the trail, by name.
+// Returns all names in the trail, sorted.
 [[nodiscard]] tl::expected<QStringList, StoreError> auditNames(Database& database);
 
-// The check of the chain, a part at a time so that others get at the database in between.
+// The check of the chain, in steps, so that others can use the database in between.
 class ChainCheck {
 public:
-    // EndUnknown: what is there is unbroken, but the file beside is gone, so that rows may be missing at the
-    // end.
+    // The faults. EndUnknown: the chain is unbroken, but the file beside the database is missing, so that
+    // rows may be missing at the end.
     enum class Fault { None, Altered, Missing, MissingAtEnd, EndUnknown };
 
-    // Looks at up to `rows` more; over when isOver().
+    // Checks up to `rows` more rows; isOver() tells the end.
     [[nodiscard]] tl::expected<void, StoreError> advance(Database& database, int rows);
 
     [[nodiscard]] bool isOver() const { return m_isOver; }
     [[nodiscard]] Fault fault() const { return m_fault; }
-    // The first that is not as it was, or that is not there, or that may have been there.
+    // Returns the first row that was altered, is missing or may be missing.
     [[nodiscard]] qint64 brokenSequence() const { return m_brokenSequence; }
     [[nodiscard]] qint64 rows() const { return m_rows; }
     [[nodiscard]] qint64 losses() const { return m_losses; } // rows "audit.loss" and "audit.end_unknown"
@@ -99,7 +100,7 @@ private:
     QByteArray m_previous;
 };
 
-// All of it at once.
+// Checks the whole chain at once.
 [[nodiscard]] tl::expected<ChainCheck, StoreError> verifyChain(Database& database);
 
 } // namespace campanel::store

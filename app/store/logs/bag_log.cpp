@@ -34,7 +34,7 @@ std::optional<double> unscaled(const QVariant& value)
 tl::expected<void, StoreError> BagLog::add(const QList<Bag>& bags)
 {
     qint64 askedMs = 0;
-    qint64 givenMs = 0; // all from the one to the other are taken
+    qint64 givenMs = 0; // all times up to this one are taken
     for (const Bag& bag : bags) {
         const auto program = programOf(bag);
         if (!program)
@@ -88,7 +88,7 @@ tl::expected<qint64, StoreError> BagLog::insert(const Bag& bag, qint64 program, 
     return timeMs;
 }
 
-// Of which no bag is left.
+// Deletes programs without bags.
 tl::expected<void, StoreError> BagLog::forgetPrograms()
 {
     const auto done =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every bag as it was cut, the newest ten million of them. In the thread of the database.
+// The log of bags, the newest ten million. Call it in the thread of the database.
 #pragma once
 
 #include "app/store/database/database.h"
@@ -17,13 +17,13 @@ struct Bag {
     enum Flag : quint8 { Tracked = 1, MarkMissed = 2, ProductAcross = 4, Empty = 8 };
 
     qint64 timeMs = 0;   // since 1970 UTC
-    QString programName; // as the controller has it
+    QString programName; // as stored in the controller
     int programVersion = 0;
-    double setLengthMm = 0;                   // of one length
-    int lengths = 1;                          // bag lengths in it: cuts left out + 1
-    double deviationMm = 0;                   // of its length from so many set lengths
-    std::optional<double> markErrorMm{};      // of its cut; none: it followed no mark
-    std::optional<double> followingErrorMm{}; // largest of the knife since the bag before, signed
+    double setLengthMm = 0;                   // one bag length
+    int lengths = 1;                          // bag lengths in it: skipped cuts + 1
+    double deviationMm = 0;                   // length minus `lengths` set lengths
+    std::optional<double> markErrorMm{};      // mark error of its cut; none: it followed no mark
+    std::optional<double> followingErrorMm{}; // maximum of the knife since the previous bag, signed
     std::optional<double> rateBagsPerMin{};
     quint8 flags = 0;
 
@@ -35,25 +35,25 @@ class BagLog {
 public:
     static constexpr qint64 bagsKept = 10'000'000;
 
-    // `kept` at most are kept.
+    // Keeps at most `kept` bags.
     explicit BagLog(Database& database, qint64 kept = bagsKept)
         : m_database(database)
         , m_kept(kept)
     {
     }
 
-    // To be called in a transaction. At a time that is taken a bag is kept at the next free millisecond.
+    // Adds bags; call it in a transaction. A bag whose time is taken is stored at the next free millisecond.
     [[nodiscard]] tl::expected<void, StoreError> add(const QList<Bag>& bags);
     [[nodiscard]] tl::expected<qint64, StoreError> count();
-    // From `fromMs` to before `toMs`; of more than `most` only that number is said.
+    // Counts the bags from `fromMs` to before `toMs`, but not further than `most`.
     [[nodiscard]] tl::expected<qint64, StoreError> countBetween(qint64 fromMs, qint64 toMs, qint64 most);
-    // Oldest first.
+    // Calls `take` for each bag, oldest first.
     [[nodiscard]] tl::expected<void, StoreError> forEach(qint64 fromMs, qint64 toMs,
                                                          const std::function<void(const Bag&)>& take);
 
 private:
     [[nodiscard]] tl::expected<qint64, StoreError> programOf(const Bag& bag);
-    // At `timeMs` or the next free millisecond, which it tells.
+    // Inserts a bag at `timeMs` or the next free millisecond, which it returns.
     [[nodiscard]] tl::expected<qint64, StoreError> insert(const Bag& bag, qint64 program, qint64 timeMs);
     [[nodiscard]] tl::expected<void, StoreError> forgetPrograms();
 

@@ -38,7 +38,7 @@ QString end(AlarmRow::End end)
     return u"unknown"_s;
 }
 
-// All rows not older than that, by pages that `read` takes before a row.
+// Collects all rows from that time on, by pages from `read`.
 template <typename Row, typename Read, typename Time>
 tl::expected<QList<Row>, StoreError> since(qint64 sinceMs, Read read, Time timeOf)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The logs of the database as CSV (RFC 4180), times in UTC, for who works on with them elsewhere.
+// Exports the logs of the database as CSV (RFC 4180), times in UTC.
 #pragma once
 
 #include "app/store/logs/alarm_log.h"
@@ -7,11 +7,11 @@
 
 namespace campanel::store {
 
-// In the order of the rows, with the hashes of the chain.
+// Returns the rows in their order, with the hashes of the chain.
 [[nodiscard]] QByteArray auditCsv(const QList<AuditRow>& rows);
 [[nodiscard]] QByteArray alarmsCsv(const QList<AlarmRow>& rows);
 
-// What happened at `sinceMs` (since 1970 UTC) or later, newest first.
+// Returns the rows from `sinceMs` (since 1970 UTC) on, newest first.
 [[nodiscard]] tl::expected<QList<AuditRow>, StoreError> auditSince(Database& database, qint64 sinceMs);
 [[nodiscard]] tl::expected<QList<AlarmRow>, StoreError> alarmsSince(Database& database, qint64 sinceMs);
 

@@ -10,7 +10,7 @@ namespace campanel::store {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-// Ten meters in micrometers; what is beyond cannot be, and its square would not fit for long.
+// The maximum: ten meters in micrometers. Larger values are impossible, and their squares would overflow.
 constexpr qint64 largest = 10'000'000;
 
 } // namespace
@@ -48,14 +48,14 @@ double TrendBucket::highest() const
     return isEmpty() ? unknown : static_cast<double>(high) / thousandthsPerUnit;
 }
 
-// Chan, Golub, LeVeque: two parts are joined by the difference of their means.
+// Joins two parts by the difference of their means (Chan, Golub, LeVeque).
 void TrendStatistics::add(const TrendBucket& bucket)
 {
     if (bucket.isEmpty())
         return;
     const auto count = static_cast<double>(bucket.count);
     const double mean = bucket.mean();
-    // count * squares - sum^2 may not fit into 64 bits: taken from a value near the mean, it does.
+    // count * squares - sum^2 may overflow 64 bits, unless it is computed relative to a value near the mean.
     const qint64 shift = bucket.sum / bucket.count;
     const auto near =
         static_cast<double>(bucket.squares - 2 * shift * bucket.sum + bucket.count * shift * shift);

@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is kept of many values: how many, mean, scatter, ends. In whole thousandths, so that sums are exact
-// and do not depend on the order in which they were made.
+// The summary of many values: count, mean, scatter, limits. In whole thousandths, so that sums are exact and
+// independent of their order.
 #pragma once
 
 #include <QtGlobal>
 
 namespace campanel::store {
 
-// Lengths and rates are kept as whole micrometers and thousandths of a bag per minute.
+// The unit: lengths and rates are stored as whole micrometers and thousandths of a bag per minute.
 inline constexpr double thousandthsPerUnit = 1000;
 
-// The numbers are kept in the database.
+// The quantities; their numbers are stored in the database.
 enum class TrendQuantity { BagLength, Deviation, MarkError, FollowingError, Rate, Latency };
 inline constexpr int trendQuantities = 6;
 
 struct TrendBucket {
     qint64 count = 0;
     qint64 sum = 0;     // thousandths of the quantity's unit
-    qint64 squares = 0; // of these
+    qint64 squares = 0; // sum of their squares
     qint64 low = 0;
     qint64 high = 0;
-    qint64 within = 0; // how many were within the tolerance of their day
+    qint64 within = 0; // values within the tolerance at their time
 
     void add(double value, bool isWithin);
     void merge(const TrendBucket& other);
     [[nodiscard]] bool isEmpty() const { return count == 0; }
-    // In the quantity's unit; NaN when it is empty.
+    // Returns the mean in the quantity's unit; NaN when it is empty.
     [[nodiscard]] double mean() const;
     [[nodiscard]] double lowest() const;
     [[nodiscard]] double highest() const;
@@ -33,7 +33,7 @@ struct TrendBucket {
     bool operator==(const TrendBucket&) const = default;
 };
 
-// Of any number of buckets, also where their sums together would not fit.
+// The statistics of any number of buckets, even if their sums would overflow.
 class TrendStatistics {
 public:
     void add(const TrendBucket& bucket);
@@ -48,7 +48,7 @@ public:
 private:
     double m_count = 0;
     double m_mean = 0;
-    double m_squares = 0; // of the differences from the mean
+    double m_squares = 0; // squares of the differences from the mean
     double m_low = 0;
     double m_high = 0;
     double m_within = 0;

@@ -11,7 +11,7 @@ namespace campanel::store {
 
 namespace {
 
-// "2026-01-15T14:07:00.000Z,2026-01-15T15:07:00.000+01:00"
+// Returns "2026-01-15T14:07:00.000Z,2026-01-15T15:07:00.000+01:00".
 QString times(qint64 timeMs)
 {
     const QDateTime local = QDateTime::fromMSecsSinceEpoch(timeMs);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bags and trends between two times as CSV: a comma between fields, a point in numbers, each time in UTC and
-// in the panel's own. In the thread of the database.
+// Bags and trends between two times as CSV: comma-separated, decimal points, times in UTC and in the panel's
+// time zone. Call it in the thread of the database.
 #pragma once
 
 #include "app/store/logs/bag_log.h"
@@ -10,10 +10,10 @@
 
 namespace campanel::store {
 
-// One line for each bag, oldest first. Empty where there are none, or more than `most`.
+// Returns one line for each bag, oldest first. Empty when there are none, or more than `most`.
 [[nodiscard]] tl::expected<QByteArray, StoreError> bagsCsv(Database& database, qint64 fromMs, qint64 toMs,
                                                            qint64 most);
-// One line for each column (second, minute ...) of each quantity that begins in the window.
+// Returns one line for each column (second, minute ...) of each quantity that begins in the window.
 [[nodiscard]] QByteArray trendsCsv(const TrendWindow& window, qint64 fromMs, qint64 toMs);
 
 } // namespace campanel::store

@@ -11,27 +11,27 @@ namespace campanel::store {
 
 namespace {
 
-constexpr qint64 quantitiesPerSlot = 8; // room for two more
+constexpr qint64 quantitiesPerSlot = 8; // reserve for two more
 constexpr qint64 msPerSecond = 1000;
 constexpr qint64 secondsPerMinute = 60;
 constexpr qint64 secondsPerHour = 3600;
 constexpr qint64 hoursOfSeconds = 4;
 constexpr qint64 daysOfMinutes = 31;
 constexpr qint64 daysOfHours = 366;
-constexpr qint64 shareInMemory = 10; // when the file cannot be had
+constexpr qint64 shareInMemory = 10; // when the file cannot be opened
 
 qint64 floorDivided(qint64 value, qint64 by)
 {
     return value / by - (value % by < 0 ? 1 : 0);
 }
 
-// The first bucket that begins at that time or later.
+// Returns the first bucket that begins at that time or later.
 qint64 firstSlot(qint64 timeMs, TrendLog::Level level)
 {
     return -floorDivided(-timeMs, TrendLog::lengthMs(level)) * quantitiesPerSlot;
 }
 
-// "0,3"
+// Returns "0,3".
 QString listOf(const QList<TrendQuantity>& quantities)
 {
     QStringList wanted;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Trends in three levels of detail: a bucket per second for the last hours, per minute for a month, per hour
-// for a year. In the thread of the database.
+// for a year. Call it in the thread of the database.
 #pragma once
 
 #include "app/store/database/database.h"
@@ -27,25 +27,24 @@ public:
     {
     }
 
-    [[nodiscard]] static qint64 lengthMs(Level level); // of one bucket
-    // Of all quantities together; of a database in memory a tenth.
+    [[nodiscard]] static qint64 lengthMs(Level level); // length of a bucket
+    // Returns the limit of rows for all quantities together; a tenth for a database in memory.
     [[nodiscard]] static qint64 rowsKept(Level level);
     [[nodiscard]] static QString table(Level level);
 
-    // To all levels. To be called in a transaction. What comes for a second that has values joins them.
+    // Adds values to all levels; call it in a transaction. Values of an existing second are merged.
     [[nodiscard]] tl::expected<void, StoreError> add(const QList<TrendPart>& parts);
-    // Buckets that begin from `fromMs` to before `toMs`, oldest first, in the order of time.
+    // Reads the buckets that begin from `fromMs` to before `toMs`, oldest first.
     [[nodiscard]] tl::expected<void, StoreError>
     forEach(Level level, qint64 fromMs, qint64 toMs, const QList<TrendQuantity>& quantities,
             const std::function<void(qint64 startMs, TrendQuantity, const TrendBucket&)>& take);
-    // Start of the oldest bucket; empty when there is none.
+    // Returns the start of the oldest bucket; empty when there is none.
     [[nodiscard]] tl::expected<std::optional<qint64>, StoreError> firstMs(Level level);
-    // Some bucket of one of these at some time.
     [[nodiscard]] tl::expected<bool, StoreError> hasAny(const QList<TrendQuantity>& quantities);
 
 private:
     [[nodiscard]] tl::expected<void, StoreError> addTo(Level level, const QList<TrendPart>& parts);
-    // True when there was none before.
+    // Returns true when the bucket is new.
     [[nodiscard]] tl::expected<bool, StoreError> put(Level level, qint64 slot, const TrendBucket& bucket);
 
     Database& m_database;

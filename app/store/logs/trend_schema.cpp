@@ -20,7 +20,7 @@ const std::vector<QStringList>& steps()
                     length_um INTEGER NOT NULL,
                     last_ms INTEGER NOT NULL,
                     UNIQUE (name, version, length_um)))"_s,
-            // The time is the key: a bag at a time that is taken already has the next free millisecond.
+            // The time is the key: a bag at a taken time gets the next free millisecond.
             uR"(CREATE TABLE bag (
                     time_ms INTEGER PRIMARY KEY,
                     program INTEGER NOT NULL,
@@ -30,7 +30,7 @@ const std::vector<QStringList>& steps()
                     following_error_um INTEGER,
                     rate INTEGER,
                     flags INTEGER NOT NULL))"_s,
-            // slot: start of the stretch in units of its length, times 8, plus the quantity.
+            // slot: start of the bucket in units of its length, times 8, plus the quantity.
             uR"(CREATE TABLE trend_second (
                     slot INTEGER PRIMARY KEY,
                     count INTEGER NOT NULL,
@@ -55,7 +55,7 @@ const std::vector<QStringList>& steps()
                     low INTEGER NOT NULL,
                     high INTEGER NOT NULL,
                     inside INTEGER NOT NULL))"_s,
-            // How many rows each of these has: counting ten million takes seconds.
+            // The number of rows of each table: counting ten million takes seconds.
             u"CREATE TABLE ring (name TEXT PRIMARY KEY, held INTEGER NOT NULL) WITHOUT ROWID"_s,
             u"INSERT INTO ring VALUES ('bag', 0), ('trend_second', 0), ('trend_minute', 0), ('trend_hour', 0)"_s,
         },

@@ -17,7 +17,7 @@ constexpr qint64 longestOfMinutes = 8 * 24 * msPerHour;
 
 using Firsts = std::array<std::optional<qint64>, 3>;
 
-// What is older than a level reaches is asked of the next one, unless that has no more either.
+// Returns true when the level has data that old, or the next level has no older data either.
 bool reaches(const Firsts& firstMs, Level level, qint64 fromMs)
 {
     const auto& first = firstMs[static_cast<std::size_t>(level)];
@@ -66,7 +66,7 @@ tl::expected<TrendWindow, StoreError> readTrends(Database& database, const Trend
         places.insert(quantity, window.curves.size());
         window.curves << TrendCurve{quantity};
     }
-    // Whole columns, always cut at the same times: a curve that is moved does not change its shape.
+    // Whole columns, always at the same times: a moved curve does not change its shape.
     const qint64 margin = (question.toMs - question.fromMs) / 2;
     const qint64 begin = (question.fromMs - margin) / window.columnMs * window.columnMs;
     const auto read = log.forEach(window.level, begin, question.toMs + margin, question.quantities,

@@ -13,7 +13,7 @@
 namespace campanel::store {
 namespace {
 
-// Of one place: more is no list that a finger can search.
+// The maximum number of files per place: a longer list cannot be searched by touch.
 constexpr qsizetype mostFiles = 100;
 
 QString expectation(profile::CsvExpectation expected)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Choice between the file, its last good copy and the default recipe.
+// Selects the file, its last good copy or the default recipe.
 #include "app/store/recipes/last_recipe.h"
 
 #include "app/store/files/files.h"

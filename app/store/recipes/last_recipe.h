@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A recipe that survives a restart: kept in one file of the application's data folder. Loading always yields
-// a recipe, and a sentence when it is not the one that was saved last.
+// A recipe that survives a restart, stored in one file of the application's data folder. Loading always
+// returns a recipe, and a sentence when it is not the one saved last.
 #pragma once
 
 #include "app/store/recipes/recipe_file.h"
@@ -15,15 +15,15 @@ class LastRecipe {
 public:
     struct Loaded {
         program::Recipe recipe;
-        QString notice; // empty when all is well
+        QString notice; // empty without an error
     };
 
     explicit LastRecipe(QString path);
 
-    // `fileName` in QStandardPaths::AppDataLocation.
+    // Returns `fileName` in QStandardPaths::AppDataLocation.
     [[nodiscard]] static QString pathFor(const QString& fileName);
 
-    // The saved recipe; else the last good copy; else the default one.
+    // Returns the saved recipe; else the last good copy; else the default one.
     [[nodiscard]] Loaded load() const;
     [[nodiscard]] tl::expected<void, FileError> save(const program::Recipe& recipe) const;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One way to write and read all kinds: their tables of fields and choices. The cutter adds which two of its
-// four values are given, the point cam its knots.
+// Writes and reads all kinds by their tables of fields and choices. The cutter adds which two of its four
+// values are given, the point cam its knots.
 #include "app/store/recipes/program_json.h"
 
 #include "app/store/files/json_reader.h"
@@ -20,7 +20,7 @@ using profile::Field;
 using program::Choice;
 using program::Recipe;
 
-// Counts; the other fields without decimals are measures that a person enters as whole numbers.
+// Returns true for counts; other fields without decimals are measures entered as whole numbers.
 bool isWhole(Field field)
 {
     constexpr std::array counts{Field::SlicesPerRamp, Field::Knives,          Field::PulsesPerMotorRev,
@@ -207,7 +207,7 @@ void readProgram(const QJsonObject& object, Recipe& recipe, std::optional<FileEr
     for (const Field field : kind->programFields) {
         const bool needed =
             recipe.isCutter() && field <= Field::FilmSpeed && program::isRead(recipe.program, field);
-        // Values that are not pinned follow from the others: whatever stands there is not looked at.
+        // Derived values are not read from the file.
         if (recipe.isCutter() && !program::isRead(recipe.program, field))
             reader.take(idOf(field));
         else if (needed || reader.has(idOf(field)))

@@ -14,8 +14,8 @@ namespace campanel::store {
 [[nodiscard]] QJsonObject programJson(const program::Recipe& recipe);
 [[nodiscard]] QJsonObject machineJson(const program::Recipe& recipe);
 
-// What is absent has the default of its kind. The first thing that is wrong goes into `failure`. The program
-// comes first: it says which data of the machine there are.
+// Read the objects. Missing values have the default of the kind. The first error goes into `failure`. The
+// program must be read first: it determines the machine data.
 void readProgram(const QJsonObject& object, program::Recipe& recipe, std::optional<FileError>& failure);
 void readMachine(const QJsonObject& object, program::Recipe& recipe, std::optional<FileError>& failure);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The copy before the last one is kept only while it is a recipe.
+// Keeps the previous copy only while it is a valid recipe.
 #include "app/store/recipes/recipe_file.h"
 
 #include "app/store/files/files.h"
@@ -19,7 +19,7 @@ tl::expected<program::Recipe, FileError> readRecipe(const QString& path)
 tl::expected<void, FileError> writeRecipe(const program::Recipe& recipe, const QString& path)
 {
     QDir().mkpath(QFileInfo(path).absolutePath());
-    // A damaged file must not push out the last good copy.
+    // A damaged file must not replace the last good copy.
     if (const auto before = readBytes(path); before && fromJson(*before, path)) {
         if (const auto kept = replaceBytes(backupPath(path), *before); !kept)
             return kept;
@@ -29,7 +29,7 @@ tl::expected<void, FileError> writeRecipe(const program::Recipe& recipe, const Q
 
 QList<RecipeOffer> offeredRecipes(const QList<Place>& places)
 {
-    constexpr qsizetype mostFiles = 200; // of one place
+    constexpr qsizetype mostFiles = 200; // in one place
     QList<RecipeOffer> offers;
     for (const Place& place : places) {
         for (const QFileInfo& file : filesIn(place, QStringLiteral("json"), mostFiles))

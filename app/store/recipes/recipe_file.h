@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recipes on disk. Writing replaces the file in one step, so that a power cut leaves the old one or the new
-// one; the copy before it stays beside it as FILE.bak.
+// Recipes on disk. Writing replaces the file in one step, so that a power cut leaves the old or the new one.
+// The previous copy remains beside it as FILE.bak.
 #pragma once
 
 #include "app/store/files/exchange_places.h"
@@ -12,10 +12,10 @@ namespace campanel::store {
 
 [[nodiscard]] tl::expected<program::Recipe, FileError> readRecipe(const QString& path);
 
-// Creates the folder when it is missing. On an error the file is as it was.
+// Creates the folder when it is missing. After an error the file is unchanged.
 [[nodiscard]] tl::expected<void, FileError> writeRecipe(const program::Recipe& recipe, const QString& path);
 
-// A file that can be looked at before anything is taken from it.
+// Returns the path of the copy that writeRecipe() makes of the last good file.
 struct RecipeOffer {
     QString path;
     QString placeName;
@@ -23,7 +23,7 @@ struct RecipeOffer {
     tl::expected<program::Recipe, FileError> recipe;
 };
 
-// The JSON files of the places, newest first. Waits for the disk.
+// Returns the JSON files of the places, newest first. Waits for the disk.
 [[nodiscard]] QList<RecipeOffer> offeredRecipes(const QList<Place>& places);
 
 } // namespace campanel::store

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The envelope of the recipe format. Reading stops at the first thing that is wrong, with the key and what
-// was expected.
+// The envelope of the recipe format. Reading stops at the first error, with the key and the expected value.
 #include "app/store/recipes/recipe_json.h"
 
 #include "app/store/files/json_keys.h"

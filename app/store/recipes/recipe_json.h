@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The recipe format (profile/README.md) to a recipe and back. Keys are the ids of the fields.
+// Converts a recipe to and from the recipe format (profile/README.md). Keys are the ids of the fields.
 #pragma once
 
 #include "app/program/recipe.h"
@@ -15,9 +15,9 @@ inline constexpr int recipeFormatVersion = 1;
 
 [[nodiscard]] QByteArray toJson(const program::Recipe& recipe);
 
-// `path` only goes into the error. The two pinned values and the speed law must be there; what else is absent
-// or null has its default. Keys that are not known are refused, so that a misspelled one does not become a
-// default.
+// Reads a recipe. `path` is only for the error. The two pinned values and the speed law must exist; other
+// values that are missing or null have their default. Unknown keys are refused, so that a misspelled one does
+// not become a default.
 [[nodiscard]] tl::expected<program::Recipe, FileError> fromJson(const QByteArray& json, const QString& path);
 
 } // namespace campanel::store

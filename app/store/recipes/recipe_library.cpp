@@ -16,7 +16,7 @@ QString kindKey(const program::Recipe& recipe)
     return QString::fromLatin1(key.data(), static_cast<qsizetype>(key.size()));
 }
 
-// Columns: recipe, version, saved_ms, saved_by, json, name.
+// Reads the columns recipe, version, saved_ms, saved_by, json, name.
 QList<RecipeVersion> readVersions(QSqlQuery& query)
 {
     QList<RecipeVersion> versions;
@@ -58,7 +58,7 @@ RecipeLibrary::Result<RecipeVersion> RecipeLibrary::save(const program::Recipe& 
     RecipeVersion saved{0, recipe.version, nowMs, by, recipe};
     const auto done = m_database.transaction([&]() -> Result<void> {
         const QString name = QString::fromStdString(recipe.name);
-        // The name as it is written now; what was deleted comes back.
+        // Updates the spelling of the name; a deleted recipe is restored.
         auto known = m_database.execute(
             u"INSERT INTO recipe (name) VALUES (?) ON CONFLICT (name) DO UPDATE SET name = excluded.name, "
             "deleted = 0 RETURNING id"_s,

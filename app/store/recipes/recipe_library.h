@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The recipes of the panel: each under its name, all its versions, who saved them and when. A version is
-// never changed; a recipe that is deleted keeps its versions. Everything here waits for the disk.
+// The recipes of the panel by name, with all versions, their authors and times. A version is never changed; a
+// deleted recipe keeps its versions. All functions wait for the disk.
 #pragma once
 
 #include "app/program/recipe.h"
@@ -18,7 +18,7 @@ struct RecipeVersion {
     int version = 0;
     qint64 savedMs = 0; // since 1970, UTC
     QString savedBy;
-    program::Recipe recipe; // under the recipe's present name
+    program::Recipe recipe; // with the recipe's present name
 };
 
 class RecipeLibrary {
@@ -30,23 +30,23 @@ public:
 
     template <typename Value> using Result = tl::expected<Value, StoreError>;
 
-    // The newest version of each recipe that is not deleted, the one saved last first. What cannot be read
-    // (it was written by a newer version of this program) is left out.
+    // Returns the newest version of each recipe that is not deleted, the one saved last first. Versions that
+    // cannot be read (written by a newer version of this program) are omitted.
     [[nodiscard]] Result<QList<RecipeVersion>> newest();
-    // All versions of one recipe, newest first.
+    // Returns all versions of one recipe, newest first.
     [[nodiscard]] Result<QList<RecipeVersion>> versions(qint64 recipeId);
 
-    // Keeps it under its name (letters count alike in both cases) and says under which version: that of the
-    // recipe, or the next one when that number is taken by another program. The same program again is no new
-    // version. A deleted recipe of that name comes back.
+    // Saves the recipe under its name (case-insensitive) and returns its version: that of the recipe, or the
+    // next one when another program has that number. An unchanged program gets no new version. A deleted
+    // recipe of that name is restored.
     [[nodiscard]] Result<RecipeVersion> save(const program::Recipe& recipe, const QString& by, qint64 nowMs);
 
-    // Errors: Refused when there is, or was, another recipe of that name.
+    // Renames a recipe. Errors: Refused when there is or was another recipe of that name.
     [[nodiscard]] Result<void> rename(qint64 recipeId, const QString& name);
     [[nodiscard]] Result<void> setDeleted(qint64 recipeId, bool isDeleted);
 
-    // The data of the machine, one recipe for each kind that has been told; of these recipes only `machine`
-    // and the kind count.
+    // Returns the machine data, one recipe for each kind that was set; only `machine` and the kind of these
+    // recipes are valid.
     [[nodiscard]] Result<QList<program::Recipe>> machines();
     [[nodiscard]] Result<void> saveMachine(const program::Recipe& recipe, const QString& by, qint64 nowMs);
 

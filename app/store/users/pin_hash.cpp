@@ -11,7 +11,7 @@ namespace campanel::store {
 
 namespace {
 
-// Twice libsodium's 64 MiB for logging in. Memory costs somebody who guesses in parallel more than passes do.
+// Twice libsodium's 64 MiB for logins: memory hinders parallel guessing more than passes do.
 constexpr unsigned long long passes = crypto_pwhash_OPSLIMIT_INTERACTIVE;
 constexpr std::size_t memoryBytes = std::size_t{128} << 20U;
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr qint64 firstDelayMs = 1000;
 constexpr qint64 longestDelayMs = 300'000;
-constexpr int mostDoublings = 9; // beyond the longest delay
+constexpr int mostDoublings = 9; // beyond the maximum delay
 
 StoreError refused(const Database& database, const QString& reason)
 {
@@ -40,7 +40,7 @@ tl::expected<void, StoreError> change(Database& database, const QString& stateme
                : tl::unexpected(refused(database, StoreErrorText::tr("there is no such user")));
 }
 
-// Within a transaction, after the change.
+// Checks, in the transaction after the change, that a user of the level Service remains.
 tl::expected<void, StoreError> keepOneService(Database& database)
 {
     auto counted = database.execute(u"SELECT count(*), sum(level = 3) FROM user WHERE deleted = 0"_s);
@@ -121,7 +121,7 @@ tl::expected<User, StoreError> addUser(Database& database, const QString& name, 
     });
     if (!done)
         return tl::unexpected(done.error());
-    // Should it fail, the next opening writes it.
+    // After a failure the next opening writes it.
     if (!database.isInMemory())
         (void)writeSetupMarker(database.path(), SetUp::WithPins);
     return user;

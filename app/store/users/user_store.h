@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The people who may log in, in the database. Wrong PINs are counted before they are looked at, so that
-// pulling the plug saves nobody the wait.
+// The users in the database. Wrong PINs are counted before the check, so that cutting the power does not
+// avoid the waiting time.
 #pragma once
 
 #include "app/store/database/database.h"
@@ -16,42 +16,42 @@ struct User {
     qint64 id = 0;
     QString name;
     UserLevel level = UserLevel::Operator;
-    int failedAttempts = 0;   // in a row
+    int failedAttempts = 0;   // consecutive
     qint64 lockedUntilMs = 0; // since 1970 UTC
 
     bool operator==(const User&) const = default;
 };
 
-// After so many wrong PINs in a row: 1, 2, 4 ... seconds, at most five minutes.
+// Returns the waiting time after this many consecutive wrong PINs: 1, 2, 4 ... seconds, at most five minutes.
 [[nodiscard]] qint64 delayMs(int failedAttempts);
-// How long this user still has to wait. A clock that was set back does not make it longer than the delay.
+// Returns how long this user must still wait. A clock that was set back cannot extend the delay.
 [[nodiscard]] qint64 waitMs(const User& user, qint64 nowMs);
 
-// By name. Those that were removed are not among them. PinsLost, or what kept the database from being opened,
-// when there are none although there were some, or nobody can tell: then nobody may do everything.
+// Returns the users by name, without removed ones. PinsLost when the list is empty although there were users.
+// Other errors are those of opening the database; nobody gets all rights in either case.
 [[nodiscard]] tl::expected<QList<User>, StoreError> users(Database& database);
-// Refused when somebody has that name. The first user must be of the level Service.
+// Adds a user. Refused when the name is taken. The first user must have the level Service.
 [[nodiscard]] tl::expected<User, StoreError> addUser(Database& database, const QString& name, UserLevel level,
                                                      const QString& pinHash);
-// Puts the users of the last good copy in `folder` into a database that is in memory, so that their PINs can
-// be checked while the one on the disk cannot be opened.
+// Copies the users of the last good copy in `folder` into a database in memory. Their PINs can then be
+// checked while the one on the disk cannot be opened.
 void borrowUsers(Database& database, const QString& folder);
-// The same PIN, hashed with today's effort.
+// Stores the same PIN, hashed with the present effort.
 [[nodiscard]] tl::expected<void, StoreError> renewPinHash(Database& database, qint64 id,
                                                           const QString& pinHash);
-// Also ends the wait.
+// Sets the hash and ends the waiting time.
 [[nodiscard]] tl::expected<void, StoreError> setUserPin(Database& database, qint64 id,
                                                         const QString& pinHash);
-// Both are refused when nobody of the level Service would be left.
+// Change a user. Both functions are refused when no user of the level Service would be left.
 [[nodiscard]] tl::expected<void, StoreError> setUserLevel(Database& database, qint64 id, UserLevel level);
 [[nodiscard]] tl::expected<void, StoreError> removeUser(Database& database, qint64 id);
 
 struct LoginAttempt {
     User user;
-    QString pinHash;   // empty while the user has to wait: then nothing was counted
-    qint64 waitMs = 0; // from now on, when the PIN is wrong
+    QString pinHash;   // empty while the user must wait: the attempt was not counted
+    qint64 waitMs = 0; // waiting time if the PIN is wrong
 };
-// Counts a wrong PIN in advance; endLogin() takes it back when the PIN was right.
+// Counts a wrong PIN in advance; endLogin() reverts it when the PIN was right.
 [[nodiscard]] tl::expected<LoginAttempt, StoreError> beginLogin(Database& database, qint64 id, qint64 nowMs);
 [[nodiscard]] tl::expected<void, StoreError> endLogin(Database& database, qint64 id);
 

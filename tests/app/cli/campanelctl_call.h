@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanelctl as a person calls it: the real program, what it prints, its one line of complaint and its exit
-// code.
+// Calls campanelctl like a person: the real program, its output, its error line and its exit code.
 #pragma once
 
 #include "tests/support/places.h"
@@ -14,11 +13,11 @@
 
 namespace campanel::test {
 
-// As its manual page has them.
+// The exit codes of its manual page.
 enum Code { Ok = 0, Refused = 1, Usage = 2, Link = 3, File = 4 };
 
 struct Result {
-    int code = -1; // also of a program that crashed or did not end
+    int code = -1; // also for a program that crashed or did not end
     QByteArray out;
     QByteArray complaint;
 
@@ -37,7 +36,7 @@ inline Result call(const QStringList& arguments)
             process.readAllStandardOutput(), process.readAllStandardError()};
 }
 
-// Arguments without spaces.
+// Calls it with arguments without spaces.
 inline Result call(const QString& words)
 {
     return call(words.split(u' ', Qt::SkipEmptyParts));

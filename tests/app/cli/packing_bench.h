@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs of the simulated packing machine with programs as the panel builds them.
+// Runs of the simulated packing machine with programs built like the panel's.
 #pragma once
 
 #include "app/program/program_image.h"
@@ -15,7 +15,7 @@
 
 namespace campanel::test {
 
-// Set lengths of the paper's Table 2, mm.
+// The set lengths of the paper's Table 2, mm.
 inline constexpr std::array paperLengthsMm{100.0, 125.0, 150.0, 175.0, 200.0, 220.0, 249.0, 277.0,
                                            300.0, 319.0, 353.0, 386.0, 400.0, 434.0, 460.0};
 
@@ -31,7 +31,7 @@ inline program::ProgramImage cutterAt(double lengthMm, double rate)
     return std::move(*image);
 }
 
-// Up to 300 bags/min.
+// Returns the maximum rate, up to 300 bags/min.
 inline double fastestRate(double lengthMm)
 {
     const auto fastest = profile::fastestRate(cutterAt(lengthMm, 60).cutter());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanelctl audit verify: trails that are whole, altered, cut off, and files that hold none.
+// campanelctl audit verify: intact, altered and truncated trails, and files without a trail.
 #include "app/store/backup/backup_file.h"
 #include "app/store/logs/audit_log.h"
 #include "app/store/logs/trend_schema.h"
@@ -42,7 +42,7 @@ struct Trail {
     {
         QVERIFY((*store::Database::open(folder.path()))->execute(statement));
     }
-    // Names and bytes of all files.
+    // Returns names and contents of all files.
     [[nodiscard]] QMap<QString, QByteArray> contents() const
     {
         QMap<QString, QByteArray> found;

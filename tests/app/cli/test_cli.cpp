@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanelctl as a person calls it: the real program, its output, its exit code and its one line of
-// complaint.
+// campanelctl as a person calls it: the real program, its output, its exit code and its error line.
 #include "app/store/recipes/recipe_file.h"
 #include "campanelctl_call.h"
 #include "modbus/line/rtu_client.h"
@@ -150,7 +149,7 @@ void CliTest::pulsesPerCycleAreExact()
     QFETCH(int, slices);
     QFETCH(int, pulsesPerRev);
     QFETCH(int, knives);
-    // A third of the stroke has room for a third of the bag.
+    // A third of the stroke has space for a third of the bag.
     const Result result =
         call({u"table"_s, u"--bag-length-mm"_s, QString::number(knives == 1 ? 250 : 83), u"--rate"_s, u"60"_s,
               u"--knife-radius-mm"_s, u"60"_s, u"--gear"_s, u"1/1"_s, u"--k"_s, u"4,2.5,1.6667,1.3333"_s,
@@ -360,7 +359,7 @@ void CliTest::lifeWithAController()
     QCOMPARE(call(QStringList{u"start"_s} + port).code, int{Ok});
     QTRY_COMPARE_WITH_TIMEOUT(status()[u"state"_s].toString(), u"Running"_s, 20'000);
 
-    // A change while it runs.
+    // A change during the run.
     const Result changed =
         call(QStringList{u"download"_s, u"--rate"_s, u"120"_s, u"--bag-length-mm"_s, u"260"_s} + port + json);
     QVERIFY2(changed.code == Ok, changed.complaint.constData());

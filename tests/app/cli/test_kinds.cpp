@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanelctl with every kind of program: laws compared, intervals, knots, profiles and tables, and its
-// complaints about what does not fit together.
+// campanelctl with every kind of program: law comparison, intervals, knots, profiles and tables, and its
+// errors for contradictory inputs.
 #include "app/store/recipes/recipe_file.h"
 #include "campanelctl_call.h"
 #include "tests/support/test_program.h"
@@ -230,7 +230,7 @@ void CliKindsTest::intervalsOfAMove()
     QVERIFY(isNear(slower.json()[u"time_s"_s].toDouble(), 1.00663296 * object[u"time_s"_s].toDouble(), 5e-3));
     const Result csv = call(u"intervals --kind speed_move --format csv --speed-error-mm-per-s 100"_s);
     QCOMPARE(csv.lines().first(), QByteArray("pulses,first_hz,last_hz,acceleration_hz_per_s"));
-    // 9000 mm/s at 10 pulses a mm, by the clock that there is.
+    // 9000 mm/s at 10 pulses per mm, at the real clock.
     QVERIFY2(isNear(csv.lines().last().split(',')[2].toDouble(), 90'000, 0.01), csv.out.constData());
     const Result table = call(u"table --kind position_move --execution intervals --format csv"_s);
     double sum = 0;
@@ -261,7 +261,7 @@ void CliKindsTest::profileAgreesWithTheTable()
     }
 }
 
-// Not known, or without bound: a word in text, null in JSON.
+// Unknown or unlimited: a word in text, null in JSON.
 void CliKindsTest::numbersThatAreNone()
 {
     for (const QString& words :

@@ -89,7 +89,7 @@ private slots:
     void linkCountsWhatHappens()
     {
         auto slave = std::make_unique<ScriptedSlave>();
-        // Identity is read twice before the first status.
+        // The identity is read twice before the first status.
         slave->script(
             {Fault::None, Fault::None, Fault::None, Fault::BadChecksum, Fault::None, Fault::LostAnswer});
         const QStringList arguments{u"link"_s,        u"--port"_s, QString::fromStdString(slave->port()),
@@ -134,7 +134,7 @@ private slots:
         QVERIFY(result.out.contains("no answer in time"));
         QVERIFY(result.out.contains("dropped: answer to another question"));
         QVERIFY(result.out.contains("exchange.heartbeat = "));
-        QVERIFY(result.out.contains("01 03 00 00 00 13 ")); // the bytes as they were
+        QVERIFY(result.out.contains("01 03 00 00 00 13 ")); // the bytes as sent
     }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where campanelctl writes to: a full disk costs no file, what cannot be written is an error, control
-// characters of a file do not reach a terminal, and lines of CSV end in one way.
+// The output of campanelctl: a full disk destroys no file, an incomplete output is an error, control
+// characters of a file do not reach a terminal, and CSV has one kind of line end.
 #include "app/store/recipes/recipe_json.h"
 #include "campanelctl_call.h"
 #include "tests/support/full_disk.h"
@@ -149,7 +149,7 @@ void OutputTest::noControlCharacterReachesATerminal()
         QCOMPARE(result.code, int{Ok});
         QVERIFY2(!hasControls(result.out), result.out.constData());
     }
-    // A recipe is the same all the same.
+    // The recipe itself is unchanged.
     const auto again = store::fromJson(call({u"recipe"_s, path}).out, path);
     QVERIFY(again.has_value());
     QCOMPARE(again->name, recipe.name);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bags that the simulated packing machine cuts: accuracy over the lengths of the paper's Table 2, steps
-// of the film's stretch, misplaced products, and that neither seed nor step of time is without its meaning.
+// The bags of the simulated packing machine: accuracy over the lengths of the paper's Table 2, steps of the
+// film's stretch, misplaced products, and the influence of seed and time step.
 #include "packing_bench.h"
 
 #include "ctl_registers.h"
@@ -66,7 +66,7 @@ private slots:
         QVERIFY(std::sqrt(squares / count - mean * mean) <= 0.06);
     }
 
-    // It is the tracking that does it: the same film without it is off by its stretch.
+    // Compares with the same film without tracking, which deviates by its stretch.
     void withoutTracking()
     {
         const Packed packed = pack(cutterAt(250, 60), 300,
@@ -109,7 +109,7 @@ private slots:
         }));
     }
 
-    // With nothing but the step: a bag or two each way, and then rest.
+    // Only the step: one or two bags in each direction, then constant lengths.
     void noOscillation_data() { stepOfStretch_data(); }
     void noOscillation()
     {
@@ -139,11 +139,11 @@ private slots:
             crossings += side != 0 && now != side ? 1 : 0;
             side = now;
         }
-        QVERIFY(largest > 0); // it was there
+        QVERIFY(largest > 0); // it had an effect
         QVERIFY2(crossings <= 2, qPrintable(QString::number(crossings)));
     }
 
-    // A mark too many, some of them just before the right one: the nearer one is believed.
+    // False marks, some of them just before the true one: the nearer one is used.
     void falseMarks_data()
     {
         QTest::addColumn<double>("lengthMm");
@@ -160,7 +160,7 @@ private slots:
         const Packed packed = pack(cutterAt(lengthMm, 60), 3000, [&](PackingJob& job) {
             job.machine.film.marksFalse = 0.2;
             job.machine.film.stretchStep = step;
-            job.machine.film.stretchStepM = lengthMm; // of a thousand bags
+            job.machine.film.stretchStepM = lengthMm; // in a thousand bags
         });
         QCOMPARE(packed.result.end, PackingEnd::Done);
         QVERIFY(packed.result.marksFalse > 500);
@@ -184,7 +184,7 @@ private slots:
         QVERIFY(!packed.anyThroughProduct());
         QVERIFY(packed.result.cutsSkipped > 300);
         QCOMPARE(packed.result.skipsUnexplained, 0u);
-        // Clearance, and what the eye and the product's slip on the film may be off.
+        // The clearance, and the errors of the eye and the product's slip on the film.
         QVERIFY2(packed.result.largestSkipGapMm < 5 + 2,
                  qPrintable(QString::number(packed.result.largestSkipGapMm)));
         QCOMPARE(packed.result.skips[CTL_SKIP_CAUSE_PRODUCT_ACROSS], packed.result.cutsSkipped);
@@ -197,7 +197,7 @@ private slots:
         QCOMPARE(skipped, packed.result.cutsSkipped);
     }
 
-    // No product, no bag: the same film makes no empty ones.
+    // No product, no bag: the same film makes no empty bags.
     void filmIsSaved()
     {
         const auto run = [](std::uint16_t save) {
@@ -219,8 +219,8 @@ private slots:
         QVERIFY(!saved.anyThroughProduct());
     }
 
-    // The steps of time that make a run quick: no bag differs by much more than a pulse of the film motor,
-    // their standard deviation by a micrometre.
+    // The time steps of fast runs: no bag differs by much more than a pulse of the film motor, and the
+    // standard deviation by a micrometer.
     void stepsOfTime_data()
     {
         QTest::addColumn<double>("lengthMm");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a packing machine must not take in silence: marks that do not come, come twice or at the wrong
-// distance, a sensor too far away, products that do not fit, film that stretches beyond the limits. Each ends
-// in its alarm or refusal, and the knife never closes on a product.
+// Errors that a packing machine must report: missing, double or misplaced marks, a sensor too far away,
+// products that do not fit, film that stretches beyond the limits. Each ends in its alarm or refusal, and the
+// knife never closes on a product.
 #include "packing_bench.h"
 
 #include "ctl_registers.h"
@@ -24,7 +24,7 @@ struct Trouble {
     double lengthMm;
     void (*make)(PackingJob& job);
     PackingEnd end;
-    std::uint32_t expected; // refusal, or the warning bits of which at least one must be set
+    std::uint32_t expected; // refusal, or the warning bits, at least one of which must be set
 };
 
 constexpr std::uint32_t bit(unsigned number)
@@ -51,7 +51,7 @@ const Trouble troubles[] = {
      PackingEnd::Alarm, pitchWrong},
     {"print 5 % too short", 250, [](PackingJob& job) { job.machine.film.printError = -0.05; },
      PackingEnd::Alarm, pitchWrong},
-    // Within the window of a mark, but more than the film of a bag may be changed by.
+    // Within the window of a mark, but more than the possible correction per bag.
     {"print 5 % too long, short bags", 100, [](PackingJob& job) { job.machine.film.printError = 0.05; },
      PackingEnd::Alarm, pitchWrong | atLimit | tooManySkips},
     {"stretch sets in by 8 %", 250,
@@ -120,7 +120,7 @@ private slots:
         QVERIFY(!packed.anyThroughProduct());
     }
 
-    // The operator starts again and again: still nothing is cut through.
+    // The operator restarts repeatedly: still no product is cut.
     void goesOnUnharmed_data() { endsAsItShould_data(); }
     void goesOnUnharmed()
     {
@@ -136,7 +136,7 @@ private slots:
         QVERIFY(!packed.anyThroughProduct());
     }
 
-    // The sealing window takes nearly the whole cycle: nothing is left to correct the film in.
+    // The sealing window takes nearly the whole cycle: no time is left to correct the film.
     void noRoomToCorrect()
     {
         program::ProgramImage image = cutterAt(250, 20);
@@ -149,8 +149,8 @@ private slots:
         QCOMPARE(packed.result.detail, std::uint32_t{CTL_REFUSAL_NO_ROOM_TO_CORRECT});
     }
 
-    // A jump of a mark as large as the window, wherever in a bag it begins: the marks are followed on, or
-    // lost with an alarm; no cut is said to follow a mark that it does not.
+    // A jump of a mark as large as the window, at any place in a bag: the marks are followed, or lost with an
+    // alarm. No cut may be reported as tracked when it is not.
     void marksOnTheWindowsEdge()
     {
         const program::ProgramImage image = cutterAt(250, 60);
@@ -178,7 +178,7 @@ private slots:
         QVERIFY(followed > 0);
     }
 
-    // Too many skips, and on from there: the bag has all of its lengths, whichever start it began with.
+    // Too many skips, then a restart: the bag has all of its lengths, from both starts.
     void bagAcrossTwoStarts()
     {
         const Packed packed = pack(cutterAt(250, 60), 2000, [](PackingJob& job) {
@@ -194,7 +194,7 @@ private slots:
             QVERIFY2(std::abs(bag.deviationMm) < 5, qPrintable(QString::number(bag.number)));
     }
 
-    // Nothing comes, and the film is saved: it stands, and the run says so.
+    // Nothing comes, and the film is saved: it stands still, and the run reports it.
     void noProductsAtAll()
     {
         const Packed packed = pack(cutterAt(250, 60), 100, [](PackingJob& job) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanelctl simulate as a person calls it: rows, summary, table, complaints and exit codes.
+// campanelctl simulate as a person calls it: rows, summary, table, errors and exit codes.
 #include "campanelctl_call.h"
 #include "tests/support/test_program.h"
 
@@ -62,7 +62,7 @@ private slots:
         QCOMPARE(result.complaint.count('\n'), 1);
     }
 
-    // The bags alone on standard output, the summary on standard error.
+    // Only the bags on standard output, the summary on standard error.
     void bagsAsCsv()
     {
         const Result result = call(u"simulate --bags 50 --format csv"_s);
@@ -111,7 +111,7 @@ private slots:
         QCOMPARE(skipped, cuts[u"skipped"_s].toInt());
     }
 
-    // What ended the run is said in the summary as well, which is printed all the same.
+    // The summary is still printed and contains the end of the run.
     void alarmEndsTheRun()
     {
         const Result result = call(u"simulate --marks-missing 1 --format json"_s);

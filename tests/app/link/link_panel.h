@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A link with everything that it has said, for tests against the real controller program.
+// A link that records all its signals, for tests against the real controller program.
 #pragma once
 
 #include "app/link/threaded_link.h"
@@ -32,7 +32,7 @@ inline program::ProgramImage imageOf(double bagLengthMm)
     return *image;
 }
 
-// A link and everything that it says.
+// Records all signals of a link.
 class Panel : public QObject {
 public:
     explicit Panel(const link::ConnectionSettings& settings)
@@ -44,7 +44,7 @@ public:
             statuses += batch.samples.size();
         });
         connect(&link, &link::Link::commandEnded, this, [this](const link::CommandOutcome& outcome) {
-            if (outcome.id != 0) // what the link does by itself
+            if (outcome.id != 0) // unsolicited by the test
                 outcomes << outcome;
         });
         connect(&link, &link::Link::downloadReported, this,

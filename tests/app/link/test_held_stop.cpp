@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A Stop that is pressed while the line is gone, or whose answer is lost with it.
+// A Stop that is pressed without a connection, or whose answer is lost with it.
 #include "app/link/link_worker.h"
 #include "link_panel.h"
 #include "tests/support/controller_process.h"
@@ -42,9 +42,9 @@ private slots:
         QCOMPARE(panel.report.pendingStop, Command::StopNow);
         QCOMPARE(panel.outcomes[0].id, 1u); // replaced by the more urgent one
         QCOMPARE(panel.outcomes[0].end, CommandEnd::Withdrawn);
-        QCOMPARE(panel.outcomes[1].id, 3u); // less urgent than the one that waits
+        QCOMPARE(panel.outcomes[1].id, 3u); // less urgent than the waiting one
         QCOMPARE(panel.outcomes[1].end, CommandEnd::Withdrawn);
-        QCOMPARE(panel.outcomes[2].id, 4u); // anything else is not kept
+        QCOMPARE(panel.outcomes[2].id, 4u); // other commands do not wait
         QCOMPARE(panel.outcomes[2].end, CommandEnd::NotSent);
         controller.start();
         QElapsedTimer sinceReturn;
@@ -52,7 +52,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(panel.outcomes.size(), 4, timeoutMs);
         QVERIFY2(sinceReturn.elapsed() < 2000, qPrintable(QString::number(sinceReturn.elapsed())));
         QCOMPARE(panel.outcomes[3].id, 2u);
-        QCOMPARE(panel.outcomes[3].end, CommandEnd::Refused); // it reached a controller that stands
+        QCOMPARE(panel.outcomes[3].end, CommandEnd::Refused); // it reached a controller at standstill
         QCOMPARE(panel.outcomes[3].reason, modbus::Refusal::NotRunning);
         QTRY_VERIFY_WITH_TIMEOUT(!panel.report.pendingStop, timeoutMs);
     }
@@ -88,7 +88,7 @@ private slots:
         panel.link.connectTo(portSettings(QStringLiteral("/dev/ttyThatIsNotThere")));
         QTRY_COMPARE_WITH_TIMEOUT(panel.outcomes.size(), 1, timeoutMs);
         QCOMPARE(panel.outcomes[0].end, CommandEnd::NotSent);
-        // Nobody was connected here, so there is nothing to stop.
+        // Never connected, so there is nothing to stop.
         panel.link.request({2, Command::StopNow, {}});
         QTRY_COMPARE_WITH_TIMEOUT(panel.outcomes.size(), 2, timeoutMs);
         QCOMPARE(panel.outcomes[1].end, CommandEnd::NotSent);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Held jog keys: what goes out with the next exchange, and against the real controller program that the axis
-// moves while the key is held and no longer.
+// Held jog keys: the bits of the next exchange, and with the real controller program the movement of the axis
+// exactly while the key is held.
 #include "app/link/held_jog.h"
 #include "link_panel.h"
 #include "tests/support/controller_process.h"
@@ -30,7 +30,7 @@ constexpr std::uint16_t forward = 1U << static_cast<unsigned>(modbus::JogBit::Fo
 constexpr std::uint16_t reverse = 1U << static_cast<unsigned>(modbus::JogBit::Reverse);
 constexpr qsizetype statusesToBelieve = 40;
 
-// Tells the link again and again, as long as it lives.
+// Holds a key during its lifetime by repeated calls.
 class HeldKey {
 public:
     HeldKey(Panel& panel, JogDirection direction)
@@ -55,7 +55,7 @@ private:
 class TestJog : public QObject {
     Q_OBJECT
 
-    // It stands, and goes on standing.
+    // Checks that the axis stands and remains at rest.
     static void verifyStandstill(Panel& panel)
     {
         const qsizetype seen = panel.statuses;
@@ -101,7 +101,7 @@ private slots:
         jog.hold({JogDirection::None, {}});
         jog.hold({JogDirection::Forward, start + 520ms});
         QCOMPARE(jog.bits(start + 330ms), forward);
-        // Nobody has asked in between.
+        // No request in between.
         jog.hold({JogDirection::Forward, start + 1000ms});
         QCOMPARE(jog.bits(start + 810ms), std::uint16_t{0});
     }
@@ -117,7 +117,7 @@ private slots:
             {
                 const HeldKey key(panel, direction);
                 QTRY_VERIFY_WITH_TIMEOUT(panel.isIn(State::Jogging), timeoutMs);
-                // Longer than the controller would let it live by itself.
+                // Longer than the controller's own limit.
                 const qsizetype seen = panel.statuses;
                 QTRY_VERIFY_WITH_TIMEOUT(panel.statuses > seen + 2 * statusesToBelieve, timeoutMs);
                 QVERIFY(panel.isIn(State::Jogging));
@@ -147,7 +147,7 @@ private slots:
         QVERIFY2(sinceTold.elapsed() < 400, qPrintable(QString::number(sinceTold.elapsed())));
         const auto position = panel.status->commandedPositionPulses;
         QVERIFY2(position > 0 && position < 400, qPrintable(QString::number(position)));
-        const HeldKey key(panel, JogDirection::Forward); // without letting go in between
+        const HeldKey key(panel, JogDirection::Forward); // without a release in between
         verifyStandstill(panel);
     }
 

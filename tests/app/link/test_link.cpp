@@ -47,7 +47,7 @@ program::ProgramImage imageOf(double bagLengthMm)
     return *image;
 }
 
-// Keeps what a link says.
+// Records the signals of a link.
 class Listener : public QObject {
 public:
     explicit Listener(link::Link& link)
@@ -61,7 +61,7 @@ public:
         connect(&link, &link::Link::programRead, this,
                 [this](const link::ActiveProgram& read) { programs << read; });
         connect(&link, &link::Link::commandEnded, this, [this](const link::CommandOutcome& outcome) {
-            if (outcome.id != 0) // what the link does by itself
+            if (outcome.id != 0) // the link's own command
                 outcomes << outcome;
         });
         connect(&link, &link::Link::parameterEnded, this,
@@ -115,7 +115,7 @@ private slots:
         QVERIFY(listener.programs.first().isEmpty()); // its flash is empty
     }
 
-    // The status of a machine that stands is asked for ten times a second, not eighty.
+    // The status of a machine at standstill is requested ten times a second instead of eighty.
     void restsWhileTheMachineStands()
     {
         QTemporaryDir state;
@@ -166,7 +166,7 @@ private slots:
     void restartsTheSimulatedControllerWhenItIsKilled()
     {
         QTemporaryDir folder;
-        // Tells its process id and becomes the controller.
+        // Prints its process id and becomes the controller.
         QFile script(folder.filePath(QStringLiteral("controller.sh")));
         QVERIFY(script.open(QIODevice::WriteOnly));
         script.write("#!/bin/sh\necho $$ > '" + folder.path().toUtf8() + "/pid'\nexec '" +
@@ -194,7 +194,8 @@ private slots:
         QTest::addColumn<std::uint32_t>("baud");
         QTest::addColumn<int>("samples");
         QTest::addColumn<double>("leastPerSecond");
-        // A quarter of the limit, so that a busy computer is no failure; the rate itself is the bench's.
+        // A quarter of the limit, so that a busy computer does not fail; the benchmark checks the rate
+        // itself.
         QTest::newRow("115200 baud, wire limit 80/s") << 115200u << 160 << 20.0;
         QTest::newRow("9600 baud, wire limit 8.6/s") << 9600u << 12 << 2.0;
     }
@@ -214,7 +215,7 @@ private slots:
                 [&link] { link.readParameter(1, "parameter.ramp_time"); });
         requests.start(500);
         QTRY_VERIFY_WITH_TIMEOUT(listener.samples.size() > samples, timeoutMs);
-        // The first ones share the line with the reading of the program.
+        // The first samples share the line with the reading of the program.
         const auto first = listener.samples[2].receivedAt;
         const double seconds =
             std::chrono::duration<double>(listener.samples[samples].receivedAt - first).count();
@@ -260,13 +261,13 @@ private slots:
         }));
         QTRY_COMPARE_WITH_TIMEOUT(listener.program().crc, second.crc, timeoutMs);
         QCOMPARE(listener.program().generation, before + 2);
-        // It changed between two cycles, and the knife never went back.
+        // It changed between two cycles, and the knife never reversed.
         for (qsizetype i = 1; i < listener.samples.size(); ++i) {
             const auto& last = listener.samples[i - 1].status;
             const auto& next = listener.samples[i].status;
             QVERIFY(next.commandedPositionPulses >= last.commandedPositionPulses);
-            // A cycle is counted when its last pulse is out, the programs change with the first of the next
-            // one: a status that falls in between stands at angle 0.
+            // A cycle is counted with its last pulse, the programs change with the first pulse of the next
+            // one: a status in between is at angle 0.
             if (next.generation != last.generation)
                 QVERIFY(next.cycleCount > last.cycleCount || last.masterAngleDeg == 0.0);
         }
@@ -376,7 +377,7 @@ private slots:
         QVERIFY(!listener.parameters[0].value);
         QVERIFY(listener.parameters[0].error);
         listener.samples.clear();
-        QTRY_VERIFY_WITH_TIMEOUT(!listener.samples.isEmpty(), timeoutMs); // the line goes on
+        QTRY_VERIFY_WITH_TIMEOUT(!listener.samples.isEmpty(), timeoutMs); // the line continues
         QCOMPARE(listener.parameters.size(), 1);
     }
 
@@ -400,7 +401,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
         link.readParameter(3, "parameter.master_direction");
         QTRY_COMPARE_WITH_TIMEOUT(listener.parameters.size(), 3, timeoutMs);
-        QCOMPARE(listener.parameters[2].value, 0.0); // nothing is kept to be written later
+        QCOMPARE(listener.parameters[2].value, 0.0); // nothing is stored for a later write
     }
 
     void stopPressedDuringADownloadIsTheNextExchange()
@@ -439,8 +440,8 @@ private slots:
         QCOMPARE(outcomes.size(), 1);
         outcomes.clear();
 
-        // The press arrives by the event queue, as from another thread, while the transfer is under way; with
-        // less urgent work before it.
+        // The press arrives by the event queue, as from another thread, during the transfer, after less
+        // urgent requests.
         connect(&worker, &link::LinkWorker::downloadReported, &worker, [&] {
             if (isPressed || download.fraction < 0.3)
                 return;

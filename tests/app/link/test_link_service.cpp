@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the link does for the service pages, against the real controller program over a pseudo-terminal.
+// The link's functions for the service pages, with the real controller program over a pseudo-terminal.
 #include "link_panel.h"
 #include "tests/support/controller_process.h"
 #include "tests/support/places.h"
@@ -64,7 +64,7 @@ private slots:
         }
         Panel panel(settings);
         QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected(), timeoutMs);
-        QVERIFY(!panel.status->activeCrc); // what was half sent is not active
+        QVERIFY(!panel.status->activeCrc); // a partial download is not active
         const auto image = imageOf(300);
         panel.link.download(image.registers);
         QTRY_COMPARE_WITH_TIMEOUT(panel.download.stage, link::DownloadStage::Active, timeoutMs);
@@ -220,7 +220,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(panel.comparisons.last().isInterrupted, timeoutMs);
         controller.start();
         QTRY_VERIFY_WITH_TIMEOUT(panel.comparisonEnded(), timeoutMs);
-        // The same program, but of another power-up: whether its generation is the same is the controller's.
+        // The same program after another power-up: the controller decides if its generation is the same.
         QVERIFY(panel.comparisons.last().stage == ComparisonStage::Equal ||
                 panel.comparisons.last().stage == ComparisonStage::ProgramChanged);
     }
@@ -228,7 +228,7 @@ private slots:
     void faultsHaveOneOutcomeAndOutliveARestart()
     {
         const QTemporaryDir folder;
-        // Tells its process id and becomes the controller.
+        // Prints its process id and becomes the controller.
         QFile script(folder.filePath(QStringLiteral("controller.sh")));
         QVERIFY(script.open(QIODevice::WriteOnly));
         script.write("#!/bin/sh\necho $$ > '" + folder.path().toUtf8() + "/pid'\nexec '" +
@@ -268,7 +268,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(panel.report.state, LinkState::Connected, timeoutMs);
         const auto before = exceptions();
         QTRY_VERIFY_WITH_TIMEOUT(exceptions() > before + 3, timeoutMs);
-        QCOMPARE(panel.faults.size(), 3); // nobody asked for the last ones
+        QCOMPARE(panel.faults.size(), 3); // no answers for unrequested ones
     }
 
     void theRulerHasOneOutcome()
@@ -324,7 +324,7 @@ private slots:
         QVERIFY(last.findings[0].identity);
         QVERIFY(panel.scans.first().isRunning);
         panel.status.reset();
-        QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected() && !panel.report.isScanning, timeoutMs); // by itself
+        QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected() && !panel.report.isScanning, timeoutMs); // automatically
     }
 
     void wrongUnitIsFoundAndTakenOverInOneCall()
@@ -372,15 +372,15 @@ private slots:
         panel.link.watchFigures(true);
         panel.link.watchFrames(true);
         QTRY_VERIFY_WITH_TIMEOUT(panel.figures.size() >= 3 && panel.frames.size() > 100, timeoutMs);
-        const modbus::LinkFigures last = panel.figures.last().figures; // more come, and move the list
+        const modbus::LinkFigures last = panel.figures.last().figures; // more arrive, and move the list
         QVERIFY(last.answers() > panel.figures.first().figures.answers());
         QCOMPARE(last.requests(), last.answers());
         QVERIFY(last.controller() && last.controller()->requests > 0);
-        QVERIFY(*last.wireShare() > 0.1 && *last.wireShare() < 1.05); // how near to 1 is for the bench
+        QVERIFY(*last.wireShare() > 0.1 && *last.wireShare() < 1.05); // the benchmark checks how near to 1
         QVERIFY(panel.figures.last().answerAllowance >= modbus::AnswerAllowance::shortest);
         for (qsizetype i = 1; i < panel.frames.size(); ++i)
             QCOMPARE(panel.frames[i].number, panel.frames[i - 1].number + 1);
-        QCOMPARE(panel.frames.first().number, std::uint64_t{1}); // what was before it was watched, too
+        QCOMPARE(panel.frames.first().number, std::uint64_t{1}); // also earlier ones
         panel.link.resetFigures();
         QTRY_VERIFY_WITH_TIMEOUT(panel.figures.last().figures.requests() < last.requests(), timeoutMs);
     }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A PanelRig with users, logins and the audit trail, on a database in its folder and clocks of the test's
-// own.
+// A PanelRig with users, logins and the audit trail, on a database in its folder and test clocks.
 #pragma once
 
 #include "app/panel/access/access.h"
@@ -28,7 +27,7 @@ struct AccessRig : PanelRig {
         settle();
     }
 
-    // All that was asked of the database and of the hashing is done.
+    // Waits for all requests to the database and for the hashing.
     void settle()
     {
         int done = 0;
@@ -60,14 +59,14 @@ struct AccessRig : PanelRig {
         access.login(pin);
         settle();
     }
-    // Anna of the level Service with 258036, Bo the technician with 1470; nobody is logged in.
+    // Adds Anna of the level Service with 258036 and Bo, a technician, with 1470; nobody is logged in.
     void addAnnaAndBo()
     {
         add(QStringLiteral("Anna"), machine::Access::Service, QStringLiteral("258036"));
         add(QStringLiteral("Bo"), machine::Access::Technician, QStringLiteral("1470"));
         access.logOut();
     }
-    // The whole trail, oldest first.
+    // Returns the whole trail, oldest first.
     [[nodiscard]] QList<store::AuditEntry> entries()
     {
         settle();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Alarms on a fake link with a log that can be closed and opened again, as a panel that is restarted.
+// Alarms on a fake link with a log that can be closed and opened again, like a restarted panel.
 #pragma once
 
 #include "panel_rig.h"
@@ -16,7 +16,7 @@ struct AlarmRig {
     QTemporaryDir folder;
     std::unique_ptr<machine::Records> records;
     std::unique_ptr<machine::Alarms> alarms;
-    QDateTime day{QDate(2026, 1, 15), QTime(14, 0)}; // when panel.now is an hour
+    QDateTime day{QDate(2026, 1, 15), QTime(14, 0)}; // time of day of panel.now = 1 h
 
     AlarmRig() { start(); }
 
@@ -27,7 +27,7 @@ struct AlarmRig {
             std::make_unique<machine::Alarms>(panel.machine, panel.editor, *records, panel.settings, nullptr);
         alarms->setWallClock([this] { return wall(); });
         alarms->setPaceMs(0);
-        alarms->watch().setPatienceMs(3'600'000); // a test that connects nothing is not about that
+        alarms->watch().setPatienceMs(3'600'000); // a test without a connection must not get the link alarm
     }
     void end()
     {
@@ -54,7 +54,7 @@ struct AlarmRig {
         panel.link.sendStatus(panel.now);
     }
 
-    // What is on the disk by now, the newest first.
+    // Returns the rows on the disk, newest first.
     [[nodiscard]] QList<store::AlarmRow> logged() const
     {
         QList<store::AlarmRow> rows;
@@ -71,7 +71,7 @@ struct AlarmRig {
         untilRead.exec();
         return rows;
     }
-    // "C-01 active", ... of the list, once what has changed is shown.
+    // Returns "C-01 active", ... of the list, after the publication of changes.
     [[nodiscard]] QStringList live() const
     {
         QCoreApplication::processEvents();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tests of the editor with the kinds of program have in common.
+// Shared steps of the editor tests for the kinds of program.
 #pragma once
 
 #include "panel_rig.h"

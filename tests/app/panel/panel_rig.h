@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Settings, Machine, Editor, Records, Alarms and Service on a fake link, a fake clock and a folder of their
-// own.
+// Settings, Machine, Editor, Records, Alarms and Service on a fake link, a fake clock and a temporary folder.
 #pragma once
 
 #include "app/panel/alarms/alarms.h"
@@ -41,7 +40,7 @@ struct PanelRig {
         emit link.programRead({link.status.generation, 0, {}});
     }
 
-    // The controller runs the recipe that is being edited.
+    // Connects to a controller that runs the edited recipe.
     void connectRunning()
     {
         connectIdle();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Curve sets and painting helpers that the plot tests share.
+// Curve sets and painting helpers for the plot tests.
 #pragma once
 
 #include "app/plot/quantity.h"
@@ -18,7 +18,7 @@ namespace campanel::plot::test {
 
 inline constexpr int samplePoints = 1000;
 
-// One cycle of timeS seconds with the given velocity; the other quantities follow from a fixed pattern.
+// Returns one cycle of timeS seconds with the given velocity; the other quantities follow a fixed pattern.
 inline std::shared_ptr<profile::Curves> makeCurves(const std::function<double(double)>& velocity,
                                                    double timeS = 1.0)
 {
@@ -50,8 +50,8 @@ inline QImage paintItem(QQuickPaintedItem& item, double pixelRatio = 1)
     return image;
 }
 
-// Number of pixels in the rectangle that are close to the color (anti-aliased edges count if they are mostly
-// of it).
+// Returns the number of pixels in the rectangle with nearly this color (anti-aliased edges count if they are
+// mostly of it).
 inline int inkIn(const QImage& image, const QRect& area, const QColor& color)
 {
     constexpr int tolerance = 60;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where CurvePlot puts its ink, what it maps, and that it paints no more than it must.
+// The ink of CurvePlot, its mapping, and its minimum of painting.
 #include "samples.h"
 
 #include "app/plot/curve_plot.h"
@@ -130,7 +130,7 @@ void TestCurvePlot::slopesAreNotRoundedToPixels()
     const auto velocity = [](double t) { return t < 0.1 ? 300.0 : t > 0.9 ? 400.0 : 340 + 5 * t; };
     plot.setProperty("curves", test::curveVariant(velocity));
     const QImage image = test::paintItem(plot);
-    // The middle of the ink in a column of pixels, weighted by its darkness.
+    // The center of the ink in a column of pixels, weighted by its darkness.
     for (int x = qRound(plot.xOfTime(0.2)); x < plot.xOfTime(0.8); ++x) {
         const double expected = plot.yOfVelocity(velocity(plot.timeOfX(x + 0.5)));
         double ink = 0;
@@ -177,7 +177,7 @@ void TestCurvePlot::violationTintsOnlyThePanelThatBreaksTheLimit()
     QVERIFY(colorAt(0.8, 0).green() < 240 && colorAt(0.8, 0).red() == 255);
     QCOMPARE(colorAt(0.2, 0), QColor(Qt::white));
     QCOMPARE(colorAt(0.95, 1), QColor(Qt::white));
-    // A limit that no panel shows is told by all of them.
+    // A limit without a panel is marked in all of them.
     plot.setLimitVelocity(nan);
     const QImage all = test::paintItem(plot);
     QVERIFY(all.pixelColor(qRound(plot.xOfTime(0.95)), qRound(plot.panelTop(1) + 0.93 * plot.panelHeight(1)))
@@ -309,7 +309,7 @@ void TestCurvePlot::paintsOnlyWhatChanged()
     QVERIFY(plot.lastClip.contains(plot.xOfTime(0.50), plot.panelTop(0) + 10));
     QVERIFY(plot.lastClip.contains(plot.xOfTime(0.52), plot.panelTop(0) + 10));
 
-    // A trace that grows: only its end.
+    // A growing trace: only its end.
     plot.setTrace({{0.1, 310}, {0.2, 320}, {0.3, 330}});
     window.grabWindow();
     plot.setTrace({{0.1, 310}, {0.2, 320}, {0.3, 330}, {0.32, 332}});
@@ -338,7 +338,7 @@ void TestCurvePlot::announcesALayoutOnce()
     window.show();
     window.grabWindow();
     QCOMPARE(spy.count(), 1);
-    // A curve that fits the scale leaves the mapping as it is.
+    // A curve that fits the scale does not change the mapping.
     plot.setProperty("curves", test::curveVariant([](double t) { return 301 + 98 * t; }));
     window.grabWindow();
     QCOMPARE(spy.count(), 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where KnifeDial and BagChart put their ink.
+// The ink of KnifeDial and BagChart.
 #include "samples.h"
 
 #include "app/plot/bag_chart.h"
@@ -52,7 +52,7 @@ void TestDialAndBags::tipPointsTheRightWay()
     dial.setAngleDeg(angle);
     const QImage image = test::paintItem(dial);
     QVERIFY(test::inkIn(image, test::around(tip.x(), tip.y(), 4), blue) == 81);
-    // All of the tip is inside of the item.
+    // The whole tip is inside the item.
     const int total = test::inkIn(image, image.rect(), blue);
     QVERIFY2(total > 280 && total < 420, qPrintable(QString::number(total)));
 }

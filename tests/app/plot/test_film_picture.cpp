@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where FilmPicture puts its ink, and how it goes on between two reports.
+// The ink of FilmPicture, and its movement between two reports.
 #include "samples.h"
 
 #include "app/plot/film_picture.h"
@@ -52,7 +52,6 @@ struct Rig {
     {
         picture.setProperty(name, QVariant::fromValue(places));
     }
-    // The film is reported here and this fast.
     void report(double positionMm, double speedMmPerS)
     {
         picture.setProperty("position", positionMm);
@@ -60,7 +59,7 @@ struct Rig {
         paint();
     }
     QImage paint() { return test::paintItem(picture); }
-    // Ink in a strip of so many mm around a place.
+    // Returns the ink in a strip of this many mm around a place.
     int inkAt(const QImage& image, double distanceMm, const QColor& color, int reach = 8)
     {
         const int x = qRound(picture.xOf(distanceMm));
@@ -120,7 +119,7 @@ private slots:
             QCOMPARE(rig.inkAt(image, distance, red), 0);
         }
         QCOMPARE(rig.inkAt(image, 350, blue), 0);
-        // Not by its color alone: its line is broken.
+        // Not only by its color: its line is broken.
         rig.picture.setProperty("leftOutColor", blue);
         const QImage sameColor = rig.paint();
         const int broken = rig.inkAt(sameColor, 350, blue);
@@ -176,7 +175,7 @@ private slots:
     {
         Rig rig;
         rig.report(1000, 250);
-        rig.timeS += 0.15; // shown at 1037.5
+        rig.timeS += 0.15; // displayed at 1037.5
         // The same place of the film: 500 mm before the knife at 1000 mm is 470 mm before it at 1030 mm.
         const double before = rig.picture.xOf(500);
         rig.report(1030, 250);
@@ -199,9 +198,9 @@ private slots:
     {
         Rig rig;
         rig.report(FilmMotion::wrapMm - 10, 100);
-        rig.timeS += 0.15; // shown 5 mm past the wrap
+        rig.timeS += 0.15; // displayed 5 mm past the wrap
         const double before = rig.picture.xOf(500);
-        rig.report(4, 100); // 14 mm on
+        rig.report(4, 100); // 14 mm farther
         QVERIFY(std::abs(rig.picture.xOf(486) - before) < 1e-3);
     }
 
@@ -238,7 +237,7 @@ private slots:
         QCOMPARE(test::inkIn(image, image.rect(), blue), 0);
     }
 
-    // Names and numbers are whole at any width: their ink does not touch the edge.
+    // Names and numbers are complete at any width: their ink does not touch the edge.
     void textIsNeverClipped()
     {
         Rig rig;

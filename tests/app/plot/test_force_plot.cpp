@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where ForcePlot puts its ink: curve, gate, axes.
+// The ink of ForcePlot: curve, gate, axes.
 #include "samples.h"
 
 #include "app/plot/force_plot.h"

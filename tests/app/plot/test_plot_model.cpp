@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is plotted before anything is painted: decimation, scales, quantities.
+// The model of the plots before painting: decimation, scales, quantities.
 #include "samples.h"
 
 #include "app/plot/axis_scale.h"
@@ -90,7 +90,7 @@ void TestPlotModel::decimationKeepsSteps()
         y.push_back(i < 2000 ? 0 : 1);
     }
     const QPolygonF reduced = decimate(x, y, 100);
-    // Nothing between the levels, and the step is not moved by more than one stretch.
+    // Nothing between the levels, and the step moves by at most one section.
     for (const QPointF& point : reduced) {
         QVERIFY(point.y() == 0 || point.y() == 1);
         QCOMPARE(point.y(), point.x() < 2000 ? 0.0 : 1.0);
@@ -155,7 +155,7 @@ void TestPlotModel::scaleStaysWhileDataMovesALittle()
     QVERIFY(scale.fit(250, 520, 0.01));
     const double upper = scale.upper();
     QVERIFY(upper >= 520);
-    // Back over the border: the scale does not jump to and fro.
+    // Back over the limit: the scale does not alternate.
     for (int i = 0; i < 10; ++i) {
         QVERIFY(!scale.fit(250, i % 2 ? 499 : 501, 0.01));
     }
@@ -168,7 +168,7 @@ void TestPlotModel::scaleFollowsDataThatShrinksALot()
     QVERIFY(scale.fit(0, 1000, 0.01));
     QVERIFY(scale.fit(0, 300, 0.01));
     QVERIFY(scale.upper() < 500);
-    // After reset() nothing of the past is kept.
+    // After reset() the previous scale has no influence.
     QVERIFY(scale.fit(0, 400, 0.01) || scale.upper() >= 400);
     scale.reset();
     QVERIFY(scale.fit(0, 300, 0.01));

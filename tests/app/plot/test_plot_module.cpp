@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The QML module loads, and values of QML reach the items.
+// The QML module loads, and QML values reach the items.
 #include "samples.h"
 
 #include "app/plot/curve_plot.h"
@@ -14,7 +14,7 @@
 
 namespace campanel::plot::test_plot_module {
 
-// Stands for the panel's objects that hand curves to QML.
+// Replaces the panel's objects that pass curves to QML.
 class CurveSource : public QObject {
     Q_OBJECT
     Q_PROPERTY(QVariant curves MEMBER m_curves CONSTANT FINAL)

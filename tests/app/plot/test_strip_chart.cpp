@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where StripChart puts its ink: the worst of the minutes that share a column, the newest at the right.
+// The ink of StripChart: the worst of the minutes that share a column, the newest on the right.
 #include "app/plot/strip_chart.h"
 #include "tests/support/test_program.h"
 
@@ -40,11 +40,11 @@ private slots:
     {
         const QList<double> worst = plot::worstOfColumns({1, 5, unknown, 2, 3, unknown}, 6, 3);
         QCOMPARE(worst, (QList<double>{5, 2, 3}));
-        // A short record lies at the right.
+        // A short record is on the right.
         const QList<double> brief = plot::worstOfColumns({7}, 6, 3);
         QVERIFY(std::isnan(brief[0]) && std::isnan(brief[1]));
         QCOMPARE(brief[2], 7.0);
-        // Of a long one the newest count.
+        // The newest values of a long record.
         QCOMPARE(plot::worstOfColumns({9, 9, 1, 2}, 2, 2), (QList<double>{1, 2}));
     }
 

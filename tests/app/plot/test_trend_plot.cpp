@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The plot of trends: ticks of local time, what fingers ask for, what is drawn and what is not, the cursor.
+// The plot of trends: ticks of local time, requests of gestures, the drawing, the cursor.
 #include "app/plot/time_axis.h"
 #include "app/plot/trend_plot.h"
 #include "tests/support/test_program.h"
@@ -136,7 +136,7 @@ private slots:
     {
         WindowGesture gesture;
         gesture.begin({100}, {1000, 2000}, 500);
-        QCOMPARE(gesture.moved({95}).fromMs, 1000.0); // it trembles
+        QCOMPARE(gesture.moved({95}).fromMs, 1000.0); // a tremor
         QVERIFY(!gesture.hasMoved());
         QCOMPARE(gesture.moved({150}).fromMs, 900.0);
         QVERIFY(gesture.hasMoved());
@@ -149,7 +149,7 @@ private slots:
         const WindowGesture::Window near = gesture.moved({0, 400}); // apart: the times stay under the fingers
         QCOMPARE(near.fromMs, 1200.0);
         QCOMPARE(near.toMs, 1700.0);
-        QVERIFY(gesture.moved({200, 200}).toMs < 1e6); // without end otherwise
+        QVERIFY(gesture.moved({200, 200}).toMs < 1e6); // without limit otherwise
     }
 
     void pauseIsNotBridged()
@@ -203,7 +203,7 @@ private slots:
         QCOMPARE(cursor.size(), 1);
         QVERIFY(!moved.isEmpty());
         QVERIFY(std::abs(moved.last()[0].toDouble() - (startMs - plot->timeOfX(100) + plot->timeOfX(0))) < 1);
-        // Held still it points, and then goes with the finger.
+        // A held finger points, and then moves the cursor.
         QTest::mousePress(&window, Qt::LeftButton, {}, {200, 100});
         QTRY_COMPARE(cursor.size(), 2);
         moved.clear();
@@ -232,7 +232,7 @@ private slots:
         QTest::mouseMove(&window, {400, y});
         QTest::mouseRelease(&window, Qt::LeftButton, {}, {400, y});
         QVERIFY(cursor.isEmpty() && moved.isEmpty());
-        // A tap and a drag there are those of the plot, and so is a hold below.
+        // A tap and a drag there belong to the plot, and so does a hold below.
         QTest::mouseClick(&window, Qt::LeftButton, {}, {300, y});
         QCOMPARE(cursor.size(), 1);
         QTest::mousePress(&window, Qt::LeftButton, {}, {300, y + 40});

@@ -41,7 +41,7 @@ private:
     Identity m_identity;
     std::uint16_t m_heartbeat = 0;
     std::uint16_t m_session = 0;
-    QString m_refusal; // of the last download
+    QString m_refusal; // from the last download
 };
 
 void ControllerTest::init()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every kind of program: recipe to registers and back, and the controller's own check of what comes out.
+// Every kind of program: recipe to registers and back, and the controller's own check of the result.
 #include "app/program/differences.h"
 #include "app/program/interval_speeds.h"
 #include "app/program/program_image.h"
@@ -54,7 +54,7 @@ ctl_verdict checked(const ProgramImage& image)
     return ctl_bank_check(bank.get(), &config, static_cast<std::uint32_t>(image.registers.size()));
 }
 
-// Empty, or the input that is not the same in both.
+// Returns an empty text, or the input that differs.
 QString lostInput(const Recipe& kept, const Recipe& given)
 {
     if (kept.name != given.name || kept.version != given.version || kept.kind() != given.kind())
@@ -182,7 +182,7 @@ void KindsTest::randomRecipesTripIdentically()
     QVERIFY2(built > recipes / 4, qPrintable(QString::number(built)));
 }
 
-// Quantising what is on the grids of the fields changes nothing, and never anything twice.
+// Quantising does not change values on the grids of the fields, and never changes a value twice.
 void KindsTest::whatCanBeEnteredIsHeldExactly()
 {
     QFETCH(ProgramKind, kind);
@@ -227,7 +227,7 @@ void KindsTest::everyChoiceIsKept()
             if (auto* move = std::get_if<profile::PositionMoveProgram>(&recipe.program))
                 move->timeS = 2;
             if (auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
-                cam->masterRateRevPerMin = 30; // slow enough for what jumps at the wrap
+                cam->masterRateRevPerMin = 30; // slow enough for the jumps at the wrap
             setChoice(recipe.program, each, code);
             if (auto* parameters = lawParameters(recipe.program))
                 *parameters = profile::defaultParameters(
@@ -242,7 +242,7 @@ void KindsTest::everyChoiceIsKept()
     }
 }
 
-// What is kept of a field is compared by its field, in its unit.
+// A stored field is compared by its field, in its unit.
 void KindsTest::everyFieldMakesADifference()
 {
     QFETCH(ProgramKind, kind);
@@ -269,7 +269,7 @@ void KindsTest::everyFieldMakesADifference()
         QVERIFY2(kept.contains(field), profile::info(field).id.data());
 }
 
-// What the intervals end with is held until a stop: the nearer the more pulses there are.
+// The last speed of intervals is held until a stop; more pulses make it more exact.
 void KindsTest::aHeldSpeedIsTheOneEntered()
 {
     constexpr std::array<std::pair<double, double>, 4> speedsAndShares{
@@ -374,7 +374,7 @@ void KindsTest::headersThatCannotBeShown()
     QVERIFY2(sentence.contains(QString::number(value)), qPrintable(sentence));
 }
 
-// A header with anything in it is shown or refused, never more.
+// A header with any contents is displayed or refused, without further effects.
 void KindsTest::damagedHeadersDoNoHarm()
 {
     constexpr unsigned seed = 5;
@@ -395,14 +395,14 @@ void KindsTest::damagedHeadersDoNoHarm()
             QVERIFY(!describe(kept.error()).empty());
             continue;
         }
-        // A motion or a refusal.
+        // Either a motion or a refusal.
         const auto solved = solveProgram(*kept);
         QVERIFY(solved || !profile::describe(solved.error()).empty());
     }
     QVERIFY(refused > 0 && refused < 5000);
 }
 
-// "modified_sine" for ModifiedSine.
+// Returns "modified_sine" for ModifiedSine.
 QString keyOf(std::string_view name)
 {
     QString key;

@@ -107,7 +107,7 @@ void ProgramTest::everyPairOfInputsIsKept()
     for (std::size_t first = 0; first < pinnableFields.size(); ++first) {
         for (std::size_t second = first + 1; second < pinnableFields.size(); ++second) {
             Recipe recipe;
-            // In descending order: which one was pinned first must not matter.
+            // In descending order: the order of pinning must not matter.
             recipe.cutter().pinned = {pinnableFields[second], pinnableFields[first]};
             recipe.cutter().baseSpeedMmPerS = reference->cycle.baseSpeedMmPerS;
             const auto image = buildProgram(recipe);
@@ -262,12 +262,12 @@ void ProgramTest::everyRegisterFieldExists()
                 continue;
             const double unit = registerUnits(entry.field);
             const profile::FieldInfo& field = profile::info(entry.field);
-            // What a person can enter on the field's grid, the register holds exactly.
+            // The register holds every value on the field's grid exactly.
             QVERIFY2(info->scale <= field.resolution() * unit * 1.000001, info->name.data());
             QVERIFY2(modbus::toRaw(*info, field.max * unit).has_value(), info->name.data());
             QVERIFY2(modbus::toRaw(*info, field.min * unit).has_value(), info->name.data());
         }
-        // Every input is kept somewhere.
+        // Every input has a register.
         for (const Field field : kind.programFields) {
             const bool isKept = std::ranges::any_of(registerFields, [&](const RegisterField& entry) {
                 return entry.field == field && registerOf(kind, entry.suffix) != nullptr;

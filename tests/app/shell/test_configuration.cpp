@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The configuration file: what it takes, what it names with its line, and that nothing in it is fatal.
+// The configuration file: valid values, errors with their line, and no fatal error.
 #include "app/shell/configuration.h"
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
@@ -25,7 +25,7 @@ namespace {
 
 const QString name = u"c.toml"_s;
 
-// The installed file with its examples in force.
+// Returns the installed file with its examples enabled.
 QByteArray installedExamples()
 {
     QFile file(campanel::test::sourcePath("packaging/kiosk/campanel.toml"));
@@ -186,7 +186,7 @@ screen = "linuxfb"
             configurationFrom("[access]\noperators_log_in = true\n[connection]\n\n" + line + '\n', name);
         QCOMPARE(read.complaints, QStringList{complaint});
         QVERIFY(read.values.standard.operatorsLogIn);
-        // What may have named the controller never leads to the simulated one.
+        // Anything that may have named the controller never leads to the simulated one.
         machine::ConnectionChoice expected;
         expected.simulated = !complaint.contains(u"connection."_s) && !complaint.contains(u"no section"_s);
         QCOMPARE(read.values.standard.connection, expected);
@@ -196,7 +196,7 @@ screen = "linuxfb"
         QCOMPARE(read.values.screen, panel::ScreenAccess::Auto);
     }
 
-    // What is no TOML at all costs its line, not the file.
+    // Invalid TOML costs only its line, not the file.
     void aBrokenLineCostsOnlyItself_data()
     {
         QTest::addColumn<QByteArray>("line");
@@ -242,7 +242,7 @@ screen = "linuxfb"
         QCOMPARE(read.values.standard.connection.portName, u"/dev/\u00e9\"#[}"_s);
     }
 
-    // Windows' editor puts it before the text.
+    // Windows' editor writes it before the text.
     void aByteOrderMarkCostsNothing()
     {
         const ReadConfiguration read =
@@ -332,12 +332,12 @@ screen = "linuxfb"
         const QString missing = folder.filePath(name);
         QCOMPARE(panel::readConfiguration(missing).complaints, QStringList());
         const QStringList complaints =
-            panel::readConfiguration(folder.path()).complaints; // a folder is no file
+            panel::readConfiguration(folder.path()).complaints; // a folder is not a file
         QCOMPARE(complaints.size(), 1);
         QVERIFY2(complaints.first().contains(u"cannot be read"), qPrintable(complaints.first()));
     }
 
-    // Before it comes what was set on the panel.
+    // Settings on the panel have priority.
     void thePanelsOwnSettingsGoFirst()
     {
         const QTemporaryDir folder;
@@ -370,7 +370,7 @@ screen = "linuxfb"
         QVERIFY(!again.gloves());
         QCOMPARE(again.connection().unit, 11);
         QCOMPARE(again.connection().baud, 19200);
-        QCOMPARE(again.language(), u"zh_CN"_s); // nobody has set another one
+        QCOMPARE(again.language(), u"zh_CN"_s); // no other one was set
     }
 };
 

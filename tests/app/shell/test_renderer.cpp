@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether Qt Quick's software renderer is chosen, by what the machine has and what was chosen already.
+// The choice of Qt Quick's software renderer, by the machine and by earlier choices.
 #include "app/shell/renderer.h"
 #include "tests/support/test_program.h"
 
@@ -17,7 +17,7 @@ class TestRenderer : public QObject {
     Q_OBJECT
 
 private slots:
-    // The tests themselves may be drawn in a chosen way.
+    // The tests themselves may have a chosen renderer.
     void init()
     {
         for (const char* name : {"QT_QUICK_BACKEND", "QMLSCENE_DEVICE", "QSG_RHI_BACKEND", "QSG_RHI",
@@ -32,7 +32,7 @@ private slots:
         QTest::addColumn<QString>("device"); // the only one
         QTest::addColumn<QString>("openGl");
         QTest::addColumn<bool>("isSoftware");
-        QTest::addColumn<bool>("isAsked"); // for the name of the OpenGL renderer
+        QTest::addColumn<bool>("isAsked"); // asked for the name of the OpenGL renderer
         const QString card = u"dri/renderD128"_s;
         QTest::newRow("no graphics card") << u"xcb"_s << u"null"_s << u"llvmpipe"_s << true << false;
         QTest::newRow("a screen but no processor")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the kiosk draws on what the machine has.
+// The choice of the kiosk's platform for a machine.
 #include "app/shell/kiosk.h"
 #include "tests/support/test_program.h"
 
@@ -54,7 +54,7 @@ class TestScreenChoice : public QObject {
 private slots:
     void theChoice_data()
     {
-        QTest::addColumn<QString>("status"); // of the only connector; empty: there is none
+        QTest::addColumn<QString>("status"); // the only connector; empty: there is none
         QTest::addColumn<bool>("hasCard");
         QTest::addColumn<bool>("hasFramebuffer");
         QTest::addColumn<int>("wanted");
@@ -117,7 +117,7 @@ private slots:
         QCOMPARE(chooseScreen(ScreenAccess::Auto, machine.places()).platform, u"linuxfb"_s);
         noteScreenTried(u"linuxfb"_s, machine.places());
         qputenv("QT_QPA_PLATFORM", "linuxfb");
-        noteScreenWorks(machine.places()); // says nothing about eglfs
+        noteScreenWorks(machine.places()); // no proof for eglfs
         QCOMPARE(chooseScreen(ScreenAccess::Auto, machine.places()).platform, u"linuxfb"_s);
         QCOMPARE(chooseScreen(ScreenAccess::EglFs, machine.places()).platform, u"eglfs"_s);
     }

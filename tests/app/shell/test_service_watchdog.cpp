@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a service manager hears of the panel: ready with the first picture, and that it works only while the
-// GUI thread, the link thread and the painting all come round. The service manager is a socket of the test.
+// The panel's notifications to a service manager: ready with the first frame, and working only while GUI
+// thread, link thread and painting run. The service manager is a socket of the test.
 #include "app/link/threaded_link.h"
 #include "app/shell/service_manager.h"
 #include "app/shell/service_watchdog.h"
@@ -29,7 +29,7 @@ namespace {
 constexpr int periodMs = 800;
 constexpr int turnMs = periodMs / 4;
 
-// As a service manager gives it to a process that it starts.
+// The socket that a service manager gives to its processes.
 class NotifySocket {
 public:
     explicit NotifySocket(const QByteArray& address)
@@ -52,7 +52,7 @@ public:
     NotifySocket(const NotifySocket&) = delete;
     NotifySocket& operator=(const NotifySocket&) = delete;
 
-    // What has come since the last call.
+    // Returns the messages since the last call.
     QStringList heard()
     {
         QStringList messages;
@@ -69,7 +69,7 @@ private:
     int m_descriptor;
 };
 
-// Answers pings while it works; what was asked meanwhile it answers when it works again.
+// Answers pings while it works; earlier ones are answered when it works again.
 class StoppableLink : public test::FakeLink {
     Q_OBJECT
 
@@ -190,9 +190,9 @@ private slots:
         if (what == 0)
             link.setWorking(false);
         if (what == 1)
-            window.blockSignals(true); // no frame is told of any more
+            window.blockSignals(true); // no frame is reported any more
         if (what < 2)
-            QTest::qWait(turnMs); // a turn that was open may still end
+            QTest::qWait(turnMs); // an open round may still end
         (void)socket.heard();
         if (what < 2)
             QTest::qWait(2 * periodMs);
@@ -206,7 +206,7 @@ private slots:
         QVERIFY(isFed(socket));
     }
 
-    // Nothing is painted then, and nothing can be wrong with it.
+    // Nothing is painted then, and painting cannot fail.
     void aWindowThatNobodySeesNeedsNoPainting()
     {
         const QTemporaryDir folder;
@@ -228,7 +228,7 @@ private slots:
         link::ThreadedLink link(nullptr);
         QSignalSpy answered(&link, &link::Link::pingAnswered);
         link.ping(7);
-        QVERIFY(answered.isEmpty()); // not from here
+        QVERIFY(answered.isEmpty()); // not from this thread
         QTRY_COMPARE(answered.size(), 1);
         QCOMPARE(answered.first().first().value<quint32>(), 7U);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes recipes, audit rows, alarms, copies and the working copy for ever, and says after each what is
-// confirmed: to be killed at any moment.
+// Writes recipes, audit rows, alarms, copies and the working copy endlessly, and prints each confirmed one;
+// it is killed at any moment.
 #include "app/store/logs/alarm_log.h"
 #include "app/store/logs/audit_log.h"
 #include "app/store/recipes/recipe_file.h"

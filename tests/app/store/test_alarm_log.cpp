@@ -197,7 +197,7 @@ private slots:
         QCOMPARE(number(*database, u"SELECT count(*) FROM alarm"_s), static_cast<int>(AlarmLog::capacity));
         QCOMPARE(number(*database, u"SELECT min(id) FROM alarm"_s),
                  static_cast<int>(id - AlarmLog::capacity + 1));
-        // Its indices hold what is open: these 20 000 are all active and unacknowledged.
+        // Its indices contain the open alarms: these 20 000 are all active and unacknowledged.
         const int after = number(*database, u"PRAGMA page_count"_s);
         QVERIFY2(after < pages * 1.15, qPrintable(u"%1 then %2"_s.arg(pages).arg(after)));
         QVERIFY(QFileInfo(database->path() + u"-wal"_s).size() < 8'000'000);
@@ -218,7 +218,7 @@ private slots:
         const QTemporaryDir folder;
         const auto database = opened(folder);
         QVERIFY(write(*database, {row(1)}));
-        QVERIFY(number(*database, u"PRAGMA max_page_count = 1"_s) > 0); // as many as there are
+        QVERIFY(number(*database, u"PRAGMA max_page_count = 1"_s) > 0); // the present number
         QList<AlarmRow> rows;
         for (qint64 id = 1; id < 2000; ++id) {
             rows << row(id);

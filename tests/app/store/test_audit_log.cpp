@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The audit trail: a chain that tells of any change of any row, of rows missing anywhere, and stays bounded.
+// The audit trail: the chain detects any change of any row and missing rows, and its size is limited.
 #include "app/store/logs/audit_log.h"
 #include "tests/support/test_program.h"
 
@@ -105,7 +105,7 @@ private slots:
         QCOMPARE(check.rows(), qint64{rows});
     }
 
-    // Every column of every row, each with a value that another row may well have.
+    // Every column of every row, each with a value that another row may have.
     void anyChangeIsFound()
     {
         const QStringList texts{u"who"_s,   u"what"_s,      u"object"_s, u"before"_s,
@@ -177,7 +177,7 @@ private slots:
         QCOMPARE(trail.check().losses(), qint64{1});
     }
 
-    // Whoever takes rows off the end and the file beside with them.
+    // Rows removed from the end, together with the file beside the database.
     void aMissingFileBesideIsToldAndStaysTold()
     {
         for (const QByteArray& left : {QByteArray(), QByteArray("5 abc\n")}) {
@@ -209,7 +209,7 @@ private slots:
         QCOMPARE(trail.check().brokenSequence(), qint64{1});
     }
 
-    // Rows computed anew, all of them: only the file beside knows.
+    // All rows recomputed: only the file beside the database differs.
     void aRewrittenChainDiffersFromTheAnchor()
     {
         Trail trail;
@@ -224,7 +224,7 @@ private slots:
         QCOMPARE(trail.check().brokenSequence(), qint64{rows});
     }
 
-    // The database was written, the file beside not any more: as after a power cut in between.
+    // The database was written, but not the file: as after a power cut in between.
     void anOldAnchorIsNoFault()
     {
         Trail trail(5);
@@ -252,7 +252,7 @@ private slots:
         for (const AuditRow& row : *kept)
             told += row.entry.what == u"audit.trimmed" ? 1 : 0;
         QVERIFY(told > 0);
-        // The new beginning is part of the chain.
+        // The new start is part of the chain.
         trail.tamper(u"UPDATE audit_start SET hash = randomblob(32)"_s);
         QCOMPARE(trail.check().brokenSequence(), kept->last().sequence);
     }

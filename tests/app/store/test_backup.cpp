@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Backup and restore: everything there and back; what is damaged, cut off, foreign or newer is refused and
-// nothing is changed; a restore that was interrupted anywhere ends whole.
+// Backup and restore of everything. Damaged, truncated, foreign or newer files are refused without changes; a
+// restore that was interrupted anywhere is completed.
 #include "app/store/backup/archive.h"
 #include "app/store/backup/restore.h"
 #include "app/store/logs/trend_log.h"
@@ -57,7 +57,7 @@ campanel::program::Recipe recipeOf(const char* name)
     return recipe;
 }
 
-// A panel's folder, with what it keeps and a backup of that.
+// A panel's folder, with data and a backup of it.
 struct Home {
     QTemporaryDir dir;
     QTemporaryDir stick;
@@ -84,7 +84,7 @@ struct Home {
         put(at("settings.ini"), QByteArray("theme=") + recipe);
     }
 
-    // So many more seconds in the trends.
+    // Adds this many seconds to the trends.
     void measure(int seconds)
     {
         const auto database = Database::open(dir.path(), trendDatabase());
@@ -125,7 +125,7 @@ struct Home {
         QVERIFY(writeBackup(backup, *manifest, snapshot.path(), parts));
     }
 
-    // The names of the recipes and users, and the rows of the trail, all of them linked.
+    // Returns the names of the recipes and users, and the rows of the trail, if all are linked.
     [[nodiscard]] QString contents() const
     {
         const auto database = Database::open(dir.path());
@@ -162,7 +162,7 @@ struct Home {
     }
 };
 
-// A backup with another manifest.
+// Writes a backup with another manifest.
 void rewriteText(const QString& path, const std::function<void(QByteArray&)>& change)
 {
     auto archive = ArchiveReader::open(path);
@@ -208,13 +208,13 @@ private slots:
         QCOMPARE(home.contents(), u"Biscuit Anna 4 theme=Biscuit"_s);
         QCOMPARE(home.measured(), 3);
         QVERIFY(!home.finish().isDone);
-        // What was there before still opens.
+        // The earlier data can still be opened.
         const auto before = Database::open(finished.keptIn);
         QCOMPARE(users(**before)->size(), 2);
         QCOMPARE(bytesOf(finished.keptIn + u"/settings.ini"_s), QByteArray("theme=Noodles"));
     }
 
-    // As CamPanel made them before there was format 2.
+    // A backup as made before format 2.
     void aBackupWithoutTrendsLeavesThem()
     {
         Home home;
@@ -338,7 +338,7 @@ private slots:
         QVERIFY(home.files() == before);
     }
 
-    // Its sizes are honest: a database of zeros, a thousand times as large as the archive.
+    // Its sizes are true: a database of zeros, a thousand times as large as the archive.
     void aBombIsNotUnpacked()
     {
         const Home home;
@@ -364,7 +364,7 @@ private slots:
         QTest::addColumn<QString>("part");
         QTest::addColumn<qint64>("bytes");
         QTest::addColumn<qint64>("freeBytes");
-        QTest::addColumn<int>("kind"); // -1: taken
+        QTest::addColumn<int>("kind"); // -1: accepted
         constexpr qint64 room = 10'000'000'000;
         const int damaged = static_cast<int>(BackupError::Kind::Damaged);
         const int full = static_cast<int>(BackupError::Kind::NotWritable);
@@ -393,7 +393,7 @@ private slots:
         QCOMPARE(checked ? -1 : static_cast<int>(checked.error().kind), kind);
     }
 
-    // A byte that was turned over anywhere is found, or has changed nothing that is restored.
+    // A changed byte is detected anywhere, or has no effect on the restored data.
     void damagedAnywhere()
     {
         const Home home;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bags kept in a ring: what comes out is what went in, the oldest go, the clock may be set back, the file is
-// found again, one that is damaged gives way.
+// The ring of bags: data is read back unchanged, the oldest rows are deleted, the clock may be set back, the
+// file is opened again, a damaged one is replaced.
 #include "app/store/logs/bag_log.h"
 #include "app/store/logs/trend_export.h"
 #include "app/store/logs/trend_schema.h"
@@ -93,7 +93,7 @@ private slots:
         QCOMPARE(left.first().timeMs, start + (40 * 7 - kept) * 200);
         QCOMPARE(left.last().timeMs, start + (40 * 7 - 1) * 200);
         QCOMPARE(BagLog(*database, kept).count().value_or(-1), kept);
-        QCOMPARE(programs(*database), 1); // of the other one no bag is left
+        QCOMPARE(programs(*database), 1); // the other one has no bags left
     }
 
     void clockThatIsSetBackLosesNoBag()
@@ -141,7 +141,7 @@ private slots:
         QCOMPARE(BagLog(**database).count().value_or(-1), 1);
     }
 
-    // Only when it is read; then another one is begun, and one damaged file is kept.
+    // Only when it is read; then a new one is created, and one damaged file is kept.
     void damagedFileGivesWay()
     {
         const QTemporaryDir folder;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The database: made, opened again, damaged, full, written by a newer version; the thread that owns it.
+// The database: created, opened again, damaged, full, written by a newer version; the thread that owns it.
 #include "app/store/store_thread.h"
 #include "tests/support/test_program.h"
 
@@ -33,7 +33,7 @@ int recipes(Database& database)
     return counted && counted->next() ? counted->value(0).toInt() : -1;
 }
 
-// Overwrites the middle of the file, where its pages are.
+// Overwrites the middle of the file, which contains pages.
 void damage(const QString& path)
 {
     QFile file(path);
@@ -132,7 +132,7 @@ void TestDatabase::damagedFileGivesWayToItsCopy()
         for (int i = 0; i < 200; ++i)
             QVERIFY(addRecipe(*database, QString::number(i)));
         QVERIFY(database->makeCopy());
-        QVERIFY(database->makeCopy()); // replaces the one before
+        QVERIFY(database->makeCopy()); // replaces the previous one
     }
     damage(path);
     const auto database = opened(folder);

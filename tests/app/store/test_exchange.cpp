@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Knots from and to the places where files are exchanged: what is offered, what is refused, names that are
-// never taken twice, disks that fail.
+// Import and export of knots at the exchange places: offers, refusals, unique names, disks that fail.
 #include "app/store/recipes/knots_file.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/test_program.h"
@@ -207,7 +206,7 @@ private slots:
         QVERIFY2(written.error().contains(place.path) && written.error().contains(u"cannot be written"_s) &&
                      written.error().contains(u"choose another place"_s),
                  qPrintable(written.error()));
-        QVERIFY(QDir(folder.path()).isEmpty()); // no half file
+        QVERIFY(QDir(folder.path()).isEmpty()); // no partial file
         QCOMPARE(offeredKnots({place}).size(), 0);
     }
 };

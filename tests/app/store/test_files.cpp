@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small files: what is no file, or a far too large one, is refused at once; a full disk costs no old file.
+// Small files: anything but a small regular file is refused at once; a full disk destroys no old file.
 #include "app/store/files/files.h"
 #include "app/store/recipes/knots_file.h"
 #include "app/store/recipes/recipe_file.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A process killed at random moments while it writes: nothing that it had confirmed is lost, the database
-// opens and is sound, and the audit chain verifies.
+// A process killed at random moments while it writes: no confirmed data is lost, the database opens and is
+// valid, and the audit chain verifies.
 #include "app/store/logs/alarm_log.h"
 #include "app/store/logs/audit_log.h"
 #include "app/store/recipes/recipe_file.h"
@@ -30,22 +30,22 @@ class TestKilled : public QObject {
     QMap<QByteArray, qint64> m_confirmed; // the last number of each kind
     qint64 m_confirmations = 0;
 
-    // Runs the writer for a while and kills it as a power switch would.
+    // Runs the writer for some time and kills it like a power switch.
     void runAndKill(int lifeMs)
     {
         QProcess writer;
         writer.start(QCoreApplication::applicationFilePath(),
                      {QStringLiteral("confirming_writer"), m_folder.path()});
         QVERIFY(writer.waitForStarted());
-        QVERIFY(writer.waitForReadyRead(20'000)); // it writes by now
-        (void)writer.waitForFinished(lifeMs);     // it does not: time passes
+        QVERIFY(writer.waitForReadyRead(20'000));
+        (void)writer.waitForFinished(lifeMs); // it does not end: time passes
         QCOMPARE(writer.state(), QProcess::Running);
         ::kill(static_cast<pid_t>(writer.processId()), SIGKILL);
         QVERIFY(writer.waitForFinished(20'000));
         const QByteArrayList lines = writer.readAllStandardOutput().split('\n');
         for (const QByteArray& line : lines) {
             const qsizetype space = line.indexOf(' ');
-            if (space < 0 || line == lines.last()) // the last one may be half a line
+            if (space < 0 || line == lines.last()) // the last one may be incomplete
                 continue;
             m_confirmed[line.left(space)] = line.mid(space + 1).toLongLong();
             ++m_confirmations;

@@ -77,7 +77,7 @@ void StoreKindsTest::defaultsTrip()
                  profile::info(field).id.data());
 }
 
-// What is written is read again to the last digit.
+// Written recipes are read back to the last digit.
 void StoreKindsTest::randomRecipesTrip()
 {
     QFETCH(ProgramKind, kind);
@@ -137,7 +137,7 @@ void StoreKindsTest::whatIsAbsentHasTheDefaultsOfItsKind()
 {
     for (const program::KindInfo& kind : program::kinds()) {
         if (kind.kind == ProgramKind::RotaryCutter)
-            continue; // which two are given must be said
+            continue; // the given pair is required
         const QString law =
             QString::fromLatin1(kind.kind == ProgramKind::PositionMove ? "quintic" : "half_modified_sine");
         QJsonObject program{{u"kind"_s, QString::fromLatin1(kind.key.data())}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What becomes of a panel whose database was deleted, emptied, damaged or made unreadable: its last good copy
-// takes the place, and where there is none nobody gains rights.
+// A panel whose database was deleted, emptied, damaged or made unreadable: its last good copy replaces it,
+// and without a copy nobody gains rights.
 #include "app/store/database/setup_marker.h"
 #include "app/store/files/folder_lock.h"
 #include "app/store/logs/audit_log.h"
@@ -49,7 +49,7 @@ int recipesIn(Database& database)
     return static_cast<int>(RecipeLibrary(database).newest().value_or(QList<RecipeVersion>()).size());
 }
 
-// A panel's data folder. With users, a recipe, a trail and a copy unless another one is asked for.
+// A panel's data folder, by default with users, a recipe, a trail and a copy.
 struct Home {
     enum Content { Nothing, WithoutUsers, Whole };
 
@@ -81,7 +81,7 @@ struct Home {
         return QDir(folder.path()).entryList({QString::fromLatin1(pattern)}, QDir::Files, QDir::Name);
     }
     void execute(const QString& statement) const { QVERIFY(open()->execute(statement)); }
-    // Without opening it as a panel does.
+    // Without opening it like a panel.
     void setVersion(const QString& file, const QString& version) const
     {
         QSqlDatabase other = QSqlDatabase::addDatabase(u"QSQLITE"_s, u"other"_s);
@@ -141,8 +141,8 @@ private slots:
         QCOMPARE(readSetupMarker(home.path), SetUp::WithoutPins);
     }
 
-    // The copy is gone too. Nobody gets in without a PIN, at no later start either, until the way back is
-    // taken.
+    // The copy is missing too. Nobody gets in without a PIN, not even at a later start, until the panel is
+    // restored.
     void panelWithPinsStaysLockedWithoutItsDatabase()
     {
         const Home home;
@@ -161,7 +161,7 @@ private slots:
         QVERIFY(users(*home.open()));
     }
 
-    // Without the marker nobody knows whether there were PINs.
+    // Without the marker it is unknown if there were PINs.
     void panelOfAnOlderVersionIsLockedToo()
     {
         const Home home;
@@ -180,7 +180,7 @@ private slots:
         QVERIFY(users(*database));
     }
 
-    // Its tables are whole: nothing but the copy tells that there were users.
+    // Its tables are valid: only the copy shows that there were users.
     void databaseWithoutItsUsersGivesWayToItsCopy()
     {
         const Home home;
@@ -203,7 +203,7 @@ private slots:
         QCOMPARE(kept.size(), 1);
         QCOMPARE(bytesOf(home.folder.filePath(kept.first())), copied);
         QVERIFY(appendAudit(*database, someEntry()));
-        QVERIFY(database->makeCopy()); // which is fuller
+        QVERIFY(database->makeCopy()); // with more data
         QCOMPARE(home.files("campanel.sqlite.copy-*").size(), 1);
     }
 
@@ -234,7 +234,7 @@ private slots:
         QVERIFY(!home.files("campanel.sqlite.copy.damaged-*").isEmpty());
     }
 
-    // A bit of each byte of the header, and all of the version: never a crash, never open to everybody.
+    // One bit of each byte of the header, and all of the version: never a crash, never open to everybody.
     void noBitOfTheHeaderOpensThePanel()
     {
         const Home home;
@@ -290,7 +290,7 @@ private slots:
         QCOMPARE(home.files("campanel.sqlite.damaged-*").size(), 2);
     }
 
-    // No room for the copy: nothing is begun that would be empty.
+    // No space for the copy: no empty database is created.
     void fullDiskDoesNotReplaceTheCopy()
     {
         const Home home;
@@ -315,7 +315,7 @@ private slots:
     void usersOfTheCopyAreKnownWhileTheDatabaseIsNot_data()
     {
         QTest::addColumn<bool>("hasCopy");
-        QTest::addColumn<bool>("isNewer"); // otherwise it is no file
+        QTest::addColumn<bool>("isNewer"); // otherwise it is not a file
         QTest::addRow("newer") << true << true;
         QTest::addRow("newer, no copy") << false << true;
         QTest::addRow("no file") << true << false;
@@ -375,7 +375,7 @@ private slots:
             QVERIFY(Database::open(deep));
             QCOMPARE(QFile::permissions(deep) & 0x77, QFile::Permissions());
         }
-        // What an older version has left.
+        // Files of an older version.
         for (const QString& each : home.files("*"))
             QVERIFY(QFile::setPermissions(home.folder.filePath(each), QFile::Permissions(0x6644)));
         (void)home.open();
@@ -393,7 +393,7 @@ private slots:
             QVERIFY(FolderLock(folder.path()).isHeldByAnother());
         }
         QVERIFY(!FolderLock(folder.path()).isHeldByAnother());
-        QVERIFY(!FolderLock(u"/proc/no/such"_s).isHeldByAnother()); // which its database will say
+        QVERIFY(!FolderLock(u"/proc/no/such"_s).isHeldByAnother()); // opening its database will report it
     }
 };
 

@@ -64,7 +64,7 @@ private slots:
         QCOMPARE(save(recipe("Rusk", 310)).version, 1);
         QCOMPARE(save(recipe("Rusk", 315, 2)).version, 2);
         QCOMPARE(save(recipe("Rusk", 320, 2)).version, 3); // 2 is another program
-        QCOMPARE(save(recipe("rusk", 330, 9)).version, 9); // letters count alike
+        QCOMPARE(save(recipe("rusk", 330, 9)).version, 9); // case-insensitive
         QCOMPARE(names(), QStringList{QStringLiteral("rusk v9")});
         const auto versions = library().versions(save(recipe("Rusk", 340)).recipeId);
         QVERIFY(versions);
@@ -79,11 +79,11 @@ private slots:
     {
         save(recipe("Rusk", 310), 1000);
         program::Recipe same = recipe("Rusk", 310);
-        same.machine.knifeRadiusMm = 75; // the machine is no part of the recipe
+        same.machine.knifeRadiusMm = 75; // the machine does not belong to the recipe
         const RecipeVersion saved = save(same, 2000);
         QCOMPARE(saved.version, 1);
         QCOMPARE(saved.savedMs, 1000);
-        // A number that the controller has already is kept though.
+        // A number that the controller already has is kept, however.
         QCOMPARE(save(recipe("Rusk", 310, 5)).version, 5);
     }
 

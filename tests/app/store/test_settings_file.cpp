@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The settings file: what was set is read again, files of earlier versions too; a damaged file never counts
-// as settings that nobody has made.
+// The settings file: settings are read back, also those of earlier versions; a damaged file never counts as
+// missing settings.
 #include "app/store/files/files.h"
 #include "app/store/files/settings_file.h"
 #include "app/store/recipes/recipe_file.h"
@@ -38,7 +38,7 @@ struct Folder {
     [[nodiscard]] QByteArray bytes() const { return readBytes(path).value_or(QByteArray()); }
     [[nodiscard]] SettingsFile read() const { return SettingsFile(path, known); }
 
-    // A real machine's.
+    // Writes the settings of a real machine.
     void fill() const
     {
         read().set({{u"language"_s, u"en"_s},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recipe files: what is written is read again, what is wrong is named, what was good is kept.
+// Recipe files: data is read back, errors are named, good files are kept.
 #include "app/store/recipes/last_recipe.h"
 #include "app/store/recipes/recipe_file.h"
 
@@ -270,7 +270,7 @@ void StoreTest::powerCutWhileSaving_data()
 
 void StoreTest::powerCutWhileSaving()
 {
-    // The new file is written beside the old one; what a cut leaves is a temporary file that nobody reads.
+    // The new file is written beside the old one; a power cut leaves a temporary file that is never read.
     QFETCH(int, bytes);
     const LastRecipe last(path(u"last.json"_s));
     program::Recipe recipe;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Trends in three levels of detail against a plain calculation over all values; rings, gaps, the level that
-// is read, the clock set back.
+// Trends in three levels of detail against a plain calculation over all values; rings, gaps, the selected
+// level, the clock set back.
 #include "app/store/database/ring.h"
 #include "app/store/logs/trend_export.h"
 #include "app/store/logs/trend_schema.h"
@@ -146,7 +146,7 @@ private slots:
         const auto opened = Database::open(folder.path(), trendDatabase());
         QVERIFY(opened);
         Database& database = **opened;
-        // As many hours as the ring holds of one quantity, and 50 more.
+        // The ring's capacity in hours for one quantity, and 50 more.
         const qint64 hours = TrendLog::rowsKept(Level::Hour) + 50;
         QVERIFY(database.execute(
             QStringLiteral("INSERT INTO trend_hour WITH RECURSIVE n(i) AS (VALUES(0) UNION ALL "
@@ -231,7 +231,7 @@ private slots:
                  level);
     }
 
-    // What began an hour ago has no coarser past.
+    // A log that began an hour ago has no coarser levels before that.
     void youngLogIsReadBySeconds()
     {
         const qint64 first = start * msPerS - 3'600'000;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Users in the database: the rules for adding and removing, wrong PINs that count over a restart, hashes.
+// Users in the database: the rules for adding and removing, wrong PINs that are counted across a restart,
+// hashes.
 #include "app/store/users/pin_hash.h"
 #include "app/store/users/user_store.h"
 #include "tests/support/test_program.h"
@@ -66,7 +67,7 @@ private slots:
         QVERIFY(added(*database, u"Li Wei"_s, UserLevel::Service));
         QCOMPARE(added(*database, u"anna"_s, UserLevel::Operator), qint64{0});
         QVERIFY(removeUser(*database, anna));
-        QVERIFY(added(*database, u"anna"_s, UserLevel::Operator)); // free again
+        QVERIFY(added(*database, u"anna"_s, UserLevel::Operator)); // the name is free again
     }
 
     void lastServiceUserStays()
@@ -82,7 +83,7 @@ private slots:
         QVERIFY(setUserLevel(*database, bo, UserLevel::Service));
         QVERIFY(removeUser(*database, anna));
         QCOMPARE(users(*database)->size(), 1);
-        QVERIFY(!removeUser(*database, anna)); // there is none any more
+        QVERIFY(!removeUser(*database, anna)); // removed already
     }
 
     void waitGrowsAndSurvivesAReopening()
@@ -92,13 +93,13 @@ private slots:
         qint64 anna = 0;
         const QList<qint64> seconds{1, 2, 4, 8, 16, 32, 64, 128, 256, 300, 300};
         for (const qint64 wait : seconds) {
-            const auto database = opened(folder); // anew for each attempt
+            const auto database = opened(folder); // opened again for each attempt
             if (anna == 0)
                 anna = added(*database, u"Anna"_s, UserLevel::Service);
             const auto attempt = beginLogin(*database, anna, now);
             QVERIFY(attempt && !attempt->pinHash.isEmpty());
             QCOMPARE(attempt->waitMs, wait * 1000);
-            // Too early: nothing is given out and nothing counted.
+            // Too early: no hash is returned and nothing is counted.
             const auto early = beginLogin(*database, anna, now + wait * 1000 - 1);
             QVERIFY(early && early->pinHash.isEmpty());
             QCOMPARE(early->waitMs, 1);

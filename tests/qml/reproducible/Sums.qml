@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A function of many local variables, for declarations_in_order.cmake.
+// A function with many local variables, for declarations_in_order.cmake.
 import QtQml
 
 QtObject {

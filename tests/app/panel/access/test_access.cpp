@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who may do what: nothing is restricted without PINs, wrong PINs cost time, who leaves is logged out, and
-// what somebody may not is refused where it would be done.
+// Access: no restrictions without PINs, waiting times after wrong PINs, automatic logout, and refusals in the
+// functions themselves.
 #include "app/store/users/pin_hash.h"
 #include "tests/app/panel/access_rig.h"
 #include "tests/support/test_program.h"
@@ -22,7 +22,7 @@ enum class Harm { Newer, NoFile, Damaged, Deleted, UsersDeleted };
 
 namespace {
 
-// A panel's folder with one user, closed again, and its copy.
+// Creates a panel's folder with one user, closed again, and its copy.
 void makeAnna(const QTemporaryDir& folder, const QString& pinHash)
 {
     const auto database = store::Database::open(folder.path());
@@ -92,7 +92,7 @@ private slots:
         QCOMPARE(rig.access.pinRefusal(pin, Access::Operator).isEmpty(), isGood);
         QCOMPARE(rig.access.pinRefusal(pin, Access::Technician).isEmpty(), isGood);
         QCOMPARE(rig.access.pinRefusal(pin, Access::Service).isEmpty(), isGoodForService);
-        rig.add(u"Anna"_s, Access::Operator, pin); // the first one is of Service
+        rig.add(u"Anna"_s, Access::Operator, pin); // the first one gets the level Service
         QCOMPARE(rig.access.protectedByPins(), isGoodForService);
         QCOMPARE(rig.access.failed(), !isGoodForService);
     }
@@ -100,7 +100,7 @@ private slots:
     void firstUserIsOfServiceAndLoggedIn()
     {
         AccessRig rig;
-        rig.add(u"Anna"_s, Access::Operator, u"258036"_s); // whatever was asked for
+        rig.add(u"Anna"_s, Access::Operator, u"258036"_s); // any requested level
         QVERIFY(rig.access.protectedByPins());
         QCOMPARE(rig.access.userName(), u"Anna"_s);
         QCOMPARE(rig.access.level(), Access::Service);
@@ -124,7 +124,7 @@ private slots:
         QVERIFY(rig.access.ask(Access::Service));
     }
 
-    // Where it is done, not where it is shown.
+    // Checked in the functions, not on the screen.
     void anOperatorChangesBagLengthAndRateOnly()
     {
         AccessRig rig;
@@ -184,7 +184,7 @@ private slots:
         QVERIFY(rig.settings.bagToleranceMm() != 1.25);
         rig.settings.setAutoLogoutMinutes(30);
         QCOMPARE(rig.settings.autoLogoutMinutes(), 5);
-        rig.settings.setTheme(u"dark"_s); // everybody's
+        rig.settings.setTheme(u"dark"_s); // allowed for everybody
         QCOMPARE(rig.settings.theme(), u"dark"_s);
         rig.access.addUser(u"Eve"_s, Access::Service, u"864200"_s);
         rig.access.removeUser(rig.idOf(u"Bo"_s));
@@ -239,17 +239,17 @@ private slots:
             QVERIFY(rig.access.waits());
             rig.wallMs += seconds * 1000 - 1;
             QVERIFY(rig.access.waits());
-            rig.logIn(u"Anna"_s, u"258036"_s); // the right one, too early
+            rig.logIn(u"Anna"_s, u"258036"_s); // the right PIN, too early
             QVERIFY(!rig.access.loggedIn());
             rig.wallMs += 1;
             QVERIFY(!rig.access.waits());
         }
-        // Of the others nobody waits for it.
+        // The other users do not wait.
         rig.logIn(u"Bo"_s, u"1470"_s);
         QCOMPARE(rig.access.userName(), u"Bo"_s);
         rig.logIn(u"Anna"_s, u"258036"_s);
         QCOMPARE(rig.access.userName(), u"Anna"_s);
-        rig.logIn(u"Anna"_s, u"1111"_s); // counted from the beginning again
+        rig.logIn(u"Anna"_s, u"1111"_s); // counted from the start again
         QVERIFY(rig.access.waitText().contains(u"1 s"));
     }
 
@@ -266,7 +266,7 @@ private slots:
         access.setWallClock([&] { return rig.wallMs; });
         again.open();
         access.open();
-        QCOMPARE(access.level(), Access::Operator); // while the users are not known yet
+        QCOMPARE(access.level(), Access::Operator); // while the users are unknown
         QTRY_VERIFY(access.protectedByPins());
         access.choose(rig.idOf(u"Anna"_s));
         QVERIFY(access.waits());
@@ -279,7 +279,7 @@ private slots:
         QTRY_COMPARE(access.userName(), u"Anna"_s);
     }
 
-    // What keeps the database from being opened must not open the panel.
+    // A database that cannot be opened must not unlock the panel.
     void withoutTheDatabaseOperatorsWorkAndTheRestIsRefused_data()
     {
         QTest::addColumn<Harm>("harm");
@@ -318,7 +318,7 @@ private slots:
         QCOMPARE(rig.link.requests.size(), 1);
         QCOMPARE(access.locked(), !hasCopy);
         if (!hasCopy) {
-            // The reason, and where the way back is.
+            // The reason, and the way to restore the users.
             QVERIFY2(access.refusalText(Access::Service).contains(folder.path()),
                      qPrintable(access.refusalText(Access::Service)));
             return;
@@ -345,7 +345,7 @@ private slots:
         rig.settle();
         rig.access.removeUser(rig.idOf(u"Bo"_s));
         rig.settle(); // the change
-        rig.settle(); // the copy that follows it
+        rig.settle(); // the copy afterwards
         const auto copy = store::Database::openReadOnly(rig.folder.filePath(u"campanel.sqlite.copy"_s));
         QVERIFY(copy);
         QCOMPARE(store::users(**copy)->size(), 1);
@@ -354,7 +354,7 @@ private slots:
         QVERIFY(store::isPin(pin->value(0).toString(), u"975310"_s));
     }
 
-    // One that an older version has kept: made with less effort, of four digits.
+    // A PIN of an older version: hashed with less effort, with four digits.
     void anOldPinStillOpensAndIsToBeChanged()
     {
         AccessRig rig;
@@ -429,7 +429,7 @@ private slots:
         QCOMPARE(rig.access.level(), Access::Operator);
 
         rig.logIn(u"Anna"_s, u"258036"_s);
-        rig.access.removeUser(rig.idOf(u"Anna"_s)); // the last one of Service
+        rig.access.removeUser(rig.idOf(u"Anna"_s)); // the last user of the level Service
         rig.settle();
         QVERIFY(rig.access.failed());
         QVERIFY2(rig.access.message().contains(u"Service"), qPrintable(rig.access.message()));

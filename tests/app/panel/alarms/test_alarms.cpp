@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Alarms come, are acknowledged, go, come again, flood, are shelved, and outlive the panel.
+// Alarms come, are acknowledged, return, are repeated, flood, are shelved, and outlive the panel.
 #include "alarm_fill.h"
 #include "tests/app/panel/alarm_rig.h"
 #include "tests/support/test_program.h"
@@ -123,7 +123,7 @@ private slots:
         QCOMPARE(rig.logged()[1].count, 7);
         QCOMPARE(rig.logged()[0].count, 1);
         QCOMPARE(rig.live(), Lines{"C-01 active calls"});
-        // Acknowledging covers the earlier one too, which is only in the log by now.
+        // Acknowledging includes the earlier one, which is only in the log.
         rig.alarms->acknowledgeAll();
         QTRY_VERIFY(rig.logged()[1].acknowledgedMs > 0);
         QVERIFY(rig.logged()[0].acknowledgedMs > 0);
@@ -201,7 +201,7 @@ private slots:
         QVERIFY(rig.alarms->live()->entries()[0].row.detail.contains(QStringLiteral("/dev/fake")));
         searching.state = link::LinkState::Connecting;
         emit rig.panel.link.reported(searching);
-        QCOMPARE(rig.live(), Lines{"L-01 active calls"}); // until it is seen to be something else
+        QCOMPARE(rig.live(), Lines{"L-01 active calls"}); // until another state is certain
         searching.state = link::LinkState::WrongDevice;
         emit rig.panel.link.reported(searching);
         QCOMPARE(rig.live(), (Lines{"L-04 active calls", "L-01 gone calls"}));
@@ -307,7 +307,8 @@ private slots:
         rig.alarms->unshelve(0);
         QCOMPARE(rig.live(), Lines{"W-03 active calls"});
         rig.alarms->shelveShown(8);
-        rig.day = rig.day.addDays(-400); // the clock was set: it would stay for more than a year
+        rig.day = rig.day.addDays(-400); // the clock was set: otherwise the shelf would last for more than a
+                                         // year
         rig.alarms->look();
         QCOMPARE(rig.live(), Lines{"W-03 active calls"});
     }
@@ -354,7 +355,7 @@ private slots:
         rig.open();
         rig.records->complain({store::StoreError::Kind::Full, QStringLiteral("x"), {}});
         QCOMPARE(rig.live(), Lines{"P-04 active calls"});
-        QTRY_COMPARE(rig.live(), Lines{"P-04 gone calls"}); // its own row found room
+        QTRY_COMPARE(rig.live(), Lines{"P-04 gone calls"}); // its own row had space
     }
 
     void whatFoundNoRoomIsWrittenLater()
@@ -373,7 +374,7 @@ private slots:
                 [&](bool) { isDone = true; });
             QTRY_VERIFY(isDone);
         };
-        limit(1); // as many as there are
+        limit(1); // the present number
         constexpr int occurrences = 150;
         for (int i = 0; i < occurrences; ++i) {
             rig.setFaults(jam);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the audit trail says of what was done at the panel, against the fake link, and how it is shown.
+// The audit trail of actions at the panel, with a fake link, and its display.
 #include "app/panel/audit/audit_words.h"
 #include "tests/app/panel/access_rig.h"
 #include "tests/support/test_program.h"
@@ -39,7 +39,7 @@ private slots:
         rig.logIn(u"Bo"_s, u"1470"_s);
         rig.machine.stop();
         rig.machine.resetFault();
-        QVERIFY(!find(rig.entries(), u"command.stop"_s)); // not before it has ended
+        QVERIFY(!find(rig.entries(), u"command.stop"_s)); // only after its end
         for (const link::CommandRequest& request : rig.link.requests) {
             link::CommandOutcome outcome{
                 request.id, request.command, link::CommandEnd::Done, modbus::Refusal::None, {}};
@@ -111,7 +111,7 @@ private slots:
         report.crc = image.crc;
         report.fraction = 1;
         emit rig.link.downloadReported(report);
-        QVERIFY(!find(rig.entries(), u"program.download"_s)); // the controller's status is not there yet
+        QVERIFY(!find(rig.entries(), u"program.download"_s)); // the controller's status has not arrived
         rig.link.activate(image, rig.now);
         const auto entries = rig.entries();
         const AuditEntry* program = find(entries, u"program.download"_s);
@@ -236,7 +236,7 @@ private slots:
                                     modbus::Refusal::None,
                                     {}});
         rig.settle();
-        QCOMPARE(rig.audit.count(), 126); // what happens is shown at once
+        QCOMPARE(rig.audit.count(), 126); // new rows appear at once
         rig.audit.select(0);
         QCOMPARE(rig.audit.detailTitle(), u"Stop"_s);
         rig.audit.setWho(u"Anna"_s);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the panel expects the controller to refuse is what its core refuses, in every state.
+// The refusals expected by the panel are those of the controller's core, in every state.
 #include "app/panel/controller/command_rules.h"
 #include "app/program/program_image.h"
 #include "app/program/recipe.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the panel says about the line: lost and back, a Stop that waits, the proof of the active program, and
+// The panel's reports on the line: lost and restored, a waiting Stop, the proof of the active program, and
 // the faults of a simulated line.
 #include "tests/app/panel/panel_rig.h"
 #include "tests/support/test_program.h"
@@ -63,7 +63,7 @@ void TestLineHonesty::lostLineSaysSinceWhenAndWhatIsTried()
     const QString text = rig.machine.connectionText();
     for (const char* words : {"since 14:07:05", "/dev/fake", "four times a second", "reconnects by itself"})
         QVERIFY2(text.contains(QLatin1String(words)), qPrintable(text));
-    // The age goes on.
+    // The age increases.
     rig.now += 4s;
     QCOMPARE(rig.machine.ageMs(), 4000.0);
     rig.now += 60s;
@@ -105,7 +105,7 @@ void TestLineHonesty::stopWaitsAndIsToldOf()
              qPrintable(rig.machine.stopWaitsText()));
     rig.machine.withdrawStop();
     QCOMPARE(rig.link.withdrawals, 1);
-    rig.link.becomeConnected(); // what waited is on its way
+    rig.link.becomeConnected(); // the waiting Stop is being sent
     QVERIFY(!rig.machine.stopWaits());
     emit rig.link.commandEnded(outcomeOf(rig.link.requests.last(), static_cast<CommandEnd>(end),
                                          static_cast<modbus::Refusal>(reason)));
@@ -121,7 +121,7 @@ void TestLineHonesty::stopPressedAgainIsMoreUrgent()
     rig.link.becomeLost(Command::StopAtCycleEnd);
     rig.machine.stop();
     QCOMPARE(rig.link.requests.last().command, Command::StopNow);
-    // The one that it took the place of ends first; that is not told.
+    // The replaced one ends first, without a report.
     emit rig.link.commandEnded(outcomeOf(rig.link.requests.first(), CommandEnd::Withdrawn));
     QVERIFY(rig.machine.commandMessage().isEmpty());
 }
@@ -156,7 +156,7 @@ void TestLineHonesty::changesMeanwhileAreTold()
     rig.link.sendStatus(rig.now);
     QCOMPARE(rig.machine.commandMessage(), "The line is back. Before: Running. Now: Ready.");
     QCOMPARE(rig.machine.state(), Machine::State::Ready);
-    rig.link.becomeLost(); // it is not back any more
+    rig.link.becomeLost(); // the return is over
     QVERIFY2(rig.machine.commandMessage().isEmpty(), qPrintable(rig.machine.commandMessage()));
 }
 
@@ -344,7 +344,7 @@ void TestLineHonesty::faultsAreThoseThatTheControllerTook()
     QCOMPARE(rig.link.faults.size(), 1);
     emit rig.link.faultsSimulated({});
     QCOMPARE(level(0), int{LineFaults::Often});
-    QCOMPARE(rig.link.faults.size(), 2); // the second wish went out after the first answer
+    QCOMPARE(rig.link.faults.size(), 2); // the second change was sent after the first answer
     QCOMPARE(rig.link.faults.last().size(), 2);
     emit rig.link.faultsSimulated({});
     QCOMPARE(faults.activeCount(), 2);
@@ -367,7 +367,7 @@ void TestLineHonesty::faultsEndWithTheirController()
     faults.setLevel(2, LineFaults::Often);
     emit rig.link.faultsSimulated({});
     link::LinkReport report;
-    report.simulator = link::SimulatorState::Ended; // started again with its faults
+    report.simulator = link::SimulatorState::Ended; // restarted with its faults
     emit rig.link.reported(report);
     QCOMPARE(faults.activeCount(), 1);
     report.simulator = link::SimulatorState::Starting;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the panel shows of the controller: nothing before there is data, its age, the trace, the bags,
-// commands.
+// The panel's view of the controller: nothing before there is data, its age, the trace, the bags, commands.
 #include "app/panel/display/display.h"
 #include "app/panel/kit/engine_instances.h"
 #include "tests/app/panel/panel_rig.h"
@@ -139,12 +138,12 @@ private slots:
         const auto points = rig.machine.actualTrace();
         for (qsizetype i = 1; i < points.size(); ++i)
             QVERIFY(points[i].x() > points[i - 1].x());
-        // The new cycle up to the pen at 95 degrees, the last one behind it.
+        // The new cycle up to the pen at 95 degrees, the previous one behind it.
         const double newSpeed = points.first().y();
         for (const QPointF& point : points)
             QCOMPARE(point.y(), point.x() * 360 < 95.1 ? newSpeed : newSpeed / 2);
         QCOMPARE(points.size(), 10 + 26);
-        // More than a cycle was missed: nothing of the old is left.
+        // More than a cycle was missed: the old trace is cleared.
         sampleAt(5, 180, 1000);
         QCOMPARE(rig.machine.actualTrace().size(), 1);
     }
@@ -166,7 +165,7 @@ private slots:
     {
         PanelRig rig;
         rig.connectRunning();
-        // Begun before the program became active: shown, not counted.
+        // Begun before the program became active: displayed, not counted.
         rig.link.status.bagCount = 1;
         rig.link.status.bagDeviationMm = -25;
         rig.link.status.bagLengthMm = 225;
@@ -196,7 +195,7 @@ private slots:
     void stopIsAlwaysSentAndAPressMoreStopsNow()
     {
         PanelRig rig;
-        rig.machine.stop(); // also without a connection: the link answers that
+        rig.machine.stop(); // also without a connection: the link answers it
         QCOMPARE(rig.link.requests.last().command, modbus::Command::StopAtCycleEnd);
         emit rig.link.commandEnded({rig.link.requests.last().id, modbus::Command::StopAtCycleEnd,
                                     link::CommandEnd::NotSent, modbus::Refusal::None, std::nullopt});
@@ -342,7 +341,7 @@ private slots:
         QCOMPARE(settings.stopBits(), 1);
     }
 
-    // As a power cut leaves it.
+    // Damage as after a power cut.
     void damagedSettingsNeverChooseAnotherController()
     {
         QTemporaryDir folder;
@@ -377,7 +376,7 @@ private slots:
         QVERIFY(!lost.connection().simulated);
         QCOMPARE(lost.connection().portName, QString());
         QVERIFY2(lost.notice().contains("No controller"), qPrintable(lost.notice()));
-        // Not by the next start either, and the panel is not a new one.
+        // The next start does not either, and the panel is not a new one.
         machine::Settings next(path, nullptr);
         QVERIFY(!next.connection().simulated);
         next.offerFirstStart();
@@ -396,7 +395,7 @@ private slots:
                  qPrintable(rig.machine.connectionText()));
     }
 
-    // A file of an earlier version has no checksum: a key that is not known is damage in it.
+    // A file of an earlier version has no checksum: an unknown key counts as damage.
     void everyKeyOfTheSettingsIsKnown()
     {
         PanelRig rig;

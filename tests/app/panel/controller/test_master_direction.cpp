@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The direction of a point cam's master: shown as the controller reports it, never as it was wished.
+// The direction of a point cam's master: displayed as reported by the controller, never as requested.
 #include "tests/app/panel/kind_steps.h"
 #include "tests/support/test_program.h"
 
@@ -17,7 +17,7 @@ using Way = machine::MasterDirection::Way;
 
 namespace {
 
-// A point cam in the controller, of one second a cycle.
+// A point cam in the controller, with a cycle of one second.
 struct Rig : PanelRig {
     explicit Rig(double rate = 60, double slaveScale = 1)
     {
@@ -31,7 +31,7 @@ struct Rig : PanelRig {
 
     [[nodiscard]] MasterDirection& direction() { return *machine.direction(); }
 
-    // The answer to the last question.
+    // Answers the last request.
     void answer(double value, link::ParameterEnd end = link::ParameterEnd::Done)
     {
         const link::ParameterRequest& asked = link.parameters.last();
@@ -40,7 +40,7 @@ struct Rig : PanelRig {
             outcome.value = value;
         emit link.parameterEnded(outcome);
     }
-    // The master goes on by so many degrees in 20 ms.
+    // Advances the master by this angle in 20 ms.
     void advance(double deg, double speedPercent = 100)
     {
         now += std::chrono::milliseconds(20);
@@ -66,11 +66,11 @@ private slots:
         QCOMPARE(rig.direction().way(), Way::Unknown);
         QVERIFY(!rig.direction().canChange());
         rig.advance(7.2);
-        QCOMPARE(rig.link.parameters.size(), 1); // asked once
+        QCOMPARE(rig.link.parameters.size(), 1); // one request
         rig.answer(1);
         QCOMPARE(rig.direction().way(), Way::Backward);
         QVERIFY(rig.direction().canChange());
-        // Another panel may have turned it meanwhile.
+        // Another panel may have reversed it in the meantime.
         rig.link.becomeLost();
         QCOMPARE(rig.direction().way(), Way::Unknown);
         QVERIFY(!rig.direction().canChange());
@@ -145,7 +145,7 @@ private slots:
         Rig rig(rate);
         rig.answer(parameter);
         QCOMPARE(rig.direction().way(), way);
-        rig.direction().turn(way); // as it is: nothing to write
+        rig.direction().turn(way); // unchanged: nothing to write
         QCOMPARE(rig.link.parameters.size(), 1);
         rig.direction().turn(way == Way::Forward ? Way::Backward : Way::Forward);
         QCOMPARE(rig.link.parameters.size(), 2);
@@ -164,7 +164,7 @@ private slots:
         rig.advance(7.2);
         QCOMPARE(rig.direction().text(), "runs forward");
         rig.direction().turn(Way::Backward);
-        QVERIFY(!rig.direction().turning()); // nobody has taken the wish yet
+        QVERIFY(!rig.direction().turning()); // the request is not accepted yet
         rig.answer(1);
         QVERIFY(rig.direction().turning());
         QCOMPARE(rig.direction().text(), "Turning to backward …");
@@ -198,7 +198,7 @@ private slots:
 
     void aMasterTooFastToFollowIsNotGuessedAt()
     {
-        Rig rig(600, 0.02); // 72 degrees in 20 ms, but 3 cycles between two statuses that are 300 ms apart
+        Rig rig(600, 0.02); // 72 degrees in 20 ms, but 3 cycles between two statuses 300 ms apart
         rig.answer(0);
         rig.advance(72);
         rig.advance(72);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The packing line as its controller tells it: asked only where there is one, each bag told once, and what it
-// makes of bags of several lengths.
+// The packing line as reported by its controller: requested only where it exists, each bag reported once, and
+// bags of several lengths.
 #include "tests/app/panel/kind_steps.h"
 #include "tests/support/test_program.h"
 
@@ -40,7 +40,7 @@ struct Film {
         put(name, value >> 16);
         put(name, value & 0xFFFFu, 1);
     }
-    // The newest bag.
+    // Adds the newest bag.
     void addBag(std::uint32_t number, double deviationMm, unsigned lengths = 1)
     {
         const std::size_t at = 4 * (number % modbus::bagRecords);
@@ -78,7 +78,7 @@ struct Rig : PanelRig {
         emit link.registersRead({link.reads.last(), end,
                                  isDone ? film.registers : std::vector<std::uint16_t>(), now, std::nullopt});
     }
-    // The next question comes by itself.
+    // Answers the next automatic request.
     void answerNext()
     {
         const qsizetype before = link.reads.size();
@@ -128,7 +128,7 @@ private slots:
         QVERIFY(rig.line().known());
         rig.link.becomeLost();
         const qsizetype before = rig.link.reads.size();
-        Rig other; // a line that goes on, as the clock
+        Rig other; // a link with a running clock
         other.answer();
         for (int i = 0; i < 3; ++i)
             other.answerNext();
@@ -206,14 +206,13 @@ private slots:
         emit rig.link.parameterEnded(
             {9000, "parameter.mark_distance", link::ParameterEnd::Done, 850, std::nullopt});
         QCOMPARE(rig.line().sensorMm(), 850.0);
-        // A write of which nobody knows whether it arrived.
         emit rig.link.parameterEnded({9001, "parameter.mark_distance", link::ParameterEnd::OutcomeUnknown,
                                       std::nullopt, std::nullopt});
         rig.answerNext();
         QTRY_COMPARE(rig.link.parameters.size(), 3);
         rig.answerParameter("parameter.mark_distance", 860);
         QCOMPARE(rig.line().sensorMm(), 860.0);
-        // After the line was gone, who knows.
+        // After a lost connection the values are uncertain.
         rig.link.becomeLost();
         QCOMPARE(rig.line().sensorMm(), 860.0);
         rig.connect();
@@ -235,7 +234,7 @@ private slots:
         QCOMPARE(told[1][0].value<modbus::BagRecord>().number, 43u);
         rig.answerNext();
         QCOMPARE(told.size(), 2);
-        // A controller that started anew counts anew.
+        // A restarted controller counts from the start.
         rig.film.addBag(1, 0);
         rig.answerNext();
         QCOMPARE(told.size(), 2);
@@ -256,7 +255,7 @@ private slots:
         rig.film.addBag(3, 0.1);
         rig.film.addBag(4, -0.2, 2);
         rig.film.addBag(5, 0.1);
-        // The status tells the same bags: they count once.
+        // The status reports the same bags: they count once.
         rig.link.status.bagCount = 5;
         rig.link.status.bagLengthMm = 499.8;
         rig.link.status.bagDeviationMm = 249.8;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Machine and Editor on the real link and the real controller program: download, start, change while it runs,
-// save.
+// Machine and Editor on the real link and the real controller program: download, start, change during the
+// run, save.
 #include "app/link/threaded_link.h"
 #include "app/panel/controller/machine.h"
 #include "app/panel/editor/editor.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Brightness by the kernel's files, a screen that goes dark, the touch that wakes it, and the time to wipe.
+// Brightness by the kernel's files, automatic switch-off, the waking touch, and the time for cleaning.
 #include "tests/app/panel/panel_rig.h"
 
 #include "app/panel/display/display.h"
@@ -52,7 +52,7 @@ struct DisplayRig : test::PanelRig {
     }
 };
 
-// Counts what comes through to the panel.
+// Counts the touches that reach the panel.
 struct Touched : QObject {
     int presses = 0;
     int releases = 0;
@@ -98,7 +98,7 @@ private slots:
         rig.write(u"max_brightness"_s, "many");
         QVERIFY(!Backlight::find(rig.folder.filePath(u"backlight"_s)));
         QVERIFY(QDir(rig.device).removeRecursively());
-        rig.display.setBrightness(75); // it is gone while the panel runs
+        rig.display.setBrightness(75); // removed while the panel runs
         QVERIFY(!rig.display.adjustable());
     }
 
@@ -119,7 +119,7 @@ private slots:
         rig.link.status.state = modbus::State::Fault;
         rig.link.status.faultBits = 1;
         rig.link.sendStatus(rig.now);
-        QVERIFY(!rig.display.dark()); // somebody has to see that
+        QVERIFY(!rig.display.dark()); // must be visible
         QCOMPARE(rig.level(), QByteArray("250"));
     }
 

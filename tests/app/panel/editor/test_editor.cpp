@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The editor: pairs of inputs, undo, suggestions, dragged ratios, differences and the way into the
-// controller.
+// The editor: pairs of inputs, undo, suggestions, dragged ratios, differences and the download.
 #include "profile/cutter/limits.h"
 #include "profile/laws/laws.h"
 #include "tests/app/panel/panel_rig.h"
@@ -66,7 +65,7 @@ private slots:
         QVERIFY(curvesOf(rig.editor.plot().curves)->timeS.size() >= 1000);
     }
 
-    // All six pairs: the derived two, entered as inputs, give the first two back.
+    // All six pairs: the two derived values, entered as inputs, result in the first two again.
     void everyPairLeadsToTheSameCycle_data()
     {
         QTest::addColumn<int>("first");
@@ -90,7 +89,7 @@ private slots:
             if (fieldAt(rig.editor, index)->derived())
                 fieldAt(rig.editor, index)->togglePin();
         }
-        // Pinning another one may have released the first.
+        // Pinning another one may have unpinned the first.
         for (const int index : {first, second}) {
             if (fieldAt(rig.editor, index)->derived())
                 fieldAt(rig.editor, index)->togglePin();
@@ -108,12 +107,12 @@ private slots:
         PanelRig rig;
         rig.editor.rate()->set(70);
         rig.editor.bagLength()->set(260);
-        rig.editor.baseSpeed()->set(500); // releases the rate
+        rig.editor.baseSpeed()->set(500); // unpins the rate
         QVERIFY(rig.editor.baseSpeed()->pinned());
         QVERIFY(rig.editor.bagLength()->pinned());
         QVERIFY(rig.editor.rate()->derived());
         QCOMPARE(rig.editor.bagLength()->value(), 260.0);
-        rig.editor.filmSpeed()->set(300); // releases the bag length
+        rig.editor.filmSpeed()->set(300); // unpins the bag length
         QVERIFY(rig.editor.filmSpeed()->pinned());
         QVERIFY(rig.editor.baseSpeed()->pinned());
     }

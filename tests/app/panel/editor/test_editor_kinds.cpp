@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The editor with the kinds other than the rotary cutter: what it shows, choices, undo, laws laid behind.
+// The editor with the kinds other than the rotary cutter: its fields, choices, undo, law comparison.
 #include "profile/laws/laws.h"
 #include "tests/app/panel/kind_steps.h"
 #include "tests/support/test_program.h"
@@ -116,7 +116,7 @@ private slots:
         QVERIFY(fields().contains("distance_mm") && !fields().contains("time_s"));
         choose(rig.editor, "Executed as", "Intervals");
         QVERIFY(!fields().contains("cam_points"));
-        QTRY_COMPARE(rig.editor.table()->name(), "Intervals"); // compiled when the finger rests
+        QTRY_COMPARE(rig.editor.table()->name(), "Intervals"); // compiled once the finger rests
         choose(rig.editor, "Duration", "As fast as possible");
         QVERIFY(!fields().contains("distance_mm") && !fields().contains("time_s"));
         for (int i = 0; i < 3; ++i)
@@ -162,12 +162,12 @@ private slots:
             QVERIFY(laws.data(laws.index(row), LawModel::PeakFrequencyTextRole).toString().endsWith("Nm"));
         }
         QCOMPARE(compared, 1);
-        QCOMPARE(rig.editor.lawName(), "Quintic 3-4-5"); // laid behind, not chosen
+        QCOMPARE(rig.editor.lawName(), "Quintic 3-4-5"); // compared, not selected
         QVERIFY(!rig.editor.lawName().isEmpty());
         enter(rig.editor, Field::Distance, 600);
         const auto shorter = rig.editor.overlayCurves().value<std::shared_ptr<const profile::Curves>>();
         QVERIFY(std::abs(*std::ranges::max_element(shorter->velocityMmPerS) - 300 * std::acos(-1.0)) < 0.1);
-        rig.editor.compareLaw("half_modified_sine"); // not for a position
+        rig.editor.compareLaw("half_modified_sine"); // not for a position move
         QVERIFY(rig.editor.overlayName().isEmpty());
         QVERIFY(!rig.editor.overlayCurves().isValid());
         rig.editor.compareLaw("cubic");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// CSV files of knots as the panel offers them: looked at, refused, taken as one edit, written to a place.
+// CSV files of knots in the panel: preview, refusal, import as one edit, export to a place.
 #include "tests/app/panel/kind_steps.h"
 #include "tests/support/test_program.h"
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int timeoutMs = 15'000;
 
-// A stick and the panel's own folder, of which the test knows what is in them.
+// A stick and the panel's own folder, with contents set by the test.
 struct Disks {
     QTemporaryDir stick;
     bool isStickReadOnly = false;
@@ -76,7 +76,7 @@ private slots:
         QVERIFY2(files[0].note.startsWith(u"6 knots"_s) && files[0].note.endsWith(u"STICK"_s),
                  qPrintable(files[0].note));
         QVERIFY2(files[0].detail.contains(u"slave −1.25 to 9 mm"_s), qPrintable(files[0].detail));
-        QVERIFY(camOf(rig.editor).knots == before); // looking takes nothing
+        QVERIFY(camOf(rig.editor).knots == before); // a search imports nothing
         rig.editor.knotFiles()->take(0);
         QCOMPARE(rig.editor.knots()->count(), 6);
         QVERIFY(camOf(rig.editor).knots[1] == (profile::Knot{60, 3.5}));
@@ -134,13 +134,13 @@ private slots:
         write(rig, 0);
         QVERIFY(!files.failed());
         QVERIFY2(files.message().endsWith(expected), qPrintable(files.message()));
-        QCOMPARE(files.files()->count(), 1); // it is on offer at once
+        QCOMPARE(files.files()->count(), 1); // offered at once
         const auto read = store::readKnots(expected);
         QVERIFY(read && *read == camOf(rig.editor).knots);
         rig.editor.knots()->slave()->set(1.5);
         write(rig, 0);
         QVERIFY2(files.message().endsWith(u"Pusher 3_4-2.csv"_s), qPrintable(files.message()));
-        QVERIFY(*store::readKnots(expected) == *read); // the first one is as it was
+        QVERIFY(*store::readKnots(expected) == *read); // the first one is unchanged
         write(rig, 1);
         QVERIFY2(files.message().contains(files.ownFolder()), qPrintable(files.message()));
         look(rig);
@@ -164,7 +164,7 @@ private slots:
         disks.isStickReadOnly = false;
         disks.plugInto(rig);
         look(rig);
-        QVERIFY(disks.stick.remove()); // pulled out after it was seen
+        QVERIFY(disks.stick.remove()); // unplugged after the search
         write(rig, 0);
         QVERIFY(files.failed());
         QVERIFY2(files.message().contains(u"cannot be written"_s), qPrintable(files.message()));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The knots of a point cam: entered, inserted, dragged, removed, repaired; and what is said when they are
-// wrong.
+// The knots of a point cam: entered, inserted, dragged, removed, repaired; and the texts for invalid ones.
 #include "tests/app/panel/kind_steps.h"
 #include "tests/support/test_program.h"
 
@@ -45,7 +44,7 @@ private slots:
             rig.editor.undo();
         QCOMPARE(knots.count(), 5);
         QCOMPARE(knotText(knots, 1), "90.0 20.0");
-        knots.removeSelected(); // five are the fewest
+        knots.removeSelected(); // five is the minimum
         QCOMPARE(knots.count(), 5);
         knots.select(0);
         QVERIFY(!knots.canRemove());
@@ -95,13 +94,13 @@ private slots:
         QVERIFY(camOf(rig.editor).knots == before);
         rig.editor.redo();
         QVERIFY(camOf(rig.editor).knots[2] == moved);
-        // Past its neighbor it stops beside it.
+        // Beyond its neighbor it stops beside it.
         knots.beginDrag(2);
         knots.drag(10 * cycle, 0);
         knots.endDrag();
         const auto& after = camOf(rig.editor).knots;
         QVERIFY(after[2].masterDeg < after[3].masterDeg && after[2].masterDeg > after[1].masterDeg);
-        // Touched and let go.
+        // Touched without a drag.
         rig.editor.undo();
         QVERIFY(rig.editor.canRedo());
         knots.beginDrag(1);
@@ -124,7 +123,7 @@ private slots:
         QCOMPARE(camOf(rig.editor).ends, profile::SplineEnds::Periodic);
         knots.select(4);
         rig.editor.undo();
-        knots.slave()->set(120); // no more closed: a net advance
+        knots.slave()->set(120); // not closed any more: a net advance
         knots.repairWrap();
         QVERIFY2(knots.wrapText().contains("advances by 120 mm"), qPrintable(knots.wrapText()));
     }
@@ -181,7 +180,7 @@ private slots:
         QCOMPARE(editor.kind(), Editor::Kind::PointCam);
         QVERIFY(!editor.feasible());
         QVERIFY2(editor.verdict().contains(words), qPrintable(editor.verdict()));
-        // What cannot be a cam is not edited knot by knot, and does no harm.
+        // An invalid cam is not edited knot by knot, and causes no error.
         editor.knots()->select(2);
         editor.knots()->insertAfterSelected();
         editor.knots()->beginDrag(2);

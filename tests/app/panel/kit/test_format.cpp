@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers and moments as text, in both languages.
+// Numbers and times as text, in both languages.
 #include "app/panel/kit/format.h"
 #include "tests/support/test_program.h"
 
@@ -19,7 +19,7 @@ public:
     static void initMain()
     {
         qputenv("TZ", "Asia/Shanghai");
-    } // or UTC would be the local time of many a build machine
+    } // otherwise UTC would be the local time of many a build machine
 
 private slots:
     void numbers_data();

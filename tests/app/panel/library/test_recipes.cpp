@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The recipes as QML sees them, on a database of their own.
+// The recipes as seen by QML, on a database of their own.
 #include "app/panel/library/recipes.h"
 #include "tests/app/panel/panel_rig.h"
 
@@ -82,7 +82,7 @@ private slots:
         QCOMPARE(rig.recipes.message(), QStringLiteral("Saved: Biscuit 250, version 2."));
     }
 
-    // While a finger drags, the list of all recipes is left alone.
+    // During a drag the list of all recipes is not updated.
     void changesAreNotedForTheAuditTrail()
     {
         RecipesRig rig;
@@ -127,7 +127,7 @@ private slots:
         RecipesRig rig;
         QSignalSpy shown(&rig.recipes, &Recipes::listChanged);
         rig.editor.dragRatio(0, 0.26);
-        QCOMPARE(shown.size(), 1); // it is edited now
+        QCOMPARE(shown.size(), 1); // now being edited
         QCOMPARE(rig.recipes.nextVersion(), 2);
         for (const double timeS : {0.27, 0.28, 0.29})
             rig.editor.dragRatio(0, timeS);
@@ -197,7 +197,7 @@ private slots:
         QTRY_COMPARE(rig.recipes.total(), isTaken ? 2 : 1);
     }
 
-    // The machine is not the recipe's: what was set for this one stays whatever is opened.
+    // The machine data does not belong to the recipe: this machine's data stays with any recipe.
     void opensForThisMachine()
     {
         RecipesRig rig;
@@ -240,7 +240,7 @@ private slots:
         QCOMPARE(bagLength(), QStringLiteral("250.0 mm to 230.0 mm"));
         rig.recipes.compareVersion(2, false);
         QVERIFY(!rig.recipes.compared());
-        // An older version that is opened and edited becomes the newest, not a second of its number.
+        // An older version that is opened and edited becomes the newest, not a second one with its number.
         rig.recipes.openVersion(2);
         QCOMPARE(rig.editor.recipeVersion(), 1);
         rig.editor.bagLength()->set(235);
@@ -315,7 +315,7 @@ private slots:
         QCOMPARE(rig.recipes.chosenName(), QStringLiteral("Rusk 310"));
         QVERIFY(rig.recipes.message().contains(QStringLiteral("version 7")));
         rig.recipes.open();
-        QCOMPARE(rig.editor.recipe().machine.knifeRadiusMm, 60.0); // of this machine
+        QCOMPARE(rig.editor.recipe().machine.knifeRadiusMm, 60.0); // from this machine
     }
 
     void exportsWhatCanBeImported()

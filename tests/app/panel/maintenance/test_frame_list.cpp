@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frame log on a fake link: words, filters, ring, pause, export.
+// The frame log on a fake link: texts, filters, ring, pause, export.
 #include "modbus/line/crc16.h"
 #include "tests/app/panel/panel_rig.h"
 #include "tests/support/test_program.h"
@@ -23,7 +23,7 @@ QString textAt(const QAbstractItemModel& model, int row, int role)
     return model.data(model.index(row, 0), role).toString();
 }
 
-// A whole frame; its number follows that of the last one.
+// Returns a complete frame; its number is one higher than the last one.
 modbus::FrameRecord frame(quint64 number, FrameVerdict verdict, std::vector<std::uint8_t> bytes,
                           modbus::RegisterSpan read = {})
 {
@@ -106,7 +106,7 @@ private slots:
         QVERIFY(!frames.hasPrevious() && frames.hasNext());
         frames.showNext();
         QVERIFY(!frames.hasNext());
-        // A question is listed with its error also when the error comes later.
+        // A question is listed with its error, even if the error comes later.
         frames.setFilter(FrameList::Filter::Errors);
         emit rig.link.framesRecorded({statusQuestion(9)});
         QCOMPARE(frames.count(), 4);
@@ -135,7 +135,7 @@ private slots:
         frames.clear();
         QCOMPARE(frames.count(), 0);
         emit rig.link.framesRecorded({statusQuestion(number), statusQuestion(number + 1)});
-        QCOMPARE(frames.count(), 1); // the first one was cleared away
+        QCOMPARE(frames.count(), 1); // the first one was cleared
     }
 
     void aPauseHoldsTheFrames()
@@ -146,7 +146,7 @@ private slots:
         emit rig.link.framesRecorded({statusQuestion(1)});
         frames.setPaused(true);
         QVERIFY(!rig.link.areFramesWatched);
-        emit rig.link.framesRecorded({statusQuestion(2)}); // was on its way
+        emit rig.link.framesRecorded({statusQuestion(2)}); // arrived late
         QCOMPARE(frames.count(), 1);
         frames.setPaused(false);
         QVERIFY(rig.link.areFramesWatched);

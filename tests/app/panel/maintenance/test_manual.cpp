@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a technician does by hand: jog, homing, inputs and outputs, dry run, and what of it is in the audit
-// trail.
+// The manual functions for technicians: jog, homing, inputs and outputs, dry run, and their audit entries.
 #include "tests/app/panel/access_rig.h"
 #include "tests/support/test_program.h"
 
@@ -118,7 +117,7 @@ private slots:
             rig.link.becomeLost();
         else {
             rig.now += 1500ms;
-            rig.machine.setClock([&rig] { return rig.now; }); // looks at it
+            rig.machine.setClock([&rig] { return rig.now; }); // displays it
         }
         QCOMPARE(jog.held(), 0);
         QCOMPARE(rig.link.jogs.last(), JogDirection::None);
@@ -128,7 +127,7 @@ private slots:
         rig.link.becomeConnected();
         become(rig, State::Idle);
         const auto told = rig.link.jogs.size();
-        QTest::qWait(120); // longer than a held key takes to tell again
+        QTest::qWait(120); // longer than the repetition of a held key
         QCOMPARE(rig.link.jogs.size(), told);
         QVERIFY(jog.troubled()); // the first key is still down
         jog.release(1);
@@ -150,13 +149,13 @@ private slots:
         rig.connectRunning();
         QCOMPARE(jog.text(), QStringLiteral("The machine is running. Stop it first."));
         jog.press(1);
-        become(rig, State::Ready); // under the finger: that is no new touch
+        become(rig, State::Ready); // still under the finger: not a new touch
         QCOMPARE(jog.held(), 0);
         QVERIFY(rig.link.jogs.isEmpty());
         jog.release(1);
         jog.press(1);
         QCOMPARE(jog.held(), 1);
-        QTRY_VERIFY(jog.troubled()); // the controller does not begin
+        QTRY_VERIFY(jog.troubled()); // the controller does not start
         QVERIFY(jog.text().startsWith(QStringLiteral("The controller does not move.")));
         become(rig, State::Jogging);
         QVERIFY(!jog.troubled());
@@ -179,7 +178,7 @@ private slots:
         jog.press(1);
         become(rig, State::Jogging);
         jog.release(1);
-        rig.link.status.axisPositionPulses = 1250; // once it stands
+        rig.link.status.axisPositionPulses = 1250; // at standstill
         become(rig, State::Idle);
         QSignalSpy ended(&jog, &Jog::ended);
         QTRY_COMPARE(ended.size(), 1);
@@ -335,7 +334,7 @@ private slots:
         QVERIFY(std::abs(run.filmPositionMm() - before) < 1e-6);
     }
 
-    // At the cut the boundary of a bag is under the knife, and there they move together.
+    // At the cut the boundary of a bag is under the knife, and both move together.
     void theCutIsAtTheKnife()
     {
         PanelRig rig;
@@ -365,9 +364,9 @@ private slots:
         run.drag(-50, 0);
         run.drag(0, -20);
         run.drag(20, 0);
-        QVERIFY(std::abs(run.masterDeg() - 90) < 1e-6); // of the next cycle
+        QVERIFY(std::abs(run.masterDeg() - 90) < 1e-6); // in the next cycle
         run.drag(0, -20);
-        run.drag(-20, 0); // back through the start
+        run.drag(-20, 0); // backward through the start
         QVERIFY(std::abs(run.masterDeg() - 270) < 1e-6);
         QVERIFY(rig.link.requests.isEmpty() && rig.link.jogs.isEmpty() && rig.link.parameters.isEmpty());
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The register inspector on a fake link: what is read and when, what it says, what can be written.
+// The register inspector on a fake link: what it reads and when, its texts, and writing.
 #include "tests/app/panel/panel_rig.h"
 #include "tests/support/test_program.h"
 
@@ -54,7 +54,7 @@ private slots:
         QCOMPARE(textAt(rig.registers(), 2, RegisterModel::RawRole), "0x0384");
         QTRY_COMPARE(rig.link.reads.size(), 2); // and again
         rig.inspector().setVisibleRows(3, 4);
-        QCOMPARE(textAt(rig.registers(), 2, RegisterModel::ValueRole), "--"); // it would grow old unseen
+        QCOMPARE(textAt(rig.registers(), 2, RegisterModel::ValueRole), "--"); // it would become old unnoticed
         rig.answer({2000, 1, 900});
         QTRY_COMPARE(rig.link.reads.size(), 3);
         QCOMPARE(rig.link.reads[2].address, quint16{0x83});
@@ -62,7 +62,7 @@ private slots:
         rig.answer({0, 1000, 0, 2000});
         rig.inspector().setWatched(false);
         const qsizetype before = rig.link.reads.size();
-        InspectorRig other; // time enough for several rounds
+        InspectorRig other; // long enough for several rounds
         for (int round = 2; round < 5; ++round) {
             other.answer({2000, 1, 900});
             QTRY_COMPARE(other.link.reads.size(), round);
@@ -99,7 +99,7 @@ private slots:
         for (int i = 0; i < inspector.registers()->count(); ++i)
             QVERIFY(textAt(*inspector.registers(), i, RegisterModel::NameRole).contains("crc"));
         inspector.setNameFilter(QStringLiteral("press_force"));
-        QCOMPARE(inspector.registers()->count(), 0); // no press runs
+        QCOMPARE(inspector.registers()->count(), 0); // no press is running
     }
 
     void registersFollowTheProgram()

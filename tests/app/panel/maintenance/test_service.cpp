@@ -90,7 +90,7 @@ private slots:
         link::DownloadReport report;
         emit rig.link.downloadReported(report);
         QVERIFY(!rig.service.doctor()->canBegin());
-        report.isInterrupted = true; // it waits for what the doctor finds
+        report.isInterrupted = true; // waits for the doctor's result
         emit rig.link.downloadReported(report);
         QVERIFY(rig.service.doctor()->canBegin());
         report = {};
@@ -156,7 +156,7 @@ private slots:
         QCOMPARE(used.line.parity, modbus::Parity::Even);
         QCOMPARE(used.line.stopBits, std::uint8_t{2});
         QCOMPARE(used.unit, 7);
-        QVERIFY(!doctor.canTake()); // it is in use
+        QVERIFY(!doctor.canTake()); // already in use
         const machine::Settings stored(rig.folder.filePath(QStringLiteral("settings.ini")), nullptr);
         QCOMPARE(stored.connection(), rig.settings.connection());
     }
@@ -225,7 +225,7 @@ private slots:
         const qsizetype last = figures.stripErrors().size() - 1;
         QCOMPARE(figures.stripErrors()[last], 1.0);
         QVERIFY(std::isnan(figures.stripP99Ms()[last]));
-        QVERIFY(std::isnan(figures.stripAnswers()[last - 1])); // nothing passed in that minute
+        QVERIFY(std::isnan(figures.stripAnswers()[last - 1])); // no exchange in that minute
         QCOMPARE(figures.stripAnswers()[last - 2], 10.0);
         figures.reset();
         QCOMPARE(rig.link.figuresResets, 1);

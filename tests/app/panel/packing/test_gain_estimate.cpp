@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The suggested gains, from marks that the controller's own tracker follows: slip and sensor noise are found
-// again.
+// The suggested gains, from marks followed by the controller's own tracker: slip and sensor noise are
+// recovered.
 #include "app/panel/packing/gain_estimate.h"
 #include "ctl_marks.h"
 #include "ctl_registers.h"
@@ -25,12 +25,11 @@ constexpr double unitsPerMm = 25600.0;
 struct Film {
     double slipMm = 0.0;
     double sensorMm = 0.0;
-    double stretchMm = 0.0; // of a bag, changing slowly along the reel
+    double stretchMm = 0.0; // per bag, changing slowly along the reel
     int missingEvery = 0;
 };
 
-// So many marks pass the controller's tracker, of which the estimate sees `shown` in a row before it misses
-// one.
+// Passes marks through the controller's tracker; the estimate gets `shown` in a row, then misses one.
 GainEstimate follow(const Film& film, int marks, double phaseGain, unsigned seed, int shown = 1'000'000)
 {
     std::mt19937 random(seed);
@@ -65,7 +64,7 @@ GainEstimate follow(const Film& film, int marks, double phaseGain, unsigned seed
     return estimate;
 }
 
-// Gain of the steady Kalman filter for a random walk seen with noise.
+// Returns the gain of the steady Kalman filter for a random walk with measurement noise.
 double bestGain(double slipMm, double sensorMm)
 {
     const double q = slipMm * slipMm;
@@ -137,7 +136,7 @@ private slots:
 
     void fiftyBagsAreNeeded()
     {
-        const GainEstimate few = follow({0.03, 0.05}, 51, 0.25, 3); // two to be found, then one to begin with
+        const GainEstimate few = follow({0.03, 0.05}, 51, 0.25, 3); // two to find the marks, one to start
         QCOMPARE(few.bags(), 49);
         QVERIFY(!few.suggestion());
         const GainEstimate enough = follow({0.03, 0.05}, 52, 0.25, 3);

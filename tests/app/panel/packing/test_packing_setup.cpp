@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The section for packing machines on a fake link: marks taught, numbers read and written, the distance
+// The section for packing machines on a fake link: taught marks, parameters read and written, the distance
 // wizard.
 #include "packer_image.h"
 #include "tests/app/panel/panel_rig.h"
@@ -58,7 +58,7 @@ struct PackingRig : test::PanelRig {
         link.status.state = state;
         link.sendStatus(now);
     }
-    // Every parameter asked for so far has its default or what was to be written.
+    // Answers every requested parameter with its default or the written value.
     void answerParameters()
     {
         for (const link::ParameterRequest& request : std::exchange(link.parameters, {})) {
@@ -114,7 +114,7 @@ private slots:
         rig.setup().open();
         rig.answerParameters();
         QVERIFY(rig.setup().canTeach());
-        rig.set("packer.teach_marks", 10); // of the teaching before
+        rig.set("packer.teach_marks", 10); // from the previous teaching
         rig.setup().teach();
         QVERIFY(rig.setup().teaching() && !rig.setup().canTeach());
         QCOMPARE(rig.link.requests.last().command, modbus::Command::TeachMarks);
@@ -184,7 +184,7 @@ private slots:
         rig.link.becomeLost();
         rig.link.becomeConnected();
         rig.link.sendStatus(rig.now);
-        QVERIFY(rig.fields().unsaved()); // the controller still has it
+        QVERIFY(rig.fields().unsaved()); // still in the controller
         rig.fields().save();
         QCOMPARE(rig.link.requests.last().command, modbus::Command::SaveToFlash);
         QCOMPARE(rig.link.requests.last().arguments.argument2, *rig.link.status.activeCrc);
@@ -231,7 +231,7 @@ private slots:
         QCOMPARE(rig.link.parameters.last().name, std::string("parameter.phase_gain"));
         QCOMPARE(rig.link.parameters.last().value.value_or(0), suggestion.toDouble());
         rig.answerParameters();
-        QVERIFY(rig.at(row, PackingFields::SuggestionRole).toString().isEmpty()); // it is taken
+        QVERIFY(rig.at(row, PackingFields::SuggestionRole).toString().isEmpty()); // accepted
     }
 
     void marksThatDoNotScatterSuggestNothing()
@@ -282,13 +282,13 @@ private slots:
         QCOMPARE(rig.link.parameters.last().value, 903.0);
         rig.answerParameters();
         QCOMPARE(rig.wizard().step(), Step::Watch);
-        // Read before the write, told after it: of the old distance.
+        // Read before the write, reported after it: with the old distance.
         rig.now -= 10ms;
         rig.cutBags(7, 0.0);
         rig.now += 10ms;
         rig.tell();
-        rig.cutBags(6, 0.0); // their marks had passed the sensor before
-        rig.cutBags(4, 3.0); // on their way
+        rig.cutBags(6, 0.0); // their marks had already passed the sensor
+        rig.cutBags(4, 3.0); // in progress
         rig.cutBags(4, 0.1);
         QCOMPARE(rig.wizard().step(), Step::Watch);
         rig.cutBags(1, 0.1);

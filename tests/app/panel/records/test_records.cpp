@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an operator is told of the panel's memory when it was damaged or cannot be opened.
+// The operator's messages about a database that is damaged or cannot be opened.
 #include "app/panel/records/records.h"
 #include "tests/support/test_program.h"
 

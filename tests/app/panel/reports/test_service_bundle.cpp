@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The archive for the manufacturer: what is in it, and the last seconds of the machine.
+// The archive for the manufacturer: its contents, and the last seconds of the machine.
 #include "tests/app/panel/access_rig.h"
 
 #include "app/panel/recipe/recipe_edit.h"
@@ -40,7 +40,7 @@ struct BundleRig : AccessRig {
         QDir().mkpath(stick);
     }
 
-    // The archive on the stick; fails the test when there is none.
+    // Returns the archive on the stick; fails the test when there is none.
     [[nodiscard]] QString make()
     {
         QSignalSpy offered(&bundle, &ServiceBundle::offered);
@@ -59,7 +59,7 @@ struct BundleRig : AccessRig {
     }
 };
 
-// Empty when it is not there.
+// Returns an empty array for a missing entry.
 QByteArray entry(const QString& archive, const char* name)
 {
     auto reader = store::ArchiveReader::open(archive);
@@ -81,7 +81,7 @@ private slots:
     {
         BundleRig rig;
         rig.connectRunning();
-        rig.settings.setTheme(u"dark"_s); // goes into the audit trail
+        rig.settings.setTheme(u"dark"_s); // creates an audit entry
         store::AlarmRow old;
         old.id = 1;
         old.code = u"M-01"_s;
@@ -113,7 +113,7 @@ private slots:
                  QString::number(rig.image().crc, 16).toUpper().rightJustified(8, u'0'));
         QCOMPARE(controller[u"generation"_s].toInteger(), qint64(rig.link.status.generation));
         const auto alarms = lines(entry(archive, "alarms.csv"));
-        QCOMPARE(alarms.size(), 2); // its head and the recent one
+        QCOMPARE(alarms.size(), 2); // header and the recent one
         QVERIFY(alarms[1].startsWith("2,C-02,"));
         QVERIFY(alarms[1].contains("\"said, \"\"so\"\"\""));
         const auto audit = lines(entry(archive, "audit.csv"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is recorded of a running machine, and the window of it that is shown: it follows the time, is moved
-// and zoomed, tells what lies in it; what goes wrong with the file is told once.
+// The recorded trends of a running machine, and their window: it follows the time, is moved and zoomed, and
+// has statistics. File errors are reported once.
 #include "app/store/logs/bag_log.h"
 #include "tests/app/panel/panel_rig.h"
 #include "tests/support/test_program.h"
@@ -46,14 +46,14 @@ struct Rig : PanelRig {
             QTRY_VERIFY(isAnswered);
         }
     }
-    // At the end of the second, so that its bags lie in the window.
+    // Updates at the end of the second, so that its bags are in the window.
     void look()
     {
         wallMs += 1;
         trends.showNow();
         waitForAnswer();
     }
-    // One status in which the bag that was under way is complete.
+    // Sends a status in which the present bag is complete.
     void passBag(double deviationMm)
     {
         wallMs += 1000;
@@ -114,7 +114,7 @@ private slots:
         QCOMPARE(rig.statistic(0, "low"), -0.3);
         QCOMPARE(rig.statistic(0, "high"), 0.1);
         QVERIFY(std::abs(rig.statistic(0, "within") - 2.0 / 3) < 1e-9);
-        QCOMPARE(rig.statistic(1, "count"), 0.0); // this controller tells no mark errors
+        QCOMPARE(rig.statistic(1, "count"), 0.0); // this controller reports no mark errors
         const QList<store::Bag> bags = rig.bags();
         QCOMPARE(bags.size(), 3);
         QCOMPARE(bags[0].timeMs, startMs + 2000);
@@ -134,7 +134,7 @@ private slots:
             rig.trends.toggle(quantity);
         QCOMPARE(rig.trends.chosen(),
                  QList<int>({Trends::Deviation, Trends::FollowingError, Trends::Latency}));
-        rig.trends.toggle(Trends::BagLength); // in the place of the lowest
+        rig.trends.toggle(Trends::BagLength); // replaces the lowest
         QCOMPARE(rig.trends.chosen(),
                  QList<int>({Trends::BagLength, Trends::Deviation, Trends::FollowingError}));
         for (const int quantity : {Trends::BagLength, Trends::Deviation, Trends::Rate, Trends::Latency})
@@ -146,7 +146,7 @@ private slots:
         QCOMPARE(rig.statistic(0, "high"), std::round(40 / rig.machine.program()->pulsesPerMm * 1000) / 1000);
         QCOMPARE(rig.statistic(1, "high"), 60.0);
         QCOMPARE(rig.statistic(2, "mean"), 8.0);
-        // At standstill there is no following error to speak of, and a rate of zero.
+        // At standstill there is no following error, and the rate is zero.
         rig.link.status.state = modbus::State::Ready;
         const double before = rig.statistic(0, "count");
         rig.passBag(0);
@@ -207,7 +207,7 @@ private slots:
         rig.trends.showSpan(1e15);
         QCOMPARE(rig.trends.spanMs(), double(Trends::longestSpanMs));
         rig.trends.showWindow(startMs - 7'200'000, startMs - 3'600'000);
-        rig.trends.zoom(0.5); // about the middle
+        rig.trends.zoom(0.5); // around the middle
         QCOMPARE(rig.trends.fromMs(), startMs - 6'300'000.0);
         QCOMPARE(rig.trends.toMs(), startMs - 4'500'000.0);
     }

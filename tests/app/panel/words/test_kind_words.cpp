@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs of every kind in words: refusals, tables, differences, strokes.
+// The texts of programs of every kind: refusals, tables, differences, strokes.
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/table_text.h"
 #include "app/program/interval_speeds.h"
@@ -99,7 +99,7 @@ private slots:
         }
     }
 
-    // No limit of the machine is near: the speeds that a recipe can have end first.
+    // No limit of the machine is near: the range of the speeds is reached first.
     void fastestRateEndsAtTheLargestSpeed()
     {
         PanelRig rig;
@@ -126,7 +126,7 @@ private slots:
         choose(rig.editor, "Executed as", "Intervals");
         choose(rig.editor, "Duration", "In a given time");
         enter(rig.editor, Field::StartSpeed, -9000);
-        // Intervals are compiled when the finger rests.
+        // Intervals are compiled once the finger rests.
         QTRY_VERIFY2(rig.editor.verdict().contains("intervals go one way. Choose cam points"),
                      qPrintable(rig.editor.verdict()));
     }
@@ -172,7 +172,7 @@ private slots:
             QVERIFY(row == 0 || kind == 5 || starts[row] > starts[row - 1]);
         }
         if (const auto* table = std::get_if<profile::IntervalTable>(&image->table)) {
-            // The last row begins so long before the end as it takes.
+            // The last row begins before the end by its own duration.
             const double last =
                 program::speedsOf(table->rows.back(), table->fractionBits).timeS + starts.back();
             QVERIFY2(std::abs(last - table->timeS) < 1e-3, qPrintable(QString::number(last)));
@@ -249,7 +249,7 @@ private slots:
         QCOMPARE(strokes.forceCurve().size(), 101);
         QCOMPARE(strokes.forceCurve().last(), QPointF(100, 2000));
         stroke(modbus::StrokeResult::ForceTooLow, 0, 500);
-        QCOMPARE(strokes.forceCurve().size(), 101); // of the newest stroke alone
+        QCOMPARE(strokes.forceCurve().size(), 101); // only the newest stroke
         const auto text = [&](int row, StrokeModel::Role role) {
             return strokes.data(strokes.index(row), role).toString();
         };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Chinese texts of app/: complete, with the same places for values, and switched at run time.
+// The Chinese texts of app/: complete, with the same placeholders, and switched at run time.
 #include "tests/app/panel/panel_rig.h"
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
@@ -49,7 +49,7 @@ private slots:
             } else if (xml.name() == QLatin1String("translation")) {
                 QVERIFY2(!xml.attributes().hasAttribute(QLatin1String("type")), qPrintable(source));
                 const QString translation =
-                    xml.readElementText(QXmlStreamReader::IncludeChildElements).trimmed(); // of plurals
+                    xml.readElementText(QXmlStreamReader::IncludeChildElements).trimmed(); // plural forms
                 QVERIFY2(!translation.isEmpty(), qPrintable(source));
                 QVERIFY2(placesIn(source) == placesIn(translation), qPrintable(source));
                 ++texts;
