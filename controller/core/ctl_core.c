@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "ctl_core.h"
 
-#include "ctl_command.h"
-#include "ctl_crc.h"
-#include "ctl_words.h"
+#include "base/ctl_crc.h"
+#include "base/ctl_words.h"
+#include "link/ctl_command.h"
 
 #include <string.h>
 

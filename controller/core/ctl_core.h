@@ -5,14 +5,14 @@
 #ifndef CTL_CORE_H
 #define CTL_CORE_H
 
-#include "ctl_bank.h"
-#include "ctl_flash.h"
-#include "ctl_map.h"
-#include "ctl_motion.h"
-#include "ctl_packer.h"
-#include "ctl_port.h"
-#include "ctl_rtu.h"
-#include "ctl_transfer.h"
+#include "bank/ctl_flash.h"
+#include "bank/ctl_transfer.h"
+#include "base/ctl_bank.h"
+#include "base/ctl_port.h"
+#include "link/ctl_map.h"
+#include "link/ctl_rtu.h"
+#include "motion/ctl_motion.h"
+#include "packer/ctl_packer.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -5,7 +5,7 @@
 // plain axis with a mark at each motor revolution. Same seed and same calls: same results.
 #pragma once
 
-#include "ctl_bank.h"
+#include "base/ctl_bank.h"
 #include "film.h"
 #include "infeed.h"
 #include "press_ram.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "packing_run.h"
 
-#include "ctl_command.h"
-#include "ctl_words.h"
+#include "base/ctl_words.h"
+#include "link/ctl_command.h"
 #include "simulated_controller.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The RTU slave: known frames, exceptions, broadcast, damaged and random frames.
-#include "ctl_crc.h"
+#include "base/ctl_crc.h"
 #include "rig.h"
 #include "tests/support/test_program.h"
 

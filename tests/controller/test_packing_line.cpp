@@ -2,7 +2,7 @@
 // Film, infeed and knife together: the controller's core on the simulated packing machine.
 #include "rig.h"
 
-#include "ctl_packer.h"
+#include "packer/ctl_packer.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The press: counted runs, the figures of the servo-press paper (100 strokes at each speed, two pulses
 // there), and what happens when the work piece is not where it should be.
-#include "ctl_count.h"
+#include "engine/ctl_count.h"
 #include "press_bench.h"
 #include "tests/support/test_program.h"
 

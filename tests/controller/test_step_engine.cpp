@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The step-table engine: pulse by pulse and in bulk it is the same motion; no drift, cycle time right to the
 // tick.
-#include "ctl_ramp.h"
-#include "ctl_step.h"
+#include "engine/ctl_ramp.h"
+#include "engine/ctl_step.h"
 #include "rig.h"
 #include "tests/support/test_program.h"
 

@@ -3,8 +3,8 @@
 // What is counted is compared with K Z / N as an exact fraction, computed here. Tables of intervals go
 // through the controller's check and its engine.
 #include "app/program/program_image.h"
-#include "ctl_interval.h"
-#include "ctl_words.h"
+#include "base/ctl_words.h"
+#include "engine/ctl_interval.h"
 #include "profile/intervals/intervals.h"
 #include "profile/laws/laws.h"
 #include "rig.h"

@@ -20,7 +20,7 @@ constexpr auto standardC = R"((stdint|stddef|stdbool|string)\.h)";
 constexpr auto posix =
     R"((fcntl|unistd|termios|poll|grp|pwd|time|errno|stdlib|stdio|signal|getopt|limits|dirent|sys/[a-z]+|linux/serial|pty|malloc)\.h)";
 // The host programs find the core and the simulated machine on their include path.
-constexpr auto controllerHost = R"((ctl_[a-z_]+|machine|flash_device|simulated_controller)\.h)";
+constexpr auto controllerHost = R"((([a-z]+/)?ctl_[a-z_]+|machine|flash_device|simulated_controller)\.h)";
 constexpr auto expected = R"(tl/expected\.hpp)";
 constexpr auto qtAny = R"(Q[A-Za-z0-9]+(/.*)?)";
 
@@ -93,8 +93,8 @@ const QList<Rule>& includeRules()
     static const QList<Rule> rules =
         roomRules() +
         QList<Rule>{
-            {u"controller/core"_s, {standardC, u"ctl_[a-z_]+\\.h"_s}},
-            {u"controller/sim"_s, {standardCpp, standardC, expected, u"ctl_[a-z_]+\\.h"_s}},
+            {u"controller/core"_s, {standardC, u"([a-z]+/)?ctl_[a-z_]+\\.h"_s}},
+            {u"controller/sim"_s, {standardCpp, standardC, expected, u"([a-z]+/)?ctl_[a-z_]+\\.h"_s}},
             {u"controller/host"_s, {standardCpp, standardC, posix, expected, controllerHost}},
             {u"app/link"_s, {standardCpp, posix, expected, qtAny, u"modbus/.*"_s, u"app/link/.*"_s}},
             {u"app/program"_s, {standardCpp, expected, u"profile/.*"_s, u"modbus/.*"_s, u"app/program/.*"_s}},

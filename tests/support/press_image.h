@@ -2,7 +2,7 @@
 // Press banks for tests, made without the profile layer; 0.01 mm per pulse.
 #pragma once
 
-#include "ctl_press.h"
+#include "engine/ctl_press.h"
 
 #include <array>
 #include <cstdint>

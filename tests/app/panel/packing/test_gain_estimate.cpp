@@ -2,8 +2,8 @@
 // The suggested gains, from marks that the controller's own tracker follows: slip and sensor noise are found
 // again.
 #include "app/panel/packing/gain_estimate.h"
-#include "ctl_marks.h"
 #include "ctl_registers.h"
+#include "packer/ctl_marks.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
