@@ -3,7 +3,6 @@
 
 #include "base/ctl_crc.h"
 #include "ctl_registers.h"
-#include "link/ctl_status.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The cam-point engine driven directly: the cubic, its smoothness, exact wraps both ways, pulses on a
 // straight line from update to update, and which banks are refused.
+#include "bank/ctl_check.h"
 #include "engine/ctl_table.h"
 #include "rig.h"
 #include "support/cam_image.h"

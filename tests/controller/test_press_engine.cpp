@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The press: counted runs, the figures of the servo-press paper (100 strokes at each speed, two pulses
 // there), and what happens when the work piece is not where it should be.
+#include "bank/ctl_check.h"
 #include "engine/ctl_count.h"
 #include "press_bench.h"
 #include "tests/support/test_program.h"
@@ -219,7 +220,7 @@ void TestPressEngine::sameSeedSameStrokes()
             results.emplace_back(bench.last().result, bench.last().force);
             while (bench.core().motion.actual_hz != 0)
                 bench.tick();
-            (void)ctl_motion_reset_fault(&bench.core());
+            (void)ctl_motion_reset_fault(&bench.core().motion);
         }
         return results;
     };
@@ -272,9 +273,9 @@ void TestPressEngine::wrongWorkPiece()
     options.press.missing = missing;
     options.press.stiffnessNPerMm = stiffness;
     PressBench bench(PressImage{}, options);
-    QCOMPARE(ctl_motion_start(&bench.core()), CTL_REFUSAL_NONE);
+    QCOMPARE(ctl_motion_start(&bench.core().motion), CTL_REFUSAL_NONE);
     double deepest = 0.0;
-    while (!ctl_motion_standstill(&bench.core())) {
+    while (!ctl_motion_standstill(&bench.core().motion)) {
         bench.tick();
         deepest = std::max(deepest, bench.machine().ram().positionMm());
         QVERIFY(bench.nowUs() < 60'000'000);
@@ -290,7 +291,7 @@ void TestPressEngine::wrongWorkPiece()
     QVERIFY(!bench.stroke());
     while (bench.core().motion.actual_hz != 0)
         bench.tick();
-    QCOMPARE(ctl_motion_reset_fault(&bench.core()), CTL_REFUSAL_NONE);
+    QCOMPARE(ctl_motion_reset_fault(&bench.core().motion), CTL_REFUSAL_NONE);
     QVERIFY(bench.stroke());
     QCOMPARE(int{bench.last().result}, result);
 }

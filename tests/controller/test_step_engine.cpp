@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The step-table engine: pulse by pulse and in bulk it is the same motion; no drift, cycle time right to the
 // tick.
+#include "bank/ctl_check.h"
 #include "engine/ctl_ramp.h"
 #include "engine/ctl_step.h"
 #include "rig.h"

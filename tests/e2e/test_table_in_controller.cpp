@@ -126,7 +126,7 @@ void TestTableInController::aMillionCyclesWithoutDrift()
 
     const double cycleTicks = 60 / values.rateBagsPerMin * clockHz;
     ctl_step step{};
-    ctl_step_reset(&step, ctl_active_bank(&rig.core()));
+    ctl_step_reset(&step, ctl_active_bank(&rig.core().banks));
     std::int64_t pulses = 0;
     std::int64_t ticks = 0;
     for (std::int64_t cycle = 1; cycle <= manyCycles; ++cycle) {
@@ -166,7 +166,7 @@ void TestTableInController::slicesDoNotChangeTheCycle()
     Rig rig;
     install(rig, *image);
     ctl_step step{};
-    ctl_step_reset(&step, ctl_active_bank(&rig.core()));
+    ctl_step_reset(&step, ctl_active_bank(&rig.core().banks));
     for (int cycle = 0; cycle < 3; ++cycle) {
         int pulses = 0;
         std::int64_t ticks = 0;

@@ -3,9 +3,10 @@
  * CRC-32 of all before it. */
 #include "bank/ctl_flash.h"
 
+#include "bank/ctl_check.h"
 #include "base/ctl_crc.h"
+#include "base/ctl_limits.h"
 #include "base/ctl_words.h"
-#include "ctl_core.h"
 
 #include <string.h>
 
@@ -14,10 +15,11 @@
 #define BLANK 0xFFFFFFFFu
 #define FIXED_REGISTERS 6u
 #define HEAD_REGISTERS (FIXED_REGISTERS + CTL_GROUP_PARAMETER)
+#define PARAMETER_BYTES (CTL_GROUP_PARAMETER * sizeof(uint16_t))
 #define CHUNK_REGISTERS 32u
 
 typedef struct {
-    ctl_core* core;
+    const ctl_port* port;
     uint32_t slot;
     uint32_t offset; /* bytes read or written so far */
     uint32_t crc;
@@ -26,7 +28,7 @@ typedef struct {
 
 static void read_some(slot_stream* stream, uint16_t* registers, uint32_t count)
 {
-    const ctl_port* port = &stream->core->port;
+    const ctl_port* port = stream->port;
     uint8_t bytes[2 * CHUNK_REGISTERS];
     while (stream->ok && count != 0) {
         const uint32_t part = count < CHUNK_REGISTERS ? count : CHUNK_REGISTERS;
@@ -42,7 +44,7 @@ static void read_some(slot_stream* stream, uint16_t* registers, uint32_t count)
 
 static void write_some(slot_stream* stream, const uint16_t* registers, uint32_t count)
 {
-    const ctl_port* port = &stream->core->port;
+    const ctl_port* port = stream->port;
     uint8_t bytes[2 * CHUNK_REGISTERS];
     while (stream->ok && count != 0) {
         const uint32_t part = count < CHUNK_REGISTERS ? count : CHUNK_REGISTERS;
@@ -56,22 +58,22 @@ static void write_some(slot_stream* stream, const uint16_t* registers, uint32_t 
     }
 }
 
-static slot_stream open_slot(ctl_core* core, uint32_t slot)
+static slot_stream open_slot(const ctl_board* board, uint32_t slot)
 {
-    const slot_stream stream = {core, slot, 0, CTL_CRC32_START, true};
+    const slot_stream stream = {&board->port, slot, 0, CTL_CRC32_START, true};
     return stream;
 }
 
 /* Reads a slot into `head` and `bank`; false when its contents are not whole. */
-static bool read_slot(ctl_core* core, uint32_t slot, uint16_t* head, ctl_bank* bank)
+static bool read_slot(const ctl_board* board, uint32_t slot, uint16_t* head, ctl_bank* bank)
 {
-    slot_stream stream = open_slot(core, slot);
+    slot_stream stream = open_slot(board, slot);
     read_some(&stream, head, FIXED_REGISTERS);
     const uint32_t magic = ctl_get32(head);
     if (!stream.ok || (magic != MAGIC && magic != OLD_MAGIC))
         return false;
     /* What an older slot does not hold keeps its default. */
-    memcpy(&head[FIXED_REGISTERS], core->written.parameter, sizeof core->written.parameter);
+    memcpy(&head[FIXED_REGISTERS], board->parameter, PARAMETER_BYTES);
     read_some(&stream, &head[FIXED_REGISTERS],
               magic == MAGIC ? CTL_GROUP_PARAMETER : CTL_OLD_PARAMETER_REGISTERS);
     read_some(&stream, bank->registers, CTL_BANK_HEADER_REGISTERS);
@@ -82,18 +84,17 @@ static bool read_slot(ctl_core* core, uint32_t slot, uint16_t* head, ctl_bank* b
     const uint32_t computed = ~stream.crc;
     uint16_t stored[2] = {0, 0};
     read_some(&stream, stored, 2);
-    return stream.ok && ctl_get32(stored) == computed && ctl_map_parameters_valid(&head[FIXED_REGISTERS]) &&
-           ctl_bank_check(bank, &core->config, ctl_bank_length(bank)).result == CTL_TRANSFER_RESULT_ACCEPTED;
+    return stream.ok && ctl_get32(stored) == computed && ctl_parameters_valid(&head[FIXED_REGISTERS]) &&
+           ctl_bank_check(bank, &board->config, ctl_bank_length(bank)).result == CTL_TRANSFER_RESULT_ACCEPTED;
 }
 
-void ctl_flash_load(ctl_core* core)
+void ctl_flash_load(ctl_flash* flash, const ctl_board* board, ctl_banks* banks, uint16_t* parameter)
 {
-    ctl_flash* flash = &core->flash;
     for (uint32_t slot = 0; slot < CTL_FLASH_SLOTS; ++slot) {
         uint16_t head[HEAD_REGISTERS];
         memset(head, 0xFF, sizeof head);
-        ctl_bank* shadow = ctl_staged_bank(core);
-        if (!read_slot(core, slot, head, shadow)) {
+        ctl_bank* shadow = ctl_staged_bank(banks);
+        if (!read_slot(board, slot, head, shadow)) {
             flash->slot_invalid = flash->slot_invalid || ctl_get32(head) != BLANK;
             continue;
         }
@@ -104,27 +105,26 @@ void ctl_flash_load(ctl_core* core)
         flash->newest = (uint8_t)slot;
         flash->sequence = sequence;
         flash->saved_crc = ctl_bank_crc(shadow);
-        core->banks.active ^= 1u;
-        core->banks.has_active = true;
-        core->banks.active_crc = flash->saved_crc;
-        core->banks.generation = ctl_get32(&head[4]);
-        memcpy(core->written.parameter, &head[FIXED_REGISTERS], sizeof core->written.parameter);
+        banks->active ^= 1u;
+        banks->has_active = true;
+        banks->active_crc = flash->saved_crc;
+        banks->generation = ctl_get32(&head[4]);
+        memcpy(parameter, &head[FIXED_REGISTERS], PARAMETER_BYTES);
     }
 }
 
-bool ctl_flash_save(ctl_core* core)
+bool ctl_flash_save(ctl_flash* flash, const ctl_board* board, const ctl_banks* banks)
 {
-    ctl_flash* flash = &core->flash;
     const uint32_t slot = flash->any_valid ? flash->newest ^ 1u : 0u;
-    const ctl_bank* bank = ctl_active_bank(core);
+    const ctl_bank* bank = ctl_active_bank(banks);
     uint16_t head[HEAD_REGISTERS];
     ctl_put32(head, MAGIC);
     ctl_put32(&head[2], flash->sequence + 1);
-    ctl_put32(&head[4], core->banks.generation);
-    memcpy(&head[FIXED_REGISTERS], core->written.parameter, sizeof core->written.parameter);
+    ctl_put32(&head[4], banks->generation);
+    memcpy(&head[FIXED_REGISTERS], board->parameter, PARAMETER_BYTES);
 
-    slot_stream stream = open_slot(core, slot);
-    stream.ok = core->port.flash_erase(core->port.context, slot);
+    slot_stream stream = open_slot(board, slot);
+    stream.ok = board->port.flash_erase(board->port.context, slot);
     write_some(&stream, head, HEAD_REGISTERS);
     write_some(&stream, bank->registers, ctl_bank_length(bank));
     uint16_t crc[2];
@@ -135,6 +135,6 @@ bool ctl_flash_save(ctl_core* core)
     flash->any_valid = true;
     flash->newest = (uint8_t)slot;
     flash->sequence += 1;
-    flash->saved_crc = core->banks.active_crc;
+    flash->saved_crc = banks->active_crc;
     return true;
 }

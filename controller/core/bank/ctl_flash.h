@@ -5,14 +5,15 @@
 #ifndef CTL_FLASH_H
 #define CTL_FLASH_H
 
-#include <stdbool.h>
-#include <stdint.h>
+#include "bank/ctl_banks.h"
+#include "base/ctl_board.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-struct ctl_core;
+/* Up to map 1.1 there were ten parameters; a flash of then holds those. */
+#define CTL_OLD_PARAMETER_REGISTERS 10u
 
 typedef struct {
     bool any_valid;
@@ -22,10 +23,11 @@ typedef struct {
     uint32_t saved_crc; /* of the bank in that slot, 0 when there is none */
 } ctl_flash;
 
-/* Loads the newest valid slot: active bank, parameters, generation. */
-void ctl_flash_load(struct ctl_core* core);
-/* False when the flash refused; what was saved before is still valid. */
-bool ctl_flash_save(struct ctl_core* core);
+/* Loads the newest valid slot: active bank, generation, and the parameters into `parameter`. */
+void ctl_flash_load(ctl_flash* flash, const ctl_board* board, ctl_banks* banks, uint16_t* parameter);
+/* Saves the active bank and the parameters. False when the flash refused; what was saved before is still
+ * valid. */
+bool ctl_flash_save(ctl_flash* flash, const ctl_board* board, const ctl_banks* banks);
 
 #ifdef __cplusplus
 }

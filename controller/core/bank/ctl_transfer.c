@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "bank/ctl_transfer.h"
 
+#include "bank/ctl_check.h"
 #include "base/ctl_words.h"
-#include "ctl_core.h"
 
 #include <string.h>
 
@@ -29,9 +29,8 @@ static uint16_t next_missing(const ctl_transfer* transfer)
     return (uint16_t)block;
 }
 
-void ctl_transfer_discard(ctl_core* core)
+void ctl_transfer_discard(ctl_transfer* transfer)
 {
-    ctl_transfer* transfer = &core->transfer;
     transfer->state = CTL_STAGED_STATE_EMPTY;
     transfer->session = 0;
     transfer->kind = 0;
@@ -40,9 +39,14 @@ void ctl_transfer_discard(ctl_core* core)
     transfer->staged_crc = 0;
 }
 
-static uint16_t begin(ctl_core* core, const uint16_t* request)
+void ctl_transfer_apply(ctl_transfer* transfer, ctl_banks* banks)
 {
-    ctl_transfer* transfer = &core->transfer;
+    ctl_banks_swap(banks, transfer->staged_crc);
+    ctl_transfer_discard(transfer);
+}
+
+static uint16_t begin(ctl_transfer* transfer, ctl_bank* shadow, const uint16_t* request)
+{
     const uint16_t kind = request[DATA];
     const uint16_t length = request[DATA + 1];
     if (request[LENGTH] != 3)
@@ -59,8 +63,8 @@ static uint16_t begin(ctl_core* core, const uint16_t* request)
     if (transfer->state == CTL_STAGED_STATE_RECEIVING && transfer->session == request[SESSION] &&
         transfer->kind == kind && transfer->length == length)
         return CTL_TRANSFER_RESULT_ACCEPTED;
-    ctl_transfer_discard(core);
-    memset(ctl_staged_bank(core), 0, sizeof(ctl_bank));
+    ctl_transfer_discard(transfer);
+    memset(shadow, 0, sizeof(ctl_bank));
     transfer->state = CTL_STAGED_STATE_RECEIVING;
     transfer->session = request[SESSION];
     transfer->kind = kind;
@@ -68,9 +72,8 @@ static uint16_t begin(ctl_core* core, const uint16_t* request)
     return CTL_TRANSFER_RESULT_ACCEPTED;
 }
 
-static uint16_t receive_block(ctl_core* core, const uint16_t* request)
+static uint16_t receive_block(ctl_transfer* transfer, ctl_bank* shadow, const uint16_t* request)
 {
-    ctl_transfer* transfer = &core->transfer;
     const uint32_t block = request[BLOCK];
     if (transfer->state != CTL_STAGED_STATE_RECEIVING)
         return CTL_TRANSFER_RESULT_NOT_RECEIVING;
@@ -83,14 +86,14 @@ static uint16_t receive_block(ctl_core* core, const uint16_t* request)
     const uint32_t expected = left < CTL_BLOCK_REGISTERS ? left : CTL_BLOCK_REGISTERS;
     if (request[LENGTH] != expected)
         return CTL_TRANSFER_RESULT_BAD_LENGTH;
-    memcpy(&ctl_staged_bank(core)->registers[first], &request[DATA], expected * sizeof request[0]);
+    memcpy(&shadow->registers[first], &request[DATA], expected * sizeof request[0]);
     transfer->received_blocks[block / 32u] |= 1u << block % 32u;
     return CTL_TRANSFER_RESULT_ACCEPTED;
 }
 
-static uint16_t seal(ctl_core* core, const uint16_t* request)
+static uint16_t seal(ctl_transfer* transfer, const ctl_bank* shadow, const ctl_config* config,
+                     const uint16_t* request)
 {
-    ctl_transfer* transfer = &core->transfer;
     if (transfer->state == CTL_STAGED_STATE_EMPTY)
         return CTL_TRANSFER_RESULT_NOT_RECEIVING;
     if (request[SESSION] != transfer->session)
@@ -99,47 +102,47 @@ static uint16_t seal(ctl_core* core, const uint16_t* request)
         return CTL_TRANSFER_RESULT_ACCEPTED;
     if (next_missing(transfer) != block_count(transfer))
         return CTL_TRANSFER_RESULT_BLOCKS_MISSING;
-    if (ctl_bank_kind(ctl_staged_bank(core)) != transfer->kind) {
+    if (ctl_bank_kind(shadow) != transfer->kind) {
         transfer->detail = CTL_OFFSET_BANK_KIND;
         return CTL_TRANSFER_RESULT_BAD_HEADER;
     }
-    const ctl_verdict verdict = ctl_bank_check(ctl_staged_bank(core), &core->config, transfer->length);
+    const ctl_verdict verdict = ctl_bank_check(shadow, config, transfer->length);
     transfer->detail = verdict.detail;
     if (verdict.result != CTL_TRANSFER_RESULT_ACCEPTED)
         return verdict.result;
-    transfer->staged_crc = ctl_bank_crc(ctl_staged_bank(core));
+    transfer->staged_crc = ctl_bank_crc(shadow);
     transfer->state = CTL_STAGED_STATE_SEALED;
     return CTL_TRANSFER_RESULT_ACCEPTED;
 }
 
-static uint16_t carry_out(ctl_core* core, const uint16_t* request)
+static uint16_t carry_out(ctl_transfer* transfer, ctl_bank* shadow, const ctl_config* config,
+                          const uint16_t* request)
 {
-    if (core->transfer.state == CTL_STAGED_STATE_ARMED)
+    if (transfer->state == CTL_STAGED_STATE_ARMED)
         return CTL_TRANSFER_RESULT_STATE_REFUSES;
     switch (request[OPERATION]) {
     case CTL_TRANSFER_OPERATION_BEGIN:
-        return begin(core, request);
+        return begin(transfer, shadow, request);
     case CTL_TRANSFER_OPERATION_BLOCK:
-        return receive_block(core, request);
+        return receive_block(transfer, shadow, request);
     case CTL_TRANSFER_OPERATION_SEAL:
-        return seal(core, request);
+        return seal(transfer, shadow, config, request);
     default:
         return CTL_TRANSFER_RESULT_NONE;
     }
 }
 
-void ctl_transfer_operation(ctl_core* core)
+void ctl_transfer_operation(ctl_transfer* transfer, ctl_banks* banks, const ctl_config* config,
+                            const uint16_t* request)
 {
-    const uint16_t* request = core->written.transfer;
-    core->transfer.operation = request[OPERATION];
-    core->transfer.block = request[BLOCK];
-    core->transfer.detail = 0;
-    core->transfer.result = carry_out(core, request);
+    transfer->operation = request[OPERATION];
+    transfer->block = request[BLOCK];
+    transfer->detail = 0;
+    transfer->result = carry_out(transfer, ctl_staged_bank(banks), config, request);
 }
 
-void ctl_transfer_result(const ctl_core* core, uint16_t* registers)
+void ctl_transfer_result(const ctl_transfer* transfer, uint16_t* registers)
 {
-    const ctl_transfer* transfer = &core->transfer;
     registers[0] = transfer->session;
     registers[1] = transfer->operation;
     registers[2] = transfer->block;

@@ -3,18 +3,13 @@
 #ifndef CTL_TRANSFER_H
 #define CTL_TRANSFER_H
 
-#include "ctl_registers.h"
-#include <stdbool.h>
-
-#include <stdint.h>
+#include "bank/ctl_banks.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 #define CTL_TRANSFER_BLOCK_WORDS ((CTL_BANK_REGISTERS / CTL_BLOCK_REGISTERS + 32u) / 32u)
-
-struct ctl_core;
 
 typedef struct {
     uint16_t state;                                     /* CTL_STAGED_STATE_... */
@@ -29,11 +24,15 @@ typedef struct {
     uint16_t detail;
 } ctl_transfer;
 
-/* Carries out the operation that the transfer registers hold. */
-void ctl_transfer_operation(struct ctl_core* core);
-void ctl_transfer_result(const struct ctl_core* core, uint16_t* registers);
+/* Carries out an operation: the group `transfer` as the panel wrote it. */
+void ctl_transfer_operation(ctl_transfer* transfer, ctl_banks* banks, const ctl_config* config,
+                            const uint16_t* request);
+/* Fills in the group `transfer_result`. */
+void ctl_transfer_result(const ctl_transfer* transfer, uint16_t* registers);
 /* Empties the shadow bank; the echo of the last request stays. */
-void ctl_transfer_discard(struct ctl_core* core);
+void ctl_transfer_discard(ctl_transfer* transfer);
+/* The staged bank becomes the active one, the shadow becomes empty. */
+void ctl_transfer_apply(ctl_transfer* transfer, ctl_banks* banks);
 
 #ifdef __cplusplus
 }

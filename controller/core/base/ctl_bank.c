@@ -1,13 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "base/ctl_bank.h"
 
-#include "bank/ctl_inputs.h"
 #include "base/ctl_crc.h"
 #include "base/ctl_words.h"
-#include "engine/ctl_cam.h"
-#include "engine/ctl_interval.h"
-#include "engine/ctl_press.h"
-#include "engine/ctl_step.h"
 
 #include <stddef.h>
 
@@ -23,20 +18,17 @@ typedef struct {
     uint16_t fewest_rows;
     uint16_t most_rows;
     uint16_t kinds; /* bit n: program kind n may have it */
-    ctl_verdict (*check)(const ctl_bank* bank, const ctl_config* config);
 } layout_info;
 
 #define KIND(name) (1u << CTL_PROGRAM_KIND_##name)
 
 static const layout_info layouts[] = {
-    [CTL_TABLE_LAYOUT_STEP_TABLE] = {CTL_ROW_REGISTERS, 1, CTL_ROW_CAPACITY, KIND(ROTARY_CUTTER),
-                                     ctl_step_check},
+    [CTL_TABLE_LAYOUT_STEP_TABLE] = {CTL_ROW_REGISTERS, 1, CTL_ROW_CAPACITY, KIND(ROTARY_CUTTER)},
     [CTL_TABLE_LAYOUT_CAM_POINTS] = {CTL_CAM_POINT_REGISTERS, 2, CTL_CAM_POINT_CAPACITY,
-                                     KIND(POSITION_MOVE) | KIND(SPEED_MOVE) | KIND(POINT_CAM), ctl_cam_check},
+                                     KIND(POSITION_MOVE) | KIND(SPEED_MOVE) | KIND(POINT_CAM)},
     [CTL_TABLE_LAYOUT_INTERVALS] = {CTL_INTERVAL_REGISTERS, 1, CTL_INTERVAL_CAPACITY,
-                                    KIND(POSITION_MOVE) | KIND(SPEED_MOVE), ctl_interval_check},
-    [CTL_TABLE_LAYOUT_PRESS_STAGES] = {CTL_PRESS_ROW_REGISTERS, CTL_PRESS_ROWS, CTL_PRESS_ROWS, KIND(PRESS),
-                                       ctl_press_check},
+                                    KIND(POSITION_MOVE) | KIND(SPEED_MOVE)},
+    [CTL_TABLE_LAYOUT_PRESS_STAGES] = {CTL_PRESS_ROW_REGISTERS, CTL_PRESS_ROWS, CTL_PRESS_ROWS, KIND(PRESS)},
 };
 
 #define LAYOUTS (sizeof layouts / sizeof layouts[0])
@@ -217,8 +209,7 @@ uint32_t ctl_bank_bad_cycle(const ctl_bank* bank, const ctl_config* config)
     return NOTHING_BAD;
 }
 
-/* Offset of the first header register that no bank may have so. */
-static uint32_t bad_header_offset(const ctl_bank* bank, uint32_t length)
+uint32_t ctl_bank_bad_header(const ctl_bank* bank, uint32_t length)
 {
     const layout_info* layout = layout_of(bank);
     if (layout == NULL)
@@ -236,18 +227,6 @@ static uint32_t bad_header_offset(const ctl_bank* bank, uint32_t length)
     if (wide(bank, kind_of(bank)->length) == 0 || wide(bank, kind_of(bank)->length) > INT32_MAX)
         return kind_of(bank)->length;
     return NOTHING_BAD;
-}
-
-ctl_verdict ctl_bank_check(const ctl_bank* bank, const ctl_config* config, uint32_t length)
-{
-    const uint32_t bad_offset = bad_header_offset(bank, length);
-    if (bad_offset != NOTHING_BAD)
-        return ctl_refuse(CTL_TRANSFER_RESULT_BAD_HEADER, bad_offset);
-    const ctl_verdict verdict = layout_of(bank)->check(bank, config);
-    if (verdict.result != CTL_TRANSFER_RESULT_ACCEPTED)
-        return verdict;
-    const uint32_t wrong = ctl_wrong_input(bank, config);
-    return wrong == CTL_NO_WRONG_INPUT ? verdict : ctl_refuse(CTL_TRANSFER_RESULT_BAD_SUM, wrong);
 }
 
 bool ctl_bank_same_machine(const ctl_bank* one, const ctl_bank* other)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* A program bank: header and rows as they came over the line, and the check that a bank must pass before it
- * may ever move the axis. What the rows are, and which of them are good, is said where they are executed. */
+/* A program bank: header and rows as they came over the line. What the rows are, and which of them are good,
+ * is said where they are executed. */
 #ifndef CTL_BANK_H
 #define CTL_BANK_H
 
@@ -23,6 +23,10 @@ typedef struct {
     uint16_t detail; /* row, or offset in the header, that was refused */
 } ctl_verdict;
 
+/* The rows of a press. */
+#define CTL_PRESS_ROWS 5u
+#define CTL_PRESS_ROW_REGISTERS 8u
+
 /* Bit n set: program kind n can be executed. */
 #define CTL_PROGRAM_KINDS                                                                                    \
     (1u << CTL_PROGRAM_KIND_ROTARY_CUTTER | 1u << CTL_PROGRAM_KIND_POSITION_MOVE |                           \
@@ -31,10 +35,12 @@ typedef struct {
 uint16_t ctl_bank_kind(const ctl_bank* bank);   /* CTL_PROGRAM_KIND_... */
 uint16_t ctl_bank_layout(const ctl_bank* bank); /* CTL_TABLE_LAYOUT_... */
 uint16_t ctl_bank_at_end(const ctl_bank* bank); /* CTL_END_BEHAVIOR_...; step tables repeat */
-/* Of the master from standstill to full speed; 0 when the layout has none or full speed comes at once. */
+/* The time of the master from standstill to full speed; 0 when the layout has none or full speed comes at
+ * once. */
 uint16_t ctl_bank_master_ramp_ms(const ctl_bank* bank);
 uint16_t ctl_bank_ramp_shape(const ctl_bank* bank); /* CTL_RAMP_SHAPE_... */
-/* Of the master: -1 where the program wants it to run through the rows from their end to their beginning. */
+/* The direction of the master: -1 where the program wants it to run through the rows from their end to their
+ * beginning. */
 int32_t ctl_bank_direction(const ctl_bank* bank);
 uint32_t ctl_bank_row_count(const ctl_bank* bank);
 /* Registers in use: header, rows and what follows them; the header alone when the layout is not known. */
@@ -56,8 +62,6 @@ uint32_t ctl_bank_revolution_pulses(const ctl_bank* bank, uint32_t revolutions);
 /* Knife angle in 0.01 degrees of an axis position in pulses from the index mark. */
 uint16_t ctl_bank_knife_angle(const ctl_bank* bank, int64_t position);
 
-/* Everything that must hold for the rows to be executed on this board; `length` registers were received. */
-ctl_verdict ctl_bank_check(const ctl_bank* bank, const ctl_config* config, uint32_t length);
 static inline ctl_verdict ctl_refuse(uint16_t result, uint32_t detail)
 {
     const ctl_verdict verdict = {result, (uint16_t)detail};
@@ -65,6 +69,9 @@ static inline ctl_verdict ctl_refuse(uint16_t result, uint32_t detail)
 }
 /* The shortest cycle. A slice is shorter, so it crosses at most one boundary between cycles. */
 #define CTL_MIN_CYCLE_US 2000u
+/* Returns the first header register that no bank of `length` registers may have so; CTL_BANK_HEADER_REGISTERS
+ * when there is none. */
+uint32_t ctl_bank_bad_header(const ctl_bank* bank, uint32_t length);
 /* Returns the header register of the cycle's time, its remainder or its divisor that is outside its range;
  * CTL_BANK_HEADER_REGISTERS when there is none. */
 uint32_t ctl_bank_bad_cycle(const ctl_bank* bank, const ctl_config* config);

@@ -15,8 +15,6 @@
 extern "C" {
 #endif
 
-#define CTL_PRESS_ROWS 5u
-#define CTL_PRESS_ROW_REGISTERS 8u
 /* Rows of the table. */
 enum { CTL_PRESS_APPROACH, CTL_PRESS_PROBE, CTL_PRESS_PRESS, CTL_PRESS_HOLD, CTL_PRESS_RETURN };
 

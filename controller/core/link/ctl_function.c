@@ -3,6 +3,7 @@
 
 #include "base/ctl_words.h"
 #include "link/ctl_map.h"
+#include "link/ctl_rtu.h"
 
 #include <string.h>
 

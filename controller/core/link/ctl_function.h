@@ -10,8 +10,6 @@
 extern "C" {
 #endif
 
-#define CTL_EXCEPTION_FLAG 0x80u
-
 struct ctl_core;
 
 /* Carries out a request (function code and data, `size` >= 1 bytes) and writes the answer, function code

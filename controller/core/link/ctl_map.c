@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "link/ctl_map.h"
 
-#include "bank/ctl_transfer.h"
+#include "base/ctl_limits.h"
 #include "base/ctl_words.h"
-#include "ctl_core.h"
 #include "link/ctl_command.h"
+#include "link/ctl_parts.h"
 #include "link/ctl_status.h"
 
 #include <string.h>
@@ -19,20 +19,6 @@ typedef struct {
 
 #define GROUP_RANGE(name, base, count) {base, count},
 static const group_range ranges[GROUPS] = {CTL_GROUPS(GROUP_RANGE)};
-
-typedef struct {
-    uint16_t address;
-    uint16_t words; /* 1 or 2; SIGNED: one, signed */
-    int64_t minimum;
-    int64_t maximum;
-    int64_t initial; /* of parameters */
-} limit;
-
-#define SIGNED 0u
-#define LIMIT(name, words) {CTL_REG_##name, words, CTL_MIN_##name, CTL_MAX_##name, CTL_DEFAULT_##name},
-static const limit limits[] = {CTL_LIMITS(LIMIT)};
-
-#define LIMIT_COUNT (sizeof limits / sizeof limits[0])
 
 static group_name group_of(uint32_t address)
 {
@@ -93,13 +79,13 @@ static void read_group(ctl_core* core, group_name group, uint32_t first, uint16_
         ctl_status(core, taken);
         break;
     case GROUP_PACKER:
-        ctl_packer_registers(core, taken);
+        ctl_packer_registers(&core->packer, taken);
         break;
     case GROUP_RESULT:
         source = core->command_result;
         break;
     case GROUP_TRANSFER_RESULT:
-        ctl_transfer_result(core, taken);
+        ctl_transfer_result(&core->transfer, taken);
         break;
     case GROUP_READBACK_RESULT:
         source = core->written.readback_result;
@@ -109,14 +95,14 @@ static void read_group(ctl_core* core, group_name group, uint32_t first, uint16_
             zero(values, count);
             return;
         }
-        source = ctl_active_bank(core)->registers;
+        source = ctl_active_bank(&core->banks)->registers;
         break;
     case GROUP_STAGED:
         if (core->transfer.state == CTL_STAGED_STATE_EMPTY) {
             zero(values, count);
             return;
         }
-        source = ctl_staged_bank(core)->registers;
+        source = ctl_staged_bank(&core->banks)->registers;
         break;
     default:
         source = writable(core, group);
@@ -144,32 +130,6 @@ uint8_t ctl_map_read(ctl_core* core, uint32_t address, uint16_t* values, uint32_
     return 0;
 }
 
-static int64_t value_at(const uint16_t* at, uint32_t words)
-{
-    if (words == SIGNED)
-        return (int16_t)*at;
-    return words == 2 ? ctl_get32(at) : *at;
-}
-
-/* The registers `values` at `base` lie within their limits. */
-static bool within_limits(const uint16_t* values, uint32_t base, uint32_t count)
-{
-    for (uint32_t i = 0; i < LIMIT_COUNT; ++i) {
-        if (limits[i].address < base || limits[i].address - base >= count)
-            continue;
-        const uint16_t* at = &values[limits[i].address - base];
-        const int64_t value = value_at(at, limits[i].words);
-        if (value < limits[i].minimum || value > limits[i].maximum)
-            return false;
-    }
-    return true;
-}
-
-int ctl_map_parameters_valid(const uint16_t* parameter)
-{
-    return within_limits(parameter, CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT, CTL_GROUP_PARAMETER);
-}
-
 /* Reads the registers asked for into the answer; nothing when the range cannot be read. */
 static void read_back(ctl_core* core)
 {
@@ -194,11 +154,11 @@ static bool covers(uint32_t address, uint32_t count, uint32_t wanted)
 static void act(ctl_core* core, uint32_t address, uint32_t count)
 {
     if (covers(address, count, CTL_REG_EXCHANGE_HEARTBEAT))
-        ctl_exchange_heartbeat(core);
+        ctl_heartbeat_receive(&core->heartbeat, &core->board, core->written.exchange[1]);
     if (covers(address, count, CTL_REG_COMMAND_COUNTER))
         ctl_command(core, covers(address, count, CTL_REG_COMMAND_CODE));
     if (covers(address, count, CTL_REG_TRANSFER_OPERATION))
-        ctl_transfer_operation(core);
+        ctl_transfer_operation(&core->transfer, &core->banks, &core->board.config, core->written.transfer);
     if (covers(address, count, CTL_REG_READBACK_TAG))
         read_back(core);
 }
@@ -223,7 +183,7 @@ uint8_t ctl_map_write(ctl_core* core, uint32_t address, const uint16_t* values, 
     uint16_t changed[sizeof(writable_group) / sizeof(uint16_t)];
     memcpy(changed, target, ranges[group].count * sizeof changed[0]);
     memcpy(&changed[address - ranges[group].base], values, count * sizeof changed[0]);
-    if (!within_limits(changed, ranges[group].base, ranges[group].count))
+    if (!ctl_within_limits(changed, ranges[group].base, ranges[group].count))
         return CTL_ILLEGAL_VALUE;
     memcpy(target, changed, ranges[group].count * sizeof changed[0]);
     act(core, address, count);
@@ -232,16 +192,6 @@ uint8_t ctl_map_write(ctl_core* core, uint32_t address, const uint16_t* values, 
 
 void ctl_map_init(ctl_core* core)
 {
-    const uint32_t base = CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT;
-    for (uint32_t i = 0; i < LIMIT_COUNT; ++i) {
-        const limit* row = &limits[i];
-        if (row->address < base || row->address - base >= CTL_GROUP_PARAMETER)
-            continue;
-        uint16_t* at = &core->written.parameter[row->address - base];
-        if (row->words == 2)
-            ctl_put32(at, (uint32_t)row->initial);
-        else
-            *at = (uint16_t)row->initial;
-    }
+    ctl_parameters_reset(core->written.parameter);
     core->written.readback[2] = CTL_DEFAULT_READBACK_COUNT;
 }

@@ -4,17 +4,16 @@
 #ifndef CTL_RTU_H
 #define CTL_RTU_H
 
-#include <stdbool.h>
+#include "base/ctl_port.h"
+
 #include <stddef.h>
-#include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 #define CTL_FRAME_BYTES 256u
-
-struct ctl_core;
+#define CTL_EXCEPTION_FLAG 0x80u /* of the function code in an answer */
 
 typedef struct {
     uint8_t request[CTL_FRAME_BYTES];
@@ -29,16 +28,17 @@ typedef struct {
     uint16_t requests;
 } ctl_rtu;
 
-/* Bytes off the line; the last of them ended at now_us. */
-void ctl_receive(struct ctl_core* core, const uint8_t* bytes, size_t size, uint64_t now_us);
-/* The receiver saw a parity, framing or overrun error: the frame under way will be dropped. */
-void ctl_receive_error(struct ctl_core* core, uint64_t now_us);
-/* The answer that is ready, to be sent now; at most CTL_FRAME_BYTES. Returns its size, 0 when there is none.
- */
-size_t ctl_take_answer(struct ctl_core* core, uint8_t* bytes);
-
-/* Ends the frame under way when the line has been silent for long enough; called by ctl_tick(). */
-void ctl_rtu_tick(struct ctl_core* core, uint64_t now_us);
+/* Takes bytes off the line; the last of them ended at now_us. */
+void ctl_rtu_receive(ctl_rtu* rtu, const uint8_t* bytes, size_t size, uint64_t now_us);
+/* Marks the frame under way as damaged: it will be dropped. */
+void ctl_rtu_receive_error(ctl_rtu* rtu, uint64_t now_us);
+/* Ends the frame under way when the line has been silent for long enough. Returns the size of a good request
+ * to this unit, from its function code at request[1] on; 0 when there is none. */
+size_t ctl_rtu_request(ctl_rtu* rtu, const ctl_config* config, uint64_t now_us);
+/* Completes the answer to it, whose function code and data, `size` bytes, are at answer[1]. */
+void ctl_rtu_answer(ctl_rtu* rtu, size_t size);
+/* Moves the waiting answer to `bytes`; returns its size, 0 when there is none. */
+size_t ctl_rtu_take_answer(ctl_rtu* rtu, uint8_t* bytes);
 
 #ifdef __cplusplus
 }

@@ -2,8 +2,7 @@
 #include "link/ctl_status.h"
 
 #include "base/ctl_words.h"
-#include "ctl_core.h"
-#include "link/ctl_command.h"
+#include "link/ctl_parts.h"
 
 #include <string.h>
 
@@ -11,7 +10,7 @@
 
 void ctl_identity(const ctl_core* core, uint16_t* registers)
 {
-    const ctl_config* config = &core->config;
+    const ctl_config* config = &core->board.config;
     registers[CTL_REG_IDENTITY_DEVICE_TYPE] = CTL_DEVICE_TYPE;
     registers[CTL_REG_IDENTITY_MAP_MAJOR] = CTL_MAP_MAJOR;
     registers[CTL_REG_IDENTITY_MAP_MINOR] = CTL_MAP_MINOR;
@@ -32,9 +31,10 @@ void ctl_identity(const ctl_core* core, uint16_t* registers)
 uint16_t ctl_warnings(const ctl_core* core)
 {
     uint32_t bits = 0;
-    if (ctl_heartbeat_lost(core))
+    if (ctl_heartbeat_lost(&core->heartbeat, &core->board))
         bits |= 1u << CTL_WARNING_BIT_HEARTBEAT_LOST;
-    const bool any_place_will_do = core->banks.has_active && !ctl_bank_needs_homing(ctl_active_bank(core));
+    const bool any_place_will_do =
+        core->banks.has_active && !ctl_bank_needs_homing(ctl_active_bank(&core->banks));
     if (!core->motion.homed && !any_place_will_do)
         bits |= 1u << CTL_WARNING_BIT_NOT_HOMED;
     if (core->flash.slot_invalid)
@@ -49,7 +49,7 @@ uint32_t ctl_unix_time(const ctl_core* core)
 {
     if (!core->clock.set)
         return 0;
-    return core->clock.unix_time + (uint32_t)((core->now_us - core->clock.set_us) / US_PER_S);
+    return core->clock.unix_time + (uint32_t)((core->board.now_us - core->clock.set_us) / US_PER_S);
 }
 
 static void put(uint16_t* registers, uint32_t address, uint16_t value)
@@ -75,7 +75,7 @@ static void put_link(const ctl_core* core, uint16_t* registers)
 static void put_program(const ctl_core* core, uint16_t* registers)
 {
     const ctl_banks* banks = &core->banks;
-    const ctl_bank* bank = ctl_active_bank(core);
+    const ctl_bank* bank = ctl_active_bank(&core->banks);
     put(registers, CTL_REG_STATUS_PROGRAM_KIND,
         banks->has_active ? bank->registers[CTL_OFFSET_BANK_KIND] : CTL_PROGRAM_KIND_NONE);
     put(registers, CTL_REG_STATUS_STAGED_STATE, core->transfer.state);
@@ -86,7 +86,7 @@ static void put_program(const ctl_core* core, uint16_t* registers)
 
 static void put_knife(const ctl_core* core, uint16_t* registers)
 {
-    const ctl_bank* bank = ctl_active_bank(core);
+    const ctl_bank* bank = ctl_active_bank(&core->banks);
     put(registers, CTL_REG_STATUS_KNIFE_ANGLE,
         ctl_bank_knife_angle(bank, core->motion.actual - core->motion.origin));
     put_wide(registers, CTL_REG_STATUS_BAG_LENGTH, core->bags.length_um);
@@ -94,7 +94,7 @@ static void put_knife(const ctl_core* core, uint16_t* registers)
     if (core->bags.length_um != 0)
         put(registers, CTL_REG_STATUS_BAG_DEVIATION,
             ctl_saturated16((int64_t)core->bags.length_um -
-                            (int64_t)ctl_packer_lengths_in_bag(core) *
+                            (int64_t)ctl_packer_lengths_in_bag(&core->packer) *
                                 ctl_get32(&bank->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH])));
 }
 
@@ -109,7 +109,7 @@ static void put_press(const ctl_core* core, uint16_t* registers)
 {
     const ctl_press* press = &core->motion.press;
     put(registers, CTL_REG_STATUS_PRESS_STAGE, press->stage);
-    put(registers, CTL_REG_STATUS_PRESS_FORCE, saturated_force(ctl_motion_press_force(core)));
+    put(registers, CTL_REG_STATUS_PRESS_FORCE, saturated_force(ctl_motion_press_force(&core->motion)));
     put(registers, CTL_REG_STATUS_STOP_ERROR, ctl_saturated16(press->last.error));
     put(registers, CTL_REG_STATUS_STOP_FORCE, saturated_force(press->last.force));
     put(registers, CTL_REG_STATUS_STROKE_RESULT, press->last.result);
@@ -121,7 +121,7 @@ static void put_kind(const ctl_core* core, uint16_t* registers)
 {
     if (!core->banks.has_active)
         return;
-    switch (ctl_bank_kind(ctl_active_bank(core))) {
+    switch (ctl_bank_kind(ctl_active_bank(&core->banks))) {
     case CTL_PROGRAM_KIND_ROTARY_CUTTER:
         put_knife(core, registers);
         break;
@@ -137,9 +137,9 @@ static void put_motion(const ctl_core* core, uint16_t* registers)
 {
     const ctl_motion* motion = &core->motion;
     put_wide(registers, CTL_REG_STATUS_CYCLE_COUNT, motion->cycle_count);
-    put(registers, CTL_REG_STATUS_MASTER_ANGLE, ctl_motion_master_angle(core));
-    put(registers, CTL_REG_STATUS_MASTER_SPEED, ctl_motion_master_speed(core));
-    put_wide(registers, CTL_REG_STATUS_COMMANDED_FREQUENCY, (uint64_t)ctl_motion_commanded_hz(core));
+    put(registers, CTL_REG_STATUS_MASTER_ANGLE, ctl_motion_master_angle(&core->motion));
+    put(registers, CTL_REG_STATUS_MASTER_SPEED, ctl_motion_master_speed(&core->motion));
+    put_wide(registers, CTL_REG_STATUS_COMMANDED_FREQUENCY, (uint64_t)ctl_motion_commanded_hz(&core->motion));
     put_wide(registers, CTL_REG_STATUS_ACTUAL_FREQUENCY, (uint64_t)motion->actual_hz);
     put_wide(registers, CTL_REG_STATUS_COMMANDED_POSITION, (uint64_t)(motion->commanded - motion->origin));
     put_wide(registers, CTL_REG_STATUS_AXIS_POSITION, (uint64_t)(motion->actual - motion->origin));
@@ -148,7 +148,7 @@ static void put_motion(const ctl_core* core, uint16_t* registers)
 
 void ctl_status(const ctl_core* core, uint16_t* registers)
 {
-    const uint64_t up_us = core->now_us - core->started_us;
+    const uint64_t up_us = core->board.now_us - core->board.started_us;
     memset(registers, 0, CTL_GROUP_STATUS * sizeof registers[0]);
     put(registers, CTL_REG_STATUS_TAG, core->written.exchange[0]);
     put(registers, CTL_REG_STATUS_HEARTBEAT, core->written.exchange[1]);

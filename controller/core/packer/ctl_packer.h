@@ -7,7 +7,9 @@
 #define CTL_PACKER_H
 
 #include "base/ctl_bank.h"
+#include "base/ctl_board.h"
 #include "ctl_registers.h"
+#include "engine/ctl_ramp.h"
 #include "packer/ctl_feed.h"
 #include "packer/ctl_gate.h"
 #include "packer/ctl_marks.h"
@@ -18,8 +20,6 @@ extern "C" {
 #endif
 
 #define CTL_BAG_REGISTERS 4u
-
-struct ctl_core;
 
 /* All in 1/256 pulse of the film motor, at the knife. */
 typedef struct {
@@ -40,7 +40,14 @@ typedef struct {
     uint32_t bags; /* bag lengths since the cut before */
 } ctl_last_cut;
 
+/* The master that drives the line. */
 typedef struct {
+    const ctl_ramp* ramp;
+    bool running; /* otherwise it is stopping */
+} ctl_drive;
+
+typedef struct {
+    const ctl_board* board;
     const ctl_bank* bank; /* NULL: the machine has no film axis or the program no knife */
     bool broken_off;      /* jogged, homed or in fault: the next run begins a new cycle */
     bool cut_before;      /* last_cut is the one before the next */
@@ -81,48 +88,50 @@ typedef struct {
     uint16_t records[CTL_BAG_REGISTERS * CTL_BAG_RECORDS];
 } ctl_packer;
 
-void ctl_packer_init(struct ctl_core* core);
-/* Why the active program cannot be run with the parameters as they are; CTL_REFUSAL_... */
-uint16_t ctl_packer_refusal(const struct ctl_core* core);
-/* Before a run: what was broken off begins anew, the alarms are taken back. */
-void ctl_packer_run(struct ctl_core* core);
-void ctl_packer_break_off(struct ctl_core* core);
+void ctl_packer_init(ctl_packer* packer, const ctl_board* board);
+/* Returns CTL_REFUSAL_..., the reason why the active program `bank` cannot be run with these parameters. */
+uint16_t ctl_packer_refusal(const ctl_packer* packer, const ctl_bank* bank);
+/* Prepares a run of the active program `bank`: what was broken off begins anew, the alarms are taken back. */
+void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank);
+void ctl_packer_break_off(ctl_packer* packer);
 /* At the boundary of a cycle another program of the same machine became active. */
-void ctl_packer_change_bank(struct ctl_core* core);
-bool ctl_packer_active(const struct ctl_core* core);
+void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank);
+bool ctl_packer_active(const ctl_packer* packer);
 /* Infeed, film and knife are in the same phase, so that a program may be changed at the boundary, and with
  * `bank` no product lies under its first cut, which the knife could not leave out any more. */
-bool ctl_packer_may_change(const struct ctl_core* core, const ctl_bank* bank);
+bool ctl_packer_may_change(const ctl_packer* packer, const ctl_bank* bank, bool standstill);
 /* Ticks from the start of the master's cycle. */
-uint32_t ctl_packer_position(const struct ctl_core* core);
+uint32_t ctl_packer_position(const ctl_packer* packer);
 /* The master moves on by *ticks, at most to the end of its cycle; returns the knife's ticks, *ticks becomes
  * what was used. */
-uint32_t ctl_packer_advance(struct ctl_core* core, uint32_t* ticks);
-/* At the end of a slice: pulses of film and infeed, sensors, alarms. */
-void ctl_packer_slice(struct ctl_core* core);
+uint32_t ctl_packer_advance(ctl_packer* packer, const ctl_drive* drive, uint32_t* ticks);
+/* Ends a slice: pulses of film and infeed, sensors, alarms. Returns true when an alarm wants the cycle that
+ * is under way to be the last. */
+bool ctl_packer_slice(ctl_packer* packer, bool in_cycle);
 
 /* The knife closed when the film motor stood there, 1/256 pulse. */
-void ctl_packer_on_cut(struct ctl_core* core, int64_t film);
-void ctl_packer_on_bag(struct ctl_core* core, uint32_t length_um);
+void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp);
+void ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um);
 
-uint16_t ctl_packer_teach(struct ctl_core* core, uint16_t marks);
+/* Begins to measure the distance of so many marks; returns CTL_REFUSAL_... */
+uint16_t ctl_packer_teach(ctl_packer* packer, const ctl_bank* bank, uint16_t marks);
 /* Bag lengths in the last bag measured. */
-uint32_t ctl_packer_lengths_in_bag(const struct ctl_core* core);
+uint32_t ctl_packer_lengths_in_bag(const ctl_packer* packer);
 /* Lengths on the film in micrometres, and back. */
-int64_t ctl_packer_um(const struct ctl_core* core, int64_t film);
-int64_t ctl_packer_film(const struct ctl_core* core, int64_t um);
+int64_t ctl_packer_um(const ctl_packer* packer, int64_t film);
+int64_t ctl_packer_film(const ctl_packer* packer, int64_t um);
 /* The registers of the group `packer`. */
-void ctl_packer_registers(const struct ctl_core* core, uint16_t* registers);
+void ctl_packer_registers(const ctl_packer* packer, uint16_t* registers);
 
 /* Between the files of this module. */
-bool ctl_packer_tracks(const struct ctl_core* core);
+bool ctl_packer_tracks(const ctl_packer* packer);
 /* The film's cycle begins and the knife stands open: its first cut was not asked about yet. */
-void ctl_packer_ask_first_cut(struct ctl_core* core);
+void ctl_packer_ask_first_cut(ctl_packer* packer);
 /* Search, follow or leave the marks as the parameters say now. */
-void ctl_packer_follow_marks(struct ctl_core* core);
+void ctl_packer_follow_marks(ctl_packer* packer);
 /* Film of a cycle without its correction, and what a correction of the length may change of it. */
-int64_t ctl_packer_cycle_length(const struct ctl_core* core);
-int64_t ctl_packer_length_limit(const struct ctl_core* core);
+int64_t ctl_packer_cycle_length(const ctl_packer* packer);
+int64_t ctl_packer_length_limit(const ctl_packer* packer);
 
 #ifdef __cplusplus
 }

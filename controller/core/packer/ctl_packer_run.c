@@ -3,7 +3,6 @@
 #include "packer/ctl_packer.h"
 
 #include "base/ctl_words.h"
-#include "ctl_core.h"
 
 #include <stddef.h>
 
@@ -18,36 +17,31 @@ static int64_t limited(int64_t value, int64_t limit)
     return value < -limit ? -limit : value;
 }
 
-static int64_t film_um(const ctl_core* core, uint32_t address)
+static int64_t film_um(const ctl_packer* packer, uint32_t address)
 {
-    return ctl_packer_film(core, ctl_parameter16(core, address));
+    return ctl_packer_film(packer, ctl_parameter16(packer->board, address));
 }
 
 /* Command of the film motor at the next cut when nothing is corrected; asked behind a sealing window or, with
  * the knife standing, up to a cycle before the window. */
-static int64_t uncorrected(const ctl_core* core)
+static int64_t uncorrected(const ctl_packer* packer)
 {
-    const ctl_packer* packer = &core->packer;
-    const int64_t next = ctl_packer_cycle_length(core);
+    const int64_t next = ctl_packer_cycle_length(packer);
     return packer->film.start + packer->film.shift + packer->film.length +
            (int64_t)((uint64_t)next * packer->cut / packer->cycle);
 }
 
 /* Drives lag in proportion to the speed, and not all by the same time. */
-static int64_t lag_at_next_cut(const ctl_core* core)
+static int64_t lag_at_next_cut(const ctl_packer* packer, const ctl_drive* drive)
 {
-    const ctl_packer* packer = &core->packer;
-    const ctl_ramp* ramp = &core->motion.ramp;
+    const ctl_ramp* ramp = drive->ramp;
     const uint32_t way = packer->cycle - packer->film.phase + packer->cut;
-    const uint32_t speed =
-        core->motion.state == CTL_STATE_RUNNING ? ctl_ramp_speed_after(ramp, way) : ramp->speed;
+    const uint32_t speed = drive->running ? ctl_ramp_speed_after(ramp, way) : ramp->speed;
     return packer->lag * (int64_t)speed / (int64_t)ramp->full;
 }
 
-static void learn_lag(ctl_core* core, int64_t lag)
+static void learn_lag(ctl_packer* packer, int64_t lag, const ctl_ramp* ramp)
 {
-    ctl_packer* packer = &core->packer;
-    const ctl_ramp* ramp = &core->motion.ramp;
     if (lag > packer->bag / 4 || lag < -packer->bag / 4 || ramp->speed < ramp->full / 4u)
         return;
     packer->lag = lag * (int64_t)ramp->full / (int64_t)ramp->speed;
@@ -59,11 +53,10 @@ static void raise_alarm(ctl_packer* packer, uint32_t bit)
 }
 
 /* What the film is to be shifted by so that the next cut, `wanted` away from its mark, meets it. */
-static int64_t allowed_shift(ctl_core* core, const ctl_mark* mark, int64_t wanted)
+static int64_t allowed_shift(ctl_packer* packer, const ctl_mark* mark, int64_t wanted)
 {
-    ctl_packer* packer = &core->packer;
-    int64_t phase_limit = film_um(core, CTL_REG_PARAMETER_PHASE_LIMIT);
-    packer->length_correction = limited(mark->pitch - packer->bag, ctl_packer_length_limit(core));
+    int64_t phase_limit = film_um(packer, CTL_REG_PARAMETER_PHASE_LIMIT);
+    packer->length_correction = limited(mark->pitch - packer->bag, ctl_packer_length_limit(packer));
     const int64_t phase = wanted - packer->length_correction;
     if (packer->marks.state == CTL_MARK_STATE_ALIGNING && phase <= phase_limit && phase >= -phase_limit)
         packer->marks.state = CTL_MARK_STATE_TRACKING;
@@ -84,14 +77,13 @@ static int64_t allowed_shift(ctl_core* core, const ctl_mark* mark, int64_t wante
 }
 
 /* Behind a sealing window: where the film's next cut is to be, and the correction that brings it there. */
-static void plan_cut(ctl_core* core)
+static void plan_cut(ctl_packer* packer, const ctl_drive* drive)
 {
-    ctl_packer* packer = &core->packer;
     packer->planned = true;
-    ctl_packer_follow_marks(core);
+    ctl_packer_follow_marks(packer);
     ctl_marks_drop(&packer->marks, ctl_feed_position(&packer->film) - packer->bag / 2);
-    const int64_t even = uncorrected(core);
-    packer->next.lag = lag_at_next_cut(core);
+    const int64_t even = uncorrected(packer);
+    packer->next.lag = lag_at_next_cut(packer, drive);
     const ctl_mark* mark =
         packer->marks.state == CTL_MARK_STATE_OFF || packer->marks.state == CTL_MARK_STATE_SEARCHING
             ? NULL
@@ -100,7 +92,7 @@ static void plan_cut(ctl_core* core)
     packer->phase_correction = 0;
     packer->length_correction = 0;
     if (mark != NULL)
-        shift = allowed_shift(core, mark, mark->at - packer->next.lag - even);
+        shift = allowed_shift(packer, mark, mark->at - packer->next.lag - even);
     packer->next.command = even + shift;
     packer->next.tracked = mark != NULL && packer->marks.state == CTL_MARK_STATE_TRACKING;
     packer->next.seen = mark != NULL && mark->seen;
@@ -108,55 +100,51 @@ static void plan_cut(ctl_core* core)
         ctl_feed_correct(&packer->film, shift, packer->cycle - packer->release + (uint64_t)packer->engage);
 }
 
-static void count_skip(ctl_core* core)
+static void count_skip(ctl_packer* packer)
 {
-    ctl_packer* packer = &core->packer;
     const bool too_long =
-        packer->products.longest + 2 * film_um(core, CTL_REG_PARAMETER_CUT_CLEARANCE) > packer->bag;
+        packer->products.longest + 2 * film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE) > packer->bag;
     packer->skipped += 1;
     packer->skips_in_row += 1;
     packer->skips_in_run += 1;
     packer->last_skip = too_long ? CTL_SKIP_CAUSE_PRODUCT_TOO_LONG : CTL_SKIP_CAUSE_PRODUCT_ACROSS;
-    if (packer->skips_in_run >= ctl_parameter16(core, CTL_REG_PARAMETER_SKIP_LIMIT))
+    if (packer->skips_in_run >= ctl_parameter16(packer->board, CTL_REG_PARAMETER_SKIP_LIMIT))
         raise_alarm(packer, CTL_WARNING_BIT_TOO_MANY_SKIPS);
 }
 
 /* A product lies where the knife would close next if it set off now. */
-static bool knife_must_wait(ctl_core* core)
+static bool knife_must_wait(ctl_packer* packer)
 {
-    ctl_packer* packer = &core->packer;
-    if (ctl_parameter16(core, CTL_REG_PARAMETER_ANTI_CUT) == 0)
+    if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_ANTI_CUT) == 0)
         return false;
-    int64_t clearance = film_um(core, CTL_REG_PARAMETER_CUT_CLEARANCE);
+    int64_t clearance = film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE);
     int64_t cut = packer->next.command;
     if (!packer->planned) { /* it may still be shifted */
-        cut = uncorrected(core);
+        cut = uncorrected(packer);
         clearance += packer->marks.state == CTL_MARK_STATE_ALIGNING
                          ? packer->bag / ALIGNING_SHARE
-                         : ctl_packer_length_limit(core) + film_um(core, CTL_REG_PARAMETER_PHASE_LIMIT);
+                         : ctl_packer_length_limit(packer) + film_um(packer, CTL_REG_PARAMETER_PHASE_LIMIT);
     }
     if (!ctl_products_across(&packer->products, cut + packer->next.lag, clearance))
         return false;
-    count_skip(core);
+    count_skip(packer);
     return true;
 }
 
-void ctl_packer_ask_first_cut(ctl_core* core)
+void ctl_packer_ask_first_cut(ctl_packer* packer)
 {
-    ctl_packer* packer = &core->packer;
-    if (ctl_parameter16(core, CTL_REG_PARAMETER_ANTI_CUT) == 0 ||
+    if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_ANTI_CUT) == 0 ||
         !ctl_products_across(&packer->products, packer->next.command + packer->next.lag,
-                             film_um(core, CTL_REG_PARAMETER_CUT_CLEARANCE)))
+                             film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE)))
         return;
-    count_skip(core);
+    count_skip(packer);
     ctl_gate_stand(&packer->knife_gate);
 }
 
 /* The product that would come next on the film is missing: the film waits for the one after it. */
-static bool film_must_wait(ctl_core* core)
+static bool film_must_wait(ctl_packer* packer)
 {
-    ctl_packer* packer = &core->packer;
-    if (ctl_parameter16(core, CTL_REG_PARAMETER_EMPTY_BAG) == 0 ||
+    if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_EMPTY_BAG) == 0 ||
         !ctl_products_missing(&packer->products, packer->number + 1, packer->infeed_actual))
         return false;
     packer->empty += 1;
@@ -166,15 +154,14 @@ static bool film_must_wait(ctl_core* core)
 }
 
 /* The film moves on by so many ticks of its phase; returns the knife's. */
-static uint32_t move_film(ctl_core* core, uint32_t ticks)
+static uint32_t move_film(ctl_packer* packer, const ctl_drive* drive, uint32_t ticks)
 {
-    ctl_packer* packer = &core->packer;
     uint32_t knife = 0;
     while (ticks != 0) {
         if (packer->film.phase >= packer->release && !packer->planned)
-            plan_cut(core);
+            plan_cut(packer, drive);
         if (ctl_gate_asks(&packer->knife_gate))
-            ctl_gate_answer(&packer->knife_gate, knife_must_wait(core));
+            ctl_gate_answer(&packer->knife_gate, knife_must_wait(packer));
         uint32_t part = ctl_gate_piece(&packer->knife_gate);
         const uint32_t end = packer->film.phase < packer->release ? packer->release : packer->cycle;
         if (part > end - packer->film.phase)
@@ -182,7 +169,7 @@ static uint32_t move_film(ctl_core* core, uint32_t ticks)
         if (part > ticks)
             part = ticks;
         knife += ctl_gate_advance(&packer->knife_gate, part);
-        ctl_feed_advance(&packer->film, part, ctl_packer_cycle_length(core));
+        ctl_feed_advance(&packer->film, part, ctl_packer_cycle_length(packer));
         if (packer->film.phase == 0)
             packer->planned = false;
         ticks -= part;
@@ -190,19 +177,18 @@ static uint32_t move_film(ctl_core* core, uint32_t ticks)
     return knife;
 }
 
-uint32_t ctl_packer_advance(ctl_core* core, uint32_t* ticks)
+uint32_t ctl_packer_advance(ctl_packer* packer, const ctl_drive* drive, uint32_t* ticks)
 {
-    ctl_packer* packer = &core->packer;
     const uint32_t to_end = packer->cycle - packer->master;
     uint32_t left = *ticks < to_end ? *ticks : to_end;
     uint32_t knife = 0;
     *ticks = left;
     while (left != 0) {
         if (ctl_gate_asks(&packer->film_gate))
-            ctl_gate_answer(&packer->film_gate, film_must_wait(core));
+            ctl_gate_answer(&packer->film_gate, film_must_wait(packer));
         const uint32_t piece = ctl_gate_piece(&packer->film_gate);
         const uint32_t part = piece < left ? piece : left;
-        knife += move_film(core, ctl_gate_advance(&packer->film_gate, part));
+        knife += move_film(packer, drive, ctl_gate_advance(&packer->film_gate, part));
         left -= part;
     }
     packer->master += *ticks;
@@ -220,23 +206,22 @@ static int64_t whole_pulses(int64_t fine)
     return (fine - (fine < 0 ? CTL_FINE - 1 : 0)) / CTL_FINE;
 }
 
-static void emit(ctl_core* core)
+static void emit(ctl_packer* packer)
 {
-    ctl_packer* packer = &core->packer;
     const int64_t film = whole_pulses(ctl_feed_position(&packer->film));
     const int64_t infeed = whole_pulses(ctl_feed_position(&packer->infeed));
     if (film != packer->film_sent)
-        core->port.film_pulses(core->port.context, (int32_t)(film - packer->film_sent));
+        packer->board->port.film_pulses(packer->board->port.context, (int32_t)(film - packer->film_sent));
     if (infeed != packer->infeed_sent)
-        core->port.infeed_pulses(core->port.context, (int32_t)(infeed - packer->infeed_sent));
+        packer->board->port.infeed_pulses(packer->board->port.context,
+                                          (int32_t)(infeed - packer->infeed_sent));
     packer->film_sent = film;
     packer->infeed_sent = infeed;
 }
 
-static void read_sensors(ctl_core* core)
+static void read_sensors(ctl_packer* packer)
 {
-    ctl_packer* packer = &core->packer;
-    const ctl_port* port = &core->port;
+    const ctl_port* port = &packer->board->port;
     const int64_t film_before = packer->film_actual;
     const int64_t infeed_before = packer->infeed_actual;
     int64_t at = 0;
@@ -250,41 +235,37 @@ static void read_sensors(ctl_core* core)
     ctl_marks_pass(&packer->marks, packer->film_actual);
     const uint32_t empty = ctl_products_lay(&packer->products, infeed_before, packer->infeed_actual,
                                             film_before, packer->film_actual);
-    if (ctl_parameter16(core, CTL_REG_PARAMETER_EMPTY_BAG) == 0)
+    if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_EMPTY_BAG) == 0)
         packer->empty += empty;
 }
 
-static void look_for_alarms(ctl_core* core)
+static bool has_alarms(ctl_packer* packer)
 {
-    ctl_packer* packer = &core->packer;
-    if (packer->marks.alarm != 0 && ctl_packer_tracks(core))
+    if (packer->marks.alarm != 0 && ctl_packer_tracks(packer))
         raise_alarm(packer, packer->marks.alarm);
-    if (ctl_parameter16(core, CTL_REG_PARAMETER_ANTI_CUT) != 0 &&
-        packer->products.longest + 2 * film_um(core, CTL_REG_PARAMETER_CUT_CLEARANCE) > packer->bag)
+    if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_ANTI_CUT) != 0 &&
+        packer->products.longest + 2 * film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE) > packer->bag)
         raise_alarm(packer, CTL_WARNING_BIT_PRODUCT_TOO_LONG);
-    if (packer->alarms != 0 && core->motion.state == CTL_STATE_RUNNING)
-        (void)ctl_motion_stop_at_cycle_end(core);
+    return packer->alarms != 0;
 }
 
-void ctl_packer_slice(ctl_core* core)
+bool ctl_packer_slice(ctl_packer* packer, bool in_cycle)
 {
-    if (core->packer.bank == NULL)
-        return;
-    emit(core);
-    read_sensors(core);
-    if (ctl_motion_in_cycle(core))
-        look_for_alarms(core);
+    if (packer->bank == NULL)
+        return false;
+    emit(packer);
+    read_sensors(packer);
+    return in_cycle && has_alarms(packer);
 }
 
-void ctl_packer_on_cut(ctl_core* core, int64_t film)
+void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp)
 {
-    ctl_packer* packer = &core->packer;
     if (packer->bank == NULL)
         return;
     ctl_last_cut* last = &packer->last_cut;
     const ctl_mark* mark = ctl_marks_near(&packer->marks, film, packer->bag / 2);
     if (packer->cut_before)
-        learn_lag(core, film - packer->next.command);
+        learn_lag(packer, film - packer->next.command, ramp);
     const int64_t mark_before = last->mark_at;
     last->at = film;
     last->mark_at = mark == NULL ? film : mark->at;
@@ -299,9 +280,8 @@ void ctl_packer_on_cut(ctl_core* core, int64_t film)
     packer->cut_before = true;
 }
 
-void ctl_packer_on_bag(ctl_core* core, uint32_t length_um)
+void ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um)
 {
-    ctl_packer* packer = &core->packer;
     if (packer->bank == NULL)
         return;
     const ctl_last_cut* last = &packer->last_cut;
@@ -319,12 +299,12 @@ void ctl_packer_on_bag(ctl_core* core, uint32_t length_um)
     packer->bags += 1;
     uint16_t* record = &packer->records[CTL_BAG_REGISTERS * (packer->bags % CTL_BAG_RECORDS)];
     record[0] = ctl_saturated16((int64_t)length_um - set_um);
-    record[1] = ctl_saturated16(ctl_packer_um(core, last->error));
-    record[2] = ctl_saturated16(ctl_packer_um(core, last->pitch - (int64_t)last->bags * packer->bag));
+    record[1] = ctl_saturated16(ctl_packer_um(packer, last->error));
+    record[2] = ctl_saturated16(ctl_packer_um(packer, last->pitch - (int64_t)last->bags * packer->bag));
     record[3] = (uint16_t)flags;
 }
 
-uint32_t ctl_packer_lengths_in_bag(const ctl_core* core)
+uint32_t ctl_packer_lengths_in_bag(const ctl_packer* packer)
 {
-    return core->packer.bank == NULL || core->packer.last_cut.bags == 0 ? 1u : core->packer.last_cut.bags;
+    return packer->bank == NULL || packer->last_cut.bags == 0 ? 1u : packer->last_cut.bags;
 }

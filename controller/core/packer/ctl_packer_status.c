@@ -3,7 +3,6 @@
 #include "packer/ctl_packer.h"
 
 #include "base/ctl_words.h"
-#include "ctl_core.h"
 
 #include <string.h>
 
@@ -31,35 +30,33 @@ static void put_wide(uint16_t* registers, uint32_t address, uint64_t value)
     ctl_put32(&registers[address - CTL_REG_PACKER_MARK_STATE], (uint32_t)(value & 0xFFFFFFFFu));
 }
 
-static uint16_t film_um16(const ctl_core* core, int64_t film)
+static uint16_t film_um16(const ctl_packer* packer, int64_t film)
 {
-    return saturated16(ctl_packer_um(core, film));
+    return saturated16(ctl_packer_um(packer, film));
 }
 
-static void put_marks(const ctl_core* core, uint16_t* registers)
+static void put_marks(const ctl_packer* packer, uint16_t* registers)
 {
-    const ctl_packer* packer = &core->packer;
     const ctl_marks* marks = &packer->marks;
     put(registers, CTL_REG_PACKER_MARK_STATE, marks->state);
-    put(registers, CTL_REG_PACKER_MARK_ERROR, film_um16(core, packer->last_cut.error));
-    put(registers, CTL_REG_PACKER_LAST_MARK, film_um16(core, marks->error));
-    put(registers, CTL_REG_PACKER_PHASE_CORRECTION, film_um16(core, packer->phase_correction));
-    put(registers, CTL_REG_PACKER_LENGTH_CORRECTION, film_um16(core, packer->length_correction));
-    put_wide(registers, CTL_REG_PACKER_MARK_PITCH, (uint64_t)ctl_packer_um(core, marks->pitch));
+    put(registers, CTL_REG_PACKER_MARK_ERROR, film_um16(packer, packer->last_cut.error));
+    put(registers, CTL_REG_PACKER_LAST_MARK, film_um16(packer, marks->error));
+    put(registers, CTL_REG_PACKER_PHASE_CORRECTION, film_um16(packer, packer->phase_correction));
+    put(registers, CTL_REG_PACKER_LENGTH_CORRECTION, film_um16(packer, packer->length_correction));
+    put_wide(registers, CTL_REG_PACKER_MARK_PITCH, (uint64_t)ctl_packer_um(packer, marks->pitch));
     put_wide(registers, CTL_REG_PACKER_MARKS, marks->followed);
     put_wide(registers, CTL_REG_PACKER_MARKS_MISSING, marks->missing);
     put_wide(registers, CTL_REG_PACKER_MARKS_FALSE, marks->unexpected);
     put(registers, CTL_REG_PACKER_TEACH_MARKS, marks->teaching.count);
     put_wide(registers, CTL_REG_PACKER_TEACH_PITCH,
-             (uint64_t)ctl_packer_um(core, ctl_marks_taught_pitch(marks)));
+             (uint64_t)ctl_packer_um(packer, ctl_marks_taught_pitch(marks)));
     put(registers, CTL_REG_PACKER_TEACH_SCATTER,
-        film_um16(core, ctl_square_root(ctl_marks_taught_variance(marks))));
+        film_um16(packer, ctl_square_root(ctl_marks_taught_variance(marks))));
     put(registers, CTL_REG_PACKER_MARKS_WAIT, (uint16_t)marks->count);
 }
 
-static void put_counts(const ctl_core* core, uint16_t* registers)
+static void put_counts(const ctl_packer* packer, uint16_t* registers)
 {
-    const ctl_packer* packer = &core->packer;
     put_wide(registers, CTL_REG_PACKER_PRODUCTS, packer->products.total);
     put_wide(registers, CTL_REG_PACKER_CUTS_SKIPPED, packer->skipped);
     put_wide(registers, CTL_REG_PACKER_EMPTY_BAGS, packer->empty);
@@ -73,17 +70,17 @@ static void put_counts(const ctl_core* core, uint16_t* registers)
 }
 
 /* Distance to the knife in 0.1 mm; its last bit says that something is special about it. */
-static uint16_t view(const ctl_core* core, int64_t at, bool special)
+static uint16_t view(const ctl_packer* packer, int64_t at, bool special)
 {
-    const int64_t tenths = ctl_packer_um(core, at - core->packer.film_actual) / VIEW_UM;
+    const int64_t tenths = ctl_packer_um(packer, at - packer->film_actual) / VIEW_UM;
     return (uint16_t)((saturated16(tenths) & 0xFFFEu) | (special ? 1u : 0u));
 }
 
 /* The next cuts: the one planned, then those that the waiting marks or the bag length give. */
-static void put_cuts(const ctl_core* core, uint16_t* registers)
+static void put_cuts(const ctl_packer* packer, uint16_t* registers)
 {
-    const ctl_packer* packer = &core->packer;
-    const int64_t clearance = ctl_packer_film(core, ctl_parameter16(core, CTL_REG_PARAMETER_CUT_CLEARANCE));
+    const int64_t clearance =
+        ctl_packer_film(packer, ctl_parameter16(packer->board, CTL_REG_PARAMETER_CUT_CLEARANCE));
     int64_t at = packer->next.command + packer->next.lag;
     if (at < packer->film_actual) /* made already, the next one is not planned yet */
         at += packer->bag;
@@ -92,44 +89,42 @@ static void put_cuts(const ctl_core* core, uint16_t* registers)
             packer->next.tracked ? ctl_marks_near(&packer->marks, at, packer->bag / 4) : NULL;
         if (mark != NULL)
             at = mark->at;
-        const bool left_out = ctl_parameter16(core, CTL_REG_PARAMETER_ANTI_CUT) != 0 &&
+        const bool left_out = ctl_parameter16(packer->board, CTL_REG_PARAMETER_ANTI_CUT) != 0 &&
                               ctl_products_across(&packer->products, at, clearance);
-        put(registers, CTL_REG_PACKER_CUTS + i, view(core, at, left_out));
+        put(registers, CTL_REG_PACKER_CUTS + i, view(packer, at, left_out));
         at += packer->bag;
     }
 }
 
-static void put_view(const ctl_core* core, uint16_t* registers)
+static void put_view(const ctl_packer* packer, uint16_t* registers)
 {
-    const ctl_packer* packer = &core->packer;
-    put_wide(registers, CTL_REG_PACKER_FILM_POSITION, (uint64_t)ctl_packer_um(core, packer->film_actual));
-    put_cuts(core, registers);
+    put_wide(registers, CTL_REG_PACKER_FILM_POSITION, (uint64_t)ctl_packer_um(packer, packer->film_actual));
+    put_cuts(packer, registers);
     for (uint32_t i = 0; i < CTL_VIEW_MARKS && i < packer->marks.count; ++i) {
         const ctl_mark* mark = ctl_marks_waiting(&packer->marks, i);
-        put(registers, CTL_REG_PACKER_SEEN_MARKS + i, view(core, mark->at, !mark->seen));
+        put(registers, CTL_REG_PACKER_SEEN_MARKS + i, view(packer, mark->at, !mark->seen));
     }
     for (uint32_t i = 0; i < CTL_VIEW_PRODUCTS && i < packer->products.laid_count; ++i) {
         const ctl_product* product = &packer->products.laid[i];
-        put(registers, CTL_REG_PACKER_SEEN_PRODUCTS + 2u * i, view(core, product->lead, false));
-        put(registers, CTL_REG_PACKER_SEEN_PRODUCTS + 2u * i + 1u, view(core, product->trail, false));
+        put(registers, CTL_REG_PACKER_SEEN_PRODUCTS + 2u * i, view(packer, product->lead, false));
+        put(registers, CTL_REG_PACKER_SEEN_PRODUCTS + 2u * i + 1u, view(packer, product->trail, false));
     }
 }
 
-void ctl_packer_registers(const ctl_core* core, uint16_t* registers)
+void ctl_packer_registers(const ctl_packer* packer, uint16_t* registers)
 {
-    const ctl_packer* packer = &core->packer;
     memset(registers, 0, CTL_GROUP_PACKER * sizeof registers[0]);
     for (uint32_t i = CTL_REG_PACKER_CUTS - CTL_REG_PACKER_MARK_STATE; i < CTL_GROUP_PACKER; ++i)
         registers[i] = NOTHING;
     if (packer->bank == NULL)
         return;
-    put_marks(core, registers);
-    put_counts(core, registers);
+    put_marks(packer, registers);
+    put_counts(packer, registers);
     put(registers, CTL_REG_PACKER_FILM_ANGLE,
         (uint16_t)((uint64_t)packer->film.phase * FULL_CIRCLE / packer->film.cycle));
     put(registers, CTL_REG_PACKER_KNIFE_GATE, packer->knife_gate.state);
     put(registers, CTL_REG_PACKER_FILM_GATE, packer->film_gate.state);
     put(registers, CTL_REG_PACKER_FILM_FOLLOWING_ERROR,
-        film_um16(core, packer->film_sent * CTL_FINE - packer->film_actual));
-    put_view(core, registers);
+        film_um16(packer, packer->film_sent * CTL_FINE - packer->film_actual));
+    put_view(packer, registers);
 }
