@@ -328,7 +328,7 @@ void TestPressEngine::badBanksAreRefused_data()
     QTest::addColumn<int>("result");
     QTest::addColumn<int>("detail");
     const auto row = [](int index, int word) {
-        return static_cast<int>(CTL_OFFSET_BANK_ROWS + CTL_PRESS_ROW_REGISTERS * unsigned(index)) + word;
+        return static_cast<int>(CTL_OFFSET_BANK_ROWS + CTL_STAGE_REGISTERS * unsigned(index)) + word;
     };
     const auto header = [](const char* name, int offset, std::uint16_t value) {
         QTest::newRow(name) << offset << value << int{CTL_TRANSFER_RESULT_BAD_HEADER} << offset;

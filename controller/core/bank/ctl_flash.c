@@ -18,6 +18,8 @@
 #define PARAMETER_BYTES (CTL_GROUP_PARAMETER * sizeof(uint16_t))
 #define CHUNK_REGISTERS 32u
 
+_Static_assert(CTL_OLD_PARAMETER_REGISTERS <= CTL_GROUP_PARAMETER, "an older slot has fewer parameters");
+
 typedef struct {
     const ctl_port* port;
     uint32_t slot;
@@ -72,7 +74,7 @@ static bool read_slot(const ctl_board* board, uint32_t slot, uint16_t* head, ctl
     const uint32_t magic = ctl_get32(head);
     if (!stream.ok || (magic != MAGIC && magic != OLD_MAGIC))
         return false;
-    /* What an older slot does not hold keeps its default. */
+    /* Parameters that an older slot does not hold keep their defaults. */
     memcpy(&head[FIXED_REGISTERS], board->parameter, PARAMETER_BYTES);
     read_some(&stream, &head[FIXED_REGISTERS],
               magic == MAGIC ? CTL_GROUP_PARAMETER : CTL_OLD_PARAMETER_REGISTERS);

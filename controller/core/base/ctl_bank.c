@@ -12,7 +12,7 @@
 #define US_PER_S 1000000u
 #define NOTHING_BAD CTL_BANK_HEADER_REGISTERS
 
-/* What differs from layout to layout. */
+/* The differences from layout to layout. */
 typedef struct {
     uint16_t row_registers;
     uint16_t fewest_rows;
@@ -28,8 +28,15 @@ static const layout_info layouts[] = {
                                      KIND(POSITION_MOVE) | KIND(SPEED_MOVE) | KIND(POINT_CAM)},
     [CTL_TABLE_LAYOUT_INTERVALS] = {CTL_INTERVAL_REGISTERS, 1, CTL_INTERVAL_CAPACITY,
                                     KIND(POSITION_MOVE) | KIND(SPEED_MOVE)},
-    [CTL_TABLE_LAYOUT_PRESS_STAGES] = {CTL_PRESS_ROW_REGISTERS, CTL_PRESS_ROWS, CTL_PRESS_ROWS, KIND(PRESS)},
+    [CTL_TABLE_LAYOUT_PRESS_STAGES] = {CTL_STAGE_REGISTERS, CTL_STAGE_COUNT, CTL_STAGE_COUNT, KIND(PRESS)},
 };
+
+#define FITS(rows) (CTL_BANK_HEADER_REGISTERS + (rows) <= CTL_BANK_REGISTERS)
+_Static_assert(FITS(CTL_ROW_REGISTERS* CTL_ROW_CAPACITY), "the longest step table fits a bank");
+_Static_assert(FITS(CTL_CAM_POINT_REGISTERS* CTL_CAM_POINT_CAPACITY + CTL_KNOT_REGISTERS * CTL_KNOT_CAPACITY),
+               "the longest cam with its knots fits a bank");
+_Static_assert(FITS(CTL_INTERVAL_REGISTERS* CTL_INTERVAL_CAPACITY), "the most intervals fit a bank");
+_Static_assert(FITS(CTL_STAGE_REGISTERS* CTL_STAGE_COUNT), "the stages of a press fit a bank");
 
 #define LAYOUTS (sizeof layouts / sizeof layouts[0])
 

@@ -23,10 +23,6 @@ typedef struct {
     uint16_t detail; /* row, or offset in the header, that was refused */
 } ctl_verdict;
 
-/* The rows of a press. */
-#define CTL_PRESS_ROWS 5u
-#define CTL_PRESS_ROW_REGISTERS 8u
-
 /* Bit n set: program kind n can be executed. */
 #define CTL_PROGRAM_KINDS                                                                                    \
     (1u << CTL_PROGRAM_KIND_ROTARY_CUTTER | 1u << CTL_PROGRAM_KIND_POSITION_MOVE |                           \

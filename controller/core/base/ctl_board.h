@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* What every part of the controller reads and none writes: the board, its time, and the panel's parameters.
+/* The board, its time and the panel's parameters: every part of the controller reads them, none writes them.
  */
 #ifndef CTL_BOARD_H
 #define CTL_BOARD_H

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* What the controller needs from the board that it runs on. A port fills ctl_port and ctl_config and calls
- * ctl_tick(); nothing else in the core touches hardware. */
+/* The functions and figures that the controller needs from the board that it runs on. A port fills ctl_port
+ * and ctl_config and calls ctl_tick(); nothing else in the core touches hardware. */
 #ifndef CTL_PORT_H
 #define CTL_PORT_H
 

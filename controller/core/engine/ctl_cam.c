@@ -5,9 +5,9 @@
 
 #define US_PER_S 1000000u
 #define UNITS_PER_PULSE 256
-/* Of the way through an interval. */
+/* Bits of the way through an interval. */
 #define WAY_BITS 24u
-/* Of a unit, in the arithmetic of the cubic: 2^30 units of a row keep it inside 64 bits. */
+/* Bits of a unit in the arithmetic of the cubic: 2^30 units of a row keep it inside 64 bits. */
 #define FRACTION_BITS 4u
 #define LARGEST_STEP ((int64_t)1 << 30)
 /* Keeps slope * intervals * ticks inside 64 bits. */

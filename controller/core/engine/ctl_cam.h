@@ -32,7 +32,7 @@ typedef struct {
     int64_t sent;        /* pulses since the reset */
 } ctl_cam;
 
-/* What ctl_bank_check() left: the rest of the header, every row, their end. */
+/* Checks what ctl_bank_check() leaves to the engine: the rest of the header, every row, their end. */
 ctl_verdict ctl_cam_check(const ctl_bank* bank, const ctl_config* config);
 
 /* Stand between two cycles of `bank` with no fraction owed. */

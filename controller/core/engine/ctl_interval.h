@@ -49,7 +49,8 @@ uint32_t ctl_interval_status(const ctl_interval* interval);
 /* Pulse frequency now, negative in reverse, 0 between two cycles. */
 int64_t ctl_interval_hz(const ctl_interval* interval);
 
-/* What ctl_bank_check() left: the rest of the header, every row, their sum. No table may repeat. */
+/* Checks what ctl_bank_check() leaves to the engine: the rest of the header, every row, their sum. No table
+ * may repeat. */
 ctl_verdict ctl_interval_check(const ctl_bank* bank, const ctl_config* config);
 
 #ifdef __cplusplus

@@ -8,7 +8,7 @@
 
 ctl_press_row ctl_press_row_of(const ctl_bank* bank, uint32_t index)
 {
-    const uint16_t* at = &bank->registers[CTL_OFFSET_BANK_ROWS + CTL_PRESS_ROW_REGISTERS * index];
+    const uint16_t* at = &bank->registers[CTL_OFFSET_BANK_ROWS + CTL_STAGE_REGISTERS * index];
     const ctl_press_row row = {ctl_get32(&at[0]), (int32_t)ctl_get32(&at[2]), ctl_get32(&at[4]),
                                ctl_get32(&at[6])};
     return row;

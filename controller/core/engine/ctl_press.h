@@ -21,7 +21,7 @@ enum { CTL_PRESS_APPROACH, CTL_PRESS_PROBE, CTL_PRESS_PRESS, CTL_PRESS_HOLD, CTL
 #define CTL_PRESS_FINE 256 /* of a position in a reading, per pulse */
 /* The ram stands when its position has kept within one pulse for this long after the last pulse. */
 #define CTL_PRESS_REST_US 20000u
-/* What a position still lacks then is added at most so many times. */
+/* The rest that a position still lacks then is added at most so many times. */
 #define CTL_PRESS_ADDITIONS 3u
 #define CTL_PRESS_NO_FAULT 0xFFFFu
 
@@ -32,7 +32,7 @@ typedef struct {
     uint32_t time_ms; /* ramp of a stage that moves, duration of the hold */
 } ctl_press_row;
 
-/* What the machine says of itself at now_us. */
+/* Position and force as the machine gives them at now_us. */
 typedef struct {
     int64_t position; /* 1/256 pulse below the upper position */
     int32_t force;    /* N */
@@ -69,7 +69,7 @@ typedef struct {
 } ctl_press;
 
 ctl_press_row ctl_press_row_of(const ctl_bank* bank, uint32_t index);
-/* What must hold for the five rows to be executed on this board, beyond what holds for every bank. */
+/* Checks the five rows: all that must hold on this board, beyond what holds for every bank. */
 ctl_verdict ctl_press_check(const ctl_bank* bank, const ctl_config* config);
 
 /* Stand; nothing is known of a last stroke. */

@@ -22,11 +22,11 @@ static bool moves_well(ctl_press_row row, const ctl_config* config)
            row.time_ms <= CTL_COUNT_MAX_RAMP_MS && row.end >= -FARTHEST_PULSES && row.end <= FARTHEST_PULSES;
 }
 
-/* The row that cannot be executed; CTL_PRESS_ROWS when there is none. */
+/* The row that cannot be executed; CTL_STAGE_COUNT when there is none. */
 static uint32_t bad_row(const ctl_bank* bank, const ctl_config* config)
 {
-    ctl_press_row rows[CTL_PRESS_ROWS];
-    for (uint32_t i = 0; i < CTL_PRESS_ROWS; ++i) {
+    ctl_press_row rows[CTL_STAGE_COUNT];
+    for (uint32_t i = 0; i < CTL_STAGE_COUNT; ++i) {
         rows[i] = ctl_press_row_of(bank, i);
         if (i != CTL_PRESS_HOLD && !moves_well(rows[i], config))
             return i;
@@ -38,7 +38,7 @@ static uint32_t bad_row(const ctl_bank* bank, const ctl_config* config)
     if (rows[CTL_PRESS_PRESS].end < rows[CTL_PRESS_PROBE].end ||
         rows[CTL_PRESS_PRESS].force <= rows[CTL_PRESS_PROBE].force)
         return CTL_PRESS_PRESS;
-    return CTL_PRESS_ROWS;
+    return CTL_STAGE_COUNT;
 }
 
 /* Offset of the first position in the header that its row does not end at; CTL_BANK_HEADER_REGISTERS when
@@ -63,7 +63,7 @@ ctl_verdict ctl_press_check(const ctl_bank* bank, const ctl_config* config)
     if (offset != CTL_BANK_HEADER_REGISTERS)
         return ctl_refuse(CTL_TRANSFER_RESULT_BAD_HEADER, offset);
     const uint32_t row = bad_row(bank, config);
-    if (row != CTL_PRESS_ROWS)
+    if (row != CTL_STAGE_COUNT)
         return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, row);
     const uint32_t other = other_position(bank);
     if (other != CTL_BANK_HEADER_REGISTERS)

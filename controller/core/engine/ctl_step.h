@@ -34,7 +34,7 @@ typedef struct {
 } ctl_event;
 
 ctl_row ctl_step_row(const ctl_bank* bank, uint32_t index);
-/* What ctl_bank_check() left: the rest of the header, every row, their sums. */
+/* Checks what ctl_bank_check() leaves to the engine: the rest of the header, every row, their sums. */
 ctl_verdict ctl_step_check(const ctl_bank* bank, const ctl_config* config);
 
 /* Stand between two cycles of `bank` with no fraction owed. */

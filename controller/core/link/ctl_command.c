@@ -7,6 +7,8 @@
 #include <stddef.h>
 
 enum { COUNTER = 0, CODE = 1, ARGUMENT0 = 2, ARGUMENT1 = 3, ARGUMENT2 = 4 };
+_Static_assert(CTL_GROUP_COMMAND == ARGUMENT2 + 2, "the wide argument ends the group");
+_Static_assert(CTL_GROUP_RESULT == 4u, "ctl_command() fills the group");
 
 static uint16_t apply_staged(ctl_core* core, const uint16_t* request)
 {

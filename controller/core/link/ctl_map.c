@@ -62,6 +62,14 @@ typedef union {
     uint16_t transfer_result[CTL_GROUP_TRANSFER_RESULT];
 } assembled_group;
 
+_Static_assert(sizeof(assembled_group) == CTL_GROUP_PACKER * sizeof(uint16_t),
+               "the packer's group is the largest");
+_Static_assert(CTL_GROUP_READBACK_RESULT == 3u + CTL_READBACK_REGISTERS,
+               "the values read back end the group");
+_Static_assert(CTL_GROUP_ACTIVE == CTL_BANK_REGISTERS && CTL_GROUP_STAGED == CTL_BANK_REGISTERS,
+               "a bank is read whole");
+_Static_assert(CTL_GROUP_CLOCK == 2u, "the clock is one wide value");
+
 /* Registers first..first+count of a group. */
 static void read_group(ctl_core* core, group_name group, uint32_t first, uint16_t* values, uint32_t count)
 {

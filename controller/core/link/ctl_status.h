@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* What the controller says of itself: the identity, the status block and the clock, as registers. */
+/* The registers that describe the controller: the identity, the status block and the clock. */
 #ifndef CTL_STATUS_H
 #define CTL_STATUS_H
 

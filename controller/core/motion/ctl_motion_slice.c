@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* What moves the axis during one slice of time, and what is measured of it. */
+/* Moves the axis during one slice of time, and measures it. */
 #include "motion/ctl_motion.h"
 
 #define US_PER_S 1000000

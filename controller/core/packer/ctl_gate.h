@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* What follows a driver cycle by cycle and can let it run on alone for whole cycles: the knife behind the
- * film (electronic anti-cut), film and knife behind the infeed (no product, no bag). It leaves where the
- * sealing window ends, comes to stand at the boundary of its cycle, and is back in phase and at full speed
- * where the next window begins; so nothing is ever sealed at another speed. Both ramps are
+/* A follower that goes with its driver cycle by cycle and can let it run on alone for whole cycles: the knife
+ * behind the film (electronic anti-cut), film and knife behind the infeed (no product, no bag). It leaves
+ * where the sealing window ends, comes to stand at the boundary of its cycle, and is back in phase and at
+ * full speed where the next window begins; so nothing is ever sealed at another speed. Both its ramps are
  * 1 - 3 x^2 + 2 x^3 of the driver's speed, x the share of the ramp's time. Ticks of the master's table. */
 #ifndef CTL_GATE_H
 #define CTL_GATE_H

@@ -187,7 +187,7 @@ static int64_t first_cut(int64_t start, const ctl_bank* bank, int64_t length)
     return start + (int64_t)((uint64_t)length * bank->registers[CTL_OFFSET_BANK_CUT_ANGLE] / FULL_CIRCLE);
 }
 
-/* What the film lags by at a cut goes with its speed. */
+/* The lag of the film at a cut goes with its speed. */
 static void scale_lag(ctl_packer* packer, int64_t bag_before, uint32_t cycle_before)
 {
     if (bag_before != 0)

@@ -52,7 +52,8 @@ static void raise_alarm(ctl_packer* packer, uint32_t bit)
     packer->alarms = (uint16_t)(packer->alarms | 1u << bit);
 }
 
-/* What the film is to be shifted by so that the next cut, `wanted` away from its mark, meets it. */
+/* Returns the shift of the film by which the next cut, `wanted` away from its mark, meets it, within limits.
+ */
 static int64_t allowed_shift(ctl_packer* packer, const ctl_mark* mark, int64_t wanted)
 {
     int64_t phase_limit = film_um(packer, CTL_REG_PARAMETER_PHASE_LIMIT);

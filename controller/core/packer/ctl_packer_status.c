@@ -11,6 +11,16 @@
 #define VIEW_UM 100 /* of the picture of the film */
 #define NOTHING 0x8000u
 
+_Static_assert(CTL_REG_PACKER_BAGS + CTL_BAG_REGISTERS * CTL_BAG_RECORDS == CTL_REG_PACKER_FILM_POSITION,
+               "the records fill their place in the group");
+_Static_assert(CTL_REG_PACKER_CUTS + CTL_VIEW_CUTS == CTL_REG_PACKER_SEEN_MARKS, "so do the cuts in view");
+_Static_assert(CTL_REG_PACKER_SEEN_MARKS + CTL_VIEW_MARKS == CTL_REG_PACKER_SEEN_PRODUCTS, "so do the marks");
+_Static_assert(CTL_REG_PACKER_SEEN_PRODUCTS + 2u * CTL_VIEW_PRODUCTS ==
+                   CTL_REG_PACKER_MARK_STATE + CTL_GROUP_PACKER,
+               "so do the products");
+_Static_assert(CTL_VIEW_MARKS <= CTL_WAITING_MARKS && CTL_VIEW_PRODUCTS <= CTL_PRODUCTS,
+               "as many as are shown are kept");
+
 static uint16_t saturated16(int64_t value)
 {
     if (value > INT16_MAX)
