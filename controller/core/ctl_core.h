@@ -5,69 +5,25 @@
 #ifndef CTL_CORE_H
 #define CTL_CORE_H
 
-#include "ctl_bank.h"
-#include "ctl_flash.h"
-#include "ctl_map.h"
-#include "ctl_motion.h"
-#include "ctl_packer.h"
-#include "ctl_port.h"
-#include "ctl_rtu.h"
-#include "ctl_transfer.h"
+#include "link/ctl_parts.h"
+
+#include <stddef.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-typedef struct {
-    ctl_bank bank[2]; /* one is executed, the other is the shadow that a download fills */
-    uint8_t active;
-    bool has_active;
-    uint32_t active_crc; /* 0 while there is none */
-    uint32_t generation;
-    uint32_t check_crc; /* the active bank is read over and over in the background */
-    uint32_t check_position;
-} ctl_banks;
-
-typedef struct {
-    bool heard; /* a heartbeat came since power-up */
-    uint16_t last;
-    uint64_t advanced_us;
-    bool jog_blocked; /* until the keys were seen released */
-} ctl_heartbeat;
-
-typedef struct {
-    uint32_t length_um; /* last one, 0 until measured */
-    uint32_t count;
-} ctl_bags;
-
-typedef struct {
-    bool set;
-    uint32_t unix_time; /* when it was set */
-    uint64_t set_us;
-} ctl_clock;
-
-typedef struct ctl_core {
-    ctl_config config;
-    ctl_port port;
-    uint64_t started_us;
-    uint64_t now_us;
-    bool catching_up;   /* the slice is not the last one of its call: what is measured is newer than now_us */
-    uint32_t tick_rest; /* of the timer ticks since power-up, in 1 / 1 000 000 */
-    ctl_rtu rtu;
-    ctl_written written;
-    uint16_t command_result[CTL_GROUP_RESULT];
-    ctl_banks banks;
-    ctl_transfer transfer;
-    ctl_flash flash;
-    ctl_motion motion;
-    ctl_heartbeat heartbeat;
-    ctl_bags bags;
-    ctl_packer packer;
-    ctl_clock clock;
-} ctl_core;
-
 /* Power-up: loads the newest valid flash slot. The port's context must outlive the core. */
 void ctl_init(ctl_core* core, const ctl_config* config, const ctl_port* port, uint64_t now_us);
+/* Bytes off the line; the last of them ended at now_us. */
+void ctl_receive(ctl_core* core, const uint8_t* bytes, size_t size, uint64_t now_us);
+/* The receiver saw a parity, framing or overrun error: the frame under way will be dropped. */
+void ctl_receive_error(ctl_core* core, uint64_t now_us);
+/* The answer that is ready, to be sent now; at most CTL_FRAME_BYTES. Returns its size, 0 when there is none.
+ */
+size_t ctl_take_answer(ctl_core* core, uint8_t* bytes);
+/* Ends the frame under way when the line has been silent for long enough; ctl_tick() does it too. */
+void ctl_receive_silence(ctl_core* core, uint64_t now_us);
 /* The only clock: moves everything on to now_us, in slices of at most config.slice_us. */
 void ctl_tick(ctl_core* core, uint64_t now_us);
 
@@ -75,16 +31,6 @@ void ctl_tick(ctl_core* core, uint64_t now_us);
 void ctl_on_cut(ctl_core* core, int64_t film);
 /* The bag that ended with the last cut was measured. */
 void ctl_on_bag_cut(ctl_core* core, uint32_t length_um);
-
-const ctl_bank* ctl_active_bank(const ctl_core* core);
-ctl_bank* ctl_staged_bank(ctl_core* core);
-/* The staged bank becomes the active one, the shadow becomes empty. */
-void ctl_swap_banks(ctl_core* core);
-/* The active bank still has its CRC-32. */
-bool ctl_active_bank_intact(const ctl_core* core);
-
-uint16_t ctl_parameter16(const ctl_core* core, uint32_t address);
-uint32_t ctl_parameter32(const ctl_core* core, uint32_t address);
 
 #ifdef __cplusplus
 }

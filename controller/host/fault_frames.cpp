@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fault_frames.h"
 
-#include "ctl_crc.h"
+#include "base/ctl_crc.h"
 #include "ctl_registers.h"
-#include "ctl_status.h"
 
 #include <algorithm>
 #include <array>

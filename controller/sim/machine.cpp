@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "machine.h"
 
-#include "ctl_feed.h"
-#include "ctl_press.h"
-#include "ctl_step.h"
-#include "ctl_words.h"
+#include "base/ctl_words.h"
+#include "engine/ctl_press.h"
+#include "engine/ctl_step.h"
+#include "packer/ctl_feed.h"
 
 #include <algorithm>
 #include <cmath>

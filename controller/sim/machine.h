@@ -5,7 +5,7 @@
 // with a mark at each motor revolution. The same seed and calls give the same results.
 #pragma once
 
-#include "ctl_bank.h"
+#include "base/ctl_bank.h"
 #include "film.h"
 #include "infeed.h"
 #include "press_ram.h"

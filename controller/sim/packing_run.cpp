@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "packing_run.h"
 
-#include "ctl_command.h"
-#include "ctl_words.h"
+#include "bank/ctl_check.h"
+#include "base/ctl_words.h"
+#include "link/ctl_map.h"
 #include "simulated_controller.h"
 
 #include <algorithm>
@@ -101,24 +102,25 @@ private:
                               static_cast<std::uint32_t>(parameter.registers.size())) != 0)
                 return end(PackingEnd::BadParameter, parameter.address);
         }
-        ctl_bank& bank = *ctl_staged_bank(&m_core);
+        ctl_bank& bank = *ctl_staged_bank(&m_core.banks);
         if (m_job.bank.size() > std::size(bank.registers))
             return end(PackingEnd::BadBank, CTL_TRANSFER_RESULT_BAD_LENGTH);
         std::ranges::copy(m_job.bank, bank.registers);
         const ctl_verdict verdict =
-            ctl_bank_check(&bank, &m_core.config, static_cast<std::uint32_t>(m_job.bank.size()));
+            ctl_bank_check(&bank, &m_core.board.config, static_cast<std::uint32_t>(m_job.bank.size()));
         if (verdict.result != CTL_TRANSFER_RESULT_ACCEPTED)
             return end(PackingEnd::BadBank, verdict.result);
         m_core.transfer.staged_crc = ctl_bank_crc(&bank);
-        ctl_motion_change_program(&m_core);
-        m_setMm = ctl_get32(&ctl_active_bank(&m_core)->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH]) / umPerMm;
+        ctl_motion_change_program(&m_core.motion);
+        m_setMm =
+            ctl_get32(&ctl_active_bank(&m_core.banks)->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH]) / umPerMm;
         m_longestBagUs = static_cast<std::uint64_t>(longestBagCycles * cycleS(m_job) * usPerS);
         return true;
     }
 
     bool start()
     {
-        const std::uint16_t refusal = ctl_motion_start(&m_core);
+        const std::uint16_t refusal = ctl_motion_start(&m_core.motion);
         if (refusal != CTL_REFUSAL_NONE)
             return end(PackingEnd::Refused, refusal);
         m_untilUs = m_controller.nowUs() + longestStartUs + m_longestBagUs;
@@ -152,7 +154,7 @@ private:
                      std::abs(static_cast<double>(motion.commanded - motion.actual)));
         if (motion.state == CTL_STATE_FAULT)
             return end(PackingEnd::Fault, motion.fault);
-        if (m_core.packer.alarms != 0 && ctl_motion_standstill(&m_core))
+        if (m_core.packer.alarms != 0 && ctl_motion_standstill(&m_core.motion))
             return takeAlarm(m_core.packer.alarms);
         return m_controller.nowUs() < m_untilUs || end(PackingEnd::NoBags, 0);
     }
@@ -199,7 +201,7 @@ private:
         bag.number = ++m_result.bags;
         bag.timeS = static_cast<double>(m_controller.nowUs() - m_startUs) / usPerS;
         bag.lengthMm = *cut.lengthUm / umPerMm;
-        bag.lengths = ctl_packer_lengths_in_bag(&m_core);
+        bag.lengths = ctl_packer_lengths_in_bag(&m_core.packer);
         bag.deviationMm = bag.lengthMm - bag.lengths * m_setMm;
         bag.markErrorMm = cut.markErrorMm;
         bag.flags = record[3];
@@ -215,7 +217,7 @@ private:
 
     void settle(const PackedBag& bag)
     {
-        const bool tracks = ctl_packer_tracks(&m_core);
+        const bool tracks = ctl_packer_tracks(&m_core.packer);
         const bool fits = bag.atSpeed && (!tracks || (bag.flags & 1u << CTL_BAG_BIT_TRACKED) != 0);
         m_isSettled = m_isSettled || (fits && m_beforeFits);
         m_beforeFits = fits;
@@ -241,9 +243,9 @@ private:
     // Returns the clearance, plus the remaining correction and undetectable errors.
     double keptClearMm() const
     {
-        const double clearance = ctl_parameter16(&m_core, CTL_REG_PARAMETER_CUT_CLEARANCE) / umPerMm;
-        const double phase = ctl_parameter16(&m_core, CTL_REG_PARAMETER_PHASE_LIMIT) / umPerMm;
-        const double length = m_setMm * static_cast<double>(ctl_packer_length_limit(&m_core)) /
+        const double clearance = ctl_parameter16(&m_core.board, CTL_REG_PARAMETER_CUT_CLEARANCE) / umPerMm;
+        const double phase = ctl_parameter16(&m_core.board, CTL_REG_PARAMETER_PHASE_LIMIT) / umPerMm;
+        const double length = m_setMm * static_cast<double>(ctl_packer_length_limit(&m_core.packer)) /
                               static_cast<double>(m_core.packer.bag);
         return clearance + sensorMm + (m_skippedAligning ? m_setMm * aligningShare : length + phase);
     }

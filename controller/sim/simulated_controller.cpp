@@ -86,7 +86,7 @@ void SimulatedController::takeOverProgram()
     if (!m_core->banks.has_active)
         return;
     m_generation = m_core->banks.generation;
-    m_machine.setProgram(*ctl_active_bank(m_core.get()));
+    m_machine.setProgram(*ctl_active_bank(&m_core->banks));
 }
 
 void SimulatedController::step()
@@ -112,7 +112,7 @@ void SimulatedController::runTo(std::uint64_t timeUs)
 {
     while (m_nowUs + m_stepUs <= timeUs)
         step();
-    ctl_rtu_tick(m_core.get(), timeUs);
+    ctl_receive_silence(m_core.get(), timeUs);
 }
 
 } // namespace campanel::controller

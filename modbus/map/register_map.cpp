@@ -47,7 +47,7 @@ constexpr std::array registerTable{
          "of the master of a point cam: 0 forward, 1 backward; a running one ramps through zero", {}, 0, 1,
          0),
 
-    // Film, marks and products of a packing machine; see controller/README.md, "Packing".
+    // Film, marks and products of a packing machine; see controller/core/packer/README.md.
     rw16("parameter.mark_tracking", 0x008A, "1: cuts follow the printed marks", {}, 0, 1, 1),
     rw32("parameter.mark_distance", 0x008B, "film between the mark sensor and the knife", 10, 5000, 900,
          0.001, "mm"),

@@ -2,7 +2,7 @@
 // Both ends of a faulty line on simulated time: a panel that asks, and a controller that answers at once.
 #pragma once
 
-#include "ctl_crc.h"
+#include "base/ctl_crc.h"
 #include "faulty_line.h"
 
 #include <algorithm>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "press_bench.h"
 
+#include "bank/ctl_check.h"
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -39,14 +41,14 @@ PressBench::PressBench(const PressImage& image, const controller::MachineOptions
     const ctl_config config = benchConfig();
     ctl_init(m_core.get(), &config, &port, 0);
     const Registers registers = image.registers();
-    std::ranges::copy(registers, ctl_staged_bank(m_core.get())->registers);
-    const ctl_verdict verdict =
-        ctl_bank_check(ctl_staged_bank(m_core.get()), &config, static_cast<std::uint32_t>(registers.size()));
+    std::ranges::copy(registers, ctl_staged_bank(&m_core->banks)->registers);
+    const ctl_verdict verdict = ctl_bank_check(ctl_staged_bank(&m_core->banks), &config,
+                                               static_cast<std::uint32_t>(registers.size()));
     if (verdict.result != CTL_TRANSFER_RESULT_ACCEPTED)
         throw std::runtime_error("the bank was refused");
     m_core->transfer.staged_crc = crc32(registers);
-    ctl_motion_change_program(m_core.get());
-    m_machine.setProgram(*ctl_active_bank(m_core.get()));
+    ctl_motion_change_program(&m_core->motion);
+    m_machine.setProgram(*ctl_active_bank(&m_core->banks));
 }
 
 void PressBench::onPulses(std::int32_t count)
@@ -79,7 +81,7 @@ void PressBench::tick()
 void PressBench::runToStandstill()
 {
     const std::uint64_t endUs = m_nowUs + minuteUs;
-    while (!ctl_motion_standstill(m_core.get()) && m_nowUs < endUs)
+    while (!ctl_motion_standstill(&m_core->motion) && m_nowUs < endUs)
         tick();
 }
 
@@ -87,7 +89,7 @@ bool PressBench::stroke()
 {
     heldMm = 0.0;
     backwards = 0;
-    if (ctl_motion_start(m_core.get()) != CTL_REFUSAL_NONE)
+    if (ctl_motion_start(&m_core->motion) != CTL_REFUSAL_NONE)
         return false;
     runToStandstill();
     return true;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The cam-point engine driven directly: the cubic, its smoothness, exact wraps in both directions, pulses on
 // a straight line between updates, and refused banks.
-#include "ctl_table.h"
+#include "bank/ctl_check.h"
+#include "engine/ctl_table.h"
 #include "rig.h"
 #include "support/cam_image.h"
 #include "tests/support/test_program.h"

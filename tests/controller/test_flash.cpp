@@ -127,7 +127,7 @@ void TestFlash::powerCutAtEveryByte()
         const std::uint32_t expected = crc32(bankNumber(cut < bytes ? 2 : 3).registers());
         QCOMPARE(rig.core().banks.active_crc, expected);
         QCOMPARE(rig.core().flash.saved_crc, expected);
-        QVERIFY(ctl_active_bank_intact(&rig.core()));
+        QVERIFY(ctl_active_bank_intact(&rig.core().banks));
         // The next save goes to the broken slot and works.
         QCOMPARE(saveNumber(rig, 4), CTL_REFUSAL_NONE);
         Rig after({}, &flash);

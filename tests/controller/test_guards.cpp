@@ -38,16 +38,16 @@ void TestGuards::jogDiesWithTheHeartbeat()
         rig.run(100'000);
     }
     QCOMPARE(rig.core().motion.state, CTL_STATE_JOGGING);
-    QCOMPARE(ctl_motion_commanded_hz(&rig.core()), std::int64_t{1000});
+    QCOMPARE(ctl_motion_commanded_hz(&rig.core().motion), std::int64_t{1000});
     rig.heartbeat(1u << CTL_JOG_BIT_FORWARD);
     const std::uint64_t lastUs = rig.core().heartbeat.advanced_us;
     // The same heartbeat again does not count.
     const Registers same = rig.read(CTL_REG_EXCHANGE_TAG, 3);
     rig.write(CTL_REG_EXCHANGE_TAG, same);
     rig.controller().runTo(lastUs + 199'750);
-    QCOMPARE(ctl_motion_commanded_hz(&rig.core()), std::int64_t{1000});
+    QCOMPARE(ctl_motion_commanded_hz(&rig.core().motion), std::int64_t{1000});
     rig.controller().runTo(lastUs + 200'250);
-    QVERIFY(ctl_motion_commanded_hz(&rig.core()) < 1000);
+    QVERIFY(ctl_motion_commanded_hz(&rig.core().motion) < 1000);
     rig.controller().runTo(lastUs + 250'250);
     QCOMPARE(rig.core().motion.state, CTL_STATE_IDLE);
     const std::int64_t stopped = rig.core().motion.commanded;
@@ -73,10 +73,10 @@ void TestGuards::jogReversesAndIsRefused()
     rig.heartbeat(1u << CTL_JOG_BIT_REVERSE);
     rig.run(150'000);
     QVERIFY(rig.core().motion.commanded < 0);
-    QCOMPARE(ctl_motion_commanded_hz(&rig.core()), std::int64_t{-1000});
+    QCOMPARE(ctl_motion_commanded_hz(&rig.core().motion), std::int64_t{-1000});
     rig.heartbeat(1u << CTL_JOG_BIT_FORWARD);
     rig.run(190'000);
-    QCOMPARE(ctl_motion_commanded_hz(&rig.core()), std::int64_t{1000});
+    QCOMPARE(ctl_motion_commanded_hz(&rig.core().motion), std::int64_t{1000});
     rig.heartbeat(1u << CTL_JOG_BIT_FORWARD);
     QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_ALREADY_RUNNING);
     QCOMPARE(rig.command(CTL_COMMAND_STOP_NOW), CTL_REFUSAL_NONE);

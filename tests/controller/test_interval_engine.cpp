@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The interval engine: the published pulse times of CamMov(10, 50, 800, 40000), the corrected total, the
 // status bits of the double buffer, and equality with a simulation iteration by iteration.
-#include "ctl_interval.h"
-#include "ctl_words.h"
+#include "base/ctl_words.h"
+#include "engine/ctl_interval.h"
 #include "rig.h"
 #include "tests/support/test_program.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Moves of intervals on the bench, by commands: one run per start, a held speed, both stops, flash, refusals.
 // Positions are compared with uniformly accelerated motion in floating point.
+#include "bank/ctl_check.h"
 #include "rig.h"
 #include "support/cam_image.h"
 #include "support/interval_image.h"

@@ -115,7 +115,7 @@ void TestMotion::rampReachesTheTablesSpeed()
     std::int64_t actual = 0;
     for (int i = 0; i < 4000; ++i) {
         rig.controller().step();
-        commanded += ctl_motion_commanded_hz(&rig.core());
+        commanded += ctl_motion_commanded_hz(&rig.core().motion);
         actual += rig.core().motion.actual_hz;
     }
     QVERIFY(std::abs(commanded / 4000 - 10000) <= 50);

@@ -2,7 +2,7 @@
 // Film, infeed and knife together: the controller's core on the simulated packing machine.
 #include "rig.h"
 
-#include "ctl_packer.h"
+#include "packer/ctl_packer.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -51,7 +51,8 @@ std::vector<double> bagsOf(Rig& rig, std::uint64_t timeUs)
         rig.controller().step();
         const auto& cut = rig.controller().cut();
         if (cut && cut->lengthUm)
-            deviations.push_back(*cut->lengthUm / 1000.0 - 250.0 * ctl_packer_lengths_in_bag(&rig.core()));
+            deviations.push_back(*cut->lengthUm / 1000.0 -
+                                 250.0 * ctl_packer_lengths_in_bag(&rig.core().packer));
     }
     return deviations;
 }
@@ -248,7 +249,7 @@ void TestPackingLine::filmWaitsForAProduct()
             continue;
         ++cuts;
         empty += rig.controller().cut()->products.empty() ? 1u : 0u;
-        QCOMPARE(ctl_packer_lengths_in_bag(&rig.core()), 1u);
+        QCOMPARE(ctl_packer_lengths_in_bag(&rig.core().packer), 1u);
     }
     QVERIFY(packer.empty > 40);
     QCOMPARE(empty, 0u);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The separate parts of a packing machine's line: gate, feed, marks, products.
-#include "ctl_feed.h"
-#include "ctl_gate.h"
-#include "ctl_marks.h"
-#include "ctl_products.h"
 #include "ctl_registers.h"
+#include "packer/ctl_feed.h"
+#include "packer/ctl_gate.h"
+#include "packer/ctl_marks.h"
+#include "packer/ctl_products.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>

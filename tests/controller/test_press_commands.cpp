@@ -131,13 +131,14 @@ void TestPressCommands::stopNowInEveryStage()
     QFETCH(int, stage);
     QFETCH(int, result);
     PressBench bench(PressImage{}, MachineOptions{});
-    QCOMPARE(ctl_motion_start(&bench.core()), std::uint16_t{CTL_REFUSAL_NONE});
+    QCOMPARE(ctl_motion_start(&bench.core().motion), std::uint16_t{CTL_REFUSAL_NONE});
     runUntilStage(bench, static_cast<std::uint16_t>(stage));
     for (int i = 0; i < 400; ++i) // about 60 ms into the stage
         bench.tick();
     const double stoppedMm = bench.machine().ram().positionMm();
-    const double speedMmPerS = std::abs(static_cast<double>(ctl_motion_commanded_hz(&bench.core()))) / 100;
-    QCOMPARE(ctl_motion_stop_now(&bench.core()), std::uint16_t{CTL_REFUSAL_NONE});
+    const double speedMmPerS =
+        std::abs(static_cast<double>(ctl_motion_commanded_hz(&bench.core().motion))) / 100;
+    QCOMPARE(ctl_motion_stop_now(&bench.core().motion), std::uint16_t{CTL_REFUSAL_NONE});
     bench.runToStandstill();
     QCOMPARE(bench.core().motion.state, std::uint16_t{CTL_STATE_READY});
     QCOMPARE(int{bench.last().result}, result);
@@ -154,10 +155,10 @@ void TestPressCommands::stopNowInEveryStage()
 void TestPressCommands::stopAtCycleEndFinishesTheStroke()
 {
     PressBench bench(PressImage{}, MachineOptions{});
-    QCOMPARE(ctl_motion_start(&bench.core()), std::uint16_t{CTL_REFUSAL_NONE});
-    QCOMPARE(ctl_motion_start(&bench.core()), std::uint16_t{CTL_REFUSAL_ALREADY_RUNNING});
+    QCOMPARE(ctl_motion_start(&bench.core().motion), std::uint16_t{CTL_REFUSAL_NONE});
+    QCOMPARE(ctl_motion_start(&bench.core().motion), std::uint16_t{CTL_REFUSAL_ALREADY_RUNNING});
     runUntilStage(bench, CTL_PRESS_STAGE_PROBE);
-    QCOMPARE(ctl_motion_stop_at_cycle_end(&bench.core()), std::uint16_t{CTL_REFUSAL_NONE});
+    QCOMPARE(ctl_motion_stop_at_cycle_end(&bench.core().motion), std::uint16_t{CTL_REFUSAL_NONE});
     QCOMPARE(bench.core().motion.state, std::uint16_t{CTL_STATE_STOPPING});
     bench.runToStandstill();
     QCOMPARE(int{bench.last().result}, int{CTL_STROKE_RESULT_OK});
@@ -169,7 +170,7 @@ void TestPressCommands::stopAtCycleEndFinishesTheStroke()
 void TestPressCommands::abandonedByAFault()
 {
     PressBench bench(PressImage{}, MachineOptions{});
-    QCOMPARE(ctl_motion_start(&bench.core()), std::uint16_t{CTL_REFUSAL_NONE});
+    QCOMPARE(ctl_motion_start(&bench.core().motion), std::uint16_t{CTL_REFUSAL_NONE});
     runUntilStage(bench, CTL_PRESS_STAGE_APPROACH);
     bench.machine().setDriveOn(false);
     bench.runToStandstill();
@@ -182,7 +183,7 @@ void TestPressCommands::abandonedByAFault()
         bench.tick();
     QCOMPARE(bench.core().motion.commanded, commanded);
     bench.machine().setDriveOn(true);
-    QCOMPARE(ctl_motion_reset_fault(&bench.core()), std::uint16_t{CTL_REFUSAL_NONE});
+    QCOMPARE(ctl_motion_reset_fault(&bench.core().motion), std::uint16_t{CTL_REFUSAL_NONE});
     QVERIFY(bench.stroke());
     QCOMPARE(int{bench.last().result}, int{CTL_STROKE_RESULT_OK});
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The press: counted runs, the figures of the servo-press paper (100 strokes at each speed, two pulses
 // there), and misplaced work pieces.
-#include "ctl_count.h"
+#include "bank/ctl_check.h"
+#include "engine/ctl_count.h"
 #include "press_bench.h"
 #include "tests/support/test_program.h"
 
@@ -221,7 +222,7 @@ void TestPressEngine::sameSeedSameStrokes()
             results.emplace_back(bench.last().result, bench.last().force);
             while (bench.core().motion.actual_hz != 0)
                 bench.tick();
-            (void)ctl_motion_reset_fault(&bench.core());
+            (void)ctl_motion_reset_fault(&bench.core().motion);
         }
         return results;
     };
@@ -274,9 +275,9 @@ void TestPressEngine::wrongWorkPiece()
     options.press.missing = missing;
     options.press.stiffnessNPerMm = stiffness;
     PressBench bench(PressImage{}, options);
-    QCOMPARE(ctl_motion_start(&bench.core()), CTL_REFUSAL_NONE);
+    QCOMPARE(ctl_motion_start(&bench.core().motion), CTL_REFUSAL_NONE);
     double deepest = 0.0;
-    while (!ctl_motion_standstill(&bench.core())) {
+    while (!ctl_motion_standstill(&bench.core().motion)) {
         bench.tick();
         deepest = std::max(deepest, bench.machine().ram().positionMm());
         QVERIFY(bench.nowUs() < 60'000'000);
@@ -292,7 +293,7 @@ void TestPressEngine::wrongWorkPiece()
     QVERIFY(!bench.stroke());
     while (bench.core().motion.actual_hz != 0)
         bench.tick();
-    QCOMPARE(ctl_motion_reset_fault(&bench.core()), CTL_REFUSAL_NONE);
+    QCOMPARE(ctl_motion_reset_fault(&bench.core().motion), CTL_REFUSAL_NONE);
     QVERIFY(bench.stroke());
     QCOMPARE(int{bench.last().result}, result);
 }
@@ -329,7 +330,7 @@ void TestPressEngine::badBanksAreRefused_data()
     QTest::addColumn<int>("result");
     QTest::addColumn<int>("detail");
     const auto row = [](int index, int word) {
-        return static_cast<int>(CTL_OFFSET_BANK_ROWS + CTL_PRESS_ROW_REGISTERS * unsigned(index)) + word;
+        return static_cast<int>(CTL_OFFSET_BANK_ROWS + CTL_STAGE_REGISTERS * unsigned(index)) + word;
     };
     const auto header = [](const char* name, int offset, std::uint16_t value) {
         QTest::newRow(name) << offset << value << int{CTL_TRANSFER_RESULT_BAD_HEADER} << offset;

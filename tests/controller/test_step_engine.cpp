@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The step-table engine: the same motion pulse by pulse and in bulk; no drift, cycle time exact to the tick.
-#include "ctl_ramp.h"
-#include "ctl_step.h"
+#include "bank/ctl_check.h"
+#include "engine/ctl_ramp.h"
+#include "engine/ctl_step.h"
 #include "rig.h"
 #include "tests/support/test_program.h"
 

@@ -3,8 +3,8 @@
 // The counts are compared with K Z / N as an exact fraction, computed here. Tables of intervals pass the
 // controller's check and its engine.
 #include "app/program/program_image.h"
-#include "ctl_interval.h"
-#include "ctl_words.h"
+#include "base/ctl_words.h"
+#include "engine/ctl_interval.h"
 #include "profile/intervals/intervals.h"
 #include "profile/laws/laws.h"
 #include "rig.h"
@@ -126,7 +126,7 @@ void TestTableInController::aMillionCyclesWithoutDrift()
 
     const double cycleTicks = 60 / values.rateBagsPerMin * clockHz;
     ctl_step step{};
-    ctl_step_reset(&step, ctl_active_bank(&rig.core()));
+    ctl_step_reset(&step, ctl_active_bank(&rig.core().banks));
     std::int64_t pulses = 0;
     std::int64_t ticks = 0;
     for (std::int64_t cycle = 1; cycle <= manyCycles; ++cycle) {
@@ -166,7 +166,7 @@ void TestTableInController::slicesDoNotChangeTheCycle()
     Rig rig;
     install(rig, *image);
     ctl_step step{};
-    ctl_step_reset(&step, ctl_active_bank(&rig.core()));
+    ctl_step_reset(&step, ctl_active_bank(&rig.core().banks));
     for (int cycle = 0; cycle < 3; ++cycle) {
         int pulses = 0;
         std::int64_t ticks = 0;

@@ -2,7 +2,7 @@
 // Press banks for tests, built without the profile layer; 0.01 mm per pulse.
 #pragma once
 
-#include "ctl_press.h"
+#include "engine/ctl_press.h"
 
 #include <array>
 #include <cstdint>
@@ -18,11 +18,11 @@ struct PressImage {
         std::uint32_t ms = 0;
     };
     // 80 mm/s to 60 mm, 4 mm/s until 200 N or 90 mm, 10 mm/s to 100 mm, 0.1 s, 80 mm/s up; at most 8000 N.
-    std::array<Row, CTL_PRESS_ROWS> rows{{{8000, 6000, 200, 20},
-                                          {400, 9000, 200, 5},
-                                          {1000, 10000, 8000, 5},
-                                          {0, 10000, 8000, 100},
-                                          {8000, 0, 8000, 20}}};
+    std::array<Row, CTL_STAGE_COUNT> rows{{{8000, 6000, 200, 20},
+                                           {400, 9000, 200, 5},
+                                           {1000, 10000, 8000, 5},
+                                           {0, 10000, 8000, 100},
+                                           {8000, 0, 8000, 20}}};
     std::uint16_t toleranceUm = 20;
     std::uint16_t minStopForce = 1000;
     std::uint16_t maxStopForce = 6000;
@@ -31,15 +31,15 @@ struct PressImage {
 
     [[nodiscard]] std::vector<std::uint16_t> registers() const
     {
-        std::vector<std::uint16_t> result(
-            CTL_BANK_HEADER_REGISTERS + CTL_PRESS_ROWS * CTL_PRESS_ROW_REGISTERS, 0);
+        std::vector<std::uint16_t> result(CTL_BANK_HEADER_REGISTERS + CTL_STAGE_COUNT * CTL_STAGE_REGISTERS,
+                                          0);
         const auto wide = [&result](std::size_t offset, std::uint32_t value) {
             result.at(offset) = static_cast<std::uint16_t>(value >> 16);
             result.at(offset + 1) = static_cast<std::uint16_t>(value & 0xFFFFu);
         };
         result[CTL_OFFSET_BANK_LAYOUT] = CTL_TABLE_LAYOUT_PRESS_STAGES;
         result[CTL_OFFSET_BANK_KIND] = CTL_PROGRAM_KIND_PRESS;
-        result[CTL_OFFSET_BANK_ROW_COUNT] = CTL_PRESS_ROWS;
+        result[CTL_OFFSET_BANK_ROW_COUNT] = CTL_STAGE_COUNT;
         wide(CTL_OFFSET_BANK_CYCLE_TICKS, 80'000'000);
         wide(CTL_OFFSET_BANK_DIVISOR, 1);
         result[CTL_OFFSET_PRESS_POSITION_TOLERANCE] = toleranceUm;
@@ -60,7 +60,7 @@ struct PressImage {
             wide(at + 2, static_cast<std::uint32_t>(row.end));
             wide(at + 4, row.force);
             wide(at + 6, row.ms);
-            at += CTL_PRESS_ROW_REGISTERS;
+            at += CTL_STAGE_REGISTERS;
         }
         return result;
     }

@@ -7,7 +7,7 @@
 #include "rig.h"
 #include "support/random_recipe.h"
 
-#include "ctl_bank.h"
+#include "bank/ctl_check.h"
 #include "modbus/map/codec.h"
 #include "modbus/map/protocol.h"
 #include "profile/laws/laws.h"

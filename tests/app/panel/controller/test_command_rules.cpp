@@ -62,7 +62,7 @@ std::unique_ptr<Rig> rigIn(Situation situation, profile::ProgramKind kind)
         break;
     case Situation::FaultWithoutProgram:
     case Situation::Fault:
-        ctl_motion_fault(&rig->core(), CTL_FAULT_BIT_FOLLOWING_ERROR);
+        ctl_motion_fault(&rig->core().motion, CTL_FAULT_BIT_FOLLOWING_ERROR);
         break;
     case Situation::Homing:
         rig->command(CTL_COMMAND_HOME);

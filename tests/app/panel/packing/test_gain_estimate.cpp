@@ -2,8 +2,8 @@
 // The suggested gains, from marks followed by the controller's own tracker: slip and sensor noise are
 // recovered.
 #include "app/panel/packing/gain_estimate.h"
-#include "ctl_marks.h"
 #include "ctl_registers.h"
+#include "packer/ctl_marks.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>

@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "base/ctl_limits.h"
+
+#include "base/ctl_words.h"
+#include "ctl_registers.h"
+
+typedef struct {
+    uint16_t address;
+    uint16_t words; /* 1 or 2; SIGNED: one, signed */
+    int64_t minimum;
+    int64_t maximum;
+    int64_t initial; /* of parameters */
+} limit;
+
+#define SIGNED 0u
+#define LIMIT(name, words) {CTL_REG_##name, words, CTL_MIN_##name, CTL_MAX_##name, CTL_DEFAULT_##name},
+static const limit limits[] = {CTL_LIMITS(LIMIT)};
+
+#define LIMIT_COUNT (sizeof limits / sizeof limits[0])
+
+static int64_t value_at(const uint16_t* at, uint32_t words)
+{
+    if (words == SIGNED)
+        return (int16_t)*at;
+    return words == 2 ? ctl_get32(at) : *at;
+}
+
+bool ctl_within_limits(const uint16_t* values, uint32_t base, uint32_t count)
+{
+    for (uint32_t i = 0; i < LIMIT_COUNT; ++i) {
+        if (limits[i].address < base || limits[i].address - base >= count)
+            continue;
+        const uint16_t* at = &values[limits[i].address - base];
+        const int64_t value = value_at(at, limits[i].words);
+        if (value < limits[i].minimum || value > limits[i].maximum)
+            return false;
+    }
+    return true;
+}
+
+bool ctl_parameters_valid(const uint16_t* parameter)
+{
+    return ctl_within_limits(parameter, CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT, CTL_GROUP_PARAMETER);
+}
+
+void ctl_parameters_reset(uint16_t* parameter)
+{
+    const uint32_t base = CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT;
+    for (uint32_t i = 0; i < LIMIT_COUNT; ++i) {
+        const limit* row = &limits[i];
+        if (row->address < base || row->address - base >= CTL_GROUP_PARAMETER)
+            continue;
+        uint16_t* at = &parameter[row->address - base];
+        if (row->words == 2)
+            ctl_put32(at, (uint32_t)row->initial);
+        else
+            *at = (uint16_t)row->initial;
+    }
+}

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* The functions and figures that the controller needs from the board that it runs on. A port fills ctl_port
+ * and ctl_config and calls ctl_tick(); nothing else in the core touches hardware. */
+#ifndef CTL_PORT_H
+#define CTL_PORT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define CTL_FLASH_SLOTS 2u
+#define CTL_SLICE_US 250u
+
+typedef struct {
+    void* context; /* given back to every callback */
+
+    /* Pulses that leave now; negative: in reverse. */
+    void (*pulses)(void* context, int32_t count);
+    /* Encoder position since power-up, in pulses of the command. */
+    int64_t (*encoder)(void* context);
+    /* True once after the index mark was passed forward; gives the encoder position latched there. */
+    bool (*index)(void* context, int64_t* encoder_at_mark);
+    /* Scale at the ram of a press, 1/256 pulse of the command, zero where the encoder's is; NULL: there is
+     * the encoder only. */
+    int64_t (*scale)(void* context);
+    /* Force of a press now, N; NULL on a machine without. */
+    int32_t (*force)(void* context);
+
+    /* Film and infeed of a packing machine; all NULL on a machine without. Pulses that leave now; positions
+     * since power-up in 1/256 pulse of the command. */
+    void (*film_pulses)(void* context, int32_t count);
+    int64_t (*film)(void* context);
+    void (*infeed_pulses)(void* context, int32_t count);
+    int64_t (*infeed)(void* context);
+    /* True once for each printed mark that passed its sensor; gives the film position latched there. */
+    bool (*mark)(void* context, int64_t* film_at_mark);
+    /* True once for each edge of a product that passed the eye; gives the infeed position latched there, and
+     * whether it covers the eye from now on. */
+    bool (*eye)(void* context, int64_t* infeed_at_edge, bool* covered);
+
+    /* Flash that keeps its bytes over power loss; slot 0 or 1, erased bytes read 0xFF. False: it failed. */
+    bool (*flash_read)(void* context, uint32_t slot, uint32_t offset, uint8_t* bytes, uint32_t size);
+    bool (*flash_erase)(void* context, uint32_t slot);
+    bool (*flash_write)(void* context, uint32_t slot, uint32_t offset, const uint8_t* bytes, uint32_t size);
+} ctl_port;
+
+typedef struct {
+    uint8_t unit;            /* Modbus unit, 1..247 */
+    uint32_t frame_gap_us;   /* silence that ends a frame: 3.5 characters, 1750 us above 19200 baud */
+    uint16_t firmware[3];    /* major, minor, patch */
+    uint64_t unique_id;      /* of this board */
+    uint32_t timer_clock_hz; /* clock of the pulse timer */
+    uint16_t timer_bits;     /* its width, at most 16 */
+    uint32_t max_pulse_hz;   /* highest pulse frequency of the output stage */
+    uint32_t slice_us;       /* longest step of the control, 0: CTL_SLICE_US */
+} ctl_config;
+
+#endif

@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "engine/ctl_ramp.h"
+
+/* Shares of the S-curve are in 1 / 2^31. */
+#define SHARE_BITS 31u
+#define WHOLE ((uint64_t)1 << SHARE_BITS)
+
+void ctl_ramp_reset(ctl_ramp* ramp, uint32_t full)
+{
+    ramp->full = full;
+    ramp->speed = 0;
+    ramp->rest = 0;
+    ramp->s_curve = false;
+}
+
+void ctl_ramp_reset_s(ctl_ramp* ramp, uint32_t full)
+{
+    ctl_ramp_reset(ramp, full);
+    ramp->s_curve = true;
+}
+
+/* 2 x^2 of the nearer end of the ramp, x being the way from there. */
+static uint64_t share_from_end(const ctl_ramp* ramp, uint32_t from_end)
+{
+    const uint64_t part = ((uint64_t)from_end << SHARE_BITS) / ramp->full;
+    return 2u * (part * part >> SHARE_BITS);
+}
+
+/* Share of full speed on the S-curve. */
+static uint64_t s_share(const ctl_ramp* ramp)
+{
+    const uint32_t left = ramp->full - ramp->speed;
+    return ramp->speed <= left ? share_from_end(ramp, ramp->speed) : WHOLE - share_from_end(ramp, left);
+}
+
+/* Travel of the S-curve from standstill to `speed`, and just as well from there to standstill: the integral
+ * of its share. A difference of two is exact however a ramp is cut. */
+static uint32_t s_travel(const ctl_ramp* ramp, uint32_t speed)
+{
+    const uint32_t left = ramp->full - speed;
+    const uint32_t from_end = speed <= left ? speed : left;
+    const uint32_t curved = (uint32_t)(from_end * share_from_end(ramp, from_end) / 3u >> SHARE_BITS);
+    return speed <= left ? curved : speed - ramp->full / 2u + curved;
+}
+
+/* Travel while the speed changes evenly from the present one to `end`. */
+static uint32_t travel(ctl_ramp* ramp, uint32_t end, uint32_t ticks)
+{
+    if (ramp->s_curve) {
+        const uint32_t one = s_travel(ramp, ramp->speed);
+        const uint32_t other = s_travel(ramp, end);
+        ramp->speed = end;
+        return one < other ? other - one : one - other;
+    }
+    const uint64_t unit = 2u * (uint64_t)ramp->full;
+    const uint64_t sum = ((uint64_t)ramp->speed + end) * ticks + ramp->rest;
+    ramp->speed = end;
+    ramp->rest = sum % unit;
+    return (uint32_t)(sum / unit);
+}
+
+uint32_t ctl_ramp_up(ctl_ramp* ramp, uint32_t ticks)
+{
+    uint32_t travelled = 0;
+    if (ramp->speed < ramp->full) {
+        const uint32_t rising = ramp->full - ramp->speed < ticks ? ramp->full - ramp->speed : ticks;
+        travelled = travel(ramp, ramp->speed + rising, rising);
+        ticks -= rising;
+    }
+    return travelled + ticks; /* ticks are left over only at full speed */
+}
+
+uint32_t ctl_ramp_down(ctl_ramp* ramp, uint32_t ticks)
+{
+    const uint32_t falling = ramp->speed < ticks ? ramp->speed : ticks;
+    return travel(ramp, ramp->speed - falling, falling);
+}
+
+uint32_t ctl_square_root(uint64_t square)
+{
+    uint64_t root = 0;
+    for (uint64_t bit = (uint64_t)1 << 31; bit != 0; bit >>= 1) {
+        if ((root + bit) * (root + bit) <= square)
+            root += bit;
+    }
+    return (uint32_t)root;
+}
+
+uint32_t ctl_ramp_speed_after(const ctl_ramp* ramp, uint32_t way)
+{
+    const uint64_t square = (uint64_t)ramp->speed * ramp->speed + 2u * (uint64_t)ramp->full * way;
+    const uint32_t speed = ctl_square_root(square);
+    return speed < ramp->full ? speed : ramp->full;
+}
+
+bool ctl_ramp_can_land(const ctl_ramp* ramp, uint64_t remaining)
+{
+    if (ramp->s_curve)
+        return s_travel(ramp, ramp->speed) <= remaining;
+    return (uint64_t)ramp->speed * ramp->speed <= 2u * (uint64_t)ramp->full * remaining;
+}
+
+uint32_t ctl_ramp_share(const ctl_ramp* ramp, uint32_t value)
+{
+    if (ramp->s_curve)
+        return (uint32_t)(value * s_share(ramp) >> SHARE_BITS);
+    return (uint32_t)((uint64_t)value * ramp->speed / ramp->full);
+}
+
+/* Goes on evenly on the S-curve for at most *ticks, at most `way`; *ticks becomes what is left of them. */
+static uint32_t cruise(ctl_ramp* ramp, uint32_t* ticks, uint64_t way)
+{
+    const uint64_t share = s_share(ramp);
+    uint64_t used = *ticks;
+    if (way <= used) {
+        const uint64_t wanted = way << SHARE_BITS;
+        const uint64_t needed = wanted > ramp->rest ? (wanted - ramp->rest + share - 1u) / share : 0;
+        used = needed < used ? needed : used;
+    }
+    const uint64_t sum = share * used + ramp->rest;
+    ramp->rest = sum % WHOLE;
+    *ticks -= (uint32_t)used;
+    return (uint32_t)(sum >> SHARE_BITS);
+}
+
+/* Gains speed while that may still be braked, goes on evenly to where the braking begins, brakes. */
+static uint32_t land_s(ctl_ramp* ramp, uint32_t ticks, uint64_t remaining, uint32_t limit)
+{
+    uint32_t travelled = 0;
+    if (ramp->speed < limit) {
+        ctl_ramp faster = *ramp;
+        const uint32_t rising = limit - ramp->speed < ticks ? limit - ramp->speed : ticks;
+        const uint32_t gained = travel(&faster, ramp->speed + rising, rising);
+        if (gained + s_travel(&faster, faster.speed) < remaining) {
+            *ramp = faster;
+            travelled = gained;
+            ticks -= rising;
+        }
+    }
+    if (remaining == travelled ||
+        s_share(ramp) == 0) { /* too slow to move at all: what is left is a fraction of a slice */
+        ramp->speed = 0;
+        return (uint32_t)remaining;
+    }
+    const uint64_t way = remaining - travelled - s_travel(ramp, ramp->speed);
+    travelled += cruise(ramp, &ticks, way);
+    if (remaining - travelled == s_travel(ramp, ramp->speed))
+        travelled += ctl_ramp_down(ramp, ticks);
+    if (travelled == remaining)
+        ramp->speed = 0;
+    return travelled;
+}
+
+uint32_t ctl_ramp_land(ctl_ramp* ramp, uint32_t ticks, uint64_t remaining, uint32_t limit)
+{
+    if (ramp->s_curve)
+        return land_s(ramp, ticks, remaining, limit);
+    /* Speed from which the ramp ends exactly there: v = sqrt(2 a d). */
+    const uint32_t curve = ctl_square_root(2u * (uint64_t)ramp->full * remaining);
+    if (curve <= ticks) {
+        ramp->speed = 0;
+        ramp->rest = 0;
+        return (uint32_t)remaining;
+    }
+    uint32_t end = ramp->speed;
+    if (end < limit)
+        end = limit - end < ticks ? limit : end + ticks;
+    if (end > curve - ticks)
+        end = curve - ticks;
+    const uint32_t travelled = travel(ramp, end, ticks);
+    if (travelled < remaining)
+        return travelled;
+    ramp->speed = 0;
+    ramp->rest = 0;
+    return (uint32_t)remaining;
+}

@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "link/ctl_command.h"
+
+#include "base/ctl_words.h"
+#include "link/ctl_parts.h"
+
+#include <stddef.h>
+
+enum { COUNTER = 0, CODE = 1, ARGUMENT0 = 2, ARGUMENT1 = 3, ARGUMENT2 = 4 };
+_Static_assert(CTL_GROUP_COMMAND == ARGUMENT2 + 2, "the wide argument ends the group");
+_Static_assert(CTL_GROUP_RESULT == 4u, "ctl_command() fills the group");
+
+static uint16_t apply_staged(ctl_core* core, const uint16_t* request)
+{
+    ctl_transfer* transfer = &core->transfer;
+    const uint16_t mode = request[ARGUMENT0];
+    if (mode > CTL_APPLY_MODE_NEXT_CYCLE)
+        return CTL_REFUSAL_BAD_ARGUMENT;
+    if (transfer->state != CTL_STAGED_STATE_SEALED && transfer->state != CTL_STAGED_STATE_ARMED)
+        return CTL_REFUSAL_NOTHING_SEALED;
+    if (request[ARGUMENT1] != transfer->session)
+        return CTL_REFUSAL_WRONG_SESSION;
+    if (ctl_get32(&request[ARGUMENT2]) != transfer->staged_crc)
+        return CTL_REFUSAL_WRONG_CHECKSUM;
+    if (ctl_motion_standstill(&core->motion)) {
+        ctl_motion_change_program(&core->motion);
+        return CTL_REFUSAL_NONE;
+    }
+    if (mode == CTL_APPLY_MODE_WHEN_STOPPED || !ctl_motion_in_cycle(&core->motion))
+        return CTL_REFUSAL_NOT_STANDSTILL;
+    if (!ctl_bank_same_machine(ctl_active_bank(&core->banks), ctl_staged_bank(&core->banks)))
+        return CTL_REFUSAL_MACHINE_DATA_DIFFERS;
+    transfer->state = CTL_STAGED_STATE_ARMED;
+    return CTL_REFUSAL_NONE;
+}
+
+static uint16_t cancel_apply(ctl_core* core)
+{
+    if (core->transfer.state != CTL_STAGED_STATE_ARMED)
+        return CTL_REFUSAL_NOT_ARMED;
+    core->transfer.state = CTL_STAGED_STATE_SEALED;
+    return CTL_REFUSAL_NONE;
+}
+
+static uint16_t save_to_flash(ctl_core* core, const uint16_t* request)
+{
+    if (!core->banks.has_active)
+        return CTL_REFUSAL_NO_ACTIVE_PROGRAM;
+    if (ctl_get32(&request[ARGUMENT2]) != core->banks.active_crc || !ctl_active_bank_intact(&core->banks))
+        return CTL_REFUSAL_WRONG_CHECKSUM;
+    return ctl_flash_save(&core->flash, &core->board, &core->banks) ? CTL_REFUSAL_NONE
+                                                                    : CTL_REFUSAL_FLASH_FAILED;
+}
+
+static uint16_t set_clock(ctl_core* core, const uint16_t* request)
+{
+    if (ctl_get32(&request[ARGUMENT2]) == 0)
+        return CTL_REFUSAL_BAD_ARGUMENT;
+    core->clock.set = true;
+    core->clock.unix_time = ctl_get32(&request[ARGUMENT2]);
+    core->clock.set_us = core->board.now_us;
+    return CTL_REFUSAL_NONE;
+}
+
+static uint16_t carry_out(ctl_core* core, const uint16_t* request)
+{
+    switch (request[CODE]) {
+    case CTL_COMMAND_START:
+        return ctl_motion_start(&core->motion);
+    case CTL_COMMAND_STOP_AT_CYCLE_END:
+        return ctl_motion_stop_at_cycle_end(&core->motion);
+    case CTL_COMMAND_STOP_NOW:
+        return ctl_motion_stop_now(&core->motion);
+    case CTL_COMMAND_HOME:
+        return ctl_motion_home(&core->motion);
+    case CTL_COMMAND_RESET_FAULT:
+        return ctl_motion_reset_fault(&core->motion);
+    case CTL_COMMAND_APPLY_STAGED:
+        return apply_staged(core, request);
+    case CTL_COMMAND_CANCEL_APPLY:
+        return cancel_apply(core);
+    case CTL_COMMAND_DISCARD_STAGED:
+        ctl_transfer_discard(&core->transfer);
+        return CTL_REFUSAL_NONE;
+    case CTL_COMMAND_SAVE_TO_FLASH:
+        return save_to_flash(core, request);
+    case CTL_COMMAND_SET_CLOCK:
+        return set_clock(core, request);
+    case CTL_COMMAND_TEACH_MARKS:
+        return ctl_packer_teach(&core->packer, core->banks.has_active ? ctl_active_bank(&core->banks) : NULL,
+                                request[ARGUMENT0]);
+    default:
+        return CTL_REFUSAL_UNKNOWN_COMMAND;
+    }
+}
+
+void ctl_command(ctl_core* core, bool has_code)
+{
+    const uint16_t* request = core->written.command;
+    uint16_t* result = core->command_result;
+    if (request[COUNTER] == result[0])
+        return;
+    /* Register by register, in either order, the code of another command may be there. */
+    const uint16_t refusal = has_code ? carry_out(core, request) : CTL_REFUSAL_COMMAND_INCOMPLETE;
+    result[0] = request[COUNTER];
+    result[1] = request[CODE];
+    result[2] = refusal == CTL_REFUSAL_NONE ? CTL_COMMAND_STATUS_DONE : CTL_COMMAND_STATUS_REFUSED;
+    result[3] = refusal;
+}

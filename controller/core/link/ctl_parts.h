@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* All parts of the controller in one value: what the registers show. ctl_core.c composes them. */
+#ifndef CTL_PARTS_H
+#define CTL_PARTS_H
+
+#include "bank/ctl_flash.h"
+#include "link/ctl_rtu.h"
+#include "motion/ctl_motion.h"
+
+/* Writable registers as the panel left them, each group at its address in the map. */
+typedef struct {
+    uint16_t parameter[CTL_GROUP_PARAMETER];
+    uint16_t exchange[CTL_GROUP_EXCHANGE];
+    uint16_t command[CTL_GROUP_COMMAND];
+    uint16_t transfer[CTL_GROUP_TRANSFER];
+    uint16_t readback[CTL_GROUP_READBACK];
+    uint16_t readback_result[CTL_GROUP_READBACK_RESULT];
+} ctl_written;
+
+typedef struct {
+    uint32_t length_um; /* last one, 0 until measured */
+    uint32_t count;
+} ctl_bags;
+
+typedef struct {
+    bool set;
+    uint32_t unix_time; /* when it was set */
+    uint64_t set_us;
+} ctl_clock;
+
+typedef struct ctl_core {
+    ctl_board board;
+    uint32_t tick_rest; /* of the timer ticks since power-up, in 1 / 1 000 000 */
+    ctl_rtu rtu;
+    ctl_written written;
+    uint16_t command_result[CTL_GROUP_RESULT];
+    ctl_banks banks;
+    ctl_transfer transfer;
+    ctl_flash flash;
+    ctl_motion motion;
+    ctl_heartbeat heartbeat;
+    ctl_bags bags;
+    ctl_packer packer;
+    ctl_clock clock;
+} ctl_core;
+
+#endif

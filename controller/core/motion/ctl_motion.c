@@ -1,0 +1,310 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* States and commands; what moves the axis meanwhile is in ctl_motion_slice.c. */
+#include "motion/ctl_motion.h"
+
+#include <string.h>
+
+#define MS_PER_S 1000u
+#define HOMING_REVOLUTIONS 2u
+
+static uint32_t ramp_ticks(const ctl_motion* motion, uint32_t time_ms)
+{
+    const uint64_t ticks = (uint64_t)time_ms * motion->board->config.timer_clock_hz / MS_PER_S;
+    return ticks < UINT32_MAX ? (uint32_t)ticks : UINT32_MAX;
+}
+
+void ctl_motion_init(ctl_motion* motion)
+{
+    ctl_ramp_reset(&motion->ramp, ramp_ticks(motion, CTL_JOG_RAMP_MS));
+    motion->direction = 1;
+    motion->actual = motion->board->port.encoder(motion->board->port.context);
+    motion->commanded = motion->actual;
+    for (uint32_t i = 0; i < CTL_SPEED_SAMPLES; ++i) {
+        motion->meter.position[i] = motion->actual;
+        motion->meter.time_us[i] = motion->board->now_us;
+    }
+    ctl_table_init(&motion->table, &motion->board->config);
+    ctl_press_reset(&motion->press);
+    if (ctl_motion_is_press(motion))
+        ctl_motion_take_top(motion);
+    if (motion->banks->has_active)
+        ctl_table_reset(&motion->table, ctl_active_bank(motion->banks));
+    ctl_motion_stand(motion);
+}
+
+bool ctl_motion_standstill(const ctl_motion* motion)
+{
+    const uint16_t state = motion->state;
+    return state == CTL_STATE_IDLE || state == CTL_STATE_READY || state == CTL_STATE_FAULT;
+}
+
+bool ctl_motion_in_cycle(const ctl_motion* motion)
+{
+    const uint16_t state = motion->state;
+    return !motion->manual && (state == CTL_STATE_RUNNING || state == CTL_STATE_STOPPING);
+}
+
+bool ctl_motion_may_change(const ctl_motion* motion, const ctl_bank* bank)
+{
+    return ctl_packer_may_change(motion->packer, bank, ctl_motion_standstill(motion));
+}
+
+void ctl_motion_change_program(ctl_motion* motion)
+{
+    const bool had_program = motion->banks->has_active;
+    const bool same =
+        had_program && ctl_bank_same_machine(ctl_active_bank(motion->banks), ctl_staged_bank(motion->banks));
+    ctl_transfer_apply(motion->transfer, motion->banks);
+    const bool stands_right = motion->in_phase || !ctl_bank_needs_homing(ctl_active_bank(motion->banks));
+    if (same && stands_right && ctl_table_between_cycles(&motion->table) &&
+        ctl_motion_may_change(motion, ctl_active_bank(motion->banks))) {
+        ctl_table_change_bank(&motion->table, ctl_active_bank(motion->banks));
+        ctl_packer_change_bank(motion->packer, ctl_active_bank(motion->banks));
+    } else {
+        ctl_packer_break_off(motion->packer);
+        motion->in_phase = false;
+        motion->homed = motion->homed && same;
+        ctl_table_reset(&motion->table, ctl_active_bank(motion->banks));
+    }
+    if (ctl_motion_is_press(motion) && !same)
+        ctl_motion_take_top(motion);
+    if (motion->state == CTL_STATE_IDLE)
+        motion->state = CTL_STATE_READY;
+}
+
+static bool repeats(const ctl_motion* motion)
+{
+    return ctl_bank_at_end(ctl_active_bank(motion->banks)) == CTL_END_BEHAVIOR_REPEAT;
+}
+
+void ctl_motion_stand(ctl_motion* motion)
+{
+    motion->ramp.speed = 0;
+    motion->manual = false;
+    motion->start_after_home = false;
+    motion->state = motion->banks->has_active ? CTL_STATE_READY : CTL_STATE_IDLE;
+    /* A table that does not repeat is over when it was stopped: the next start is its beginning. */
+    if (motion->banks->has_active && !repeats(motion) && !ctl_table_between_cycles(&motion->table))
+        ctl_table_reset(&motion->table, ctl_active_bank(motion->banks));
+    if (motion->transfer->state == CTL_STAGED_STATE_ARMED && ctl_table_between_cycles(&motion->table) &&
+        ctl_motion_may_change(motion, ctl_staged_bank(motion->banks)))
+        ctl_motion_change_program(motion);
+}
+
+/* Step tables ramp by the parameter. Others may have their master's ramp in the bank; where they have none,
+ * full speed comes at once at the start of a cycle, and the parameter serves all other changes of speed. */
+static void begin_master_ramp(ctl_motion* motion)
+{
+    const ctl_bank* bank = ctl_active_bank(motion->banks);
+    const uint32_t bank_ms = ctl_bank_master_ramp_ms(bank);
+    const uint32_t ramp_ms =
+        bank_ms != 0 ? bank_ms : ctl_parameter16(motion->board, CTL_REG_PARAMETER_RAMP_TIME);
+    const uint32_t full = ramp_ticks(motion, ramp_ms);
+    if (ctl_bank_ramp_shape(bank) == CTL_RAMP_SHAPE_SCURVE)
+        ctl_ramp_reset_s(&motion->ramp, full);
+    else
+        ctl_ramp_reset(&motion->ramp, full);
+    if (bank_ms == 0 && ctl_bank_layout(bank) != CTL_TABLE_LAYOUT_STEP_TABLE &&
+        ctl_table_between_cycles(&motion->table))
+        motion->ramp.speed = full;
+}
+
+int32_t ctl_motion_wanted_direction(const ctl_motion* motion)
+{
+    const ctl_bank* bank = ctl_active_bank(motion->banks);
+    if (!repeats(motion) || ctl_bank_layout(bank) != CTL_TABLE_LAYOUT_CAM_POINTS)
+        return 1;
+    const int32_t direction = ctl_bank_direction(bank);
+    return ctl_parameter16(motion->board, CTL_REG_PARAMETER_MASTER_DIRECTION) != 0 ? -direction : direction;
+}
+
+void ctl_motion_run(ctl_motion* motion)
+{
+    begin_master_ramp(motion);
+    motion->direction = ctl_motion_wanted_direction(motion);
+    ctl_packer_run(motion->packer, ctl_active_bank(motion->banks));
+    motion->manual = false;
+    motion->start_after_home = false;
+    motion->state = CTL_STATE_RUNNING;
+    if (ctl_motion_is_press(motion))
+        ctl_motion_begin_stroke(motion);
+}
+
+void ctl_motion_begin_manual(ctl_motion* motion, uint32_t frequency_hz, int32_t direction)
+{
+    ctl_ramp_reset(&motion->ramp, ramp_ticks(motion, CTL_JOG_RAMP_MS));
+    motion->manual = true;
+    motion->manual_hz = frequency_hz;
+    motion->manual_direction = direction;
+    motion->manual_rest = 0;
+    motion->in_phase = false;
+    ctl_packer_break_off(motion->packer);
+    if (motion->banks->has_active)
+        ctl_table_reset(&motion->table, ctl_active_bank(motion->banks));
+}
+
+static void begin_homing(ctl_motion* motion)
+{
+    int64_t stale_mark;
+    motion->board->port.index(motion->board->port.context, &stale_mark);
+    ctl_motion_begin_manual(motion, ctl_parameter32(motion->board, CTL_REG_PARAMETER_HOME_FREQUENCY), 1);
+    motion->homed = false;
+    motion->homing = CTL_HOMING_SEARCH;
+    motion->homing_left = ctl_bank_revolution_pulses(ctl_active_bank(motion->banks), HOMING_REVOLUTIONS);
+    motion->state = CTL_STATE_HOMING;
+}
+
+void ctl_motion_fault(ctl_motion* motion, uint16_t fault_bit)
+{
+    motion->fault = (uint16_t)(motion->fault | 1u << fault_bit);
+    motion->state = CTL_STATE_FAULT;
+    if (motion->press.stage != CTL_PRESS_STAGE_STANDING) {
+        ctl_press_abandon(&motion->press);
+        motion->cycle_count += 1;
+    }
+    motion->ramp.speed = 0;
+    motion->manual = false;
+    motion->start_after_home = false;
+    motion->homed = motion->homed && ctl_motion_is_press(motion);
+    motion->in_phase = false;
+    ctl_packer_break_off(motion->packer);
+}
+
+/* Why the axis may not set off; CTL_REFUSAL_NONE when it may. */
+static uint16_t refuse_to_move(ctl_motion* motion, uint16_t when_moving)
+{
+    if (motion->state == CTL_STATE_FAULT)
+        return CTL_REFUSAL_IN_FAULT;
+    if (!motion->banks->has_active)
+        return CTL_REFUSAL_NO_ACTIVE_PROGRAM;
+    if (!ctl_motion_standstill(motion))
+        return when_moving;
+    if (ctl_heartbeat_stops(motion->heartbeat, motion->board))
+        return CTL_REFUSAL_HEARTBEAT_LOST;
+    if (!ctl_active_bank_intact(motion->banks)) {
+        ctl_motion_fault(motion, CTL_FAULT_BIT_ACTIVE_TABLE_DAMAGED);
+        return CTL_REFUSAL_IN_FAULT;
+    }
+    return CTL_REFUSAL_NONE;
+}
+
+uint16_t ctl_motion_start(ctl_motion* motion)
+{
+    const uint16_t refusal = refuse_to_move(motion, CTL_REFUSAL_ALREADY_RUNNING);
+    if (refusal != CTL_REFUSAL_NONE)
+        return refusal;
+    const uint16_t line_refusal = ctl_packer_refusal(motion->packer, ctl_active_bank(motion->banks));
+    if (line_refusal != CTL_REFUSAL_NONE)
+        return line_refusal;
+    if (motion->in_phase || !ctl_bank_needs_homing(ctl_active_bank(motion->banks))) {
+        ctl_motion_run(motion);
+    } else {
+        begin_homing(motion);
+        motion->start_after_home = true;
+    }
+    return CTL_REFUSAL_NONE;
+}
+
+uint16_t ctl_motion_home(ctl_motion* motion)
+{
+    const uint16_t refusal = refuse_to_move(motion, CTL_REFUSAL_NOT_STANDSTILL);
+    if (refusal != CTL_REFUSAL_NONE)
+        return refusal;
+    if (ctl_motion_is_press(motion))
+        ctl_motion_take_top(motion);
+    else
+        begin_homing(motion);
+    return CTL_REFUSAL_NONE;
+}
+
+uint16_t ctl_motion_stop_now(ctl_motion* motion)
+{
+    if (ctl_motion_standstill(motion))
+        return CTL_REFUSAL_NOT_RUNNING;
+    if (motion->state == CTL_STATE_JOGGING) {
+        motion->heartbeat->jog_blocked = true;
+    } else {
+        if (ctl_motion_is_press(motion))
+            ctl_press_stop(&motion->press);
+        motion->stop = CTL_STOP_NOW;
+        motion->state = CTL_STATE_STOPPING;
+    }
+    return CTL_REFUSAL_NONE;
+}
+
+uint16_t ctl_motion_stop_at_cycle_end(ctl_motion* motion)
+{
+    if (motion->state == CTL_STATE_STOPPING)
+        return CTL_REFUSAL_NONE;
+    if (motion->state != CTL_STATE_RUNNING)
+        return ctl_motion_stop_now(motion);
+    if (ctl_motion_is_press(motion)) {
+        motion->state = CTL_STATE_STOPPING;
+        return CTL_REFUSAL_NONE;
+    }
+    const uint16_t at_end = ctl_bank_at_end(ctl_active_bank(motion->banks));
+    if (at_end == CTL_END_BEHAVIOR_HOLD_SPEED)
+        return ctl_motion_stop_now(motion);
+    if (at_end == CTL_END_BEHAVIOR_STOP) {
+        motion->stop = CTL_STOP_AT_REST;
+        motion->state = CTL_STATE_STOPPING;
+        return CTL_REFUSAL_NONE;
+    }
+    const uint32_t cycle = ctl_bank_cycle_ticks(motion->table.bank);
+    const bool packs = ctl_packer_active(motion->packer);
+    const uint32_t position =
+        packs ? ctl_packer_position(motion->packer) : ctl_table_position(&motion->table);
+    motion->stop_remaining =
+        motion->direction > 0 || ctl_table_between_cycles(&motion->table) ? cycle - position : position;
+    while (!ctl_ramp_can_land(&motion->ramp, motion->stop_remaining))
+        motion->stop_remaining += cycle;
+    /* Stopped soon after a start, it may gain some speed, so that the end of the cycle is not hours away. */
+    motion->stop_limit = motion->ramp.full / 4u;
+    motion->stop = CTL_STOP_AT_BOUNDARY;
+    motion->state = CTL_STATE_STOPPING;
+    return CTL_REFUSAL_NONE;
+}
+
+void ctl_motion_stop_unattended(ctl_motion* motion)
+{
+    if (motion->state == CTL_STATE_RUNNING || motion->state == CTL_STATE_HOMING)
+        (void)ctl_motion_stop_at_cycle_end(motion);
+}
+
+uint16_t ctl_motion_reset_fault(ctl_motion* motion)
+{
+    if (motion->state != CTL_STATE_FAULT)
+        return CTL_REFUSAL_NO_FAULT;
+    if (motion->actual_hz != 0 || (motion->banks->has_active && !ctl_active_bank_intact(motion->banks)))
+        return CTL_REFUSAL_FAULT_PERSISTS;
+    /* The axis stands where it stands: what it did not follow is written off, homing finds it again. */
+    motion->commanded = motion->actual;
+    motion->fault = 0;
+    motion->banks->check_position = 0;
+    if (motion->banks->has_active)
+        ctl_table_reset(&motion->table, ctl_active_bank(motion->banks));
+    ctl_motion_stand(motion);
+    return CTL_REFUSAL_NONE;
+}
+
+uint16_t ctl_motion_master_angle(const ctl_motion* motion)
+{
+    const ctl_table* table = &motion->table;
+    if (!motion->banks->has_active)
+        return 0;
+    return (uint16_t)((uint64_t)ctl_table_position(table) * 36000u / ctl_bank_cycle_ticks(table->bank));
+}
+
+uint16_t ctl_motion_master_speed(const ctl_motion* motion)
+{
+    return motion->manual ? (uint16_t)0 : (uint16_t)ctl_ramp_share(&motion->ramp, 10000u);
+}
+
+int64_t ctl_motion_commanded_hz(const ctl_motion* motion)
+{
+    if (ctl_motion_is_press(motion) && ctl_motion_in_cycle(motion))
+        return ctl_press_hz(&motion->press);
+    if (motion->manual)
+        return motion->manual_direction * (int64_t)ctl_ramp_share(&motion->ramp, motion->manual_hz);
+    return ctl_motion_in_cycle(motion) ? ctl_table_hz(&motion->table, &motion->ramp) : 0;
+}

@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* The states of the machine and what moves the axis in each: the table under a ramped master, jogging,
+ * homing. */
+#ifndef CTL_MOTION_H
+#define CTL_MOTION_H
+
+#include "bank/ctl_transfer.h"
+#include "base/ctl_board.h"
+#include "engine/ctl_press.h"
+#include "engine/ctl_ramp.h"
+#include "engine/ctl_table.h"
+#include "motion/ctl_heartbeat.h"
+#include "packer/ctl_packer.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Ramp of jogging and homing, from standstill to their frequency and back. */
+#define CTL_JOG_RAMP_MS 50u
+#define CTL_SPEED_SAMPLES 8u
+
+/* At once; landing on the cycle's boundary; where the table itself comes to rest. */
+typedef enum { CTL_STOP_NOW, CTL_STOP_AT_BOUNDARY, CTL_STOP_AT_REST } ctl_stop;
+typedef enum { CTL_HOMING_SEARCH, CTL_HOMING_BRAKE, CTL_HOMING_RETURN } ctl_homing;
+
+typedef struct {
+    int64_t position[CTL_SPEED_SAMPLES];
+    uint64_t time_us[CTL_SPEED_SAMPLES];
+    uint8_t next;
+} ctl_speed_meter;
+
+typedef struct {
+    const ctl_board* board; /* this and the parts below are set before ctl_motion_init() */
+    ctl_banks* banks;
+    ctl_transfer* transfer;
+    ctl_packer* packer;
+    ctl_heartbeat* heartbeat;
+    uint16_t state; /* CTL_STATE_... */
+    uint16_t fault; /* bits CTL_FAULT_BIT_... */
+    bool homed;     /* origin is the index mark */
+    bool in_phase;  /* the axis stands where the table's cycle says */
+    bool manual;    /* jogging or homing moves the axis, otherwise the table */
+    bool start_after_home;
+    ctl_stop stop;
+    ctl_homing homing;
+    ctl_ramp ramp;
+    ctl_table table;         /* valid while there is an active bank */
+    int32_t direction;       /* of the master, 1 or -1 */
+    ctl_press press;         /* instead of it when that is a press's */
+    uint32_t cycle_count;    /* cycles completed since power-up; strokes of a press however they ended */
+    uint64_t stop_remaining; /* master ticks to the boundary where the motion ends */
+    uint32_t stop_limit;     /* ramp speed that a stopping master does not exceed */
+    uint32_t manual_hz;
+    int32_t manual_direction; /* 1 or -1 */
+    uint64_t manual_rest;     /* of a pulse, in 1 / timer clock */
+    uint64_t homing_left;     /* pulses to search, then master ticks to return */
+    int64_t commanded;        /* pulses sent since power-up */
+    int64_t actual;           /* encoder since power-up */
+    int64_t origin; /* position of the index mark in both, once homed; of a press the upper position */
+    int64_t actual_hz;
+    ctl_speed_meter meter;
+} ctl_motion;
+
+void ctl_motion_init(ctl_motion* motion);
+/* Moves on by the timer ticks that passed since the last call. */
+void ctl_motion_slice(ctl_motion* motion, uint32_t ticks);
+/* Pulses stop at once. */
+void ctl_motion_fault(ctl_motion* motion, uint16_t fault_bit);
+
+/* Commands; each returns CTL_REFUSAL_... */
+uint16_t ctl_motion_start(ctl_motion* motion);
+uint16_t ctl_motion_stop_at_cycle_end(ctl_motion* motion);
+uint16_t ctl_motion_stop_now(ctl_motion* motion);
+uint16_t ctl_motion_home(ctl_motion* motion);
+uint16_t ctl_motion_reset_fault(ctl_motion* motion);
+/* Stops what moves by itself: nobody watches. */
+void ctl_motion_stop_unattended(ctl_motion* motion);
+
+/* At standstill: the staged program becomes the active one. */
+void ctl_motion_change_program(ctl_motion* motion);
+bool ctl_motion_standstill(const ctl_motion* motion);
+/* The table moves the axis. */
+bool ctl_motion_in_cycle(const ctl_motion* motion);
+
+uint16_t ctl_motion_master_angle(const ctl_motion* motion); /* 0.01 degrees */
+uint16_t ctl_motion_master_speed(const ctl_motion* motion); /* 0.01 % of the table's speed, unsigned */
+int64_t ctl_motion_commanded_hz(const ctl_motion* motion);
+
+/* Force of a press, N; 0 on a machine without. */
+int32_t ctl_motion_press_force(const ctl_motion* motion);
+
+/* Between the files of this module. */
+void ctl_motion_emit(ctl_motion* motion, int64_t pulses);
+/* The packing line, if there is one, lets a program be changed for `bank` now. */
+bool ctl_motion_may_change(const ctl_motion* motion, const ctl_bank* bank);
+bool ctl_motion_is_press(const ctl_motion* motion);
+/* A press: where it stands is its upper position. */
+void ctl_motion_take_top(ctl_motion* motion);
+/* A press: the largest force is reached, so that nothing may move it down. */
+bool ctl_motion_force_forbids(const ctl_motion* motion);
+void ctl_motion_begin_stroke(ctl_motion* motion);
+void ctl_motion_slice_stroke(ctl_motion* motion, uint32_t ticks);
+void ctl_motion_run(ctl_motion* motion);
+void ctl_motion_stand(ctl_motion* motion);
+int32_t ctl_motion_wanted_direction(const ctl_motion* motion);
+void ctl_motion_begin_manual(ctl_motion* motion, uint32_t frequency_hz, int32_t direction);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

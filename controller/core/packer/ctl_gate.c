@@ -1,0 +1,149 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "packer/ctl_gate.h"
+
+#include "ctl_registers.h"
+
+#define ONE_BITS 30u
+#define ONE (UINT64_C(1) << ONE_BITS)
+
+void ctl_gate_reset(ctl_gate* gate, uint32_t cycle, uint32_t engage, uint32_t release)
+{
+    gate->cycle = cycle;
+    gate->engage = engage;
+    gate->release = release;
+    gate->state = CTL_GATE_STATE_RUNNING;
+    gate->phase = 0;
+    gate->passed = 0;
+    gate->ramped = 0;
+    gate->dwell = 0;
+    gate->answered = false;
+}
+
+/* Its own way in the ramp of this state: half of what the driver travels meanwhile. */
+static uint32_t ramp_way(const ctl_gate* gate)
+{
+    return gate->state == CTL_GATE_STATE_SLOWING ? gate->cycle - gate->release : gate->engage;
+}
+
+/* Driver ticks of this state. */
+static uint64_t state_ticks(const ctl_gate* gate)
+{
+    return gate->state == CTL_GATE_STATE_STANDING ? gate->dwell : 2u * (uint64_t)ramp_way(gate);
+}
+
+/* Slowing down over the way a takes 2 a of the driver: after the share x of that, 2 a (x - x^3 + x^4 / 2). */
+static uint32_t slowed(uint32_t way, uint64_t passed)
+{
+    const uint64_t x = (passed << ONE_BITS) / (2u * (uint64_t)way);
+    const uint64_t x2 = x * x >> ONE_BITS;
+    uint64_t share = x - (x2 * x >> ONE_BITS) + (x2 * x2 >> (ONE_BITS + 1u));
+    if (share > ONE / 2u)
+        share = ONE / 2u;
+    return (uint32_t)(2u * (uint64_t)way * share >> ONE_BITS);
+}
+
+static uint32_t way_travelled(const ctl_gate* gate)
+{
+    const uint32_t way = ramp_way(gate);
+    if (gate->state == CTL_GATE_STATE_SLOWING)
+        return slowed(way, gate->passed);
+    return way - slowed(way, 2u * (uint64_t)way - gate->passed);
+}
+
+bool ctl_gate_asks(const ctl_gate* gate)
+{
+    if (gate->state == CTL_GATE_STATE_RUNNING)
+        return gate->phase == gate->release && !gate->answered;
+    return gate->state == CTL_GATE_STATE_STANDING && gate->passed == gate->dwell;
+}
+
+static void begin(ctl_gate* gate, uint16_t state)
+{
+    gate->state = state;
+    gate->passed = 0;
+    gate->ramped = 0;
+}
+
+void ctl_gate_stand(ctl_gate* gate)
+{
+    begin(gate, CTL_GATE_STATE_STANDING);
+    gate->dwell = gate->cycle - gate->engage;
+}
+
+void ctl_gate_answer(ctl_gate* gate, bool wait)
+{
+    if (gate->state == CTL_GATE_STATE_STANDING) {
+        if (wait)
+            gate->dwell += gate->cycle;
+        else
+            begin(gate, CTL_GATE_STATE_GAINING);
+        return;
+    }
+    gate->answered = true;
+    if (wait)
+        begin(gate, CTL_GATE_STATE_SLOWING);
+}
+
+uint32_t ctl_gate_piece(const ctl_gate* gate)
+{
+    if (gate->state != CTL_GATE_STATE_RUNNING) {
+        const uint64_t left = state_ticks(gate) - gate->passed;
+        return left < UINT32_MAX ? (uint32_t)left : UINT32_MAX;
+    }
+    if (gate->answered)
+        return gate->cycle - gate->phase;
+    return gate->release - gate->phase;
+}
+
+static void end_state(ctl_gate* gate)
+{
+    if (gate->state == CTL_GATE_STATE_SLOWING) {
+        /* Two ramps take twice their way; the rest of the cycle that is left out is spent standing. */
+        gate->dwell = gate->release - gate->engage;
+        gate->phase = 0;
+        begin(gate, CTL_GATE_STATE_STANDING);
+    } else if (gate->state == CTL_GATE_STATE_GAINING) {
+        gate->answered = false;
+        begin(gate, CTL_GATE_STATE_RUNNING);
+    }
+}
+
+uint32_t ctl_gate_advance(ctl_gate* gate, uint32_t ticks)
+{
+    if (ticks == 0)
+        return 0;
+    if (gate->state == CTL_GATE_STATE_RUNNING) {
+        gate->phase += ticks;
+        if (gate->phase == gate->cycle) {
+            gate->phase = 0;
+            gate->answered = false;
+        }
+        return ticks;
+    }
+    uint32_t own = 0;
+    if (gate->state == CTL_GATE_STATE_STANDING) {
+        gate->passed += ticks;
+        return own;
+    }
+    gate->passed += ticks;
+    const uint32_t ramped = way_travelled(gate);
+    if (ramped > gate->ramped) { /* the last bits may say that it went back */
+        own = ramped - gate->ramped;
+        gate->ramped = ramped;
+        gate->phase += own;
+    }
+    if (gate->passed == state_ticks(gate))
+        end_state(gate);
+    return own;
+}
+
+int64_t ctl_smooth_share(int64_t amount, uint64_t part, uint64_t whole)
+{
+    const uint64_t x = (part << ONE_BITS) / whole;
+    const uint64_t x2 = x * x >> ONE_BITS;
+    const uint64_t share = 3u * x2 - 2u * (x2 * x >> ONE_BITS);
+    const uint64_t size = (uint64_t)(amount < 0 ? -amount : amount);
+    const int64_t result =
+        (int64_t)((size >> 8u) * share >> (ONE_BITS - 8u)) + (int64_t)((size & 0xFFu) * share >> ONE_BITS);
+    return part == whole ? amount : (amount < 0 ? -result : result);
+}

@@ -1,0 +1,366 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "packer/ctl_packer.h"
+
+#include "base/ctl_words.h"
+
+#include <stddef.h>
+#include <string.h>
+
+#define FULL_CIRCLE 36000u /* 0.01 degrees */
+#define RATIO_BITS 20u
+/* An error of a mark that slip explains. */
+#define JUMP_UM 600
+/* In tenths of a cycle: the sealing window at most, and each ramp beside it at least. */
+#define WIDEST_WINDOW 9u
+#define SHORTEST_RAMP 40u
+#define MOST_FLIGHTS_TO_EYE 8u
+#define MOST_TAUGHT 100u
+/* In so many the infeed makes up for where it was left. */
+#define INFEED_CYCLES 4u
+
+static uint16_t parameter(const ctl_packer* packer, uint32_t address)
+{
+    return ctl_parameter16(packer->board, address);
+}
+
+int64_t ctl_packer_film(const ctl_packer* packer, int64_t um)
+{
+    const int64_t pulses = ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_PULSES);
+    return um * pulses * CTL_FINE / ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_FEED);
+}
+
+int64_t ctl_packer_um(const ctl_packer* packer, int64_t film)
+{
+    const int64_t feed_um = ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_FEED);
+    const int64_t pulses = ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_PULSES);
+    const int64_t turns = film / (pulses * CTL_FINE); /* apart, so that no product is too large */
+    const int64_t rest = film % (pulses * CTL_FINE);
+    return turns * feed_um + rest * feed_um / (pulses * CTL_FINE);
+}
+
+bool ctl_packer_active(const ctl_packer* packer)
+{
+    return packer->bank != NULL;
+}
+
+static uint32_t ticks_at(const ctl_bank* bank, uint32_t offset)
+{
+    return (uint32_t)((uint64_t)ctl_bank_cycle_ticks(bank) * bank->registers[offset] / FULL_CIRCLE);
+}
+
+static uint32_t bag_um(const ctl_bank* bank)
+{
+    return ctl_get32(&bank->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH]);
+}
+
+static bool has_film(const ctl_packer* packer, const ctl_bank* bank)
+{
+    return packer->board->port.film_pulses != NULL && bank != NULL &&
+           ctl_bank_kind(bank) == CTL_PROGRAM_KIND_ROTARY_CUTTER;
+}
+
+/* The eye must have seen the place of a product before the film is told to wait for it, and before it is told
+ * to go on. */
+static bool eye_too_near(const ctl_packer* packer, const ctl_bank* bank)
+{
+    const uint64_t cycle = ctl_bank_cycle_ticks(bank);
+    const uint64_t cut = ticks_at(bank, CTL_OFFSET_BANK_CUT_ANGLE);
+    const uint64_t to_slow = cycle + cycle / 2u + cut - ticks_at(bank, CTL_OFFSET_BANK_SYNC_END);
+    const uint64_t to_gain = cycle / 2u + cut + ticks_at(bank, CTL_OFFSET_BANK_SYNC_START);
+    const uint64_t cycles = (to_slow > to_gain ? to_slow : to_gain) + cycle / 10u;
+    const uint64_t pitch = ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PITCH);
+    const uint64_t eye = ctl_parameter32(packer->board, CTL_REG_PARAMETER_EYE_DISTANCE);
+    return eye * cycle < pitch * cycles || eye > pitch * MOST_FLIGHTS_TO_EYE;
+}
+
+static bool no_room(const ctl_bank* bank)
+{
+    const uint32_t cycle = ctl_bank_cycle_ticks(bank);
+    const uint32_t engage = ticks_at(bank, CTL_OFFSET_BANK_SYNC_START);
+    const uint32_t release = ticks_at(bank, CTL_OFFSET_BANK_SYNC_END);
+    const uint32_t cut = ticks_at(bank, CTL_OFFSET_BANK_CUT_ANGLE);
+    return cut < engage || cut > release || release <= engage || cycle - release < cycle / SHORTEST_RAMP ||
+           engage < cycle / SHORTEST_RAMP || release - engage > cycle / 10u * WIDEST_WINDOW;
+}
+
+/* Returns the pulses a second at full speed of an axis that feeds so many in 1/256 a cycle. */
+static uint64_t full_speed_hz(const ctl_packer* packer, const ctl_bank* bank, uint64_t feed)
+{
+    return feed / CTL_FINE * packer->board->config.timer_clock_hz / ctl_bank_cycle_ticks(bank);
+}
+
+/* The same with `part` / `whole` more in a correction. */
+static uint64_t max_hz(uint64_t hz, uint32_t part, uint32_t whole)
+{
+    return hz + hz * part / whole;
+}
+
+/* A bag is corrected by at most a tenth of its length or its limits, beside the sealing window; 3 x^2 - 2 x^3
+ * is at most 1.5 times as steep as its mean. */
+static bool too_fast(const ctl_packer* packer, const ctl_bank* bank)
+{
+    const uint32_t cycle = ctl_bank_cycle_ticks(bank);
+    const uint32_t outside =
+        cycle - ticks_at(bank, CTL_OFFSET_BANK_SYNC_END) + ticks_at(bank, CTL_OFFSET_BANK_SYNC_START);
+    const uint64_t bag = (uint64_t)ctl_packer_film(packer, bag_um(bank));
+    const uint64_t flight =
+        (uint64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PULSES) * CTL_FINE;
+    const uint32_t limit = packer->board->config.max_pulse_hz;
+    return max_hz(full_speed_hz(packer, bank, bag), cycle / 20u * 3u, outside) > limit ||
+           max_hz(full_speed_hz(packer, bank, flight), 3u, 2u * INFEED_CYCLES) > limit;
+}
+
+uint16_t ctl_packer_refusal(const ctl_packer* packer, const ctl_bank* bank)
+{
+    if (!has_film(packer, bank))
+        return CTL_REFUSAL_NONE;
+    const uint64_t bag = bag_um(bank);
+    if (no_room(bank))
+        return CTL_REFUSAL_NO_ROOM_TO_CORRECT;
+    if (too_fast(packer, bank))
+        return CTL_REFUSAL_FEED_TOO_FAST;
+    if (parameter(packer, CTL_REG_PARAMETER_MARK_TRACKING) != 0) {
+        const uint64_t distance = ctl_parameter32(packer->board, CTL_REG_PARAMETER_MARK_DISTANCE) +
+                                  (uint64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_MARK_OFFSET);
+        if (distance > bag * (CTL_WAITING_MARKS - 3u))
+            return CTL_REFUSAL_SENSOR_TOO_FAR;
+        if (4u * (uint64_t)parameter(packer, CTL_REG_PARAMETER_MARK_WINDOW) > bag)
+            return CTL_REFUSAL_MARK_WINDOW_TOO_WIDE;
+    }
+    return eye_too_near(packer, bank) ? CTL_REFUSAL_EYE_TOO_NEAR : CTL_REFUSAL_NONE;
+}
+
+int64_t ctl_packer_length_limit(const ctl_packer* packer)
+{
+    return packer->bag * parameter(packer, CTL_REG_PARAMETER_LENGTH_LIMIT) / 10000;
+}
+
+static ctl_mark_settings mark_settings(const ctl_packer* packer)
+{
+    const ctl_mark_settings settings = {
+        .nominal = packer->bag,
+        .distance =
+            ctl_packer_film(packer, (int64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_MARK_DISTANCE) +
+                                        ctl_parameter32(packer->board, CTL_REG_PARAMETER_MARK_OFFSET)),
+        .window = ctl_packer_film(packer, parameter(packer, CTL_REG_PARAMETER_MARK_WINDOW)),
+        .jump = ctl_packer_film(packer, JUMP_UM),
+        .most_difference = ctl_packer_length_limit(packer),
+        .phase_gain = parameter(packer, CTL_REG_PARAMETER_PHASE_GAIN),
+        .length_gain = parameter(packer, CTL_REG_PARAMETER_LENGTH_GAIN),
+        .missing_limit = parameter(packer, CTL_REG_PARAMETER_MARK_MISSING_LIMIT),
+    };
+    return settings;
+}
+
+/* Whole bags and a half, the nearest to the parameter: products lie in the middle between two cuts. */
+static int64_t product_distance(const ctl_packer* packer)
+{
+    const int64_t wanted =
+        ctl_packer_film(packer, ctl_parameter32(packer->board, CTL_REG_PARAMETER_PRODUCT_DISTANCE));
+    return wanted / packer->bag * packer->bag + packer->bag / 2;
+}
+
+static ctl_product_settings product_settings(const ctl_packer* packer)
+{
+    const uint64_t pitch_um = ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PITCH);
+    const uint64_t pitch_film = (uint64_t)ctl_packer_film(packer, (int64_t)pitch_um);
+    const int64_t flight = packer->flight;
+    const ctl_product_settings settings = {
+        .flight = flight,
+        .lay = (int64_t)((uint64_t)flight * packer->cut / packer->cycle),
+        .eye = (int64_t)(ctl_parameter32(packer->board, CTL_REG_PARAMETER_EYE_DISTANCE) * (uint64_t)flight /
+                         pitch_um),
+        .ratio = (pitch_film << RATIO_BITS) / (uint64_t)flight,
+        .distance = product_distance(packer),
+    };
+    return settings;
+}
+
+bool ctl_packer_tracks(const ctl_packer* packer)
+{
+    return parameter(packer, CTL_REG_PARAMETER_MARK_TRACKING) != 0;
+}
+
+/* Film position of the cut in a cycle of `bank` that begins at `start` and draws `length`. */
+static int64_t first_cut(int64_t start, const ctl_bank* bank, int64_t length)
+{
+    return start + (int64_t)((uint64_t)length * bank->registers[CTL_OFFSET_BANK_CUT_ANGLE] / FULL_CIRCLE);
+}
+
+/* The lag of the film at a cut goes with its speed. */
+static void scale_lag(ctl_packer* packer, int64_t bag_before, uint32_t cycle_before)
+{
+    if (bag_before != 0)
+        packer->lag = packer->lag * packer->bag / bag_before * (int64_t)cycle_before / (int64_t)packer->cycle;
+}
+
+static void read_bank(ctl_packer* packer, const ctl_bank* bank)
+{
+    const int64_t bag_before = packer->bag;
+    const uint32_t cycle_before = packer->cycle;
+    packer->bank = bank;
+    packer->cycle = ctl_bank_cycle_ticks(bank);
+    packer->engage = ticks_at(bank, CTL_OFFSET_BANK_SYNC_START);
+    packer->release = ticks_at(bank, CTL_OFFSET_BANK_SYNC_END);
+    packer->cut = ticks_at(bank, CTL_OFFSET_BANK_CUT_ANGLE);
+    packer->bag = ctl_packer_film(packer, bag_um(bank));
+    packer->flight = (int64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PULSES) * CTL_FINE;
+    scale_lag(packer, bag_before, cycle_before);
+}
+
+void ctl_packer_init(ctl_packer* packer, const ctl_board* board)
+{
+    memset(packer, 0, sizeof *packer);
+    packer->board = board;
+    packer->broken_off = true;
+    if (packer->board->port.film_pulses == NULL)
+        return;
+    packer->film_actual = packer->board->port.film(packer->board->port.context);
+    packer->infeed_actual = packer->board->port.infeed(packer->board->port.context);
+    packer->film_sent = packer->film_actual / CTL_FINE;
+    packer->infeed_sent = packer->infeed_actual / CTL_FINE;
+}
+
+void ctl_packer_break_off(ctl_packer* packer)
+{
+    packer->broken_off = true;
+}
+
+/* The infeed was left anywhere: within the first cycles it comes to where the next product belongs. */
+static void begin_infeed(ctl_packer* packer)
+{
+    const int64_t start = packer->infeed_sent * CTL_FINE;
+    packer->number = (start + packer->flight - 1) / packer->flight;
+    ctl_feed_reset(&packer->infeed, packer->cycle, start, packer->flight);
+    ctl_feed_correct(&packer->infeed, packer->number * packer->flight - start,
+                     INFEED_CYCLES * (uint64_t)packer->cycle);
+}
+
+/* It comes before the end of any sealing window, so that it cannot be shifted. */
+static void plan_first_cut(ctl_packer* packer)
+{
+    const ctl_cut cut = {first_cut(packer->film.start, packer->bank, packer->film.length), 0, false, false};
+    packer->next = cut;
+}
+
+/* Knife, film and infeed at the start of a cycle. The film lies where it lay, with its marks and products. */
+static void begin_cycle(ctl_packer* packer, const ctl_bank* bank)
+{
+    const int64_t bag_before = packer->bag;
+    read_bank(packer, bank);
+    packer->master = 0;
+    packer->planned = false;
+    packer->cut_before = false;
+    packer->skips_in_row = 0;
+    packer->broken_off = false;
+    ctl_gate_reset(&packer->film_gate, packer->cycle, packer->engage, packer->release);
+    ctl_gate_reset(&packer->knife_gate, packer->cycle, packer->engage, packer->release);
+    ctl_feed_reset(&packer->film, packer->cycle, packer->film_sent * CTL_FINE,
+                   ctl_packer_cycle_length(packer));
+    begin_infeed(packer);
+    plan_first_cut(packer);
+    if (packer->marks.state == CTL_MARK_STATE_TRACKING)
+        packer->marks.state = CTL_MARK_STATE_ALIGNING;
+    if (bag_before != packer->bag)
+        packer->marks.state = CTL_MARK_STATE_OFF;
+    const ctl_product_settings settings = product_settings(packer);
+    ctl_products_set(&packer->products, &settings, packer->infeed_actual);
+}
+
+void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank)
+{
+    if (!has_film(packer, bank)) {
+        packer->bank = NULL;
+        return;
+    }
+    const bool ended_by_limits = (packer->alarms & 1u << CTL_WARNING_BIT_CORRECTION_AT_LIMIT) != 0;
+    packer->alarms = 0;
+    packer->limited_in_row = 0;
+    packer->skips_in_run = 0;
+    packer->products.longest = 0;
+    if (packer->broken_off || packer->bank != bank)
+        begin_cycle(packer, bank);
+    if (packer->marks.state == CTL_MARK_STATE_TRACKING && ended_by_limits)
+        packer->marks.state = CTL_MARK_STATE_ALIGNING;
+    ctl_packer_follow_marks(packer);
+    if (packer->film.phase == 0 && packer->knife_gate.state == CTL_GATE_STATE_RUNNING &&
+        packer->knife_gate.phase == 0)
+        ctl_packer_ask_first_cut(packer);
+}
+
+/* The film goes on as it is; the marks are looked for anew when the bags have another length. */
+void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank)
+{
+    if (packer->bank == NULL)
+        return;
+    const int64_t bag_before = packer->bag;
+    const int64_t film = ctl_feed_position(&packer->film);
+    read_bank(packer, bank);
+    packer->planned = false;
+    packer->limited_in_row = 0;
+    ctl_gate_reset(&packer->film_gate, packer->cycle, packer->engage, packer->release);
+    ctl_gate_reset(&packer->knife_gate, packer->cycle, packer->engage, packer->release);
+    ctl_feed_reset(&packer->film, packer->cycle, film, ctl_packer_cycle_length(packer));
+    ctl_feed_reset(&packer->infeed, packer->cycle, ctl_feed_position(&packer->infeed), packer->flight);
+    plan_first_cut(packer);
+    if (bag_before != packer->bag)
+        packer->marks.state = CTL_MARK_STATE_OFF;
+    const ctl_product_settings settings = product_settings(packer);
+    ctl_products_set(&packer->products, &settings, packer->infeed_actual);
+    ctl_packer_follow_marks(packer);
+}
+
+void ctl_packer_follow_marks(ctl_packer* packer)
+{
+    ctl_marks* marks = &packer->marks;
+    const ctl_mark_settings settings = mark_settings(packer);
+    if (!ctl_packer_tracks(packer)) {
+        marks->state = CTL_MARK_STATE_OFF;
+    } else if (marks->state == CTL_MARK_STATE_OFF || marks->alarm != 0) {
+        ctl_marks_search(marks, &settings, packer->film_actual);
+    } else {
+        marks->settings = settings;
+    }
+}
+
+int64_t ctl_packer_cycle_length(const ctl_packer* packer)
+{
+    const int64_t trim = (int16_t)parameter(packer, CTL_REG_PARAMETER_LENGTH_TRIM);
+    return packer->bag + (ctl_packer_tracks(packer) ? 0 : ctl_packer_film(packer, trim));
+}
+
+static bool in_step(const ctl_packer* packer)
+{
+    return packer->film_gate.state == CTL_GATE_STATE_RUNNING &&
+           packer->knife_gate.state == CTL_GATE_STATE_RUNNING && packer->master == packer->film.phase &&
+           packer->film.phase == packer->knife_gate.phase;
+}
+
+bool ctl_packer_may_change(const ctl_packer* packer, const ctl_bank* bank, bool standstill)
+{
+    if (packer->bank == NULL)
+        return true;
+    if (!in_step(packer))
+        return false;
+    if (parameter(packer, CTL_REG_PARAMETER_ANTI_CUT) == 0 || standstill)
+        return true;
+    const int64_t clearance = ctl_packer_film(packer, parameter(packer, CTL_REG_PARAMETER_CUT_CLEARANCE));
+    const int64_t cut =
+        first_cut(ctl_feed_position(&packer->film), bank, ctl_packer_film(packer, bag_um(bank)));
+    return !ctl_products_across(&packer->products, cut, clearance);
+}
+
+uint32_t ctl_packer_position(const ctl_packer* packer)
+{
+    return packer->master;
+}
+
+uint16_t ctl_packer_teach(ctl_packer* packer, const ctl_bank* bank, uint16_t marks)
+{
+    if (!has_film(packer, bank))
+        return CTL_REFUSAL_NO_ACTIVE_PROGRAM;
+    if (marks < 2u || marks > MOST_TAUGHT)
+        return CTL_REFUSAL_BAD_ARGUMENT;
+    ctl_marks_teach(&packer->marks, marks);
+    return CTL_REFUSAL_NONE;
+}

@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Film, infeed and knife of a packing machine as one line. The master drives the infeed; the film follows the
+ * infeed through a gate that waits for missing products, the knife follows the film through a gate that waits
+ * while a product lies across its path. Behind the sealing window of each cut the next one is planned: where
+ * its mark wants it, within limits; and it is asked whether a product is in the way. */
+#ifndef CTL_PACKER_H
+#define CTL_PACKER_H
+
+#include "base/ctl_bank.h"
+#include "base/ctl_board.h"
+#include "ctl_registers.h"
+#include "engine/ctl_ramp.h"
+#include "packer/ctl_feed.h"
+#include "packer/ctl_gate.h"
+#include "packer/ctl_marks.h"
+#include "packer/ctl_products.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define CTL_BAG_REGISTERS 4u
+
+/* All in 1/256 pulse of the film motor, at the knife. */
+typedef struct {
+    int64_t command; /* of the film motor when the cut is due */
+    int64_t lag;     /* by which its position is expected to differ from that at the cut */
+    bool tracked;    /* it follows a mark */
+    bool seen;       /* which was seen, not reckoned */
+} ctl_cut;
+
+typedef struct {
+    int64_t at;      /* film position of the last cut */
+    int64_t mark_at; /* and of its mark; the same when it had none */
+    int64_t pitch;   /* from the mark before to it */
+    int64_t error;
+    bool tracked;
+    bool seen;
+    bool had_products;
+    uint32_t bags; /* bag lengths since the cut before */
+} ctl_last_cut;
+
+/* The master that drives the line. */
+typedef struct {
+    const ctl_ramp* ramp;
+    bool running; /* otherwise it is stopping */
+} ctl_drive;
+
+typedef struct {
+    const ctl_board* board;
+    const ctl_bank* bank; /* NULL: the machine has no film axis or the program no knife */
+    bool broken_off;      /* jogged, homed or in fault: the next run begins a new cycle */
+    bool cut_before;      /* last_cut is the one before the next */
+    uint32_t cycle;       /* ticks */
+    uint32_t engage;
+    uint32_t release;
+    uint32_t cut;
+    uint32_t master; /* ticks, 0..cycle-1 */
+    int64_t number;  /* of the infeed's cycle */
+    ctl_gate film_gate;
+    ctl_gate knife_gate;
+    ctl_feed film;
+    ctl_feed infeed;
+    ctl_marks marks;
+    ctl_products products;
+    int64_t bag;       /* bag length, film */
+    int64_t flight;    /* from product to product, infeed; products lie at its multiples */
+    int64_t film_sent; /* whole pulses since power-up */
+    int64_t infeed_sent;
+    int64_t film_actual; /* last measured, 1/256 pulse */
+    int64_t infeed_actual;
+    bool planned; /* the cut of the film's next cycle */
+    ctl_cut next;
+    int64_t lag; /* at full speed: film position at a cut minus the command that was meant for it */
+    int64_t phase_correction;
+    int64_t length_correction;
+    uint32_t limited_in_row;
+    uint16_t alarms; /* bits CTL_WARNING_BIT_... until the next start */
+    ctl_last_cut last_cut;
+    uint32_t skips_in_row; /* since the last cut */
+    uint32_t skips_in_run; /* since that or the start of the run */
+    uint16_t last_skip;
+    uint32_t skipped;
+    uint32_t limited;
+    uint32_t empty;
+    uint64_t saved_um;
+    uint32_t bags;
+    uint16_t records[CTL_BAG_REGISTERS * CTL_BAG_RECORDS];
+} ctl_packer;
+
+void ctl_packer_init(ctl_packer* packer, const ctl_board* board);
+/* Returns CTL_REFUSAL_..., the reason why the active program `bank` cannot be run with these parameters. */
+uint16_t ctl_packer_refusal(const ctl_packer* packer, const ctl_bank* bank);
+/* Prepares a run of the active program `bank`: what was broken off begins anew, the alarms are taken back. */
+void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank);
+void ctl_packer_break_off(ctl_packer* packer);
+/* At the boundary of a cycle another program of the same machine became active. */
+void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank);
+bool ctl_packer_active(const ctl_packer* packer);
+/* Infeed, film and knife are in the same phase, so that a program may be changed at the boundary, and with
+ * `bank` no product lies under its first cut, which the knife could not leave out any more. */
+bool ctl_packer_may_change(const ctl_packer* packer, const ctl_bank* bank, bool standstill);
+/* Ticks from the start of the master's cycle. */
+uint32_t ctl_packer_position(const ctl_packer* packer);
+/* The master moves on by *ticks, at most to the end of its cycle; returns the knife's ticks, *ticks becomes
+ * what was used. */
+uint32_t ctl_packer_advance(ctl_packer* packer, const ctl_drive* drive, uint32_t* ticks);
+/* Ends a slice: pulses of film and infeed, sensors, alarms. Returns true when an alarm wants the cycle that
+ * is under way to be the last. */
+bool ctl_packer_slice(ctl_packer* packer, bool in_cycle);
+
+/* The knife closed when the film motor stood there, 1/256 pulse. */
+void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp);
+void ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um);
+
+/* Begins to measure the distance of so many marks; returns CTL_REFUSAL_... */
+uint16_t ctl_packer_teach(ctl_packer* packer, const ctl_bank* bank, uint16_t marks);
+/* Bag lengths in the last bag measured. */
+uint32_t ctl_packer_lengths_in_bag(const ctl_packer* packer);
+/* Lengths on the film in micrometres, and back. */
+int64_t ctl_packer_um(const ctl_packer* packer, int64_t film);
+int64_t ctl_packer_film(const ctl_packer* packer, int64_t um);
+/* The registers of the group `packer`. */
+void ctl_packer_registers(const ctl_packer* packer, uint16_t* registers);
+
+/* Between the files of this module. */
+bool ctl_packer_tracks(const ctl_packer* packer);
+/* The film's cycle begins and the knife stands open: its first cut was not asked about yet. */
+void ctl_packer_ask_first_cut(ctl_packer* packer);
+/* Search, follow or leave the marks as the parameters say now. */
+void ctl_packer_follow_marks(ctl_packer* packer);
+/* Film of a cycle without its correction, and what a correction of the length may change of it. */
+int64_t ctl_packer_cycle_length(const ctl_packer* packer);
+int64_t ctl_packer_length_limit(const ctl_packer* packer);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,311 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* A packing machine's line while it runs: gates, the plan of each cut, sensors, cuts. */
+#include "packer/ctl_packer.h"
+
+#include "base/ctl_words.h"
+
+#include <stddef.h>
+
+/* The cuts may be shifted by so much of the bag length until they meet the marks. */
+#define ALIGNING_SHARE 10
+#define LIMITED_IN_ROW 5u
+
+static int64_t limited(int64_t value, int64_t limit)
+{
+    if (value > limit)
+        return limit;
+    return value < -limit ? -limit : value;
+}
+
+static int64_t film_um(const ctl_packer* packer, uint32_t address)
+{
+    return ctl_packer_film(packer, ctl_parameter16(packer->board, address));
+}
+
+/* Command of the film motor at the next cut when nothing is corrected; asked behind a sealing window or, with
+ * the knife standing, up to a cycle before the window. */
+static int64_t uncorrected(const ctl_packer* packer)
+{
+    const int64_t next = ctl_packer_cycle_length(packer);
+    return packer->film.start + packer->film.shift + packer->film.length +
+           (int64_t)((uint64_t)next * packer->cut / packer->cycle);
+}
+
+/* Drives lag in proportion to the speed, and not all by the same time. */
+static int64_t lag_at_next_cut(const ctl_packer* packer, const ctl_drive* drive)
+{
+    const ctl_ramp* ramp = drive->ramp;
+    const uint32_t way = packer->cycle - packer->film.phase + packer->cut;
+    const uint32_t speed = drive->running ? ctl_ramp_speed_after(ramp, way) : ramp->speed;
+    return packer->lag * (int64_t)speed / (int64_t)ramp->full;
+}
+
+static void learn_lag(ctl_packer* packer, int64_t lag, const ctl_ramp* ramp)
+{
+    if (lag > packer->bag / 4 || lag < -packer->bag / 4 || ramp->speed < ramp->full / 4u)
+        return;
+    packer->lag = lag * (int64_t)ramp->full / (int64_t)ramp->speed;
+}
+
+static void raise_alarm(ctl_packer* packer, uint32_t bit)
+{
+    packer->alarms = (uint16_t)(packer->alarms | 1u << bit);
+}
+
+/* Returns the shift of the film by which the next cut, `wanted` away from its mark, meets it, within limits.
+ */
+static int64_t allowed_shift(ctl_packer* packer, const ctl_mark* mark, int64_t wanted)
+{
+    int64_t phase_limit = film_um(packer, CTL_REG_PARAMETER_PHASE_LIMIT);
+    packer->length_correction = limited(mark->pitch - packer->bag, ctl_packer_length_limit(packer));
+    const int64_t phase = wanted - packer->length_correction;
+    if (packer->marks.state == CTL_MARK_STATE_ALIGNING && phase <= phase_limit && phase >= -phase_limit)
+        packer->marks.state = CTL_MARK_STATE_TRACKING;
+    const bool aligning = packer->marks.state == CTL_MARK_STATE_ALIGNING;
+    if (aligning)
+        phase_limit = packer->bag / ALIGNING_SHARE;
+    packer->phase_correction = limited(phase, phase_limit);
+    const int64_t shift = packer->length_correction + packer->phase_correction;
+    if (shift == wanted || aligning) {
+        packer->limited_in_row = 0;
+        return shift;
+    }
+    packer->limited += 1;
+    packer->limited_in_row += 1;
+    if (packer->limited_in_row >= LIMITED_IN_ROW)
+        raise_alarm(packer, CTL_WARNING_BIT_CORRECTION_AT_LIMIT);
+    return shift;
+}
+
+/* Behind a sealing window: where the film's next cut is to be, and the correction that brings it there. */
+static void plan_cut(ctl_packer* packer, const ctl_drive* drive)
+{
+    packer->planned = true;
+    ctl_packer_follow_marks(packer);
+    ctl_marks_drop(&packer->marks, ctl_feed_position(&packer->film) - packer->bag / 2);
+    const int64_t even = uncorrected(packer);
+    packer->next.lag = lag_at_next_cut(packer, drive);
+    const ctl_mark* mark =
+        packer->marks.state == CTL_MARK_STATE_OFF || packer->marks.state == CTL_MARK_STATE_SEARCHING
+            ? NULL
+            : ctl_marks_near(&packer->marks, even + packer->next.lag, packer->bag / 2);
+    int64_t shift = 0;
+    packer->phase_correction = 0;
+    packer->length_correction = 0;
+    if (mark != NULL)
+        shift = allowed_shift(packer, mark, mark->at - packer->next.lag - even);
+    packer->next.command = even + shift;
+    packer->next.tracked = mark != NULL && packer->marks.state == CTL_MARK_STATE_TRACKING;
+    packer->next.seen = mark != NULL && mark->seen;
+    if (shift != 0)
+        ctl_feed_correct(&packer->film, shift, packer->cycle - packer->release + (uint64_t)packer->engage);
+}
+
+static void count_skip(ctl_packer* packer)
+{
+    const bool too_long =
+        packer->products.longest + 2 * film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE) > packer->bag;
+    packer->skipped += 1;
+    packer->skips_in_row += 1;
+    packer->skips_in_run += 1;
+    packer->last_skip = too_long ? CTL_SKIP_CAUSE_PRODUCT_TOO_LONG : CTL_SKIP_CAUSE_PRODUCT_ACROSS;
+    if (packer->skips_in_run >= ctl_parameter16(packer->board, CTL_REG_PARAMETER_SKIP_LIMIT))
+        raise_alarm(packer, CTL_WARNING_BIT_TOO_MANY_SKIPS);
+}
+
+/* A product lies where the knife would close next if it set off now. */
+static bool knife_must_wait(ctl_packer* packer)
+{
+    if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_ANTI_CUT) == 0)
+        return false;
+    int64_t clearance = film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE);
+    int64_t cut = packer->next.command;
+    if (!packer->planned) { /* it may still be shifted */
+        cut = uncorrected(packer);
+        clearance += packer->marks.state == CTL_MARK_STATE_ALIGNING
+                         ? packer->bag / ALIGNING_SHARE
+                         : ctl_packer_length_limit(packer) + film_um(packer, CTL_REG_PARAMETER_PHASE_LIMIT);
+    }
+    if (!ctl_products_across(&packer->products, cut + packer->next.lag, clearance))
+        return false;
+    count_skip(packer);
+    return true;
+}
+
+void ctl_packer_ask_first_cut(ctl_packer* packer)
+{
+    if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_ANTI_CUT) == 0 ||
+        !ctl_products_across(&packer->products, packer->next.command + packer->next.lag,
+                             film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE)))
+        return;
+    count_skip(packer);
+    ctl_gate_stand(&packer->knife_gate);
+}
+
+/* The product that would come next on the film is missing: the film waits for the one after it. */
+static bool film_must_wait(ctl_packer* packer)
+{
+    if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_EMPTY_BAG) == 0 ||
+        !ctl_products_missing(&packer->products, packer->number + 1, packer->infeed_actual))
+        return false;
+    packer->empty += 1;
+    packer->saved_um += ctl_get32(&packer->bank->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH]);
+    packer->last_skip = CTL_SKIP_CAUSE_NO_PRODUCT;
+    return true;
+}
+
+/* The film moves on by so many ticks of its phase; returns the knife's. */
+static uint32_t move_film(ctl_packer* packer, const ctl_drive* drive, uint32_t ticks)
+{
+    uint32_t knife = 0;
+    while (ticks != 0) {
+        if (packer->film.phase >= packer->release && !packer->planned)
+            plan_cut(packer, drive);
+        if (ctl_gate_asks(&packer->knife_gate))
+            ctl_gate_answer(&packer->knife_gate, knife_must_wait(packer));
+        uint32_t part = ctl_gate_piece(&packer->knife_gate);
+        const uint32_t end = packer->film.phase < packer->release ? packer->release : packer->cycle;
+        if (part > end - packer->film.phase)
+            part = end - packer->film.phase;
+        if (part > ticks)
+            part = ticks;
+        knife += ctl_gate_advance(&packer->knife_gate, part);
+        ctl_feed_advance(&packer->film, part, ctl_packer_cycle_length(packer));
+        if (packer->film.phase == 0)
+            packer->planned = false;
+        ticks -= part;
+    }
+    return knife;
+}
+
+uint32_t ctl_packer_advance(ctl_packer* packer, const ctl_drive* drive, uint32_t* ticks)
+{
+    const uint32_t to_end = packer->cycle - packer->master;
+    uint32_t left = *ticks < to_end ? *ticks : to_end;
+    uint32_t knife = 0;
+    *ticks = left;
+    while (left != 0) {
+        if (ctl_gate_asks(&packer->film_gate))
+            ctl_gate_answer(&packer->film_gate, film_must_wait(packer));
+        const uint32_t piece = ctl_gate_piece(&packer->film_gate);
+        const uint32_t part = piece < left ? piece : left;
+        knife += move_film(packer, drive, ctl_gate_advance(&packer->film_gate, part));
+        left -= part;
+    }
+    packer->master += *ticks;
+    ctl_feed_advance(&packer->infeed, *ticks, packer->flight);
+    if (packer->master == packer->cycle) {
+        packer->master = 0;
+        packer->number += 1;
+    }
+    return knife;
+}
+
+/* Whole pulses up to a position in 1/256 pulse. */
+static int64_t whole_pulses(int64_t fine)
+{
+    return (fine - (fine < 0 ? CTL_FINE - 1 : 0)) / CTL_FINE;
+}
+
+static void emit(ctl_packer* packer)
+{
+    const int64_t film = whole_pulses(ctl_feed_position(&packer->film));
+    const int64_t infeed = whole_pulses(ctl_feed_position(&packer->infeed));
+    if (film != packer->film_sent)
+        packer->board->port.film_pulses(packer->board->port.context, (int32_t)(film - packer->film_sent));
+    if (infeed != packer->infeed_sent)
+        packer->board->port.infeed_pulses(packer->board->port.context,
+                                          (int32_t)(infeed - packer->infeed_sent));
+    packer->film_sent = film;
+    packer->infeed_sent = infeed;
+}
+
+static void read_sensors(ctl_packer* packer)
+{
+    const ctl_port* port = &packer->board->port;
+    const int64_t film_before = packer->film_actual;
+    const int64_t infeed_before = packer->infeed_actual;
+    int64_t at = 0;
+    bool covered = false;
+    packer->film_actual = port->film(port->context);
+    packer->infeed_actual = port->infeed(port->context);
+    while (port->mark(port->context, &at))
+        ctl_marks_see(&packer->marks, at);
+    while (port->eye(port->context, &at, &covered))
+        ctl_products_edge(&packer->products, at, covered);
+    ctl_marks_pass(&packer->marks, packer->film_actual);
+    const uint32_t empty = ctl_products_lay(&packer->products, infeed_before, packer->infeed_actual,
+                                            film_before, packer->film_actual);
+    if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_EMPTY_BAG) == 0)
+        packer->empty += empty;
+}
+
+static bool has_alarms(ctl_packer* packer)
+{
+    if (packer->marks.alarm != 0 && ctl_packer_tracks(packer))
+        raise_alarm(packer, packer->marks.alarm);
+    if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_ANTI_CUT) != 0 &&
+        packer->products.longest + 2 * film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE) > packer->bag)
+        raise_alarm(packer, CTL_WARNING_BIT_PRODUCT_TOO_LONG);
+    return packer->alarms != 0;
+}
+
+bool ctl_packer_slice(ctl_packer* packer, bool in_cycle)
+{
+    if (packer->bank == NULL)
+        return false;
+    emit(packer);
+    read_sensors(packer);
+    return in_cycle && has_alarms(packer);
+}
+
+void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp)
+{
+    if (packer->bank == NULL)
+        return;
+    ctl_last_cut* last = &packer->last_cut;
+    const ctl_mark* mark = ctl_marks_near(&packer->marks, film, packer->bag / 2);
+    if (packer->cut_before)
+        learn_lag(packer, film - packer->next.command, ramp);
+    const int64_t mark_before = last->mark_at;
+    last->at = film;
+    last->mark_at = mark == NULL ? film : mark->at;
+    last->pitch = packer->cut_before ? last->mark_at - mark_before : packer->bag;
+    last->error = mark == NULL ? 0 : film - mark->at;
+    last->tracked = packer->next.tracked;
+    last->seen = packer->next.seen;
+    last->had_products = ctl_products_cut(&packer->products, film) != 0;
+    last->bags = 1u + packer->skips_in_row;
+    packer->skips_in_row = 0;
+    packer->skips_in_run = 0;
+    packer->cut_before = true;
+}
+
+void ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um)
+{
+    if (packer->bank == NULL)
+        return;
+    const ctl_last_cut* last = &packer->last_cut;
+    const int64_t set_um =
+        (int64_t)last->bags * ctl_get32(&packer->bank->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH]);
+    uint32_t flags = (last->bags < 255u ? last->bags : 255u) << 8;
+    if (last->tracked)
+        flags |= 1u << CTL_BAG_BIT_TRACKED;
+    if (last->tracked && !last->seen)
+        flags |= 1u << CTL_BAG_BIT_MARK_MISSED;
+    if (last->bags > 1u)
+        flags |= 1u << CTL_BAG_BIT_PRODUCT_ACROSS;
+    if (!last->had_products)
+        flags |= 1u << CTL_BAG_BIT_EMPTY;
+    packer->bags += 1;
+    uint16_t* record = &packer->records[CTL_BAG_REGISTERS * (packer->bags % CTL_BAG_RECORDS)];
+    record[0] = ctl_saturated16((int64_t)length_um - set_um);
+    record[1] = ctl_saturated16(ctl_packer_um(packer, last->error));
+    record[2] = ctl_saturated16(ctl_packer_um(packer, last->pitch - (int64_t)last->bags * packer->bag));
+    record[3] = (uint16_t)flags;
+}
+
+uint32_t ctl_packer_lengths_in_bag(const ctl_packer* packer)
+{
+    return packer->bank == NULL || packer->last_cut.bags == 0 ? 1u : packer->last_cut.bags;
+}
