@@ -2961,7 +2961,7 @@
     </message>
 </context>
 <context>
-    <name>campanel::machine::Access</name>
+    <name>campanel::panel::Access</name>
     <message>
         <source>A name has 1 to %1 characters.</source>
         <translation>名称为 1 至 %1 个字符。</translation>
@@ -2996,7 +2996,7 @@
     </message>
 </context>
 <context>
-    <name>campanel::machine::AlarmDetail</name>
+    <name>campanel::panel::AlarmDetail</name>
     <message>
         <source>Fault</source>
         <translation>故障</translation>
@@ -3036,7 +3036,7 @@
     </message>
 </context>
 <context>
-    <name>campanel::machine::Audit</name>
+    <name>campanel::panel::Audit</name>
     <message>
         <source>Checking the chain …</source>
         <translation>正在检查链…</translation>
@@ -3087,7 +3087,7 @@
     </message>
 </context>
 <context>
-    <name>campanel::machine::AxisSpeed</name>
+    <name>campanel::panel::AxisSpeed</name>
     <message>
         <source>Jog speed</source>
         <translation>点动速度</translation>
@@ -3107,7 +3107,7 @@
     </message>
 </context>
 <context>
-    <name>campanel::machine::Backup</name>
+    <name>campanel::panel::Backup</name>
     <message>
         <source>CamPanel backup %1</source>
         <comment>name of a file</comment>
@@ -3164,7 +3164,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::Commissioning</name>
+    <name>campanel::panel::Commissioning</name>
     <message>
         <source>%1 commissioning %2</source>
         <comment>name of a file: recipe, date</comment>
@@ -3318,7 +3318,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::ProgramDownload</name>
+    <name>campanel::panel::ProgramDownload</name>
     <message>
         <source>Not possible now: there is no connection to the controller.</source>
         <translation>暂时无法下载：没有连接到控制器。</translation>
@@ -3393,7 +3393,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::DryRun</name>
+    <name>campanel::panel::DryRun</name>
     <message>
         <source>Time in the cycle</source>
         <translation>周期内时间</translation>
@@ -3464,7 +3464,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::Editor</name>
+    <name>campanel::panel::Editor</name>
     <message>
         <source>Displacement law</source>
         <translation>位移规律</translation>
@@ -3475,7 +3475,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::EditorField</name>
+    <name>campanel::panel::EditorField</name>
     <message>
         <source>Enter a number.</source>
         <translation>请输入数字。</translation>
@@ -3498,7 +3498,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::Explanations</name>
+    <name>campanel::panel::Explanations</name>
     <message>
         <source>Rate</source>
         <translation>速率</translation>
@@ -3814,7 +3814,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::FrameList</name>
+    <name>campanel::panel::FrameList</name>
     <message>
         <source>Sent at %1</source>
         <translation>发送于 %1</translation>
@@ -3829,7 +3829,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::Homing</name>
+    <name>campanel::panel::Homing</name>
     <message>
         <source>Homed</source>
         <translation>已回零</translation>
@@ -3908,7 +3908,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::IoList</name>
+    <name>campanel::panel::IoList</name>
     <message>
         <source>%1 pulses</source>
         <translation>%1 个脉冲</translation>
@@ -4020,7 +4020,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::Jog</name>
+    <name>campanel::panel::Jog</name>
     <message>
         <source>towards the part</source>
         <translation>朝向工件</translation>
@@ -4095,7 +4095,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::KnotFiles</name>
+    <name>campanel::panel::KnotFiles</name>
     <message>
         <source>%1 can only be read. Unlock the stick or choose another place.</source>
         <translation>%1 只能读取。请解除 U 盘的写保护，或选择其他位置。</translation>
@@ -4142,7 +4142,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::KnotModel</name>
+    <name>campanel::panel::KnotModel</name>
     <message>
         <source>Knot %1, master</source>
         <translation>型值点 %1，主轴</translation>
@@ -4165,7 +4165,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::LineFaults</name>
+    <name>campanel::panel::SimulatedFaults</name>
     <message>
         <source>Late answers</source>
         <translation>迟到的应答</translation>
@@ -4281,7 +4281,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::LineFigures</name>
+    <name>campanel::panel::LineFigures</name>
     <message>
         <source>Requests</source>
         <translation>请求</translation>
@@ -4372,7 +4372,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::LinkDoctor</name>
+    <name>campanel::panel::LinkDoctor</name>
     <message>
         <source>The machine is moving. Diagnosis and search close the connection, and the controller would miss this panel. Stop the machine first.</source>
         <translation>机器正在运动。诊断和搜索会关闭连接，控制器会收不到面板的心跳。请先停机。</translation>
@@ -4438,7 +4438,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::Machine</name>
+    <name>campanel::panel::Controller</name>
     <message>
         <source>Searching</source>
         <translation>正在查找</translation>
@@ -4506,7 +4506,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::MarkWizard</name>
+    <name>campanel::panel::MarkWizard</name>
     <message>
         <source>There is no connection to the controller.</source>
         <translation>与控制器没有连接。</translation>
@@ -4589,7 +4589,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::MasterDirection</name>
+    <name>campanel::panel::MasterDirection</name>
     <message>
         <source>There is no connection to the controller.</source>
         <translation>没有连接到控制器。</translation>
@@ -4640,7 +4640,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::PackingFields</name>
+    <name>campanel::panel::PackingFields</name>
     <message>
         <source>Cuts follow the marks</source>
         <translation>切断跟踪色标</translation>
@@ -4759,7 +4759,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::PackingLine</name>
+    <name>campanel::panel::PackingLine</name>
     <message>
         <source>Film waits for a product</source>
         <translation>薄膜等待产品</translation>
@@ -4770,7 +4770,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::PackingSetup</name>
+    <name>campanel::panel::PackingSetup</name>
     <message>
         <source>The controller tells nothing of a packing machine: connect it and download a cutter&apos;s recipe.</source>
         <translation>控制器没有包装机的数据：请连接并下载切刀配方。</translation>
@@ -4801,7 +4801,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::ProgramProof</name>
+    <name>campanel::panel::ProgramProof</name>
     <message>
         <source>Not possible now: there is no connection to the controller.</source>
         <translation>暂时无法进行：没有连接到控制器。</translation>
@@ -4912,7 +4912,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::RecipeFiles</name>
+    <name>campanel::panel::RecipeFiles</name>
     <message>
         <source>%1 · %2 · %3</source>
         <comment>what it is, date, place</comment>
@@ -4930,7 +4930,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::Recipes</name>
+    <name>campanel::panel::Recipes</name>
     <message>
         <source>%1 was taken over as %2, version %3.</source>
         <comment>file, recipe</comment>
@@ -5008,7 +5008,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::Records</name>
+    <name>campanel::panel::DatabaseService</name>
     <message>
         <source>%1 Until then nothing is kept over a restart.</source>
         <comment>%1: whole sentences</comment>
@@ -5040,7 +5040,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::RegisterInspector</name>
+    <name>campanel::panel::RegisterInspector</name>
     <message>
         <source>All groups</source>
         <translation>所有组</translation>
@@ -5071,14 +5071,14 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::RegisterModel</name>
+    <name>campanel::panel::RegisterModel</name>
     <message>
         <source>cannot be read</source>
         <translation>无法读取</translation>
     </message>
 </context>
 <context>
-    <name>campanel::machine::ReportFiles</name>
+    <name>campanel::panel::ReportFiles</name>
     <message>
         <source>%1 can only be read. Unlock the stick or choose another place.</source>
         <translation>%1 只能读取。请解除 U 盘的写保护，或选择其他位置。</translation>
@@ -5101,7 +5101,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::ServiceBundle</name>
+    <name>campanel::panel::ServiceBundle</name>
     <message>
         <source>CamPanel service %1</source>
         <comment>name of a file</comment>
@@ -5109,7 +5109,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::Settings</name>
+    <name>campanel::panel::Settings</name>
     <message>
         <source>Not permitted: add the user to the group &quot;%1&quot;.</source>
         <translation>无权限：请将用户加入“%1”组。</translation>
@@ -5124,14 +5124,14 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::machine::ShelvedAlarms</name>
+    <name>campanel::panel::ShelvedAlarms</name>
     <message>
         <source>until %1</source>
         <translation>到 %1</translation>
     </message>
 </context>
 <context>
-    <name>campanel::machine::Trends</name>
+    <name>campanel::panel::Trends</name>
     <message>
         <source>bags</source>
         <translation>袋记录</translation>

@@ -58,7 +58,7 @@ public:
 
     // Measures the last bag of the simulated machine. Ends in exactly one rulerRead(), at once for a link
     // without a simulated machine.
-    virtual void readRuler() { emit rulerRead({RulerEnd::NotSimulated}); }
+    virtual void measureSimulatedBag() { emit rulerRead({RulerEnd::NotSimulated}); }
 
     // Requests one pingAnswered() with that number from the thread that serves the line. There is no answer
     // while that thread is blocked.

@@ -43,7 +43,7 @@ public slots:
     void startScan(campanel::modbus::ScanPlan::Depth depth);
     void cancelScan();
     void simulateFaults(const QStringList& rules);
-    void readRuler();
+    void measureSimulatedBag();
     void watchFigures(bool isWatched) { m_watch.watchFigures(isWatched); }
     void resetFigures() { m_watch.resetFigures(); }
     void watchFrames(bool isWatched) { m_watch.watchFrames(isWatched); }

@@ -201,11 +201,11 @@ void LinkWorker::simulateFaults(const QStringList& rules)
         emit faultsSimulated({FaultsEnd::NotServing, {}});
 }
 
-void LinkWorker::readRuler()
+void LinkWorker::measureSimulatedBag()
 {
     if (!m_simulator)
         emit rulerRead({RulerEnd::NotSimulated});
-    else if (!m_simulator->readRuler())
+    else if (!m_simulator->measureSimulatedBag())
         emit rulerRead({RulerEnd::NotServing});
 }
 

@@ -136,7 +136,7 @@ void SimulatedController::takeMeasured(const QString& line)
         emit rulerRead({RulerEnd::NoBag});
 }
 
-bool SimulatedController::readRuler()
+bool SimulatedController::measureSimulatedBag()
 {
     if (!m_isServing)
         return false;

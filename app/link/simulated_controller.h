@@ -33,7 +33,7 @@ public:
 
     // Measures the last bag. Ends in one rulerRead(). Returns false, without an answer, while the controller
     // is not serving.
-    [[nodiscard]] bool readRuler();
+    [[nodiscard]] bool measureSimulatedBag();
 
     // Returns the searched paths: beside this program, in the installation tree, on PATH.
     [[nodiscard]] static QStringList candidatePaths();

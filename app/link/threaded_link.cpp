@@ -24,7 +24,7 @@ ThreadedLink::ThreadedLink(QObject* parent)
     connect(this, &ThreadedLink::scanWanted, worker, &LinkWorker::startScan);
     connect(this, &ThreadedLink::scanCancelWanted, worker, &LinkWorker::cancelScan);
     connect(this, &ThreadedLink::faultsWanted, worker, &LinkWorker::simulateFaults);
-    connect(this, &ThreadedLink::rulerWanted, worker, &LinkWorker::readRuler);
+    connect(this, &ThreadedLink::rulerWanted, worker, &LinkWorker::measureSimulatedBag);
     connect(this, &ThreadedLink::pingWanted, worker, &LinkWorker::pingAnswered);
     connect(this, &ThreadedLink::figuresWatchWanted, worker, &LinkWorker::watchFigures);
     connect(this, &ThreadedLink::figuresResetWanted, worker, &LinkWorker::resetFigures);

@@ -40,7 +40,7 @@ public:
     void startScan(modbus::ScanPlan::Depth depth) override { emit scanWanted(depth); }
     void cancelScan() override { emit scanCancelWanted(); }
     void simulateFaults(const QStringList& rules) override { emit faultsWanted(rules); }
-    void readRuler() override { emit rulerWanted(); }
+    void measureSimulatedBag() override { emit rulerWanted(); }
     void ping(quint32 number) override { emit pingWanted(number); }
     void watchFigures(bool isWatched) override { emit figuresWatchWanted(isWatched); }
     void resetFigures() override { emit figuresResetWanted(); }

@@ -40,7 +40,7 @@ QFont fontOf(int px, bool isBold = false)
 
 class Paper {
 public:
-    Paper(QIODevice& device, const machine::ReportData& data)
+    Paper(QIODevice& device, const panel::ReportData& data)
         : m_data(data)
         , m_writer(&device)
     {
@@ -63,7 +63,7 @@ public:
         m_y += gapPx;
     }
 
-    void section(const machine::ReportSection& section)
+    void section(const panel::ReportSection& section)
     {
         // A heading must not be alone at the end of a page.
         need(heightOf(section.title, fontOf(headingPx, true), m_width) + 4 * textPx);
@@ -184,7 +184,7 @@ private:
         m_painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter, m_data.pageText.arg(m_page));
     }
 
-    const machine::ReportData& m_data;
+    const panel::ReportData& m_data;
     QPdfWriter m_writer;
     QPainter m_painter;
     double m_width = 0;
@@ -195,14 +195,14 @@ private:
 
 } // namespace
 
-QByteArray commissioningPdf(const machine::ReportData& data)
+QByteArray commissioningPdf(const panel::ReportData& data)
 {
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     {
         Paper paper(buffer, data);
         paper.title();
-        for (const machine::ReportSection& section : data.sections)
+        for (const panel::ReportSection& section : data.sections)
             paper.section(section);
         paper.curves();
     } // closes the file

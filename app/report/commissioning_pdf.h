@@ -7,6 +7,6 @@
 namespace campanel::report {
 
 // Returns the PDF. Call it in the GUI thread: a Qt Quick item paints the curves.
-[[nodiscard]] QByteArray commissioningPdf(const machine::ReportData& data);
+[[nodiscard]] QByteArray commissioningPdf(const panel::ReportData& data);
 
 } // namespace campanel::report

@@ -15,11 +15,11 @@
 #define TOML_EXCEPTIONS 0
 #include <toml++/toml.h>
 
-namespace campanel::panel {
+namespace campanel::shell {
 namespace {
 
 using namespace Qt::StringLiterals;
-using machine::ConnectionChoice;
+using panel::ConnectionChoice;
 
 // Puts the value into the configuration, or returns the valid values: "one of en, zh_CN".
 using Take = std::function<std::optional<QString>(const toml::node&, Configuration&)>;
@@ -89,8 +89,8 @@ std::optional<QString> takePort(const toml::node& node, Configuration& into)
 std::optional<QString> takeTolerance(const toml::node& node, Configuration& into)
 {
     const auto value = node.is_number() ? node.value<double>() : std::nullopt;
-    const double least = machine::Settings::leastToleranceMm;
-    const double most = machine::Settings::mostToleranceMm;
+    const double least = panel::Settings::leastToleranceMm;
+    const double most = panel::Settings::mostToleranceMm;
     if (!value || !std::isfinite(*value) || *value < least || *value > most)
         return u"a number from %1 to %2"_s.arg(least).arg(most);
     into.standard.bagToleranceMm = *value;
@@ -160,8 +160,8 @@ auto standard(auto member)
 
 const std::vector<Key>& keys()
 {
-    using machine::Settings;
-    using machine::StandardSettings;
+    using panel::Settings;
+    using panel::StandardSettings;
     static const std::vector<Key> all{
         {"connection.simulated", truth(connection(&ConnectionChoice::simulated))},
         {"connection.port", takePort},
@@ -260,7 +260,7 @@ public:
     }
 
 private:
-    void complain(toml::source_index line, const QString& what)
+    void reportError(toml::source_index line, const QString& what)
     {
         m_result.complaints += u"%1:%2: %3"_s.arg(m_file).arg(line).arg(store::printable(what));
     }
@@ -289,8 +289,8 @@ private:
         constexpr qsizetype maxShown = 80;
         const QString said = QString::fromUtf8(m_lines[index].left(maxShown)).simplified();
         m_isConnectionUnsure = true; // its content is unknown
-        complain(static_cast<toml::source_index>(index + 1),
-                 u"\"%1\" is not understood (%2); the line is ignored."_s.arg(said, why));
+        reportError(static_cast<toml::source_index>(index + 1),
+                    u"\"%1\" is not understood (%2); the line is ignored."_s.arg(said, why));
         m_lines[index].clear();
     }
 
@@ -302,10 +302,11 @@ private:
             if (const toml::table* table = node.as_table(); table && isSection(section))
                 takeKeys(section, *table);
             else if (table)
-                complain(node.source().begin.line, u"there is no section [%1]; it is ignored."_s.arg(shown));
+                reportError(node.source().begin.line,
+                            u"there is no section [%1]; it is ignored."_s.arg(shown));
             else
-                complain(node.source().begin.line,
-                         u"there is no key \"%1\" outside a section; it is ignored."_s.arg(shown));
+                reportError(node.source().begin.line,
+                            u"there is no key \"%1\" outside a section; it is ignored."_s.arg(shown));
             m_isConnectionUnsure = m_isConnectionUnsure || !node.is_table() || !isSection(section);
         }
         const bool isSaid = root.at_path("connection.simulated").is_boolean();
@@ -323,9 +324,9 @@ private:
             const QString shown = QString::fromStdString(whole);
             const auto wanted = key ? key->take(node, m_result.values) : std::nullopt;
             if (!key)
-                complain(node.source().begin.line, u"there is no key %1; it is ignored."_s.arg(shown));
+                reportError(node.source().begin.line, u"there is no key %1; it is ignored."_s.arg(shown));
             else if (wanted)
-                complain(node.source().begin.line, u"%1 must be %2; it is ignored."_s.arg(shown, *wanted));
+                reportError(node.source().begin.line, u"%1 must be %2; it is ignored."_s.arg(shown, *wanted));
             if ((!key || wanted) && section == "connection")
                 m_isConnectionUnsure = true;
         }
@@ -371,4 +372,4 @@ QStringList configurationKeys()
     return names;
 }
 
-} // namespace campanel::panel
+} // namespace campanel::shell

@@ -13,10 +13,10 @@
 
 #include <optional>
 
-namespace campanel::panel {
+namespace campanel::shell {
 
 struct Configuration {
-    machine::StandardSettings standard;
+    panel::StandardSettings standard;
     std::optional<QSize> windowSize;
     bool isFullScreen = false;
     ScreenAccess screen = ScreenAccess::Auto; // for the kiosk
@@ -39,4 +39,4 @@ struct ReadConfiguration {
 // Returns every key, as "section.key".
 [[nodiscard]] QStringList configurationKeys();
 
-} // namespace campanel::panel
+} // namespace campanel::shell

@@ -9,7 +9,7 @@
 
 #include <array>
 
-namespace campanel::panel {
+namespace campanel::shell {
 namespace {
 
 struct Family {
@@ -47,4 +47,4 @@ QStringList missingFonts()
     return sentences;
 }
 
-} // namespace campanel::panel
+} // namespace campanel::shell

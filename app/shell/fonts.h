@@ -4,7 +4,7 @@
 
 #include <QStringList>
 
-namespace campanel::panel {
+namespace campanel::shell {
 
 // Sets the text families as the default font. Call it in the GUI thread, after QGuiApplication is created.
 void applyFonts();
@@ -12,4 +12,4 @@ void applyFonts();
 // Returns one sentence for each missing family, with the package to install.
 [[nodiscard]] QStringList missingFonts();
 
-} // namespace campanel::panel
+} // namespace campanel::shell

@@ -7,7 +7,7 @@
 
 #include <thread>
 
-namespace campanel::panel {
+namespace campanel::shell {
 namespace {
 
 using namespace Qt::StringLiterals;
@@ -85,4 +85,4 @@ void noteScreenWorks(const ScreenPlaces& places)
         QFile::remove(marker(places));
 }
 
-} // namespace campanel::panel
+} // namespace campanel::shell

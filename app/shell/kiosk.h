@@ -6,7 +6,7 @@
 
 #include <chrono>
 
-namespace campanel::panel {
+namespace campanel::shell {
 
 enum class ScreenAccess {
     Auto,    // the best available one
@@ -38,4 +38,4 @@ struct ScreenChoice {
 void noteScreenTried(const QString& platform, const ScreenPlaces& places);
 void noteScreenWorks(const ScreenPlaces& places);
 
-} // namespace campanel::panel
+} // namespace campanel::shell

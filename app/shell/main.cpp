@@ -2,7 +2,6 @@
 // The panel's executable: reads the options and creates the parts.
 #include "app/link/threaded_link.h"
 #include "app/shell/configuration.h"
-#include "app/shell/end_signals.h"
 #include "app/shell/fonts.h"
 #include "app/shell/kiosk.h"
 #include "app/shell/memory.h"
@@ -12,6 +11,7 @@
 #include "app/shell/renderer.h"
 #include "app/shell/self_test.h"
 #include "app/shell/service_watchdog.h"
+#include "app/shell/termination_signals.h"
 #include "app/store/files/folder_lock.h"
 
 #include <QFile>
@@ -60,11 +60,11 @@ bool isOffscreen(Arguments arguments)
     });
 }
 
-panel::Configuration configurationOf(Arguments arguments)
+shell::Configuration configurationOf(Arguments arguments)
 {
     const QString named = valueOf(arguments, "--config");
-    const panel::ReadConfiguration read =
-        panel::readConfiguration(named.isEmpty() ? panel::configurationFile() : named);
+    const shell::ReadConfiguration read =
+        shell::readConfiguration(named.isEmpty() ? shell::configurationFile() : named);
     for (const QString& complaint : read.complaints)
         std::fprintf(stderr, "campanel: %s\n", qPrintable(complaint));
     if (!named.isEmpty() && !QFile::exists(named))
@@ -76,26 +76,26 @@ panel::Configuration configurationOf(Arguments arguments)
 constexpr std::chrono::seconds screenAwaited{30};
 
 // Returns false without a screen. A platform set by an environment variable stays.
-bool prepareScreen(panel::ScreenAccess wanted)
+bool prepareScreen(shell::ScreenAccess wanted)
 {
     if (!qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
         return true;
-    const panel::ScreenPlaces places;
-    const panel::ScreenChoice choice = panel::waitForScreen(wanted, places, screenAwaited);
+    const shell::ScreenPlaces places;
+    const shell::ScreenChoice choice = shell::waitForScreen(wanted, places, screenAwaited);
     std::fprintf(stderr, "campanel: %s\n", qPrintable(choice.reason));
     if (choice.platform.isEmpty())
         return false;
     qputenv("QT_QPA_PLATFORM", choice.platform.toLatin1());
     if (qEnvironmentVariableIsEmpty("QT_QPA_EGLFS_INTEGRATION"))
         qputenv("QT_QPA_EGLFS_INTEGRATION", "eglfs_kms");
-    panel::noteScreenTried(choice.platform, places);
+    shell::noteScreenTried(choice.platform, places);
     return true;
 }
 
 // Reports missing packages.
 bool hasFonts()
 {
-    const QStringList missing = panel::missingFonts();
+    const QStringList missing = shell::missingFonts();
     for (const QString& sentence : missing)
         std::fprintf(stderr, "campanel: %s\n", qPrintable(sentence));
     return missing.isEmpty();
@@ -104,11 +104,11 @@ bool hasFonts()
 // The exit code of the event loop to rebuild the panel from the data on the disk.
 constexpr int restartCode = 1000;
 
-int runPanel(const panel::Options& options, const panel::Configuration& configuration,
-             const panel::ServiceManager& manager)
+int runPanel(const shell::Options& options, const shell::Configuration& configuration,
+             const shell::ServiceManager& manager)
 {
     link::ThreadedLink link(nullptr);
-    panel::Panel panel(link, {{}, {}, configuration.standard});
+    shell::Panel panel(link, {{}, {}, configuration.standard});
     hasFonts(); // reads all fonts while the QML is loading; the panel works without them
     if (options.connection)
         panel.settings().overrideConnection(*options.connection);
@@ -119,13 +119,13 @@ int runPanel(const panel::Options& options, const panel::Configuration& configur
     constexpr QSize usualSize(1024, 600);
     if (!panel.load(options.size.value_or(configuration.windowSize.value_or(usualSize))))
         return EXIT_FAILURE;
-    const panel::ServiceWatchdog watchdog(manager, link, panel.window());
+    const shell::ServiceWatchdog watchdog(manager, link, panel.window());
     if (options.isFullScreen || options.isKiosk || configuration.isFullScreen)
         panel.window().showFullScreen();
     else
         panel.window().show();
     QGuiApplication::setQuitOnLastWindowClosed(true);
-    QObject::connect(&panel, &panel::Panel::restartWanted, [] {
+    QObject::connect(&panel, &shell::Panel::restartWanted, [] {
         QGuiApplication::setQuitOnLastWindowClosed(false); // the next one is about to open
         QGuiApplication::exit(restartCode);
     });
@@ -133,7 +133,7 @@ int runPanel(const panel::Options& options, const panel::Configuration& configur
         &panel.window(), &QQuickWindow::frameSwapped, &panel,
         [&panel, &options] {
             if (options.isKiosk)
-                panel::noteScreenWorks({});
+                shell::noteScreenWorks({});
             if (options.isFirstFrameAnnounced) {
                 std::puts("first frame");
                 std::fflush(stdout);
@@ -149,25 +149,25 @@ int runPanel(const panel::Options& options, const panel::Configuration& configur
 
 int main(int argc, char* argv[])
 {
-    panel::keepMemoryFlat();
+    shell::keepMemoryFlat();
     const Arguments arguments(argv, static_cast<std::size_t>(argc));
-    panel::Configuration configuration;
+    shell::Configuration configuration;
     if (isOffscreen(arguments))
         qputenv("QT_QPA_PLATFORM", "offscreen");
     else
         configuration = configurationOf(arguments);
     if (!isOffscreen(arguments) && isGiven(arguments, "--kiosk") && !prepareScreen(configuration.screen))
         return EXIT_FAILURE;
-    const panel::ServiceManager manager;
+    const shell::ServiceManager manager;
     QGuiApplication application(argc, argv);
     QGuiApplication::setApplicationName(QStringLiteral("campanel"));
     QGuiApplication::setOrganizationName(QStringLiteral("campanel"));
     QGuiApplication::setApplicationVersion(QStringLiteral(CAMPANEL_VERSION));
-    const panel::Options options = panel::readOptions(application);
+    const shell::Options options = shell::readOptions(application);
 
-    panel::applyFonts();
+    shell::applyFonts();
     if (options.isSelfTest)
-        return hasFonts() ? panel::selfTest() : EXIT_FAILURE;
+        return hasFonts() ? shell::selfTest() : EXIT_FAILURE;
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
     const store::FolderLock lock(folder);
     if (lock.isHeldByAnother()) {
@@ -175,8 +175,8 @@ int main(int argc, char* argv[])
                      qPrintable(folder));
         return EXIT_FAILURE;
     }
-    panel::chooseRenderer();
-    const panel::EndSignals endSignals;
+    shell::chooseRenderer();
+    const shell::TerminationSignals terminationSignals;
     int code = restartCode;
     while (code == restartCode)
         code = runPanel(options, configuration, manager);

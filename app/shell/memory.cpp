@@ -3,7 +3,7 @@
 
 #include <malloc.h>
 
-namespace campanel::panel {
+namespace campanel::shell {
 
 void keepMemoryFlat()
 {
@@ -13,4 +13,4 @@ void keepMemoryFlat()
     mallopt(M_MMAP_THRESHOLD, mapBytes);
 }
 
-} // namespace campanel::panel
+} // namespace campanel::shell

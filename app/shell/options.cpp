@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace campanel::panel {
+namespace campanel::shell {
 namespace {
 
 constexpr int usageError = 2;
@@ -65,9 +65,9 @@ void refuseLineParametersWithoutPort(const QCommandLineParser& parser)
     }
 }
 
-machine::ConnectionChoice connectionFrom(const QCommandLineParser& parser)
+panel::ConnectionChoice connectionFrom(const QCommandLineParser& parser)
 {
-    machine::ConnectionChoice choice;
+    panel::ConnectionChoice choice;
     choice.simulated = false;
     choice.portName = parser.value(QStringLiteral("port"));
     choice.baud = number(parser, QStringLiteral("baud"), 1200, 921600);
@@ -138,4 +138,4 @@ Options readOptions(const QCoreApplication& application)
     return options;
 }
 
-} // namespace campanel::panel
+} // namespace campanel::shell

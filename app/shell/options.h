@@ -11,11 +11,11 @@
 
 class QCoreApplication;
 
-namespace campanel::panel {
+namespace campanel::shell {
 
 struct Options {
-    std::optional<machine::ConnectionChoice> connection; // empty: from the settings
-    QString language;                                    // empty: from the settings
+    std::optional<panel::ConnectionChoice> connection; // empty: from the settings
+    QString language;                                  // empty: from the settings
     QString theme;
     std::optional<QSize> size; // empty: from the configuration
     bool isFullScreen = false;
@@ -27,4 +27,4 @@ struct Options {
 // Reads the options. Prints and ends the process for --help, --version and for errors (exit code 2).
 [[nodiscard]] Options readOptions(const QCoreApplication& application);
 
-} // namespace campanel::panel
+} // namespace campanel::shell

@@ -9,7 +9,7 @@
 
 #include <cstdio>
 
-namespace campanel::panel {
+namespace campanel::shell {
 namespace {
 
 constexpr int pages = 7; // in Frame.qml; larger values are damaged, or of another version
@@ -56,4 +56,4 @@ void PageMemory::keep()
     std::rename(QFile::encodeName(fresh).constData(), QFile::encodeName(m_file).constData());
 }
 
-} // namespace campanel::panel
+} // namespace campanel::shell

@@ -9,7 +9,7 @@
 
 #include <optional>
 
-namespace campanel::panel {
+namespace campanel::shell {
 
 class PageMemory : public QObject {
     Q_OBJECT
@@ -34,4 +34,4 @@ private:
     QQuickWindow* m_window = nullptr;
 };
 
-} // namespace campanel::panel
+} // namespace campanel::shell

@@ -13,7 +13,7 @@
 #include <QLoggingCategory>
 #include <QStandardPaths>
 
-namespace campanel::panel {
+namespace campanel::shell {
 namespace {
 
 Q_LOGGING_CATEGORY(uiLog, "campanel.ui")
@@ -37,7 +37,7 @@ QString privateDataFolder(const Storage& storage)
 
 Panel::Panel(link::Link& link, const Storage& storage)
     : m_restore(
-          store::finishRestore(privateDataFolder(storage), machine::Settings::fileName(storage.settingsFile)))
+          store::finishRestore(privateDataFolder(storage), panel::Settings::fileName(storage.settingsFile)))
     , m_settings(storage.settingsFile, nullptr, storage.standard)
     , m_machine(link, m_settings, nullptr)
     , m_editor(m_machine, recipeFolder(storage), nullptr)
@@ -59,16 +59,16 @@ Panel::Panel(link::Link& link, const Storage& storage)
 {
     m_commissioning.setPrinter(&report::commissioningPdf);
     m_records.noteRestore(m_restore);
-    connect(&m_backup, &machine::Backup::restartWanted, this, &Panel::restartWanted);
+    connect(&m_backup, &panel::Backup::restartWanted, this, &Panel::restartWanted);
     m_service.dryRun()->follow(m_editor);
     m_recipes.setAuthor([this] { return m_access.userName(); });
-    connect(&m_recipes, &machine::Recipes::noted, &m_trail, &machine::AuditTrail::note);
-    connect(&m_access, &machine::Access::changed, this, [this] { m_alarms.setPerson(m_access.userName()); });
+    connect(&m_recipes, &panel::Recipes::noted, &m_trail, &panel::AuditTrail::note);
+    connect(&m_access, &panel::Access::changed, this, [this] { m_alarms.setPerson(m_access.userName()); });
     m_engine.addImportPath(QStringLiteral("qrc:/qt/qml"));
-    machine::attachToEngine(m_engine, m_access, m_alarms, m_audit, m_backup, m_commissioning, m_display,
-                            m_machine, m_editor, m_explanations, m_records, m_recipes, m_service, m_bundle,
-                            m_settings, m_trends);
-    connect(&m_settings, &machine::Settings::languageChanged, this, &Panel::translate);
+    panel::attachToEngine(m_engine, m_access, m_alarms, m_audit, m_backup, m_commissioning, m_display,
+                          m_machine, m_editor, m_explanations, m_records, m_recipes, m_service, m_bundle,
+                          m_settings, m_trends);
+    connect(&m_settings, &panel::Settings::languageChanged, this, &Panel::translate);
     translate();
     m_component.loadUrl(QUrl(QStringLiteral("qrc:/qt/qml/CamPanel/Frame/Main.qml")),
                         QQmlComponent::Asynchronous);
@@ -125,4 +125,4 @@ void Panel::translate()
     m_engine.retranslate();
 }
 
-} // namespace campanel::panel
+} // namespace campanel::shell

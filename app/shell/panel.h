@@ -8,13 +8,13 @@
 #include "app/panel/alarms/alarms.h"
 #include "app/panel/audit/audit.h"
 #include "app/panel/audit/audit_trail.h"
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/display/display.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/explain/explanations.h"
 #include "app/panel/library/recipes.h"
 #include "app/panel/maintenance/service.h"
-#include "app/panel/records/records.h"
+#include "app/panel/records/database_service.h"
 #include "app/panel/reports/backup.h"
 #include "app/panel/reports/commissioning.h"
 #include "app/panel/reports/service_bundle.h"
@@ -31,13 +31,13 @@
 #include <array>
 #include <memory>
 
-namespace campanel::panel {
+namespace campanel::shell {
 
 // The paths of the panel's persistent data. Empty: the user's standard folders.
 struct Storage {
     QString settingsFile;
     QString recipeFolder;
-    machine::StandardSettings standard{}; // until another value is set on the panel
+    panel::StandardSettings standard{}; // until another value is set on the panel
 };
 
 class Panel : public QObject {
@@ -48,22 +48,22 @@ public:
     Panel(link::Link& link, const Storage& storage);
     ~Panel() override;
 
-    [[nodiscard]] machine::Settings& settings() { return m_settings; }
-    [[nodiscard]] machine::Machine& machine() { return m_machine; }
-    [[nodiscard]] machine::Editor& editor() { return m_editor; }
-    [[nodiscard]] machine::Records& records() { return m_records; }
-    [[nodiscard]] machine::Alarms& alarms() { return m_alarms; }
-    [[nodiscard]] machine::Recipes& recipes() { return m_recipes; }
-    [[nodiscard]] machine::Service& service() { return m_service; }
-    [[nodiscard]] machine::Trends& trends() { return m_trends; }
-    [[nodiscard]] machine::Access& access() { return m_access; }
-    [[nodiscard]] machine::AuditTrail& trail() { return m_trail; }
-    [[nodiscard]] machine::Audit& audit() { return m_audit; }
-    [[nodiscard]] machine::Backup& backup() { return m_backup; }
-    [[nodiscard]] machine::Commissioning& commissioning() { return m_commissioning; }
-    [[nodiscard]] machine::Display& display() { return m_display; }
-    [[nodiscard]] machine::ServiceBundle& bundle() { return m_bundle; }
-    [[nodiscard]] machine::Explanations& explanations() { return m_explanations; }
+    [[nodiscard]] panel::Settings& settings() { return m_settings; }
+    [[nodiscard]] panel::Controller& machine() { return m_machine; }
+    [[nodiscard]] panel::Editor& editor() { return m_editor; }
+    [[nodiscard]] panel::DatabaseService& records() { return m_records; }
+    [[nodiscard]] panel::Alarms& alarms() { return m_alarms; }
+    [[nodiscard]] panel::Recipes& recipes() { return m_recipes; }
+    [[nodiscard]] panel::Service& service() { return m_service; }
+    [[nodiscard]] panel::Trends& trends() { return m_trends; }
+    [[nodiscard]] panel::Access& access() { return m_access; }
+    [[nodiscard]] panel::AuditTrail& trail() { return m_trail; }
+    [[nodiscard]] panel::Audit& audit() { return m_audit; }
+    [[nodiscard]] panel::Backup& backup() { return m_backup; }
+    [[nodiscard]] panel::Commissioning& commissioning() { return m_commissioning; }
+    [[nodiscard]] panel::Display& display() { return m_display; }
+    [[nodiscard]] panel::ServiceBundle& bundle() { return m_bundle; }
+    [[nodiscard]] panel::Explanations& explanations() { return m_explanations; }
     [[nodiscard]] QQmlEngine& engine() { return m_engine; }
 
     // Connects to the controller and opens the databases. Call it after the first frame: line and disk can
@@ -84,22 +84,22 @@ private:
     void translate();
 
     store::FinishedRestore m_restore; // before anything is read
-    machine::Settings m_settings;
-    machine::Machine m_machine;
-    machine::Editor m_editor;
-    machine::Records m_records;
-    machine::Alarms m_alarms;
-    machine::Recipes m_recipes;
-    machine::Service m_service;
-    machine::Trends m_trends;
-    machine::Access m_access;
-    machine::AuditTrail m_trail;
-    machine::Audit m_audit;
-    machine::Backup m_backup;
-    machine::Commissioning m_commissioning;
-    machine::ServiceBundle m_bundle;
-    machine::Display m_display;
-    machine::Explanations m_explanations;
+    panel::Settings m_settings;
+    panel::Controller m_machine;
+    panel::Editor m_editor;
+    panel::DatabaseService m_records;
+    panel::Alarms m_alarms;
+    panel::Recipes m_recipes;
+    panel::Service m_service;
+    panel::Trends m_trends;
+    panel::Access m_access;
+    panel::AuditTrail m_trail;
+    panel::Audit m_audit;
+    panel::Backup m_backup;
+    panel::Commissioning m_commissioning;
+    panel::ServiceBundle m_bundle;
+    panel::Display m_display;
+    panel::Explanations m_explanations;
     std::array<QTranslator, 3> m_translators; // for the panel's QML, its C++, Qt itself
     QQmlEngine m_engine;
     QQmlComponent m_component{&m_engine};
@@ -107,4 +107,4 @@ private:
     PageMemory m_pageMemory; // after the window that it follows
 };
 
-} // namespace campanel::panel
+} // namespace campanel::shell

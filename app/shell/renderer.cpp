@@ -12,7 +12,7 @@
 #include <array>
 #include <cstdio>
 
-namespace campanel::panel {
+namespace campanel::shell {
 namespace {
 
 using namespace Qt::StringLiterals;
@@ -77,4 +77,4 @@ void chooseRenderer()
     QQuickWindow::setGraphicsApi(QSGRendererInterface::Software);
 }
 
-} // namespace campanel::panel
+} // namespace campanel::shell

@@ -7,7 +7,7 @@
 
 #include <functional>
 
-namespace campanel::panel {
+namespace campanel::shell {
 
 // The paths of the machine's graphics devices.
 struct RendererPlaces {
@@ -25,4 +25,4 @@ struct RendererPlaces {
 // Chooses the renderer of all windows. Call it after the application is made and before the first window.
 void chooseRenderer();
 
-} // namespace campanel::panel
+} // namespace campanel::shell

@@ -13,7 +13,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace campanel::panel {
+namespace campanel::shell {
 namespace {
 
 QStringList g_warnings; // written by the message handler, which has no object
@@ -81,4 +81,4 @@ int selfTest()
     return opened > 0 && g_warnings.isEmpty() ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
-} // namespace campanel::panel
+} // namespace campanel::shell

@@ -9,7 +9,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
-namespace campanel::panel {
+namespace campanel::shell {
 namespace {
 
 std::string takeVariable(const char* name)
@@ -60,4 +60,4 @@ void ServiceManager::tell(std::string_view state) const
     ::close(socket);
 }
 
-} // namespace campanel::panel
+} // namespace campanel::shell

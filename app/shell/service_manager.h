@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace campanel::panel {
+namespace campanel::shell {
 
 class ServiceManager {
 public:
@@ -29,4 +29,4 @@ private:
     std::optional<std::chrono::microseconds> m_watchdogPeriod;
 };
 
-} // namespace campanel::panel
+} // namespace campanel::shell

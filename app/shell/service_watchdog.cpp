@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/shell/service_watchdog.h"
 
-namespace campanel::panel {
+namespace campanel::shell {
 namespace {
 
 // The number of rounds in the service manager's period: a single late one does not end the panel.
@@ -63,4 +63,4 @@ void ServiceWatchdog::feedWhenComplete()
     m_manager.tell("WATCHDOG=1");
 }
 
-} // namespace campanel::panel
+} // namespace campanel::shell

@@ -11,7 +11,7 @@
 #include <QQuickWindow>
 #include <QTimer>
 
-namespace campanel::panel {
+namespace campanel::shell {
 
 class ServiceWatchdog : public QObject {
     Q_OBJECT
@@ -37,4 +37,4 @@ private:
     bool m_isPainted = false;
 };
 
-} // namespace campanel::panel
+} // namespace campanel::shell

@@ -2,7 +2,7 @@
 // A new PIN: entered twice, refused when it is easy to guess.
 pragma ComponentBehavior: Bound
 import QtQuick
-import CamPanel.Machine
+import CamPanel.Panel
 
 PinPanel {
     id: sheet

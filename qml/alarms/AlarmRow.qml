@@ -5,7 +5,7 @@ import QtQuick
 import QtQuick.Templates as T
 import CamPanel.Theme
 import CamPanel.Controls
-import CamPanel.Machine
+import CamPanel.Panel
 
 T.AbstractButton {
     id: row

@@ -5,7 +5,7 @@ import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
-import CamPanel.Machine
+import CamPanel.Panel
 
 Sheet {
     id: sheet
@@ -50,8 +50,8 @@ Sheet {
         visible: list.count === 0
         horizontalAlignment: Text.AlignHCenter
         wrapMode: Text.WordWrap
-        text: !Machine.fresh ? qsTr("Without a connection it is not known what the controller runs now.")
-            : Machine.active.isPresent ? qsTr("The controller already has exactly this recipe.")
+        text: !Controller.fresh ? qsTr("Without a connection it is not known what the controller runs now.")
+            : Controller.active.isPresent ? qsTr("The controller already has exactly this recipe.")
             : qsTr("The controller has no program yet; this recipe will be its first.")
         color: Theme.color.secondaryInk
     }
@@ -80,7 +80,7 @@ Sheet {
         },
         Button {
             objectName: "downloadProof"
-            visible: !Editor.programDownload.canDownload && !sheet.busy && Machine.active.isPresent
+            visible: !Editor.programDownload.canDownload && !sheet.busy && Controller.active.isPresent
             text: qsTr("Compare")
             onClicked: sheet.proofRequested()
         },

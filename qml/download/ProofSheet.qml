@@ -4,7 +4,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
-import CamPanel.Machine
+import CamPanel.Panel
 
 Sheet {
     id: sheet
@@ -33,7 +33,7 @@ Sheet {
             width: parent.width
             wrapMode: Text.WordWrap
             text: entry.value
-            color: entry.live && !Machine.fresh ? Theme.color.disabledInk : Theme.color.ink
+            color: entry.live && !Controller.fresh ? Theme.color.disabledInk : Theme.color.ink
             font.weight: Font.DemiBold
         }
     }
@@ -45,17 +45,17 @@ Sheet {
         Entry {
             live: false
             name: qsTr("Edited on this panel")
-            value: Editor.programDownload.differenceCount > 0 && Machine.fresh ? qsTr("%1 · v%2, values that differ from the active one: %3").arg(Editor.recipeName).arg(Editor.recipeVersion).arg(Editor.programDownload.differenceCount)
+            value: Editor.programDownload.differenceCount > 0 && Controller.fresh ? qsTr("%1 · v%2, values that differ from the active one: %3").arg(Editor.recipeName).arg(Editor.recipeVersion).arg(Editor.programDownload.differenceCount)
                 : qsTr("%1 · v%2").arg(Editor.recipeName).arg(Editor.recipeVersion)
         }
         Entry {
             objectName: "proofActive"
-            name: Machine.fresh ? qsTr("Active in the controller") : qsTr("Active in the controller when it was last heard")
+            name: Controller.fresh ? qsTr("Active in the controller") : qsTr("Active in the controller when it was last heard")
             value: sheet.proof.activeText
         }
         Entry {
             objectName: "proofSaved"
-            name: Machine.fresh ? qsTr("Saved in the controller") : qsTr("Saved in the controller when it was last heard")
+            name: Controller.fresh ? qsTr("Saved in the controller") : qsTr("Saved in the controller when it was last heard")
             value: sheet.proof.savedText
         }
     }

@@ -3,7 +3,7 @@
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Controls
-import CamPanel.Machine
+import CamPanel.Panel
 
 ListPicker {
     id: sheet

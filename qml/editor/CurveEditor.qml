@@ -6,7 +6,7 @@ import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
-import CamPanel.Machine
+import CamPanel.Panel
 
 Card {
     id: editor

@@ -6,7 +6,7 @@ import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
 import CamPanel.Download
-import CamPanel.Machine
+import CamPanel.Panel
 
 Page {
     id: page

@@ -4,7 +4,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
-import CamPanel.Machine
+import CamPanel.Panel
 
 Button {
     id: step
@@ -24,6 +24,6 @@ Button {
     text: busy ? qsTr("Downloading") : suggests ? Editor.suggestionText : saves ? qsTr("Save")
         : settled ? qsTr("Saved") : qsTr("Download")
     note: busy ? Theme.number(100 * Editor.programDownload.progress, 0) + " %" : saves ? qsTr("keep over power loss")
-        : settled ? qsTr("in the controller") : !Machine.fresh ? qsTr("no connection") : suggests ? "" : Machine.state === Machine.State.Running ? qsTr("next cycle") : qsTr("to the controller")
+        : settled ? qsTr("in the controller") : !Controller.fresh ? qsTr("no connection") : suggests ? "" : Controller.state === Controller.State.Running ? qsTr("next cycle") : qsTr("to the controller")
     onClicked: step.suggests ? Editor.applySuggestion() : step.saves ? Editor.saveToFlash() : step.downloadRequested()
 }

@@ -4,7 +4,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
-import CamPanel.Machine
+import CamPanel.Panel
 
 FirstStep {
     id: step
@@ -19,7 +19,7 @@ FirstStep {
             width: parent.width
             text: qsTr("Simulated controller")
             note: qsTr("to learn and to try things out; it can be changed in Settings at any time")
-            holds: Machine.simulated && !step.doctor.running
+            holds: Controller.simulated && !step.doctor.running
             enabled: !step.doctor.running
             onClicked: {
                 Settings.simulated = true
@@ -31,7 +31,7 @@ FirstStep {
             width: parent.width
             text: qsTr("Search for the controller")
             note: qsTr("on every serial port, with every setting; takes up to some minutes")
-            holds: !Machine.simulated || step.doctor.running
+            holds: !Controller.simulated || step.doctor.running
             enabled: step.doctor.canBegin
             onClicked: step.doctor.search()
         }
@@ -40,7 +40,7 @@ FirstStep {
             width: parent.width
             wrapMode: Text.WordWrap
             text: step.doctor.running ? qsTr("%1 · %2").arg(step.doctor.progressText).arg(step.doctor.triedText)
-                : step.doctor.canTake ? step.doctor.foundText : Machine.connectionText
+                : step.doctor.canTake ? step.doctor.foundText : Controller.connectionText
             color: step.doctor.canTake ? Theme.color.good : Theme.color.secondaryInk
         }
         ProgressBar {

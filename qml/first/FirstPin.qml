@@ -6,7 +6,7 @@ import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
 import CamPanel.Access
-import CamPanel.Machine
+import CamPanel.Panel
 
 FirstStep {
     id: step

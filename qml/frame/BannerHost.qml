@@ -6,7 +6,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
-import CamPanel.Machine
+import CamPanel.Panel
 
 Item {
     id: host
@@ -18,18 +18,18 @@ Item {
     signal alarmsRequested()
 
     // A link needs some time to connect; only a longer failure causes a banner.
-    readonly property bool isComing: Machine.connection === Machine.Connection.Searching
-        || Machine.connection === Machine.Connection.Connecting
-    readonly property bool isTrouble: isComing ? patience.over : Machine.connection !== Machine.Connection.Connected
-    readonly property string linkTrouble: isTrouble ? Machine.connectionText : ""
-    readonly property var alarms: Machine.alarmTexts
+    readonly property bool isComing: Controller.connection === Controller.Connection.Searching
+        || Controller.connection === Controller.Connection.Connecting
+    readonly property bool isTrouble: isComing ? patience.over : Controller.connection !== Controller.Connection.Connected
+    readonly property string linkTrouble: isTrouble ? Controller.connectionText : ""
+    readonly property var alarms: Controller.alarmTexts
     readonly property string alarm: alarms.length > 0 ? alarms.join("\n") : linkTrouble
     // Every screen has space for one alarm at a time.
     readonly property string mostUrgent: alarms.length > 1 ? qsTr("%1\nAnd %2 more.").arg(alarms[0]).arg(alarms.length - 1) : alarm
-    readonly property string answer: Machine.commandMessage.length > 0 ? Machine.commandMessage
+    readonly property string answer: Controller.commandMessage.length > 0 ? Controller.commandMessage
         : Settings.notice.length > 0 ? Settings.notice : Editor.notice.length > 0 ? Editor.notice
-        : Records.notice.length > 0 ? Records.notice : startRefused ? Machine.startBlockedReason : ""
-    readonly property bool stopShown: Machine.stopWaits
+        : DatabaseService.notice.length > 0 ? DatabaseService.notice : startRefused ? Controller.startBlockedReason : ""
+    readonly property bool stopShown: Controller.stopWaits
     readonly property bool alarmShown: !above && !stopShown && answer.length === 0 && alarm.length > 0 && alarm !== putAside && !Alarms.seen
     readonly property bool shown: stopShown || (answer.length > 0 && !(above && answer === answerBelow)) || alarmShown
 
@@ -43,16 +43,16 @@ Item {
 
     function accept() {
         if (host.stopShown) {
-            Machine.withdrawStop()
+            Controller.withdrawStop()
             return
         }
         if (host.alarmShown)
             host.putAside = host.alarm
         host.startRefused = false
-        Machine.dismissMessage()
+        Controller.dismissMessage()
         Settings.dismissNotice()
         Editor.dismissNotice()
-        Records.dismissNotice()
+        DatabaseService.dismissNotice()
     }
 
     Timer {
@@ -66,13 +66,13 @@ Item {
     }
 
     Connections {
-        target: Machine
+        target: Controller
         function onConnectionChanged() {
-            if (Machine.connection === Machine.Connection.Connected)
+            if (Controller.connection === Controller.Connection.Connected)
                 patience.over = false
         }
         function onCommandsChanged() {
-            if (Machine.canStart)
+            if (Controller.canStart)
                 host.startRefused = false
         }
     }
@@ -80,8 +80,8 @@ Item {
     Banner {
         objectName: "banner"
         anchors.fill: parent
-        text: host.stopShown ? Machine.stopWaitsText : host.alarmShown ? host.mostUrgent : host.answer
-        severity: host.stopShown ? Banner.Warning : host.alarmShown ? (Machine.faulted ? Banner.Fault : Banner.Warning) : Banner.Information
+        text: host.stopShown ? Controller.stopWaitsText : host.alarmShown ? host.mostUrgent : host.answer
+        severity: host.stopShown ? Banner.Warning : host.alarmShown ? (Controller.faulted ? Banner.Fault : Banner.Warning) : Banner.Information
         buttonText: host.stopShown ? qsTr("Withdraw") : qsTr("OK")
         wayText: host.alarmShown && host.alarms.length > 1 ? qsTr("Show") : ""
         onAccepted: host.accept()

@@ -4,7 +4,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
-import CamPanel.Machine
+import CamPanel.Panel
 
 Item {
     id: column
@@ -13,7 +13,7 @@ Item {
 
     readonly property bool homes: Service.homing.offered
     readonly property bool wiping: Display.wipeSeconds > 0   // cleaning must not start anything
-    readonly property bool between: Machine.faulted || homes
+    readonly property bool between: Controller.faulted || homes
 
     implicitWidth: Theme.size.commandKey
 
@@ -22,9 +22,9 @@ Item {
         anchors { left: parent.left; right: parent.right; top: parent.top; bottom: middle.visible ? middle.top : stopKey.top; bottomMargin: Theme.size.gap }
         glyph: Theme.icon.start
         text: qsTr("Start")
-        ready: Machine.canStart && !column.wiping
-        note: Machine.connection === Machine.Connection.Connected ? "" : qsTr("no connection")
-        onClicked: if (ready) Machine.start(); else if (!column.wiping) column.startRefused()
+        ready: Controller.canStart && !column.wiping
+        note: Controller.connection === Controller.Connection.Connected ? "" : qsTr("no connection")
+        onClicked: if (ready) Controller.start(); else if (!column.wiping) column.startRefused()
     }
     CommandKey {
         id: middle
@@ -36,7 +36,7 @@ Item {
         glyph: column.homes ? Theme.icon.home : Theme.icon.resetFault
         text: column.homes ? Service.homing.keyText : qsTr("Reset")
         baseColor: column.homes ? Theme.color.touch : Theme.color.fault
-        onClicked: column.homes ? Service.homing.home() : Machine.resetFault()
+        onClicked: column.homes ? Service.homing.home() : Controller.resetFault()
     }
     CommandKey {
         id: stopKey
@@ -49,9 +49,9 @@ Item {
         square: true
         filled: true
         text: qsTr("Stop")
-        note: Machine.stopWaits ? qsTr("waits for the line") : Machine.state === Machine.State.Stopping ? qsTr("again: at once") : ""
+        note: Controller.stopWaits ? qsTr("waits for the line") : Controller.state === Controller.State.Stopping ? qsTr("again: at once") : ""
         baseColor: Theme.color.stop
         pressedColor: Theme.color.stopPressed
-        onPressed: Machine.stop()
+        onPressed: Controller.stop()
     }
 }

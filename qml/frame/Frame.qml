@@ -4,7 +4,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Parts
-import CamPanel.Machine
+import CamPanel.Panel
 
 Rectangle {
     id: frame
@@ -239,7 +239,7 @@ Rectangle {
     Loader {
         anchors { left: parent.left; right: commands.left; top: parent.top; bottom: parent.bottom }
         active: frame.wiped
-        source: "WipeCover.qml"
+        source: "CleaningMode.qml"
     }
     Behavior on shift { NumberAnimation { duration: Theme.shortTime; easing.type: Easing.OutCubic } }
 }

@@ -5,7 +5,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
-import CamPanel.Machine
+import CamPanel.Panel
 
 Rectangle {
     id: bar
@@ -18,11 +18,11 @@ Rectangle {
         Theme.icon.moving, Theme.icon.home, Theme.icon.fault]
     readonly property list<color> stateColors: [Theme.color.secondaryInk, Theme.color.secondaryInk, Theme.color.touch, Theme.color.good,
         Theme.color.warning, Theme.color.touch, Theme.color.touch, Theme.color.fault]
-    readonly property color stateColor: Machine.fresh ? stateColors[Machine.state] : Theme.color.disabledInk
+    readonly property color stateColor: Controller.fresh ? stateColors[Controller.state] : Theme.color.disabledInk
 
     // The recipe on this panel differs from the controller's.
-    readonly property bool runsAnother: Machine.active.isPresent && (Machine.active.name !== Editor.recipeName
-        || Machine.active.version !== Editor.recipeVersion || Machine.active.kind !== Editor.kind)
+    readonly property bool runsAnother: Controller.active.isPresent && (Controller.active.name !== Editor.recipeName
+        || Controller.active.version !== Editor.recipeVersion || Controller.active.kind !== Editor.kind)
 
     implicitHeight: Theme.size.topBar
     color: Theme.color.surface
@@ -55,8 +55,8 @@ Rectangle {
                 elide: Text.ElideRight
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: 0.6 * Theme.size.caption
-                text: qsTr("in the controller: %1 · v%2").arg(Machine.active.name).arg(Machine.active.version)
-                color: Machine.fresh ? Theme.color.warning : Theme.color.disabledInk
+                text: qsTr("in the controller: %1 · v%2").arg(Controller.active.name).arg(Controller.active.version)
+                color: Controller.fresh ? Theme.color.warning : Theme.color.disabledInk
                 font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
             }
         }
@@ -84,7 +84,7 @@ Rectangle {
         spacing: Theme.size.spacing
         IconLabel {
             anchors.verticalCenter: parent.verticalCenter
-            code: bar.stateIcons[Machine.state]
+            code: bar.stateIcons[Controller.state]
             color: bar.stateColor
         }
         Label {
@@ -93,15 +93,15 @@ Rectangle {
             width: Math.min(implicitWidth, 0.2 * bar.width)
             fontSizeMode: Text.HorizontalFit
             minimumPixelSize: Theme.size.caption - 2
-            text: Machine.stateText
+            text: Controller.stateText
             color: bar.stateColor
             font { pixelSize: Theme.size.title; bold: true }
         }
         Label {
             objectName: "ageText"
             anchors.verticalCenter: parent.verticalCenter
-            visible: !Machine.fresh && !isNaN(Machine.ageMs)
-            text: qsTr("%1 s ago").arg(Theme.number(Machine.ageMs / 1000, 0))
+            visible: !Controller.fresh && !isNaN(Controller.ageMs)
+            text: qsTr("%1 s ago").arg(Theme.number(Controller.ageMs / 1000, 0))
             color: Theme.color.disabledInk
             font.pixelSize: Theme.size.caption
         }
@@ -142,18 +142,18 @@ Rectangle {
         }
         Label {
             anchors.verticalCenter: parent.verticalCenter
-            visible: Machine.simulated
+            visible: Controller.simulated
             text: qsTr("Simulated")
             color: Theme.color.secondaryInk
             font.pixelSize: Theme.size.caption
         }
         LinkBars {
             anchors.verticalCenter: parent.verticalCenter
-            quality: Machine.linkQuality
+            quality: Controller.linkQuality
         }
         Label {
             anchors.verticalCenter: parent.verticalCenter
-            text: qsTr("%1/s").arg(Theme.number(Machine.statusPerSecond, 0))
+            text: qsTr("%1/s").arg(Theme.number(Controller.statusPerSecond, 0))
             color: Theme.color.secondaryInk
             font.pixelSize: Theme.size.caption
         }

@@ -1113,7 +1113,7 @@ And %2 more.</source>
     </message>
 </context>
 <context>
-    <name>LeftOutCard</name>
+    <name>SkippedCutsCard</name>
     <message>
         <source>Cuts left out</source>
         <translation>略过的切断</translation>
@@ -1136,7 +1136,7 @@ And %2 more.</source>
     </message>
 </context>
 <context>
-    <name>LineFaultsSection</name>
+    <name>SimulatedFaultsSection</name>
     <message>
         <source>Off</source>
         <translation>关</translation>
@@ -2642,7 +2642,7 @@ And %2 more.</source>
     </message>
 </context>
 <context>
-    <name>WipeCover</name>
+    <name>CleaningMode</name>
     <message>
         <source>%1 s</source>
         <translation>%1 秒</translation>

@@ -7,7 +7,7 @@ import CamPanel.Controls
 import CamPanel.Parts
 import CamPanel.Download
 import CamPanel.Editor
-import CamPanel.Machine
+import CamPanel.Panel
 
 Page {
     id: page

@@ -5,7 +5,7 @@ import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
-import CamPanel.Machine
+import CamPanel.Panel
 
 ServiceSection {
     id: section
@@ -15,7 +15,7 @@ ServiceSection {
     IconLabel {
         id: mark
         anchors { left: parent.left; verticalCenter: state.verticalCenter }
-        code: Machine.connection === Machine.Connection.Connected ? Theme.icon.linkUp : Theme.icon.linkDown
+        code: Controller.connection === Controller.Connection.Connected ? Theme.icon.linkUp : Theme.icon.linkDown
         color: Theme.color.secondaryInk
     }
     Label {
@@ -23,7 +23,7 @@ ServiceSection {
         objectName: "doctorState"
         anchors { left: mark.right; leftMargin: Theme.size.spacing; right: parent.right; top: parent.top }
         wrapMode: Text.WordWrap
-        text: section.doctor.running ? section.doctor.triedText : Machine.connectionText
+        text: section.doctor.running ? section.doctor.triedText : Controller.connectionText
         font.weight: Font.DemiBold
     }
     Column {

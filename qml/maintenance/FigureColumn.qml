@@ -5,7 +5,7 @@ import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
-import CamPanel.Machine
+import CamPanel.Panel
 
 Item {
     id: column

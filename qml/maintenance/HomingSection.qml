@@ -5,7 +5,7 @@ import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
-import CamPanel.Machine
+import CamPanel.Panel
 
 ServiceSection {
     id: section
@@ -18,7 +18,7 @@ ServiceSection {
             section.homing.speed.read()
     }
     Connections {
-        target: Machine
+        target: Controller
         enabled: section.visible
         function onConnectionChanged() { section.homing.speed.read() }
     }
@@ -73,9 +73,9 @@ ServiceSection {
         ValueTile {
             objectName: "homingPosition"
             width: speed.cell
-            stale: !Machine.fresh
+            stale: !Controller.fresh
             label: qsTr("Position since then")
-            value: !section.good || isNaN(Machine.live.positionMm) ? Theme.unknownText : qsTr("%1 mm").arg(Theme.number(Machine.live.positionMm, 2))
+            value: !section.good || isNaN(Controller.live.positionMm) ? Theme.unknownText : qsTr("%1 mm").arg(Theme.number(Controller.live.positionMm, 2))
         }
         SettingRow {
             objectName: "homingSpeed"

@@ -6,13 +6,13 @@ import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
-import CamPanel.Machine
+import CamPanel.Panel
 
 ServiceSection {
     id: section
 
     readonly property Jog jog: Service.jog
-    readonly property bool cutter: Machine.active.kind === 1 && !isNaN(Machine.live.knifeAngleDeg)    // Editor.Kind.RotaryCutter
+    readonly property bool cutter: Controller.active.kind === 1 && !isNaN(Controller.live.knifeAngleDeg)    // Editor.Kind.RotaryCutter
     readonly property bool covered: section.page !== null && section.page.covered
     readonly property bool inFront: Window.active
 
@@ -31,7 +31,7 @@ ServiceSection {
             section.jog.letGo()
     }
     Connections {
-        target: Machine
+        target: Controller
         enabled: section.visible
         function onConnectionChanged() { section.jog.speed.read() }
     }
@@ -44,18 +44,18 @@ ServiceSection {
         ValueTile {
             objectName: "jogPosition"
             width: values.cell
-            stale: !Machine.fresh
+            stale: !Controller.fresh
             label: section.cutter ? qsTr("Knife angle") : qsTr("Position")
-            value: section.cutter ? Theme.number(Machine.live.knifeAngleDeg, 1) + "°"
-                : isNaN(Machine.live.positionMm) ? qsTr("%1 pulses").arg(Theme.count(section.jog.positionPulses, 0))
-                : qsTr("%1 mm").arg(Theme.number(Machine.live.positionMm, 2))
+            value: section.cutter ? Theme.number(Controller.live.knifeAngleDeg, 1) + "°"
+                : isNaN(Controller.live.positionMm) ? qsTr("%1 pulses").arg(Theme.count(section.jog.positionPulses, 0))
+                : qsTr("%1 mm").arg(Theme.number(Controller.live.positionMm, 2))
         }
         ValueTile {
             objectName: "jogState"
             width: values.cell
-            stale: !Machine.fresh
-            label: Machine.fresh ? qsTr("%1 Hz now").arg(Theme.count(Machine.live.pulseFrequencyHz, 0)) : qsTr("State")
-            value: Machine.stateText
+            stale: !Controller.fresh
+            label: Controller.fresh ? qsTr("%1 Hz now").arg(Theme.count(Controller.live.pulseFrequencyHz, 0)) : qsTr("State")
+            value: Controller.stateText
         }
         SettingRow {
             objectName: "jogSpeed"
@@ -76,8 +76,8 @@ ServiceSection {
         IconLabel {
             id: sign
             anchors.verticalCenter: parent.verticalCenter
-            code: section.jog.troubled ? Theme.icon.alert : section.jog.held !== 0 ? Theme.icon.moving : Theme.icon.information
-            color: section.jog.troubled ? Theme.color.warning : section.jog.held !== 0 ? Theme.color.touch : Theme.color.secondaryInk
+            code: section.jog.blocked ? Theme.icon.alert : section.jog.held !== 0 ? Theme.icon.moving : Theme.icon.information
+            color: section.jog.blocked ? Theme.color.warning : section.jog.held !== 0 ? Theme.color.touch : Theme.color.secondaryInk
         }
         Label {
             objectName: "jogText"
@@ -87,7 +87,7 @@ ServiceSection {
             fontSizeMode: Text.Fit
             minimumPixelSize: Theme.size.caption - 2
             text: section.jog.speed.failure.length > 0 ? section.jog.speed.failure : section.jog.text
-            color: section.jog.troubled || section.jog.speed.failure.length > 0 ? Theme.color.warning : Theme.color.ink
+            color: section.jog.blocked || section.jog.speed.failure.length > 0 ? Theme.color.warning : Theme.color.ink
         }
     }
     Row {

@@ -6,7 +6,7 @@ import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
-import CamPanel.Machine
+import CamPanel.Panel
 
 Page {
     id: page
@@ -19,7 +19,7 @@ Page {
         { key: 2, name: "service2", text: qsTr("Registers"), source: "RegistersSection.qml" },
         { key: 3, name: "service3", text: qsTr("Frames"), source: "FramesSection.qml" }
     ]
-    readonly property var simulatedLine: page.line.concat([{ key: 4, name: "service4", text: qsTr("Faults"), source: "LineFaultsSection.qml" }])
+    readonly property var simulatedLine: page.line.concat([{ key: 4, name: "service4", text: qsTr("Faults"), source: "SimulatedFaultsSection.qml" }])
     readonly property var machine: [
         { key: 0, name: "serviceJog", text: qsTr("Jog"), source: "JogSection.qml" },
         { key: 1, name: "serviceHoming", text: qsTr("Homing"), source: "HomingSection.qml" },
@@ -35,7 +35,7 @@ Page {
     ]
     // With keys for gloves they do not fit beside the longest group: one key then opens the choice of groups.
     readonly property bool oneGroupKey: width < (groups.length + machine.length) * Theme.size.touch + Theme.size.spacing
-    readonly property var all: [Machine.simulated ? page.simulatedLine : page.line, page.machine, page.memory]
+    readonly property var all: [Controller.simulated ? page.simulatedLine : page.line, page.machine, page.memory]
     readonly property var shown: page.all[page.group][Math.min(page.chosen[page.group], page.all[page.group].length - 1)]
 
     Segmented {

@@ -3,7 +3,7 @@
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
-import CamPanel.Machine
+import CamPanel.Panel
 import CamPanel.Plot
 
 KnifeDial {

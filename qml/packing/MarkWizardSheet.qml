@@ -4,7 +4,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
-import CamPanel.Machine
+import CamPanel.Panel
 
 Item {
     id: sheet
@@ -120,10 +120,10 @@ Item {
             },
             Button {
                 objectName: "wizardRuler"
-                visible: sheet.step === MarkWizard.Step.Measure && Machine.simulated
+                visible: sheet.step === MarkWizard.Step.Measure && Controller.simulated
                 enabled: sheet.wizard.canReadRuler
                 text: qsTr("Read the ruler")
-                onClicked: sheet.wizard.readRuler()
+                onClicked: sheet.wizard.measureSimulatedBag()
             },
             Button {
                 objectName: "wizardEnter"

@@ -6,7 +6,7 @@ import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
-import CamPanel.Machine
+import CamPanel.Panel
 
 ServiceSection {
     id: section
@@ -19,7 +19,7 @@ ServiceSection {
             section.setup.open()
     }
     Connections {
-        target: Machine
+        target: Controller
         function onConnectionChanged() {
             if (section.visible)
                 section.setup.open()

@@ -2,7 +2,7 @@
 // The base of every page: its requests to the frame.
 pragma ComponentBehavior: Bound
 import QtQuick
-import CamPanel.Machine
+import CamPanel.Panel
 
 Item {
     property real bottomInset              // height of a banner at the lower edge

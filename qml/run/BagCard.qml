@@ -5,7 +5,7 @@ import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
-import CamPanel.Machine
+import CamPanel.Panel
 import CamPanel.Plot
 
 Card {
@@ -13,8 +13,8 @@ Card {
 
     signal explainRequested(var quantities)
 
-    readonly property bool measured: !isNaN(Machine.bags.lengthMm)
-    readonly property color figureColor: Machine.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
+    readonly property bool measured: !isNaN(Controller.bags.lengthMm)
+    readonly property color figureColor: Controller.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
 
     Label {
         id: caption
@@ -25,22 +25,22 @@ Card {
     Readout {
         id: number
         anchors { left: caption.left; top: caption.bottom; right: figures.left; rightMargin: Theme.size.padding; topMargin: -Theme.size.accent }
-        text: Theme.number(Machine.bags.lengthMm, 1)
+        text: Theme.number(Controller.bags.lengthMm, 1)
         unit: "mm"
-        stale: !Machine.fresh
+        stale: !Controller.fresh
     }
     Column {
         id: figures
         anchors { right: parent.right; rightMargin: Theme.size.padding; bottom: number.bottom; bottomMargin: Theme.size.spacing }
         Label {
             anchors.right: parent.right
-            text: qsTr("mean %1").arg(Theme.number(Machine.bags.meanMm, 2))
+            text: qsTr("mean %1").arg(Theme.number(Controller.bags.meanMm, 2))
             color: card.figureColor
             font.pixelSize: Theme.size.caption
         }
         Label {
             anchors.right: parent.right
-            text: qsTr("scatter %1").arg(Theme.number(Machine.bags.scatterMm, 2))
+            text: qsTr("scatter %1").arg(Theme.number(Controller.bags.scatterMm, 2))
             color: card.figureColor
             font.pixelSize: Theme.size.caption
         }
@@ -50,9 +50,9 @@ Card {
         objectName: "bagChart"
         visible: card.measured
         anchors { left: parent.left; right: parent.right; top: number.bottom; bottom: foot.top; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; bottomMargin: Theme.size.accent }
-        values: Machine.bags.series
-        tolerance: Machine.bags.toleranceMm
-        stale: !Machine.fresh
+        values: Controller.bags.series
+        tolerance: Controller.bags.toleranceMm
+        stale: !Controller.fresh
         backgroundColor: Theme.color.inset
         gridColor: Theme.color.target
         pointColor: Theme.color.touch
@@ -78,7 +78,7 @@ Card {
         width: Math.min(implicitWidth, chart.width / 2)
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 5
-        text: qsTr("tolerance ±%1 mm").arg(Theme.number(Machine.bags.toleranceMm, 2))
+        text: qsTr("tolerance ±%1 mm").arg(Theme.number(Controller.bags.toleranceMm, 2))
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }
@@ -88,7 +88,7 @@ Card {
         width: Math.min(implicitWidth, chart.width / 2 - Theme.size.accent)
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 4
-        text: qsTr("last %1").arg(Theme.signedNumber(Machine.bags.deviationMm, 2))
+        text: qsTr("last %1").arg(Theme.signedNumber(Controller.bags.deviationMm, 2))
         color: card.figureColor
         font.pixelSize: Theme.size.caption
     }

@@ -6,7 +6,7 @@ import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
-import CamPanel.Machine
+import CamPanel.Panel
 import CamPanel.Plot
 
 Card {
@@ -14,9 +14,9 @@ Card {
 
     signal explainRequested(var quantities)
 
-    readonly property bool measured: !isNaN(Machine.bags.meanMm)
-    readonly property color figureColor: Machine.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
-    readonly property var deviations: Machine.bags.series
+    readonly property bool measured: !isNaN(Controller.bags.meanMm)
+    readonly property color figureColor: Controller.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
+    readonly property var deviations: Controller.bags.series
 
     Item {
         id: last
@@ -29,22 +29,22 @@ Card {
             fontSizeMode: Text.HorizontalFit
             minimumPixelSize: Theme.size.caption - 2
             font.pixelSize: Theme.size.caption
-            text: Machine.bags.lengths > 1 ? qsTr("Bag of %1 lengths, cut left out").arg(Machine.bags.lengths) : qsTr("Bag length")
-            color: !Machine.fresh ? Theme.color.disabledInk : Machine.bags.lengths > 1 ? Theme.color.warning : Theme.color.secondaryInk
+            text: Controller.bags.lengths > 1 ? qsTr("Bag of %1 lengths, cut left out").arg(Controller.bags.lengths) : qsTr("Bag length")
+            color: !Controller.fresh ? Theme.color.disabledInk : Controller.bags.lengths > 1 ? Theme.color.warning : Theme.color.secondaryInk
         }
         Readout {
             objectName: "bagLength"
             anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; verticalCenterOffset: Theme.size.outline }
-            text: Theme.number(Machine.bags.lengthMm, 1)
+            text: Theme.number(Controller.bags.lengthMm, 1)
             unit: "mm"
-            stale: !Machine.fresh
+            stale: !Controller.fresh
         }
         Label {
             objectName: "bagFigures"
             anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
             fontSizeMode: Text.HorizontalFit
             minimumPixelSize: Theme.size.caption - 3
-            text: qsTr("mean %1, scatter %2").arg(Theme.number(Machine.bags.meanMm, 2)).arg(Theme.number(Machine.bags.scatterMm, 2))
+            text: qsTr("mean %1, scatter %2").arg(Theme.number(Controller.bags.meanMm, 2)).arg(Theme.number(Controller.bags.scatterMm, 2))
             color: card.figureColor
             font.pixelSize: Theme.size.caption
         }
@@ -54,11 +54,11 @@ Card {
         objectName: "bagChart"
         visible: card.measured
         anchors { left: last.right; leftMargin: Theme.size.padding; right: parent.right; rightMargin: Theme.size.padding; top: parent.top; topMargin: Theme.size.padding; bottom: foot.top; bottomMargin: Theme.size.accent }
-        values: Machine.bags.series
-        mean: Machine.bags.meanDeviationMm
-        scatter: Machine.bags.scatterMm
-        tolerance: Machine.bags.toleranceMm
-        stale: !Machine.fresh
+        values: Controller.bags.series
+        mean: Controller.bags.meanDeviationMm
+        scatter: Controller.bags.scatterMm
+        tolerance: Controller.bags.toleranceMm
+        stale: !Controller.fresh
         backgroundColor: Theme.color.inset
         gridColor: Theme.color.target
         pointColor: Theme.color.touch
@@ -84,7 +84,7 @@ Card {
         width: chart.width * 0.5 - Theme.size.accent
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 3
-        text: qsTr("±%1 mm").arg(Theme.number(Machine.bags.toleranceMm, 2))
+        text: qsTr("±%1 mm").arg(Theme.number(Controller.bags.toleranceMm, 2))
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }
@@ -96,8 +96,8 @@ Card {
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 3
-        text: qsTr("%1 of %2 within").arg(Machine.bags.within).arg(card.deviations.length)
-        color: !Machine.fresh ? Theme.color.disabledInk : Machine.bags.within < card.deviations.length ? Theme.color.fault : Theme.color.secondaryInk
+        text: qsTr("%1 of %2 within").arg(Controller.bags.within).arg(card.deviations.length)
+        color: !Controller.fresh ? Theme.color.disabledInk : Controller.bags.within < card.deviations.length ? Theme.color.fault : Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }
     Explained {

@@ -4,7 +4,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
-import CamPanel.Machine
+import CamPanel.Panel
 import CamPanel.Plot
 
 Card {
@@ -28,18 +28,18 @@ Card {
     Label {
         id: angle
         anchors { right: parent.right; rightMargin: Theme.size.padding; top: parent.top; topMargin: Theme.size.outline }
-        text: isNaN(Machine.live.knifeAngleDeg) ? Theme.unknownText : Theme.number(Machine.live.knifeAngleDeg, 0) + "°"
-        color: Machine.fresh ? Theme.color.ink : Theme.color.disabledInk
+        text: isNaN(Controller.live.knifeAngleDeg) ? Theme.unknownText : Theme.number(Controller.live.knifeAngleDeg, 0) + "°"
+        color: Controller.fresh ? Theme.color.ink : Theme.color.disabledInk
         font { pixelSize: Theme.size.value; bold: true }
     }
     KnifeDial {
         objectName: "knifeDial"
         anchors { left: parent.left; right: parent.right; top: angle.bottom; bottom: parent.bottom; margins: Theme.size.spacing; topMargin: 0 }
-        angleDeg: Machine.live.knifeAngleDeg
-        syncStartDeg: Machine.active.syncStartDeg
-        syncEndDeg: Machine.active.syncEndDeg
-        cutAngleDeg: Machine.active.cutAngleDeg
-        stale: !Machine.fresh
+        angleDeg: Controller.live.knifeAngleDeg
+        syncStartDeg: Controller.active.syncStartDeg
+        syncEndDeg: Controller.active.syncEndDeg
+        cutAngleDeg: Controller.active.cutAngleDeg
+        stale: !Controller.fresh
         ringColor: Theme.color.line
         syncColor: Theme.color.sync
         cutColor: Theme.color.ink

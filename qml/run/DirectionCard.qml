@@ -5,12 +5,12 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
-import CamPanel.Machine
+import CamPanel.Panel
 
 Card {
     id: card
 
-    readonly property MasterDirection direction: Machine.direction
+    readonly property MasterDirection direction: Controller.direction
 
     implicitHeight: Theme.size.touch + 2 * Theme.size.spacing
 
@@ -29,7 +29,7 @@ Card {
             width: parent.width
             text: card.direction.text
             wrapMode: Text.WordWrap
-            color: !Machine.fresh ? Theme.color.disabledInk : card.direction.turning ? Theme.color.warning : card.direction.canChange ? Theme.color.ink : Theme.color.secondaryInk
+            color: !Controller.fresh ? Theme.color.disabledInk : card.direction.turning ? Theme.color.warning : card.direction.canChange ? Theme.color.ink : Theme.color.secondaryInk
             font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
         }
     }

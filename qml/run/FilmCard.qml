@@ -5,14 +5,14 @@ import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
-import CamPanel.Machine
+import CamPanel.Panel
 import CamPanel.Plot
 
 Card {
     id: card
 
-    readonly property PackingLine line: Machine.packing
-    readonly property bool fresh: Machine.fresh && line.fresh
+    readonly property PackingLine line: Controller.packing
+    readonly property bool fresh: Controller.fresh && line.fresh
     readonly property bool follows: line.markState === PackingLine.Tracking
     readonly property bool marksUsed: line.markState !== PackingLine.Off && line.markState !== PackingLine.Unknown
     signal tapped()
@@ -75,7 +75,7 @@ Card {
         nextMark: card.line.nextMarkMm
         position: card.line.filmPositionMm
         speed: card.line.filmSpeedMmPerS
-        bagLength: Machine.active.bagLengthMm
+        bagLength: Controller.active.bagLengthMm
         sensor: card.marksUsed ? card.line.sensorMm : NaN
         window: card.line.windowMm
         knifeOpen: card.line.knifeOpen

@@ -4,13 +4,13 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
-import CamPanel.Machine
+import CamPanel.Panel
 import CamPanel.Plot
 
 Card {
     id: card
 
-    readonly property bool drawn: Machine.strokes.forceCurve.length > 1
+    readonly property bool drawn: Controller.strokes.forceCurve.length > 1
 
     Label {
         id: caption
@@ -25,14 +25,14 @@ Card {
         id: plot
         objectName: "forcePlot"
         anchors { left: parent.left; right: parent.right; top: caption.bottom; bottom: key.top; margins: Theme.size.spacing; topMargin: Theme.size.outline; bottomMargin: 0 }
-        curve: Machine.strokes.forceCurve
-        fromPosition: Machine.active.approachPositionMm
-        gatePosition: Machine.active.pressPositionMm
-        gateLow: Machine.active.minStopForceN
-        gateHigh: Machine.active.maxStopForceN
+        curve: Controller.strokes.forceCurve
+        fromPosition: Controller.active.approachPositionMm
+        gatePosition: Controller.active.pressPositionMm
+        gateLow: Controller.active.minStopForceN
+        gateHigh: Controller.active.maxStopForceN
         gridColor: Theme.color.line
         secondaryInkColor: Theme.color.secondaryInk
-        curveColor: Machine.fresh ? Theme.color.touch : Theme.color.disabledInk
+        curveColor: Controller.fresh ? Theme.color.touch : Theme.color.disabledInk
         gateColor: Theme.color.warning
         lineWidth: Theme.size.curve
         axisFont: Theme.captionFont
@@ -56,8 +56,8 @@ Card {
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; bottomMargin: Theme.size.spacing }
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 2
-        text: qsTr("at the stop: %1 mm, %2 to %3 N").arg(Theme.number(Machine.active.pressPositionMm, 2))
-            .arg(Theme.number(Machine.active.minStopForceN, 0)).arg(Theme.number(Machine.active.maxStopForceN, 0))
+        text: qsTr("at the stop: %1 mm, %2 to %3 N").arg(Theme.number(Controller.active.pressPositionMm, 2))
+            .arg(Theme.number(Controller.active.minStopForceN, 0)).arg(Theme.number(Controller.active.maxStopForceN, 0))
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }

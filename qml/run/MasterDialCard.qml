@@ -4,7 +4,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
-import CamPanel.Machine
+import CamPanel.Panel
 import CamPanel.Plot
 
 Card {
@@ -21,15 +21,15 @@ Card {
     Label {
         id: angle
         anchors { right: parent.right; rightMargin: Theme.size.padding; top: parent.top; topMargin: Theme.size.outline }
-        text: isNaN(Machine.live.masterAngleDeg) ? Theme.unknownText : Theme.number(Machine.live.masterAngleDeg, 0) + "°"
-        color: Machine.fresh ? Theme.color.ink : Theme.color.disabledInk
+        text: isNaN(Controller.live.masterAngleDeg) ? Theme.unknownText : Theme.number(Controller.live.masterAngleDeg, 0) + "°"
+        color: Controller.fresh ? Theme.color.ink : Theme.color.disabledInk
         font { pixelSize: Theme.size.value; bold: true }
     }
     KnifeDial {
         objectName: "knifeDial"
         anchors { left: parent.left; right: parent.right; top: angle.bottom; bottom: parent.bottom; margins: Theme.size.spacing; topMargin: 0 }
-        angleDeg: Machine.live.masterAngleDeg
-        stale: !Machine.fresh
+        angleDeg: Controller.live.masterAngleDeg
+        stale: !Controller.fresh
         ringColor: Theme.color.line
         handColor: Theme.color.ink
         tipColor: Theme.color.touch

@@ -4,13 +4,13 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
-import CamPanel.Machine
+import CamPanel.Panel
 
 Sheet {
     id: sheet
 
-    readonly property PackingLine line: Machine.packing
-    readonly property color inkColor: Machine.fresh && line.fresh ? Theme.color.ink : Theme.color.disabledInk
+    readonly property PackingLine line: Controller.packing
+    readonly property color inkColor: Controller.fresh && line.fresh ? Theme.color.ink : Theme.color.disabledInk
     readonly property real half: Math.floor((width - 2 * Theme.size.gap - 4 * Theme.size.padding) / 2)
 
     title: qsTr("Marks, cuts and film")
@@ -63,7 +63,7 @@ Sheet {
         Figure { label: qsTr("Cuts left out, product across"); value: Theme.count(sheet.line.cutsSkipped, 0) }
         Figure { label: qsTr("Bags without product"); value: Theme.count(sheet.line.emptyBags, 0) }
         Figure { label: qsTr("Film saved"); value: isNaN(sheet.line.filmSavedM) ? Theme.unknownText : qsTr("%1 m").arg(Theme.number(sheet.line.filmSavedM, 1)) }
-        Figure { label: qsTr("Following error of the knife"); value: sheet.millimeters(Machine.live.followingErrorMm) }
+        Figure { label: qsTr("Following error of the knife"); value: sheet.millimeters(Controller.live.followingErrorMm) }
         Figure { label: qsTr("Following error of the film"); value: sheet.millimeters(sheet.line.filmFollowingErrorMm) }
         Item { width: 1; height: Theme.size.spacing }
         FilmLegend { width: sheet.half }

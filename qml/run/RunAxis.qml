@@ -5,7 +5,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Parts
-import CamPanel.Machine
+import CamPanel.Panel
 
 Item {
     id: view
@@ -13,7 +13,7 @@ Item {
     readonly property int gap: Theme.size.gap
     property real bottomInset
     signal explainRequested(var quantities)
-    readonly property bool isCam: Machine.active.kind === 4    // Editor.Kind.PointCam
+    readonly property bool isCam: Controller.active.kind === 4    // Editor.Kind.PointCam
     readonly property real upper: Math.round((height - gap) * (isCam ? 0.4 : 0.28))
     readonly property real start: isCam ? dial.width + gap : 0
     readonly property real cell: isCam ? (width - start - gap) / 2 : (width - 2 * gap) / 3
@@ -30,7 +30,7 @@ Item {
         x: view.start
         width: view.cell
         height: view.row
-        value: Machine.live.knifeSpeedMmPerS
+        value: Controller.live.knifeSpeedMmPerS
         decimals: 1
         caption: qsTr("Speed mm/s")
     }
@@ -39,7 +39,7 @@ Item {
         x: view.start + view.cell + view.gap
         width: view.cell
         height: view.row
-        value: Machine.live.positionMm
+        value: Controller.live.positionMm
         decimals: 2
         caption: qsTr("Position mm")
     }
@@ -49,7 +49,7 @@ Item {
         y: view.isCam ? view.row + view.gap : 0
         width: view.cell
         height: view.row
-        value: Machine.live.cycleCount
+        value: Controller.live.cycleCount
         decimals: 0
         caption: view.isCam ? qsTr("cycles") : qsTr("moves")
     }
@@ -60,7 +60,7 @@ Item {
         y: view.row + view.gap
         width: view.cell
         height: view.row
-        value: Machine.live.masterSpeedPercent
+        value: Controller.live.masterSpeedPercent
         decimals: 0
         caption: qsTr("Master speed %")
     }

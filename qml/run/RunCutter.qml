@@ -4,7 +4,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Parts
-import CamPanel.Machine
+import CamPanel.Panel
 
 Item {
     id: view
@@ -24,7 +24,7 @@ Item {
         anchors { left: dial.right; leftMargin: view.gap }
         width: Math.round((view.width - dial.width - 2 * view.gap) * 0.37)
         height: (view.upper - view.gap) / 2
-        value: Machine.live.rateBagsPerMin
+        value: Controller.live.rateBagsPerMin
         decimals: 1
         caption: qsTr("bags/min")
         quantities: [Explanations.Rate]
@@ -33,7 +33,7 @@ Item {
     NumberCard {
         anchors { left: rate.left; right: rate.right; top: rate.bottom; topMargin: view.gap }
         height: rate.height
-        value: Machine.bags.count
+        value: Controller.bags.count
         decimals: 0
         caption: qsTr("bags")
     }

@@ -4,13 +4,13 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
-import CamPanel.Machine
+import CamPanel.Panel
 
 Item {
     id: view
 
     property real bottomInset
-    readonly property bool connected: Machine.connection === Machine.Connection.Connected
+    readonly property bool connected: Controller.connection === Controller.Connection.Connected
 
     Card {
         anchors { fill: parent; bottomMargin: view.bottomInset }
@@ -28,7 +28,7 @@ Item {
                 width: parent.width
                 horizontalAlignment: Text.AlignHCenter
                 wrapMode: Text.WordWrap
-                text: view.connected ? qsTr("The controller has no program yet. Open Motion and press Download.") : Machine.connectionText
+                text: view.connected ? qsTr("The controller has no program yet. Open Motion and press Download.") : Controller.connectionText
                 color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.title
             }

@@ -5,7 +5,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Parts
-import CamPanel.Machine
+import CamPanel.Panel
 
 Item {
     id: view
@@ -22,10 +22,10 @@ Item {
         objectName: "packingRate"
         width: Math.round((view.width - view.gap) * 0.32)
         height: Math.round(view.room * 0.3)
-        value: Machine.live.rateBagsPerMin
+        value: Controller.live.rateBagsPerMin
         decimals: 1
-        caption: qsTr("bags/min · %1 bags").arg(Theme.count(Machine.bags.count, 0))
-        captionColor: Machine.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
+        caption: qsTr("bags/min · %1 bags").arg(Theme.count(Controller.bags.count, 0))
+        captionColor: Controller.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
         quantities: [Explanations.Rate]
         onExplainRequested: quantities => view.explainRequested(quantities)
     }
@@ -47,7 +47,7 @@ Item {
         title: qsTr("Knife speed mm/s")
         onExplainRequested: quantities => view.explainRequested(quantities)
     }
-    LeftOutCard {
+    SkippedCutsCard {
         id: leftOut
         anchors { right: parent.right; top: film.bottom; topMargin: view.gap; bottom: parent.bottom; bottomMargin: view.bottomInset }
         width: Math.round((view.width - view.gap) * 0.36)

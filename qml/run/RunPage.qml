@@ -3,7 +3,7 @@
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Parts
-import CamPanel.Machine
+import CamPanel.Panel
 
 Page {
     id: page
@@ -11,7 +11,7 @@ Page {
     // The views by Machine.activeKind: no program, cutter (of a controller without film and marks), position move, speed
     // move, point cam, press.
     readonly property list<string> views: ["RunEmpty.qml", "RunCutter.qml", "RunAxis.qml", "RunAxis.qml", "RunAxis.qml", "RunPress.qml"]
-    readonly property string view: Machine.active.kind === 1 && Machine.packing.present ? "RunPacking.qml" : page.views[Machine.active.kind]
+    readonly property string view: Controller.active.kind === 1 && Controller.packing.present ? "RunPacking.qml" : page.views[Controller.active.kind]
 
     Loader {
         id: loader

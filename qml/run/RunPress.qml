@@ -4,7 +4,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Parts
-import CamPanel.Machine
+import CamPanel.Panel
 
 Item {
     id: view
@@ -20,7 +20,7 @@ Item {
         objectName: "pressForce"
         width: view.cell
         height: view.upper
-        value: Machine.live.forceN
+        value: Controller.live.forceN
         decimals: 0
         caption: qsTr("Force N")
     }
@@ -30,7 +30,7 @@ Item {
         anchors { left: force.right; leftMargin: view.gap }
         width: view.cell
         height: view.upper
-        value: Machine.live.positionMm
+        value: Controller.live.positionMm
         decimals: 2
         caption: qsTr("Position mm")
     }
@@ -38,7 +38,7 @@ Item {
         objectName: "goodStrokes"
         anchors { left: position.right; leftMargin: view.gap; right: parent.right }
         height: view.upper
-        text: Machine.strokes.count > 0 ? Theme.count(Machine.strokes.goodCount, 0) + " / " + Theme.count(Machine.strokes.count, 0) : Theme.unknownText
+        text: Controller.strokes.count > 0 ? Theme.count(Controller.strokes.goodCount, 0) + " / " + Theme.count(Controller.strokes.count, 0) : Theme.unknownText
         caption: qsTr("good of the last strokes")
         quantities: [Explanations.GoodStrokes]
         onExplainRequested: quantities => view.explainRequested(quantities)

@@ -5,7 +5,7 @@ import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
-import CamPanel.Machine
+import CamPanel.Panel
 
 Card {
     id: card
@@ -14,7 +14,7 @@ Card {
 
     required property string title
     property bool compact                  // little space for texts
-    readonly property color traceColor: Machine.fresh ? Theme.color.touch : Theme.color.disabledInk
+    readonly property color traceColor: Controller.fresh ? Theme.color.touch : Theme.color.disabledInk
 
     component Key: Row {
         id: key
@@ -56,14 +56,14 @@ Card {
             width: Math.min(implicitWidth, room)
             fontSizeMode: Text.HorizontalFit
             minimumPixelSize: Theme.size.caption - 5
-            readonly property string number: Theme.number(Machine.live.followingErrorMm, 2)
+            readonly property string number: Theme.number(Controller.live.followingErrorMm, 2)
             text: card.compact || words.advanceWidth > followingError.room ? qsTr("error %1 mm").arg(number) : words.text
             TextMetrics {
                 id: words
                 font: Theme.captionFont
                 text: qsTr("following error %1 mm").arg(followingError.number)
             }
-            color: Machine.fresh ? Theme.color.ink : Theme.color.disabledInk
+            color: Controller.fresh ? Theme.color.ink : Theme.color.disabledInk
             font.pixelSize: Theme.size.caption
         }
         Key { id: target; text: qsTr("target"); color: Theme.color.target }
@@ -71,14 +71,14 @@ Card {
     }
     StyledCurves {
         anchors { left: parent.left; right: parent.right; top: caption.bottom; bottom: parent.bottom; margins: Theme.size.spacing; topMargin: Theme.size.outline }
-        curves: Machine.active.curves
+        curves: Controller.active.curves
         quantities: ["velocity"]
         velocityColor: Theme.color.target
         lineWidth: 2 * Theme.size.curve
-        trace: Machine.actualTrace
+        trace: Controller.actualTrace
         traceColor: card.traceColor
-        inkColor: Machine.fresh ? Theme.color.ink : Theme.color.disabledInk
-        cursorTime: Machine.live.masterAngleDeg / 360 * Machine.active.cycleSeconds
+        inkColor: Controller.fresh ? Theme.color.ink : Theme.color.disabledInk
+        cursorTime: Controller.live.masterAngleDeg / 360 * Controller.active.cycleSeconds
         cursorDotsVisible: false
     }
     Explained {

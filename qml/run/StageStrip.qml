@@ -4,7 +4,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
-import CamPanel.Machine
+import CamPanel.Panel
 
 Row {
     id: strip
@@ -12,24 +12,24 @@ Row {
     spacing: Theme.size.spacing
 
     Repeater {
-        model: Machine.stageNames
+        model: Controller.stageNames
         Card {
             id: stage
             required property string modelData
             required property int index
-            readonly property bool current: Machine.live.stage === index
+            readonly property bool current: Controller.live.stage === index
             objectName: "stage" + index
             width: (strip.width - 4 * strip.spacing) / 5
             height: strip.height
-            color: current && Machine.fresh ? Theme.color.touchTint : Theme.color.surface
-            border { width: current ? Theme.size.outline : 0; color: Machine.fresh ? Theme.color.touch : Theme.color.target }
+            color: current && Controller.fresh ? Theme.color.touchTint : Theme.color.surface
+            border { width: current ? Theme.size.outline : 0; color: Controller.fresh ? Theme.color.touch : Theme.color.target }
             Label {
                 anchors { fill: parent; margins: Theme.size.accent }
                 horizontalAlignment: Text.AlignHCenter
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: Theme.size.caption - 2
                 text: (stage.index + 1) + "  " + stage.modelData
-                color: !Machine.fresh ? Theme.color.disabledInk : stage.current ? Theme.color.ink : Theme.color.secondaryInk
+                color: !Controller.fresh ? Theme.color.disabledInk : stage.current ? Theme.color.ink : Theme.color.secondaryInk
                 font.weight: stage.current ? Font.Bold : Font.Normal
             }
         }

@@ -4,7 +4,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
-import CamPanel.Machine
+import CamPanel.Panel
 
 Card {
     id: card
@@ -14,7 +14,7 @@ Card {
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 3
-        color: Machine.fresh ? Theme.color.ink : Theme.color.disabledInk
+        color: Controller.fresh ? Theme.color.ink : Theme.color.disabledInk
         font.pixelSize: Theme.size.caption
     }
 
@@ -41,7 +41,7 @@ Card {
         anchors { left: parent.left; right: parent.right; top: head.bottom; bottom: parent.bottom; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; topMargin: Theme.size.accent; bottomMargin: Theme.size.spacing }
         clip: true
         boundsBehavior: Flickable.StopAtBounds
-        model: Machine.strokes
+        model: Controller.strokes
         delegate: Item {
             id: stroke
             required property int index
@@ -75,7 +75,7 @@ Card {
                         id: mark
                         visible: !stroke.good
                         code: Theme.icon.alert
-                        color: Machine.fresh ? Theme.color.fault : Theme.color.disabledInk
+                        color: Controller.fresh ? Theme.color.fault : Theme.color.disabledInk
                         font.pixelSize: Theme.size.body
                     }
                     Label {
@@ -83,7 +83,7 @@ Card {
                         fontSizeMode: Text.HorizontalFit
                         minimumPixelSize: Theme.size.caption - 3
                         text: stroke.resultText
-                        color: !Machine.fresh ? Theme.color.disabledInk : stroke.good ? Theme.color.secondaryInk : Theme.color.fault
+                        color: !Controller.fresh ? Theme.color.disabledInk : stroke.good ? Theme.color.secondaryInk : Theme.color.fault
                         font { pixelSize: Theme.size.caption; weight: stroke.good ? Font.Normal : Font.DemiBold }
                     }
                 }
@@ -93,7 +93,7 @@ Card {
     ScrollMark { view: list }
     Label {
         anchors { left: list.left; right: list.right; verticalCenter: list.verticalCenter }
-        visible: Machine.strokes.count === 0
+        visible: Controller.strokes.count === 0
         horizontalAlignment: Text.AlignHCenter
         wrapMode: Text.WordWrap
         text: qsTr("Each stroke is listed here when it ends.")

@@ -4,7 +4,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
-import CamPanel.Machine
+import CamPanel.Panel
 
 SettingsSection {
     id: section
@@ -74,7 +74,7 @@ SettingsSection {
     IconLabel {
         id: mark
         anchors { left: parent.left; verticalCenter: state.verticalCenter }
-        code: Machine.connection === Machine.Connection.Connected ? Theme.icon.linkUp : Theme.icon.linkDown
+        code: Controller.connection === Controller.Connection.Connected ? Theme.icon.linkUp : Theme.icon.linkDown
         color: Theme.color.secondaryInk
     }
     Label {
@@ -84,7 +84,7 @@ SettingsSection {
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
         minimumPixelSize: Theme.size.caption - 2
-        text: Machine.connectionText
+        text: Controller.connectionText
     }
     Button {
         id: connectButton

@@ -7,7 +7,7 @@ import CamPanel.Controls
 import CamPanel.Parts
 import CamPanel.Access
 import CamPanel.Audit
-import CamPanel.Machine
+import CamPanel.Panel
 
 SettingsSection {
     id: section

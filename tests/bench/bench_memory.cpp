@@ -46,7 +46,7 @@ void record(modbus::LinkRecord& line, int exchange, modbus::LinkFigures::WallTim
 
 Figures measureMemory()
 {
-    panel::keepMemoryFlat();
+    shell::keepMemoryFlat();
     qputenv("QT_QPA_UPDATE_IDLE_TIME", "0");
     looks::Stage stage({QStringLiteral("en"), QStringLiteral("light"), QSize(1024, 600)});
     if (!stage.isReady())

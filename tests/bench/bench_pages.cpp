@@ -46,7 +46,7 @@ public:
         leave();
         bool isShown = false;
         const auto connection =
-            QObject::connect(&m_panel.trends(), &machine::Trends::shownChanged, [&] { isShown = true; });
+            QObject::connect(&m_panel.trends(), &panel::Trends::shownChanged, [&] { isShown = true; });
         const double ms = timedMs([&] {
             m_finger.tap(u"nav5"_s);
             awaitData([&] { return isShown; });
@@ -99,7 +99,7 @@ private:
     }
 
     looks::DemoLink m_link{nullptr};
-    panel::Panel m_panel;
+    shell::Panel m_panel;
     looks::Finger m_finger{m_panel};
 };
 

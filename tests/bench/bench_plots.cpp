@@ -27,7 +27,7 @@ Figures measurePlots()
     stage.tap(QStringLiteral("nav1"));
     stage.settle();
 
-    machine::EditorField& bagLength = *stage.panel().editor().bagLength();
+    panel::EditorField& bagLength = *stage.panel().editor().bagLength();
     QEventLoop untilShown;
     QObject::connect(&stage.window(), &QQuickWindow::frameSwapped, &untilShown, &QEventLoop::quit);
     std::vector<double> frameMs;

@@ -3,9 +3,9 @@
 // that neither file nor process grows with more bags.
 #include "bench_pages.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/maintenance/service.h"
-#include "app/panel/records/records.h"
+#include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/trends/trends.h"
 #include "app/shell/memory.h"
@@ -26,7 +26,7 @@ namespace campanel::bench {
 namespace {
 
 using namespace Qt::StringLiterals;
-using machine::Trends;
+using panel::Trends;
 
 constexpr qint64 bags = store::BagLog::bagsKept;
 constexpr qint64 bagMs = 200; // 300 a minute
@@ -90,11 +90,11 @@ struct Panel {
     }
 
     looks::DemoLink link{nullptr};
-    machine::Settings settings;
-    machine::Machine machine;
-    machine::Records records;
-    machine::Service service;
-    machine::Trends trends;
+    panel::Settings settings;
+    panel::Controller machine;
+    panel::DatabaseService records;
+    panel::Service service;
+    panel::Trends trends;
     qint64 wallMs;
 
     // Waits until no request is left: opening causes another request.
@@ -161,7 +161,7 @@ std::unique_ptr<store::Database> opened(const QString& folder)
 
 Figures measureRecords()
 {
-    panel::keepMemoryFlat();
+    shell::keepMemoryFlat();
     const QTemporaryDir folder;
     const QString path = folder.filePath(u"trends.sqlite"_s);
     const qint64 nowMs = QDateTime::currentMSecsSinceEpoch() / 1000 * 1000;

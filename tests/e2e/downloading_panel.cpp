@@ -4,11 +4,11 @@
 #include "app/link/threaded_link.h"
 #include "app/panel/access/access.h"
 #include "app/panel/audit/audit_trail.h"
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/library/recipes.h"
 #include "app/panel/maintenance/service.h"
-#include "app/panel/records/records.h"
+#include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "tests/support/test_program.h"
 
@@ -21,7 +21,7 @@
 namespace downloading_panel {
 
 using namespace campanel;
-using machine::Editor;
+using panel::Editor;
 
 namespace {
 
@@ -43,19 +43,19 @@ static int downloadingPanel(int argc, char** argv)
     QCoreApplication application(argc, argv);
     const QString folder = QCoreApplication::arguments().value(1);
     link::ThreadedLink link(nullptr);
-    machine::Settings settings(QDir(folder).filePath(QStringLiteral("settings.ini")), nullptr);
-    machine::Machine machine(link, settings, nullptr);
+    panel::Settings settings(QDir(folder).filePath(QStringLiteral("settings.ini")), nullptr);
+    panel::Controller machine(link, settings, nullptr);
     Editor editor(machine, folder, nullptr);
-    machine::Records records(folder, nullptr);
-    machine::Recipes recipes(machine, editor, records, folder, nullptr);
-    machine::Service service(machine, settings, folder, nullptr);
-    machine::Access access(records, machine, settings, nullptr);
-    machine::AuditTrail trail(records, {machine, editor, settings, service, access}, nullptr);
+    panel::DatabaseService records(folder, nullptr);
+    panel::Recipes recipes(machine, editor, records, folder, nullptr);
+    panel::Service service(machine, settings, folder, nullptr);
+    panel::Access access(records, machine, settings, nullptr);
+    panel::AuditTrail trail(records, {machine, editor, settings, service, access}, nullptr);
 
-    QObject::connect(&recipes, &machine::Recipes::noted, &trail, &machine::AuditTrail::note);
-    QObject::connect(&recipes, &machine::Recipes::noted,
+    QObject::connect(&recipes, &panel::Recipes::noted, &trail, &panel::AuditTrail::note);
+    QObject::connect(&recipes, &panel::Recipes::noted,
                      [](const store::AuditEntry& entry) { say("recipe", entry.readBack.section(u' ', 1)); });
-    QObject::connect(&trail, &machine::AuditTrail::appended, [](const store::AuditRow& row) {
+    QObject::connect(&trail, &panel::AuditTrail::appended, [](const store::AuditRow& row) {
         say("audit", QString::number(row.sequence));
         // "generation 7 · CRC-32 1A2B3C4D"
         if (row.entry.what == u"program.download" && row.entry.outcome == u"done")
@@ -78,7 +78,7 @@ static int downloadingPanel(int argc, char** argv)
         editor.download();
     });
     next.start(rest);
-    QObject::connect(&machine, &machine::Machine::commandsChanged, &application, [&] {
+    QObject::connect(&machine, &panel::Controller::commandsChanged, &application, [&] {
         if (machine.canStart())
             machine.start();
     });

@@ -3,8 +3,8 @@
 // the key once the machine is connected, and prints "page N state S" at every change. SIGTERM ends it
 // properly.
 #include "app/link/threaded_link.h"
-#include "app/shell/end_signals.h"
 #include "app/shell/fonts.h"
+#include "app/shell/termination_signals.h"
 #include "tests/looks/finger.h"
 #include "tests/support/test_program.h"
 
@@ -23,10 +23,10 @@ static int panelToBeKilled(int argc, char** argv)
     QGuiApplication::setQuitOnLastWindowClosed(false);
     const QStringList arguments = QGuiApplication::arguments();
     const QString& folder = arguments.at(1);
-    panel::applyFonts();
+    shell::applyFonts();
     link::ThreadedLink link(nullptr);
-    panel::Panel panel(link, {folder + QStringLiteral("/settings.ini"), folder});
-    machine::ConnectionChoice choice;
+    shell::Panel panel(link, {folder + QStringLiteral("/settings.ini"), folder});
+    panel::ConnectionChoice choice;
     choice.simulated = false;
     choice.portName = arguments.at(2);
     panel.settings().overrideConnection(choice);
@@ -41,7 +41,7 @@ static int panelToBeKilled(int argc, char** argv)
     QByteArray told;
     QTimer timer;
     QObject::connect(&timer, &QTimer::timeout, &panel, [&] {
-        if (!key.isEmpty() && panel.machine().connection() == machine::Machine::Connection::Connected)
+        if (!key.isEmpty() && panel.machine().connection() == panel::Controller::Connection::Connected)
             finger.tap(std::exchange(key, QString()));
         const QByteArray now = "page " + QByteArray::number(panel.window().property("page").toInt()) +
                                " state " + QByteArray::number(static_cast<int>(panel.machine().state())) +
@@ -53,7 +53,7 @@ static int panelToBeKilled(int argc, char** argv)
         std::fflush(stdout);
     });
     timer.start(50);
-    const panel::EndSignals endSignals;
+    const shell::TerminationSignals terminationSignals;
     return QGuiApplication::exec();
 }
 

@@ -18,7 +18,7 @@ public:
     explicit PanelWindow(const QString& port)
     {
         m_panel.settings().overrideLanguage(QStringLiteral("en"));
-        machine::ConnectionChoice choice;
+        panel::ConnectionChoice choice;
         choice.simulated = false;
         choice.portName = port;
         m_panel.settings().overrideConnection(choice);
@@ -35,11 +35,11 @@ public:
         m_panel.open();
     }
 
-    [[nodiscard]] machine::Machine& machine() { return m_panel.machine(); }
-    [[nodiscard]] machine::Editor& editor() { return m_panel.editor(); }
-    [[nodiscard]] machine::Service& service() { return m_panel.service(); }
-    [[nodiscard]] machine::Settings& settings() { return m_panel.settings(); }
-    [[nodiscard]] panel::Panel& panel() { return m_panel; }
+    [[nodiscard]] panel::Controller& machine() { return m_panel.machine(); }
+    [[nodiscard]] panel::Editor& editor() { return m_panel.editor(); }
+    [[nodiscard]] panel::Service& service() { return m_panel.service(); }
+    [[nodiscard]] panel::Settings& settings() { return m_panel.settings(); }
+    [[nodiscard]] shell::Panel& panel() { return m_panel; }
     [[nodiscard]] QString folder() const { return m_folder.path(); }
     [[nodiscard]] looks::Finger& finger() { return m_finger; }
     [[nodiscard]] const std::vector<modbus::StatusBlock>& statuses() const { return m_statuses; }
@@ -85,7 +85,7 @@ private:
 
     QTemporaryDir m_folder;
     link::ThreadedLink m_link{nullptr};
-    panel::Panel m_panel{m_link, {m_folder.filePath(QStringLiteral("settings.ini")), m_folder.path()}};
+    shell::Panel m_panel{m_link, {m_folder.filePath(QStringLiteral("settings.ini")), m_folder.path()}};
     looks::Finger m_finger{m_panel};
     std::vector<modbus::StatusBlock> m_statuses;
     QStringList m_missing;

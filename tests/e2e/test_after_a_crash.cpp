@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The panel's process is killed during a run: the machine continues, and the next panel displays it, on the
 // same page. After a proper end it begins with the first page.
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "tests/support/controller_process.h"
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
@@ -16,7 +16,7 @@
 namespace test_after_a_crash {
 
 using namespace campanel;
-using machine::Machine;
+using panel::Controller;
 
 namespace {
 
@@ -59,7 +59,7 @@ private:
     QByteArray m_said;
 };
 
-QByteArray shown(int page, Machine::State state)
+QByteArray shown(int page, Controller::State state)
 {
     return "page " + QByteArray::number(page) + " state " + QByteArray::number(static_cast<int>(state));
 }
@@ -84,23 +84,23 @@ private slots:
         const QStringList panel{folder.path(), controller.port()};
         {
             PanelProcess first(panel + QStringList{"nav4"});
-            QTRY_COMPARE_WITH_TIMEOUT(first.said(), shown(4, Machine::State::Running), timeoutMs);
+            QTRY_COMPARE_WITH_TIMEOUT(first.said(), shown(4, Controller::State::Running), timeoutMs);
             first.kill();
             QVERIFY(!first.hasEndedItself());
         }
         {
             PanelProcess second(panel);
-            QTRY_COMPARE_WITH_TIMEOUT(second.said(), shown(4, Machine::State::Running), timeoutMs);
+            QTRY_COMPARE_WITH_TIMEOUT(second.said(), shown(4, Controller::State::Running), timeoutMs);
             second.kill(); // again, without any touch
         }
         {
             PanelProcess third(panel);
-            QTRY_COMPARE_WITH_TIMEOUT(third.said(), shown(4, Machine::State::Running), timeoutMs);
+            QTRY_COMPARE_WITH_TIMEOUT(third.said(), shown(4, Controller::State::Running), timeoutMs);
             third.endInOrder();
             QVERIFY(third.hasEndedItself());
         }
         PanelProcess last(panel);
-        QTRY_COMPARE_WITH_TIMEOUT(last.said(), shown(0, Machine::State::Running), timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(last.said(), shown(0, Controller::State::Running), timeoutMs);
     }
 
     void aDamagedMemoryOfThePageIsNoPage_data()
@@ -121,7 +121,7 @@ private slots:
         file.write(text);
         file.close();
         PanelProcess panel({folder.path(), controller.port()});
-        QTRY_COMPARE_WITH_TIMEOUT(panel.said(), shown(0, Machine::State::Idle), timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.said(), shown(0, Controller::State::Idle), timeoutMs);
     }
 };
 

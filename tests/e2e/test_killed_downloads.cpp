@@ -4,7 +4,7 @@
 #include "tests/support/controller_process.h"
 
 #include "app/link/threaded_link.h"
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/recipe/controller_program.h"
 #include "app/panel/settings/settings.h"
 #include "app/store/logs/audit_log.h"
@@ -81,8 +81,8 @@ class TestKilledDownloads : public QObject {
     {
         link::ThreadedLink link(nullptr);
         const QTemporaryDir folder;
-        machine::Settings settings(folder.filePath(QStringLiteral("settings.ini")), nullptr);
-        machine::Machine machine(link, settings, nullptr);
+        panel::Settings settings(folder.filePath(QStringLiteral("settings.ini")), nullptr);
+        panel::Controller machine(link, settings, nullptr);
         link::ConnectionSettings wanted;
         wanted.simulated = false;
         wanted.port = m_controller.port();
@@ -98,7 +98,7 @@ class TestKilledDownloads : public QObject {
                  qPrintable(crc + u' ' + m_crc + u' ' + m_begun.join(u' ')));
         QVERIFY(qint64(status.generation) >= m_generation);
         if (mustRun)
-            QCOMPARE(machine.state(), machine::Machine::State::Running);
+            QCOMPARE(machine.state(), panel::Controller::State::Running);
         // Until the next confirmation that one is possible too.
         m_begun << crc;
     }

@@ -2,7 +2,7 @@
 // Every kind of program from the recipe to the motion: the panel's own classes and campanelctl on one side,
 // campanel-controller on its pseudo-terminal on the other, its machine several times as fast as a real one.
 #include "app/link/threaded_link.h"
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/settings/settings.h"
 #include "tests/support/controller_process.h"
@@ -22,9 +22,9 @@
 namespace test_kinds_and_controller {
 
 using namespace campanel;
-using machine::Editor;
-using machine::Machine;
-using machine::ProgramDownload;
+using panel::Controller;
+using panel::Editor;
+using panel::ProgramDownload;
 using profile::Field;
 using profile::ProgramKind;
 using test::ControllerProcess;
@@ -38,7 +38,7 @@ struct Panel {
         : machine(link, settings, nullptr)
         , editor(machine, folder.path(), nullptr)
     {
-        machine::ConnectionChoice choice;
+        panel::ConnectionChoice choice;
         choice.simulated = false;
         choice.portName = port;
         settings.overrideConnection(choice);
@@ -49,8 +49,8 @@ struct Panel {
 
     QTemporaryDir folder;
     link::ThreadedLink link{nullptr};
-    machine::Settings settings{folder.filePath("settings.ini"), nullptr};
-    Machine machine;
+    panel::Settings settings{folder.filePath("settings.ini"), nullptr};
+    Controller machine;
     Editor editor;
 };
 
@@ -168,7 +168,7 @@ void TestKindsAndController::aSpeedIsHeldUntilTheStop()
     // The commanded frequency is that of whole pulses in 2 ms.
     const double expectedHz = 10 * speed;
     const auto isHeld = [&] {
-        return panel.machine.state() == Machine::State::Running &&
+        return panel.machine.state() == Controller::State::Running &&
                std::abs(panel.status().commandedFrequencyHz - expectedHz) <= 0.06 * std::abs(expectedHz);
     };
     QTRY_VERIFY2_WITH_TIMEOUT(isHeld(), qPrintable(QString::number(panel.status().commandedFrequencyHz)),
@@ -185,7 +185,7 @@ void TestKindsAndController::aSpeedIsHeldUntilTheStop()
              qPrintable(QString::number(meanHz)));
     QVERIFY(isHeld());
     panel.machine.stop();
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Ready, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Controller::State::Ready, timeoutMs);
     QCOMPARE(panel.status().commandedFrequencyHz, 0);
     QVERIFY2(panel.machine.alarmText().isEmpty(), qPrintable(panel.machine.alarmText()));
 }
@@ -216,11 +216,11 @@ void TestKindsAndController::anotherPanelSeesTheKnots()
         if (QTest::currentTestFailed())
             return;
         QTRY_VERIFY_WITH_TIMEOUT(panel.machine.live().cycleCount >= 5, timeoutMs);
-        QCOMPARE(panel.machine.state(), Machine::State::Running);
+        QCOMPARE(panel.machine.state(), Controller::State::Running);
         // The slave stays within the span of its cam.
         QVERIFY(panel.status().axisPositionPulses > -30 && panel.status().axisPositionPulses < 550);
         panel.machine.stop();
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Ready, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Controller::State::Ready, timeoutMs);
         QCOMPARE(panel.status().commandedPositionPulses, 0); // a closed cam ends where it began
         QVERIFY2(panel.machine.alarmText().isEmpty(), qPrintable(panel.machine.alarmText()));
     }
@@ -249,7 +249,7 @@ void TestKindsAndController::aStrokeStopsWhereItShould()
     if (QTest::currentTestFailed())
         return;
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine.strokes()->count(), 1, timeoutMs);
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Ready, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Controller::State::Ready, timeoutMs);
     QVERIFY2(panel.machine.alarmText().isEmpty(), qPrintable(panel.machine.alarmText()));
     const auto& press = panel.status().press;
     QVERIFY(press.has_value());
@@ -277,17 +277,17 @@ void TestKindsAndController::aMissingWorkPieceIsAFault()
     begin(panel);
     if (QTest::currentTestFailed())
         return;
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Fault, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Controller::State::Fault, timeoutMs);
     QVERIFY2(panel.machine.alarmText().contains("The press did not feel a work piece."),
              qPrintable(panel.machine.alarmText()));
     QVERIFY(!panel.machine.canStart());
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine.strokes()->count(), 1, timeoutMs);
     QCOMPARE(panel.machine.strokes()->goodCount(), 0);
     const auto* strokes = panel.machine.strokes();
-    QCOMPARE(strokes->data(strokes->index(0), machine::StrokeModel::ResultTextRole).toString(),
+    QCOMPARE(strokes->data(strokes->index(0), panel::StrokeModel::ResultTextRole).toString(),
              "Never touched");
     panel.machine.resetFault();
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Ready, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Controller::State::Ready, timeoutMs);
 }
 
 CAMPANEL_TEST(TestKindsAndController)

@@ -3,7 +3,7 @@
 // interrupted download, a jogging panel killed. The panel's own classes on one side, campanel-controller on
 // its pseudo-terminal on the other. Prints its measurements.
 #include "app/link/threaded_link.h"
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/settings/settings.h"
 #include "modbus/map/codec.h"
@@ -26,9 +26,9 @@
 namespace test_line_trouble {
 
 using namespace campanel;
-using machine::Editor;
-using machine::Machine;
-using machine::ProgramDownload;
+using panel::Controller;
+using panel::Editor;
+using panel::ProgramDownload;
 using test::ControllerProcess;
 
 namespace {
@@ -46,7 +46,7 @@ struct Panel {
 
     void openPort(const QString& port)
     {
-        machine::ConnectionChoice choice;
+        panel::ConnectionChoice choice;
         choice.simulated = false;
         choice.portName = port;
         settings.overrideConnection(choice);
@@ -76,8 +76,8 @@ struct Panel {
 
     QTemporaryDir folder;
     link::ThreadedLink link{nullptr};
-    machine::Settings settings{folder.filePath(QStringLiteral("settings.ini")), nullptr};
-    Machine machine;
+    panel::Settings settings{folder.filePath(QStringLiteral("settings.ini")), nullptr};
+    Controller machine;
     Editor editor;
 };
 
@@ -145,7 +145,7 @@ void TestLineTrouble::controllerIsKilledAndStartedAgain()
     QTRY_VERIFY_WITH_TIMEOUT(panel.machine.bags().count >= 1, timeoutMs);
 
     controller.kill();
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.connection(), Machine::Connection::Lost, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.connection(), Controller::Connection::Lost, timeoutMs);
     QTRY_VERIFY_WITH_TIMEOUT(!panel.machine.fresh(), timeoutMs);
     QVERIFY(panel.machine.bags().count >= 1); // the last one, grey
     QVERIFY2(panel.machine.connectionText().contains(controller.port()),
@@ -160,7 +160,7 @@ void TestLineTrouble::controllerIsKilledAndStartedAgain()
     const qint64 tookMs = sinceReturn.elapsed();
     qInfo("restart of the controller: connected %lld ms after its port was back", tookMs);
     QVERIFY(tookMs < reconnectLimitMs);
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Ready, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Controller::State::Ready, timeoutMs);
     QCOMPARE(panel.machine.bags().count, 0.0);
     QCOMPARE(panel.machine.commandMessage(),
              QStringLiteral("The line is back. The controller has restarted meanwhile."));
@@ -173,16 +173,16 @@ void TestLineTrouble::stopPressedWithoutALineIsSentWhenItIsBack()
     panel.openSimulated(115200);
     panel.download();
     panel.machine.start();
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Running, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Controller::State::Running, timeoutMs);
     panel.link.simulateFaults({QStringLiteral("unplug when=answer time=1500 limit=1")});
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.connection(), Machine::Connection::Lost, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.connection(), Controller::Connection::Lost, timeoutMs);
     panel.machine.stop();
     QTRY_VERIFY_WITH_TIMEOUT(panel.machine.stopWaits(), timeoutMs);
     QTRY_COMPARE_WITH_TIMEOUT(
         panel.machine.commandMessage(),
         QStringLiteral("The line is back: Stop was sent and the controller has taken it."), timeoutMs);
     QVERIFY(!panel.machine.stopWaits());
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Ready, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Controller::State::Ready, timeoutMs);
 }
 
 void TestLineTrouble::portComesBackUnderAnotherName()
@@ -192,7 +192,7 @@ void TestLineTrouble::portComesBackUnderAnotherName()
     panel.download();
     const QString before = panel.machine.portName();
     panel.link.simulateFaults({QStringLiteral("unplug when=answer time=800 limit=1")});
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.connection(), Machine::Connection::Lost, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.connection(), Controller::Connection::Lost, timeoutMs);
     QTRY_VERIFY_WITH_TIMEOUT(!QFileInfo::exists(before), timeoutMs);
     // A terminal opened now gets the old name.
     const int taken = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
@@ -200,7 +200,7 @@ void TestLineTrouble::portComesBackUnderAnotherName()
     QElapsedTimer sinceReturn;
     QString after;
     const auto connection =
-        QObject::connect(&panel.machine, &Machine::connectionChanged, &panel.machine, [&] {
+        QObject::connect(&panel.machine, &Controller::connectionChanged, &panel.machine, [&] {
             if (!sinceReturn.isValid() && panel.machine.portName() != before) {
                 after = panel.machine.portName();
                 sinceReturn.start(); // the port exists and has just been tried
@@ -223,8 +223,8 @@ void TestLineTrouble::controllerRestartsWhileItRuns()
     panel.openSimulated(115200);
     panel.download();
     panel.machine.start();
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Running, timeoutMs);
-    QSignalSpy lost(&panel.machine, &Machine::freshChanged);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Controller::State::Running, timeoutMs);
+    QSignalSpy lost(&panel.machine, &Controller::freshChanged);
     panel.link.simulateFaults({QStringLiteral("restart time=1600 limit=1")});
     QElapsedTimer sinceSilence;
     sinceSilence.start();
@@ -235,7 +235,7 @@ void TestLineTrouble::controllerRestartsWhileItRuns()
     qInfo("controller restarted in a silence of 1600 ms: connected and fresh %lld ms after it", tookMs);
     QVERIFY(tookMs < reconnectLimitMs);
     // Nothing was saved: it has no program now, and the panel reports it.
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Idle, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Controller::State::Idle, timeoutMs);
     QTRY_VERIFY_WITH_TIMEOUT(!panel.machine.active().isPresent, timeoutMs);
     verifyTrue(panel);
 }
@@ -270,7 +270,7 @@ void TestLineTrouble::tornDownloadGoesOn()
     QCOMPARE(panel.machine.active().name, panel.editor.recipeName());
     panel.editor.programDownload()->proof()->compare();
     QTRY_COMPARE_WITH_TIMEOUT(panel.editor.programDownload()->proof()->result(),
-                              machine::ProgramProof::Result::Equal, timeoutMs);
+                              panel::ProgramProof::Result::Equal, timeoutMs);
 }
 
 void TestLineTrouble::jogDiesWithItsPanel()

@@ -2,7 +2,7 @@
 // The correction of the mark sensor's distance over the whole line: campanel-controller with a misplaced
 // sensor, the panel's own classes, measurements of the simulated machine. Also taught marks.
 #include "app/link/threaded_link.h"
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/maintenance/service.h"
 #include "app/panel/settings/settings.h"
@@ -19,11 +19,11 @@
 namespace test_mark_wizard {
 
 using namespace campanel;
-using machine::Editor;
-using machine::Machine;
-using machine::MarkWizard;
-using machine::PackingLine;
-using machine::ProgramDownload;
+using panel::Controller;
+using panel::Editor;
+using panel::MarkWizard;
+using panel::PackingLine;
+using panel::ProgramDownload;
 using Step = MarkWizard::Step;
 
 namespace {
@@ -70,16 +70,16 @@ struct Panel {
     [[nodiscard]] bool measured(int bags)
     {
         if (!std::exchange(isRulerAsked, true))
-            link.readRuler();
+            link.measureSimulatedBag();
         return rulers.size() >= bags;
     }
 
     QTemporaryDir folder;
     link::ThreadedLink link{nullptr};
-    machine::Settings settings{folder.filePath(QStringLiteral("settings.ini")), nullptr};
-    Machine machine{link, settings, nullptr};
+    panel::Settings settings{folder.filePath(QStringLiteral("settings.ini")), nullptr};
+    Controller machine{link, settings, nullptr};
     Editor editor{machine, folder.path(), nullptr};
-    machine::Service service{machine, settings, folder.path(), nullptr};
+    panel::Service service{machine, settings, folder.path(), nullptr};
     QList<link::RulerOutcome> rulers;
     bool isRulerAsked = false;
 };
@@ -97,7 +97,7 @@ private slots:
         if (QTest::currentTestFailed())
             return;
         MarkWizard& wizard = *panel.service.packing()->wizard();
-        machine::PackingFields& fields = *panel.service.packing()->fields();
+        panel::PackingFields& fields = *panel.service.packing()->fields();
         wizard.restart();
         QTRY_VERIFY2_WITH_TIMEOUT(wizard.canGoOn(), qPrintable(wizard.blockedReason()), timeoutMs);
         QCOMPARE(fields.value("parameter.mark_distance"), 900.0);
@@ -105,7 +105,8 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(wizard.step(), Step::Measure, timeoutMs);
         while (wizard.measuredText().count(u'·') < MarkWizard::mostMeasured - 1) {
             const QString before = wizard.measuredText();
-            QTRY_VERIFY_WITH_TIMEOUT((wizard.readRuler(), wizard.measuredText() != before), timeoutMs);
+            QTRY_VERIFY_WITH_TIMEOUT((wizard.measureSimulatedBag(), wizard.measuredText() != before),
+                                     timeoutMs);
         }
         wizard.goOn();
         qInfo("measured %s; %s -> %s", qPrintable(wizard.measuredText()), qPrintable(wizard.oldText()),
@@ -137,7 +138,7 @@ private slots:
         panel.run();
         if (QTest::currentTestFailed())
             return;
-        machine::PackingSetup& setup = *panel.service.packing();
+        panel::PackingSetup& setup = *panel.service.packing();
         setup.open();
         QTRY_VERIFY_WITH_TIMEOUT(std::isfinite(setup.fields()->value("parameter.length_limit")), timeoutMs);
         setup.fields()->setOn(0, false);

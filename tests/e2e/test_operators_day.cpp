@@ -13,9 +13,9 @@
 namespace test_operators_day {
 
 using namespace campanel;
-using machine::Editor;
-using machine::Machine;
-using machine::ProgramDownload;
+using panel::Controller;
+using panel::Editor;
+using panel::ProgramDownload;
 using test::ControllerProcess;
 using test::PanelWindow;
 
@@ -65,13 +65,13 @@ class TestOperatorsDay : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { panel::applyFonts(); }
+    void initTestCase() { shell::applyFonts(); }
 
     void firstStart()
     {
         const ControllerProcess controller;
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
         waitForRecipes(panel, 1);
         panel.settings().beginFirstStart();
         panel.finger().settle();
@@ -116,7 +116,7 @@ private slots:
     {
         const ControllerProcess controller;
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
         waitForRecipes(panel, 1);
         panel.settings().beginFirstStart();
         panel.finger().settle();
@@ -147,7 +147,7 @@ private slots:
                  qPrintable(panel.texts()));
         QVERIFY(panel.finger().find("middleKey")); // Home, which the controller accepts now
         touch("startKey");
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Running, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Running, timeoutMs);
         QTRY_VERIFY_WITH_TIMEOUT(panel.machine().bags().count > 0, timeoutMs);
         QVERIFY2(touches <= 12, qPrintable(QString::number(touches)));
         QCOMPARE(panel.complaints(), QStringList());
@@ -175,7 +175,7 @@ private slots:
     {
         const ControllerProcess controller;
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
         waitForRecipes(panel, 1);
         panel.tap("nav4");
         panel.tap("recipeNew");
@@ -190,18 +190,18 @@ private slots:
         panel.tap("nav0");
         QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
         panel.tap("startKey");
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Running, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Running, timeoutMs);
         panel.tap("nav1");
         enter(panel, "field_bagLength", QStringLiteral("250"));
         download(panel);
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().active().bagLengthMm, 250.0, timeoutMs);
-        QCOMPARE(panel.machine().state(), Machine::State::Running);
+        QCOMPARE(panel.machine().state(), Controller::State::Running);
         QVERIFY2(panel.texts().contains(QStringLiteral("Downloaded. The machine runs with this recipe.")),
                  qPrintable(panel.texts()));
         // Both downloads are versions of it.
         QTRY_COMPARE_WITH_TIMEOUT(panel.panel().recipes().list()->rows().first().version, 3, timeoutMs);
         panel.tap("stopKey");
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Ready, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Ready, timeoutMs);
         QCOMPARE(panel.complaints(), QStringList());
     }
 
@@ -209,7 +209,7 @@ private slots:
     {
         ControllerProcess controller;
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
         controller.kill();
         QTRY_COMPARE_WITH_TIMEOUT(panel.panel().alarms().unacknowledged(), 1, timeoutMs);
         panel.tap("nav6");
@@ -220,7 +220,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(panel.panel().alarms().unacknowledged(), 0, timeoutMs);
         QVERIFY2(panel.texts().contains(QStringLiteral("Connection lost")), qPrintable(panel.texts()));
         controller.start();
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().connection(), Machine::Connection::Connected, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().connection(), Controller::Connection::Connected, timeoutMs);
         panel.finger().settle();
         QTRY_VERIFY2_WITH_TIMEOUT(!panel.texts().contains(QStringLiteral("Connection lost")),
                                   qPrintable(panel.texts()), timeoutMs);
@@ -234,10 +234,10 @@ private slots:
     {
         const ControllerProcess controller;
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
         waitForRecipes(panel, 1); // the database is open
-        machine::Access& access = panel.panel().access();
-        access.addUser(QStringLiteral("Anna"), machine::Access::Service, QStringLiteral("258036"));
+        panel::Access& access = panel.panel().access();
+        access.addUser(QStringLiteral("Anna"), panel::Access::Service, QStringLiteral("258036"));
         QTRY_VERIFY_WITH_TIMEOUT(access.loggedIn(), timeoutMs);
         access.logOut();
         panel.tap("nav1");
@@ -289,7 +289,7 @@ private slots:
     {
         const ControllerProcess controller;
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
         panel.tap("nav1");
         enter(panel, "field_bagLength", QStringLiteral("270"));
         panel.tap("field_rate");

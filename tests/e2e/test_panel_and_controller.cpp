@@ -20,12 +20,12 @@
 namespace test_panel_and_controller {
 
 using namespace campanel;
-using machine::Editor;
-using machine::Machine;
-using machine::PackingLine;
-using machine::ProgramDownload;
 using modbus::State;
 using modbus::StatusBlock;
+using panel::Controller;
+using panel::Editor;
+using panel::PackingLine;
+using panel::ProgramDownload;
 using test::ControllerProcess;
 using test::PanelWindow;
 
@@ -86,7 +86,7 @@ class TestPanelAndController : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { panel::applyFonts(); }
+    void initTestCase() { shell::applyFonts(); }
     void theMainJob();
     void theMasterIsTurnedRound();
     void aBusyPortIsTakenWhenItIsFree();
@@ -124,8 +124,8 @@ void TestPanelAndController::theMainJob()
     const ControllerProcess controller;
     {
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().connection(), Machine::Connection::Connected, timeoutMs);
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().connection(), Controller::Connection::Connected, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
         runLength(panel);
         if (!QTest::currentTestFailed())
             changeWhileItRuns(panel);
@@ -147,7 +147,7 @@ void TestPanelAndController::runLength(PanelWindow& panel)
     panel.tap("nav0");
     QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
     panel.tap("startKey");
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Running, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Running, timeoutMs);
     const double angle = panel.machine().live().knifeAngleDeg;
     QVERIFY(!std::isnan(angle));
     QTRY_VERIFY_WITH_TIMEOUT(std::abs(panel.machine().live().knifeAngleDeg - angle) > 10, timeoutMs);
@@ -158,7 +158,7 @@ void TestPanelAndController::runLength(PanelWindow& panel)
     QTRY_VERIFY2_WITH_TIMEOUT(std::abs(panel.machine().bags().lengthMm - 260) <
                                   panel.machine().bags().toleranceMm,
                               qPrintable(QString::number(panel.machine().bags().lengthMm)), timeoutMs);
-    QCOMPARE(panel.machine().state(), Machine::State::Running);
+    QCOMPARE(panel.machine().state(), Controller::State::Running);
 }
 
 void TestPanelAndController::changeWhileItRuns(PanelWindow& panel)
@@ -175,10 +175,10 @@ void TestPanelAndController::changeWhileItRuns(PanelWindow& panel)
     QTRY_VERIFY2_WITH_TIMEOUT(std::abs(panel.machine().bags().lengthMm - 300) <
                                   panel.machine().bags().toleranceMm,
                               qPrintable(QString::number(panel.machine().bags().lengthMm)), timeoutMs);
-    QCOMPARE(panel.machine().state(), Machine::State::Running);
+    QCOMPARE(panel.machine().state(), Controller::State::Running);
 
     panel.tap("stopKey");
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Ready, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Ready, timeoutMs);
     QVERIFY2(panel.machine().commandMessage().isEmpty(), qPrintable(panel.machine().commandMessage()));
     QVERIFY2(panel.machine().alarmText().isEmpty(), qPrintable(panel.machine().alarmText()));
 
@@ -216,7 +216,7 @@ void TestPanelAndController::lookFromOutsideAndAgain(const QString& port)
     QCOMPARE(panel.machine().active().name, outside["program"]["name"].toString());
     QCOMPARE(panel.machine().active().version, outside["program"]["version"].toDouble());
     QCOMPARE(panel.machine().generation(), 2.0);
-    QCOMPARE(panel.machine().state(), Machine::State::Ready);
+    QCOMPARE(panel.machine().state(), Controller::State::Ready);
     panel.tap("nav1");
     QVERIFY2(panel.texts().contains("generation 2"), qPrintable(panel.texts()));
     QCOMPARE(panel.complaints(), QStringList());
@@ -225,17 +225,17 @@ void TestPanelAndController::lookFromOutsideAndAgain(const QString& port)
 // During a run, by a touch; a later panel displays the controller's value.
 void TestPanelAndController::theMasterIsTurnedRound()
 {
-    using Way = machine::MasterDirection::Way;
+    using Way = panel::MasterDirection::Way;
     const ControllerProcess controller;
     {
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
         panel.editor().newProgram(static_cast<int>(profile::ProgramKind::PointCam));
         panel.tap("nav1");
         download(panel);
         if (QTest::currentTestFailed())
             return;
-        const machine::MasterDirection& direction = *panel.machine().direction();
+        const panel::MasterDirection& direction = *panel.machine().direction();
         QTRY_COMPARE_WITH_TIMEOUT(direction.way(), Way::Forward, timeoutMs);
         panel.tap("nav0");
         QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
@@ -244,7 +244,7 @@ void TestPanelAndController::theMasterIsTurnedRound()
         QTRY_VERIFY_WITH_TIMEOUT(panel.texts().contains("runs forward"), timeoutMs);
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().live().masterSpeedPercent, 100.0, timeoutMs);
         bool hasTurned = false;
-        QObject::connect(&direction, &machine::MasterDirection::changed, &panel.machine(),
+        QObject::connect(&direction, &panel::MasterDirection::changed, &panel.machine(),
                          [&] { hasTurned |= direction.turning(); });
         const std::size_t before = panel.statuses().size();
         panel.tap("directionBackward");
@@ -268,7 +268,7 @@ void TestPanelAndController::theMasterIsTurnedRound()
     QTRY_COMPARE_WITH_TIMEOUT(later.machine().direction()->way(), Way::Backward, timeoutMs);
     QTRY_VERIFY_WITH_TIMEOUT(later.texts().contains("runs backward"), timeoutMs);
     later.tap("stopKey");
-    QTRY_COMPARE_WITH_TIMEOUT(later.machine().state(), Machine::State::Ready, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(later.machine().state(), Controller::State::Ready, timeoutMs);
     QTRY_VERIFY_WITH_TIMEOUT(later.texts().contains("starts backward"), timeoutMs);
     QCOMPARE(later.statuses().back().commandedPositionPulses, 0); // a closed cam ends where it began
     later.tap("directionForward");
@@ -280,32 +280,32 @@ void TestPanelAndController::aBusyPortIsTakenWhenItIsFree()
 {
     const ControllerProcess controller;
     auto first = std::make_unique<PanelWindow>(controller.port());
-    QTRY_COMPARE_WITH_TIMEOUT(first->machine().connection(), Machine::Connection::Connected, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(first->machine().connection(), Controller::Connection::Connected, timeoutMs);
     PanelWindow second(controller.port());
-    QTRY_COMPARE_WITH_TIMEOUT(second.machine().connection(), Machine::Connection::PortProblem, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(second.machine().connection(), Controller::Connection::PortProblem, timeoutMs);
     QTRY_VERIFY_WITH_TIMEOUT(second.texts().contains("in use by another program. Close that program"),
                              timeoutMs);
-    QCOMPARE(first->machine().connection(), Machine::Connection::Connected);
+    QCOMPARE(first->machine().connection(), Controller::Connection::Connected);
     first.reset();
-    QTRY_COMPARE_WITH_TIMEOUT(second.machine().connection(), Machine::Connection::Connected, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(second.machine().connection(), Controller::Connection::Connected, timeoutMs);
 }
 
 void TestPanelAndController::badPorts_data()
 {
     QTest::addColumn<QString>("port");
-    QTest::addColumn<Machine::Connection>("connection");
+    QTest::addColumn<Controller::Connection>("connection");
     QTest::addColumn<QString>("words");
     // It may still be plugged in: the panel keeps searching.
-    QTest::newRow("absent") << "/dev/ttyNONE7" << Machine::Connection::Searching
+    QTest::newRow("absent") << "/dev/ttyNONE7" << Controller::Connection::Searching
                             << "There is no port /dev/ttyNONE7. Plug the adapter in, or choose another port";
-    QTest::newRow("no serial port") << "/dev/null" << Machine::Connection::PortProblem
+    QTest::newRow("no serial port") << "/dev/null" << Controller::Connection::PortProblem
                                     << "/dev/null is not a serial port. Choose another port";
 }
 
 void TestPanelAndController::badPorts()
 {
     QFETCH(QString, port);
-    QFETCH(Machine::Connection, connection);
+    QFETCH(Controller::Connection, connection);
     QFETCH(QString, words);
     PanelWindow panel(port);
     QTRY_VERIFY2_WITH_TIMEOUT(panel.texts().contains(words), qPrintable(panel.texts()), timeoutMs);
@@ -318,11 +318,11 @@ void TestPanelAndController::otherDevices_data()
 {
     QTest::addColumn<int>("deviceType");
     QTest::addColumn<bool>("answers");
-    QTest::addColumn<Machine::Connection>("connection");
+    QTest::addColumn<Controller::Connection>("connection");
     QTest::addColumn<QString>("words");
-    QTest::newRow("another device") << 0x1234 << true << Machine::Connection::WrongDevice
+    QTest::newRow("another device") << 0x1234 << true << Controller::Connection::WrongDevice
                                     << "is not a CamPanel controller. Choose another port or unit number.";
-    QTest::newRow("nobody") << 0xCA3D << false << Machine::Connection::Connecting
+    QTest::newRow("nobody") << 0xCA3D << false << Controller::Connection::Connecting
                             << "Check cable, power, baud rate, parity and unit number.";
 }
 
@@ -330,7 +330,7 @@ void TestPanelAndController::otherDevices()
 {
     QFETCH(int, deviceType);
     QFETCH(bool, answers);
-    QFETCH(Machine::Connection, connection);
+    QFETCH(Controller::Connection, connection);
     QFETCH(QString, words);
     test::ScriptedSlave device;
     device.setRegister(0, static_cast<std::uint16_t>(deviceType));

@@ -14,7 +14,7 @@
 namespace test_service_and_controller {
 
 using namespace campanel;
-using machine::Machine;
+using panel::Controller;
 using test::ControllerProcess;
 using test::PanelWindow;
 
@@ -24,8 +24,8 @@ constexpr int timeoutMs = 20'000;
 
 QString rampTime(PanelWindow& panel)
 {
-    const machine::RegisterModel& registers = *panel.service().inspector()->registers();
-    return registers.data(registers.index(2), machine::RegisterModel::ValueRole).toString();
+    const panel::RegisterModel& registers = *panel.service().inspector()->registers();
+    return registers.data(registers.index(2), panel::RegisterModel::ValueRole).toString();
 }
 
 } // namespace
@@ -34,13 +34,13 @@ class TestServiceAndController : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { panel::applyFonts(); }
+    void initTestCase() { shell::applyFonts(); }
 
     void aParameterIsWrittenAndSeenOnTheWire()
     {
         ControllerProcess controller;
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
         for (const char* name :
              {"nav3", "serviceLine", "service2", "registerGroup", "choice_parameter", "register2"})
             panel.tap(name);
@@ -53,18 +53,18 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(rampTime(panel), "900 ms", timeoutMs);
 
         panel.tap("service1");
-        const machine::LineFigures& figures = *panel.service().figures();
+        const panel::LineFigures& figures = *panel.service().figures();
         QTRY_VERIFY_WITH_TIMEOUT(!figures.stripAnswers().isEmpty(), timeoutMs);
         QVERIFY(figures.stripAnswers().last() > 0);
         QVERIFY(panel.service().figures()->times()->rows()[2].value.endsWith(" ms"));
 
         panel.tap("service3");
         panel.tap("framesWrites");
-        machine::FrameList& frames = *panel.service().frames();
+        panel::FrameList& frames = *panel.service().frames();
         QTRY_VERIFY_WITH_TIMEOUT(frames.count() >= 2, timeoutMs);
-        QCOMPARE(frames.data(frames.index(0), machine::FrameList::WordsRole).toString(),
+        QCOMPARE(frames.data(frames.index(0), panel::FrameList::WordsRole).toString(),
                  "Write parameter.ramp_time = 900 ms");
-        QCOMPARE(frames.data(frames.index(1), machine::FrameList::WordsRole).toString(), "Answer: done");
+        QCOMPARE(frames.data(frames.index(1), panel::FrameList::WordsRole).toString(), "Answer: done");
         QCOMPARE(panel.complaints(), QStringList());
     }
 
@@ -72,23 +72,23 @@ private slots:
     {
         ControllerProcess controller;
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
         for (const char* name : {"nav3", "serviceMachine", "serviceJog"})
             panel.tap(name);
-        machine::Jog& jog = *panel.service().jog();
+        panel::Jog& jog = *panel.service().jog();
         QTRY_COMPARE_WITH_TIMEOUT(jog.speed()->frequencyHz(), 1000.0, timeoutMs);
         panel.finger().touch(QStringLiteral("jogForward"));
         QTRY_VERIFY_WITH_TIMEOUT(jog.positionPulses() > 500, timeoutMs); // longer than the validity of a key
-        QCOMPARE(panel.machine().state(), Machine::State::Jogging);
+        QCOMPARE(panel.machine().state(), Controller::State::Jogging);
         panel.finger().lift();
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
         const double stoodAt = jog.positionPulses();
 
         // The page disappears under the finger.
         panel.finger().touch(QStringLiteral("jogReverse"));
         QTRY_VERIFY_WITH_TIMEOUT(jog.positionPulses() < stoodAt - 300, timeoutMs);
         QMetaObject::invokeMethod(panel.finger().frame(), "openPage", Q_ARG(int, 0));
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
         panel.finger().lift();
         QCOMPARE(panel.complaints(), QStringList());
     }
@@ -97,22 +97,23 @@ private slots:
     {
         ControllerProcess controller;
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Machine::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
         for (const char* name : {"nav3", "serviceLine", "service0", "doctorDiagnose"})
             panel.tap(name);
-        const machine::LinkDoctor& doctor = *panel.service().doctor();
+        const panel::LinkDoctor& doctor = *panel.service().doctor();
         QTRY_VERIFY_WITH_TIMEOUT(doctor.resultText().startsWith("The connection in use works"), timeoutMs);
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().connection(), Machine::Connection::Connected, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().connection(), Controller::Connection::Connected, timeoutMs);
 
-        machine::ConnectionChoice wrong = panel.settings().connection();
+        panel::ConnectionChoice wrong = panel.settings().connection();
         wrong.unit = 9;
         panel.settings().overrideConnection(wrong);
-        QTRY_VERIFY_WITH_TIMEOUT(panel.machine().connection() != Machine::Connection::Connected, timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.machine().connection() != Controller::Connection::Connected,
+                                 timeoutMs);
         panel.tap("doctorDiagnose");
         QTRY_VERIFY_WITH_TIMEOUT(doctor.canTake(), timeoutMs);
         panel.tap("doctorTake");
         QCOMPARE(panel.settings().connection().unit, 1);
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().connection(), Machine::Connection::Connected, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().connection(), Controller::Connection::Connected, timeoutMs);
         QCOMPARE(panel.complaints(), QStringList());
     }
 };

@@ -156,7 +156,7 @@ const QList<Rule>& importRules()
         const QStringList base{u"QtQml"_s, u"QtQuick(\\.(Window|Templates|Layouts))?"_s};
         QList<Rule> all{{u"qml/Theme"_s, base},
                         {u"qml/Controls"_s, base + QStringList{u"CamPanel\\.(Theme|Controls)"_s}}};
-        QStringList lower = base + QStringList{u"CamPanel\\.(Theme|Controls|Machine|Plot)"_s};
+        QStringList lower = base + QStringList{u"CamPanel\\.(Theme|Controls|Panel|Plot)"_s};
         for (const QStringList& level : qmlLevels()) {
             for (const QString& room : level)
                 all.append({u"qml/"_s + room, lower});

@@ -93,7 +93,7 @@ int idOf(Stage& stage, const QString& name)
 
 void logIn(Stage& stage, const QString& name, const QString& pin)
 {
-    machine::Access& access = stage.panel().access();
+    panel::Access& access = stage.panel().access();
     access.choose(idOf(stage, name));
     access.login(pin);
     waitUntil([&access] { return !access.busy(); });
@@ -149,7 +149,7 @@ void openTrail(Stage& stage)
     stage.tap(u"nav2"_s);
     stage.tap(u"sectionUsers"_s);
     stage.tap(u"auditButton"_s);
-    machine::Audit& audit = stage.panel().audit();
+    panel::Audit& audit = stage.panel().audit();
     waitUntil([&audit] { return !audit.busy() && !audit.checking(); });
     stage.settle();
 }

@@ -39,9 +39,9 @@ QList<AlarmRow> demoLog()
 // Waits for the first page.
 void waitForHistory(Stage& stage)
 {
-    machine::AlarmHistory& history = *stage.panel().alarms().history();
+    panel::AlarmHistory& history = *stage.panel().alarms().history();
     QEventLoop untilRead;
-    QObject::connect(&history, &machine::AlarmHistory::changed, &untilRead, [&] {
+    QObject::connect(&history, &panel::AlarmHistory::changed, &untilRead, [&] {
         if (!history.loading())
             untilRead.quit();
     });

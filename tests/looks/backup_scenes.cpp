@@ -23,14 +23,14 @@ void openBackup(Stage& stage)
 
 void waitUntilIdle(Stage& stage)
 {
-    stage.waitUntil(stage.panel().backup(), &machine::Backup::changed,
-                    [](const machine::Backup& backup) { return !backup.busy(); });
+    stage.waitUntil(stage.panel().backup(), &panel::Backup::changed,
+                    [](const panel::Backup& backup) { return !backup.busy(); });
 }
 
 // Creates a backup of this panel and an invalid file in a folder of their own.
 void fillStick(Stage& stage)
 {
-    machine::Backup& backup = stage.panel().backup();
+    panel::Backup& backup = stage.panel().backup();
     const QString folder = QFileInfo(backup.ownFolder()).dir().filePath(u"stick"_s);
     QDir().mkpath(folder);
     backup.setLooker([folder](const QString&) {
@@ -85,8 +85,8 @@ QList<Scene> backupScenes()
                  });
                  openBackup(stage);
                  stage.tap(u"bundleMake"_s);
-                 stage.waitUntil(stage.panel().bundle(), &machine::ServiceBundle::offered,
-                                 [](const machine::ServiceBundle& bundle) { return !bundle.busy(); });
+                 stage.waitUntil(stage.panel().bundle(), &panel::ServiceBundle::offered,
+                                 [](const panel::ServiceBundle& bundle) { return !bundle.busy(); });
                  stage.waitFor(*stage.panel().service().files());
              }},
             {u"restore-none"_s,

@@ -14,7 +14,7 @@ namespace campanel::looks {
 class Finger {
 public:
     // The panel must outlive the object and be loaded before any call.
-    explicit Finger(panel::Panel& panel)
+    explicit Finger(shell::Panel& panel)
         : m_panel(panel)
     {
     }
@@ -42,13 +42,13 @@ public:
     [[nodiscard]] QImage grab();
 
 protected:
-    void complain(const QString& complaint) { m_complaints += complaint; }
+    void reportError(const QString& complaint) { m_complaints += complaint; }
 
 private:
     void press(const QString& name, int holdMs);
     void press(QQuickItem& item, int holdMs);
 
-    panel::Panel& m_panel;
+    shell::Panel& m_panel;
     QPointF m_place; // of a finger that is down
     QStringList m_complaints;
 };

@@ -49,7 +49,7 @@ auto selected(const QCommandLineParser& parser, const QString& option, const QSt
 // Returns false after naming the packages that are missing.
 bool hasFonts()
 {
-    const QStringList missing = panel::missingFonts();
+    const QStringList missing = shell::missingFonts();
     for (const QString& sentence : missing)
         std::fprintf(stderr, "campanel-looks: %s\n", qPrintable(sentence));
     return missing.isEmpty();
@@ -93,7 +93,7 @@ int main(int argc, char* argv[])
     const auto scenes =
         selected(parser, QStringLiteral("scenes"), QStringLiteral("run"), &looks::scenesNamed);
 
-    panel::applyFonts();
+    shell::applyFonts();
     if (!hasFonts())
         return EXIT_FAILURE;
     if (!parser.isSet(capture))

@@ -10,7 +10,7 @@ namespace campanel::looks {
 
 namespace {
 
-using Step = machine::MarkWizard::Step;
+using Step = panel::MarkWizard::Step;
 
 // The controller's report of the line, as registers.
 class Packer {
@@ -40,7 +40,7 @@ Packer following()
     Packer packer;
     packer.set("packer.mark_state", static_cast<double>(modbus::MarkState::Tracking));
     packer.set("packer.bag_number", 12480);
-    packer.set("packer.teach_marks", machine::PackingSetup::marksToTeach);
+    packer.set("packer.teach_marks", panel::PackingSetup::marksToTeach);
     packer.set("packer.teach_pitch", 250.31);
     packer.set("packer.teach_scatter", 0.08);
     return packer;
@@ -85,11 +85,11 @@ void openWizard(Stage& stage, Step step)
 {
     openSection(stage);
     stage.tap(QStringLiteral("packingWizard"));
-    machine::MarkWizard& wizard = *stage.panel().service().packing()->wizard();
+    panel::MarkWizard& wizard = *stage.panel().service().packing()->wizard();
     double bags = 12480;
     if (step != Step::Explain) {
         wizard.goOn();
-        showValues(stage, bags += step == Step::Cutting ? 2 : machine::MarkWizard::bagsToCut);
+        showValues(stage, bags += step == Step::Cutting ? 2 : panel::MarkWizard::bagsToCut);
     }
     if (step == Step::Explain || step == Step::Cutting)
         return;

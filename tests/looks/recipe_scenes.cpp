@@ -9,7 +9,7 @@ namespace campanel::looks {
 
 namespace {
 
-using machine::Recipes;
+using panel::Recipes;
 
 struct Kept {
     const char* name;
@@ -87,7 +87,7 @@ QList<store::RecipeOffer> recipesOnStick(const QString& /*ownFolder*/)
 Scene importing(const char* name, const QString& tapped)
 {
     return {QString::fromLatin1(name), [tapped](Stage& stage) {
-                machine::RecipeFiles& files = *stage.panel().recipes().files();
+                panel::RecipeFiles& files = *stage.panel().recipes().files();
                 files.setLooker(&recipesOnStick);
                 openLibrary(stage, {QStringLiteral("recipeImport")});
                 stage.waitFor(files);
@@ -102,12 +102,12 @@ Scene versions(const char* name, const QString& tapped)
                 openLibrary(stage);
                 const auto& rows = stage.panel().recipes().list()->rows();
                 const auto row =
-                    std::ranges::find(rows, QStringLiteral("Chocolate bar 120"), &machine::RecipeRow::name);
+                    std::ranges::find(rows, QStringLiteral("Chocolate bar 120"), &panel::RecipeRow::name);
                 stage.panel().recipes().choose(static_cast<int>(row - rows.begin()));
-                machine::OfferModel& candidates = *stage.panel().recipes().candidates();
+                panel::OfferModel& candidates = *stage.panel().recipes().candidates();
                 stage.tap(QStringLiteral("recipeVersions"));
-                stage.waitUntil(candidates, &machine::OfferModel::countChanged,
-                                [](const machine::OfferModel& model) { return model.count() == 3; });
+                stage.waitUntil(candidates, &panel::OfferModel::countChanged,
+                                [](const panel::OfferModel& model) { return model.count() == 3; });
                 stage.tap(tapped);
             }};
 }

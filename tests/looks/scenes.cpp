@@ -95,9 +95,9 @@ Scene edited(const char* name, double bagLengthMm, const QStringList& names)
 }
 
 // Returns two files on a simulated stick with their dates, and the panel's own folder.
-machine::KnotFiles::Found knotsOnStick(const QString&)
+panel::KnotFiles::Found knotsOnStick(const QString&)
 {
-    machine::KnotFiles::Found found;
+    panel::KnotFiles::Found found;
     const QString path = QStringLiteral("/media/panel/KINGSTON");
     found.places = {{path, QStringLiteral("KINGSTON"), false},
                     {QStringLiteral("/media/panel/OLD"), QStringLiteral("OLD"), true}};
@@ -122,7 +122,7 @@ Scene knotFiles(const char* name, const QStringList& names)
 {
     return {QString::fromLatin1(name), [names](Stage& stage) {
                 stage.link().show(Situation::Running, Kind::PointCam);
-                machine::Editor& editor = stage.panel().editor();
+                panel::Editor& editor = stage.panel().editor();
                 editor.newProgram(static_cast<int>(Kind::PointCam));
                 editor.knotFiles()->setLooker(&knotsOnStick);
                 for (const char* tapped : {"nav1", "knotsButton", "knotFilesButton"})
@@ -161,7 +161,7 @@ Scene searched(const char* name, bool isFound)
 Scene reportPlaces(const char* name)
 {
     return {QString::fromLatin1(name), [](Stage& stage) {
-                machine::ReportFiles& files = *stage.panel().service().files();
+                panel::ReportFiles& files = *stage.panel().service().files();
                 files.setLooker([](const QString& folder) {
                     return QList<store::Place>{
                         {QStringLiteral("/media/panel/KINGSTON"), QStringLiteral("KINGSTON"), false},
@@ -253,7 +253,7 @@ const QList<Scene>& allScenes()
                  if (!file.open(QIODevice::WriteOnly) || file.write("100") < 0)
                      qWarning("the demonstration's backlight cannot be written");
              }
-             stage.panel().display().setBacklight(machine::Backlight::find(folder));
+             stage.panel().display().setBacklight(panel::Backlight::find(folder));
              stage.tap(settings);
              stage.tap(QStringLiteral("section0"));
              stage.tap(QStringLiteral("sectionSystem"));
@@ -470,7 +470,7 @@ QList<Scene> scenesNamed(const QString& patterns)
 void enterScene(Stage& stage, const Scene& scene)
 {
     auto& editor = stage.panel().editor();
-    machine::Display& display = stage.panel().display();
+    panel::Display& display = stage.panel().display();
     while (display.wipeSeconds() > 0) // no taps during cleaning
         display.tick();
     stage.closeDialogs();

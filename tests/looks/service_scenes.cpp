@@ -51,7 +51,7 @@ Scene dryRun(const char* name, Kind kind, double turnedDeg)
     return {QString::fromLatin1(name), [kind, turnedDeg](Stage& stage) {
                 openMachineSection(stage, "serviceDryRun", Situation::Stopped);
                 stage.panel().editor().newProgram(static_cast<int>(kind));
-                machine::DryRun& run = *stage.panel().service().dryRun();
+                panel::DryRun& run = *stage.panel().service().dryRun();
                 run.toStart();
                 run.turn(turnedDeg);
             }};

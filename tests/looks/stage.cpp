@@ -2,7 +2,7 @@
 // A panel on the demonstration link; see stage.h.
 #include "tests/looks/stage.h"
 
-#include "app/panel/settings/system_facts.h"
+#include "app/panel/settings/network_info.h"
 
 #include <QTimeZone>
 
@@ -36,8 +36,8 @@ Stage::Stage(const Look& look)
     , m_longTexts(longTextsFor(look))
     , m_panel(m_link, {m_folder.filePath(QStringLiteral("settings.ini")), m_folder.path()})
 {
-    machine::SystemFacts::fix({QDateTime(QDate(2026, 1, 15), QTime(14, 7), QTimeZone::utc()),
-                               {QStringLiteral("eth0: 192.168.1.20, fe80::2e0:4cff:fe68:1")}});
+    panel::NetworkInfo::fix({QDateTime(QDate(2026, 1, 15), QTime(14, 7), QTimeZone::utc()),
+                             {QStringLiteral("eth0: 192.168.1.20, fe80::2e0:4cff:fe68:1")}});
     m_panel.settings().overrideLanguage(look.isLong() ? QStringLiteral("en") : look.language);
     m_panel.settings().overrideTheme(look.theme);
     m_panel.settings().overrideGloves(look.gloves);
@@ -61,8 +61,8 @@ Stage::Stage(const Look& look)
     settle(); // the first frame comes before the first data, as on a machine
     m_panel.machine().open();
     m_panel.records().open();
-    waitUntil(m_panel.recipes(), &machine::Recipes::listChanged,
-              [](const machine::Recipes& recipes) { return recipes.ready(); });
+    waitUntil(m_panel.recipes(), &panel::Recipes::listChanged,
+              [](const panel::Recipes& recipes) { return recipes.ready(); });
 }
 
 void Stage::tap(const QString& name)
@@ -94,7 +94,7 @@ template <typename Files> void Stage::waitUntilIdle(Files& files)
     waitUntil(files, &Files::changed, [](const Files& each) { return !each.busy(); });
 }
 
-void Stage::waitFor(machine::KnotFiles& files)
+void Stage::waitFor(panel::KnotFiles& files)
 {
     waitUntilIdle(files);
 }
@@ -111,12 +111,12 @@ void Stage::waitForTrends()
     settle();
 }
 
-void Stage::waitFor(machine::ReportFiles& files)
+void Stage::waitFor(panel::ReportFiles& files)
 {
     waitUntilIdle(files);
 }
 
-void Stage::waitFor(machine::RecipeFiles& files)
+void Stage::waitFor(panel::RecipeFiles& files)
 {
     waitUntilIdle(files);
 }

@@ -29,7 +29,7 @@ public:
     // Returns false when the window could not be loaded.
     [[nodiscard]] bool isReady() const { return m_isReady; }
     [[nodiscard]] DemoLink& link() { return m_link; }
-    [[nodiscard]] panel::Panel& panel() { return m_panel; }
+    [[nodiscard]] shell::Panel& panel() { return m_panel; }
 
     using Finger::tap;
     // Taps an item, also one behind a menu. A page without a key in the navigation, as in glove mode on a
@@ -39,11 +39,11 @@ public:
     // Updates the age of the machine's data, as its timer does every tenth of a real second.
     void lookAtClock();
     // Waits until the search has ended.
-    void waitFor(machine::KnotFiles& files);
-    void waitFor(machine::ReportFiles& files);
+    void waitFor(panel::KnotFiles& files);
+    void waitFor(panel::ReportFiles& files);
     // Waits until all requested trends are read; their store must be open.
     void waitForTrends();
-    void waitFor(machine::RecipeFiles& files);
+    void waitFor(panel::RecipeFiles& files);
 
     // Waits until `condition` holds; checks it whenever the object emits that signal.
     template <typename Object, typename Signal, typename Condition>
@@ -59,7 +59,7 @@ public:
         if (!condition(object))
             untilTrue.exec();
         if (!condition(object))
-            complain(QStringLiteral("what was waited for did not come"));
+            reportError(QStringLiteral("what was waited for did not come"));
         settle();
     }
 
@@ -69,7 +69,7 @@ private:
     QTemporaryDir m_folder;
     std::unique_ptr<LongTexts> m_longTexts; // installed before the panel has any text
     DemoLink m_link{nullptr};
-    panel::Panel m_panel;
+    shell::Panel m_panel;
     bool m_isReady = false;
 };
 

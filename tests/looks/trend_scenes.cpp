@@ -115,7 +115,7 @@ using Change = tl::expected<void, store::StoreError> (*)(store::Database&);
 
 void change(Stage& stage, Change change)
 {
-    machine::Trends& trends = stage.panel().trends();
+    panel::Trends& trends = stage.panel().trends();
     bool isDone = false;
     trends.store().run(
         &trends,
@@ -131,9 +131,9 @@ void change(Stage& stage, Change change)
 
 // Opens the page with these quantities over the last ten minutes.
 void openPage(Stage& stage,
-              const QList<int>& quantities = {machine::Trends::Deviation, machine::Trends::MarkError})
+              const QList<int>& quantities = {panel::Trends::Deviation, panel::Trends::MarkError})
 {
-    machine::Trends& trends = stage.panel().trends();
+    panel::Trends& trends = stage.panel().trends();
     stage.tap(QStringLiteral("nav0"));
     trends.open();
     for (const int quantity : quantities) {
@@ -153,7 +153,7 @@ void openPage(Stage& stage,
 }
 
 void openFilled(Stage& stage,
-                const QList<int>& quantities = {machine::Trends::Deviation, machine::Trends::MarkError})
+                const QList<int>& quantities = {panel::Trends::Deviation, panel::Trends::MarkError})
 {
     openPage(stage, quantities);
     change(stage, fill);
@@ -190,8 +190,8 @@ QList<Scene> trendScenes()
              }},
             {QStringLiteral("trends-three"),
              [](Stage& stage) {
-                 openFilled(stage, {machine::Trends::BagLength, machine::Trends::FollowingError,
-                                    machine::Trends::Latency});
+                 openFilled(stage, {panel::Trends::BagLength, panel::Trends::FollowingError,
+                                    panel::Trends::Latency});
              }},
             {QStringLiteral("trends-cursor"),
              [](Stage& stage) {
@@ -200,7 +200,7 @@ QList<Scene> trendScenes()
              }},
             {QStringLiteral("trends-week"),
              [](Stage& stage) {
-                 openFilled(stage, {machine::Trends::Deviation});
+                 openFilled(stage, {panel::Trends::Deviation});
                  tapAll(stage, {"span7d"});
              }},
             {QStringLiteral("trends-nothing-here"),
@@ -216,7 +216,7 @@ QList<Scene> trendScenes()
                  tapAll(stage, {"trendCurves"});
              }},
             {QStringLiteral("trends-export"), [](Stage& stage) {
-                 machine::ReportFiles& files = *stage.panel().service().files();
+                 panel::ReportFiles& files = *stage.panel().service().files();
                  files.setLooker([](const QString&) {
                      return QList<store::Place>{
                          {QStringLiteral("/media/panel/KINGSTON"), QStringLiteral("KINGSTON"), false}};

@@ -36,7 +36,7 @@ protected:
     }
 
 private slots:
-    void initTestCase() { panel::applyFonts(); }
+    void initTestCase() { shell::applyFonts(); }
     void init()
     {
         m_stage = std::make_unique<looks::Stage>(

@@ -153,7 +153,7 @@ private slots:
         tap("service1");
         m_stage->hold(QStringLiteral("figuresTimes"));
         const auto& latency = m_stage->panel().service().figures()->report()->figures.latency();
-        const auto told = m_stage->panel().explanations().of(machine::Explanations::Answers99);
+        const auto told = m_stage->panel().explanations().of(panel::Explanations::Answers99);
         QCOMPARE(told.value.toDouble(),
                  std::round(static_cast<double>(latency.percentile(0.99).count()) / 100.0) / 10);
         const auto rank = static_cast<qulonglong>(std::ceil(0.99 * static_cast<double>(latency.count())));
@@ -172,13 +172,13 @@ private slots:
     {
         m_stage->link().show(looks::DemoLink::Situation::Empty);
         m_stage->settle();
-        const machine::Explanations& explanations = m_stage->panel().explanations();
-        for (int quantity = machine::Explanations::Rate; quantity <= machine::Explanations::AnswerAllowance;
+        const panel::Explanations& explanations = m_stage->panel().explanations();
+        for (int quantity = panel::Explanations::Rate; quantity <= panel::Explanations::AnswerAllowance;
              ++quantity) {
-            if (quantity >= machine::Explanations::FastestRate &&
-                quantity <= machine::Explanations::PeakFrequency)
+            if (quantity >= panel::Explanations::FastestRate &&
+                quantity <= panel::Explanations::PeakFrequency)
                 continue; // of the recipe, thus known
-            const machine::Explanation told = explanations.of(quantity);
+            const panel::Explanation told = explanations.of(quantity);
             QVERIFY(!told.title.isEmpty() && !told.meaning.isEmpty() && !told.formula.isEmpty());
             QVERIFY2(told.numbers.isEmpty(), qPrintable(told.text()));
             QVERIFY2(!told.text().contains(QStringLiteral("nan")), qPrintable(told.text()));

@@ -14,14 +14,14 @@
 namespace test_panel {
 
 using Kind = campanel::looks::DemoLink::Kind;
-namespace machine = campanel::machine;
+namespace panel = campanel::panel;
 
 class TestPanel : public campanel::test::PanelTest {
     Q_OBJECT
 
-    QList<double> knots(machine::KnotModel::Role role)
+    QList<double> knots(panel::KnotModel::Role role)
     {
-        const machine::KnotModel* model = editor().knots();
+        const panel::KnotModel* model = editor().knots();
         QList<double> values;
         for (int row = 0; row < model->rowCount(); ++row)
             values << QLocale().toDouble(model->data(model->index(row), role).toString());
@@ -160,17 +160,17 @@ private slots:
     {
         editor().newProgram(4);
         tap("nav1");
-        const QList<double> before = knots(machine::KnotModel::SlaveTextRole);
+        const QList<double> before = knots(panel::KnotModel::SlaveTextRole);
         const QPoint handle = centerOf(QStringLiteral("handle1"));
         QTest::mousePress(&m_stage->window(), Qt::LeftButton, {}, handle);
         QTest::mouseMove(&m_stage->window(), handle - QPoint(0, 8));
         QTest::mouseMove(&m_stage->window(), handle - QPoint(0, 16));
         QTest::mouseRelease(&m_stage->window(), Qt::LeftButton, {}, handle - QPoint(0, 16));
-        const QList<double> after = knots(machine::KnotModel::SlaveTextRole);
+        const QList<double> after = knots(panel::KnotModel::SlaveTextRole);
         QVERIFY2(after[1] > before[1] + 1, "a finger that goes up lifts the knot");
         QCOMPARE(after[2], before[2]);
         tap("undo");
-        QCOMPARE(knots(machine::KnotModel::SlaveTextRole), before);
+        QCOMPARE(knots(panel::KnotModel::SlaveTextRole), before);
     }
 
     void knotsAreAddedRemovedAndRepaired()
@@ -182,7 +182,7 @@ private slots:
         tap("knot1");
         tap("knotInsert");
         QCOMPARE(editor().knots()->count(), 6);
-        QCOMPARE(knots(machine::KnotModel::MasterTextRole)[2], 135.0);
+        QCOMPARE(knots(panel::KnotModel::MasterTextRole)[2], 135.0);
         tap("knotRemove");
         QCOMPARE(editor().knots()->count(), 5);
         QVERIFY(!m_stage->find(QStringLiteral("knotRemove"))->isEnabled());
@@ -202,10 +202,10 @@ private slots:
         file.write("master_deg,slave_mm\n0,0\n60,3\n120,9\n200,8\n300,1\n360,0\n");
         file.close();
         editor().newProgram(4);
-        machine::KnotFiles& files = *editor().knotFiles();
+        panel::KnotFiles& files = *editor().knotFiles();
         files.setLooker([path = stick.path()](const QString&) {
             const QList<campanel::store::Place> places{{path, QStringLiteral("STICK"), false}};
-            return machine::KnotFiles::Found{places, campanel::store::offeredKnots(places)};
+            return panel::KnotFiles::Found{places, campanel::store::offeredKnots(places)};
         });
         tap("nav1");
         tap("knotsButton");
@@ -239,15 +239,14 @@ private slots:
         editor().rate()->set(390);
         tap("nav1");
         tap("lawButton");
-        const machine::LawModel& laws = *editor().laws();
+        const panel::LawModel& laws = *editor().laws();
         QString lawId;
         for (int row = 0; row < laws.count() && lawId.isEmpty(); ++row) {
-            const auto role = [&](machine::LawModel::Role wanted) {
+            const auto role = [&](panel::LawModel::Role wanted) {
                 return laws.data(laws.index(row), wanted);
             };
-            if (!role(machine::LawModel::UsableRole).toBool() &&
-                !role(machine::LawModel::CurrentRole).toBool())
-                lawId = role(machine::LawModel::LawIdRole).toString();
+            if (!role(panel::LawModel::UsableRole).toBool() && !role(panel::LawModel::CurrentRole).toBool())
+                lawId = role(panel::LawModel::LawIdRole).toString();
         }
         QVERIFY2(!lawId.isEmpty(), "no law breaks a limit");
         const QString before = editor().lawName();

@@ -8,7 +8,7 @@
 
 namespace test_panel_access {
 
-using Access = campanel::machine::Access;
+using Access = campanel::panel::Access;
 using namespace Qt::StringLiterals;
 
 class TestPanelAccess : public campanel::test::PanelTest {

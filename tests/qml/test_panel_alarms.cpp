@@ -6,12 +6,12 @@
 namespace test_panel_alarms {
 
 using Situation = campanel::looks::DemoLink::Situation;
-namespace machine = campanel::machine;
+namespace panel = campanel::panel;
 
 class TestPanelAlarms : public campanel::test::PanelTest {
     Q_OBJECT
 
-    machine::Alarms& alarms() { return m_stage->panel().alarms(); }
+    panel::Alarms& alarms() { return m_stage->panel().alarms(); }
     void show(Situation situation)
     {
         m_stage->link().show(situation);

@@ -24,8 +24,8 @@ class TestPanelBackup : public test::PanelTest {
     bool isOn(const char* name) { return m_stage->find(QString::fromLatin1(name)) != nullptr; }
     void waitForBackup()
     {
-        m_stage->waitUntil(backup(), &machine::Backup::changed,
-                           [](const machine::Backup& each) { return !each.busy(); });
+        m_stage->waitUntil(backup(), &panel::Backup::changed,
+                           [](const panel::Backup& each) { return !each.busy(); });
     }
     void openSection()
     {
@@ -60,7 +60,7 @@ class TestPanelBackup : public test::PanelTest {
         QCOMPARE(onStick(u"*.zip"_s).size(), 1);
         tap("sheetClose");
     }
-    template <typename Job> auto inStore(panel::Panel& panel, Job job)
+    template <typename Job> auto inStore(shell::Panel& panel, Job job)
     {
         std::optional<std::invoke_result_t<Job, store::Database&>> outcome;
         panel.records().store().run(&panel.records(), job, [&](const auto& done) { outcome = done; });
@@ -79,7 +79,7 @@ private slots:
         // Everything changes: recipe, a user, a setting.
         m_stage->panel().settings().setTheme(u"light"_s);
         editor().setRecipeName(u"Another"_s);
-        m_stage->panel().access().addUser(u"Anna"_s, machine::Access::Service, u"258036"_s);
+        m_stage->panel().access().addUser(u"Anna"_s, panel::Access::Service, u"258036"_s);
         QTRY_VERIFY(m_stage->panel().access().loggedIn());
         m_stage->settle();
         tap("backupRestore");
@@ -89,7 +89,7 @@ private slots:
         waitForBackup();
         QVERIFY2(m_stage->complaints().isEmpty(), qPrintable(m_stage->complaints().join(u'\n')));
         QVERIFY2(textOf("question").contains(u"bags, trends and settings"), qPrintable(textOf("question")));
-        QSignalSpy restart(&m_stage->panel(), &panel::Panel::restartWanted);
+        QSignalSpy restart(&m_stage->panel(), &shell::Panel::restartWanted);
         tap("confirm_restore");
         QTRY_COMPARE(restart.count(), 1);
         const QString folder = QFileInfo(backup().ownFolder()).path();
@@ -101,7 +101,7 @@ private slots:
         QTemporaryDir copy;
         QVERIFY(copyAll(folder, copy.path()));
         looks::DemoLink link(nullptr);
-        panel::Panel next(link, {copy.filePath(u"settings.ini"_s), copy.path()});
+        shell::Panel next(link, {copy.filePath(u"settings.ini"_s), copy.path()});
         next.records().open();
         next.access().open();
         QCOMPARE(next.settings().theme(), u"dark"_s);
@@ -127,11 +127,11 @@ private slots:
         for (int round = 0; round < 3; ++round) {
             constexpr int restartCode = 1000;
             looks::DemoLink link(nullptr);
-            panel::Panel next(link, {folder.filePath(u"settings.ini"_s), folder.path()});
+            shell::Panel next(link, {folder.filePath(u"settings.ini"_s), folder.path()});
             QVERIFY(next.load(QSize(800, 480)));
             next.window().show();
             QGuiApplication::setQuitOnLastWindowClosed(true);
-            connect(&next, &panel::Panel::restartWanted, [] {
+            connect(&next, &shell::Panel::restartWanted, [] {
                 QGuiApplication::setQuitOnLastWindowClosed(false);
                 QGuiApplication::exit(restartCode);
             });

@@ -9,7 +9,7 @@
 namespace test_panel_line {
 
 using Kind = campanel::looks::DemoLink::Kind;
-namespace machine = campanel::machine;
+namespace panel = campanel::panel;
 
 class TestPanelLine : public campanel::test::PanelTest {
     Q_OBJECT
@@ -41,7 +41,7 @@ private slots:
         m_stage->link().endScan(true);
         m_stage->settle();
         tap("doctorTake");
-        const machine::ConnectionChoice& choice = m_stage->panel().settings().connection();
+        const panel::ConnectionChoice& choice = m_stage->panel().settings().connection();
         QVERIFY(!choice.simulated);
         QCOMPARE(choice.portName, QStringLiteral("/dev/ttyUSB1"));
         QCOMPARE(choice.baud, 19200);

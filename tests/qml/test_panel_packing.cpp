@@ -8,7 +8,7 @@
 
 namespace test_panel_packing {
 
-using Step = campanel::machine::MarkWizard::Step;
+using Step = campanel::panel::MarkWizard::Step;
 
 class TestPanelPacking : public campanel::test::PanelTest {
     Q_OBJECT

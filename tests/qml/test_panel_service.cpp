@@ -80,7 +80,7 @@ private slots:
         else if (what == 2)
             QMetaObject::invokeMethod(m_stage->find(QStringLiteral("jogSpeed")), "clicked");
         else if (what == 3)
-            emit m_stage->panel().access().loginRequested(campanel::machine::Access::Technician);
+            emit m_stage->panel().access().loginRequested(campanel::panel::Access::Technician);
         else
             m_stage->panel().machine().stop();
         m_stage->settle();

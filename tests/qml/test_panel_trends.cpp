@@ -12,7 +12,7 @@
 
 namespace test_panel_trends {
 
-using campanel::machine::Trends;
+using campanel::panel::Trends;
 
 class TestPanelTrends : public campanel::test::PanelTest {
     Q_OBJECT

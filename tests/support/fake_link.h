@@ -33,7 +33,7 @@ public:
     void startScan(modbus::ScanPlan::Depth depth) override { scans << depth; }
     void cancelScan() override { ++scanCancels; }
     void simulateFaults(const QStringList& rules) override { faults << rules; }
-    void readRuler() override { ++rulers; }
+    void measureSimulatedBag() override { ++rulers; }
     void watchFigures(bool isWatched) override { areFiguresWatched = isWatched; }
     void resetFigures() override { ++figuresResets; }
     void watchFrames(bool isWatched) override { areFramesWatched = isWatched; }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/access/access.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/kit/engine_instances.h"
-#include "app/panel/records/records.h"
+#include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/words/access_sentences.h"
 #include "app/store/users/pin_hash.h"
@@ -16,7 +16,7 @@
 using namespace Qt::StringLiterals;
 using namespace std::chrono_literals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -25,7 +25,7 @@ constexpr auto waitPeriod = 250ms; // a countdown in seconds
 
 } // namespace
 
-Access::Access(Records& records, Machine& machine, Settings& settings, QObject* parent)
+Access::Access(DatabaseService& records, Controller& machine, Settings& settings, QObject* parent)
     : QObject(parent)
     , m_records(records)
     , m_machine(machine)
@@ -33,8 +33,8 @@ Access::Access(Records& records, Machine& machine, Settings& settings, QObject* 
     , m_wallClock(&QDateTime::currentMSecsSinceEpoch)
 {
     m_pool.setMaxThreadCount(1);
-    connect(&machine.gate(), &Gate::refused, this,
-            [this](machine::Level needed) { emit loginRequested(static_cast<int>(needed)); });
+    connect(&machine.accessCheck(), &AccessCheck::refused, this,
+            [this](panel::Level needed) { emit loginRequested(static_cast<int>(needed)); });
     connect(&settings, &Settings::accessChanged, this, &Access::update);
     connect(&m_idleTimer, &QTimer::timeout, this, &Access::lookAtClock);
     m_idleTimer.setInterval(idlePeriod);
@@ -69,7 +69,7 @@ void Access::takeUsers(const Users& users)
     if (!users) {
         // Nobody is more than an operator then. The unopened database was already reported.
         if (m_isLoaded || users.error().kind == store::StoreError::Kind::PinsLost)
-            m_records.complain(users.error());
+            m_records.reportError(users.error());
         if (!m_isLoaded)
             m_lock = users.error();
         update();
@@ -86,19 +86,19 @@ void Access::takeUsers(const Users& users)
     emit chosenChanged();
 }
 
-machine::Level Access::currentLevel() const
+panel::Level Access::currentLevel() const
 {
     const bool isOpenToAll = !m_isOpened || (m_isLoaded && m_users.isEmpty());
     if (isOpenToAll)
-        return machine::Level::Service;
+        return panel::Level::Service;
     if (m_user)
-        return static_cast<machine::Level>(m_user->level);
-    return m_settings.operatorsLogIn() ? machine::Level::Viewer : machine::Level::Operator;
+        return static_cast<panel::Level>(m_user->level);
+    return m_settings.operatorsLogIn() ? panel::Level::Viewer : panel::Level::Operator;
 }
 
 void Access::update()
 {
-    m_machine.gate().setLevel(currentLevel());
+    m_machine.accessCheck().setLevel(currentLevel());
     if (m_user && !m_idleTimer.isActive()) {
         m_touchedAt = m_machine.now();
         m_idleTimer.start();
@@ -110,7 +110,7 @@ void Access::update()
 
 bool Access::ask(int level)
 {
-    return m_machine.gate().admits(static_cast<machine::Level>(level));
+    return m_machine.accessCheck().require(static_cast<panel::Level>(level));
 }
 
 void Access::choose(int id)
@@ -152,7 +152,7 @@ void Access::takeAttempt(const tl::expected<store::LoginAttempt, store::StoreErr
                          const QString& pin)
 {
     if (!attempt) {
-        m_records.complain(attempt.error());
+        m_records.reportError(attempt.error());
         tell(store::StoreErrorText::describe(attempt.error()), true);
         end();
         return;
@@ -169,7 +169,7 @@ void Access::takeAttempt(const tl::expected<store::LoginAttempt, store::StoreErr
         verdict.isRight = store::isPin(kept, pin);
         if (verdict.isRight && store::isOutdated(kept))
             verdict.renewedHash = store::hashPin(pin);
-        verdict.isShort = pin.size() < AccessSentences::minPinDigits(static_cast<machine::Level>(user.level));
+        verdict.isShort = pin.size() < AccessSentences::minPinDigits(static_cast<panel::Level>(user.level));
         QMetaObject::invokeMethod(this, [this, user, verdict] { takeVerdict(user, verdict); });
     });
 }
@@ -194,7 +194,7 @@ void Access::takeVerdict(const store::User& user, const Verdict& verdict)
         },
         [this, user, verdict](const tl::expected<void, store::StoreError>& done) {
             if (!done)
-                m_records.complain(done.error());
+                m_records.reportError(done.error());
             store::User admitted = user;
             admitted.failedAttempts = 0;
             admitted.lockedUntilMs = 0;
@@ -288,4 +288,4 @@ bool Access::eventFilter(QObject* watched, QEvent* event)
     return QObject::eventFilter(watched, event);
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/link/link_values.h"
-#include "app/panel/kit/gate.h"
+#include "app/panel/kit/access_check.h"
 #include "app/store/users/user_store.h"
 
 #include <QObject>
@@ -19,10 +19,10 @@
 class QJSEngine;
 class QQmlEngine;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-class Machine;
-class Records;
+class Controller;
+class DatabaseService;
 class Settings;
 
 class Access : public QObject {
@@ -73,7 +73,7 @@ public:
     using WallClock = std::function<qint64()>; // ms since 1970 UTC
 
     // All arguments must outlive the object.
-    Access(Records& records, Machine& machine, Settings& settings, QObject* parent);
+    Access(DatabaseService& records, Controller& machine, Settings& settings, QObject* parent);
     ~Access() override;
 
     static Access* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
@@ -140,7 +140,7 @@ signals:
     void newPinWanted(int id);
     // Emitted when nobody has touched the panel for the idle time.
     void leftAlone();
-    void happened(const campanel::machine::Access::Event& event);
+    void happened(const campanel::panel::Access::Event& event);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -149,7 +149,7 @@ private:
     using Users = tl::expected<QList<store::User>, store::StoreError>;
     using Change = std::function<tl::expected<void, store::StoreError>(store::Database&)>;
 
-    [[nodiscard]] machine::Level currentLevel() const;
+    [[nodiscard]] panel::Level currentLevel() const;
     [[nodiscard]] qint64 waitMs() const;
     [[nodiscard]] const store::User* find(qint64 id) const;
     [[nodiscard]] QVariantMap entry(const store::User& user) const;
@@ -172,8 +172,8 @@ private:
     void end();
     void tell(const QString& message, bool isFailed);
 
-    Records& m_records;
-    Machine& m_machine;
+    DatabaseService& m_records;
+    Controller& m_machine;
     Settings& m_settings;
     WallClock m_wallClock;
     bool m_isOpened = false;
@@ -191,4 +191,4 @@ private:
     QThreadPool m_pool; // one thread; the destructor waits for it
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

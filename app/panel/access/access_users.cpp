@@ -2,8 +2,8 @@
 // The list of users in Access, and their changes by the level Service.
 #include "app/panel/access/access.h"
 
-#include "app/panel/controller/machine.h"
-#include "app/panel/records/records.h"
+#include "app/panel/controller/controller.h"
+#include "app/panel/records/database_service.h"
 #include "app/panel/words/access_sentences.h"
 #include "app/store/users/pin_hash.h"
 
@@ -13,7 +13,7 @@
 
 using namespace Qt::StringLiterals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -50,7 +50,7 @@ QVariantMap Access::entry(const store::User& user) const
     return {{u"id"_s, user.id},
             {u"name"_s, user.name},
             {u"level"_s, level},
-            {u"levelText"_s, AccessSentences::level(static_cast<machine::Level>(level))},
+            {u"levelText"_s, AccessSentences::level(static_cast<panel::Level>(level))},
             {u"current"_s, m_user && m_user->id == user.id}};
 }
 
@@ -65,8 +65,7 @@ QVariantList Access::users() const
 QVariantList Access::levels() const
 {
     QVariantList entries;
-    for (const machine::Level level :
-         {machine::Level::Operator, machine::Level::Technician, machine::Level::Service})
+    for (const panel::Level level : {panel::Level::Operator, panel::Level::Technician, panel::Level::Service})
         entries << QVariantMap{{u"key"_s, static_cast<int>(level)},
                                {u"text"_s, AccessSentences::level(level)},
                                {u"note"_s, AccessSentences::permission(level)}};
@@ -76,12 +75,12 @@ QVariantList Access::levels() const
 QString Access::refusalText(int level) const
 {
     return m_lock ? AccessSentences::locked(*m_lock)
-                  : AccessSentences::refusal(static_cast<machine::Level>(level));
+                  : AccessSentences::refusal(static_cast<panel::Level>(level));
 }
 
 QString Access::permissionText(int level) const
 {
-    return AccessSentences::permission(static_cast<machine::Level>(level));
+    return AccessSentences::permission(static_cast<panel::Level>(level));
 }
 
 QString Access::waitText() const
@@ -91,12 +90,12 @@ QString Access::waitText() const
 
 QString Access::pinRefusal(const QString& pin, int level) const
 {
-    return AccessSentences::pinRefusal(pin, static_cast<machine::Level>(level));
+    return AccessSentences::pinRefusal(pin, static_cast<panel::Level>(level));
 }
 
 int Access::minPinDigits(int level) const
 {
-    return AccessSentences::minPinDigits(static_cast<machine::Level>(level));
+    return AccessSentences::minPinDigits(static_cast<panel::Level>(level));
 }
 
 QString Access::nameRefusal(const QString& name) const
@@ -112,7 +111,7 @@ QString Access::nameRefusal(const QString& name) const
 
 QString Access::freeName(int level) const
 {
-    const QString base = AccessSentences::level(static_cast<machine::Level>(level));
+    const QString base = AccessSentences::level(static_cast<panel::Level>(level));
     QString name = base;
     for (int i = 2; !nameRefusal(name).isEmpty(); ++i)
         name = u"%1 %2"_s.arg(base).arg(i);
@@ -220,7 +219,7 @@ void Access::changeLevel(int id, int level)
     apply([id, wanted](store::Database& database) { return store::setUserLevel(database, id, wanted); },
           {u"user.level"_s, user->name, levelKey(user->level), levelKey(wanted)},
           tr("%1 is now of the level %2.")
-              .arg(user->name, AccessSentences::level(static_cast<machine::Level>(level))));
+              .arg(user->name, AccessSentences::level(static_cast<panel::Level>(level))));
 }
 
 void Access::removeUser(int id)
@@ -237,4 +236,4 @@ void Access::removeUser(int id)
           tr("%1 cannot log in any more.").arg(user->name));
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

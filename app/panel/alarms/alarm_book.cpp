@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using store::AlarmRow;
 
@@ -193,4 +193,4 @@ void AlarmBook::putBack(const store::AlarmChanges& changes)
     m_haveShelvesChanged = m_haveShelvesChanged || changes.shelves.has_value();
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

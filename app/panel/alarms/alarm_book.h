@@ -11,7 +11,7 @@
 #include <map>
 #include <vector>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 struct AlarmEntry {
     const AlarmKind* kind = nullptr;
@@ -84,4 +84,4 @@ private:
     bool m_haveShelvesChanged = false;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -3,7 +3,7 @@
 
 #include "app/panel/words/alarm_words.h"
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using store::AlarmRow;
 
@@ -101,4 +101,4 @@ bool AlarmDetail::shelvable() const
     return kind() && !kind()->stopsMachine;
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

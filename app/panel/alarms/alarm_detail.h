@@ -8,7 +8,7 @@
 #include <QObject>
 #include <QtQml/qqmlregistration.h>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class AlarmDetail : public QObject {
     Q_OBJECT
@@ -67,4 +67,4 @@ private:
     bool m_isShelved = false;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/alarms/alarm_history.h"
 
-#include "app/panel/records/records.h"
+#include "app/panel/records/database_service.h"
 #include "app/panel/words/alarm_words.h"
 
 #include <algorithm>
 #include <utility>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using store::AlarmLog;
 using store::AlarmRow;
 
-AlarmHistory::AlarmHistory(Records& records, QObject* parent)
+AlarmHistory::AlarmHistory(DatabaseService& records, QObject* parent)
     : QAbstractListModel(parent)
     , m_records(records)
 {
@@ -45,7 +45,7 @@ void AlarmHistory::read()
             if (round != m_round)
                 return;
             if (!page)
-                m_records.complain(page.error());
+                m_records.reportError(page.error());
             takePage(page.value_or(QList<AlarmRow>()));
         });
 }
@@ -153,4 +153,4 @@ void AlarmHistory::fetchMore(const QModelIndex& parent)
         read();
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

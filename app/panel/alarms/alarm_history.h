@@ -11,9 +11,9 @@
 
 #include <functional>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-class Records;
+class DatabaseService;
 
 class AlarmHistory : public QAbstractListModel {
     Q_OBJECT
@@ -27,7 +27,7 @@ class AlarmHistory : public QAbstractListModel {
 
 public:
     // The records must outlive the object.
-    AlarmHistory(Records& records, QObject* parent);
+    AlarmHistory(DatabaseService& records, QObject* parent);
 
     [[nodiscard]] bool watched() const { return m_isWatched; }
     void setWatched(bool isWatched);
@@ -58,7 +58,7 @@ private:
     // Returns the row of the first entry with this id or an older one.
     [[nodiscard]] int rowFrom(qint64 id) const;
 
-    Records& m_records;
+    DatabaseService& m_records;
     std::function<QDate()> m_today = &QDate::currentDate;
     QList<store::AlarmRow> m_rows;          // descending ids
     QList<store::AlarmChanges> m_meanwhile; // received while a page is being read, which may not contain them
@@ -69,4 +69,4 @@ private:
     bool m_isAtEnd = false;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace campanel::machine {
+namespace campanel::panel {
 namespace {
 
 qint64 idOf(const AlarmEntry& entry)
@@ -123,4 +123,4 @@ QHash<int, QByteArray> ShelvedAlarms::roleNames() const
     return {{CodeRole, "code"}, {TitleRole, "title"}, {UntilRole, "until"}, {ByRole, "by"}};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

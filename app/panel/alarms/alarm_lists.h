@@ -9,7 +9,7 @@
 #include <QDate>
 #include <QtQml/qqmlregistration.h>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class LiveAlarms : public QAbstractListModel {
     Q_OBJECT
@@ -69,4 +69,4 @@ private:
     QDate m_today;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

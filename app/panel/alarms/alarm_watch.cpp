@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/alarms/alarm_watch.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
-#include "app/panel/records/records.h"
+#include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 
 #include <utility>
 
 using namespace Qt::StringLiterals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using store::AlarmRow;
 
@@ -37,7 +37,7 @@ template <typename Bit> QSet<const AlarmKind*> kindsOf(unsigned bits)
 
 } // namespace
 
-AlarmWatch::AlarmWatch(Machine& machine, Editor& editor, Records& records, Settings& settings,
+AlarmWatch::AlarmWatch(Controller& machine, Editor& editor, DatabaseService& records, Settings& settings,
                        QObject* parent)
     : QObject(parent)
     , m_machine(machine)
@@ -51,10 +51,10 @@ AlarmWatch::AlarmWatch(Machine& machine, Editor& editor, Records& records, Setti
         m_isPatienceOver = true;
         noteLink();
     });
-    connect(&machine, &Machine::stateChanged, this, &AlarmWatch::noteController);
-    connect(&machine, &Machine::connectionChanged, this, &AlarmWatch::noteLink);
+    connect(&machine, &Controller::stateChanged, this, &AlarmWatch::noteController);
+    connect(&machine, &Controller::connectionChanged, this, &AlarmWatch::noteLink);
     connect(&editor, &Editor::noticeChanged, this, &AlarmWatch::noteRecipe);
-    connect(&records, &Records::troubled, this, &AlarmWatch::noteTrouble);
+    connect(&records, &DatabaseService::errorReported, this, &AlarmWatch::noteTrouble);
     connect(&records.store(), &store::StoreThread::opened, this, &AlarmWatch::noteOpening);
 }
 
@@ -180,4 +180,4 @@ void AlarmWatch::tellEvent(const AlarmKind& kind, const QString& detail)
     emit cleared(kind, AlarmRow::End::Returned);
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

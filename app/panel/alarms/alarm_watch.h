@@ -10,11 +10,11 @@
 #include <QSet>
 #include <QTimer>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class Editor;
-class Machine;
-class Records;
+class Controller;
+class DatabaseService;
 class Settings;
 
 class AlarmWatch : public QObject {
@@ -22,7 +22,8 @@ class AlarmWatch : public QObject {
 
 public:
     // All arguments must outlive the object.
-    AlarmWatch(Machine& machine, Editor& editor, Records& records, Settings& settings, QObject* parent);
+    AlarmWatch(Controller& machine, Editor& editor, DatabaseService& records, Settings& settings,
+               QObject* parent);
 
     // Reports the initial state. Connect the signals first.
     void begin();
@@ -34,8 +35,8 @@ public:
     void look();
 
 signals:
-    void raised(const campanel::machine::AlarmKind& kind, const QString& detail);
-    void cleared(const campanel::machine::AlarmKind& kind, campanel::store::AlarmRow::End end);
+    void raised(const campanel::panel::AlarmKind& kind, const QString& detail);
+    void cleared(const campanel::panel::AlarmKind& kind, campanel::store::AlarmRow::End end);
 
 private:
     using Kinds = QSet<const AlarmKind*>;
@@ -50,7 +51,7 @@ private:
     // Reports an event, which does not last.
     void tellEvent(const AlarmKind& kind, const QString& detail);
 
-    Machine& m_machine;
+    Controller& m_machine;
     Editor& m_editor;
     Settings& m_settings;
     QTimer m_patience;
@@ -61,4 +62,4 @@ private:
     bool m_areSettingsKept = true;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

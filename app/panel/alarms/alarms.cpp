@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/alarms/alarms.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/kit/engine_instances.h"
-#include "app/panel/records/records.h"
+#include "app/panel/records/database_service.h"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -14,7 +14,7 @@
 
 using namespace std::chrono_literals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using store::AlarmChanges;
 using store::AlarmLog;
@@ -37,7 +37,8 @@ static_assert(static_cast<int>(Alarms::Severity::Fault) == static_cast<int>(Alar
 
 } // namespace
 
-Alarms::Alarms(Machine& machine, Editor& editor, Records& records, Settings& settings, QObject* parent)
+Alarms::Alarms(Controller& machine, Editor& editor, DatabaseService& records, Settings& settings,
+               QObject* parent)
     : QObject(parent)
     , m_machine(machine)
     , m_records(records)
@@ -101,7 +102,7 @@ void Alarms::clear(const AlarmKind& kind, store::AlarmRow::End end)
 void Alarms::begin(const tl::expected<AlarmLog::Start, StoreError>& start)
 {
     if (!start) {
-        m_records.complain(start.error());
+        m_records.reportError(start.error());
         return;
     }
     m_isBegun = true;
@@ -166,7 +167,7 @@ void Alarms::takeWritten(const AlarmChanges& changes, const tl::expected<void, S
     } else {
         m_book.putBack(changes);
         if (!hadFailed)
-            m_records.complain(written.error()); // only one report
+            m_records.reportError(written.error()); // only one report
     }
     if (m_book.hasChanges())
         noteChange();
@@ -222,7 +223,7 @@ void Alarms::acknowledgeShown()
 
 void Alarms::shelveShown(int hours)
 {
-    if (!m_machine.gate().admits(Level::Technician))
+    if (!m_machine.accessCheck().require(Level::Technician))
         return;
     const qint64 utcMs = now().utcMs;
     if (!m_book.shelve(m_detail.code(), utcMs + hours * msPerHour, m_person, utcMs))
@@ -266,4 +267,4 @@ bool Alarms::eventFilter(QObject* watched, QEvent* event)
     return QObject::eventFilter(watched, event);
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

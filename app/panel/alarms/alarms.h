@@ -18,18 +18,18 @@
 class QJSEngine;
 class QQmlEngine;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class Alarms : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
 
-    Q_PROPERTY(campanel::machine::LiveAlarms* live READ live CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::AlarmHistory* history READ history CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::ShelvedAlarms* shelved READ shelved CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::LiveAlarms* live READ live CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::AlarmHistory* history READ history CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::ShelvedAlarms* shelved READ shelved CONSTANT FINAL)
     // The selected alarm.
-    Q_PROPERTY(campanel::machine::AlarmDetail* detail READ detail CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::AlarmDetail* detail READ detail CONSTANT FINAL)
     // The number of active alarms without the shelved ones.
     Q_PROPERTY(int active READ active NOTIFY changed FINAL)
     Q_PROPERTY(int unacknowledged READ unacknowledged NOTIFY changed FINAL)
@@ -49,7 +49,8 @@ public:
     using WallClock = std::function<QDateTime()>;
 
     // All arguments must outlive the object. The log begins when the records are opened.
-    Alarms(Machine& machine, Editor& editor, Records& records, Settings& settings, QObject* parent);
+    Alarms(Controller& machine, Editor& editor, DatabaseService& records, Settings& settings,
+           QObject* parent);
     // Writes the pending changes.
     ~Alarms() override;
 
@@ -108,8 +109,8 @@ private:
     [[nodiscard]] AlarmBook::Now now() const;
     [[nodiscard]] QDate today() const { return m_wallClock().date(); }
 
-    Machine& m_machine;
-    Records& m_records;
+    Controller& m_machine;
+    DatabaseService& m_records;
     WallClock m_wallClock;
     QString m_person;
     AlarmBook m_book;
@@ -131,4 +132,4 @@ private:
     bool m_isSeen = false;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

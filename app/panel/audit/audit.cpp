@@ -5,7 +5,7 @@
 #include "app/panel/audit/audit_words.h"
 #include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/report_files.h"
-#include "app/panel/records/records.h"
+#include "app/panel/records/database_service.h"
 #include "app/panel/words/access_sentences.h"
 #include "app/store/logs/log_export.h"
 
@@ -17,7 +17,7 @@
 
 using namespace Qt::StringLiterals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -31,7 +31,7 @@ QVariantMap choice(const QString& key, const QString& text)
 
 } // namespace
 
-Audit::Audit(Records& records, AuditTrail& trail, ReportFiles& files, QObject* parent)
+Audit::Audit(DatabaseService& records, AuditTrail& trail, ReportFiles& files, QObject* parent)
     : QAbstractListModel(parent)
     , m_records(records)
     , m_files(files)
@@ -108,7 +108,7 @@ void Audit::takeRows(const Rows& rows)
     }
     if (!rows) {
         m_hasAll = true;
-        m_records.complain(rows.error());
+        m_records.reportError(rows.error());
     } else if (rows->isEmpty()) {
         m_hasAll = true;
     } else {
@@ -160,7 +160,7 @@ void Audit::checkNext(store::ChainCheck check)
             if (next)
                 m_check = *next;
             else
-                m_records.complain(next.error());
+                m_records.reportError(next.error());
             emit chainChanged();
         });
 }
@@ -194,7 +194,7 @@ void Audit::exportCsv()
                 m_files.offer(
                     {{tr("audit trail"), u"csv"_s, [all = *rows] { return store::auditCsv(all); }}});
             else
-                m_records.complain(rows.error());
+                m_records.reportError(rows.error());
             emit changed();
         });
 }
@@ -301,4 +301,4 @@ bool Audit::eventFilter(QObject* watched, QEvent* event)
     return QObject::eventFilter(watched, event);
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

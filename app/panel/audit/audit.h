@@ -16,10 +16,10 @@
 class QJSEngine;
 class QQmlEngine;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class AuditTrail;
-class Records;
+class DatabaseService;
 class ReportFiles;
 
 class Audit : public QAbstractListModel {
@@ -49,7 +49,7 @@ public:
     static constexpr int mostExported = 100'000;
 
     // All arguments must outlive the object.
-    Audit(Records& records, AuditTrail& trail, ReportFiles& files, QObject* parent);
+    Audit(DatabaseService& records, AuditTrail& trail, ReportFiles& files, QObject* parent);
 
     static Audit* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
@@ -98,7 +98,7 @@ private:
     void takeAppended(const store::AuditRow& row);
     void checkNext(store::ChainCheck check);
 
-    Records& m_records;
+    DatabaseService& m_records;
     ReportFiles& m_files;
     QList<store::AuditRow> m_rows; // newest first
     store::AuditFilter m_filter;
@@ -113,4 +113,4 @@ private:
     std::optional<store::ChainCheck> m_check; // the last completed check
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/audit/audit_trail.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/maintenance/service.h"
-#include "app/panel/records/records.h"
+#include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "app/program/differences.h"
 
@@ -16,7 +16,7 @@
 using namespace Qt::StringLiterals;
 using namespace std::chrono_literals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -146,7 +146,7 @@ QString pulsesText(double pulses)
 
 } // namespace
 
-AuditTrail::AuditTrail(Records& records, const Watched& watched, QObject* parent)
+AuditTrail::AuditTrail(DatabaseService& records, const Watched& watched, QObject* parent)
     : QObject(parent)
     , m_records(records)
     , m_watched(watched)
@@ -203,14 +203,14 @@ void AuditTrail::append(const store::AuditEntry& entry)
             if (row)
                 emit appended(*row);
             else
-                m_records.complain(row.error());
+                m_records.reportError(row.error());
         });
 }
 
 void AuditTrail::watchCommands()
 {
-    connect(&m_watched.machine, &Machine::commandSending, this, &AuditTrail::noteSending);
-    connect(&m_watched.machine, &Machine::commandEnded, this, [this](const link::CommandOutcome& outcome) {
+    connect(&m_watched.machine, &Controller::commandSending, this, &AuditTrail::noteSending);
+    connect(&m_watched.machine, &Controller::commandEnded, this, [this](const link::CommandOutcome& outcome) {
         const auto sent = m_commands.find(outcome.id);
         if (sent == m_commands.end())
             return;
@@ -258,8 +258,8 @@ void AuditTrail::noteManual(const QString& what, const QString& before, const QS
 
 void AuditTrail::watchParameters()
 {
-    connect(&m_watched.machine, &Machine::parameterWriting, this, &AuditTrail::noteWriting);
-    connect(&m_watched.machine, &Machine::parameterEnded, this, &AuditTrail::takeParameter);
+    connect(&m_watched.machine, &Controller::parameterWriting, this, &AuditTrail::noteWriting);
+    connect(&m_watched.machine, &Controller::parameterEnded, this, &AuditTrail::takeParameter);
     connect(m_watched.service.packing()->wizard(), &MarkWizard::changed, this, &AuditTrail::noteWizard);
 }
 
@@ -311,8 +311,8 @@ void AuditTrail::watchDownloads()
 {
     connect(&m_watched.editor, &Editor::downloadBegun, this, &AuditTrail::beginDownload);
     connect(&m_watched.editor, &Editor::downloadEnded, this, &AuditTrail::endDownload);
-    connect(&m_watched.machine, &Machine::savedChanged, this, [this] { proveDownload(false); });
-    connect(&m_watched.machine, &Machine::programChanged, this, [this] { proveDownload(false); });
+    connect(&m_watched.machine, &Controller::savedChanged, this, [this] { proveDownload(false); });
+    connect(&m_watched.machine, &Controller::programChanged, this, [this] { proveDownload(false); });
 }
 
 void AuditTrail::beginDownload(const program::ProgramImage& image)
@@ -423,8 +423,8 @@ void AuditTrail::noteSettings()
 
 void AuditTrail::watchSimulation()
 {
-    LineFaults& faults = *m_watched.service.lineFaults();
-    connect(&faults, &LineFaults::changed, this, [this, &faults] {
+    SimulatedFaults& faults = *m_watched.service.simulatedFaults();
+    connect(&faults, &SimulatedFaults::changed, this, [this, &faults] {
         const QString now = faults.rulesInForce().join(u"; "_s);
         if (now == m_faults)
             return;
@@ -435,4 +435,4 @@ void AuditTrail::watchSimulation()
     });
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

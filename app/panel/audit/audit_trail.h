@@ -20,12 +20,12 @@ namespace campanel::program {
 struct ProgramImage;
 }
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class Editor;
-class Machine;
+class Controller;
 class MarkWizard;
-class Records;
+class DatabaseService;
 class Service;
 class Settings;
 
@@ -35,14 +35,14 @@ class AuditTrail : public QObject {
 public:
     // The watched objects; all must outlive the trail.
     struct Watched {
-        Machine& machine;
+        Controller& machine;
         Editor& editor;
         Settings& settings;
         Service& service;
         Access& access;
     };
 
-    AuditTrail(Records& records, const Watched& watched, QObject* parent);
+    AuditTrail(DatabaseService& records, const Watched& watched, QObject* parent);
 
     // Starts recording.
     void open();
@@ -89,7 +89,7 @@ private:
     void watchManual();
     void noteManual(const QString& what, const QString& before, const QString& after, const QString& outcome);
 
-    Records& m_records;
+    DatabaseService& m_records;
     Watched m_watched;
     Access::WallClock m_wallClock;
     QHash<quint32, store::AuditEntry> m_commands; // pending, by id
@@ -104,4 +104,4 @@ private:
     int m_wizardStep = 0;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -14,7 +14,7 @@
 
 using namespace Qt::StringLiterals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -219,4 +219,4 @@ QString AuditWords::chain(const store::ChainCheck& check)
                : tr("Checked: unbroken, %1 rows.").arg(rows);
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

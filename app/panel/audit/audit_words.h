@@ -9,7 +9,7 @@
 #include <QString>
 #include <QStringList>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class AuditWords {
     Q_DECLARE_TR_FUNCTIONS(AuditWords)
@@ -29,4 +29,4 @@ public:
     [[nodiscard]] static QString chain(const store::ChainCheck& check);
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -49,4 +49,4 @@ void ActualTrace::clear()
     m_pen = {};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

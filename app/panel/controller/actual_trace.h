@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class ActualTrace {
 public:
@@ -32,4 +32,4 @@ private:
     Sample m_pen; // the last one that was drawn
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/controller/axis_speed.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/words/connection_sentences.h"
 
 #include <limits>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -18,15 +18,15 @@ const char* parameterOf(AxisSpeed::Use use)
 
 } // namespace
 
-AxisSpeed::AxisSpeed(Machine& machine, Use use, QObject* parent)
+AxisSpeed::AxisSpeed(Controller& machine, Use use, QObject* parent)
     : QObject(parent)
     , m_machine(machine)
     , m_use(use)
     , m_info(*modbus::findRegister(parameterOf(use)))
 {
-    connect(&machine, &Machine::parameterEnded, this, &AxisSpeed::takeOutcome);
-    connect(&machine, &Machine::connectionChanged, this, &AxisSpeed::noteConnection);
-    connect(&machine, &Machine::programChanged, this, &AxisSpeed::changed);
+    connect(&machine, &Controller::parameterEnded, this, &AxisSpeed::takeOutcome);
+    connect(&machine, &Controller::connectionChanged, this, &AxisSpeed::noteConnection);
+    connect(&machine, &Controller::programChanged, this, &AxisSpeed::changed);
 }
 
 QString AxisSpeed::label() const
@@ -92,4 +92,4 @@ void AxisSpeed::noteConnection()
     emit changed();
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -10,9 +10,9 @@
 
 #include <optional>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-class Machine;
+class Controller;
 
 class AxisSpeed : public QObject {
     Q_OBJECT
@@ -32,7 +32,7 @@ public:
     enum class Use { Jog, Home };
 
     // The machine must outlive the object.
-    AxisSpeed(Machine& machine, Use use, QObject* parent);
+    AxisSpeed(Controller& machine, Use use, QObject* parent);
 
     [[nodiscard]] QString label() const;
     [[nodiscard]] double frequencyHz() const;
@@ -54,7 +54,7 @@ private:
     void takeOutcome(const link::ParameterOutcome& outcome);
     void noteConnection();
 
-    Machine& m_machine;
+    Controller& m_machine;
     Use m_use;
     const modbus::RegisterInfo& m_info;
     std::optional<double> m_frequencyHz;
@@ -63,4 +63,4 @@ private:
     QString m_failure;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 bool BagStatistics::note(std::uint32_t bagCount, std::optional<double> lengthMm,
                          std::optional<double> deviationMm)
@@ -82,4 +82,4 @@ int BagStatistics::countWithin(double toleranceMm) const
         m_deviationsMm, [toleranceMm](double deviation) { return std::abs(deviation) <= toleranceMm; }));
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

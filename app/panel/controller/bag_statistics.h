@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class BagStatistics {
 public:
@@ -53,4 +53,4 @@ private:
     QList<double> m_deviationsMm; // oldest first
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

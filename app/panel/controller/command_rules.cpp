@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/controller/command_rules.h"
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -34,4 +34,4 @@ Refusal expectedRefusal(const modbus::StatusBlock& status, modbus::Command comma
     }
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -10,9 +10,9 @@
 #include <QVariant>
 #include <QtQml/qqmlregistration.h>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-// `Machine.live` in QML: the last status. Values in mm and bags need the program that the status names.
+// `Controller.live` in QML: the last status. Values in mm and bags need the program that the status names.
 struct LiveValues {
     Q_GADGET
     QML_VALUE_TYPE(liveValues)
@@ -41,10 +41,10 @@ public:
     double positionMm = unknown;
     double masterSpeedPercent = unknown;
     double forceN = unknown; // of a press
-    int stage = -1;          // of a press: 0 approach .. 4 return, an index into Machine.stageNames
+    int stage = -1;          // of a press: 0 approach .. 4 return, an index into Controller.stageNames
 };
 
-// `Machine.bags` in QML: the last bag and the last 60.
+// `Controller.bags` in QML: the last bag and the last 60.
 struct BagValues {
     Q_GADGET
     QML_VALUE_TYPE(bagValues)
@@ -72,7 +72,7 @@ public:
     double toleranceMm = unknown;
 };
 
-// `Machine.active` in QML: the program that the controller has.
+// `Controller.active` in QML: the program that the controller has.
 struct ActiveProgramValues {
     Q_GADGET
     QML_VALUE_TYPE(activeProgramValues)
@@ -111,4 +111,4 @@ public:
     double maxStopForceN = unknown;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

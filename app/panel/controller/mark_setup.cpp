@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/controller/mark_setup.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 
 #include <algorithm>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-MarkSetup::MarkSetup(Machine& machine)
+MarkSetup::MarkSetup(Controller& machine)
     : m_machine(machine)
 {
-    connect(&machine, &Machine::parameterEnded, this, &MarkSetup::takeOutcome);
+    connect(&machine, &Controller::parameterEnded, this, &MarkSetup::takeOutcome);
 }
 
 void MarkSetup::ask()
@@ -57,4 +57,4 @@ void MarkSetup::takeOutcome(const link::ParameterOutcome& outcome)
     }
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -11,16 +11,16 @@
 #include <limits>
 #include <optional>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-class Machine;
+class Controller;
 
 class MarkSetup : public QObject {
     Q_OBJECT
 
 public:
     // `machine` must outlive the object.
-    explicit MarkSetup(Machine& machine);
+    explicit MarkSetup(Controller& machine);
 
     // Return mm; NaN while unknown.
     [[nodiscard]] double sensorMm() const { return valueOf(m_entries[0]); } // mark sensor before the knife
@@ -51,8 +51,8 @@ private:
     }
     void takeOutcome(const link::ParameterOutcome& outcome);
 
-    Machine& m_machine;
+    Controller& m_machine;
     std::array<Entry, 2> m_entries{Entry{"parameter.mark_distance"}, Entry{"parameter.mark_window"}};
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

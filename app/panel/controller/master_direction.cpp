@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/controller/master_direction.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/words/connection_sentences.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -19,7 +19,7 @@ constexpr double leastTellingDeg = 0.05; // the resolution of the status is 0.01
 
 } // namespace
 
-MasterDirection::MasterDirection(Machine& machine)
+MasterDirection::MasterDirection(Controller& machine)
     : QObject(&machine)
     , m_machine(machine)
 {
@@ -42,7 +42,7 @@ MasterDirection::Way MasterDirection::way() const
 
 bool MasterDirection::turning() const
 {
-    return way() != Way::Unknown && m_machine.state() == Machine::State::Running && m_observed &&
+    return way() != Way::Unknown && m_machine.state() == Controller::State::Running && m_observed &&
            (*m_observed < 0) != (way() == Way::Backward);
 }
 
@@ -63,7 +63,7 @@ QString MasterDirection::text() const
     const bool isBackward = way() == Way::Backward;
     if (turning())
         return isBackward ? tr("Turning to backward …") : tr("Turning to forward …");
-    if (m_machine.state() != Machine::State::Running)
+    if (m_machine.state() != Controller::State::Running)
         return isBackward ? tr("starts backward") : tr("starts forward");
     if (!m_observed)
         return isBackward ? tr("set to backward") : tr("set to forward");
@@ -157,4 +157,4 @@ void MasterDirection::takeOutcome(const link::ParameterOutcome& outcome)
     emit changed();
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -10,9 +10,9 @@
 
 #include <optional>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-class Machine;
+class Controller;
 
 class MasterDirection : public QObject {
     Q_OBJECT
@@ -31,7 +31,7 @@ public:
     Q_ENUM(Way)
 
     // The machine must outlive the object.
-    explicit MasterDirection(Machine& machine);
+    explicit MasterDirection(Controller& machine);
 
     [[nodiscard]] Way way() const;
     [[nodiscard]] bool turning() const;
@@ -39,7 +39,7 @@ public:
     [[nodiscard]] QString text() const;
 
     // Requests the direction; `way` changes when the controller is proven to have stored it.
-    Q_INVOKABLE void turn(campanel::machine::MasterDirection::Way way);
+    Q_INVOKABLE void turn(campanel::panel::MasterDirection::Way way);
 
     // Handle events of the Machine.
     void noteConnection();
@@ -66,7 +66,7 @@ private:
     void noteOthersWrite(const link::ParameterOutcome& outcome);
     void observe(const Sample& now);
 
-    Machine& m_machine;
+    Controller& m_machine;
     std::optional<bool> m_reversed; // the controller's parameter; empty: unknown
     std::optional<int> m_observed;  // 1 or -1, from the master's angle; empty: unknown
     std::optional<Sample> m_before;
@@ -76,4 +76,4 @@ private:
     bool m_isMissing = false; // the controller does not have this parameter
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/controller/packing_line.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/words/controller_sentences.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 using namespace std::chrono_literals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -20,7 +20,7 @@ constexpr double mmPerUm = 0.001;
 
 } // namespace
 
-PackingLine::PackingLine(Machine& machine)
+PackingLine::PackingLine(Controller& machine)
     : m_machine(machine)
     , m_setup(machine)
     , m_timer(this)
@@ -130,7 +130,7 @@ void PackingLine::tellBags()
 
 bool PackingLine::fresh() const
 {
-    return m_status && m_machine.now() - m_receivedAt < Machine::freshFor;
+    return m_status && m_machine.now() - m_receivedAt < Controller::freshFor;
 }
 
 PackingLine::MarkState PackingLine::markState() const
@@ -240,4 +240,4 @@ void PackingLine::teach(int marks)
     m_machine.send(modbus::Command::TeachMarks, {static_cast<std::uint16_t>(marks), 0, 0});
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -15,9 +15,9 @@
 
 #include <optional>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-class Machine;
+class Controller;
 
 class PackingLine : public QObject {
     Q_OBJECT
@@ -71,7 +71,7 @@ public:
     Q_ENUM(MarkState)
 
     // `machine` must outlive the object.
-    explicit PackingLine(Machine& machine);
+    explicit PackingLine(Controller& machine);
 
     [[nodiscard]] bool present() const { return known() || recordsBags(); }
     [[nodiscard]] bool known() const { return m_status.has_value(); }
@@ -148,7 +148,7 @@ private:
         return m_status ? static_cast<double>((*m_status).*member) : unknown;
     }
 
-    Machine& m_machine;
+    Controller& m_machine;
     MarkSetup m_setup;
     QTimer m_timer;
     std::optional<modbus::PackerStatus> m_status;
@@ -160,4 +160,4 @@ private:
     std::optional<std::uint32_t> m_toldBag;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using namespace std::chrono_literals;
 
@@ -51,4 +51,4 @@ int StatusRate::quality(link::SteadyTime now) const
     return share < 0.05 ? 2 : 1;
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -6,7 +6,7 @@
 
 #include <deque>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class StatusRate {
 public:
@@ -28,4 +28,4 @@ private:
     std::deque<Batch> m_batches; // in the window, oldest first
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 void StrokeModel::note(const modbus::StatusBlock& status, double pulsesPerMm)
 {
@@ -105,4 +105,4 @@ QHash<int, QByteArray> StrokeModel::roleNames() const
             {PeakForceTextRole, "peakForceText"}};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

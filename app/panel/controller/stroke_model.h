@@ -10,7 +10,7 @@
 
 #include <optional>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class StrokeModel : public QAbstractListModel {
     Q_OBJECT
@@ -69,4 +69,4 @@ private:
     bool m_isInStroke = false;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -9,7 +9,7 @@
 
 using namespace Qt::StringLiterals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -53,4 +53,4 @@ bool Backlight::setPercent(int percent) const
     return file.open(QIODevice::WriteOnly) && file.write(level) == level.size() && file.flush();
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

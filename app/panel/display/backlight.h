@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class Backlight {
 public:
@@ -31,4 +31,4 @@ private:
     int m_most;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

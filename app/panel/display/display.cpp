@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/display/display.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/kit/engine_instances.h"
 #include "app/panel/settings/settings.h"
 
@@ -11,7 +11,7 @@
 using namespace Qt::StringLiterals;
 using namespace std::chrono_literals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -22,7 +22,7 @@ const QList<int> possibleDarkAfter{0, 5, 30};
 
 } // namespace
 
-Display::Display(Machine& machine, Settings& settings, QObject* parent)
+Display::Display(Controller& machine, Settings& settings, QObject* parent)
     : QObject(parent)
     , m_machine(machine)
     , m_file(settings.file())
@@ -40,7 +40,7 @@ Display::Display(Machine& machine, Settings& settings, QObject* parent)
         light(m_brightness);
     m_timer.callOnTimeout(this, &Display::tick);
     m_timer.start(1s);
-    connect(&machine, &Machine::stateChanged, this, [this] {
+    connect(&machine, &Controller::stateChanged, this, [this] {
         if (!mayBeDark())
             setDark(false);
     });
@@ -97,15 +97,15 @@ void Display::light(int percent)
 bool Display::mayBeDark() const
 {
     switch (m_machine.state()) {
-    case Machine::State::Unknown:
-    case Machine::State::Idle:
-    case Machine::State::Ready:
+    case Controller::State::Unknown:
+    case Controller::State::Idle:
+    case Controller::State::Ready:
         return true;
-    case Machine::State::Running:
-    case Machine::State::Stopping:
-    case Machine::State::Jogging:
-    case Machine::State::Homing:
-    case Machine::State::Fault:
+    case Controller::State::Running:
+    case Controller::State::Stopping:
+    case Controller::State::Jogging:
+    case Controller::State::Homing:
+    case Controller::State::Fault:
         break;
     }
     return false;
@@ -170,4 +170,4 @@ bool Display::eventFilter(QObject* watched, QEvent* event)
     return QObject::eventFilter(watched, event);
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

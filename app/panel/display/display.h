@@ -16,9 +16,9 @@
 class QJSEngine;
 class QQmlEngine;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-class Machine;
+class Controller;
 class Settings;
 
 class Display : public QObject {
@@ -41,7 +41,7 @@ public:
     static constexpr int wipeTimeS = 30;
 
     // Stores its values in the settings file. Settings and machine must outlive the object.
-    Display(Machine& machine, Settings& settings, QObject* parent);
+    Display(Controller& machine, Settings& settings, QObject* parent);
 
     static Display* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
@@ -75,7 +75,7 @@ private:
     void light(int percent);
     [[nodiscard]] bool mayBeDark() const;
 
-    Machine& m_machine;
+    Controller& m_machine;
     store::SettingsFile& m_file;
     std::optional<Backlight> m_backlight;
     QTimer m_timer;
@@ -87,4 +87,4 @@ private:
     bool m_isWaking = false; // the waking touch has not ended
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

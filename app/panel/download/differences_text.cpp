@@ -6,7 +6,7 @@
 #include "app/panel/words/refusal_sentences.h"
 #include "app/program/register_fields.h"
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -114,4 +114,4 @@ QList<DifferenceRow> DifferencesText::rows(const ControllerProgram& active,
     return rows;
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -9,7 +9,7 @@
 
 #include <QCoreApplication>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class DifferencesText {
     Q_DECLARE_TR_FUNCTIONS(DifferencesText)
@@ -26,4 +26,4 @@ private:
     [[nodiscard]] static QString pinnedText(std::uint16_t bits);
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/download/program_download.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/download/differences_text.h"
 #include "app/panel/words/connection_sentences.h"
 
 #include <algorithm>
 #include <array>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using link::DownloadStage;
 
-ProgramDownload::ProgramDownload(Machine& machine, QObject* parent)
+ProgramDownload::ProgramDownload(Controller& machine, QObject* parent)
     : QObject(parent)
     , m_machine(machine)
     , m_differences(this)
     , m_proof(machine, this)
 {
     connect(&machine.link(), &link::Link::downloadReported, this, &ProgramDownload::takeReport);
-    connect(&machine, &Machine::programChanged, this, &ProgramDownload::update);
-    connect(&machine, &Machine::savedChanged, this, &ProgramDownload::update);
-    connect(&machine, &Machine::commandsChanged, this, &ProgramDownload::update);
+    connect(&machine, &Controller::programChanged, this, &ProgramDownload::update);
+    connect(&machine, &Controller::savedChanged, this, &ProgramDownload::update);
+    connect(&machine, &Controller::commandsChanged, this, &ProgramDownload::update);
 }
 
 void ProgramDownload::offer(std::shared_ptr<const program::ProgramImage> image)
@@ -75,8 +75,8 @@ QString ProgramDownload::blockedReason() const
         return tr("Not possible: the machine cannot do this recipe.");
     if (!m_machine.identity()->supports(static_cast<modbus::ProgramKind>(m_offer->recipe.kind())))
         return tr("Not possible: this controller cannot execute this kind of program.");
-    const Machine::State state = m_machine.state();
-    if (state != Machine::State::Idle && state != Machine::State::Ready && changesMachineData())
+    const Controller::State state = m_machine.state();
+    if (state != Controller::State::Idle && state != Controller::State::Ready && changesMachineData())
         return tr(
             "The kind of program and the data of the machine change only at standstill. Stop the machine "
             "first.");
@@ -111,7 +111,7 @@ QString ProgramDownload::text() const
     case State::NothingToDo:
         return tr("The controller already has exactly this recipe.");
     case State::Ready:
-        return m_machine.state() == Machine::State::Running
+        return m_machine.state() == Controller::State::Running
                    ? tr("The machine keeps running; the new recipe begins with the next cycle.")
                    : tr("The new recipe is used from the next start.");
     case State::Blocked:
@@ -122,7 +122,7 @@ QString ProgramDownload::text() const
     case State::Failed:
         break;
     case State::Applied:
-        if (m_machine.state() == Machine::State::Running)
+        if (m_machine.state() == Controller::State::Running)
             return tr("Downloaded. The machine runs with this recipe.");
         return m_machine.canStart() ? tr("Downloaded. Press Start to run this recipe.")
                                     : tr("Downloaded. The controller has this recipe.");
@@ -209,4 +209,4 @@ void ProgramDownload::takeReport(const link::DownloadReport& report)
     update();
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

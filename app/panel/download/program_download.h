@@ -9,9 +9,9 @@
 #include <QObject>
 #include <QtQml/qqmlregistration.h>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-class Machine;
+class Controller;
 
 class ProgramDownload : public QObject {
     Q_OBJECT
@@ -22,10 +22,10 @@ class ProgramDownload : public QObject {
     Q_PROPERTY(double progress READ progress NOTIFY changed FINAL)
     Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
     Q_PROPERTY(bool canDownload READ canDownload NOTIFY changed FINAL)
-    Q_PROPERTY(campanel::machine::DifferenceModel* differences READ differences CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::DifferenceModel* differences READ differences CONSTANT FINAL)
     Q_PROPERTY(int differenceCount READ differenceCount NOTIFY changed FINAL)
     Q_PROPERTY(QString controllerText READ controllerText NOTIFY changed FINAL)
-    Q_PROPERTY(campanel::machine::ProgramProof* proof READ proof CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::ProgramProof* proof READ proof CONSTANT FINAL)
     Q_PROPERTY(bool saved READ isSaved NOTIFY changed FINAL)
     Q_PROPERTY(bool canSave READ canSave NOTIFY changed FINAL)
 
@@ -34,7 +34,7 @@ public:
     enum class State { NothingToDo, Ready, Blocked, Transferring, Sealing, Armed, Applied, Failed };
     Q_ENUM(State)
 
-    ProgramDownload(Machine& machine, QObject* parent);
+    ProgramDownload(Controller& machine, QObject* parent);
 
     // Sets the image to download; null when the recipe is not feasible.
     void offer(std::shared_ptr<const program::ProgramImage> image);
@@ -70,7 +70,7 @@ private:
     void takeReport(const link::DownloadReport& report);
     void compare();
 
-    Machine& m_machine;
+    Controller& m_machine;
     std::shared_ptr<const program::ProgramImage> m_offer;
     DifferenceModel m_differences;
     ProgramProof m_proof;
@@ -83,4 +83,4 @@ private:
     bool m_hasEnded = false; // the report belongs to an ended download without edits since then
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/download/program_proof.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/words/connection_sentences.h"
 
@@ -11,7 +11,7 @@
 
 using namespace Qt::StringLiterals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using link::ComparisonStage;
 
@@ -47,7 +47,7 @@ std::vector<std::uint16_t> rebuilt(const program::Recipe& recipe, std::uint32_t 
 
 } // namespace
 
-ProgramProof::ProgramProof(Machine& machine, QObject* parent)
+ProgramProof::ProgramProof(Controller& machine, QObject* parent)
     : QObject(parent)
     , m_machine(machine)
 {
@@ -263,4 +263,4 @@ QString ProgramProof::savedText() const
                      .arg(Format::hex(*status->savedCrc, 8));
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -11,9 +11,9 @@
 
 #include <optional>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-class Machine;
+class Controller;
 
 class ProgramProof : public QObject {
     Q_OBJECT
@@ -35,7 +35,7 @@ public:
     Q_ENUM(Result)
 
     // The machine must outlive the object.
-    ProgramProof(Machine& machine, QObject* parent);
+    ProgramProof(Controller& machine, QObject* parent);
 
     // Stores what this panel downloaded and the controller activated.
     void noteDownloaded(std::vector<std::uint16_t> registers, std::uint32_t crc);
@@ -67,7 +67,7 @@ private:
     [[nodiscard]] QString nameOf(quint16 offset) const;
     void takeReport(const link::ComparisonReport& report);
 
-    Machine& m_machine;
+    Controller& m_machine;
     std::vector<std::uint16_t> m_downloaded;
     std::uint32_t m_downloadedCrc = 0;
     std::vector<std::uint16_t> m_expected; // for the pending or last comparison
@@ -77,4 +77,4 @@ private:
     link::ComparisonReport m_report;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

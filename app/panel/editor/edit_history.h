@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 template <typename Value> class EditHistory {
 public:
@@ -52,4 +52,4 @@ private:
     std::vector<Value> m_redo;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

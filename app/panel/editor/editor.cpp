@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/editor/editor.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor_views.h"
 #include "app/panel/kit/engine_instances.h"
 #include "app/panel/recipe/controller_program.h"
@@ -18,7 +18,7 @@
 using namespace Qt::StringLiterals;
 using namespace std::chrono_literals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -71,7 +71,7 @@ constexpr auto tableDelay = 80ms;
 
 } // namespace
 
-Editor::Editor(Machine& machine, const QString& folder, QObject* parent)
+Editor::Editor(Controller& machine, const QString& folder, QObject* parent)
     : QObject(parent)
     , m_knots(this)
     , m_knotFiles(QDir(folder).filePath(u"knots"_s), this)
@@ -110,8 +110,8 @@ Editor::Editor(Machine& machine, const QString& folder, QObject* parent)
         takeStored(recipe);
         emit applied(recipe);
     });
-    connect(&machine, &Machine::connectionChanged, this, &Editor::watchController);
-    connect(&machine, &Machine::programChanged, this, &Editor::show);
+    connect(&machine, &Controller::connectionChanged, this, &Editor::watchController);
+    connect(&machine, &Controller::programChanged, this, &Editor::show);
     QCoreApplication::instance()->installEventFilter(this);
     m_controller = machine.identity();
     recompute();
@@ -162,7 +162,7 @@ void Editor::connectKnots()
         edit(Level::Technician, [&](program::Recipe& recipe) { recipe.program = program; });
     });
     connect(&m_knots, &KnotModel::dragged, this, [this](const profile::PointCamProgram& program) {
-        if (!m_beforeDrag && !admits(Level::Technician)) {
+        if (!m_beforeDrag && !require(Level::Technician)) {
             show(); // the handle returns
             return;
         }
@@ -180,15 +180,15 @@ void Editor::connectKnots()
     });
 }
 
-bool Editor::admits(Level needed) const
+bool Editor::require(Level needed) const
 {
-    return m_machine.gate().admits(needed);
+    return m_machine.accessCheck().require(needed);
 }
 
 template <typename Change> void Editor::edit(Level needed, Change change)
 {
     commitDrag();
-    if (!admits(needed))
+    if (!require(needed))
         return;
     program::Recipe before = m_recipe;
     change(m_recipe);
@@ -264,13 +264,13 @@ void Editor::dragRatio(int index, double timeSeconds)
 {
     if (!m_recipe.isCutter() || index < 0 || index >= static_cast<int>(m_recipe.cutter().k.size()))
         return;
-    if (!m_beforeDrag && !admits(Level::Technician)) {
+    if (!m_beforeDrag && !require(Level::Technician)) {
         show(); // the handle returns
         return;
     }
     if (!m_beforeDrag)
         m_beforeDrag = m_recipe;
-    machine::dragRatio(m_recipe, index, timeSeconds / m_cycleSeconds);
+    panel::dragRatio(m_recipe, index, timeSeconds / m_cycleSeconds);
     recompute();
 }
 
@@ -287,14 +287,14 @@ void Editor::commitDrag()
 void Editor::undo()
 {
     commitDrag();
-    if (m_history.canUndo() && admits(levelBetween(m_recipe, m_history.previous())))
+    if (m_history.canUndo() && require(levelBetween(m_recipe, m_history.previous())))
         replace(m_history.undo(m_recipe));
 }
 
 void Editor::redo()
 {
     commitDrag();
-    if (m_history.canRedo() && admits(levelBetween(m_recipe, m_history.next())))
+    if (m_history.canRedo() && require(levelBetween(m_recipe, m_history.next())))
         replace(m_history.redo(m_recipe));
 }
 
@@ -389,19 +389,19 @@ void Editor::watchController()
 void Editor::download()
 {
     commitDrag();
-    if (m_download.canDownload() && m_solution.image && admits(Level::Operator))
+    if (m_download.canDownload() && m_solution.image && require(Level::Operator))
         m_download.download(*m_solution.image, m_recipe);
 }
 
 void Editor::cancelDownload()
 {
-    if (admits(Level::Operator))
+    if (require(Level::Operator))
         m_download.cancel();
 }
 
 void Editor::saveToFlash()
 {
-    if (admits(Level::Operator))
+    if (require(Level::Operator))
         m_download.save();
 }
 
@@ -426,4 +426,4 @@ bool Editor::eventFilter(QObject* watched, QEvent* event)
     return QObject::eventFilter(watched, event);
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

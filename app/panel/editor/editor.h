@@ -28,31 +28,31 @@
 class QJSEngine;
 class QQmlEngine;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class Editor : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
 
-    Q_PROPERTY(campanel::machine::CutterFields cutter READ cutter CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorPlot plot READ plot NOTIFY solutionChanged FINAL)
-    Q_PROPERTY(campanel::machine::ProgramDownload* programDownload READ programDownload CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* lawParameter1 READ lawParameter1 CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* lawParameter2 READ lawParameter2 CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::CutterFields cutter READ cutter CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::EditorPlot plot READ plot NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(campanel::panel::ProgramDownload* programDownload READ programDownload CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::EditorField* lawParameter1 READ lawParameter1 CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::EditorField* lawParameter2 READ lawParameter2 CONSTANT FINAL)
 
     // The kind of program, its relevant fields, and the machine data that it needs.
     Q_PROPERTY(Kind kind READ kind NOTIFY kindChanged FINAL)
     Q_PROPERTY(QStringList kindNames READ kindNames NOTIFY kindChanged FINAL)
     Q_PROPERTY(QVariantList fields READ fields NOTIFY fieldsChanged FINAL)
     Q_PROPERTY(QVariantList machineFields READ machineFields NOTIFY fieldsChanged FINAL)
-    Q_PROPERTY(campanel::machine::ChoiceModel* choices READ choices CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::KnotModel* knots READ knots CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::KnotFiles* knotFiles READ knotFiles CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::ChoiceModel* choices READ choices CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::KnotModel* knots READ knots CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::KnotFiles* knotFiles READ knotFiles CONSTANT FINAL)
     Q_PROPERTY(bool hasLaw READ hasLaw NOTIFY kindChanged FINAL)
     Q_PROPERTY(QString lawTitle READ lawTitle NOTIFY kindChanged FINAL)
 
-    Q_PROPERTY(campanel::machine::LawModel* laws READ laws CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::LawModel* laws READ laws CONSTANT FINAL)
     Q_PROPERTY(QString lawName READ lawName NOTIFY solutionChanged FINAL)
 
     Q_PROPERTY(bool solvable READ solvable NOTIFY solutionChanged FINAL)
@@ -64,7 +64,7 @@ class Editor : public QObject {
     Q_PROPERTY(QString overlayName READ overlayName NOTIFY overlayChanged FINAL)
     Q_PROPERTY(QString peakText READ peakText NOTIFY solutionChanged FINAL)
 
-    Q_PROPERTY(campanel::machine::TableModel* table READ table CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::TableModel* table READ table CONSTANT FINAL)
 
     Q_PROPERTY(bool canUndo READ canUndo NOTIFY historyChanged FINAL)
     Q_PROPERTY(bool canRedo READ canRedo NOTIFY historyChanged FINAL)
@@ -80,7 +80,7 @@ public:
     Q_ENUM(Severity)
 
     // Stores both recipes in `folder`. The machine must outlive the object.
-    Editor(Machine& machine, const QString& folder, QObject* parent);
+    Editor(Controller& machine, const QString& folder, QObject* parent);
     ~Editor() override;
 
     static Editor* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
@@ -195,7 +195,7 @@ private:
     void compareCurves();
     void showFields();
     // Returns true when the person has the level. Otherwise requests a login, and nothing changes.
-    [[nodiscard]] bool admits(Level needed) const;
+    [[nodiscard]] bool require(Level needed) const;
     template <typename Change> void edit(Level needed, Change change);
     void replace(program::Recipe recipe); // undo, redo, revert
     void recompute();
@@ -216,7 +216,7 @@ private:
     LawModel m_laws;
     TableModel m_table;
 
-    Machine& m_machine;
+    Controller& m_machine;
     ProgramDownload m_download;
     store::LastRecipe m_storedFile;
     store::LastRecipe m_workingFile;
@@ -238,4 +238,4 @@ private:
     QString m_notice;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 EditorField::EditorField(QString fieldId, QObject* parent)
     : QObject(parent)
@@ -54,4 +54,4 @@ void EditorField::show(FieldView view)
     emit changed();
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -2,7 +2,7 @@
 // One number of the recipe as a person reads and enters it. The Editor owns it and alone updates it.
 #pragma once
 
-#include "app/panel/kit/gate.h"
+#include "app/panel/kit/access_check.h"
 
 #include <QObject>
 #include <QString>
@@ -10,7 +10,7 @@
 
 #include <limits>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 // The contents of the field, computed by the Editor after each change.
 struct FieldView {
@@ -96,4 +96,4 @@ private:
     FieldView m_view;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -2,12 +2,12 @@
 // The property getters of Editor, from the recipe and its solution.
 #include "app/panel/editor/editor.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor_views.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using profile::Field;
 
@@ -120,4 +120,4 @@ const profile::Suggestion* Editor::suggestion() const
                : &m_solution.refusals.front().nearest.front();
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

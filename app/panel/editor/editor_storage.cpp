@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 bool Editor::edited() const
 {
@@ -62,4 +62,4 @@ void Editor::keepWorkingCopy()
         showNotice(store::FileErrorText::describe(kept.error()));
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -10,22 +10,22 @@
 #include <QVariant>
 #include <QtQml/qqmlregistration.h>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 // `Editor.cutter` in QML: the fields of a rotary cutter by name.
 struct CutterFields {
     Q_GADGET
     QML_VALUE_TYPE(cutterFields)
-    Q_PROPERTY(campanel::machine::EditorField* bagLength MEMBER bagLength CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* rate MEMBER rate CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* baseSpeed MEMBER baseSpeed CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* filmSpeed MEMBER filmSpeed CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* k1 MEMBER k1 CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* k2 MEMBER k2 CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* k3 MEMBER k3 CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* k4 MEMBER k4 CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* syncRatio MEMBER syncRatio CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* rampSlices MEMBER rampSlices CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::EditorField* bagLength MEMBER bagLength CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::EditorField* rate MEMBER rate CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::EditorField* baseSpeed MEMBER baseSpeed CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::EditorField* filmSpeed MEMBER filmSpeed CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::EditorField* k1 MEMBER k1 CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::EditorField* k2 MEMBER k2 CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::EditorField* k3 MEMBER k3 CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::EditorField* k4 MEMBER k4 CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::EditorField* syncRatio MEMBER syncRatio CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::EditorField* rampSlices MEMBER rampSlices CONSTANT FINAL)
 
 public:
     EditorField* bagLength = nullptr;
@@ -64,4 +64,4 @@ public:
     QList<QPointF> violations;    // from and to
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -205,4 +205,4 @@ QString EditorViews::verdict() const
                                        : RefusalSentences::withinLimits(m_solution.fastest);
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -10,7 +10,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 // The demands of a law on the machine; peaks are NaN without a motion.
 struct LawDemand {
@@ -48,4 +48,4 @@ private:
     const ControllerProgram* m_active;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -136,4 +136,4 @@ void KnotFiles::write(int place)
     });
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

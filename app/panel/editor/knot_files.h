@@ -13,14 +13,14 @@
 #include <functional>
 #include <vector>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class KnotFiles : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("Files of knots belong to the Editor")
-    Q_PROPERTY(campanel::machine::OfferModel* files READ files CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::OfferModel* places READ places CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::OfferModel* files READ files CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::OfferModel* places READ places CONSTANT FINAL)
     // The folder of this panel, which is always available.
     Q_PROPERTY(QString ownFolder READ ownFolder CONSTANT FINAL)
     Q_PROPERTY(bool busy READ busy NOTIFY changed FINAL)
@@ -80,4 +80,4 @@ private:
     QThreadPool m_pool; // one thread; the destructor waits for it
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -249,4 +249,4 @@ QHash<int, QByteArray> KnotModel::roleNames() const
             {SelectedRole, "selected"}};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -11,7 +11,7 @@
 
 #include <optional>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class KnotModel : public QAbstractListModel {
     Q_OBJECT
@@ -20,8 +20,8 @@ class KnotModel : public QAbstractListModel {
     Q_PROPERTY(int count READ count NOTIFY changed FINAL)
     Q_PROPERTY(int selected READ selected WRITE select NOTIFY changed FINAL)
     // The place of the selected knot; for the keypad.
-    Q_PROPERTY(campanel::machine::EditorField* master READ master CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::EditorField* slave READ slave CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::EditorField* master READ master CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::EditorField* slave READ slave CONSTANT FINAL)
     // The times of the knots on the time axis of the curves, s.
     Q_PROPERTY(QList<double> times READ times NOTIFY changed FINAL)
     Q_PROPERTY(QString wrapText READ wrapText NOTIFY changed FINAL)
@@ -87,4 +87,4 @@ private:
     EditorField m_slave{QStringLiteral("knotSlave"), this};
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -5,7 +5,7 @@
 #include <QMetaType>
 #include <QString>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 struct Explanation {
     Q_GADGET
@@ -26,4 +26,4 @@ public:
     [[nodiscard]] QString text() const;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

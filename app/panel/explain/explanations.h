@@ -13,11 +13,11 @@
 class QJSEngine;
 class QQmlEngine;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class Editor;
 class LineFigures;
-class Machine;
+class Controller;
 class Trends;
 
 class Explanations : public QObject {
@@ -50,7 +50,7 @@ public:
     Q_ENUM(Quantity)
 
     struct Sources {
-        Machine& machine;
+        Controller& machine;
         Editor& editor;
         LineFigures& figures;
         Trends& trends;
@@ -63,7 +63,7 @@ public:
 
     // Explains a value of Quantity. Packing line and press use the controller's values; FastestRate and the
     // peaks use the recipe in the editor.
-    [[nodiscard]] Q_INVOKABLE campanel::machine::Explanation of(int quantity) const;
+    [[nodiscard]] Q_INVOKABLE campanel::panel::Explanation of(int quantity) const;
     // Returns the explainable quantities of the recipe's verdict: the known ones of FastestRate and the
     // peaks.
     [[nodiscard]] Q_INVOKABLE QList<int> ofVerdict() const;
@@ -87,10 +87,10 @@ private:
     [[nodiscard]] Explanation answerAllowance() const;
     [[nodiscard]] static QString trendUnit(int quantity); // for a Trends.Quantity
 
-    Machine& m_machine;
+    Controller& m_machine;
     Editor& m_editor;
     LineFigures& m_figures;
     Trends& m_trends;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -9,7 +9,7 @@
 
 using namespace Qt::StringLiterals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -219,4 +219,4 @@ QString Explanations::trendUnit(int quantity)
     }
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

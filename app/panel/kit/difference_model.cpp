@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/kit/difference_model.h"
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 void DifferenceModel::setRows(QList<DifferenceRow> rows)
 {
@@ -42,4 +42,4 @@ QHash<int, QByteArray> DifferenceModel::roleNames() const
     return {{NameRole, "name"}, {ActiveTextRole, "activeText"}, {EditedTextRole, "editedText"}};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

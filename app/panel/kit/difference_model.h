@@ -6,7 +6,7 @@
 #include <QList>
 #include <QtQml/qqmlregistration.h>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 struct DifferenceRow {
     QString name;
@@ -42,4 +42,4 @@ private:
     QList<DifferenceRow> m_rows;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

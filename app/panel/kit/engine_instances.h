@@ -7,7 +7,7 @@
 #include <QQmlEngine>
 #include <QVariant>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 // Returns the name of the engine's dynamic property that holds the instance of a singleton type.
 template <typename Type> [[nodiscard]] const char* instanceKey()
@@ -30,4 +30,4 @@ template <typename Type> [[nodiscard]] Type* attachedInstance(const QQmlEngine* 
     return instance;
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

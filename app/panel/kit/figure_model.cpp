@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/kit/figure_model.h"
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 void FigureModel::setRows(QList<FigureRow> rows)
 {
@@ -44,4 +44,4 @@ QHash<int, QByteArray> FigureModel::roleNames() const
     return {{LabelRole, "label"}, {ValueRole, "value"}, {NotableRole, "notable"}};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -6,7 +6,7 @@
 #include <QList>
 #include <QtQml/qqmlregistration.h>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 struct FigureRow {
     QString label;
@@ -37,4 +37,4 @@ private:
     QList<FigureRow> m_rows;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 // Replaces the hyphen of locales by a minus sign, which is as wide as a digit and easier to see.
@@ -66,4 +66,4 @@ QString Format::hexDigits(quint64 value, int digits)
     return QString::number(value, 16).toUpper().rightJustified(digits, u'0');
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

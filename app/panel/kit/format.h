@@ -7,7 +7,7 @@
 #include <QLocale>
 #include <QString>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class Format {
 public:
@@ -36,4 +36,4 @@ private:
     QLocale m_locale;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -19,4 +19,4 @@ inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
                : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

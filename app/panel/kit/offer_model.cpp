@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/kit/offer_model.h"
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 void OfferModel::setRows(QList<OfferRow> rows)
 {
@@ -42,4 +42,4 @@ QHash<int, QByteArray> OfferModel::roleNames() const
     return {{TitleRole, "title"}, {NoteRole, "note"}, {DetailRole, "detail"}, {UsableRole, "usable"}};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

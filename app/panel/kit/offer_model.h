@@ -6,7 +6,7 @@
 #include <QList>
 #include <QtQml/qqmlregistration.h>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 struct OfferRow {
     QString title;
@@ -43,4 +43,4 @@ private:
     QList<OfferRow> m_rows;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/kit/report_files.h"
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -120,4 +120,4 @@ void ReportFiles::write(int place)
     });
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -12,7 +12,7 @@
 
 #include <functional>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 struct ReportFile {
     QString name; // readable name; see store::freePath()
@@ -25,7 +25,7 @@ class ReportFiles : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("Report files belong to the Service")
-    Q_PROPERTY(campanel::machine::OfferModel* places READ places CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::OfferModel* places READ places CONSTANT FINAL)
     Q_PROPERTY(bool busy READ busy NOTIFY changed FINAL)
     // The result of the last write: the paths, or the error. Empty until then.
     Q_PROPERTY(QString message READ message NOTIFY changed FINAL)
@@ -76,4 +76,4 @@ private:
     QThreadPool m_pool; // one thread; the destructor waits for it
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

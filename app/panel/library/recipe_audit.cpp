@@ -11,7 +11,7 @@
 
 using namespace Qt::StringLiterals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -78,4 +78,4 @@ store::AuditEntry recipeSaved(const std::optional<store::RecipeVersion>& before,
     return entry;
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -6,7 +6,7 @@
 
 #include <QFileInfo>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 RecipeFiles::RecipeFiles(const QString& ownFolder, Consequence consequence, QObject* parent)
     : QObject(parent)
@@ -79,4 +79,4 @@ void RecipeFiles::take(int file)
         emit taken(*m_found[file].recipe, QFileInfo(m_found[file].path).fileName());
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -12,13 +12,13 @@
 
 #include <functional>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class RecipeFiles : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("Recipe files belong to the Recipes")
-    Q_PROPERTY(campanel::machine::OfferModel* files READ files CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::OfferModel* files READ files CONSTANT FINAL)
     // The folder of this panel, which is always available.
     Q_PROPERTY(QString ownFolder READ ownFolder CONSTANT FINAL)
     Q_PROPERTY(bool busy READ busy NOTIFY changed FINAL)
@@ -63,4 +63,4 @@ private:
     QThreadPool m_pool; // one thread; the destructor waits for it
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 void RecipeList::setRows(QList<RecipeRow> rows)
 {
@@ -55,4 +55,4 @@ QHash<int, QByteArray> RecipeList::roleNames() const
             {SavedTextRole, "savedText"}, {OpenRole, "isOpen"},     {ActiveRole, "isActive"}};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -6,7 +6,7 @@
 #include <QList>
 #include <QtQml/qqmlregistration.h>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 struct RecipeRow {
     qint64 id = 0;
@@ -46,4 +46,4 @@ private:
     QList<RecipeRow> m_rows;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

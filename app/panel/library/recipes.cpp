@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/library/recipes.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/library/recipe_audit.h"
 #include "app/panel/recipe/recipe_comparison.h"
 #include "app/panel/recipe/recipe_edit.h"
-#include "app/panel/records/records.h"
+#include "app/panel/records/database_service.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
 
@@ -19,7 +19,7 @@
 
 using namespace Qt::StringLiterals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using program::Recipe;
 using store::RecipeVersion;
@@ -33,7 +33,8 @@ QString nameOf(const Recipe& recipe)
 
 } // namespace
 
-Recipes::Recipes(Machine& machine, Editor& editor, Records& records, const QString& folder, QObject* parent)
+Recipes::Recipes(Controller& machine, Editor& editor, DatabaseService& records, const QString& folder,
+                 QObject* parent)
     : QObject(parent)
     , m_machine(machine)
     , m_editor(editor)
@@ -52,9 +53,9 @@ Recipes::Recipes(Machine& machine, Editor& editor, Records& records, const QStri
     });
     connect(&editor, &Editor::applied, this, [this](const Recipe& recipe) { keep(recipe, {}); });
     connect(&editor, &Editor::recipeChanged, this, &Recipes::followEditor);
-    connect(&machine, &Machine::programChanged, this, &Recipes::show);
+    connect(&machine, &Controller::programChanged, this, &Recipes::show);
     connect(&m_files, &RecipeFiles::taken, this, [this](const Recipe& recipe, const QString& fileName) {
-        if (!m_machine.gate().admits(Level::Technician))
+        if (!m_machine.accessCheck().require(Level::Technician))
             return;
         keep(onThisMachine(recipe), [this, fileName](const RecipeVersion& kept) {
             m_chosenId = kept.recipeId;
@@ -92,7 +93,7 @@ template <typename Job, typename Done> void Recipes::work(Job job, Done done)
             if (outcome)
                 done(*outcome);
             else
-                m_records.complain(outcome.error());
+                m_records.reportError(outcome.error());
         });
 }
 
@@ -307,7 +308,7 @@ void Recipes::choose(int row)
 void Recipes::open()
 {
     const RecipeVersion* chosen = chosenRecipe();
-    if (chosen && m_machine.gate().admits(Level::Operator)) {
+    if (chosen && m_machine.accessCheck().require(Level::Operator)) {
         m_editor.open(onThisMachine(chosen->recipe));
         dismissMessage();
     }
@@ -315,7 +316,7 @@ void Recipes::open()
 
 void Recipes::save()
 {
-    if (!m_machine.gate().admits(Level::Operator))
+    if (!m_machine.accessCheck().require(Level::Operator))
         return;
     keep(m_editor.recipe(), [this, before = m_editor.storedRecipe()](const RecipeVersion& kept) {
         // Unless another recipe has been opened since then.
@@ -328,7 +329,7 @@ void Recipes::save()
 void Recipes::create(int kind)
 {
     if (kind < 1 || kind > static_cast<int>(program::kinds().size()) || !nameProblem().isEmpty() ||
-        !m_machine.gate().admits(Level::Technician))
+        !m_machine.accessCheck().require(Level::Technician))
         return;
     keepAndOpen(renamed(m_editor.newRecipe(static_cast<profile::ProgramKind>(kind))), [](const Recipe& kept) {
         return tr("%1 is new and open, with usual values. Set yours on the page Motion.").arg(nameOf(kept));
@@ -338,14 +339,14 @@ void Recipes::create(int kind)
 void Recipes::copy()
 {
     const RecipeVersion* chosen = chosenRecipe();
-    if (chosen && nameProblem().isEmpty() && m_machine.gate().admits(Level::Technician))
+    if (chosen && nameProblem().isEmpty() && m_machine.accessCheck().require(Level::Technician))
         keepAndOpen(renamed(onThisMachine(chosen->recipe)),
                     [](const Recipe& kept) { return tr("%1 is a copy and open.").arg(nameOf(kept)); });
 }
 
 void Recipes::saveAs()
 {
-    if (nameProblem().isEmpty() && m_machine.gate().admits(Level::Technician))
+    if (nameProblem().isEmpty() && m_machine.accessCheck().require(Level::Technician))
         keepAndOpen(renamed(m_editor.recipe()), [](const Recipe& kept) {
             return tr("Saved: %1, version %2.").arg(nameOf(kept)).arg(kept.version);
         });
@@ -361,7 +362,7 @@ Recipe Recipes::renamed(Recipe recipe) const
 void Recipes::rename()
 {
     const RecipeVersion* chosen = chosenRecipe();
-    if (!chosen || !nameProblem().isEmpty() || !m_machine.gate().admits(Level::Technician))
+    if (!chosen || !nameProblem().isEmpty() || !m_machine.accessCheck().require(Level::Technician))
         return;
     const QString before = nameOf(chosen->recipe);
     const QString name = m_wantedName.trimmed();
@@ -376,7 +377,7 @@ void Recipes::rename()
                 return;
             }
             if (!renamed) {
-                m_records.complain(renamed.error());
+                m_records.reportError(renamed.error());
                 return;
             }
             if (nameOf(m_editor.storedRecipe()) == before) {
@@ -398,7 +399,7 @@ void Recipes::rename()
 void Recipes::remove()
 {
     const RecipeVersion* chosen = chosenRecipe();
-    if (!chosen || !m_machine.gate().admits(Level::Technician))
+    if (!chosen || !m_machine.accessCheck().require(Level::Technician))
         return;
     m_records.store().run(
         this,
@@ -408,7 +409,7 @@ void Recipes::remove()
         [this, id = chosen->recipeId,
          name = chosenName()](const tl::expected<void, store::StoreError>& removed) {
             if (!removed) {
-                m_records.complain(removed.error());
+                m_records.reportError(removed.error());
                 return;
             }
             note(u"recipe.delete"_s, name, {}, {});
@@ -422,7 +423,7 @@ void Recipes::remove()
 
 void Recipes::restore()
 {
-    if (!m_machine.gate().admits(Level::Technician))
+    if (!m_machine.accessCheck().require(Level::Technician))
         return;
     m_records.store().run(
         this,
@@ -431,7 +432,7 @@ void Recipes::restore()
         },
         [this](const tl::expected<void, store::StoreError>& restored) {
             if (!restored) {
-                m_records.complain(restored.error());
+                m_records.reportError(restored.error());
                 return;
             }
             note(u"recipe.restore"_s, m_deletedName, {}, {});
@@ -473,4 +474,4 @@ bool Recipes::eventFilter(QObject* watched, QEvent* event)
     return QObject::eventFilter(watched, event);
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

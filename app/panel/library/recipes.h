@@ -22,11 +22,11 @@
 class QJSEngine;
 class QQmlEngine;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class Editor;
-class Machine;
-class Records;
+class Controller;
+class DatabaseService;
 
 class Recipes : public QObject {
     Q_OBJECT
@@ -34,7 +34,7 @@ class Recipes : public QObject {
     QML_SINGLETON
 
     // The recipes that match the search; the one saved last comes first.
-    Q_PROPERTY(campanel::machine::RecipeList* list READ list CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RecipeList* list READ list CONSTANT FINAL)
     Q_PROPERTY(QString search READ search WRITE setSearch NOTIFY listChanged FINAL)
     Q_PROPERTY(int total READ total NOTIFY listChanged FINAL)  // without the search
     Q_PROPERTY(bool ready READ ready NOTIFY listChanged FINAL) // the database has been read
@@ -45,15 +45,15 @@ class Recipes : public QObject {
     Q_PROPERTY(QString chosenNote READ chosenNote NOTIFY listChanged FINAL)
     Q_PROPERTY(bool chosenIsOpen READ chosenIsOpen NOTIFY listChanged FINAL)
     Q_PROPERTY(bool chosenIsActive READ chosenIsActive NOTIFY listChanged FINAL)
-    Q_PROPERTY(campanel::machine::FigureModel* figures READ figures CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::FigureModel* figures READ figures CONSTANT FINAL)
 
     // The name being entered, and the reason why it is not available; empty when it is.
     Q_PROPERTY(QString wantedName READ wantedName WRITE setWantedName NOTIFY wantedNameChanged FINAL)
     Q_PROPERTY(QString nameProblem READ nameProblem NOTIFY wantedNameChanged FINAL)
 
     // The versions or other recipes to compare the chosen one with, and the differences.
-    Q_PROPERTY(campanel::machine::OfferModel* candidates READ candidates CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::DifferenceModel* differences READ differences CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::OfferModel* candidates READ candidates CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::DifferenceModel* differences READ differences CONSTANT FINAL)
     Q_PROPERTY(QString beforeTitle READ beforeTitle NOTIFY comparisonChanged FINAL)
     Q_PROPERTY(QString afterTitle READ afterTitle NOTIFY comparisonChanged FINAL)
     Q_PROPERTY(bool compared READ compared NOTIFY comparisonChanged FINAL)
@@ -61,15 +61,16 @@ class Recipes : public QObject {
     Q_PROPERTY(int nextVersion READ nextVersion NOTIFY listChanged FINAL) // next version of the edited recipe
     Q_PROPERTY(QString message READ message NOTIFY messageChanged FINAL)  // result of the last action
     Q_PROPERTY(bool canRestore READ canRestore NOTIFY messageChanged FINAL) // the last deletion
-    Q_PROPERTY(campanel::machine::RecipeFiles* files READ files CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::ReportFiles* exports READ exports CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RecipeFiles* files READ files CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::ReportFiles* exports READ exports CONSTANT FINAL)
 
 public:
     using WallClock = std::function<QDateTime()>;
     using Author = std::function<QString()>;
 
     // All arguments must outlive the object. Its own files are in a folder below `folder`.
-    Recipes(Machine& machine, Editor& editor, Records& records, const QString& folder, QObject* parent);
+    Recipes(Controller& machine, Editor& editor, DatabaseService& records, const QString& folder,
+            QObject* parent);
     ~Recipes() override;
 
     static Recipes* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
@@ -169,9 +170,9 @@ private:
     [[nodiscard]] QString savedText(const store::RecipeVersion& version) const;
     [[nodiscard]] QString consequence(const program::Recipe& recipe) const;
 
-    Machine& m_machine;
+    Controller& m_machine;
     Editor& m_editor;
-    Records& m_records;
+    DatabaseService& m_records;
     WallClock m_wallClock;
     Author m_author;
     Versions m_all; // the newest of each
@@ -195,4 +196,4 @@ private:
     bool m_isReady = false;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

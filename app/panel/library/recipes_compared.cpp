@@ -2,15 +2,15 @@
 // The comparison of recipes and versions, and import and export.
 #include "app/panel/library/recipes.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/recipe/recipe_comparison.h"
-#include "app/panel/records/records.h"
+#include "app/panel/records/database_service.h"
 #include "app/store/recipes/recipe_json.h"
 
 #include <algorithm>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using program::Recipe;
 using store::RecipeVersion;
@@ -48,7 +48,7 @@ void Recipes::lookAtVersions()
         [id = m_chosenId](store::Database& database) { return store::RecipeLibrary(database).versions(id); },
         [this](const tl::expected<Versions, store::StoreError>& versions) {
             if (!versions) {
-                m_records.complain(versions.error());
+                m_records.reportError(versions.error());
                 return;
             }
             m_compared = *versions;
@@ -95,7 +95,7 @@ void Recipes::compareOther(int row)
 
 void Recipes::openVersion(int row)
 {
-    if (row < 0 || row >= m_compared.size() || !m_machine.gate().admits(Level::Operator))
+    if (row < 0 || row >= m_compared.size() || !m_machine.accessCheck().require(Level::Operator))
         return;
     m_editor.open(onThisMachine(m_compared[row].recipe));
     dismissMessage();
@@ -125,4 +125,4 @@ QString Recipes::consequence(const Recipe& recipe) const
         .arg(std::max(known->version + 1, recipe.version));
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

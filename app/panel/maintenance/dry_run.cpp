@@ -9,7 +9,7 @@
 
 using namespace std::chrono_literals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -200,4 +200,4 @@ void DryRun::tellCutter(QList<FigureRow>& rows) const
          << FigureRow{tr("Synchronous zone"), synchronous() ? tr("yes") : tr("no"), false};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

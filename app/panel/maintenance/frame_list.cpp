@@ -7,7 +7,7 @@
 
 using namespace Qt::StringLiterals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 FrameList::FrameList(link::Link& link, ReportFiles& files, QObject* parent)
     : QAbstractListModel(parent)
@@ -269,4 +269,4 @@ QHash<int, QByteArray> FrameList::roleNames() const
     return {{TimeRole, "time"}, {SentRole, "sent"}, {WordsRole, "words"}, {ErrorRole, "error"}};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -14,7 +14,7 @@
 #include <deque>
 #include <optional>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class FrameList : public QAbstractListModel {
     Q_OBJECT
@@ -112,4 +112,4 @@ private:
     bool m_isPaused = false;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -1,30 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/maintenance/homing.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
 using Kind = profile::ProgramKind;
 
-Kind kindOf(const Machine& machine)
+Kind kindOf(const Controller& machine)
 {
     return static_cast<Kind>(machine.active().kind);
 }
 
 } // namespace
 
-Homing::Homing(Machine& machine, QObject* parent)
+Homing::Homing(Controller& machine, QObject* parent)
     : QObject(parent)
     , m_machine(machine)
     , m_speed(machine, AxisSpeed::Use::Home, this)
 {
-    for (const auto told : {&Machine::stateChanged, &Machine::freshChanged, &Machine::connectionChanged})
+    for (const auto told :
+         {&Controller::stateChanged, &Controller::freshChanged, &Controller::connectionChanged})
         connect(&machine, told, this, &Homing::note);
-    connect(&machine, &Machine::programChanged, this, &Homing::noteProgram);
-    connect(&machine, &Machine::commandEnded, this, [this](const link::CommandOutcome& outcome) {
+    connect(&machine, &Controller::programChanged, this, &Homing::noteProgram);
+    connect(&machine, &Controller::commandEnded, this, [this](const link::CommandOutcome& outcome) {
         // A press sets the present position: homing ends with the command.
         if (outcome.command == modbus::Command::Home && outcome.end == link::CommandEnd::Done && !moves())
             end(Result::Done);
@@ -93,7 +94,7 @@ QString Homing::keyText() const
 
 QString Homing::blockedReason() const
 {
-    if (m_machine.state() == Machine::State::Homing && m_machine.fresh())
+    if (m_machine.state() == Controller::State::Homing && m_machine.fresh())
         return tr("Looking for the index mark …");
     return m_machine.blockedReason(modbus::Command::Home);
 }
@@ -137,18 +138,18 @@ void Homing::home()
 
 void Homing::note()
 {
-    const Machine::State state = m_machine.state();
-    if (state == Machine::State::Homing) {
+    const Controller::State state = m_machine.state();
+    if (state == Controller::State::Homing) {
         m_result = Result::UnderWay;
         m_wasStopping = false;
     } else if (m_result == Result::UnderWay) {
         if (!m_machine.isConnected())
             end(Result::Interrupted);
-        else if (state == Machine::State::Stopping)
+        else if (state == Controller::State::Stopping)
             m_wasStopping = true;
-        else if (state == Machine::State::Fault)
+        else if (state == Controller::State::Fault)
             end(Result::Failed);
-        else if (state != Machine::State::Unknown)
+        else if (state != Controller::State::Unknown)
             end(m_wasStopping || place() == Place::NotHomed ? Result::Stopped : Result::Done);
     }
     emit changed();
@@ -169,4 +170,4 @@ void Homing::end(Result result)
     emit changed();
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -8,9 +8,9 @@
 #include <QObject>
 #include <QtQml/qqmlregistration.h>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-class Machine;
+class Controller;
 
 class Homing : public QObject {
     Q_OBJECT
@@ -31,7 +31,7 @@ class Homing : public QObject {
     Q_PROPERTY(bool failed READ failed NOTIFY changed FINAL)
     // True when homing moves the axis; on a press nothing moves.
     Q_PROPERTY(bool moves READ moves NOTIFY changed FINAL)
-    Q_PROPERTY(campanel::machine::AxisSpeed* speed READ speed CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::AxisSpeed* speed READ speed CONSTANT FINAL)
 
 public:
     enum class Place { Unknown, Homed, NotHomed, NotNeeded };
@@ -39,7 +39,7 @@ public:
     enum class Result { None, UnderWay, Done, Stopped, Failed, Interrupted };
 
     // The machine must outlive the object.
-    Homing(Machine& machine, QObject* parent);
+    Homing(Controller& machine, QObject* parent);
 
     [[nodiscard]] Place place() const;
     [[nodiscard]] QString placeText() const;
@@ -61,17 +61,17 @@ public:
 signals:
     void changed();
     // Emitted for the audit trail: Done, Stopped, Failed or Interrupted.
-    void ended(campanel::machine::Homing::Result result);
+    void ended(campanel::panel::Homing::Result result);
 
 private:
     void note();
     void noteProgram();
     void end(Result result);
 
-    Machine& m_machine;
+    Controller& m_machine;
     AxisSpeed m_speed;
     Result m_result = Result::None;
     bool m_wasStopping = false;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

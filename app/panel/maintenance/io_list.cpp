@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/maintenance/io_list.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/words/alarm_catalogue.h"
 
@@ -11,7 +11,7 @@
 
 using namespace std::chrono_literals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -37,14 +37,14 @@ IoList::Lamp lampOf(bool isOn)
 
 } // namespace
 
-IoList::IoList(Machine& machine, QObject* parent)
+IoList::IoList(Controller& machine, QObject* parent)
     : QAbstractListModel(parent)
     , m_machine(machine)
     , m_timer(this)
 {
     m_timer.setInterval(lampLookPeriod);
     connect(&m_timer, &QTimer::timeout, this, &IoList::look);
-    for (const auto told : {&Machine::freshChanged, &Machine::connectionChanged})
+    for (const auto told : {&Controller::freshChanged, &Controller::connectionChanged})
         connect(&machine, told, this, [this] {
             if (watched())
                 look();
@@ -190,4 +190,4 @@ QHash<int, QByteArray> IoList::roleNames() const
     return {{NameRole, "name"}, {ValueRole, "value"}, {SideRole, "side"}, {LampRole, "lamp"}};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -9,9 +9,9 @@
 #include <QTimer>
 #include <QtQml/qqmlregistration.h>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-class Machine;
+class Controller;
 
 class IoList : public QAbstractListModel {
     Q_OBJECT
@@ -39,7 +39,7 @@ public:
     };
 
     // The machine must outlive the object.
-    IoList(Machine& machine, QObject* parent);
+    IoList(Controller& machine, QObject* parent);
 
     [[nodiscard]] bool watched() const { return m_timer.isActive(); }
     void setWatched(bool isWatched);
@@ -62,7 +62,7 @@ private:
     void addLine(QList<Row>& rows);
     void addBits(QList<Row>& rows, const modbus::StatusBlock& status) const;
 
-    Machine& m_machine;
+    Controller& m_machine;
     QTimer m_timer;
     QList<Row> m_rows;
     bool m_isStale = true;
@@ -70,4 +70,4 @@ private:
     double m_products = 0;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/maintenance/jog.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 
 #include <limits>
 #include <utility>
 
 using namespace std::chrono_literals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -28,19 +28,19 @@ link::JogDirection linkDirection(int direction)
                            : link::JogDirection::Reverse;
 }
 
-bool isPress(const Machine& machine)
+bool isPress(const Controller& machine)
 {
     return machine.active().kind == static_cast<int>(profile::ProgramKind::Press);
 }
 
-bool isCutter(const Machine& machine)
+bool isCutter(const Controller& machine)
 {
     return machine.active().kind == static_cast<int>(profile::ProgramKind::RotaryCutter);
 }
 
 } // namespace
 
-Jog::Jog(Machine& machine, QObject* parent)
+Jog::Jog(Controller& machine, QObject* parent)
     : QObject(parent)
     , m_machine(machine)
     , m_speed(machine, AxisSpeed::Use::Jog, this)
@@ -55,20 +55,20 @@ Jog::Jog(Machine& machine, QObject* parent)
     m_patienceTimer.setSingleShot(true);
     m_patienceTimer.setInterval(patience);
     connect(&m_patienceTimer, &QTimer::timeout, this, [this] {
-        m_isRefused = m_machine.state() != Machine::State::Jogging;
+        m_isRefused = m_machine.state() != Controller::State::Jogging;
         emit changed();
     });
     m_settleTimer.setInterval(settleTime);
     connect(&m_settleTimer, &QTimer::timeout, this, [this] {
-        if (m_machine.state() != Machine::State::Jogging)
+        if (m_machine.state() != Controller::State::Jogging)
             tellEnd();
     });
-    for (const auto told : {&Machine::stateChanged, &Machine::freshChanged, &Machine::connectionChanged,
-                            &Machine::programChanged})
+    for (const auto told : {&Controller::stateChanged, &Controller::freshChanged,
+                            &Controller::connectionChanged, &Controller::programChanged})
         connect(&machine, told, this, &Jog::check);
-    connect(&machine, &Machine::liveChanged, this, &Jog::positionChanged);
+    connect(&machine, &Controller::liveChanged, this, &Jog::positionChanged);
     // Any command ends jogging, above all Stop.
-    connect(&machine, &Machine::commandSending, this, [this] { finish(End::Stopped); });
+    connect(&machine, &Controller::commandSending, this, [this] { finish(End::Stopped); });
 }
 
 bool Jog::possible() const
@@ -76,7 +76,7 @@ bool Jog::possible() const
     return blockedReason().isEmpty();
 }
 
-bool Jog::troubled() const
+bool Jog::blocked() const
 {
     return !possible() || m_isRefused || (m_pressed != 0 && m_held == 0);
 }
@@ -102,19 +102,19 @@ QString Jog::blockedReason() const
     if (!m_machine.isConnected() || !m_machine.fresh())
         return tr("There is no connection to the controller.");
     switch (m_machine.state()) {
-    case Machine::State::Idle:
-    case Machine::State::Ready:
-    case Machine::State::Jogging:
+    case Controller::State::Idle:
+    case Controller::State::Ready:
+    case Controller::State::Jogging:
         return {};
-    case Machine::State::Running:
+    case Controller::State::Running:
         return tr("The machine is running. Stop it first.");
-    case Machine::State::Stopping:
+    case Controller::State::Stopping:
         return tr("The machine is stopping. Wait until it stands.");
-    case Machine::State::Homing:
+    case Controller::State::Homing:
         return tr("The axis is homing. Wait until it stands.");
-    case Machine::State::Fault:
+    case Controller::State::Fault:
         return tr("The controller is in fault. Reset the fault first.");
-    case Machine::State::Unknown:
+    case Controller::State::Unknown:
         break;
     }
     return tr("The state of the controller is not known.");
@@ -166,7 +166,7 @@ void Jog::press(int direction)
         finish(End::BothKeys);
         m_end = End::BothKeys;
         emit changed();
-    } else if (possible() && m_machine.gate().admits(Level::Technician)) {
+    } else if (possible() && m_machine.accessCheck().require(Level::Technician)) {
         begin(direction);
     } else {
         m_end = End::Blocked;
@@ -219,7 +219,7 @@ void Jog::check()
 {
     if (!possible())
         finish(End::Blocked);
-    if (m_held != 0 && m_machine.state() == Machine::State::Jogging)
+    if (m_held != 0 && m_machine.state() == Controller::State::Jogging)
         m_isRefused = false;
     if (m_endedDirection != 0 && !m_machine.isConnected())
         tellEnd();
@@ -234,4 +234,4 @@ void Jog::tellEnd()
                    m_machine.isConnected() ? positionPulses() : std::numeric_limits<double>::quiet_NaN());
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

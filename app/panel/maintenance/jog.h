@@ -10,9 +10,9 @@
 #include <QTimer>
 #include <QtQml/qqmlregistration.h>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-class Machine;
+class Controller;
 
 class Jog : public QObject {
     Q_OBJECT
@@ -24,23 +24,23 @@ class Jog : public QObject {
     Q_PROPERTY(int held READ held NOTIFY changed FINAL)
     // The present movement, or the reason why it is blocked or ended.
     Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
-    Q_PROPERTY(bool troubled READ troubled NOTIFY changed FINAL) // the text is a reason not to move
+    Q_PROPERTY(bool blocked READ blocked NOTIFY changed FINAL) // the text is a reason not to move
     Q_PROPERTY(QString forwardNote READ forwardNote NOTIFY changed FINAL)
     Q_PROPERTY(QString reverseNote READ reverseNote NOTIFY changed FINAL)
     Q_PROPERTY(double positionPulses READ positionPulses NOTIFY positionChanged FINAL)
-    Q_PROPERTY(campanel::machine::AxisSpeed* speed READ speed CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::AxisSpeed* speed READ speed CONSTANT FINAL)
 
 public:
     // The reason for the end of a jog.
     enum class End { Released, Stopped, Blocked, BothKeys, LeftScreen };
 
     // The machine must outlive the object.
-    Jog(Machine& machine, QObject* parent);
+    Jog(Controller& machine, QObject* parent);
 
     [[nodiscard]] bool possible() const;
     [[nodiscard]] int held() const { return m_held; }
     [[nodiscard]] QString text() const;
-    [[nodiscard]] bool troubled() const;
+    [[nodiscard]] bool blocked() const;
     [[nodiscard]] QString forwardNote() const;
     [[nodiscard]] QString reverseNote() const;
     [[nodiscard]] double positionPulses() const;
@@ -60,7 +60,7 @@ signals:
     // Emitted for the audit trail, with the position in pulses, NaN when it is unknown. begun() comes with
     // the key; ended() when the axis stands still or the line is lost.
     void begun(int direction, double positionPulses);
-    void ended(int direction, campanel::machine::Jog::End end, double positionPulses);
+    void ended(int direction, campanel::panel::Jog::End end, double positionPulses);
 
 private:
     [[nodiscard]] QString blockedReason() const;
@@ -70,7 +70,7 @@ private:
     void check();
     void tellEnd();
 
-    Machine& m_machine;
+    Controller& m_machine;
     AxisSpeed m_speed;
     QTimer m_repeatTimer;
     QTimer m_patienceTimer; // limits the wait for a controller that does not move
@@ -82,4 +82,4 @@ private:
     bool m_isRefused = false; // held for some time without movement
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

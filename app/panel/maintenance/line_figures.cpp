@@ -6,7 +6,7 @@
 
 #include <numeric>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -157,4 +157,4 @@ void LineFigures::exportCsv()
                     [figures] { return QByteArray::fromStdString(modbus::stripCsv(figures)); }}});
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -14,17 +14,17 @@
 #include <functional>
 #include <optional>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class LineFigures : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The figures belong to the Service")
     Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
-    Q_PROPERTY(campanel::machine::FigureModel* exchanges READ exchanges CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::FigureModel* errors READ errors CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::FigureModel* times READ times CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::FigureModel* controller READ controller CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::FigureModel* exchanges READ exchanges CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::FigureModel* errors READ errors CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::FigureModel* times READ times CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::FigureModel* controller READ controller CONSTANT FINAL)
     // One number for each minute, oldest first; the last one is the minute `stripEnd`. NaN: no exchange.
     Q_PROPERTY(QList<double> stripAnswers READ stripAnswers NOTIFY stripChanged FINAL)
     Q_PROPERTY(QList<double> stripErrors READ stripErrors NOTIFY stripChanged FINAL)
@@ -86,4 +86,4 @@ private:
     int m_readers = 0; // pending readOnce() calls
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/maintenance/link_doctor.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/words/doctor_sentences.h"
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using Depth = modbus::ScanPlan::Depth;
 
-LinkDoctor::LinkDoctor(Machine& machine, Settings& settings, QObject* parent)
+LinkDoctor::LinkDoctor(Controller& machine, Settings& settings, QObject* parent)
     : QObject(parent)
     , m_machine(machine)
     , m_settings(settings)
@@ -17,17 +17,17 @@ LinkDoctor::LinkDoctor(Machine& machine, Settings& settings, QObject* parent)
     connect(&machine.link(), &link::Link::reported, this, &LinkDoctor::takeLinkReport);
     connect(&machine.link(), &link::Link::downloadReported, this, &LinkDoctor::takeDownload);
     connect(&machine.link(), &link::Link::scanReported, this, &LinkDoctor::takeScan);
-    connect(&machine, &Machine::stateChanged, this, &LinkDoctor::changed);
+    connect(&machine, &Controller::stateChanged, this, &LinkDoctor::changed);
     connect(&settings, &Settings::connectionChanged, this, &LinkDoctor::changed);
 }
 
 QString LinkDoctor::blockedReason() const
 {
     switch (m_machine.state()) {
-    case Machine::State::Running:
-    case Machine::State::Stopping:
-    case Machine::State::Jogging:
-    case Machine::State::Homing:
+    case Controller::State::Running:
+    case Controller::State::Stopping:
+    case Controller::State::Jogging:
+    case Controller::State::Homing:
         return tr("The machine is moving. Diagnosis and search close the connection, and the controller "
                   "would miss this panel. Stop the machine first.");
     default:
@@ -174,4 +174,4 @@ void LinkDoctor::retranslate()
     emit changed();
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -12,9 +12,9 @@
 
 #include <optional>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-class Machine;
+class Controller;
 class Settings;
 
 class LinkDoctor : public QObject {
@@ -34,11 +34,11 @@ class LinkDoctor : public QObject {
     // True when a controller answers on a connection other than the present one.
     Q_PROPERTY(bool canTake READ canTake NOTIFY changed FINAL)
     Q_PROPERTY(QString foundText READ foundText NOTIFY changed FINAL)
-    Q_PROPERTY(campanel::machine::OfferModel* findings READ findings CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::OfferModel* findings READ findings CONSTANT FINAL)
 
 public:
     // Both arguments must outlive the object.
-    LinkDoctor(Machine& machine, Settings& settings, QObject* parent);
+    LinkDoctor(Controller& machine, Settings& settings, QObject* parent);
 
     [[nodiscard]] bool running() const { return m_report && m_report->isRunning; }
     [[nodiscard]] QString blockedReason() const;
@@ -71,7 +71,7 @@ private:
     void takeScan(const link::ScanReport& report);
     void showFindings();
 
-    Machine& m_machine;
+    Controller& m_machine;
     Settings& m_settings;
     std::optional<link::ScanReport> m_report; // the last one
     OfferModel m_findings{this};
@@ -79,4 +79,4 @@ private:
     bool m_isDownloading = false;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

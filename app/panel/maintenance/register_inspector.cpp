@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/maintenance/register_inspector.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/words/connection_sentences.h"
 #include "app/panel/words/register_words.h"
@@ -11,7 +11,7 @@
 using namespace Qt::StringLiterals;
 using namespace std::chrono_literals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -20,7 +20,7 @@ constexpr auto staleAfter = 1000ms;
 
 } // namespace
 
-RegisterInspector::RegisterInspector(Machine& machine, QObject* parent)
+RegisterInspector::RegisterInspector(Controller& machine, QObject* parent)
     : QObject(parent)
     , m_machine(machine)
 {
@@ -28,9 +28,9 @@ RegisterInspector::RegisterInspector(Machine& machine, QObject* parent)
     connect(&m_readTimer, &QTimer::timeout, this, &RegisterInspector::readVisible);
     connect(&m_registers, &RegisterModel::modelReset, this, [this] { select(-1); });
     connect(&machine.link(), &link::Link::registersRead, this, &RegisterInspector::takeRead);
-    connect(&machine, &Machine::parameterEnded, this, &RegisterInspector::takeWritten);
-    connect(&machine, &Machine::connectionChanged, this, &RegisterInspector::noteConnection);
-    connect(&machine, &Machine::programChanged, this, &RegisterInspector::noteProgram);
+    connect(&machine, &Controller::parameterEnded, this, &RegisterInspector::takeWritten);
+    connect(&machine, &Controller::connectionChanged, this, &RegisterInspector::noteConnection);
+    connect(&machine, &Controller::programChanged, this, &RegisterInspector::noteProgram);
 }
 
 void RegisterInspector::setWatched(bool isWatched)
@@ -218,7 +218,7 @@ QString RegisterInspector::check(double value) const
 
 void RegisterInspector::write(double value)
 {
-    if (!canWrite() || !check(value).isEmpty() || !m_machine.gate().admits(Level::Service))
+    if (!canWrite() || !check(value).isEmpty() || !m_machine.accessCheck().require(Level::Service))
         return;
     m_outcome = tr("Writing %1 …").arg(number(value));
     m_isFailed = false;
@@ -250,4 +250,4 @@ void RegisterInspector::retranslate()
     emit selectionChanged();
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

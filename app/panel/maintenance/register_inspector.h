@@ -11,15 +11,15 @@
 #include <QVariantList>
 #include <QtQml/qqmlregistration.h>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-class Machine;
+class Controller;
 
 class RegisterInspector : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The inspector belongs to the Service")
-    Q_PROPERTY(campanel::machine::RegisterModel* registers READ registers CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RegisterModel* registers READ registers CONSTANT FINAL)
     // True while the registers are displayed; otherwise nothing is read.
     Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
     // The filter: a key of `groups`, "" for all.
@@ -45,7 +45,7 @@ class RegisterInspector : public QObject {
 
 public:
     // The machine must outlive the object.
-    RegisterInspector(Machine& machine, QObject* parent);
+    RegisterInspector(Controller& machine, QObject* parent);
 
     [[nodiscard]] RegisterModel* registers() { return &m_registers; }
     [[nodiscard]] bool watched() const { return m_isWatched; }
@@ -93,7 +93,7 @@ private:
     [[nodiscard]] const RegisterRow* row() const { return m_registers.rowAt(m_selected); }
     [[nodiscard]] QString number(double value) const; // format of the selected register, with unit
 
-    Machine& m_machine;
+    Controller& m_machine;
     RegisterModel m_registers{this};
     QTimer m_readTimer;
     QSet<quint32> m_reads; // pending
@@ -108,4 +108,4 @@ private:
     bool m_isWatched = false;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

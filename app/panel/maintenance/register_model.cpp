@@ -8,7 +8,7 @@
 
 using namespace Qt::StringLiterals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 RegisterModel::RegisterModel(QObject* parent)
     : QAbstractListModel(parent)
@@ -202,4 +202,4 @@ QHash<int, QByteArray> RegisterModel::roleNames() const
             {WritableRole, "writable"}, {KnownRole, "known"}, {StaleRole, "stale"}};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -11,7 +11,7 @@
 
 #include <optional>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 struct RegisterRow {
     const modbus::RegisterInfo* info = nullptr;
@@ -86,4 +86,4 @@ private:
     QList<Shown> m_shown;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

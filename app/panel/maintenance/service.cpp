@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/maintenance/service.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/kit/engine_instances.h"
 #include "app/panel/settings/settings.h"
 
@@ -9,13 +9,13 @@
 #include <QDir>
 #include <QEvent>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-Service::Service(Machine& machine, Settings& settings, const QString& folder, QObject* parent)
+Service::Service(Controller& machine, Settings& settings, const QString& folder, QObject* parent)
     : QObject(parent)
     , m_files(QDir(folder).filePath(QStringLiteral("reports")), this)
     , m_doctor(machine, settings, this)
-    , m_lineFaults(machine.link(), machine.gate(), this)
+    , m_simulatedFaults(machine.link(), machine.accessCheck(), this)
     , m_figures(machine.link(), m_files, this)
     , m_inspector(machine, this)
     , m_frames(machine.link(), m_files, this)
@@ -37,7 +37,7 @@ bool Service::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance()) {
         m_doctor.retranslate();
-        m_lineFaults.retranslate();
+        m_simulatedFaults.retranslate();
         m_figures.retranslate();
         m_inspector.retranslate();
         m_frames.retranslate();
@@ -50,4 +50,4 @@ bool Service::eventFilter(QObject* watched, QEvent* event)
     return QObject::eventFilter(watched, event);
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -8,10 +8,10 @@
 #include "app/panel/maintenance/homing.h"
 #include "app/panel/maintenance/io_list.h"
 #include "app/panel/maintenance/jog.h"
-#include "app/panel/maintenance/line_faults.h"
 #include "app/panel/maintenance/line_figures.h"
 #include "app/panel/maintenance/link_doctor.h"
 #include "app/panel/maintenance/register_inspector.h"
+#include "app/panel/maintenance/simulated_faults.h"
 #include "app/panel/packing/packing_setup.h"
 
 #include <QObject>
@@ -20,28 +20,28 @@
 class QJSEngine;
 class QQmlEngine;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class Service : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
 
-    Q_PROPERTY(campanel::machine::LinkDoctor* doctor READ doctor CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::LineFigures* figures READ figures CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::RegisterInspector* inspector READ inspector CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::FrameList* frames READ frames CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::PackingSetup* packing READ packing CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::Jog* jog READ jog CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::Homing* homing READ homing CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::IoList* io READ io CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::DryRun* dryRun READ dryRun CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::LineFaults* lineFaults READ lineFaults CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::ReportFiles* files READ files CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::LinkDoctor* doctor READ doctor CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::LineFigures* figures READ figures CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RegisterInspector* inspector READ inspector CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::FrameList* frames READ frames CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::PackingSetup* packing READ packing CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::Jog* jog READ jog CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::Homing* homing READ homing CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::IoList* io READ io CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::DryRun* dryRun READ dryRun CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::SimulatedFaults* simulatedFaults READ simulatedFaults CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::ReportFiles* files READ files CONSTANT FINAL)
 
 public:
     // Machine and settings must outlive the object. Reports are stored in a folder below `folder`.
-    Service(Machine& machine, Settings& settings, const QString& folder, QObject* parent);
+    Service(Controller& machine, Settings& settings, const QString& folder, QObject* parent);
 
     static Service* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
@@ -54,7 +54,7 @@ public:
     [[nodiscard]] Homing* homing() { return &m_homing; }
     [[nodiscard]] IoList* io() { return &m_io; }
     [[nodiscard]] DryRun* dryRun() { return &m_dryRun; }
-    [[nodiscard]] LineFaults* lineFaults() { return &m_lineFaults; }
+    [[nodiscard]] SimulatedFaults* simulatedFaults() { return &m_simulatedFaults; }
     [[nodiscard]] ReportFiles* files() { return &m_files; }
 
 protected:
@@ -63,7 +63,7 @@ protected:
 private:
     ReportFiles m_files;
     LinkDoctor m_doctor;
-    LineFaults m_lineFaults;
+    SimulatedFaults m_simulatedFaults;
     LineFigures m_figures;
     RegisterInspector m_inspector;
     FrameList m_frames;
@@ -74,4 +74,4 @@ private:
     DryRun m_dryRun;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -126,4 +126,4 @@ std::optional<GainSuggestion> GainEstimate::suggestion() const
     return suggestion;
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 // The controller's data of the last mark, see the group `packer`.
 struct MarkSample {
@@ -48,4 +48,4 @@ private:
     std::deque<Run> m_runs;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

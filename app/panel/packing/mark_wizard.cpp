@@ -5,14 +5,14 @@
 // make no difference: all marks are equal.
 #include "app/panel/packing/mark_wizard.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/packing/packing_fields.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -34,7 +34,7 @@ QString millimeters(double value, int decimals)
 
 } // namespace
 
-MarkWizard::MarkWizard(Machine& machine, PackingFields& fields, QObject* parent)
+MarkWizard::MarkWizard(Controller& machine, PackingFields& fields, QObject* parent)
     : QObject(parent)
     , m_machine(machine)
     , m_fields(fields)
@@ -48,8 +48,8 @@ MarkWizard::MarkWizard(Machine& machine, PackingFields& fields, QObject* parent)
         if (m_errorsMm.size() > watchedBags)
             m_errorsMm.removeFirst();
     });
-    connect(&machine, &Machine::stateChanged, this, &MarkWizard::changed);
-    connect(&machine, &Machine::connectionChanged, this, [this] {
+    connect(&machine, &Controller::stateChanged, this, &MarkWizard::changed);
+    connect(&machine, &Controller::connectionChanged, this, [this] {
         if (!m_machine.isConnected())
             m_isRulerAsked = false;
         emit changed();
@@ -92,7 +92,7 @@ QString MarkWizard::blockedReason() const
         return tr("There is no connection to the controller.");
     if (!m_machine.packing()->known())
         return tr("The controller does not run a packing machine's program.");
-    if (needsRun && m_machine.state() != Machine::State::Running)
+    if (needsRun && m_machine.state() != Controller::State::Running)
         return tr("Start the machine; this step goes on while it runs.");
     if (needsRun && m_machine.packing()->markState() == PackingLine::MarkState::Off)
         return tr("The cuts do not follow the marks. Switch that on first.");
@@ -115,7 +115,7 @@ bool MarkWizard::canGoOn() const
 
 void MarkWizard::goOn()
 {
-    if (!canGoOn() || !m_machine.gate().admits(Level::Technician))
+    if (!canGoOn() || !m_machine.accessCheck().require(Level::Technician))
         return;
     switch (m_step) {
     case Step::Explain:
@@ -231,12 +231,12 @@ bool MarkWizard::canReadRuler() const
            m_measuredMm.size() < mostMeasured;
 }
 
-void MarkWizard::readRuler()
+void MarkWizard::measureSimulatedBag()
 {
     if (!canReadRuler())
         return;
     m_isRulerAsked = true;
-    m_machine.link().readRuler();
+    m_machine.link().measureSimulatedBag();
     emit changed();
 }
 
@@ -382,4 +382,4 @@ void MarkWizard::retranslate()
     emit changed();
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -13,9 +13,9 @@
 
 #include <optional>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-class Machine;
+class Controller;
 class PackingFields;
 
 class MarkWizard : public QObject {
@@ -47,7 +47,7 @@ public:
     static constexpr int mostMeasured = 5;
 
     // Machine and fields must outlive the object.
-    MarkWizard(Machine& machine, PackingFields& fields, QObject* parent);
+    MarkWizard(Controller& machine, PackingFields& fields, QObject* parent);
 
     // Restarts the wizard; closing it does the same.
     Q_INVOKABLE void restart();
@@ -57,7 +57,7 @@ public:
     Q_INVOKABLE void addMeasurement(double behindMm);
     Q_INVOKABLE void dropMeasurement();
     // Measures the last bag of the simulated machine.
-    Q_INVOKABLE void readRuler();
+    Q_INVOKABLE void measureSimulatedBag();
     // Returns why the measurement is invalid; empty when it is valid.
     [[nodiscard]] Q_INVOKABLE QString check(double behindMm) const;
 
@@ -93,7 +93,7 @@ private:
     [[nodiscard]] QString rulerText() const;
     [[nodiscard]] QString watchedText() const;
 
-    Machine& m_machine;
+    Controller& m_machine;
     PackingFields& m_fields;
     Step m_step = Step::Explain;
     link::SteadyTime m_steppedAt;
@@ -109,4 +109,4 @@ private:
     bool m_isSameBag = false;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

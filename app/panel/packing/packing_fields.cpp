@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/packing/packing_fields.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/kit/numbers.h"
 #include "app/panel/words/connection_sentences.h"
@@ -11,7 +11,7 @@
 #include <array>
 #include <cmath>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -24,53 +24,50 @@ struct Listed {
 // The fields in the order of the screen; the register map has the texts.
 constexpr std::array listed{
     Listed{"parameter.mark_tracking",
-           QT_TRANSLATE_NOOP("campanel::machine::PackingFields", "Cuts follow the marks"), true},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Cuts follow the marks"), true},
     Listed{"parameter.phase_gain",
-           QT_TRANSLATE_NOOP("campanel::machine::PackingFields", "Phase gain: share taken for slip"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Phase gain: share taken for slip"), false},
     Listed{"parameter.length_gain",
-           QT_TRANSLATE_NOOP("campanel::machine::PackingFields", "Length gain: share taken for length"),
-           false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Length gain: share taken for length"), false},
     Listed{"parameter.mark_distance",
-           QT_TRANSLATE_NOOP("campanel::machine::PackingFields", "Mark sensor to knife"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Mark sensor to knife"), false},
     Listed{"parameter.mark_offset",
-           QT_TRANSLATE_NOOP("campanel::machine::PackingFields", "Cut behind its mark"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Cut behind its mark"), false},
     Listed{"parameter.mark_window",
-           QT_TRANSLATE_NOOP("campanel::machine::PackingFields", "Window around an expected mark, ±"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Window around an expected mark, ±"), false},
     Listed{"parameter.mark_missing_limit",
-           QT_TRANSLATE_NOOP("campanel::machine::PackingFields", "Missing marks in a row to stop"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Missing marks in a row to stop"), false},
     Listed{"parameter.phase_limit",
-           QT_TRANSLATE_NOOP("campanel::machine::PackingFields", "Phase limit: most shift of a cut"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Phase limit: most shift of a cut"), false},
     Listed{"parameter.length_limit",
-           QT_TRANSLATE_NOOP("campanel::machine::PackingFields", "Length limit: most change of a bag"),
-           false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Length limit: most change of a bag"), false},
     Listed{"parameter.length_trim",
-           QT_TRANSLATE_NOOP("campanel::machine::PackingFields", "Length trim without marks"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Length trim without marks"), false},
     Listed{"parameter.anti_cut",
-           QT_TRANSLATE_NOOP("campanel::machine::PackingFields", "Knife stays open over a product"), true},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Knife stays open over a product"), true},
     Listed{"parameter.cut_clearance",
-           QT_TRANSLATE_NOOP("campanel::machine::PackingFields", "Clearance on both sides of a cut"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Clearance on both sides of a cut"), false},
     Listed{"parameter.skip_limit",
-           QT_TRANSLATE_NOOP("campanel::machine::PackingFields", "Skipped cuts in a row to stop"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Skipped cuts in a row to stop"), false},
     Listed{"parameter.empty_bag",
-           QT_TRANSLATE_NOOP("campanel::machine::PackingFields", "Film waits for a missing product"), true},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Film waits for a missing product"), true},
     Listed{"parameter.product_distance",
-           QT_TRANSLATE_NOOP("campanel::machine::PackingFields", "Products are laid before the knife"),
-           false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Products are laid before the knife"), false},
     Listed{"parameter.eye_distance",
-           QT_TRANSLATE_NOOP("campanel::machine::PackingFields", "Product eye before that place"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Product eye before that place"), false},
     Listed{"parameter.flight_pitch",
-           QT_TRANSLATE_NOOP("campanel::machine::PackingFields", "Product distance on the infeed"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Product distance on the infeed"), false},
     Listed{"parameter.flight_pulses",
-           QT_TRANSLATE_NOOP("campanel::machine::PackingFields", "Infeed motor: pulses per product"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Infeed motor: pulses per product"), false},
     Listed{"parameter.film_feed",
-           QT_TRANSLATE_NOOP("campanel::machine::PackingFields", "Film motor: film per revolution"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Film motor: film per revolution"), false},
     Listed{"parameter.film_pulses",
-           QT_TRANSLATE_NOOP("campanel::machine::PackingFields", "Film motor: pulses per revolution"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Film motor: pulses per revolution"), false},
 };
 
 } // namespace
 
-PackingFields::PackingFields(Machine& machine, QObject* parent)
+PackingFields::PackingFields(Controller& machine, QObject* parent)
     : QAbstractListModel(parent)
     , m_machine(machine)
 {
@@ -79,9 +76,9 @@ PackingFields::PackingFields(Machine& machine, QObject* parent)
         Q_ASSERT(info);
         m_fields.push_back({info, field.words, field.isSwitch, {}, {}});
     }
-    connect(&machine, &Machine::parameterEnded, this, &PackingFields::takeOutcome);
+    connect(&machine, &Controller::parameterEnded, this, &PackingFields::takeOutcome);
     connect(&machine.link(), &link::Link::commandEnded, this, &PackingFields::takeCommand);
-    connect(&machine, &Machine::connectionChanged, this, [this] {
+    connect(&machine, &Controller::connectionChanged, this, [this] {
         if (!m_machine.isConnected())
             forget();
     });
@@ -133,7 +130,7 @@ void PackingFields::write(const char* name, double value)
 {
     const Field* field = find(QString::fromLatin1(name));
     Q_ASSERT(field);
-    if (!m_machine.gate().admits(Level::Technician))
+    if (!m_machine.accessCheck().require(Level::Technician))
         return;
     m_outcome = tr("Writing %1: %2 …").arg(tr(field->words), text(*field, value));
     m_isFailed = false;
@@ -168,7 +165,8 @@ void PackingFields::takeOutcome(const link::ParameterOutcome& outcome)
 void PackingFields::save()
 {
     const auto& status = m_machine.status();
-    if (m_machine.isConnected() && status && status->activeCrc && m_machine.gate().admits(Level::Technician))
+    if (m_machine.isConnected() && status && status->activeCrc &&
+        m_machine.accessCheck().require(Level::Technician))
         m_machine.send(modbus::Command::SaveToFlash, {0, 0, *status->activeCrc});
 }
 
@@ -361,4 +359,4 @@ QHash<int, QByteArray> PackingFields::roleNames() const
             {KnownRole, "known"}, {SuggestionRole, "suggestion"}};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -13,9 +13,9 @@
 #include <optional>
 #include <vector>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-class Machine;
+class Controller;
 
 class PackingFields : public QAbstractListModel {
     Q_OBJECT
@@ -48,7 +48,7 @@ public:
     };
 
     // The machine must outlive the object.
-    PackingFields(Machine& machine, QObject* parent);
+    PackingFields(Controller& machine, QObject* parent);
 
     // Reads every value from the controller; does nothing while reads are pending.
     void read();
@@ -109,7 +109,7 @@ private:
     void takeCommand(const link::CommandOutcome& outcome);
     void tell();
 
-    Machine& m_machine;
+    Controller& m_machine;
     std::vector<Field> m_fields;
     QSet<quint32> m_reads;  // pending
     QSet<quint32> m_writes; // pending
@@ -121,4 +121,4 @@ private:
     bool m_isUnsaved = false;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/packing/packing_setup.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/words/connection_sentences.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -18,21 +18,21 @@ constexpr double percent = 100.0;
 
 } // namespace
 
-PackingSetup::PackingSetup(Machine& machine, QObject* parent)
+PackingSetup::PackingSetup(Controller& machine, QObject* parent)
     : QObject(parent)
     , m_machine(machine)
     , m_fields(machine, this)
     , m_wizard(machine, m_fields, this)
 {
     connect(machine.packing(), &PackingLine::changed, this, &PackingSetup::followMarks);
-    connect(&machine, &Machine::stateChanged, this, &PackingSetup::changed);
-    connect(&machine, &Machine::connectionChanged, this, [this] {
+    connect(&machine, &Controller::stateChanged, this, &PackingSetup::changed);
+    connect(&machine, &Controller::connectionChanged, this, [this] {
         if (!m_machine.isConnected())
             m_teaching = Teaching::No;
         emit changed();
     });
     // Another film needs another estimate.
-    connect(&machine, &Machine::programChanged, this, [this] {
+    connect(&machine, &Controller::programChanged, this, [this] {
         m_estimate.clear();
         m_fields.suggest(std::nullopt, 0);
         emit changed();
@@ -53,12 +53,12 @@ void PackingSetup::open()
 
 bool PackingSetup::canTeach() const
 {
-    return available() && m_machine.state() == Machine::State::Running && !teaching();
+    return available() && m_machine.state() == Controller::State::Running && !teaching();
 }
 
 void PackingSetup::teach()
 {
-    if (!canTeach() || !m_machine.gate().admits(Level::Technician))
+    if (!canTeach() || !m_machine.accessCheck().require(Level::Technician))
         return;
     m_refusal.clear();
     m_teaching = Teaching::Asked;
@@ -123,14 +123,14 @@ QString PackingSetup::teachText() const
             "The controller tells nothing of a packing machine: connect it and download a cutter's recipe.");
     if (!m_refusal.isEmpty())
         return m_refusal;
-    if (teaching() && m_machine.state() != Machine::State::Running)
+    if (teaching() && m_machine.state() != Controller::State::Running)
         return tr("Waiting: the marks are measured while the film runs.");
     if (teaching())
         return tr("%1 of %2 marks measured …")
             .arg(std::lround(teachProgress() * marksToTeach))
             .arg(marksToTeach);
     if (!std::isfinite(packing.teachPitchMm()))
-        return m_machine.state() == Machine::State::Running
+        return m_machine.state() == Controller::State::Running
                    ? tr("Measures the distances between the next %1 marks. The machine keeps running.")
                          .arg(marksToTeach)
                    : tr("Start the machine: the marks are measured while the film runs, with or without "
@@ -155,4 +155,4 @@ void PackingSetup::retranslate()
     emit changed();
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -10,14 +10,14 @@
 #include <QObject>
 #include <QtQml/qqmlregistration.h>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class PackingSetup : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The packing setup belongs to the Service")
-    Q_PROPERTY(campanel::machine::PackingFields* fields READ fields CONSTANT FINAL)
-    Q_PROPERTY(campanel::machine::MarkWizard* wizard READ wizard CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::PackingFields* fields READ fields CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::MarkWizard* wizard READ wizard CONSTANT FINAL)
     // True when a packing machine's program is active and the controller reports it.
     Q_PROPERTY(bool available READ available NOTIFY changed FINAL)
     Q_PROPERTY(bool teaching READ teaching NOTIFY changed FINAL)
@@ -32,7 +32,7 @@ public:
     static constexpr int marksToTeach = 10;
 
     // The machine must outlive the object.
-    PackingSetup(Machine& machine, QObject* parent);
+    PackingSetup(Controller& machine, QObject* parent);
 
     [[nodiscard]] PackingFields* fields() { return &m_fields; }
     [[nodiscard]] MarkWizard* wizard() { return &m_wizard; }
@@ -58,7 +58,7 @@ private:
     void followTeaching();
     void takeCommand(const link::CommandOutcome& outcome);
 
-    Machine& m_machine;
+    Controller& m_machine;
     PackingFields m_fields;
     MarkWizard m_wizard;
     GainEstimate m_estimate;
@@ -66,4 +66,4 @@ private:
     QString m_refusal; // refusal of the last teaching
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 void ChoiceModel::show(const program::Recipe& recipe)
 {
@@ -70,4 +70,4 @@ QHash<int, QByteArray> ChoiceModel::roleNames() const
         {NameRole, "name"}, {ValueTextRole, "valueText"}, {OptionsRole, "options"}, {OptionRole, "option"}};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

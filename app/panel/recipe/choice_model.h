@@ -9,7 +9,7 @@
 #include <QStringList>
 #include <QtQml/qqmlregistration.h>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class ChoiceModel : public QAbstractListModel {
     Q_OBJECT
@@ -47,4 +47,4 @@ private:
     QList<Row> m_rows;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

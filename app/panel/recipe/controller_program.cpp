@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -65,4 +65,4 @@ std::shared_ptr<const ControllerProgram> readProgram(const link::ActiveProgram& 
     return program;
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -9,7 +9,7 @@
 #include <limits>
 #include <memory>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 // The points per curve: the maximum that a plot draws.
 inline constexpr std::size_t curvePoints = 1000;
@@ -40,4 +40,4 @@ struct ControllerProgram {
 [[nodiscard]] std::shared_ptr<const ControllerProgram> readProgram(const link::ActiveProgram& active,
                                                                    const modbus::Identity& identity);
 
-} // namespace campanel::machine
+} // namespace campanel::panel

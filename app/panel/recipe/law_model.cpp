@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/recipe/law_model.h"
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 void LawModel::setRows(QList<LawRow> rows)
 {
@@ -75,4 +75,4 @@ QHash<int, QByteArray> LawModel::roleNames() const
             {ComparedRole, "compared"}};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

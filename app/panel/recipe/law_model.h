@@ -6,7 +6,7 @@
 #include <QList>
 #include <QtQml/qqmlregistration.h>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 struct LawRow {
     QString lawId;
@@ -61,4 +61,4 @@ private:
     QList<LawRow> m_rows;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using program::Recipe;
 
@@ -95,4 +95,4 @@ QString RecipeComparison::summary(const Recipe& recipe)
     return texts.join(QStringLiteral(" · "));
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -7,7 +7,7 @@
 
 #include <QCoreApplication>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class RecipeComparison {
     Q_DECLARE_TR_FUNCTIONS(RecipeComparison)
@@ -28,4 +28,4 @@ private:
     [[nodiscard]] static QString choiceText(const program::Recipe& recipe, program::Choice choice);
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

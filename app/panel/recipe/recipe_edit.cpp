@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -138,4 +138,4 @@ bool sameRecipe(const Recipe& left, const Recipe& right)
            std::ranges::all_of(kind.machineFields, sameMachine);
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -7,7 +7,7 @@
 #include "profile/cutter/rotary_cutter.h"
 #include "profile/laws/laws.h"
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using program::Recipe;
 
@@ -39,4 +39,4 @@ void dragRatio(Recipe& recipe, int index, double share);
 // ignored.
 [[nodiscard]] bool sameRecipe(const Recipe& left, const Recipe& right);
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 bool Solution::isCloseToLimit() const
 {
@@ -59,4 +59,4 @@ Solution solveRecipe(const program::Recipe& recipe, const std::optional<modbus::
     return solution;
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

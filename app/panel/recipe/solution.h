@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 struct Solution {
     std::optional<program::SolvedProgram> solved;       // empty: the recipe has no motion
@@ -43,4 +43,4 @@ enum class TableWork { All, WithoutSlow };
                                    const std::optional<modbus::Identity>& controller,
                                    TableWork work = TableWork::All);
 
-} // namespace campanel::machine
+} // namespace campanel::panel

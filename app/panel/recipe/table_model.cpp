@@ -3,7 +3,7 @@
 
 #include "app/panel/words/table_text.h"
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 void TableModel::setImage(std::shared_ptr<const program::ProgramImage> image)
 {
@@ -52,4 +52,4 @@ QHash<int, QByteArray> TableModel::roleNames() const
     return {{CellsRole, "cells"}};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

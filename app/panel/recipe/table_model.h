@@ -12,7 +12,7 @@
 #include <memory>
 #include <vector>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class TableModel : public QAbstractListModel {
     Q_OBJECT
@@ -46,4 +46,4 @@ private:
     std::vector<double> m_startS; // start of each row
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -3,11 +3,11 @@
 
 #include "app/panel/access/access.h"
 #include "app/panel/audit/audit_trail.h"
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/format.h"
-#include "app/panel/records/records.h"
+#include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/trends/trends.h"
 #include "app/store/recipes/recipe_json.h"
@@ -21,7 +21,7 @@
 
 using namespace Qt::StringLiterals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -33,10 +33,10 @@ QString snapshotName()
     return u"snapshot-"_s;
 }
 
-bool moves(Machine::State state)
+bool moves(Controller::State state)
 {
-    return state == Machine::State::Running || state == Machine::State::Stopping ||
-           state == Machine::State::Jogging || state == Machine::State::Homing;
+    return state == Controller::State::Running || state == Controller::State::Stopping ||
+           state == Controller::State::Jogging || state == Controller::State::Homing;
 }
 
 // Returns number and hash of the newest row, which the restored trail will contain.
@@ -90,9 +90,9 @@ void Backup::setLooker(Looker looker)
     m_places.setLooker(std::move(looker));
 }
 
-bool Backup::admits()
+bool Backup::require()
 {
-    return !busy() && m_parts.machine.gate().admits(Level::Service);
+    return !busy() && m_parts.machine.accessCheck().require(Level::Service);
 }
 
 void Backup::begin()
@@ -166,7 +166,7 @@ void Backup::addTrends(const Snapshot& taken, const std::function<void(const Sna
 
 void Backup::make()
 {
-    if (!admits())
+    if (!require())
         return;
     tell({}, false);
     snapshot([this](const Snapshot& taken) {
@@ -249,7 +249,7 @@ OfferRow Backup::row(const Found& found) const
 
 void Backup::check(int row)
 {
-    if (row < 0 || row >= m_files.size() || !m_files[row].manifest || !admits())
+    if (row < 0 || row >= m_files.size() || !m_files[row].manifest || !require())
         return;
     m_checked.reset();
     tell({}, false);
@@ -290,7 +290,7 @@ QString Backup::question() const
 
 void Backup::restore()
 {
-    if (!m_checked || !admits())
+    if (!m_checked || !require())
         return;
     if (moves(m_parts.machine.state()))
         return tell(tr("The machine moves. Stop it first: the panel starts anew after a restore."), true);
@@ -344,4 +344,4 @@ bool Backup::eventFilter(QObject* watched, QEvent* event)
     return QObject::eventFilter(watched, event);
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -20,13 +20,13 @@
 class QJSEngine;
 class QQmlEngine;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class Access;
 class AuditTrail;
 class Editor;
-class Machine;
-class Records;
+class Controller;
+class DatabaseService;
 class Settings;
 class Trends;
 
@@ -35,9 +35,9 @@ class Backup : public QObject {
     QML_ELEMENT
     QML_SINGLETON
 
-    Q_PROPERTY(campanel::machine::ReportFiles* places READ places CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::ReportFiles* places READ places CONSTANT FINAL)
     // The backups on a stick or in the panel's own folder.
-    Q_PROPERTY(campanel::machine::OfferModel* found READ found CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::OfferModel* found READ found CONSTANT FINAL)
     Q_PROPERTY(bool busy READ busy NOTIFY changed FINAL)
     // The result of the last request; empty: none.
     Q_PROPERTY(QString message READ message NOTIFY changed FINAL)
@@ -51,9 +51,9 @@ public:
 
     // The contents of a backup and the access checks; all must outlive the object.
     struct Parts {
-        Machine& machine;
+        Controller& machine;
         Editor& editor;
-        Records& records;
+        DatabaseService& records;
         Trends& trends;
         Settings& settings;
         Access& access;
@@ -117,7 +117,7 @@ private:
         QString newestRow; // number and hash of the newest row of the audit trail
     };
 
-    [[nodiscard]] bool admits();
+    [[nodiscard]] bool require();
     void snapshot(const std::function<void(const Snapshot& taken)>& then);
     void addTrends(const Snapshot& taken, const std::function<void(const Snapshot& taken)>& then);
     void seal(const Snapshot& present);
@@ -145,4 +145,4 @@ private:
     QThreadPool m_pool; // one thread; the destructor waits for it
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -2,7 +2,7 @@
 #include "app/panel/reports/commissioning.h"
 
 #include "app/panel/access/access.h"
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/format.h"
@@ -14,7 +14,7 @@
 
 using namespace Qt::StringLiterals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -32,7 +32,7 @@ void addFields(Rows& rows, const QVariantList& fields)
 
 } // namespace
 
-Commissioning::Commissioning(Machine& machine, Editor& editor, Access& access, ReportFiles& files,
+Commissioning::Commissioning(Controller& machine, Editor& editor, Access& access, ReportFiles& files,
                              QObject* parent)
     : QObject(parent)
     , m_machine(machine)
@@ -167,4 +167,4 @@ ReportData Commissioning::data() const
     return made;
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -19,11 +19,11 @@
 class QJSEngine;
 class QQmlEngine;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class Access;
 class Editor;
-class Machine;
+class Controller;
 
 struct ReportSection {
     QString title;
@@ -61,7 +61,7 @@ public:
     using WallClock = std::function<QDateTime()>;
 
     // All arguments must outlive the object.
-    Commissioning(Machine& machine, Editor& editor, Access& access, ReportFiles& files, QObject* parent);
+    Commissioning(Controller& machine, Editor& editor, Access& access, ReportFiles& files, QObject* parent);
 
     static Commissioning* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
@@ -81,7 +81,7 @@ private:
     [[nodiscard]] ReportSection controllerSection() const;
     [[nodiscard]] ReportSection bagSection() const;
 
-    Machine& m_machine;
+    Controller& m_machine;
     Editor& m_editor;
     Access& m_access;
     ReportFiles& m_files;
@@ -89,4 +89,4 @@ private:
     Printer m_printer;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/reports/service_bundle.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/maintenance/line_figures.h"
-#include "app/panel/records/records.h"
+#include "app/panel/records/database_service.h"
 #include "app/program/program_image.h"
 #include "app/program/table_columns.h"
 #include "app/store/logs/log_export.h"
@@ -19,7 +19,7 @@
 
 using namespace Qt::StringLiterals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -94,7 +94,7 @@ QByteArray ServiceBundle::about() const
 
 QByteArray ServiceBundle::controller() const
 {
-    const Machine& machine = m_parts.machine;
+    const Controller& machine = m_parts.machine;
     QJsonObject object{{u"connection"_s, machine.connectionText()},
                        {u"port"_s, machine.portName()},
                        {u"simulated"_s, machine.simulated()},
@@ -152,7 +152,7 @@ void ServiceBundle::gather(const link::FiguresReport& figures)
         [this, entries](const tl::expected<Entries, store::StoreError>& logs) {
             // The bundle is useful without the logs; the panel reports elsewhere that they cannot be read.
             if (!logs)
-                m_parts.records.complain(logs.error());
+                m_parts.records.reportError(logs.error());
             offer(entries + logs.value_or(Entries()));
         });
 }
@@ -175,4 +175,4 @@ void ServiceBundle::offer(Entries entries)
     emit offered();
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -18,12 +18,12 @@
 class QJSEngine;
 class QQmlEngine;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class Editor;
 class LineFigures;
-class Machine;
-class Records;
+class Controller;
+class DatabaseService;
 
 class ServiceBundle : public QObject {
     Q_OBJECT
@@ -36,9 +36,9 @@ public:
     using WallClock = std::function<QDateTime()>;
 
     struct Parts {
-        Machine& machine;
+        Controller& machine;
         Editor& editor;
-        Records& records;
+        DatabaseService& records;
         LineFigures& figures;
         ReportFiles& files;
     };
@@ -75,4 +75,4 @@ private:
     bool m_isBusy = false;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -5,7 +5,7 @@
 
 using namespace Qt::StringLiterals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -79,4 +79,4 @@ QByteArray StatusTrace::csv(const std::deque<link::StatusSample>& samples, link:
     return text;
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

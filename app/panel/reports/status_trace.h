@@ -11,7 +11,7 @@
 #include <chrono>
 #include <deque>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class StatusTrace {
 public:
@@ -33,4 +33,4 @@ private:
     std::deque<link::StatusSample> m_beforeFault;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

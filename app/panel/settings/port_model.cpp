@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/settings/port_model.h"
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 void PortModel::setRows(QList<PortRow> rows)
 {
@@ -38,4 +38,4 @@ QHash<int, QByteArray> PortModel::roleNames() const
     return {{NameRole, "name"}, {DescriptionRole, "description"}, {ProblemRole, "problem"}};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

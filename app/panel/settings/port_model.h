@@ -6,7 +6,7 @@
 #include <QList>
 #include <QtQml/qqmlregistration.h>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 struct PortRow {
     QString name;        // "/dev/ttyUSB0"
@@ -39,4 +39,4 @@ private:
     QList<PortRow> m_rows;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

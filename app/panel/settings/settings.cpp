@@ -13,7 +13,7 @@
 
 using namespace Qt::StringLiterals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -271,7 +271,7 @@ void Settings::setGloves(bool gloves)
 void Settings::setBagToleranceMm(double toleranceMm)
 {
     const double taken = std::clamp(toleranceMm, leastToleranceMm, mostToleranceMm);
-    if (std::isnan(toleranceMm) || taken == m_bagToleranceMm || !admits(Level::Technician))
+    if (std::isnan(toleranceMm) || taken == m_bagToleranceMm || !require(Level::Technician))
         return;
     m_bagToleranceMm = taken;
     m_file.set(bagToleranceKey, QString::number(m_bagToleranceMm, 'g', QLocale::FloatingPointShortest));
@@ -280,7 +280,7 @@ void Settings::setBagToleranceMm(double toleranceMm)
 
 void Settings::setAutoLogoutMinutes(int minutes)
 {
-    if (minutes == m_autoLogoutMinutes || !possibleLogouts().contains(minutes) || !admits(Level::Service))
+    if (minutes == m_autoLogoutMinutes || !possibleLogouts().contains(minutes) || !require(Level::Service))
         return;
     m_autoLogoutMinutes = minutes;
     m_file.set(autoLogoutKey, QString::number(minutes));
@@ -289,7 +289,7 @@ void Settings::setAutoLogoutMinutes(int minutes)
 
 void Settings::setOperatorsLogIn(bool logIn)
 {
-    if (logIn == m_operatorsLogIn || !admits(Level::Service))
+    if (logIn == m_operatorsLogIn || !require(Level::Service))
         return;
     m_operatorsLogIn = logIn;
     m_file.set(operatorsLogInKey, textOf(logIn));
@@ -298,7 +298,7 @@ void Settings::setOperatorsLogIn(bool logIn)
 
 void Settings::edit(ConnectionChoice choice)
 {
-    if (m_draft == choice || !admits(Level::Technician))
+    if (m_draft == choice || !require(Level::Technician))
         return;
     m_draft = std::move(choice);
     emit connectionChanged();
@@ -360,7 +360,7 @@ void Settings::refreshPorts()
 
 void Settings::applyConnection()
 {
-    if (!admits(Level::Technician))
+    if (!require(Level::Technician))
         return;
     m_applied = m_draft;
     m_file.set(valuesOf(m_applied));
@@ -389,7 +389,7 @@ link::ConnectionSettings Settings::linkSettings() const
 
 void Settings::takeConnection(const link::ConnectionSettings& settings)
 {
-    if (!admits(Level::Technician))
+    if (!require(Level::Technician))
         return;
     m_draft = choiceOf(settings, m_applied);
     applyConnection();
@@ -414,4 +414,4 @@ void Settings::overrideConnection(const ConnectionChoice& choice)
     emit connectionApplied();
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

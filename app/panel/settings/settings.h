@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/link/link_values.h"
-#include "app/panel/kit/gate.h"
+#include "app/panel/kit/access_check.h"
 #include "app/panel/settings/port_model.h"
 #include "app/store/files/settings_file.h"
 
@@ -16,7 +16,7 @@
 class QJSEngine;
 class QQmlEngine;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 // The connection to the controller.
 struct ConnectionChoice {
@@ -75,7 +75,7 @@ class Settings : public QObject {
     Q_PROPERTY(QList<int> autoLogoutChoices READ autoLogoutChoices CONSTANT FINAL)
     // True when operating needs a login; viewing and Stop never do.
     Q_PROPERTY(bool operatorsLogIn READ operatorsLogIn WRITE setOperatorsLogIn NOTIFY accessChanged FINAL)
-    Q_PROPERTY(campanel::machine::PortModel* ports READ ports CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::PortModel* ports READ ports CONSTANT FINAL)
     // True on a new panel: language, controller, PINs, machine and a first recipe must be set.
     Q_PROPERTY(bool firstStart READ firstStart NOTIFY firstStartChanged FINAL)
     // The notice about damaged settings; empty: none.
@@ -147,7 +147,7 @@ public:
     void setOperatorsLogIn(bool logIn);
     // Sets the access check before changes: connection and tolerance need a technician, login settings the
     // level Service, language and appearance nobody.
-    void guardBy(Gate& gate) { m_gate = &gate; }
+    void guardBy(AccessCheck& accessCheck) { m_access = &accessCheck; }
 
     [[nodiscard]] bool firstStart() const { return m_isFirstStart; }
     // Offers the first start when nothing has been set yet, or when the last one was not completed.
@@ -186,7 +186,7 @@ signals:
 private:
     void forgetController(ConnectionChoice standard);
     void edit(ConnectionChoice choice);
-    [[nodiscard]] bool admits(Level needed) const { return !m_gate || m_gate->admits(needed); }
+    [[nodiscard]] bool require(Level needed) const { return !m_access || m_access->require(needed); }
 
     store::SettingsFile m_file;
     QString m_language;
@@ -198,7 +198,7 @@ private:
     bool m_operatorsLogIn;
     bool m_isNoticed;
     bool m_isFirstStart = false;
-    QPointer<Gate> m_gate;
+    QPointer<AccessCheck> m_access;
     ConnectionChoice m_draft;
     ConnectionChoice m_applied;
     PortModel m_ports;
@@ -206,4 +206,4 @@ private:
     QString m_simulatorStateDir;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

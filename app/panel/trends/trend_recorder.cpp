@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/trends/trend_recorder.h"
 
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/settings/settings.h"
 
 #include <QDateTime>
 
 #include <cmath>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -25,7 +25,7 @@ bool turns(const modbus::StatusBlock& status)
 
 } // namespace
 
-TrendRecorder::TrendRecorder(Machine& machine, Settings& settings)
+TrendRecorder::TrendRecorder(Controller& machine, Settings& settings)
     : m_machine(machine)
     , m_settings(settings)
     , m_clock(&QDateTime::currentMSecsSinceEpoch)
@@ -33,7 +33,7 @@ TrendRecorder::TrendRecorder(Machine& machine, Settings& settings)
     // Connected after the machine, which handles the signal first.
     connect(&machine.link(), &link::Link::statusReceived, this, &TrendRecorder::takeStatus);
     connect(machine.packing(), &PackingLine::bagRecorded, this, &TrendRecorder::takeBag);
-    connect(&machine, &Machine::programChanged, this, [this] {
+    connect(&machine, &Controller::programChanged, this, [this] {
         m_isNextOfTwoPrograms = true;
         m_worstFollowingMm.reset();
     });
@@ -133,4 +133,4 @@ void TrendRecorder::add(TrendQuantity quantity, qint64 nowMs, double value, bool
         m_parts.erase(m_parts.begin());
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

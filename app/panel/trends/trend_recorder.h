@@ -14,9 +14,9 @@
 #include <optional>
 #include <utility>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-class Machine;
+class Controller;
 class Settings;
 
 class TrendRecorder : public QObject {
@@ -33,7 +33,7 @@ public:
     using WallClock = std::function<qint64()>;
 
     // Both arguments must outlive the object.
-    TrendRecorder(Machine& machine, Settings& settings);
+    TrendRecorder(Controller& machine, Settings& settings);
 
     void setWallClock(WallClock clock) { m_clock = std::move(clock); }
     // Returns the data since the last call. Data older than ten minutes is dropped.
@@ -48,7 +48,7 @@ private:
     void add(store::Bag bag);
     void add(store::TrendQuantity quantity, qint64 nowMs, double value, bool isWithin = true);
 
-    Machine& m_machine;
+    Controller& m_machine;
     Settings& m_settings;
     WallClock m_clock;
     QList<store::Bag> m_bags;
@@ -58,4 +58,4 @@ private:
     bool m_isNextOfTwoPrograms = false; // begun under another program: its deviation does not count
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -3,7 +3,7 @@
 
 #include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/report_files.h"
-#include "app/panel/records/records.h"
+#include "app/panel/records/database_service.h"
 #include "app/store/logs/trend_export.h"
 #include "app/store/logs/trend_schema.h"
 
@@ -14,7 +14,7 @@
 #include <cmath>
 #include <memory>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -93,7 +93,7 @@ QVariantMap mapOf(const store::TrendStatistics& statistics)
 
 } // namespace
 
-Trends::Trends(Machine& machine, Settings& settings, Records& records, ReportFiles& files,
+Trends::Trends(Controller& machine, Settings& settings, DatabaseService& records, ReportFiles& files,
                const QString& folder, QObject* parent)
     : QObject(parent)
     , m_records(records)
@@ -236,7 +236,7 @@ void Trends::takeAnswer(const Answer& answer)
     m_isAsked = false;
     takeKept(answer.kept);
     if (!answer.window)
-        complain(answer.window.error());
+        reportError(answer.window.error());
     else if (answer.window->curves.size() == m_chosen.size() &&
              std::ranges::equal(answer.window->curves, m_chosen, {}, [](const store::TrendCurve& curve) {
                  return static_cast<int>(curve.quantity);
@@ -287,27 +287,27 @@ void Trends::takeKept(const tl::expected<void, StoreError>& kept)
     if (kept)
         m_hasComplained = false;
     else
-        complain(kept.error());
+        reportError(kept.error());
 }
 
 // Reports an error once: a full disk fails every five seconds.
-void Trends::complain(const StoreError& error)
+void Trends::reportError(const StoreError& error)
 {
     if (std::exchange(m_hasComplained, true))
         return;
     if (error.kind == StoreError::Kind::Damaged)
         m_store.beginAnew();
     else
-        m_records.complain(error);
+        m_records.reportError(error);
 }
 
 void Trends::takeOpening(const store::StoreThread::Report& report)
 {
     m_hasComplained = false;
     if (report.error)
-        complain(*report.error);
+        reportError(*report.error);
     else if (!report.opening.damagedKeptAs.isEmpty())
-        m_records.complain({StoreError::Kind::TrendsAnew, {}, report.opening.damagedKeptAs});
+        m_records.reportError({StoreError::Kind::TrendsAnew, {}, report.opening.damagedKeptAs});
     refresh();
 }
 
@@ -342,7 +342,7 @@ void Trends::exportCsv()
             emit exportingChanged();
             takeKept(made.kept);
             if (made.error)
-                return complain(*made.error);
+                return reportError(*made.error);
             QList<ReportFile> files;
             if (!made.bags.isEmpty())
                 files << ReportFile{tr("bags"), QStringLiteral("csv"),
@@ -354,4 +354,4 @@ void Trends::exportCsv()
         });
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

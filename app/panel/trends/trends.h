@@ -16,9 +16,9 @@
 class QJSEngine;
 class QQmlEngine;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-class Records;
+class DatabaseService;
 class ReportFiles;
 
 class Trends : public QObject {
@@ -59,8 +59,8 @@ public:
     static constexpr int writePeriodMs = 5000;
 
     // All arguments must outlive the object. `folder` contains the database.
-    Trends(Machine& machine, Settings& settings, Records& records, ReportFiles& files, const QString& folder,
-           QObject* parent);
+    Trends(Controller& machine, Settings& settings, DatabaseService& records, ReportFiles& files,
+           const QString& folder, QObject* parent);
     // Stores the remaining data.
     ~Trends() override;
 
@@ -125,10 +125,10 @@ private:
     void takeAnswer(const Answer& answer);
     void takeOpening(const store::StoreThread::Report& report);
     void takeKept(const tl::expected<void, store::StoreError>& kept);
-    void complain(const store::StoreError& error);
+    void reportError(const store::StoreError& error);
     void show(const store::TrendWindow& window);
 
-    Records& m_records;
+    DatabaseService& m_records;
     ReportFiles& m_files;
     TrendRecorder m_recorder;
     TrendRecorder::WallClock m_clock;
@@ -151,4 +151,4 @@ private:
     Content m_content = Unread;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -116,4 +116,4 @@ QString AccessSentences::mustWait(qint64 waitMs)
     return tr("After wrong PINs this user has to wait: %1.").arg(seconds(waitMs));
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -2,13 +2,13 @@
 // The texts for levels, PINs and logins.
 #pragma once
 
-#include "app/panel/kit/gate.h"
+#include "app/panel/kit/access_check.h"
 #include "app/store/database/store_error.h"
 
 #include <QCoreApplication>
 #include <QString>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class AccessSentences {
     Q_DECLARE_TR_FUNCTIONS(AccessSentences)
@@ -30,4 +30,4 @@ private:
     [[nodiscard]] static QString seconds(qint64 waitMs);
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

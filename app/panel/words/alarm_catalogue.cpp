@@ -7,7 +7,7 @@
 #include <array>
 #include <string_view>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -324,4 +324,4 @@ const AlarmKind& AlarmCatalogue::settingsNotKept()
     return known("P-08");
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -10,7 +10,7 @@
 
 #include <span>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 // The severities in ascending order. A notice is listed and logged but needs no acknowledgement.
 enum class AlarmSeverity { None, Notice, Warning, Fault };
@@ -55,4 +55,4 @@ public:
     [[nodiscard]] static const AlarmKind& settingsNotKept();
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -7,7 +7,7 @@
 
 using namespace Qt::StringLiterals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using store::AlarmRow;
 
@@ -78,4 +78,4 @@ QString AlarmWords::time(qint64 utcMs, const QDate& today)
     return local.date() == today ? local.toString(u"HH:mm:ss"_s) : Format::second(local);
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -11,7 +11,7 @@
 #include <QHash>
 #include <QVariant>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class AlarmWords {
     Q_DECLARE_TR_FUNCTIONS(AlarmWords)
@@ -39,4 +39,4 @@ public:
     [[nodiscard]] static QString time(qint64 utcMs, const QDate& today);
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -3,7 +3,7 @@
 
 #include "app/panel/words/controller_sentences.h"
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using link::CommandEnd;
 using link::LinkState;
@@ -246,4 +246,4 @@ QString ConnectionSentences::downloadError(const modbus::DownloadError& error)
     return {};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

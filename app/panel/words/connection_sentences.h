@@ -7,7 +7,7 @@
 #include <QCoreApplication>
 #include <QDateTime>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class ConnectionSentences {
     Q_DECLARE_TR_FUNCTIONS(ConnectionSentences)
@@ -29,4 +29,4 @@ private:
     [[nodiscard]] static QString downloadError(const modbus::DownloadError& error);
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

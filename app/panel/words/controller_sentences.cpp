@@ -3,7 +3,7 @@
 
 #include "app/panel/words/alarm_catalogue.h"
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using modbus::FaultBit;
 using modbus::Refusal;
@@ -220,4 +220,4 @@ QString ControllerSentences::transferResult(const modbus::TransferAnswer& answer
     return {};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

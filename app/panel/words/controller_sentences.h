@@ -7,7 +7,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class ControllerSentences {
     Q_DECLARE_TR_FUNCTIONS(ControllerSentences)
@@ -24,4 +24,4 @@ public:
     [[nodiscard]] static QString transferResult(const modbus::TransferAnswer& answer);
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -5,7 +5,7 @@
 
 #include <QStringList>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using modbus::LineCondition;
 
@@ -152,4 +152,4 @@ QString DoctorSentences::progress(const modbus::ScanProgress& progress)
     return tr("%1 of %2, at most %3 s more").arg(progress.done).arg(progress.total).arg(seconds);
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

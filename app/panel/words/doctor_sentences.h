@@ -6,7 +6,7 @@
 
 #include <QCoreApplication>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class DoctorSentences {
     Q_DECLARE_TR_FUNCTIONS(DoctorSentences)
@@ -25,4 +25,4 @@ private:
     [[nodiscard]] static QString busy(const modbus::LineFinding& finding);
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

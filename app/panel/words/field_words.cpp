@@ -2,7 +2,7 @@
 // The short display names of the fields.
 #include "app/panel/words/recipe_words.h"
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using profile::Field;
 
@@ -115,4 +115,4 @@ QString RecipeWords::fieldName(Field field)
     return {};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -9,7 +9,7 @@
 
 using namespace Qt::StringLiterals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using modbus::DecodedFrame;
 using modbus::FrameVerdict;
@@ -180,4 +180,4 @@ QString FrameWords::bytes(const modbus::FrameRecord& record)
     return QString::fromStdString(modbus::hexBytes(record.bytes()));
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

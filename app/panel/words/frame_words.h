@@ -7,7 +7,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class FrameWords {
     Q_DECLARE_TR_FUNCTIONS(FrameWords)
@@ -27,4 +27,4 @@ private:
     [[nodiscard]] static QString exception(int code);
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -2,7 +2,7 @@
 // The explanations of the machine's numbers, for the person who enters them.
 #include "app/panel/words/recipe_words.h"
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using profile::Field;
 
@@ -50,4 +50,4 @@ QString RecipeWords::machineHelp(Field field)
     }
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

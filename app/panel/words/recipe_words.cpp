@@ -3,7 +3,7 @@
 
 #include "app/panel/kit/format.h"
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using profile::Field;
 using profile::LawId;
@@ -257,4 +257,4 @@ QString RecipeWords::limitName(Limit limit)
     return {};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -9,7 +9,7 @@
 
 #include <QCoreApplication>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class RecipeWords {
     Q_DECLARE_TR_FUNCTIONS(RecipeWords)
@@ -35,4 +35,4 @@ public:
     [[nodiscard]] static QString limitName(profile::Limit limit);
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

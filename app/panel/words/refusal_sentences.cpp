@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using profile::Limit;
 
@@ -233,4 +233,4 @@ QString RefusalSentences::refusal(const profile::Refusal& refusal)
     return {};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -8,7 +8,7 @@
 
 #include <QCoreApplication>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class RefusalSentences {
     Q_DECLARE_TR_FUNCTIONS(RefusalSentences)
@@ -30,4 +30,4 @@ private:
     [[nodiscard]] static QString knot(const profile::Refusal& refusal);
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -7,7 +7,7 @@
 
 using namespace Qt::StringLiterals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 QString RegisterWords::group(const QString& group)
 {
@@ -111,4 +111,4 @@ QString RegisterWords::type(const modbus::RegisterInfo& info)
     return u"block"_s;
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -6,7 +6,7 @@
 
 #include <QCoreApplication>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class RegisterWords {
     Q_DECLARE_TR_FUNCTIONS(RegisterWords)
@@ -31,4 +31,4 @@ public:
     [[nodiscard]] static QString type(const modbus::RegisterInfo& info);
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

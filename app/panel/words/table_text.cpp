@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -205,4 +205,4 @@ QStringList TableText::summaryOf(const profile::PressTable& table) const
                 .arg(Format().compact(1 / m_image.solved.pulsesPerMm, 2, 5))};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

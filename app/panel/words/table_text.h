@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class TableText {
     Q_DECLARE_TR_FUNCTIONS(TableText)
@@ -40,4 +40,4 @@ private:
     const program::ProgramImage& m_image;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

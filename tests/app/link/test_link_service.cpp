@@ -281,13 +281,13 @@ private slots:
         QList<link::RulerEnd> ends;
         QObject::connect(&panel.link, &link::Link::rulerRead, &panel.link,
                          [&ends](const link::RulerOutcome& outcome) { ends << outcome.end; });
-        panel.link.readRuler(); // before it serves
+        panel.link.measureSimulatedBag(); // before it serves
         QTRY_COMPARE_WITH_TIMEOUT(ends.size(), 1, timeoutMs);
         QCOMPARE(ends.last(), link::RulerEnd::NotServing);
         QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected(), timeoutMs);
-        panel.link.readRuler();
+        panel.link.measureSimulatedBag();
         panel.link.simulateFaults({QStringLiteral("lost-answer limit=1")});
-        panel.link.readRuler();
+        panel.link.measureSimulatedBag();
         QTRY_COMPARE_WITH_TIMEOUT(ends.size(), 3, timeoutMs);
         QCOMPARE(ends, (QList{link::RulerEnd::NotServing, link::RulerEnd::NoBag, link::RulerEnd::NoBag}));
         QTRY_COMPARE_WITH_TIMEOUT(panel.faults.size(), 1, timeoutMs);
@@ -297,7 +297,7 @@ private slots:
         Panel real(portSettings(controller.port()));
         QObject::connect(&real.link, &link::Link::rulerRead, &real.link,
                          [&ends](const link::RulerOutcome& outcome) { ends << outcome.end; });
-        real.link.readRuler();
+        real.link.measureSimulatedBag();
         QTRY_COMPARE_WITH_TIMEOUT(ends.size(), 4, timeoutMs);
         QCOMPARE(ends.last(), link::RulerEnd::NotSimulated);
     }

@@ -13,9 +13,9 @@ namespace campanel::test {
 
 struct AccessRig : PanelRig {
     qint64 wallMs = 1'790'000'000'000;
-    machine::Access access{records, machine, settings, nullptr};
-    machine::AuditTrail trail{records, {machine, editor, settings, service, access}, nullptr};
-    machine::Audit audit{records, trail, *service.files(), nullptr};
+    panel::Access access{records, machine, settings, nullptr};
+    panel::AuditTrail trail{records, {machine, editor, settings, service, access}, nullptr};
+    panel::Audit audit{records, trail, *service.files(), nullptr};
 
     AccessRig()
     {
@@ -48,7 +48,7 @@ struct AccessRig : PanelRig {
         }
         return 0;
     }
-    void add(const QString& name, machine::Access::Level level, const QString& pin)
+    void add(const QString& name, panel::Access::Level level, const QString& pin)
     {
         access.addUser(name, level, pin);
         settle();
@@ -62,8 +62,8 @@ struct AccessRig : PanelRig {
     // Adds Anna of the level Service with 258036 and Bo, a technician, with 1470; nobody is logged in.
     void addAnnaAndBo()
     {
-        add(QStringLiteral("Anna"), machine::Access::Service, QStringLiteral("258036"));
-        add(QStringLiteral("Bo"), machine::Access::Technician, QStringLiteral("1470"));
+        add(QStringLiteral("Anna"), panel::Access::Service, QStringLiteral("258036"));
+        add(QStringLiteral("Bo"), panel::Access::Technician, QStringLiteral("1470"));
         access.logOut();
     }
     // Returns the whole trail, oldest first.

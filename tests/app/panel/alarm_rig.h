@@ -14,17 +14,17 @@ namespace campanel::test {
 struct AlarmRig {
     PanelRig panel;
     QTemporaryDir folder;
-    std::unique_ptr<machine::Records> records;
-    std::unique_ptr<machine::Alarms> alarms;
+    std::unique_ptr<panel::DatabaseService> records;
+    std::unique_ptr<panel::Alarms> alarms;
     QDateTime day{QDate(2026, 1, 15), QTime(14, 0)}; // time of day of panel.now = 1 h
 
     AlarmRig() { start(); }
 
     void start()
     {
-        records = std::make_unique<machine::Records>(folder.path(), nullptr);
+        records = std::make_unique<panel::DatabaseService>(folder.path(), nullptr);
         alarms =
-            std::make_unique<machine::Alarms>(panel.machine, panel.editor, *records, panel.settings, nullptr);
+            std::make_unique<panel::Alarms>(panel.machine, panel.editor, *records, panel.settings, nullptr);
         alarms->setWallClock([this] { return wall(); });
         alarms->setPaceMs(0);
         alarms->watch().setPatienceMs(3'600'000); // a test without a connection must not get the link alarm
@@ -76,7 +76,7 @@ struct AlarmRig {
     {
         QCoreApplication::processEvents();
         QStringList lines;
-        for (const machine::AlarmEntry& entry : alarms->live()->entries())
+        for (const panel::AlarmEntry& entry : alarms->live()->entries())
             lines << entry.row.code +
                          (entry.isActive() ? QStringLiteral(" active") : QStringLiteral(" gone")) +
                          (entry.isShelved            ? QStringLiteral(" shelved")

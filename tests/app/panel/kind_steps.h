@@ -10,10 +10,10 @@ Q_DECLARE_METATYPE(std::shared_ptr<const campanel::profile::Curves>)
 
 namespace campanel::test {
 
-using machine::ChoiceModel;
-using machine::Editor;
-using machine::EditorField;
-using machine::KnotModel;
+using panel::ChoiceModel;
+using panel::Editor;
+using panel::EditorField;
+using panel::KnotModel;
 using profile::Field;
 using profile::ProgramKind;
 

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "app/panel/alarms/alarms.h"
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/maintenance/service.h"
-#include "app/panel/records/records.h"
+#include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/trends/trends.h"
 #include "fake_link.h"
@@ -18,14 +18,14 @@ namespace campanel::test {
 struct PanelRig {
     QTemporaryDir folder;
     FakeLink link;
-    machine::Settings settings{folder.filePath(QStringLiteral("settings.ini")), nullptr};
+    panel::Settings settings{folder.filePath(QStringLiteral("settings.ini")), nullptr};
     link::SteadyTime now{std::chrono::hours(1)};
-    machine::Machine machine{link, settings, nullptr};
-    machine::Editor editor{machine, folder.path(), nullptr};
-    machine::Records records{folder.path(), nullptr};
-    machine::Alarms alarms{machine, editor, records, settings, nullptr};
-    machine::Service service{machine, settings, folder.path(), nullptr};
-    machine::Trends trends{machine, settings, records, *service.files(), folder.path(), nullptr};
+    panel::Controller machine{link, settings, nullptr};
+    panel::Editor editor{machine, folder.path(), nullptr};
+    panel::DatabaseService records{folder.path(), nullptr};
+    panel::Alarms alarms{machine, editor, records, settings, nullptr};
+    panel::Service service{machine, settings, folder.path(), nullptr};
+    panel::Trends trends{machine, settings, records, *service.files(), folder.path(), nullptr};
 
     PanelRig()
     {

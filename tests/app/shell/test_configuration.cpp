@@ -16,10 +16,10 @@ namespace test_configuration {
 
 using namespace campanel;
 using namespace Qt::StringLiterals;
-using machine::Settings;
-using panel::Configuration;
-using panel::configurationFrom;
-using panel::ReadConfiguration;
+using panel::Settings;
+using shell::Configuration;
+using shell::configurationFrom;
+using shell::ReadConfiguration;
 
 namespace {
 
@@ -55,7 +55,7 @@ private slots:
             else if (!line.startsWith('#') && line.contains(" = "))
                 shown << section + u'.' + QString::fromUtf8(line.left(line.indexOf(" = ")));
         }
-        QCOMPARE(shown, panel::configurationKeys());
+        QCOMPARE(shown, shell::configurationKeys());
 
         const Configuration fresh;
         QCOMPARE(read.values.standard.connection, fresh.standard.connection);
@@ -84,7 +84,7 @@ private slots:
             else if (line.startsWith(u".It Cm "))
                 named << section + u'.' + line.section(u' ', 2, 2);
         }
-        QCOMPARE(named, panel::configurationKeys());
+        QCOMPARE(named, shell::configurationKeys());
     }
 
     void everyValueIsTaken()
@@ -117,7 +117,7 @@ screen = "linuxfb"
         QCOMPARE(read.complaints, QStringList());
         const auto& standard = read.values.standard;
         QCOMPARE(standard.connection,
-                 (machine::ConnectionChoice{false, u"/dev/campanel-serial"_s, 9600, u"E"_s, 2, 247}));
+                 (panel::ConnectionChoice{false, u"/dev/campanel-serial"_s, 9600, u"E"_s, 2, 247}));
         QCOMPARE(standard.language, u"zh_CN"_s);
         QCOMPARE(standard.theme, u"contrast"_s);
         QVERIFY(standard.gloves);
@@ -127,7 +127,7 @@ screen = "linuxfb"
         QCOMPARE(read.values.windowSize, QSize(1280, 800));
         QVERIFY(read.values.isFullScreen);
         QCOMPARE(read.values.logRules, (QStringList{u"campanel.link.debug=true"_s, u"campanel.*=false"_s}));
-        QCOMPARE(read.values.screen, panel::ScreenAccess::LinuxFb);
+        QCOMPARE(read.values.screen, shell::ScreenAccess::LinuxFb);
     }
 
     void aNamedPortIsMeant()
@@ -187,13 +187,13 @@ screen = "linuxfb"
         QCOMPARE(read.complaints, QStringList{complaint});
         QVERIFY(read.values.standard.operatorsLogIn);
         // Anything that may have named the controller never leads to the simulated one.
-        machine::ConnectionChoice expected;
+        panel::ConnectionChoice expected;
         expected.simulated = !complaint.contains(u"connection."_s) && !complaint.contains(u"no section"_s);
         QCOMPARE(read.values.standard.connection, expected);
         QCOMPARE(read.values.standard.bagToleranceMm, 0.5);
         QVERIFY(!read.values.windowSize);
         QCOMPARE(read.values.logRules, QStringList());
-        QCOMPARE(read.values.screen, panel::ScreenAccess::Auto);
+        QCOMPARE(read.values.screen, shell::ScreenAccess::Auto);
     }
 
     // Invalid TOML costs only its line, not the file.
@@ -330,9 +330,9 @@ screen = "linuxfb"
     {
         const QTemporaryDir folder;
         const QString missing = folder.filePath(name);
-        QCOMPARE(panel::readConfiguration(missing).complaints, QStringList());
+        QCOMPARE(shell::readConfiguration(missing).complaints, QStringList());
         const QStringList complaints =
-            panel::readConfiguration(folder.path()).complaints; // a folder is not a file
+            shell::readConfiguration(folder.path()).complaints; // a folder is not a file
         QCOMPARE(complaints.size(), 1);
         QVERIFY2(complaints.first().contains(u"cannot be read"), qPrintable(complaints.first()));
     }
@@ -342,7 +342,7 @@ screen = "linuxfb"
     {
         const QTemporaryDir folder;
         const QString storage = folder.filePath(u"settings.ini"_s);
-        machine::StandardSettings standard;
+        panel::StandardSettings standard;
         standard.language = u"zh_CN"_s;
         standard.theme = u"dark"_s;
         standard.gloves = true;

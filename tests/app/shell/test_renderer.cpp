@@ -10,7 +10,7 @@
 
 namespace test_renderer {
 
-using namespace campanel::panel;
+using namespace campanel::shell;
 using namespace Qt::StringLiterals;
 
 class TestRenderer : public QObject {

@@ -13,16 +13,16 @@
 
 namespace test_screen_choice {
 
-using namespace campanel::panel;
+using namespace campanel::shell;
 using namespace Qt::StringLiterals;
 using namespace std::chrono_literals;
 
 namespace {
 
 // A machine's /sys/class/drm and /dev.
-class Machine {
+class Controller {
 public:
-    Machine() { QDir(m_folder.path()).mkpath(u"run"_s); }
+    Controller() { QDir(m_folder.path()).mkpath(u"run"_s); }
     [[nodiscard]] ScreenPlaces places() const
     {
         return {m_folder.filePath(u"drm"_s), m_folder.filePath(u"dri"_s), m_folder.filePath(u"fb0"_s),
@@ -82,7 +82,7 @@ private slots:
         QFETCH(bool, hasFramebuffer);
         QFETCH(int, wanted);
         QFETCH(QString, platform);
-        const Machine machine;
+        const Controller machine;
         if (!status.isEmpty())
             machine.connector(u"card0-HDMI-A-1"_s, status.toLatin1().constData());
         if (hasCard)
@@ -96,7 +96,7 @@ private slots:
 
     void theSecondCardsScreenIsFound()
     {
-        const Machine machine;
+        const Controller machine;
         machine.connector(u"card0-VGA-1"_s, "disconnected");
         machine.connector(u"card1-eDP-1"_s, "connected");
         machine.card(u"card0"_s);
@@ -109,7 +109,7 @@ private slots:
     // Eglfs ends the process when it cannot draw; the next start must not try it again.
     void eglfsThatDrewNothingIsNotTriedAgain()
     {
-        const Machine machine;
+        const Controller machine;
         machine.connector(u"card0-HDMI-A-1"_s, "connected");
         machine.card(u"card0"_s);
         machine.framebuffer();
@@ -123,7 +123,7 @@ private slots:
     }
     void eglfsThatDrewIsTakenAgain()
     {
-        const Machine machine;
+        const Controller machine;
         machine.connector(u"card0-HDMI-A-1"_s, "connected");
         machine.card(u"card0"_s);
         machine.framebuffer();
@@ -135,7 +135,7 @@ private slots:
 
     void aScreenThatComesLateIsWaitedFor()
     {
-        const Machine machine;
+        const Controller machine;
         std::thread plug([&machine] {
             std::this_thread::sleep_for(500ms);
             machine.framebuffer();
@@ -146,7 +146,7 @@ private slots:
     }
     void theWaitEnds()
     {
-        const Machine machine;
+        const Controller machine;
         const auto began = std::chrono::steady_clock::now();
         QCOMPARE(waitForScreen(ScreenAccess::Auto, machine.places(), 300ms).platform, QString());
         QVERIFY(std::chrono::steady_clock::now() - began >= 300ms);

@@ -21,8 +21,8 @@
 namespace test_service_watchdog {
 
 using namespace campanel;
-using panel::ServiceManager;
-using panel::ServiceWatchdog;
+using shell::ServiceManager;
+using shell::ServiceWatchdog;
 
 namespace {
 

@@ -13,7 +13,7 @@
 namespace test_access {
 
 using namespace campanel;
-using machine::Access;
+using panel::Access;
 using test::AccessRig;
 using namespace std::chrono_literals;
 using namespace Qt::StringLiterals;
@@ -145,7 +145,7 @@ private slots:
         rig.editor.baseSpeed()->set(250);
         rig.editor.item(profile::Field::KnifeRadius)->set(70);
         QCOMPARE(rig.editor.k1()->value(), k1);
-        QCOMPARE(rig.editor.kind(), machine::Editor::Kind::RotaryCutter);
+        QCOMPARE(rig.editor.kind(), panel::Editor::Kind::RotaryCutter);
         QCOMPARE(asked.count(), 7);
         rig.editor.undo();
         QCOMPARE(rig.editor.rate()->value(), 60.0);
@@ -176,7 +176,7 @@ private slots:
         QCOMPARE(rig.machine.writeParameter("parameter.mark_distance", 905), 0U);
         rig.service.packing()->fields()->write("parameter.mark_distance", 905);
         QCOMPARE(rig.link.parameters.size(), parameters);
-        rig.service.lineFaults()->setLevel(0, machine::LineFaults::Often);
+        rig.service.simulatedFaults()->setLevel(0, panel::SimulatedFaults::Often);
         QVERIFY(rig.link.faults.isEmpty());
         rig.settings.setSimulated(!rig.settings.simulated());
         QVERIFY(!rig.settings.connectionDirty());
@@ -261,7 +261,7 @@ private slots:
             rig.logIn(u"Anna"_s, u"258136"_s);
             rig.wallMs += i < 2 ? 10'000 : 0;
         }
-        machine::Records again(rig.folder.path(), nullptr);
+        panel::DatabaseService again(rig.folder.path(), nullptr);
         Access access(again, rig.machine, rig.settings, nullptr);
         access.setWallClock([&] { return rig.wallMs; });
         again.open();
@@ -304,7 +304,7 @@ private slots:
         if (!hasCopy)
             QVERIFY(QFile::remove(folder.filePath(u"campanel.sqlite.copy"_s)));
         AccessRig rig;
-        machine::Records records(folder.path(), nullptr);
+        panel::DatabaseService records(folder.path(), nullptr);
         Access access(records, rig.machine, rig.settings, nullptr);
         records.open();
         access.open();

@@ -13,8 +13,8 @@
 namespace test_alarm_catalogue {
 
 using namespace campanel;
-using machine::AlarmCatalogue;
-using machine::AlarmKind;
+using panel::AlarmCatalogue;
+using panel::AlarmKind;
 
 namespace {
 
@@ -43,7 +43,7 @@ private slots:
             const AlarmKind& kind = AlarmCatalogue::of(static_cast<modbus::FaultBit>(value.value));
             QVERIFY2(&kind != &AlarmCatalogue::unknownFault(), value.name.data());
             QVERIFY(kind.stopsMachine);
-            QCOMPARE(kind.severity, machine::AlarmSeverity::Fault);
+            QCOMPARE(kind.severity, panel::AlarmSeverity::Fault);
             found.insert(&kind);
         }
         for (const modbus::EnumValue& value : warnings) {

@@ -43,7 +43,7 @@ private slots:
         QCOMPARE(rig.live(), Lines{"C-01 active calls"});
         QCOMPARE(rig.alarms->active(), 1);
         QCOMPARE(rig.alarms->unacknowledged(), 1);
-        QCOMPARE(rig.alarms->callingSeverity(), machine::Alarms::Severity::Fault);
+        QCOMPARE(rig.alarms->callingSeverity(), panel::Alarms::Severity::Fault);
         QCOMPARE(rig.alarms->urgentCode(), "C-01");
         QVERIFY(!rig.alarms->seen());
         rig.pass(5s);
@@ -95,7 +95,7 @@ private slots:
         rig.alarms->acknowledge(0);
         QCOMPARE(rig.live(), (Lines{"W-03 active calls", "C-07 active", "W-02 active"}));
         QCOMPARE(asked.row(), 0);
-        QCOMPARE(rig.alarms->callingSeverity(), machine::Alarms::Severity::Warning);
+        QCOMPARE(rig.alarms->callingSeverity(), panel::Alarms::Severity::Warning);
         QCOMPARE(rig.alarms->urgentCode(), "C-07");
         rig.setFaults(0);
         rig.setWarnings(notHomed);
@@ -158,7 +158,7 @@ private slots:
         AlarmRig rig;
         rig.open();
         rig.panel.connectIdle();
-        QSignalSpy shown(rig.alarms.get(), &machine::Alarms::changed);
+        QSignalSpy shown(rig.alarms.get(), &panel::Alarms::changed);
         QElapsedTimer timer;
         timer.start();
         for (int i = 0; i < changes; ++i) {
@@ -185,7 +185,7 @@ private slots:
             });
         QTRY_VERIFY(rows > 0);
         QCOMPARE(times, qint64(changes / 2)); // each one is counted
-        QVERIFY2(rows <= qint64(machine::AlarmBook::waitingRows), qPrintable(QString::number(rows)));
+        QVERIFY2(rows <= qint64(panel::AlarmBook::waitingRows), qPrintable(QString::number(rows)));
     }
 
     void linkHasAMomentToComeUp()
@@ -353,7 +353,7 @@ private slots:
     {
         AlarmRig rig;
         rig.open();
-        rig.records->complain({store::StoreError::Kind::Full, QStringLiteral("x"), {}});
+        rig.records->reportError({store::StoreError::Kind::Full, QStringLiteral("x"), {}});
         QCOMPARE(rig.live(), Lines{"P-04 active calls"});
         QTRY_COMPARE(rig.live(), Lines{"P-04 gone calls"}); // its own row had space
     }
@@ -406,8 +406,8 @@ private slots:
     void memoryThatCannotBeOpenedStaysAnAlarm()
     {
         AlarmRig rig;
-        machine::Records records(QStringLiteral("/proc/no/such/folder"), nullptr);
-        machine::Alarms alarms(rig.panel.machine, rig.panel.editor, records, rig.panel.settings, nullptr);
+        panel::DatabaseService records(QStringLiteral("/proc/no/such/folder"), nullptr);
+        panel::Alarms alarms(rig.panel.machine, rig.panel.editor, records, rig.panel.settings, nullptr);
         records.open();
         QTRY_COMPARE(alarms.urgentCode(), "P-03");
         QVERIFY(alarms.live()->entries()[0].row.detail.contains(QStringLiteral("/proc/no/such/folder")));
@@ -427,7 +427,7 @@ private slots:
         rig.end();
         rig.start();
         rig.open();
-        machine::AlarmHistory& history = *rig.alarms->history();
+        panel::AlarmHistory& history = *rig.alarms->history();
         QElapsedTimer timer;
         timer.start();
         history.setWatched(true);
@@ -465,11 +465,11 @@ private slots:
         rig.setFaults(jam);
         (void)rig.live();
         const auto title = [&] {
-            const machine::LiveAlarms& live = *rig.alarms->live();
+            const panel::LiveAlarms& live = *rig.alarms->live();
             return live.data(live.index(0), live.roleNames().key("title")).toString();
         };
         QCOMPARE(title(), "Axis does not follow");
-        QSignalSpy changed(rig.alarms->live(), &machine::LiveAlarms::dataChanged);
+        QSignalSpy changed(rig.alarms->live(), &panel::LiveAlarms::dataChanged);
         QTranslator translator;
         QVERIFY(translator.load(QStringLiteral(":/i18n/campanel_app_zh_CN.qm")));
         QVERIFY(QCoreApplication::installTranslator(&translator));

@@ -9,7 +9,7 @@
 namespace test_audit {
 
 using namespace campanel;
-using machine::Access;
+using panel::Access;
 using test::AccessRig;
 using namespace Qt::StringLiterals;
 using store::AuditEntry;
@@ -89,7 +89,7 @@ private slots:
         QCOMPARE(done->after, u"903.02"_s);
         QCOMPARE(done->readBack, u"903"_s);
         QCOMPARE(done->who, u"Bo"_s);
-        QCOMPARE(machine::AuditWords::object(*done), u"Mark sensor to knife"_s);
+        QCOMPARE(panel::AuditWords::object(*done), u"Mark sensor to knife"_s);
         const AuditEntry& last = entries.last();
         QCOMPARE(last.what, u"parameter.write"_s);
         QCOMPARE(last.before, QString());
@@ -228,7 +228,7 @@ private slots:
         rig.audit.readMore();
         rig.settle();
         QCOMPARE(rig.audit.count(), 125);
-        QCOMPARE(rig.audit.data(rig.audit.index(0), machine::Audit::ObjectRole).toString(), u"249"_s);
+        QCOMPARE(rig.audit.data(rig.audit.index(0), panel::Audit::ObjectRole).toString(), u"249"_s);
         rig.machine.stop();
         emit rig.link.commandEnded({rig.link.requests.last().id,
                                     modbus::Command::StopAtCycleEnd,
@@ -273,7 +273,7 @@ private slots:
         rig.trail.note(noted);
         rig.settle();
         const QString folder = rig.folder.path();
-        machine::ReportFiles& files = *rig.service.files();
+        panel::ReportFiles& files = *rig.service.files();
         files.setLooker([folder](const QString&) {
             return QList<store::Place>{{folder, u"stick"_s, false}};
         });

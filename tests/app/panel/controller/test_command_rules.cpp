@@ -16,10 +16,10 @@
 namespace test_command_rules {
 
 using namespace campanel;
-using machine::expectedRefusal;
 using modbus::Command;
 using modbus::Refusal;
 using modbus::State;
+using panel::expectedRefusal;
 using test::Rig;
 
 namespace {

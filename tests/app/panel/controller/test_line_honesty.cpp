@@ -15,10 +15,10 @@ using namespace campanel;
 using link::CommandEnd;
 using link::ComparisonReport;
 using link::ComparisonStage;
-using machine::LineFaults;
-using machine::Machine;
-using machine::ProgramProof;
 using modbus::Command;
+using panel::Controller;
+using panel::ProgramProof;
+using panel::SimulatedFaults;
 using test::PanelRig;
 using namespace std::chrono_literals;
 
@@ -155,7 +155,7 @@ void TestLineHonesty::changesMeanwhileAreTold()
     rig.link.becomeConnected();
     rig.link.sendStatus(rig.now);
     QCOMPARE(rig.machine.commandMessage(), "The line is back. Before: Running. Now: Ready.");
-    QCOMPARE(rig.machine.state(), Machine::State::Ready);
+    QCOMPARE(rig.machine.state(), Controller::State::Ready);
     rig.link.becomeLost(); // the return is over
     QVERIFY2(rig.machine.commandMessage().isEmpty(), qPrintable(rig.machine.commandMessage()));
 }
@@ -335,23 +335,25 @@ void TestLineHonesty::proofIsOfOneProgram()
 void TestLineHonesty::faultsAreThoseThatTheControllerTook()
 {
     PanelRig rig;
-    LineFaults& faults = *rig.service.lineFaults();
-    const auto level = [&](int row) { return faults.data(faults.index(row), LineFaults::LevelRole).toInt(); };
+    SimulatedFaults& faults = *rig.service.simulatedFaults();
+    const auto level = [&](int row) {
+        return faults.data(faults.index(row), SimulatedFaults::LevelRole).toInt();
+    };
     QVERIFY(faults.rowCount() >= 8);
-    faults.setLevel(0, LineFaults::Often);
-    QCOMPARE(level(0), int{LineFaults::Off}); // not yet answered
-    faults.setLevel(7, LineFaults::Sometimes);
+    faults.setLevel(0, SimulatedFaults::Often);
+    QCOMPARE(level(0), int{SimulatedFaults::Off}); // not yet answered
+    faults.setLevel(7, SimulatedFaults::Sometimes);
     QCOMPARE(rig.link.faults.size(), 1);
     emit rig.link.faultsSimulated({});
-    QCOMPARE(level(0), int{LineFaults::Often});
+    QCOMPARE(level(0), int{SimulatedFaults::Often});
     QCOMPARE(rig.link.faults.size(), 2); // the second change was sent after the first answer
     QCOMPARE(rig.link.faults.last().size(), 2);
     emit rig.link.faultsSimulated({});
     QCOMPARE(faults.activeCount(), 2);
     QCOMPARE(faults.text(), "Active: Late answers, Silence");
-    faults.setLevel(1, LineFaults::Often);
+    faults.setLevel(1, SimulatedFaults::Often);
     emit rig.link.faultsSimulated({link::FaultsEnd::Refused, "line 1: 'x' is wrong"});
-    QCOMPARE(level(1), int{LineFaults::Off});
+    QCOMPARE(level(1), int{SimulatedFaults::Off});
     QVERIFY(faults.errorText().contains("line 1: 'x' is wrong"));
     faults.clear();
     QVERIFY(rig.link.faults.last().isEmpty());
@@ -363,8 +365,8 @@ void TestLineHonesty::faultsAreThoseThatTheControllerTook()
 void TestLineHonesty::faultsEndWithTheirController()
 {
     PanelRig rig;
-    LineFaults& faults = *rig.service.lineFaults();
-    faults.setLevel(2, LineFaults::Often);
+    SimulatedFaults& faults = *rig.service.simulatedFaults();
+    faults.setLevel(2, SimulatedFaults::Often);
     emit rig.link.faultsSimulated({});
     link::LinkReport report;
     report.simulator = link::SimulatorState::Ended; // restarted with its faults

@@ -18,7 +18,7 @@
 namespace test_machine {
 
 using namespace campanel;
-using machine::Machine;
+using panel::Controller;
 using test::PanelRig;
 using namespace std::chrono_literals;
 
@@ -58,7 +58,7 @@ private slots:
         QVERIFY(!rig.machine.fresh());
         QVERIFY(!rig.machine.canStart());
         QVERIFY(!rig.machine.startBlockedReason().isEmpty());
-        QCOMPARE(rig.machine.state(), Machine::State::Unknown);
+        QCOMPARE(rig.machine.state(), Controller::State::Unknown);
     }
 
     void dataGrowsOldAfterASecond()
@@ -70,7 +70,7 @@ private slots:
         rig.now += 999ms;
         rig.machine.setClock([&] { return rig.now; });
         QVERIFY(rig.machine.fresh());
-        QSignalSpy changed(&rig.machine, &Machine::freshChanged);
+        QSignalSpy changed(&rig.machine, &Controller::freshChanged);
         rig.now += 1ms;
         rig.machine.setClock([&] { return rig.now; });
         QVERIFY(!rig.machine.fresh());
@@ -262,7 +262,7 @@ private slots:
         rig.connectRunning();
         rig.link.status.state.reset();
         rig.link.sendStatus(rig.now);
-        QCOMPARE(rig.machine.state(), Machine::State::Unknown);
+        QCOMPARE(rig.machine.state(), Controller::State::Unknown);
         QCOMPARE(rig.machine.stateText(), "Unknown state");
     }
 
@@ -271,8 +271,8 @@ private slots:
         PanelRig rig;
         rig.connectRunning();
         rig.link.becomeLost();
-        QCOMPARE(rig.machine.connection(), Machine::Connection::Lost);
-        QCOMPARE(rig.machine.state(), Machine::State::Unknown);
+        QCOMPARE(rig.machine.connection(), Controller::Connection::Lost);
+        QCOMPARE(rig.machine.state(), Controller::State::Unknown);
         QVERIFY(rig.machine.connectionText().contains("reconnects by itself"));
         QVERIFY(rig.machine.active().isPresent);
         QCOMPARE(rig.machine.linkQuality(), 0);
@@ -319,7 +319,7 @@ private slots:
         QCOMPARE(rig.link.connections.last().port, "/dev/ttyUSB7");
         QCOMPARE(rig.link.connections.last().line.baud, 19200u);
         QCOMPARE(rig.link.connections.last().line.parity, modbus::Parity::Even);
-        machine::Settings again(rig.folder.filePath("settings.ini"), nullptr);
+        panel::Settings again(rig.folder.filePath("settings.ini"), nullptr);
         QCOMPARE(again.portName(), "/dev/ttyUSB7");
         QCOMPARE(again.parity(), "E");
     }
@@ -332,7 +332,7 @@ private slots:
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write("language=tlh\ntheme=pink\n[connection]\nbaud=1\nparity=X\nunit=9999\nstop_bits=-3\n");
         file.close();
-        const machine::Settings settings(path, nullptr);
+        const panel::Settings settings(path, nullptr);
         QVERIFY(settings.languages().contains(settings.language()));
         QCOMPARE(settings.theme(), "light");
         QCOMPARE(settings.baud(), 115200);
@@ -346,9 +346,9 @@ private slots:
     {
         QTemporaryDir folder;
         const QString path = folder.filePath("settings.ini");
-        const machine::ConnectionChoice real{false, "/dev/ttyUSB7", 19200, "E", 2, 9};
+        const panel::ConnectionChoice real{false, "/dev/ttyUSB7", 19200, "E", 2, 9};
         {
-            machine::Settings settings(path, nullptr);
+            panel::Settings settings(path, nullptr);
             settings.setTheme("dark");
             settings.setSimulated(false);
             settings.setPortName(real.portName);
@@ -361,23 +361,23 @@ private slots:
         }
         QVERIFY(QFile::resize(path, 20));
         QTest::ignoreMessage(QtWarningMsg, QRegularExpression("settings file .* damaged .* last good copy"));
-        machine::Settings mended(path, nullptr);
+        panel::Settings mended(path, nullptr);
         QCOMPARE(mended.connection(), real);
         QCOMPARE(mended.theme(), "dark");
         QVERIFY2(mended.notice().contains("last good copy"), qPrintable(mended.notice()));
         mended.dismissNotice();
         QCOMPARE(mended.notice(), QString());
-        QCOMPARE(machine::Settings(path, nullptr).notice(), QString());
+        QCOMPARE(panel::Settings(path, nullptr).notice(), QString());
 
         QVERIFY(QFile::resize(path, 0));
         QVERIFY(QFile::remove(path + ".bak"));
         QTest::ignoreMessage(QtWarningMsg, QRegularExpression("settings file .* no good copy"));
-        const machine::Settings lost(path, nullptr);
+        const panel::Settings lost(path, nullptr);
         QVERIFY(!lost.connection().simulated);
         QCOMPARE(lost.connection().portName, QString());
         QVERIFY2(lost.notice().contains("No controller"), qPrintable(lost.notice()));
         // The next start does not either, and the panel is not a new one.
-        machine::Settings next(path, nullptr);
+        panel::Settings next(path, nullptr);
         QVERIFY(!next.connection().simulated);
         next.offerFirstStart();
         QVERIFY(!next.firstStart());
@@ -407,7 +407,7 @@ private slots:
         rig.settings.setOperatorsLogIn(true);
         rig.settings.beginFirstStart();
         rig.settings.applyConnection();
-        machine::Display display(rig.machine, rig.settings, nullptr);
+        panel::Display display(rig.machine, rig.settings, nullptr);
         display.setBrightness(50);
         display.setDarkAfterMinutes(30);
         const QByteArray written = rig.settings.contents();
@@ -416,10 +416,10 @@ private slots:
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(written.mid(written.indexOf('\n') + 1));
         file.close();
-        machine::Settings again(path, nullptr);
+        panel::Settings again(path, nullptr);
         QVERIFY(again.file().origin() == store::SettingsFile::Origin::File);
         QCOMPARE(again.contents(), written);
-        QCOMPARE(written.count('='), machine::Settings::fileKeys().size() + 1);
+        QCOMPARE(written.count('='), panel::Settings::fileKeys().size() + 1);
         QLocale::setDefault(QLocale("en"));
     }
 
@@ -428,16 +428,17 @@ private slots:
         PanelRig rig;
         rig.connectRunning();
         QQmlEngine engine;
-        machine::attachToEngine(engine, rig.alarms, rig.machine, rig.editor, rig.records, rig.service,
-                                rig.settings, rig.trends);
+        panel::attachToEngine(engine, rig.alarms, rig.machine, rig.editor, rig.records, rig.service,
+                              rig.settings, rig.trends);
         QQmlComponent component(&engine);
-        component.setData("import QtQuick\nimport CamPanel.Machine\nQtObject {\n"
-                          "  property double length: Editor.cutter.bagLength.value\n"
-                          "  property bool running: Machine.state === Machine.State.Running\n"
-                          "  property bool connected: Machine.connection === Machine.Connection.Connected\n"
-                          "  property string language: Settings.language\n"
-                          "  property int laws: Editor.laws.count\n}",
-                          QUrl());
+        component.setData(
+            "import QtQuick\nimport CamPanel.Panel\nQtObject {\n"
+            "  property double length: Editor.cutter.bagLength.value\n"
+            "  property bool running: Controller.state === Machine.State.Running\n"
+            "  property bool connected: Controller.connection === Machine.Connection.Connected\n"
+            "  property string language: Settings.language\n"
+            "  property int laws: Editor.laws.count\n}",
+            QUrl());
         const std::unique_ptr<QObject> object(component.create());
         QVERIFY2(object, qPrintable(component.errorString()));
         QCOMPARE(object->property("length").toDouble(), 250.0);

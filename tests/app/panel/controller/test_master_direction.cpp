@@ -12,8 +12,8 @@ namespace test_master_direction {
 
 using namespace campanel;
 using namespace campanel::test;
-using machine::MasterDirection;
-using Way = machine::MasterDirection::Way;
+using panel::MasterDirection;
+using Way = panel::MasterDirection::Way;
 
 namespace {
 

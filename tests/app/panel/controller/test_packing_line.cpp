@@ -13,7 +13,7 @@ namespace test_packing_line {
 
 using namespace campanel;
 using namespace campanel::test;
-using machine::PackingLine;
+using panel::PackingLine;
 
 namespace {
 
@@ -277,14 +277,14 @@ private slots:
         QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("settings.ini"));
         {
-            machine::Settings settings(path, nullptr);
+            panel::Settings settings(path, nullptr);
             QCOMPARE(settings.bagToleranceMm(), 0.5);
-            QSignalSpy changed(&settings, &machine::Settings::bagToleranceChanged);
+            QSignalSpy changed(&settings, &panel::Settings::bagToleranceChanged);
             settings.setBagToleranceMm(0.2);
             settings.setBagToleranceMm(0.2);
             QCOMPARE(changed.size(), 1);
         }
-        machine::Settings settings(path, nullptr);
+        panel::Settings settings(path, nullptr);
         QCOMPARE(settings.bagToleranceMm(), 0.2);
         settings.setBagToleranceMm(NAN);
         QCOMPARE(settings.bagToleranceMm(), 0.2);

@@ -2,7 +2,7 @@
 // Machine and Editor on the real link and the real controller program: download, start, change during the
 // run, save.
 #include "app/link/threaded_link.h"
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/settings/settings.h"
 #include "tests/support/places.h"
@@ -16,9 +16,9 @@
 namespace test_with_controller {
 
 using namespace campanel;
-using machine::Editor;
-using machine::Machine;
-using machine::ProgramDownload;
+using panel::Controller;
+using panel::Editor;
+using panel::ProgramDownload;
 
 namespace {
 
@@ -36,8 +36,8 @@ struct Panel {
     }
 
     link::ThreadedLink link{nullptr};
-    machine::Settings settings;
-    Machine machine;
+    panel::Settings settings;
+    Controller machine;
     Editor editor;
 };
 
@@ -53,7 +53,7 @@ private slots:
         Panel panel(folder);
         QTRY_COMPARE_WITH_TIMEOUT(panel.editor.programDownload()->state(), ProgramDownload::State::Ready,
                                   timeoutMs);
-        QCOMPARE(panel.machine.state(), Machine::State::Idle);
+        QCOMPARE(panel.machine.state(), Controller::State::Idle);
         panel.editor.download();
         QTRY_COMPARE_WITH_TIMEOUT(panel.editor.programDownload()->state(), ProgramDownload::State::Applied,
                                   timeoutMs);
@@ -64,11 +64,11 @@ private slots:
 
         QTRY_VERIFY_WITH_TIMEOUT(panel.machine.canStart(), timeoutMs);
         panel.machine.start();
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Running, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Controller::State::Running, timeoutMs);
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine.live().rateBagsPerMin, 60.0, timeoutMs);
         QTRY_VERIFY_WITH_TIMEOUT(panel.machine.bags().series.size() >= 3, timeoutMs);
-        const machine::PackingLine& line = *panel.machine.packing();
-        QTRY_COMPARE_WITH_TIMEOUT(line.markState(), machine::PackingLine::MarkState::Tracking, timeoutMs);
+        const panel::PackingLine& line = *panel.machine.packing();
+        QTRY_COMPARE_WITH_TIMEOUT(line.markState(), panel::PackingLine::MarkState::Tracking, timeoutMs);
         QVERIFY(line.fresh());
         QCOMPARE(line.sensorMm(), 900.0);
         QVERIFY(line.cuts().size() > 3);
@@ -94,7 +94,7 @@ private slots:
         panel.editor.saveToFlash();
         QTRY_VERIFY_WITH_TIMEOUT(panel.editor.programDownload()->isSaved(), timeoutMs);
         panel.machine.stop();
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Machine::State::Ready, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Controller::State::Ready, timeoutMs);
         QVERIFY2(panel.machine.commandMessage().isEmpty(), qPrintable(panel.machine.commandMessage()));
         QVERIFY2(panel.machine.alarmText().isEmpty(), qPrintable(panel.machine.alarmText()));
     }

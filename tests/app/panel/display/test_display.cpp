@@ -15,8 +15,8 @@ namespace test_display {
 using namespace campanel;
 using namespace std::chrono_literals;
 using namespace Qt::StringLiterals;
-using machine::Backlight;
-using machine::Display;
+using panel::Backlight;
+using panel::Display;
 
 namespace {
 
@@ -86,7 +86,7 @@ private slots:
         QCOMPARE(rig.level(), QByteArray("125"));
         rig.display.setBrightness(51); // none of the choices
         QCOMPARE(rig.display.brightness(), 50);
-        machine::Settings stored(rig.folder.filePath(u"settings.ini"_s), nullptr);
+        panel::Settings stored(rig.folder.filePath(u"settings.ini"_s), nullptr);
         const Display again(rig.machine, stored, nullptr);
         QCOMPARE(again.brightness(), 50);
     }

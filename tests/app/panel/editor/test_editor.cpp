@@ -14,9 +14,9 @@
 namespace test_editor {
 
 using namespace campanel;
-using machine::Editor;
-using machine::EditorField;
-using machine::ProgramDownload;
+using panel::Editor;
+using panel::EditorField;
+using panel::ProgramDownload;
 using test::PanelRig;
 
 namespace {
@@ -284,22 +284,22 @@ private slots:
     void listsWhatEachLawWouldDemand()
     {
         PanelRig rig;
-        machine::LawModel* laws = rig.editor.laws();
+        panel::LawModel* laws = rig.editor.laws();
         QCOMPARE(laws->count(), static_cast<int>(profile::laws().size()));
-        const auto text = [&](int row, machine::LawModel::Role role) {
+        const auto text = [&](int row, panel::LawModel::Role role) {
             return laws->data(laws->index(row), role).toString();
         };
-        QCOMPARE(text(0, machine::LawModel::LawIdRole), "cubic");
-        QCOMPARE(text(0, machine::LawModel::CurrentRole), "true");
-        QCOMPARE(text(0, machine::LawModel::PeakRpmTextRole), "71 r/min");
-        QCOMPARE(text(0, machine::LawModel::PeakAccelerationTextRole), "1.95 m/s²");
-        QCOMPARE(text(0, machine::LawModel::PeakFrequencyTextRole), "11.8 kHz");
+        QCOMPARE(text(0, panel::LawModel::LawIdRole), "cubic");
+        QCOMPARE(text(0, panel::LawModel::CurrentRole), "true");
+        QCOMPARE(text(0, panel::LawModel::PeakRpmTextRole), "71 r/min");
+        QCOMPARE(text(0, panel::LawModel::PeakAccelerationTextRole), "1.95 m/s²");
+        QCOMPARE(text(0, panel::LawModel::PeakFrequencyTextRole), "11.8 kHz");
         QVERIFY(rig.editor.peakText().contains("71 r/min · 1.95 m/s² · 11.8 kHz"));
         for (int row = 0; row < laws->count(); ++row) {
-            QVERIFY(!text(row, machine::LawModel::NameRole).isEmpty());
+            QVERIFY(!text(row, panel::LawModel::NameRole).isEmpty());
             const profile::Law& law = profile::laws()[static_cast<std::size_t>(row)];
-            QCOMPARE(text(row, machine::LawModel::StrengthRole), QString::fromUtf8(law.strength));
-            QCOMPARE(text(row, machine::LawModel::WeaknessRole), QString::fromUtf8(law.weakness));
+            QCOMPARE(text(row, panel::LawModel::StrengthRole), QString::fromUtf8(law.strength));
+            QCOMPARE(text(row, panel::LawModel::WeaknessRole), QString::fromUtf8(law.weakness));
         }
         QVERIFY(!rig.editor.lawParameter1()->visible());
         rig.editor.setLaw("s_curve");
@@ -315,13 +315,13 @@ private slots:
     void tableAddsUpToTheCycle()
     {
         PanelRig rig;
-        machine::TableModel* table = rig.editor.table();
+        panel::TableModel* table = rig.editor.table();
         QVERIFY(table->count() > 100);
         qint64 pulses = 0;
         qint64 ticks = 0;
         for (int row = 0; row < table->count(); ++row) {
             const QStringList cells =
-                table->data(table->index(row), machine::TableModel::CellsRole).toStringList();
+                table->data(table->index(row), panel::TableModel::CellsRole).toStringList();
             QCOMPARE(cells.size(), table->columns().size());
             pulses += cells[4].toInt();
             ticks += cells[5].toInt();
@@ -438,8 +438,8 @@ private slots:
     {
         QTemporaryDir folder;
         test::FakeLink link;
-        machine::Settings settings(folder.filePath("settings.ini"), nullptr);
-        machine::Machine machine(link, settings, nullptr);
+        panel::Settings settings(folder.filePath("settings.ini"), nullptr);
+        panel::Controller machine(link, settings, nullptr);
         {
             Editor editor(machine, folder.path(), nullptr);
             editor.bagLength()->set(333);

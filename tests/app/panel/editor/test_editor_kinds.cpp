@@ -13,8 +13,8 @@ namespace test_editor_kinds {
 
 using namespace campanel;
 using namespace campanel::test;
-using machine::LawModel;
-using machine::ProgramDownload;
+using panel::LawModel;
+using panel::ProgramDownload;
 
 class TestEditorKinds : public QObject {
     Q_OBJECT

@@ -11,8 +11,8 @@ namespace test_knot_files {
 using namespace campanel;
 using namespace campanel::test;
 using namespace Qt::StringLiterals;
-using machine::KnotFiles;
-using machine::OfferRow;
+using panel::KnotFiles;
+using panel::OfferRow;
 
 namespace {
 

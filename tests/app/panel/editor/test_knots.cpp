@@ -11,7 +11,7 @@ namespace test_knots {
 
 using namespace campanel;
 using namespace campanel::test;
-using machine::ProgramDownload;
+using panel::ProgramDownload;
 
 class TestKnots : public QObject {
     Q_OBJECT
@@ -174,8 +174,8 @@ private slots:
                    knots.toUtf8() + "}}");
         file.close();
         test::FakeLink link;
-        machine::Settings settings{folder.filePath("settings.ini"), nullptr};
-        machine::Machine machine{link, settings, nullptr};
+        panel::Settings settings{folder.filePath("settings.ini"), nullptr};
+        panel::Controller machine{link, settings, nullptr};
         Editor editor{machine, folder.path(), nullptr};
         QCOMPARE(editor.kind(), Editor::Kind::PointCam);
         QVERIFY(!editor.feasible());

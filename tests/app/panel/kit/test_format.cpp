@@ -9,7 +9,7 @@
 
 namespace test_format {
 
-using campanel::machine::Format;
+using campanel::panel::Format;
 using namespace Qt::StringLiterals;
 
 class FormatTest : public QObject {

@@ -10,7 +10,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-namespace campanel::machine::test_recipes {
+namespace campanel::panel::test_recipes {
 
 using test::PanelRig;
 
@@ -341,7 +341,7 @@ private slots:
     {
         PanelRig rig;
         for (int start = 0; start < 2; ++start) {
-            Records records(rig.folder.path(), nullptr);
+            DatabaseService records(rig.folder.path(), nullptr);
             Recipes recipes(rig.machine, rig.editor, records, rig.folder.path(), nullptr);
             records.open();
             QTRY_COMPARE(recipes.total(), start + 1);
@@ -353,6 +353,6 @@ private slots:
 
 CAMPANEL_TEST(TestRecipes)
 
-} // namespace campanel::machine::test_recipes
+} // namespace campanel::panel::test_recipes
 
 #include "test_recipes.moc"

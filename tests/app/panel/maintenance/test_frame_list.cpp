@@ -12,8 +12,8 @@
 namespace test_frame_list {
 
 using namespace campanel;
-using machine::FrameList;
 using modbus::FrameVerdict;
+using panel::FrameList;
 using test::PanelRig;
 
 namespace {
@@ -163,7 +163,7 @@ private slots:
         frames.setWatched(true);
         emit rig.link.framesRecorded({statusQuestion(1), rampWrite(2)});
         frames.setFilter(FrameList::Filter::Writes);
-        machine::ReportFiles& files = *rig.service.files();
+        panel::ReportFiles& files = *rig.service.files();
         files.setLooker([](const QString& folder) { return store::exchangePlaces(folder).last(1); });
         frames.exportText();
         QTRY_VERIFY(!files.busy());

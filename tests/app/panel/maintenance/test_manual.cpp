@@ -13,12 +13,12 @@ namespace test_manual {
 using namespace campanel;
 using namespace std::chrono_literals;
 using link::JogDirection;
-using machine::DryRun;
-using machine::Homing;
-using machine::IoList;
-using machine::Jog;
 using modbus::State;
 using modbus::WarningBit;
+using panel::DryRun;
+using panel::Homing;
+using panel::IoList;
+using panel::Jog;
 using test::AccessRig;
 using test::PanelRig;
 
@@ -53,7 +53,7 @@ IoList::Lamp lampOf(const IoList& io, const QString& name)
 
 double figure(DryRun& run, const QString& label)
 {
-    for (const machine::FigureRow& row : run.figures()->rows()) {
+    for (const panel::FigureRow& row : run.figures()->rows()) {
         if (row.label == label)
             return row.value.section(u' ', 0, 0).toDouble();
     }
@@ -106,7 +106,7 @@ private slots:
         jog.press(1);
         become(rig, State::Jogging);
         QCOMPARE(jog.held(), 1);
-        QVERIFY(!jog.troubled());
+        QVERIFY(!jog.blocked());
         if (what == 0)
             rig.machine.stop();
         else if (what == 1)
@@ -121,7 +121,7 @@ private slots:
         }
         QCOMPARE(jog.held(), 0);
         QCOMPARE(rig.link.jogs.last(), JogDirection::None);
-        QVERIFY(jog.troubled());
+        QVERIFY(jog.blocked());
         if (what == 1)
             jog.release(-1);
         rig.link.becomeConnected();
@@ -129,9 +129,9 @@ private slots:
         const auto told = rig.link.jogs.size();
         QTest::qWait(120); // longer than the repetition of a held key
         QCOMPARE(rig.link.jogs.size(), told);
-        QVERIFY(jog.troubled()); // the first key is still down
+        QVERIFY(jog.blocked()); // the first key is still down
         jog.release(1);
-        QVERIFY(!jog.troubled());
+        QVERIFY(!jog.blocked());
         jog.press(1);
         QCOMPARE(jog.held(), 1);
         jog.letGo();
@@ -155,10 +155,10 @@ private slots:
         jog.release(1);
         jog.press(1);
         QCOMPARE(jog.held(), 1);
-        QTRY_VERIFY(jog.troubled()); // the controller does not start
+        QTRY_VERIFY(jog.blocked()); // the controller does not start
         QVERIFY(jog.text().startsWith(QStringLiteral("The controller does not move.")));
         become(rig, State::Jogging);
-        QVERIFY(!jog.troubled());
+        QVERIFY(!jog.blocked());
         jog.release(1);
     }
 
@@ -266,7 +266,7 @@ private slots:
     {
         PanelRig rig;
         rig.connectIdle();
-        machine::AxisSpeed& speed = *rig.service.jog()->speed();
+        panel::AxisSpeed& speed = *rig.service.jog()->speed();
         QCOMPARE(speed.text(), QStringLiteral("--"));
         speed.read();
         QCOMPARE(rig.link.parameters.last().name, std::string("parameter.jog_frequency"));

@@ -9,7 +9,7 @@ namespace test_register_inspector {
 
 using namespace campanel;
 using namespace std::chrono_literals;
-using machine::RegisterModel;
+using panel::RegisterModel;
 using test::PanelRig;
 
 namespace {
@@ -28,7 +28,7 @@ struct InspectorRig : PanelRig {
         service.inspector()->setWatched(true);
     }
 
-    [[nodiscard]] machine::RegisterInspector& inspector() { return *service.inspector(); }
+    [[nodiscard]] panel::RegisterInspector& inspector() { return *service.inspector(); }
     [[nodiscard]] RegisterModel& registers() { return *inspector().registers(); }
     void answer(std::vector<std::uint16_t> values)
     {
@@ -93,7 +93,7 @@ private slots:
     void registersAreFoundByName()
     {
         PanelRig rig;
-        machine::RegisterInspector& inspector = *rig.service.inspector();
+        panel::RegisterInspector& inspector = *rig.service.inspector();
         inspector.setNameFilter(QStringLiteral("CRC"));
         QVERIFY(inspector.registers()->count() > 2);
         for (int i = 0; i < inspector.registers()->count(); ++i)
@@ -116,7 +116,7 @@ private slots:
     {
         PanelRig rig;
         rig.connectRunning();
-        machine::RegisterInspector& inspector = *rig.service.inspector();
+        panel::RegisterInspector& inspector = *rig.service.inspector();
         int writable = 0;
         for (int i = 0; i < inspector.registers()->count(); ++i) {
             inspector.select(i);
@@ -132,7 +132,7 @@ private slots:
     void aWriteIsProvenBeforeItIsShown()
     {
         InspectorRig rig;
-        machine::RegisterInspector& inspector = rig.inspector();
+        panel::RegisterInspector& inspector = rig.inspector();
         inspector.select(2);
         QCOMPARE(inspector.selectedText(), "Can be written: 50 ms to 10000 ms, by default 800 ms.");
         QVERIFY(!inspector.check(49).isEmpty() && inspector.check(50).isEmpty());
@@ -163,13 +163,13 @@ private slots:
         rig.connectRunning();
         emit rig.link.parameterEnded(
             {rig.link.parameters[0].id, "parameter.master_direction", link::ParameterEnd::Done, 0.0, {}});
-        QCOMPARE(rig.machine.direction()->way(), machine::MasterDirection::Way::Forward);
+        QCOMPARE(rig.machine.direction()->way(), panel::MasterDirection::Way::Forward);
         rig.service.inspector()->setNameFilter(QStringLiteral("master_direction"));
         rig.service.inspector()->select(0);
         rig.service.inspector()->write(1);
         emit rig.link.parameterEnded(
             {rig.link.parameters[1].id, "parameter.master_direction", link::ParameterEnd::Done, 1.0, {}});
-        QCOMPARE(rig.machine.direction()->way(), machine::MasterDirection::Way::Backward);
+        QCOMPARE(rig.machine.direction()->way(), panel::MasterDirection::Way::Backward);
     }
 };
 

@@ -116,7 +116,7 @@ private slots:
     void searchSaysHowFarItIs()
     {
         PanelRig rig;
-        machine::LinkDoctor& doctor = *rig.service.doctor();
+        panel::LinkDoctor& doctor = *rig.service.doctor();
         doctor.search();
         QCOMPARE(rig.link.scans, QList<Depth>{Depth::Search});
         link::ScanReport report;
@@ -143,7 +143,7 @@ private slots:
     {
         PanelRig rig;
         rig.machine.open();
-        machine::LinkDoctor& doctor = *rig.service.doctor();
+        panel::LinkDoctor& doctor = *rig.service.doctor();
         emit rig.link.scanReported(found());
         QVERIFY(doctor.canTake());
         QCOMPARE(doctor.foundText(), "/dev/ttyUSB1, 19200 baud, 8E2, unit 7");
@@ -157,7 +157,7 @@ private slots:
         QCOMPARE(used.line.stopBits, std::uint8_t{2});
         QCOMPARE(used.unit, 7);
         QVERIFY(!doctor.canTake()); // already in use
-        const machine::Settings stored(rig.folder.filePath(QStringLiteral("settings.ini")), nullptr);
+        const panel::Settings stored(rig.folder.filePath(QStringLiteral("settings.ini")), nullptr);
         QCOMPARE(stored.connection(), rig.settings.connection());
     }
 
@@ -170,8 +170,8 @@ private slots:
             link::ScanReport report;
             report.findings = {finding(static_cast<LineCondition>(i))};
             emit rig.link.scanReported(report);
-            titles << textAt(*rig.service.doctor()->findings(), 0, machine::OfferModel::TitleRole);
-            sentences << textAt(*rig.service.doctor()->findings(), 0, machine::OfferModel::DetailRole);
+            titles << textAt(*rig.service.doctor()->findings(), 0, panel::OfferModel::TitleRole);
+            sentences << textAt(*rig.service.doctor()->findings(), 0, panel::OfferModel::DetailRole);
             QVERIFY2(sentences.last().endsWith(u'.'), qPrintable(titles.last()));
         }
         QCOMPARE(QSet<QString>(sentences.begin(), sentences.end()).size(), sentences.size());
@@ -185,7 +185,7 @@ private slots:
             link::ScanReport report;
             report.findings = {finding};
             emit rig.link.scanReported(report);
-            return textAt(*rig.service.doctor()->findings(), 0, machine::OfferModel::DetailRole);
+            return textAt(*rig.service.doctor()->findings(), 0, panel::OfferModel::DetailRole);
         };
         auto busy = finding(LineCondition::PortBusy);
         busy.holders = {{812, "screen"}};
@@ -201,7 +201,7 @@ private slots:
     void figuresComeWhileWatched()
     {
         PanelRig rig;
-        machine::LineFigures& figures = *rig.service.figures();
+        panel::LineFigures& figures = *rig.service.figures();
         figures.setWatched(true);
         QVERIFY(rig.link.areFiguresWatched);
         QCOMPARE(figures.times()->rows().first().value, "--");
@@ -239,7 +239,7 @@ private slots:
         link::FiguresReport report;
         report.figures.noteRequest(20, false);
         emit rig.link.figuresReported(report);
-        machine::ReportFiles& files = *rig.service.files();
+        panel::ReportFiles& files = *rig.service.files();
         files.setLooker([](const QString& folder) { return store::exchangePlaces(folder).last(1); });
         rig.service.figures()->exportCsv();
         QTRY_VERIFY(!files.busy());
@@ -256,7 +256,7 @@ private slots:
     void aPlaceThatCannotBeWrittenIsSaid()
     {
         PanelRig rig;
-        machine::ReportFiles& files = *rig.service.files();
+        panel::ReportFiles& files = *rig.service.files();
         const QString nowhere = rig.folder.filePath(QStringLiteral("nowhere"));
         files.setLooker([nowhere](const QString&) {
             return QList<store::Place>{{nowhere, QStringLiteral("NOWHERE"), false}};

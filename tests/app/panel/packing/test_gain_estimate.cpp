@@ -14,8 +14,8 @@
 
 namespace test_gain_estimate {
 
-using campanel::machine::GainEstimate;
-using campanel::machine::GainSuggestion;
+using campanel::panel::GainEstimate;
+using campanel::panel::GainSuggestion;
 
 namespace {
 

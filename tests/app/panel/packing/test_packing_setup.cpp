@@ -13,10 +13,10 @@
 namespace test_packing_setup {
 
 using namespace campanel;
-using machine::GainEstimate;
-using machine::MarkWizard;
-using machine::PackingFields;
-using machine::PackingSetup;
+using panel::GainEstimate;
+using panel::MarkWizard;
+using panel::PackingFields;
+using panel::PackingSetup;
 using Step = MarkWizard::Step;
 using namespace std::chrono_literals;
 
@@ -409,19 +409,19 @@ private slots:
         QVERIFY(!rig.wizard().canReadRuler());
         rig.cutBags(5);
         QVERIFY(rig.wizard().canReadRuler());
-        rig.wizard().readRuler();
-        rig.wizard().readRuler(); // one at a time
+        rig.wizard().measureSimulatedBag();
+        rig.wizard().measureSimulatedBag(); // one at a time
         QCOMPARE(rig.link.rulers, 1);
         emit rig.link.rulerRead({link::RulerEnd::Read, 250.1, -3.05});
         QCOMPARE(rig.wizard().measuredText(), "−3.05");
-        rig.wizard().readRuler();
+        rig.wizard().measureSimulatedBag();
         emit rig.link.rulerRead({link::RulerEnd::Read, 250.1, -3.05});
         QCOMPARE(rig.wizard().measuredText(), "−3.05");
         QVERIFY(rig.wizard().text().startsWith("That bag has been measured already"));
-        rig.wizard().readRuler();
+        rig.wizard().measureSimulatedBag();
         emit rig.link.rulerRead({link::RulerEnd::NoBag, 0, 0});
         QCOMPARE(rig.wizard().text(), "No bag has been cut yet.");
-        rig.wizard().readRuler();
+        rig.wizard().measureSimulatedBag();
         emit rig.link.rulerRead({link::RulerEnd::Read, 249.9, -2.95});
         QCOMPARE(rig.wizard().measuredText(), "−3.05 · −2.95");
     }

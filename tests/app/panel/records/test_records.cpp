@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The operator's messages about a database that is damaged or cannot be opened.
-#include "app/panel/records/records.h"
+#include "app/panel/records/database_service.h"
 #include "tests/support/test_program.h"
 
 #include <QFile>
@@ -11,7 +11,7 @@
 
 namespace test_records {
 
-using campanel::machine::Records;
+using campanel::panel::DatabaseService;
 namespace store = campanel::store;
 
 class TestRecords : public QObject {
@@ -21,7 +21,7 @@ private slots:
     void soundMemoryIsCopiedInSilence()
     {
         const QTemporaryDir folder;
-        Records records(folder.path(), nullptr);
+        DatabaseService records(folder.path(), nullptr);
         records.open();
         QTRY_VERIFY(QFile::exists(folder.filePath(QStringLiteral("campanel.sqlite.copy"))));
         QVERIFY(records.notice().isEmpty());
@@ -34,8 +34,8 @@ private slots:
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write(QByteArray(9000, 'x')) == 9000);
         file.close();
         QTest::ignoreMessage(QtWarningMsg, QRegularExpression(QStringLiteral("memory was damaged")));
-        Records records(folder.path(), nullptr);
-        QSignalSpy told(&records, &Records::noticeChanged);
+        DatabaseService records(folder.path(), nullptr);
+        QSignalSpy told(&records, &DatabaseService::noticeChanged);
         records.open();
         QTRY_VERIFY(records.notice().contains(QStringLiteral("damaged")));
         records.dismissNotice();
@@ -51,7 +51,7 @@ private slots:
         QVERIFY(QFile::remove(path));
         QTest::ignoreMessage(QtWarningMsg, QRegularExpression(QStringLiteral("memory was missing")));
         {
-            Records records(folder.path(), nullptr);
+            DatabaseService records(folder.path(), nullptr);
             records.open();
             QTRY_VERIFY(records.notice().contains(QStringLiteral("last good copy")));
         }
@@ -65,7 +65,7 @@ private slots:
     void memoryThatCannotBeOpenedIsTold()
     {
         QTest::ignoreMessage(QtWarningMsg, QRegularExpression(QStringLiteral("cannot be opened")));
-        Records records(QStringLiteral("/proc/no/such/folder"), nullptr);
+        DatabaseService records(QStringLiteral("/proc/no/such/folder"), nullptr);
         records.open();
         QTRY_VERIFY(records.notice().contains(QStringLiteral("nothing is kept")));
     }

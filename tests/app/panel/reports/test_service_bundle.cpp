@@ -19,8 +19,8 @@ namespace test_service_bundle {
 using namespace campanel;
 using namespace std::chrono_literals;
 using namespace Qt::StringLiterals;
-using machine::ServiceBundle;
-using machine::StatusTrace;
+using panel::ServiceBundle;
+using panel::StatusTrace;
 using test::AccessRig;
 
 namespace {
@@ -46,7 +46,7 @@ struct BundleRig : AccessRig {
         QSignalSpy offered(&bundle, &ServiceBundle::offered);
         bundle.make();
         emit link.figuresReported({});
-        machine::ReportFiles& files = *service.files();
+        panel::ReportFiles& files = *service.files();
         if (!QTest::qWaitFor(
                 [&] { return offered.count() == 1 && !files.busy() && files.places()->count() == 1; }))
             qFatal("the bundle was not offered");
@@ -105,7 +105,7 @@ private slots:
             QVERIFY2(!entry(archive, name).isEmpty(), name);
         const auto recipe = store::fromJson(entry(archive, "recipe.json"), {});
         QVERIFY(recipe.has_value());
-        QVERIFY(machine::sameRecipe(*recipe, rig.editor.recipe()));
+        QVERIFY(panel::sameRecipe(*recipe, rig.editor.recipe()));
         QCOMPARE(lines(entry(archive, "table.csv")).size() - 1,
                  static_cast<qsizetype>(program::tableColumns(rig.image())[0].values.size()));
         const QJsonObject controller = QJsonDocument::fromJson(entry(archive, "controller.json")).object();

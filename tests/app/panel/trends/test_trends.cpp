@@ -16,7 +16,7 @@
 namespace test_trends {
 
 using namespace campanel;
-using machine::Trends;
+using panel::Trends;
 using test::PanelRig;
 using namespace std::chrono_literals;
 
@@ -258,7 +258,7 @@ private slots:
         QVERIFY(ready.wait());
         QVERIFY(!rig.trends.exporting());
         const QString folder = rig.folder.filePath(QStringLiteral("out"));
-        machine::ReportFiles& files = *rig.service.files();
+        panel::ReportFiles& files = *rig.service.files();
         QTRY_VERIFY(!files.busy());
         files.setLooker([&](const QString&) {
             QDir().mkpath(folder);
@@ -298,7 +298,7 @@ private slots:
             [&](bool done) { isFull = done; });
         rig.waitForAnswer();
         QVERIFY(isFull);
-        QSignalSpy told(&rig.records, &machine::Records::noticeChanged);
+        QSignalSpy told(&rig.records, &panel::DatabaseService::noticeChanged);
         for (int round = 0; round < 40 && told.isEmpty(); ++round) {
             for (int i = 0; i < 100; ++i)
                 rig.passBag(0.1);

@@ -16,9 +16,9 @@ namespace test_kind_words {
 
 using namespace campanel;
 using namespace campanel::test;
-using machine::ProgramDownload;
-using machine::StrokeModel;
-using machine::TableText;
+using panel::ProgramDownload;
+using panel::StrokeModel;
+using panel::TableText;
 
 class TestKindWords : public QObject {
     Q_OBJECT
@@ -88,13 +88,13 @@ private slots:
 
     void onlyTheRateLimitIsCalledTheLargestRate()
     {
-        const QString largestRate = machine::RecipeWords::limitName(profile::Limit::MachineRate);
+        const QString largestRate = panel::RecipeWords::limitName(profile::Limit::MachineRate);
         QCOMPARE(largestRate, QStringLiteral("largest rate"));
         constexpr int last = static_cast<int>(profile::Limit::SpeedError);
         for (int i = 0; i <= last; ++i) {
             const auto limit = static_cast<profile::Limit>(i);
             if (limit != profile::Limit::MachineRate)
-                QVERIFY2(machine::RecipeWords::limitName(limit) != largestRate,
+                QVERIFY2(panel::RecipeWords::limitName(limit) != largestRate,
                          std::string(profile::limitId(limit)).c_str());
         }
     }

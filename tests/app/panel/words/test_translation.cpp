@@ -65,7 +65,7 @@ private slots:
         rig.connectRunning();
         QCOMPARE(rig.machine.stateText(), "Running");
         QCOMPARE(rig.editor.bagLength()->label(), "Bag length");
-        QSignalSpy states(&rig.machine, &machine::Machine::stateChanged);
+        QSignalSpy states(&rig.machine, &panel::Controller::stateChanged);
         QTranslator translator;
         QVERIFY(translator.load(QStringLiteral(":/i18n/campanel_app_zh_CN.qm")));
         QVERIFY(QCoreApplication::installTranslator(&translator));
@@ -74,7 +74,7 @@ private slots:
         QCOMPARE(rig.editor.bagLength()->label(), "袋长");
         QCOMPARE(rig.editor.rate()->unit(), "袋/分");
         QVERIFY(rig.editor.verdict().startsWith("在所有限制之内"));
-        QCOMPARE(rig.editor.laws()->data(rig.editor.laws()->index(0), machine::LawModel::NameRole).toString(),
+        QCOMPARE(rig.editor.laws()->data(rig.editor.laws()->index(0), panel::LawModel::NameRole).toString(),
                  "三次（论文）");
         QCoreApplication::removeTranslator(&translator);
         QCOMPARE(rig.editor.bagLength()->label(), "Bag length");

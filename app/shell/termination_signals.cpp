@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/shell/end_signals.h"
+#include "app/shell/termination_signals.h"
 
 #include <QCoreApplication>
 
@@ -10,7 +10,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace campanel::panel {
+namespace campanel::shell {
 namespace {
 
 constexpr std::array numbers{SIGTERM, SIGINT, SIGHUP};
@@ -29,7 +29,7 @@ void noteSignal(int)
 
 } // namespace
 
-EndSignals::EndSignals()
+TerminationSignals::TerminationSignals()
 {
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0)
@@ -47,7 +47,7 @@ EndSignals::EndSignals()
         ::sigaction(number, &action, nullptr);
 }
 
-EndSignals::~EndSignals()
+TerminationSignals::~TerminationSignals()
 {
     if (!m_notifier)
         return;
@@ -58,4 +58,4 @@ EndSignals::~EndSignals()
     ::close(g_writeEnd);
 }
 
-} // namespace campanel::panel
+} // namespace campanel::shell

@@ -11,7 +11,7 @@
 #include "app/panel/controller/packing_line.h"
 #include "app/panel/controller/status_rate.h"
 #include "app/panel/controller/stroke_model.h"
-#include "app/panel/kit/gate.h"
+#include "app/panel/kit/access_check.h"
 #include "app/panel/kit/numbers.h"
 #include "app/panel/recipe/controller_program.h"
 
@@ -33,11 +33,11 @@
 class QJSEngine;
 class QQmlEngine;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 class Settings;
 
-class Machine : public QObject {
+class Controller : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -60,17 +60,17 @@ class Machine : public QObject {
     Q_PROPERTY(QStringList alarmTexts READ alarmTexts NOTIFY stateChanged FINAL)
     Q_PROPERTY(bool faulted READ faulted NOTIFY stateChanged FINAL)
 
-    Q_PROPERTY(campanel::machine::LiveValues live READ live NOTIFY liveChanged FINAL)
-    Q_PROPERTY(campanel::machine::BagValues bags READ bags NOTIFY bagChanged FINAL)
-    Q_PROPERTY(campanel::machine::ActiveProgramValues active READ active NOTIFY programChanged FINAL)
+    Q_PROPERTY(campanel::panel::LiveValues live READ live NOTIFY liveChanged FINAL)
+    Q_PROPERTY(campanel::panel::BagValues bags READ bags NOTIFY bagChanged FINAL)
+    Q_PROPERTY(campanel::panel::ActiveProgramValues active READ active NOTIFY programChanged FINAL)
     Q_PROPERTY(QList<QPointF> actualTrace READ actualTrace NOTIFY liveChanged FINAL)
 
-    Q_PROPERTY(campanel::machine::MasterDirection* direction READ direction CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::MasterDirection* direction READ direction CONSTANT FINAL)
     // The packing line, only for a rotary cutter.
-    Q_PROPERTY(campanel::machine::PackingLine* packing READ packing CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::PackingLine* packing READ packing CONSTANT FINAL)
     // The figures of a press.
     Q_PROPERTY(QStringList stageNames READ stageNames NOTIFY stateChanged FINAL)
-    Q_PROPERTY(campanel::machine::StrokeModel* strokes READ strokes CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::StrokeModel* strokes READ strokes CONSTANT FINAL)
 
     Q_PROPERTY(bool canStart READ canStart NOTIFY commandsChanged FINAL)
     Q_PROPERTY(QString startBlockedReason READ startBlockedReason NOTIFY commandsChanged FINAL)
@@ -89,9 +89,9 @@ public:
     using WallClock = std::function<QDateTime()>;
 
     // Link and settings must outlive the object. Connects only after open().
-    Machine(link::Link& link, Settings& settings, QObject* parent);
+    Controller(link::Link& link, Settings& settings, QObject* parent);
 
-    static Machine* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
+    static Controller* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     // Connects with the settings, now and whenever they change.
     void open();
@@ -141,7 +141,7 @@ public:
 
     // Returns the permissions of the person at the panel. Start, home, reset and a withdrawn Stop need an
     // operator; Stop is for everybody.
-    [[nodiscard]] Gate& gate() { return m_gate; }
+    [[nodiscard]] AccessCheck& accessCheck() { return m_access; }
 
     // Returns the link, for the Editor and the Alarms.
     [[nodiscard]] link::Link& link() { return m_link; }
@@ -199,7 +199,7 @@ private:
 
     link::Link& m_link;
     Settings& m_settings;
-    Gate m_gate;
+    AccessCheck m_access;
     Clock m_clock;
     WallClock m_wallClock;
     link::LinkReport m_report;
@@ -225,4 +225,4 @@ private:
     QString m_commandMessage;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/panel/settings/system_facts.h"
+#include "app/panel/settings/network_info.h"
 
 #include "app/panel/kit/format.h"
 
@@ -11,13 +11,13 @@
 using namespace Qt::StringLiterals;
 using namespace std::chrono_literals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
-std::optional<SystemFacts::Fixed>& fixedFacts()
+std::optional<NetworkInfo::Fixed>& fixedFacts()
 {
-    static std::optional<SystemFacts::Fixed> facts;
+    static std::optional<NetworkInfo::Fixed> facts;
     return facts;
 }
 
@@ -39,33 +39,33 @@ QStringList networksNow()
 
 } // namespace
 
-SystemFacts::SystemFacts(QObject* parent)
+NetworkInfo::NetworkInfo(QObject* parent)
     : QObject(parent)
 {
-    m_timer.callOnTimeout(this, &SystemFacts::look);
+    m_timer.callOnTimeout(this, &NetworkInfo::look);
     m_timer.start(1s);
     look();
 }
 
-void SystemFacts::fix(const Fixed& facts)
+void NetworkInfo::fix(const Fixed& facts)
 {
     fixedFacts() = facts;
 }
 
-void SystemFacts::look()
+void NetworkInfo::look()
 {
     m_now = fixedFacts() ? fixedFacts()->now : QDateTime::currentDateTime();
     m_networks = fixedFacts() ? fixedFacts()->networks : networksNow();
     emit changed();
 }
 
-QString SystemFacts::clockText() const
+QString NetworkInfo::clockText() const
 {
     const QLocale locale = Format().locale();
     return locale.toString(m_now.date(), QLocale::LongFormat) + u' ' + m_now.time().toString(u"HH:mm:ss"_s);
 }
 
-QString SystemFacts::zoneText() const
+QString NetworkInfo::zoneText() const
 {
     const int minutes = m_now.offsetFromUtc() / 60;
     const QString offset = u"UTC%1%2:%3"_s.arg(QChar(minutes < 0 ? u'-' : u'+'))
@@ -74,4 +74,4 @@ QString SystemFacts::zoneText() const
     return u"%1 (%2)"_s.arg(QString::fromLatin1(m_now.timeZone().id()), offset);
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

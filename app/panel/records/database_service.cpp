@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/panel/records/records.h"
+#include "app/panel/records/database_service.h"
 
 #include "app/store/files/store_logging.h"
 
@@ -12,26 +12,26 @@
 
 using namespace Qt::StringLiterals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 using store::storeLog;
 
-Records::Records(const QString& folder, QObject* parent)
+DatabaseService::DatabaseService(const QString& folder, QObject* parent)
     : QObject(parent)
     , m_store(folder)
 {
-    connect(&m_store, &store::StoreThread::opened, this, &Records::takeOpening);
+    connect(&m_store, &store::StoreThread::opened, this, &DatabaseService::takeOpening);
     QCoreApplication::instance()->installEventFilter(this);
 }
 
-Records::~Records() = default;
+DatabaseService::~DatabaseService() = default;
 
-Records* Records::create(QQmlEngine* qmlEngine, QJSEngine*)
+DatabaseService* DatabaseService::create(QQmlEngine* qmlEngine, QJSEngine*)
 {
-    return attachedInstance<Records>(qmlEngine);
+    return attachedInstance<DatabaseService>(qmlEngine);
 }
 
-void Records::takeOpening(const store::StoreThread::Report& report)
+void DatabaseService::takeOpening(const store::StoreThread::Report& report)
 {
     if (!report.error && !report.opening.isReplaced()) {
         makeCopy(); // the readable data is worth a copy; if that fails, the file itself still exists
@@ -45,19 +45,19 @@ void Records::takeOpening(const store::StoreThread::Report& report)
     emit noticeChanged();
 }
 
-void Records::makeCopy()
+void DatabaseService::makeCopy()
 {
     m_store.run(
         this, [](store::Database& database) { return database.makeCopy(); },
         [this](const tl::expected<void, store::StoreError>& copied) {
             if (!copied)
-                complain(copied.error());
+                reportError(copied.error());
         });
 }
 
 // Writes the replacement into the system's log and the audit trail, because the notice on the screen can be
 // dismissed.
-void Records::noteReplacement(const store::Database::Opening& opening)
+void DatabaseService::noteReplacement(const store::Database::Opening& opening)
 {
     qCWarning(storeLog, "%s", qPrintable(replacementText(opening)));
     store::AuditEntry entry;
@@ -69,25 +69,25 @@ void Records::noteReplacement(const store::Database::Opening& opening)
         this, [entry](store::Database& database) { return store::appendAudit(database, entry); },
         [this](const tl::expected<store::AuditRow, store::StoreError>& row) {
             if (!row)
-                complain(row.error());
+                reportError(row.error());
         });
 }
 
-void Records::noteRestore(const store::FinishedRestore& restore)
+void DatabaseService::noteRestore(const store::FinishedRestore& restore)
 {
     m_restore = restore;
     emit noticeChanged();
 }
 
-void Records::complain(const store::StoreError& error)
+void DatabaseService::reportError(const store::StoreError& error)
 {
     m_error = error;
     qCWarning(storeLog, "%s", qPrintable(store::StoreErrorText::describe(error)));
-    emit troubled(error);
+    emit errorReported(error);
     emit noticeChanged();
 }
 
-QString Records::notice() const
+QString DatabaseService::notice() const
 {
     if (m_error)
         return store::StoreErrorText::describe(*m_error);
@@ -105,7 +105,7 @@ QString Records::notice() const
     return replacementText(m_opening->opening);
 }
 
-QString Records::replacementText(const store::Database::Opening& opening)
+QString DatabaseService::replacementText(const store::Database::Opening& opening)
 {
     if (opening.wasMissing)
         return opening.fromCopy
@@ -124,7 +124,7 @@ QString Records::replacementText(const store::Database::Opening& opening)
                      .arg(kept);
 }
 
-void Records::dismissNotice()
+void DatabaseService::dismissNotice()
 {
     m_error.reset();
     m_opening.reset();
@@ -132,11 +132,11 @@ void Records::dismissNotice()
     emit noticeChanged();
 }
 
-bool Records::eventFilter(QObject* watched, QEvent* event)
+bool DatabaseService::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance())
         emit noticeChanged();
     return QObject::eventFilter(watched, event);
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -15,9 +15,9 @@
 class QJSEngine;
 class QQmlEngine;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-class Records : public QObject {
+class DatabaseService : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -26,13 +26,13 @@ class Records : public QObject {
 
 public:
     // `folder` contains the database.
-    Records(const QString& folder, QObject* parent);
-    ~Records() override;
+    DatabaseService(const QString& folder, QObject* parent);
+    ~DatabaseService() override;
 
     // Opens the database; until then nothing is read or stored.
     void open() { m_store.open(); }
 
-    static Records* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
+    static DatabaseService* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     [[nodiscard]] QString notice() const;
     Q_INVOKABLE void dismissNotice();
@@ -43,11 +43,11 @@ public:
     // Sets the notice of a finished restore; it stays until it is dismissed.
     void noteRestore(const store::FinishedRestore& restore);
     // Reports data that could not be stored.
-    void complain(const store::StoreError& error);
+    void reportError(const store::StoreError& error);
 
 signals:
     void noticeChanged();
-    void troubled(const campanel::store::StoreError& error); // emitted by complain()
+    void errorReported(const campanel::store::StoreError& error); // emitted by reportError()
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -63,4 +63,4 @@ private:
     store::FinishedRestore m_restore;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

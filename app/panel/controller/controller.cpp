@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 
 #include "app/panel/kit/engine_instances.h"
 #include "app/panel/settings/settings.h"
@@ -13,7 +13,7 @@
 
 using namespace std::chrono_literals;
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -22,7 +22,7 @@ constexpr auto qualityPeriod = 500ms; // faster changes cannot be read
 
 } // namespace
 
-Machine::Machine(link::Link& link, Settings& settings, QObject* parent)
+Controller::Controller(link::Link& link, Settings& settings, QObject* parent)
     : QObject(parent)
     , m_link(link)
     , m_settings(settings)
@@ -32,48 +32,48 @@ Machine::Machine(link::Link& link, Settings& settings, QObject* parent)
     , m_qualityTimer(this)
 {
     m_report.simulated = settings.connection().simulated;
-    settings.guardBy(m_gate);
-    connect(&link, &link::Link::reported, this, &Machine::takeReport);
-    connect(&link, &link::Link::statusReceived, this, &Machine::takeStatus);
-    connect(&link, &link::Link::programRead, this, &Machine::takeProgram);
-    connect(&link, &link::Link::commandEnded, this, &Machine::takeOutcome);
-    connect(&link, &link::Link::parameterEnded, this, &Machine::parameterEnded);
-    connect(this, &Machine::parameterEnded, &m_direction, &MasterDirection::takeOutcome);
-    connect(this, &Machine::connectionChanged, &m_direction, &MasterDirection::noteConnection);
-    connect(this, &Machine::programChanged, &m_direction, &MasterDirection::noteProgram);
-    connect(this, &Machine::freshChanged, &m_direction, &MasterDirection::changed);
-    connect(this, &Machine::connectionChanged, &m_packing, &PackingLine::noteConnection);
-    connect(this, &Machine::programChanged, &m_packing, &PackingLine::noteProgram);
-    connect(this, &Machine::freshChanged, &m_packing, &PackingLine::changed);
-    connect(&m_packing, &PackingLine::bagRecorded, this, &Machine::takeBag);
-    connect(&settings, &Settings::bagToleranceChanged, this, &Machine::bagChanged);
-    connect(&m_direction, &MasterDirection::failed, this, &Machine::showMessage);
-    connect(&m_ageTimer, &QTimer::timeout, this, &Machine::updateAge);
+    settings.guardBy(m_access);
+    connect(&link, &link::Link::reported, this, &Controller::takeReport);
+    connect(&link, &link::Link::statusReceived, this, &Controller::takeStatus);
+    connect(&link, &link::Link::programRead, this, &Controller::takeProgram);
+    connect(&link, &link::Link::commandEnded, this, &Controller::takeOutcome);
+    connect(&link, &link::Link::parameterEnded, this, &Controller::parameterEnded);
+    connect(this, &Controller::parameterEnded, &m_direction, &MasterDirection::takeOutcome);
+    connect(this, &Controller::connectionChanged, &m_direction, &MasterDirection::noteConnection);
+    connect(this, &Controller::programChanged, &m_direction, &MasterDirection::noteProgram);
+    connect(this, &Controller::freshChanged, &m_direction, &MasterDirection::changed);
+    connect(this, &Controller::connectionChanged, &m_packing, &PackingLine::noteConnection);
+    connect(this, &Controller::programChanged, &m_packing, &PackingLine::noteProgram);
+    connect(this, &Controller::freshChanged, &m_packing, &PackingLine::changed);
+    connect(&m_packing, &PackingLine::bagRecorded, this, &Controller::takeBag);
+    connect(&settings, &Settings::bagToleranceChanged, this, &Controller::bagChanged);
+    connect(&m_direction, &MasterDirection::failed, this, &Controller::showMessage);
+    connect(&m_ageTimer, &QTimer::timeout, this, &Controller::updateAge);
     m_ageTimer.start(agePeriod);
-    connect(&m_qualityTimer, &QTimer::timeout, this, &Machine::qualityChanged);
+    connect(&m_qualityTimer, &QTimer::timeout, this, &Controller::qualityChanged);
     m_qualityTimer.start(qualityPeriod);
     QCoreApplication::instance()->installEventFilter(this);
 }
 
-Machine* Machine::create(QQmlEngine* qmlEngine, QJSEngine*)
+Controller* Controller::create(QQmlEngine* qmlEngine, QJSEngine*)
 {
-    return attachedInstance<Machine>(qmlEngine);
+    return attachedInstance<Controller>(qmlEngine);
 }
 
-void Machine::open()
+void Controller::open()
 {
     const auto connectNow = [this] { m_link.connectTo(m_settings.linkSettings()); };
     connect(&m_settings, &Settings::connectionApplied, this, connectNow);
     connectNow();
 }
 
-void Machine::setClock(Clock clock)
+void Controller::setClock(Clock clock)
 {
     m_clock = std::move(clock);
     updateAge();
 }
 
-void Machine::updateAge()
+void Controller::updateAge()
 {
     const bool fresh = m_statusAt && m_clock() - *m_statusAt < freshFor;
     if (fresh != m_fresh) {
@@ -85,7 +85,7 @@ void Machine::updateAge()
         emit ageChanged();
 }
 
-void Machine::takeReport(const link::LinkReport& report)
+void Controller::takeReport(const link::LinkReport& report)
 {
     const bool wasConnected = isConnected();
     const bool otherController =
@@ -105,7 +105,7 @@ void Machine::takeReport(const link::LinkReport& report)
     emit commandsChanged();
 }
 
-void Machine::noteLoss()
+void Controller::noteLoss()
 {
     m_lostAt = m_wallClock();
     m_beforeLoss = m_status;
@@ -114,7 +114,7 @@ void Machine::noteLoss()
 }
 
 // Reports the changes during the interruption.
-void Machine::noteReturn(const modbus::StatusBlock& status)
+void Controller::noteReturn(const modbus::StatusBlock& status)
 {
     const std::optional<modbus::StatusBlock> before = std::exchange(m_beforeLoss, std::nullopt);
     if (!before || m_hasStopWaited)
@@ -132,7 +132,7 @@ void Machine::noteReturn(const modbus::StatusBlock& status)
         showMessage(m_returnMessage);
 }
 
-void Machine::forgetStatus()
+void Controller::forgetStatus()
 {
     m_beforeLoss.reset();
     m_status.reset();
@@ -149,7 +149,7 @@ void Machine::forgetStatus()
     emit savedChanged();
 }
 
-void Machine::takeStatus(const link::StatusBatch& batch)
+void Controller::takeStatus(const link::StatusBatch& batch)
 {
     m_rate.note(batch, m_clock());
     if (batch.samples.isEmpty())
@@ -184,13 +184,13 @@ void Machine::takeStatus(const link::StatusBatch& batch)
         emit ageChanged();
 }
 
-void Machine::takeBag(const modbus::BagRecord& bag)
+void Controller::takeBag(const modbus::BagRecord& bag)
 {
     m_bags.note(bag, active().bagLengthMm);
     emit bagChanged();
 }
 
-void Machine::trace(const modbus::StatusBlock& status)
+void Controller::trace(const modbus::StatusBlock& status)
 {
     const bool turns = status.state == modbus::State::Running || status.state == modbus::State::Stopping;
     // Only samples of the known program: its pulses and cycle define the scale.
@@ -202,7 +202,7 @@ void Machine::trace(const modbus::StatusBlock& status)
         m_program->cycleSeconds);
 }
 
-void Machine::takeProgram(const link::ActiveProgram& program)
+void Controller::takeProgram(const link::ActiveProgram& program)
 {
     if (!m_report.identity)
         return;
@@ -216,10 +216,10 @@ void Machine::takeProgram(const link::ActiveProgram& program)
     emit commandsChanged();
 }
 
-void Machine::start()
+void Controller::start()
 {
     const QString reason = startBlockedReason();
-    if (reason.isEmpty() && !m_gate.admits(Level::Operator))
+    if (reason.isEmpty() && !m_access.require(Level::Operator))
         return;
     if (reason.isEmpty())
         send(modbus::Command::Start);
@@ -227,31 +227,31 @@ void Machine::start()
         showMessage(reason);
 }
 
-void Machine::stop()
+void Controller::stop()
 {
     const bool isAgain = state() == State::Stopping || stopWaits();
     send(isAgain ? modbus::Command::StopNow : modbus::Command::StopAtCycleEnd);
 }
 
-void Machine::withdrawStop()
+void Controller::withdrawStop()
 {
-    if (m_gate.admits(Level::Operator))
+    if (m_access.require(Level::Operator))
         m_link.withdrawStop();
 }
 
-void Machine::home()
+void Controller::home()
 {
-    if (m_gate.admits(Level::Operator))
+    if (m_access.require(Level::Operator))
         send(modbus::Command::Home);
 }
 
-void Machine::resetFault()
+void Controller::resetFault()
 {
-    if (m_gate.admits(Level::Operator))
+    if (m_access.require(Level::Operator))
         send(modbus::Command::ResetFault);
 }
 
-void Machine::send(modbus::Command command, const modbus::CommandArguments& arguments)
+void Controller::send(modbus::Command command, const modbus::CommandArguments& arguments)
 {
     showMessage({});
     m_hasStopWaited = false;
@@ -260,15 +260,15 @@ void Machine::send(modbus::Command command, const modbus::CommandArguments& argu
     m_link.request(request);
 }
 
-quint32 Machine::readParameter(const char* name)
+quint32 Controller::readParameter(const char* name)
 {
     m_link.readParameter(++m_lastParameterId, name);
     return m_lastParameterId;
 }
 
-quint32 Machine::writeParameter(const char* name, double value)
+quint32 Controller::writeParameter(const char* name, double value)
 {
-    if (!m_gate.admits(Level::Technician))
+    if (!m_access.require(Level::Technician))
         return 0;
     showMessage({});
     const quint32 id = ++m_lastParameterId;
@@ -277,7 +277,7 @@ quint32 Machine::writeParameter(const char* name, double value)
     return id;
 }
 
-void Machine::takeOutcome(const link::CommandOutcome& outcome)
+void Controller::takeOutcome(const link::CommandOutcome& outcome)
 {
     // Stop at standstill has no effect.
     const bool isNeedlessStop =
@@ -296,7 +296,7 @@ void Machine::takeOutcome(const link::CommandOutcome& outcome)
 }
 
 // Returns the result of a Stop that has waited for the line.
-QString Machine::stopOutcomeText(const link::CommandOutcome& outcome) const
+QString Controller::stopOutcomeText(const link::CommandOutcome& outcome) const
 {
     switch (outcome.end) {
     case link::CommandEnd::Done:
@@ -316,12 +316,12 @@ QString Machine::stopOutcomeText(const link::CommandOutcome& outcome) const
     return ConnectionSentences::command(outcome);
 }
 
-void Machine::dismissMessage()
+void Controller::dismissMessage()
 {
     showMessage({});
 }
 
-void Machine::showMessage(const QString& text)
+void Controller::showMessage(const QString& text)
 {
     if (m_commandMessage == text)
         return;
@@ -329,7 +329,7 @@ void Machine::showMessage(const QString& text)
     emit commandMessageChanged();
 }
 
-bool Machine::eventFilter(QObject* watched, QEvent* event)
+bool Controller::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance()) {
         emit connectionChanged();
@@ -342,4 +342,4 @@ bool Machine::eventFilter(QObject* watched, QEvent* event)
     return QObject::eventFilter(watched, event);
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

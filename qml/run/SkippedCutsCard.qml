@@ -5,13 +5,13 @@ import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
-import CamPanel.Machine
+import CamPanel.Panel
 
 Card {
     id: card
 
-    readonly property PackingLine line: Machine.packing
-    readonly property color inkColor: Machine.fresh && line.fresh ? Theme.color.ink : Theme.color.disabledInk
+    readonly property PackingLine line: Controller.packing
+    readonly property color inkColor: Controller.fresh && line.fresh ? Theme.color.ink : Theme.color.disabledInk
     signal tapped()
     signal explainRequested(var quantities)
 

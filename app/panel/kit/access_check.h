@@ -5,12 +5,12 @@
 
 #include <QObject>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 // The levels. Viewer: nobody is logged in, and operators need a login too.
 enum class Level { Viewer, Operator, Technician, Service };
 
-class Gate : public QObject {
+class AccessCheck : public QObject {
     Q_OBJECT
 
 public:
@@ -19,7 +19,7 @@ public:
     [[nodiscard]] Level level() const { return m_level; }
     void setLevel(Level level) { m_level = level; }
     // Returns false and emits refused() when the level is too low.
-    [[nodiscard]] bool admits(Level needed)
+    [[nodiscard]] bool require(Level needed)
     {
         if (m_level >= needed)
             return true;
@@ -28,10 +28,10 @@ public:
     }
 
 signals:
-    void refused(campanel::machine::Level needed);
+    void refused(campanel::panel::Level needed);
 
 private:
     Level m_level = Level::Service;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

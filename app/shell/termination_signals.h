@@ -7,18 +7,18 @@
 
 #include <memory>
 
-namespace campanel::panel {
+namespace campanel::shell {
 
-class EndSignals {
+class TerminationSignals {
 public:
     // Needs the application; only one instance may exist at a time.
-    EndSignals();
-    ~EndSignals();
-    EndSignals(const EndSignals&) = delete;
-    EndSignals& operator=(const EndSignals&) = delete;
+    TerminationSignals();
+    ~TerminationSignals();
+    TerminationSignals(const TerminationSignals&) = delete;
+    TerminationSignals& operator=(const TerminationSignals&) = delete;
 
 private:
     std::unique_ptr<QSocketNotifier> m_notifier;
 };
 
-} // namespace campanel::panel
+} // namespace campanel::shell

@@ -11,9 +11,9 @@
 
 #include <functional>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-class SystemFacts : public QObject {
+class NetworkInfo : public QObject {
     Q_OBJECT
     QML_ELEMENT
     // The clock, "22 November 2026 14:07:31", and the time zone, "Europe/Berlin (UTC+01:00)".
@@ -23,7 +23,7 @@ class SystemFacts : public QObject {
     Q_PROPERTY(QStringList networks READ networks NOTIFY changed FINAL)
 
 public:
-    explicit SystemFacts(QObject* parent = nullptr);
+    explicit NetworkInfo(QObject* parent = nullptr);
 
     [[nodiscard]] QString clockText() const;
     [[nodiscard]] QString zoneText() const;
@@ -47,4 +47,4 @@ private:
     QTimer m_timer;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/panel/maintenance/line_faults.h"
+#include "app/panel/maintenance/simulated_faults.h"
 
 #include <QCoreApplication>
 
@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -20,45 +20,45 @@ struct ReadyMade {
 
 // About 80 exchanges pass per second at full speed: a probability of 0.001 means once in twelve seconds.
 constexpr std::array faults{
-    ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Late answers"),
-              QT_TRANSLATE_NOOP("campanel::machine::LineFaults",
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Late answers"),
+              QT_TRANSLATE_NOOP("campanel::panel::LineFaults",
                                 "One and a half time-outs late: they meet the next question."),
               "late times=1.5 probability=0.01", "late times=1.5 probability=0.1"},
-    ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Lost frames"),
-              QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Questions and answers that never arrive."),
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Lost frames"),
+              QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Questions and answers that never arrive."),
               "lost-request probability=0.005; lost-answer probability=0.005",
               "lost-request probability=0.05; lost-answer probability=0.05"},
-    ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Corrupted answers"),
-              QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Flipped bits and answers cut short."),
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Corrupted answers"),
+              QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Flipped bits and answers cut short."),
               "corrupt probability=0.01; truncate probability=0.005",
               "corrupt probability=0.1; truncate probability=0.05"},
-    ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Noise"),
-              QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Random bytes behind the answers."),
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Noise"),
+              QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Random bytes behind the answers."),
               "noise probability=0.01", "noise probability=0.1"},
-    ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "A second master"),
-              QT_TRANSLATE_NOOP("campanel::machine::LineFaults",
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "A second master"),
+              QT_TRANSLATE_NOOP("campanel::panel::LineFaults",
                                 "Its right answers stand where the panel's are expected."),
               "second-master probability=0.01", "second-master probability=0.1"},
-    ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Other devices answer"),
-              QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Wrong unit, wrong function, wrong length."),
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Other devices answer"),
+              QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Wrong unit, wrong function, wrong length."),
               "wrong-unit probability=0.005; wrong-function probability=0.005; wrong-count probability=0.005",
               "wrong-unit probability=0.05; wrong-function probability=0.05; wrong-count probability=0.05"},
-    ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Busy controller"),
-              QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "It refuses three questions in a row."),
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Busy controller"),
+              QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "It refuses three questions in a row."),
               "busy probability=0.005", "busy probability=0.05"},
-    ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Silence"),
-              QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Nothing passes for two seconds."),
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Silence"),
+              QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Nothing passes for two seconds."),
               "silence time=2000 probability=0.001", "silence time=2000 probability=0.005"},
-    ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Unplugged adapter"),
-              QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "The port is gone for two seconds."),
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Unplugged adapter"),
+              QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "The port is gone for two seconds."),
               "unplug when=answer time=2000 probability=0.001",
               "unplug when=answer time=2000 probability=0.005"},
-    ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Restarts of the controller"),
-              QT_TRANSLATE_NOOP("campanel::machine::LineFaults",
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Restarts of the controller"),
+              QT_TRANSLATE_NOOP("campanel::panel::LineFaults",
                                 "Silence, then power-up from what was saved. The machine stops."),
               "restart time=1500 probability=0.001", "restart time=1500 probability=0.005"},
-    ReadyMade{QT_TRANSLATE_NOOP("campanel::machine::LineFaults", "Another register map"),
-              QT_TRANSLATE_NOOP("campanel::machine::LineFaults",
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Another register map"),
+              QT_TRANSLATE_NOOP("campanel::panel::LineFaults",
                                 "Seen when the panel connects anew, after another fault."),
               "map-version major=2 probability=0.5", "map-version major=2"},
 };
@@ -67,18 +67,18 @@ constexpr qsizetype faultCount = static_cast<qsizetype>(faults.size());
 
 } // namespace
 
-LineFaults::LineFaults(link::Link& link, Gate& gate, QObject* parent)
+SimulatedFaults::SimulatedFaults(link::Link& link, AccessCheck& accessCheck, QObject* parent)
     : QAbstractListModel(parent)
     , m_link(link)
-    , m_gate(gate)
+    , m_access(accessCheck)
     , m_levels(faultCount, Off)
     , m_wanted(m_levels)
 {
-    connect(&link, &link::Link::reported, this, &LineFaults::takeReport);
-    connect(&link, &link::Link::faultsSimulated, this, &LineFaults::takeOutcome);
+    connect(&link, &link::Link::reported, this, &SimulatedFaults::takeReport);
+    connect(&link, &link::Link::faultsSimulated, this, &SimulatedFaults::takeOutcome);
 }
 
-QStringList LineFaults::rules(const QList<Level>& levels)
+QStringList SimulatedFaults::rules(const QList<Level>& levels)
 {
     QStringList rules;
     for (qsizetype row = 0; row < std::min(faultCount, levels.size()); ++row) {
@@ -89,24 +89,24 @@ QStringList LineFaults::rules(const QList<Level>& levels)
     return rules;
 }
 
-void LineFaults::setLevel(int row, int level)
+void SimulatedFaults::setLevel(int row, int level)
 {
     if (row < 0 || row >= faultCount || level < Off || level > Often ||
-        !m_gate.admits(machine::Level::Technician))
+        !m_access.require(panel::Level::Technician))
         return;
     m_wanted[row] = static_cast<Level>(level);
     send();
 }
 
-void LineFaults::clear()
+void SimulatedFaults::clear()
 {
-    if (!m_gate.admits(machine::Level::Technician))
+    if (!m_access.require(panel::Level::Technician))
         return;
     m_wanted.fill(Off);
     send();
 }
 
-void LineFaults::send()
+void SimulatedFaults::send()
 {
     if (m_sent)
         return; // the answer continues
@@ -114,7 +114,7 @@ void LineFaults::send()
     m_link.simulateFaults(rules(m_wanted));
 }
 
-void LineFaults::takeOutcome(const link::FaultsOutcome& outcome)
+void SimulatedFaults::takeOutcome(const link::FaultsOutcome& outcome)
 {
     if (!m_sent)
         return;
@@ -131,7 +131,7 @@ void LineFaults::takeOutcome(const link::FaultsOutcome& outcome)
 }
 
 // Clears the faults of a simulated controller that was restarted by another connection.
-void LineFaults::takeReport(const link::LinkReport& report)
+void SimulatedFaults::takeReport(const link::LinkReport& report)
 {
     const bool isAnother = report.simulator == link::SimulatorState::Starting || !report.simulated;
     if (!isAnother || (activeCount() == 0 && !m_failure))
@@ -142,24 +142,24 @@ void LineFaults::takeReport(const link::LinkReport& report)
     emit changed();
 }
 
-void LineFaults::setLevels(const QList<Level>& levels)
+void SimulatedFaults::setLevels(const QList<Level>& levels)
 {
     m_levels = levels;
     emit dataChanged(index(0), index(rowCount() - 1), {LevelRole});
 }
 
-void LineFaults::retranslate()
+void SimulatedFaults::retranslate()
 {
     emit dataChanged(index(0), index(rowCount() - 1));
     emit changed();
 }
 
-int LineFaults::activeCount() const
+int SimulatedFaults::activeCount() const
 {
     return static_cast<int>(faultCount - m_levels.count(Off));
 }
 
-QString LineFaults::text() const
+QString SimulatedFaults::text() const
 {
     if (activeCount() == 0)
         return tr("No faults: the line is as good as it gets.");
@@ -171,7 +171,7 @@ QString LineFaults::text() const
     return tr("Active: %1").arg(names.join(tr(", ", "between names")));
 }
 
-QString LineFaults::errorText() const
+QString SimulatedFaults::errorText() const
 {
     if (!m_failure)
         return {};
@@ -188,12 +188,12 @@ QString LineFaults::errorText() const
     return {};
 }
 
-int LineFaults::rowCount(const QModelIndex& parent) const
+int SimulatedFaults::rowCount(const QModelIndex& parent) const
 {
     return parent.isValid() ? 0 : static_cast<int>(faultCount);
 }
 
-QVariant LineFaults::data(const QModelIndex& index, int role) const
+QVariant SimulatedFaults::data(const QModelIndex& index, int role) const
 {
     if (!index.isValid())
         return {};
@@ -210,9 +210,9 @@ QVariant LineFaults::data(const QModelIndex& index, int role) const
     }
 }
 
-QHash<int, QByteArray> LineFaults::roleNames() const
+QHash<int, QByteArray> SimulatedFaults::roleNames() const
 {
     return {{NameRole, "name"}, {NoteRole, "note"}, {LevelRole, "level"}};
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel

@@ -5,12 +5,12 @@ import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
-import CamPanel.Machine
+import CamPanel.Panel
 
 ServiceSection {
     id: section
 
-    readonly property LineFaults faults: Service.lineFaults
+    readonly property SimulatedFaults faults: Service.simulatedFaults
 
     ListView {
         id: list
@@ -35,7 +35,7 @@ ServiceSection {
                     fontSizeMode: Text.HorizontalFit
                     minimumPixelSize: Theme.size.caption - 2
                     text: row.name
-                    color: row.level === LineFaults.Off ? Theme.color.ink : Theme.color.warning
+                    color: row.level === SimulatedFaults.Off ? Theme.color.ink : Theme.color.warning
                     font.weight: Font.DemiBold
                 }
                 Label {
@@ -51,9 +51,9 @@ ServiceSection {
                 id: choice
                 anchors { right: parent.right; verticalCenter: parent.verticalCenter }
                 width: Math.round(parent.width * 0.56)
-                choices: [{ key: LineFaults.Off, text: qsTr("Off"), name: "fault" + row.index + "off" },
-                    { key: LineFaults.Sometimes, text: qsTr("Sometimes"), name: "fault" + row.index + "sometimes" },
-                    { key: LineFaults.Often, text: qsTr("Often"), name: "fault" + row.index + "often" }]
+                choices: [{ key: SimulatedFaults.Off, text: qsTr("Off"), name: "fault" + row.index + "off" },
+                    { key: SimulatedFaults.Sometimes, text: qsTr("Sometimes"), name: "fault" + row.index + "sometimes" },
+                    { key: SimulatedFaults.Often, text: qsTr("Often"), name: "fault" + row.index + "often" }]
                 current: row.level
                 onChosen: key => section.faults.setLevel(row.index, key)
             }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Machine.lineFaults` in QML: simulated faults on the line to the simulated controller. A list of predefined
-// faults, each off, sometimes or often. The displayed level is the one that the controller accepted.
+// `Controller.lineFaults` in QML: simulated faults on the line to the simulated controller. A list of
+// predefined faults, each off, sometimes or often. The displayed level is the one that the controller
+// accepted.
 #pragma once
 
 #include "app/link/link.h"
-#include "app/panel/kit/gate.h"
+#include "app/panel/kit/access_check.h"
 
 #include <QAbstractListModel>
 #include <QList>
@@ -12,9 +13,9 @@
 
 #include <optional>
 
-namespace campanel::machine {
+namespace campanel::panel {
 
-class LineFaults : public QAbstractListModel {
+class SimulatedFaults : public QAbstractListModel {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The line faults belong to the Service")
@@ -31,7 +32,7 @@ public:
     enum Role { NameRole = Qt::UserRole + 1, NoteRole, LevelRole };
 
     // Link and gate must outlive the object. Changes are for technicians.
-    LineFaults(link::Link& link, Gate& gate, QObject* parent);
+    SimulatedFaults(link::Link& link, AccessCheck& accessCheck, QObject* parent);
 
     // Requests another level; it becomes valid when the controller accepts it.
     Q_INVOKABLE void setLevel(int row, int level);
@@ -59,11 +60,11 @@ private:
     void setLevels(const QList<Level>& levels);
 
     link::Link& m_link;
-    Gate& m_gate;
+    AccessCheck& m_access;
     QList<Level> m_levels; // accepted
     QList<Level> m_wanted;
     std::optional<QList<Level>> m_sent; // sent but not answered
     std::optional<link::FaultsOutcome> m_failure;
 };
 
-} // namespace campanel::machine
+} // namespace campanel::panel

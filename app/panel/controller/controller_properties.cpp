@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The property getters of Machine, from the last status and the active program.
 #include "app/panel/controller/command_rules.h"
-#include "app/panel/controller/machine.h"
+#include "app/panel/controller/controller.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/words/connection_sentences.h"
 #include "app/panel/words/controller_sentences.h"
 
-namespace campanel::machine {
+namespace campanel::panel {
 
 namespace {
 
@@ -17,7 +17,7 @@ double orUnknown(const std::optional<double>& value)
 
 } // namespace
 
-Machine::Connection Machine::connection() const
+Controller::Connection Controller::connection() const
 {
     switch (m_report.state) {
     case link::LinkState::Searching:
@@ -36,12 +36,12 @@ Machine::Connection Machine::connection() const
     return Connection::Searching;
 }
 
-QString Machine::connectionText() const
+QString Controller::connectionText() const
 {
     return ConnectionSentences::connection(m_report, m_lostAt);
 }
 
-QString Machine::stopWaitsText() const
+QString Controller::stopWaitsText() const
 {
     if (!stopWaits())
         return {};
@@ -49,29 +49,29 @@ QString Machine::stopWaitsText() const
                          : tr("Stop waits for the line – it is sent as soon as the line is back.");
 }
 
-const ControllerProgram* Machine::runningProgram() const
+const ControllerProgram* Controller::runningProgram() const
 {
     const bool isOfStatus = m_program && m_status && m_program->generation == m_status->generation &&
                             m_program->crc == m_status->activeCrc;
     return isOfStatus ? m_program.get() : nullptr;
 }
 
-double Machine::statusPerSecond() const
+double Controller::statusPerSecond() const
 {
     return isConnected() ? m_rate.perSecond(m_clock()) : unknown;
 }
 
-int Machine::linkQuality() const
+int Controller::linkQuality() const
 {
     return isConnected() ? m_rate.quality(m_clock()) : 0;
 }
 
-double Machine::ageMs() const
+double Controller::ageMs() const
 {
     return m_statusAt ? std::chrono::duration<double, std::milli>(m_clock() - *m_statusAt).count() : unknown;
 }
 
-Machine::State Machine::state() const
+Controller::State Controller::state() const
 {
     if (!isConnected() || !m_status || !m_status->state)
         return State::Unknown;
@@ -94,7 +94,7 @@ Machine::State Machine::state() const
     return State::Unknown;
 }
 
-QString Machine::stateText() const
+QString Controller::stateText() const
 {
     if (state() != State::Unknown)
         return ControllerSentences::state(*m_status->state);
@@ -116,17 +116,17 @@ QString Machine::stateText() const
     return {};
 }
 
-QStringList Machine::alarmTexts() const
+QStringList Controller::alarmTexts() const
 {
     return m_status && isConnected() ? ControllerSentences::alarms(*m_status) : QStringList();
 }
 
-bool Machine::faulted() const
+bool Controller::faulted() const
 {
     return state() == State::Fault;
 }
 
-QStringList Machine::stageNames() const
+QStringList Controller::stageNames() const
 {
     using modbus::PressStage;
     QStringList names;
@@ -136,12 +136,12 @@ QStringList Machine::stageNames() const
     return names;
 }
 
-double Machine::generation() const
+double Controller::generation() const
 {
     return m_status ? m_status->generation : unknown;
 }
 
-LiveValues Machine::live() const
+LiveValues Controller::live() const
 {
     LiveValues values;
     if (!m_status)
@@ -169,7 +169,7 @@ LiveValues Machine::live() const
     return values;
 }
 
-BagValues Machine::bags() const
+BagValues Controller::bags() const
 {
     const double toleranceMm = m_settings.bagToleranceMm();
     return {m_status ? m_status->bagCount : unknown,
@@ -184,7 +184,7 @@ BagValues Machine::bags() const
             toleranceMm};
 }
 
-ActiveProgramValues Machine::active() const
+ActiveProgramValues Controller::active() const
 {
     ActiveProgramValues values;
     if (!m_program)
@@ -210,7 +210,7 @@ ActiveProgramValues Machine::active() const
     return values;
 }
 
-QString Machine::blockedReason(modbus::Command command) const
+QString Controller::blockedReason(modbus::Command command) const
 {
     if (!isConnected() || !m_fresh)
         return tr("There is no connection to the controller.");
@@ -219,4 +219,4 @@ QString Machine::blockedReason(modbus::Command command) const
     return ControllerSentences::refusal(expectedRefusal(*m_status, command));
 }
 
-} // namespace campanel::machine
+} // namespace campanel::panel
