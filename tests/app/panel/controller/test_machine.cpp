@@ -434,8 +434,8 @@ private slots:
         component.setData(
             "import QtQuick\nimport CamPanel.Panel\nQtObject {\n"
             "  property double length: Editor.cutter.bagLength.value\n"
-            "  property bool running: Controller.state === Machine.State.Running\n"
-            "  property bool connected: Controller.connection === Machine.Connection.Connected\n"
+            "  property bool running: Controller.state === Controller.State.Running\n"
+            "  property bool connected: Controller.connection === Controller.Connection.Connected\n"
             "  property string language: Settings.language\n"
             "  property int laws: Editor.laws.count\n}",
             QUrl());
