@@ -30,8 +30,8 @@ CurvePlot::CurvePlot(QQuickItem* parent)
 {
     // Curves are anti-aliased: rounding their points to whole pixels would cause steps.
     QwtPainter::setRoundingAlignment(false);
-    m_axisFont.setPixelSize(13);
-    m_titleFont.setPixelSize(14);
+    m_style.axisFont.setPixelSize(13);
+    m_style.titleFont.setPixelSize(14);
     connectProperties();
     invalidateLayout();
 }
@@ -43,14 +43,17 @@ void CurvePlot::connectProperties()
           &CurvePlot::titlesChanged, &CurvePlot::limitsChanged, &CurvePlot::timeMaximumChanged}) {
         connect(this, signal, this, &CurvePlot::invalidateLayout);
     }
-    connect(this, &CurvePlot::fontsChanged, this, [this] {
+    const auto remeasure = [this] {
         m_labelWidth = 0;
         invalidateLayout();
-    });
-    for (const auto signal : {&CurvePlot::styleChanged, &CurvePlot::markersChanged}) {
-        connect(this, signal, this, &CurvePlot::invalidateImage);
-    }
-    connect(this, &CurvePlot::dynamicStyleChanged, this, &CurvePlot::updateAll);
+    };
+    connect(&m_style, &CurveStyle::fontsChanged, this, remeasure);
+    connect(this, &CurvePlot::timeUnitChanged, this, remeasure);
+    connect(&m_style, &CurveStyle::changed, this, &CurvePlot::invalidateImage);
+    connect(this, &CurvePlot::markersChanged, this, &CurvePlot::invalidateImage);
+    connect(this, &CurvePlot::limitLabelChanged, this, &CurvePlot::invalidateImage);
+    connect(&m_style, &CurveStyle::traceChanged, this, &CurvePlot::updateAll);
+    connect(this, &CurvePlot::cursorDotsVisibleChanged, this, &CurvePlot::updateAll);
 }
 
 void CurvePlot::invalidateLayout()
@@ -123,8 +126,8 @@ void CurvePlot::rebuildPanels()
 void CurvePlot::placePanels()
 {
     const PlotStyle look = style();
-    const QFontMetricsF axisMetrics(m_axisFont);
-    const QFontMetricsF titleMetrics(m_titleFont);
+    const QFontMetricsF axisMetrics(m_style.axisFont);
+    const QFontMetricsF titleMetrics(m_style.titleFont);
     m_labelWidth = std::max(m_labelWidth, axisMetrics.horizontalAdvance(QStringLiteral("0000")) + labelGap);
     for (const PlotPanel& panel : m_panels) {
         m_labelWidth = std::max(m_labelWidth, std::ceil(panel.labelWidth(look)));
@@ -335,7 +338,7 @@ QRectF CurvePlot::traceStrip(double fromS, double toS)
     if (!panel) {
         return {};
     }
-    const double margin = m_traceLineWidth + 1;
+    const double margin = m_style.traceLineWidth + 1;
     const QRectF canvas = panel->canvas();
     return QRectF(QPointF(m_timeMap.transform(fromS), canvas.top()),
                   QPointF(m_timeMap.transform(toS), canvas.bottom()))

@@ -4,6 +4,7 @@
 // properties belong to the GUI thread.
 #pragma once
 
+#include "app/plot/curve_style.h"
 #include "app/plot/plot_panel.h"
 
 #include <QImage>
@@ -20,6 +21,7 @@ class CurvePlot : public QQuickPaintedItem {
     Q_OBJECT
     QML_ELEMENT
     // The curve sets: std::shared_ptr<const profile::Curves>; any other value means none.
+    Q_PROPERTY(campanel::plot::CurveStyle* style READ curveStyle CONSTANT FINAL)
     Q_PROPERTY(QVariant curves MEMBER m_curves NOTIFY curvesChanged FINAL)
     Q_PROPERTY(QVariant overlayCurves MEMBER m_overlayCurves NOTIFY overlayCurvesChanged FINAL)
     // The panels from top to bottom: "position" mm, "velocity" mm/s, "acceleration" m/s2, "jerk" m/s3,
@@ -30,7 +32,7 @@ class CurvePlot : public QQuickPaintedItem {
     Q_PROPERTY(QList<QPointF> trace READ trace WRITE setTrace NOTIFY traceChanged FINAL)
     // The cursor in s; NaN for none.
     Q_PROPERTY(double cursorTime READ cursorTime WRITE setCursorTime NOTIFY cursorTimeChanged FINAL)
-    Q_PROPERTY(bool cursorDotsVisible MEMBER m_cursorDotsVisible NOTIFY dynamicStyleChanged FINAL)
+    Q_PROPERTY(bool cursorDotsVisible MEMBER m_cursorDotsVisible NOTIFY cursorDotsVisibleChanged FINAL)
     Q_PROPERTY(QList<double> markerTimes MEMBER m_markerTimes NOTIFY markersChanged FINAL)
     // The limits in mm/s, mm/s2 and Hz; NaN for none.
     Q_PROPERTY(double limitVelocity READ limitVelocity WRITE setLimitVelocity NOTIFY limitsChanged FINAL)
@@ -40,31 +42,11 @@ class CurvePlot : public QQuickPaintedItem {
     // The spans that exceed a limit: x from, y to, in s.
     Q_PROPERTY(QList<QPointF> violations MEMBER m_violations NOTIFY markersChanged FINAL)
     // The text at the limit lines; empty for none.
-    Q_PROPERTY(QString limitLabel MEMBER m_limitLabel NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QString limitLabel MEMBER m_limitLabel NOTIFY limitLabelChanged FINAL)
     // The end of the time axis in s; NaN: the end of the curves.
     Q_PROPERTY(double timeMaximum READ timeMaximum WRITE setTimeMaximum NOTIFY timeMaximumChanged FINAL)
-    Q_PROPERTY(QString timeUnit MEMBER m_timeUnit NOTIFY fontsChanged FINAL)
-    Q_PROPERTY(QColor gridColor MEMBER m_gridColor NOTIFY styleChanged FINAL)
-    Q_PROPERTY(QColor inkColor MEMBER m_inkColor NOTIFY styleChanged FINAL)
-    Q_PROPERTY(QColor secondaryInkColor MEMBER m_secondaryInkColor NOTIFY styleChanged FINAL)
-    Q_PROPERTY(QColor markerColor MEMBER m_markerColor NOTIFY styleChanged FINAL)
-    Q_PROPERTY(QColor surfaceColor MEMBER m_surfaceColor NOTIFY styleChanged FINAL)
-    Q_PROPERTY(QColor positionColor MEMBER m_positionColor NOTIFY styleChanged FINAL)
-    Q_PROPERTY(QColor velocityColor MEMBER m_velocityColor NOTIFY styleChanged FINAL)
-    Q_PROPERTY(QColor accelerationColor MEMBER m_accelerationColor NOTIFY styleChanged FINAL)
-    Q_PROPERTY(QColor jerkColor MEMBER m_jerkColor NOTIFY styleChanged FINAL)
-    Q_PROPERTY(QColor frequencyColor MEMBER m_frequencyColor NOTIFY styleChanged FINAL)
-    Q_PROPERTY(QColor overlayColor MEMBER m_overlayColor NOTIFY styleChanged FINAL)
-    Q_PROPERTY(QColor traceColor MEMBER m_traceColor NOTIFY dynamicStyleChanged FINAL)
-    Q_PROPERTY(QColor limitColor MEMBER m_limitColor NOTIFY styleChanged FINAL)
-    Q_PROPERTY(QColor violationColor MEMBER m_violationColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QString timeUnit MEMBER m_timeUnit NOTIFY timeUnitChanged FINAL)
     // The widths of the lines in px.
-    Q_PROPERTY(double lineWidth MEMBER m_lineWidth NOTIFY styleChanged FINAL)
-    Q_PROPERTY(double overlayLineWidth MEMBER m_overlayLineWidth NOTIFY styleChanged FINAL)
-    Q_PROPERTY(double traceLineWidth MEMBER m_traceLineWidth NOTIFY dynamicStyleChanged FINAL)
-    Q_PROPERTY(QFont axisFont MEMBER m_axisFont NOTIFY fontsChanged FINAL)
-    Q_PROPERTY(QFont titleFont MEMBER m_titleFont NOTIFY fontsChanged FINAL)
-    Q_PROPERTY(QLocale locale MEMBER m_locale NOTIFY fontsChanged FINAL)
     // The canvas of all panels together, in px of the item.
     Q_PROPERTY(QRectF plotArea READ plotArea NOTIFY layoutChanged FINAL)
 
@@ -89,6 +71,7 @@ public:
     // Returns one value per panel in its displayed unit (mm, mm/s, m/s2, m/s3, kHz); NaN outside the curves.
     [[nodiscard]] Q_INVOKABLE QList<double> valuesAt(double timeS);
 
+    [[nodiscard]] CurveStyle* curveStyle() { return &m_style; }
     [[nodiscard]] QRectF plotArea();
     [[nodiscard]] const QList<QPointF>& trace() const { return m_trace; }
     void setTrace(const QList<QPointF>& trace);
@@ -116,9 +99,9 @@ signals:
     void markersChanged();
     void limitsChanged();
     void timeMaximumChanged();
-    void styleChanged();
-    void dynamicStyleChanged();
-    void fontsChanged();
+    void cursorDotsVisibleChanged();
+    void limitLabelChanged();
+    void timeUnitChanged();
     // Emitted when the mapping between px and values has changed.
     void layoutChanged();
 
@@ -169,6 +152,7 @@ private:
     void paintTrace(QPainter& painter) const;
     void paintCursor(QPainter& painter) const;
 
+    CurveStyle m_style;
     QVariant m_curves;
     QVariant m_overlayCurves;
     QStringList m_quantities{QStringLiteral("velocity")};
@@ -184,26 +168,6 @@ private:
     QString m_limitLabel;
     double m_timeMaximum = none;
     QString m_timeUnit = QStringLiteral("s");
-    QColor m_gridColor{Qt::lightGray};
-    QColor m_inkColor{Qt::black};
-    QColor m_secondaryInkColor{Qt::darkGray};
-    QColor m_markerColor{Qt::gray};
-    QColor m_surfaceColor{Qt::white};
-    QColor m_positionColor{Qt::black};
-    QColor m_velocityColor{Qt::black};
-    QColor m_accelerationColor{Qt::black};
-    QColor m_jerkColor{Qt::black};
-    QColor m_frequencyColor{Qt::black};
-    QColor m_overlayColor{Qt::gray};
-    QColor m_traceColor{Qt::blue};
-    QColor m_limitColor{Qt::darkYellow};
-    QColor m_violationColor{Qt::red};
-    double m_lineWidth = 3;
-    double m_overlayLineWidth = 2;
-    double m_traceLineWidth = 2.5;
-    QFont m_axisFont;
-    QFont m_titleFont;
-    QLocale m_locale;
 
     CurveSet m_curveSet;
     CurveSet m_overlaySet;

@@ -78,7 +78,7 @@ void CurvePlot::paintTints(QPainter& painter) const
             m_panels, [&](const PlotPanel& p) { return p.isBroken(stretch.x(), stretch.y()); });
         for (const PlotPanel& panel : m_panels) {
             if (!shown || panel.isBroken(stretch.x(), stretch.y())) {
-                panel.paintTint(painter, m_violationColor, fromX, toX);
+                panel.paintTint(painter, m_style.violationColor, fromX, toX);
             }
         }
     }
@@ -86,7 +86,7 @@ void CurvePlot::paintTints(QPainter& painter) const
 
 void CurvePlot::paintMarkers(QPainter& painter) const
 {
-    QPen pen(m_markerColor, 1, Qt::CustomDashLine, Qt::FlatCap);
+    QPen pen(m_style.markerColor, 1, Qt::CustomDashLine, Qt::FlatCap);
     pen.setDashPattern({3, 4});
     // The lines are interrupted at the titles.
     QRegion free(QRectF(m_plotArea).toAlignedRect());
@@ -110,7 +110,7 @@ QRectF CurvePlot::titleRect(std::size_t panel) const
     if (panel >= static_cast<std::size_t>(m_titles.size())) {
         return {};
     }
-    const QFontMetricsF metrics(m_titleFont);
+    const QFontMetricsF metrics(m_style.titleFont);
     const QRectF canvas = m_panels[panel].canvas();
     const double width = metrics.horizontalAdvance(m_titles[static_cast<qsizetype>(panel)]);
     return {canvas.left() + titleGap, canvas.top() - titleGap - metrics.height(), width, metrics.height()};
@@ -118,8 +118,8 @@ QRectF CurvePlot::titleRect(std::size_t panel) const
 
 void CurvePlot::paintTitles(QPainter& painter) const
 {
-    painter.setFont(m_titleFont);
-    painter.setPen(m_secondaryInkColor);
+    painter.setFont(m_style.titleFont);
+    painter.setPen(m_style.secondaryInkColor);
     const auto count = std::min(static_cast<std::size_t>(m_titles.size()), m_panels.size());
     for (std::size_t i = 0; i < count; ++i) {
         painter.drawText(titleRect(i), Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
@@ -134,10 +134,11 @@ void CurvePlot::paintTimeLabels(QPainter& painter, const PlotStyle& look) const
     }
     const QList<double> ticks = m_timeDivision.ticks(QwtScaleDiv::MajorTick);
     const double step = ticks.size() < 3 ? 0.0 : ticks[1] - ticks[0];
-    LabelDraw labels(QwtScaleDraw::BottomScale, m_locale, decimalsOfStep(step));
+    LabelDraw labels(QwtScaleDraw::BottomScale, m_style.locale, decimalsOfStep(step));
     const double end = m_timeMap.s2();
     labels.setScaleDiv(m_timeDivision);
-    labels.setSpecialLabel(end, m_locale.toString(end, 'g', timeDigits) + QLatin1Char(' ') + m_timeUnit);
+    labels.setSpecialLabel(end,
+                           m_style.locale.toString(end, 'g', timeDigits) + QLatin1Char(' ') + m_timeUnit);
     labels.move(m_plotArea.bottomLeft());
     labels.setLength(m_plotArea.width());
     QPalette palette;
@@ -160,11 +161,11 @@ void CurvePlot::paintTrace(QPainter& painter) const
         times.push_back(point.x());
         speeds.push_back(point.y());
     }
-    const double margin = m_traceLineWidth;
+    const double margin = m_style.traceLineWidth;
     painter.save();
     painter.setClipRect(panel->canvas().adjusted(0, -margin, 0, margin), Qt::IntersectClip);
-    paintLine(painter, decimate(times, speeds, maximumDrawnPoints), {m_traceColor, m_traceLineWidth},
-              m_timeMap, panel->valueMap());
+    paintLine(painter, decimate(times, speeds, maximumDrawnPoints),
+              {m_style.traceColor, m_style.traceLineWidth}, m_timeMap, panel->valueMap());
     painter.restore();
 }
 
@@ -176,10 +177,10 @@ void CurvePlot::paintCursor(QPainter& painter) const
     const double x = m_timeMap.transform(m_cursorTime);
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(m_inkColor, cursorWidth, Qt::SolidLine, Qt::FlatCap));
+    painter.setPen(QPen(m_style.inkColor, cursorWidth, Qt::SolidLine, Qt::FlatCap));
     painter.drawLine(QPointF(x, m_plotArea.top()), QPointF(x, m_plotArea.bottom()));
     if (m_cursorDotsVisible) {
-        painter.setPen(QPen(m_surfaceColor, dotHalo));
+        painter.setPen(QPen(m_style.surfaceColor, dotHalo));
         for (const PlotPanel& panel : m_panels) {
             const double value = valueAt(m_curveSet, panel.quantity(), m_cursorTime);
             if (!std::isnan(value)) {
@@ -194,16 +195,16 @@ void CurvePlot::paintCursor(QPainter& painter) const
 PlotStyle CurvePlot::style() const
 {
     PlotStyle look;
-    look.grid = m_gridColor;
-    look.surface = m_surfaceColor;
-    look.secondaryInk = m_secondaryInkColor;
-    look.overlay = m_overlayColor;
-    look.limit = m_limitColor;
-    look.violation = m_violationColor;
-    look.lineWidth = m_lineWidth;
-    look.overlayLineWidth = m_overlayLineWidth;
-    look.axisFont = m_axisFont;
-    look.locale = m_locale;
+    look.grid = m_style.gridColor;
+    look.surface = m_style.surfaceColor;
+    look.secondaryInk = m_style.secondaryInkColor;
+    look.overlay = m_style.overlayColor;
+    look.limit = m_style.limitColor;
+    look.violation = m_style.violationColor;
+    look.lineWidth = m_style.lineWidth;
+    look.overlayLineWidth = m_style.overlayLineWidth;
+    look.axisFont = m_style.axisFont;
+    look.locale = m_style.locale;
     look.limitLabel = m_limitLabel;
     return look;
 }
@@ -212,17 +213,17 @@ QColor CurvePlot::colorOf(Quantity quantity) const
 {
     switch (quantity) {
     case Quantity::Position:
-        return m_positionColor;
+        return m_style.positionColor;
     case Quantity::Velocity:
-        return m_velocityColor;
+        return m_style.velocityColor;
     case Quantity::Acceleration:
-        return m_accelerationColor;
+        return m_style.accelerationColor;
     case Quantity::Jerk:
-        return m_jerkColor;
+        return m_style.jerkColor;
     case Quantity::Frequency:
-        return m_frequencyColor;
+        return m_style.frequencyColor;
     }
-    return m_inkColor;
+    return m_style.inkColor;
 }
 
 } // namespace campanel::plot

@@ -8,28 +8,28 @@ import CamPanel.Plot
 CurvePlot {
     id: plot
 
-    gridColor: Theme.color.line
-    inkColor: Theme.color.ink
-    secondaryInkColor: Theme.color.secondaryInk
-    surfaceColor: Theme.color.surface
-    positionColor: Theme.color.position
-    velocityColor: Theme.color.touch
-    accelerationColor: Theme.color.acceleration
-    jerkColor: Theme.color.jerk
-    frequencyColor: Theme.color.frequency
-    overlayColor: Theme.color.target
-    traceColor: Theme.color.touch
-    limitColor: Theme.color.warning
-    violationColor: Theme.color.fault
-    lineWidth: Theme.size.curve
-    overlayLineWidth: Theme.size.curve
-    traceLineWidth: Theme.size.curve
-    axisFont: Theme.captionFont
-    titleFont: Theme.captionFont
+    style.gridColor: Theme.color.line
+    style.inkColor: Theme.color.ink
+    style.secondaryInkColor: Theme.color.secondaryInk
+    style.surfaceColor: Theme.color.surface
+    style.positionColor: Theme.color.position
+    style.velocityColor: Theme.color.touch
+    style.accelerationColor: Theme.color.acceleration
+    style.jerkColor: Theme.color.jerk
+    style.frequencyColor: Theme.color.frequency
+    style.overlayColor: Theme.color.target
+    style.traceColor: Theme.color.touch
+    style.limitColor: Theme.color.warning
+    style.violationColor: Theme.color.fault
+    style.lineWidth: Theme.size.curve
+    style.overlayLineWidth: Theme.size.curve
+    style.traceLineWidth: Theme.size.curve
+    style.axisFont: Theme.captionFont
+    style.titleFont: Theme.captionFont
     timeUnit: "s"
 
     Binding {
-        target: plot
+        target: plot.style
         property: "locale"
         value: Theme.locale
     }

@@ -73,11 +73,11 @@ Card {
         anchors { left: parent.left; right: parent.right; top: caption.bottom; bottom: parent.bottom; margins: Theme.size.spacing; topMargin: Theme.size.outline }
         curves: Controller.active.curves
         quantities: ["velocity"]
-        velocityColor: Theme.color.target
-        lineWidth: 2 * Theme.size.curve
+        style.velocityColor: Theme.color.target
+        style.lineWidth: 2 * Theme.size.curve
         trace: Controller.actualTrace
-        traceColor: card.traceColor
-        inkColor: Controller.fresh ? Theme.color.ink : Theme.color.disabledInk
+        style.traceColor: card.traceColor
+        style.inkColor: Controller.fresh ? Theme.color.ink : Theme.color.disabledInk
         cursorTime: Controller.live.masterAngleDeg / 360 * Controller.active.cycleSeconds
         cursorDotsVisible: false
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/looks/access_scenes.h"
+#include "tests/looks/scene_lists.h"
 
 #include "app/store/database/setup_marker.h"
 #include "app/store/logs/audit_log.h"

@@ -2,14 +2,7 @@
 // Every page and dialog of the panel; see scenes.h.
 #include "tests/looks/scenes.h"
 
-#include "tests/looks/access_scenes.h"
-#include "tests/looks/alarm_scenes.h"
-#include "tests/looks/backup_scenes.h"
-#include "tests/looks/first_scenes.h"
-#include "tests/looks/packing_scenes.h"
-#include "tests/looks/recipe_scenes.h"
-#include "tests/looks/service_scenes.h"
-#include "tests/looks/trend_scenes.h"
+#include "tests/looks/scene_lists.h"
 
 #include <QDir>
 #include <QFile>

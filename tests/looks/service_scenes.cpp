@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/looks/service_scenes.h"
+#include "tests/looks/scene_lists.h"
 
 #include "tests/looks/stage.h"
 

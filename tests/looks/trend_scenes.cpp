@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/looks/trend_scenes.h"
+#include "tests/looks/scene_lists.h"
 
 #include "app/store/logs/bag_log.h"
 #include "tests/looks/stage.h"

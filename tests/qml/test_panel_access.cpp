@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Users and logins by touch: the first PIN, the restrictions, a wrong PIN, the logout.
 #include "panel_test.h"
-#include "tests/looks/access_scenes.h"
+#include "tests/looks/scene_lists.h"
 #include "tests/support/test_program.h"
 
 #include <QCoreApplication>

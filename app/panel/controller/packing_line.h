@@ -48,9 +48,6 @@ class PackingLine : public QObject {
     Q_PROPERTY(double correctionsLimited READ correctionsLimited NOTIFY changed FINAL)
     // The state of knife and film when they do not simply run: "Knife waits", ...; else empty.
     Q_PROPERTY(QString gateText READ gateText NOTIFY changed FINAL)
-    Q_PROPERTY(int teachMarks READ teachMarks NOTIFY changed FINAL)
-    Q_PROPERTY(double teachPitchMm READ teachPitchMm NOTIFY changed FINAL)
-    Q_PROPERTY(double teachScatterMm READ teachScatterMm NOTIFY changed FINAL)
     // The film as a picture. Distances to the knife are in mm, with the film motor at filmPositionMm; lists
     // are empty while unknown. Cuts are (distance, 1 when skipped), marks (distance, 1 when calculated),
     // products (leading edge, trailing edge).

@@ -38,10 +38,10 @@ void prepare(CurvePlot& plot)
     plot.setSize({600, 400});
     plot.setProperty("quantities", QStringList{QStringLiteral("velocity"), QStringLiteral("acceleration")});
     plot.setProperty("titles", QStringList{QStringLiteral("Velocity"), QStringLiteral("Acceleration")});
-    plot.setProperty("velocityColor", blue);
-    plot.setProperty("accelerationColor", green);
-    plot.setProperty("violationColor", red);
-    plot.setProperty("traceColor", QColor(Qt::magenta));
+    plot.curveStyle()->setProperty("velocityColor", blue);
+    plot.curveStyle()->setProperty("accelerationColor", green);
+    plot.curveStyle()->setProperty("violationColor", red);
+    plot.curveStyle()->setProperty("traceColor", QColor(Qt::magenta));
     plot.setProperty("curves", test::curveVariant([](double t) { return 300 + 100 * t; }));
 }
 
@@ -126,7 +126,7 @@ void TestCurvePlot::slopesAreNotRoundedToPixels()
     CurvePlot plot;
     prepare(plot);
     plot.setProperty("quantities", QStringList{QStringLiteral("velocity")});
-    plot.setProperty("gridColor", QColor(Qt::white));
+    plot.curveStyle()->setProperty("gridColor", QColor(Qt::white));
     const auto velocity = [](double t) { return t < 0.1 ? 300.0 : t > 0.9 ? 400.0 : 340 + 5 * t; };
     plot.setProperty("curves", test::curveVariant(velocity));
     const QImage image = test::paintItem(plot);
@@ -150,7 +150,7 @@ void TestCurvePlot::inkBeyondTheLimitHasTheViolationColor()
     CurvePlot plot;
     prepare(plot);
     plot.setLimitVelocity(350);
-    plot.setProperty("limitColor", QColor(Qt::darkYellow));
+    plot.curveStyle()->setProperty("limitColor", QColor(Qt::darkYellow));
     const QImage image = test::paintItem(plot);
     const auto inkAt = [&](double t, const QColor& color) {
         return test::inkIn(image, test::around(plot.xOfTime(t), plot.yOfVelocity(300 + 100 * t), 1), color);
@@ -188,10 +188,10 @@ void TestCurvePlot::overlayCursorTraceAndMarkersAreDrawn()
 {
     CurvePlot plot;
     prepare(plot);
-    plot.setProperty("overlayColor", QColor(Qt::cyan));
+    plot.curveStyle()->setProperty("overlayColor", QColor(Qt::cyan));
     plot.setProperty("overlayCurves", test::curveVariant([](double t) { return 390 - 80 * t; }));
-    plot.setProperty("inkColor", QColor(Qt::black));
-    plot.setProperty("markerColor", red);
+    plot.curveStyle()->setProperty("inkColor", QColor(Qt::black));
+    plot.curveStyle()->setProperty("markerColor", red);
     plot.setProperty("markerTimes", QVariant::fromValue(QList<double>{0.25, 7.0}));
     plot.setCursorTime(0.6);
     plot.setTrace({{0.0, 370.0}, {0.2, 370.0}, {0.4, 370.0}});
@@ -219,7 +219,7 @@ void TestCurvePlot::nothingKnownDrawsAGridWithoutNumbers()
     prepare(plot);
     plot.setProperty("curves", QVariant());
     plot.setProperty("titles", QStringList());
-    plot.setProperty("gridColor", QColor(Qt::gray));
+    plot.curveStyle()->setProperty("gridColor", QColor(Qt::gray));
     plot.setCursorTime(nan);
     plot.setTrace({{0.5, nan}, {nan, 3.0}});
     const QImage image = test::paintItem(plot);
@@ -292,8 +292,8 @@ void TestCurvePlot::paintsOnlyWhatChanged()
     plot.setTrace({});
     plot.setLimitVelocity(nan);
     plot.setTimeMaximum(nan);
-    const QVariant velocityColor = plot.property("velocityColor");
-    plot.setProperty("velocityColor", velocityColor);
+    const QVariant velocityColor = plot.curveStyle()->property("velocityColor");
+    plot.curveStyle()->setProperty("velocityColor", velocityColor);
     plot.setProperty("curves", plot.property("curves"));
     window.grabWindow();
     QCOMPARE(plot.paints, 1);
@@ -365,11 +365,11 @@ void TestCurvePlot::labelsFollowTheLocale()
     CurvePlot plot;
     prepare(plot);
     plot.setProperty("timeMaximum", 0.6);
-    plot.setProperty("locale", QLocale(QStringLiteral("en_US")));
+    plot.curveStyle()->setProperty("locale", QLocale(QStringLiteral("en_US")));
     const QImage english = test::paintItem(plot);
-    plot.setProperty("locale", QLocale(QStringLiteral("de_DE")));
+    plot.curveStyle()->setProperty("locale", QLocale(QStringLiteral("de_DE")));
     const QImage german = test::paintItem(plot);
-    plot.setProperty("locale", QLocale(QStringLiteral("zh_CN")));
+    plot.curveStyle()->setProperty("locale", QLocale(QStringLiteral("zh_CN")));
     const QImage chinese = test::paintItem(plot);
     QVERIFY(english != german);
     QCOMPARE(chinese, english);

@@ -53,8 +53,8 @@ void TestPlotModule::typesLoadAndTakeValues()
                 trace: root.source.trace
                 markerTimes: [0.25, 0.5]
                 violations: [Qt.point(0.1, 0.2)]
-                locale: Qt.locale("de_DE")
-                axisFont: Qt.font({ pixelSize: 12 })
+                style.locale: Qt.locale("de_DE")
+                style.axisFont: Qt.font({ pixelSize: 12 })
                 cursorTime: NaN
                 limitVelocity: NaN
             }
@@ -73,7 +73,7 @@ void TestPlotModule::typesLoadAndTakeValues()
     QCOMPARE(plot->trace().size(), 2);
     QCOMPARE(plot->property("markerTimes").value<QList<double>>(), QList<double>({0.25, 0.5}));
     QCOMPARE(plot->property("violations").value<QList<QPointF>>(), QList<QPointF>({{0.1, 0.2}}));
-    QCOMPARE(plot->property("locale").toLocale().language(), QLocale::German);
+    QCOMPARE(plot->curveStyle()->property("locale").toLocale().language(), QLocale::German);
     QCOMPARE(root->property("handleX").toDouble(), plot->xOfTime(0.5));
 }
 

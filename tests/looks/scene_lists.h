@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes of users, logins and the audit trail, with example data.
+// The scenes of each part of the panel, for allScenes().
 #pragma once
 
 #include "tests/looks/scenes.h"
@@ -13,5 +13,12 @@ void forgetUsers(Stage& stage);
 
 // The PIN of all users in the scenes.
 inline constexpr auto scenePin = "258036";
+[[nodiscard]] QList<Scene> alarmScenes();
+[[nodiscard]] QList<Scene> backupScenes();
+[[nodiscard]] QList<Scene> firstScenes();
+[[nodiscard]] QList<Scene> packingScenes();
+[[nodiscard]] QList<Scene> recipeScenes();
+[[nodiscard]] QList<Scene> serviceScenes();
+[[nodiscard]] QList<Scene> trendScenes();
 
 } // namespace campanel::looks
