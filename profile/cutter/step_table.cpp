@@ -61,7 +61,7 @@ private:
             const std::int64_t nextTick = nextPulse * slice.ticks / slice.pulses;
             m_rows.push_back(
                 {static_cast<std::uint16_t>(nextPulse - pulse), static_cast<std::uint32_t>(nextTick - tick)});
-            m_played.push_back({slice.startTick + tick, nextTick - tick, nextPulse - pulse});
+            m_played.push_back({slice.startTick + tick, nextTick - tick, nextPulse - pulse, chunk == chunks});
             pulse = nextPulse;
             tick = nextTick;
         }

@@ -158,8 +158,9 @@ TableErrors tableErrors(const RotaryCutter& cutter, std::span<const TableSlice> 
         }
         pulsesBefore += slice.pulses;
         const double travelMm = cutter.motion.at(endS).positionMm;
-        keepLargest(static_cast<double>(pulsesBefore) - travelMm * perMm, endS, errors.boundaryPulses,
-                    errors.boundaryTimeS);
+        if (slice.endsSlice)
+            keepLargest(static_cast<double>(pulsesBefore) - travelMm * perMm, endS, errors.boundaryPulses,
+                        errors.boundaryTimeS);
         keepLargest(frequency(slice) - frequency(*last), startS, errors.frequencyStepHz,
                     errors.frequencyStepTimeS);
         last = &slice;

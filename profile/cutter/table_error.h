@@ -9,11 +9,12 @@
 
 namespace campanel::profile {
 
-// One slice of a table before it is split into rows: the constant speed of `pulses` in `ticks`.
+// One slice of a table, or the part of it that one row holds: the constant speed of `pulses` in `ticks`.
 struct TableSlice {
     std::int64_t startTick = 0;
     std::int64_t ticks = 0;
     std::int64_t pulses = 0;
+    bool endsSlice = true; // false for a part that is not the last of its slice
 };
 
 // The errors of a cycle that begins with an empty remainder. Positions are those of constant speed within a

@@ -33,6 +33,7 @@ class TestStepTable : public QObject {
     Q_OBJECT
 
 private slots:
+    void rowsOfOneSliceAreNoBoundaries();
     void pulsesAreExactForEverySliceCount();
     void noDriftInAMillionCycles_data();
     void noDriftInAMillionCycles();
@@ -51,6 +52,32 @@ private slots:
 };
 
 // The figure: L = 250, rate 60, R = 60, K = 10000, Z = 1, k as written with four decimals.
+// Found by the million random recipes: a ramp of 97,718 pulses in one slice needs two rows, and in its middle
+// the slice is 25,331 pulses from the curve.
+void TestStepTable::rowsOfOneSliceAreNoBoundaries()
+{
+    Recipe r;
+    r.program.pinned = {Field::BagLength, Field::Rate};
+    r.program.bagLengthMm = 25;
+    r.program.rateBagsPerMin = 22.5;
+    r.program.k = {6.0517, 3.6926, 2.1649, 1.0412};
+    r.program.speedLaw = LawId::SCurve;
+    r.program.speedLawParameters = {0.0702972, 0.0625429};
+    r.program.slicesPerRamp = 1;
+    r.program.syncRatio = 0.934;
+    r.machine.knifeRadiusMm = 126.34;
+    r.machine.pulsesPerMotorRev = 10454;
+    r.machine.gearNumerator = 19;
+    r.machine.gearDenominator = 1;
+    r.machine.knives = 1;
+    r.machine.maxMotorRpm = 20'000;
+    r.machine.maxKnifeAccelerationMmPerS2 = 100'000;
+    const StepTable table = built(r);
+    QVERIFY(sumOfPulses(table) > 2 * 65'535);
+    QVERIFY(table.errors.insidePulses > 20'000);
+    QVERIFY2(table.errors.boundaryPulses <= 1.5, std::to_string(table.errors.boundaryPulses).c_str());
+}
+
 void TestStepTable::pulsesAreExactForEverySliceCount()
 {
     for (int slices = 1; slices <= 1000; slices += (slices < 70 ? 1 : 31)) {
