@@ -109,7 +109,7 @@ QString printable(const QString& text)
 
 QString backupPath(const QString& path)
 {
-    return path + u".bak"_s;
+    return path + QStringLiteral(".bak");
 }
 
 } // namespace campanel::store
