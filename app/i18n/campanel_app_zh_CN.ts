@@ -56,7 +56,7 @@
         <translation>全部相同的数字最先被猜到。请换一个 PIN。</translation>
     </message>
     <message>
-        <source>Digits in a row, as 1234, are guessed first. Choose another PIN.</source>
+        <source>Sequences such as 1234 are easy to guess. Choose another PIN.</source>
         <translation>像 1234 这样的连续数字最先被猜到。请换一个 PIN。</translation>
     </message>
     <message>
@@ -68,11 +68,11 @@
         <translation>%1 分 %2 秒</translation>
     </message>
     <message>
-        <source>That was not the PIN. Again in %1.</source>
+        <source>Wrong PIN. Try again in %1.</source>
         <translation>PIN 不正确。%1 后可再试。</translation>
     </message>
     <message>
-        <source>That was not the PIN. Try again.</source>
+        <source>Wrong PIN. Try again.</source>
         <translation>PIN 不正确。请再试。</translation>
     </message>
     <message>
@@ -329,7 +329,7 @@
         <translation>无应答</translation>
     </message>
     <message>
-        <source>Nobody answers on the port to the controller.</source>
+        <source>No response on the port to the controller.</source>
         <translation>连接控制器的端口上无应答。</translation>
     </message>
     <message>
@@ -481,7 +481,7 @@
         <translation>面板的存储已损坏或丢失，现使用最近的完好副本。</translation>
     </message>
     <message>
-        <source>The panel&apos;s memory was damaged or missing and there was no copy. It begins anew.</source>
+        <source>The panel&apos;s memory was damaged or missing and there was no copy. A new, empty database was created.</source>
         <translation>面板的存储已损坏或丢失且没有副本，已重新开始。</translation>
     </message>
     <message>
@@ -954,7 +954,7 @@
         <translation>端口 %1 已不存在。请检查适配器，面板会继续重试。</translation>
     </message>
     <message>
-        <source>Nobody answers on %1. Check cable, power, baud rate, parity and unit number.</source>
+        <source>No response on %1. Check cable, power, baud rate, parity and unit number.</source>
         <translation>%1 上没有应答。请检查电缆、电源、波特率、校验和站号。</translation>
     </message>
     <message>
@@ -3138,7 +3138,7 @@
         <translation>先检查文件。确认之前不会更改任何内容。</translation>
     </message>
     <message>
-        <source>The machine moves. Stop it first: the panel starts anew after a restore.</source>
+        <source>The machine is moving. Stop it before restoring; the panel will restart.</source>
         <translation>机器正在运动。请先停机：恢复后面板将重新启动。</translation>
     </message>
     <message>
@@ -3368,7 +3368,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
         <translation>没有连接。控制器中最后已知的是：第 %1 代</translation>
     </message>
     <message>
-        <source>The controller already has exactly this recipe.</source>
+        <source>The controller already has this program.</source>
         <translation>控制器中已是这一配方。</translation>
     </message>
     <message>
@@ -3879,7 +3879,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
         <translation>回零</translation>
     </message>
     <message>
-        <source>Take as top</source>
+        <source>Set as top position</source>
         <translation>设为上位</translation>
     </message>
     <message>
@@ -4532,7 +4532,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
         <translation>正在询问控制器…</translation>
     </message>
     <message>
-        <source>The corrected distance is none that the controller takes. Measure again.</source>
+        <source>The corrected distance is outside the controller&apos;s range. Measure again.</source>
         <translation>修正后的距离超出控制器的范围。请重新测量。</translation>
     </message>
     <message>
@@ -4979,7 +4979,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
         <translation>已删除的配方占用名称 %1。请另选名称。</translation>
     </message>
     <message>
-        <source>%1 is called %2 now.</source>
+        <source>Renamed %1 to %2.</source>
         <translation>%1 现在名为 %2。</translation>
     </message>
     <message>
@@ -5019,7 +5019,7 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
         <translation>面板的存储曾损坏，现使用最后一份完好的副本继续工作；损坏的文件保留为 %1。</translation>
     </message>
     <message>
-        <source>The panel&apos;s memory was damaged and there was no copy. It begins anew; the damaged file is kept as %1.</source>
+        <source>The panel&apos;s memory was damaged and there was no copy. A new, empty database was created; the damaged file is kept as %1.</source>
         <translation>面板的存储已损坏且没有副本，现从空白开始；损坏的文件保留为 %1。</translation>
     </message>
     <message>

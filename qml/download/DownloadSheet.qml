@@ -51,7 +51,7 @@ Sheet {
         horizontalAlignment: Text.AlignHCenter
         wrapMode: Text.WordWrap
         text: !Controller.fresh ? qsTr("Without a connection it is not known what the controller runs now.")
-            : Controller.active.isPresent ? qsTr("The controller already has exactly this recipe.")
+            : Controller.active.isPresent ? qsTr("The controller already has this program.")
             : qsTr("The controller has no program yet; this recipe will be its first.")
         color: Theme.color.secondaryInk
     }

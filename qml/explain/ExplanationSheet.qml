@@ -36,7 +36,7 @@ Sheet {
         visible: sheet.field.pinnable && sheet.field.derived
         kind: Button.Primary
         glyph: Theme.icon.pin
-        text: qsTr("Give this number instead")
+        text: qsTr("Enter this value instead")
         onClicked: {
             sheet.field.togglePin()
             sheet.closed()

@@ -15,7 +15,7 @@ Sheet {
     property string heading                // common heading of the numbers
     readonly property bool single: told.length === 1
 
-    title: sheet.heading.length > 0 ? sheet.heading : sheet.single ? told[0].title : qsTr("How these numbers come about")
+    title: sheet.heading.length > 0 ? sheet.heading : sheet.single ? told[0].title : qsTr("How this is calculated")
     panelWidth: width * 0.85
     panelHeight: height * (sheet.single ? 0.75 : 0.95)
     Component.onCompleted: {

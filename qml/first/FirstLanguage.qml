@@ -18,7 +18,7 @@ FirstStep {
         Label {
             width: parent.width
             wrapMode: Text.WordWrap
-            text: qsTr("Stop at the right always works. It is no emergency stop: that one is a switch of the machine.")
+            text: qsTr("The Stop button is always available. It is not an emergency stop: use the machine's emergency-stop switch.")
             color: Theme.color.secondaryInk
         }
         Repeater {

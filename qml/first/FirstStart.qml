@@ -16,7 +16,7 @@ Page {
     readonly property var steps: [
         { title: qsTr("Language"), source: "FirstLanguage.qml" },
         { title: qsTr("Controller"), source: "FirstController.qml" },
-        { title: qsTr("Who may change things"), source: "FirstPin.qml" },
+        { title: qsTr("Access"), source: "FirstPin.qml" },
         { title: qsTr("The machine"), source: "FirstMachine.qml" },
         { title: qsTr("A first recipe"), source: "FirstRecipe.qml" }
     ]

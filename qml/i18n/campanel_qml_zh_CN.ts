@@ -583,14 +583,14 @@ And %2 more.</source>
         <translation>比较</translation>
     </message>
     <message>
-        <source>The controller already has exactly this recipe.</source>
+        <source>The controller already has this program.</source>
         <translation>控制器中已是这一配方。</translation>
     </message>
 </context>
 <context>
     <name>DryRunSection</name>
     <message>
-        <source>The edited recipe cannot be a motion. Mend it on the Motion page.</source>
+        <source>The recipe cannot be executed. Correct it on the Motion page.</source>
         <translation>正在编辑的配方无法构成运动。请在“运动”页面修正。</translation>
     </message>
     <message>
@@ -633,7 +633,7 @@ And %2 more.</source>
         <translation>此值为给定值，不是计算值。范围为 %1 至 %2。</translation>
     </message>
     <message>
-        <source>Give this number instead</source>
+        <source>Enter this value instead</source>
         <translation>改为给定此值</translation>
     </message>
 </context>
@@ -756,7 +756,7 @@ And %2 more.</source>
 <context>
     <name>FirstLanguage</name>
     <message>
-        <source>Stop at the right always works. It is no emergency stop: that one is a switch of the machine.</source>
+        <source>The Stop button is always available. It is not an emergency stop: use the machine&apos;s emergency-stop switch.</source>
         <translation>右侧的“停止”始终有效。它不是急停：急停是机器上的开关。</translation>
     </message>
 </context>
@@ -809,7 +809,7 @@ And %2 more.</source>
         <translation>控制器</translation>
     </message>
     <message>
-        <source>Who may change things</source>
+        <source>Access</source>
         <translation>谁可以更改</translation>
     </message>
     <message>
@@ -1115,7 +1115,7 @@ And %2 more.</source>
 <context>
     <name>SkippedCutsCard</name>
     <message>
-        <source>Cuts left out</source>
+        <source>Skipped cuts</source>
         <translation>略过的切断</translation>
     </message>
     <message>
@@ -1474,7 +1474,7 @@ And %2 more.</source>
 <context>
     <name>NumbersSheet</name>
     <message>
-        <source>How these numbers come about</source>
+        <source>How this is calculated</source>
         <translation>这些数字的由来</translation>
     </message>
 </context>
@@ -1582,7 +1582,7 @@ And %2 more.</source>
         <translation>产品</translation>
     </message>
     <message>
-        <source>Cuts left out, product across</source>
+        <source>Skipped cuts, product across</source>
         <translation>因产品横在切刀处略过的切断</translation>
     </message>
     <message>
@@ -2577,7 +2577,7 @@ And %2 more.</source>
         <translation>添加用户</translation>
     </message>
     <message>
-        <source>Log out by itself after</source>
+        <source>Automatic logout after</source>
         <translation>自动退出时间</translation>
     </message>
     <message>

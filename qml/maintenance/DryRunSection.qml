@@ -25,7 +25,7 @@ ServiceSection {
         visible: !section.run.available
         wrapMode: Text.WordWrap
         horizontalAlignment: Text.AlignHCenter
-        text: qsTr("The edited recipe cannot be a motion. Mend it on the Motion page.")
+        text: qsTr("The recipe cannot be executed. Correct it on the Motion page.")
         color: Theme.color.secondaryInk
     }
     Item {

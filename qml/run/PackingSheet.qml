@@ -60,7 +60,7 @@ Sheet {
         anchors.right: parent.right
         Heading { text: qsTr("Cuts and film") }
         Figure { label: qsTr("Products"); value: Theme.count(sheet.line.products, 0) }
-        Figure { label: qsTr("Cuts left out, product across"); value: Theme.count(sheet.line.cutsSkipped, 0) }
+        Figure { label: qsTr("Skipped cuts, product across"); value: Theme.count(sheet.line.cutsSkipped, 0) }
         Figure { label: qsTr("Bags without product"); value: Theme.count(sheet.line.emptyBags, 0) }
         Figure { label: qsTr("Film saved"); value: isNaN(sheet.line.filmSavedM) ? Theme.unknownText : qsTr("%1 m").arg(Theme.number(sheet.line.filmSavedM, 1)) }
         Figure { label: qsTr("Following error of the knife"); value: sheet.millimeters(Controller.live.followingErrorMm) }

@@ -43,7 +43,7 @@ Card {
         spacing: Theme.size.outline
         Figure {
             objectName: "cutsLeftOut"
-            label: qsTr("Cuts left out")
+            label: qsTr("Skipped cuts")
             value: Theme.count(card.line.cutsSkipped, 0)
         }
         Figure {

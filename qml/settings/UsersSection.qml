@@ -115,7 +115,7 @@ SettingsSection {
             objectName: "autoLogout"
             visible: Access.protectedByPins
             width: section.half
-            label: qsTr("Log out by itself after")
+            label: qsTr("Automatic logout after")
             value: qsTr("%1 min").arg(Settings.autoLogoutMinutes)
             onClicked: section.page.sheetRequested(logoutPicker)
         }

@@ -174,7 +174,7 @@ private slots:
         tap("backupFile0");
         tap("backupCheck");
         waitForBackup();
-        QVERIFY2(textOf("backupDetail").startsWith(u"The machine moves."),
+        QVERIFY2(textOf("backupDetail").startsWith(u"The machine is moving."),
                  qPrintable(textOf("backupDetail")));
     }
 

@@ -109,7 +109,7 @@ QString ProgramDownload::text() const
 {
     switch (m_state) {
     case State::NothingToDo:
-        return tr("The controller already has exactly this recipe.");
+        return tr("The controller already has this program.");
     case State::Ready:
         return m_machine.state() == Controller::State::Running
                    ? tr("The machine keeps running; the new recipe begins with the next cycle.")

@@ -392,7 +392,7 @@ void Recipes::rename()
             }
             note(u"recipe.rename"_s, before, before, name);
             reload();
-            say(tr("%1 is called %2 now.").arg(before, name));
+            say(tr("Renamed %1 to %2.").arg(before, name));
         });
 }
 

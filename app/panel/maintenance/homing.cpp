@@ -89,7 +89,7 @@ QString Homing::explanation() const
 
 QString Homing::keyText() const
 {
-    return moves() ? tr("Home") : tr("Take as top");
+    return moves() ? tr("Home") : tr("Set as top position");
 }
 
 QString Homing::blockedReason() const

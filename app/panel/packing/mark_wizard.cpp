@@ -101,7 +101,7 @@ QString MarkWizard::blockedReason() const
     if (!std::isfinite(m_fields.value(distanceName)) || !std::isfinite(m_fields.value(offsetName)))
         return tr("Asking the controller …");
     if (m_step == Step::Confirm && !std::isfinite(newDistanceMm()))
-        return tr("The corrected distance is none that the controller takes. Measure again.");
+        return tr("The corrected distance is outside the controller's range. Measure again.");
     return {};
 }
 

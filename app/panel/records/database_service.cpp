@@ -118,9 +118,8 @@ QString DatabaseService::replacementText(const store::Database::Opening& opening
                ? tr("The panel's memory was damaged. It goes on with its last good copy; the damaged file is "
                     "kept as %1.")
                      .arg(kept)
-               : tr("The panel's memory was damaged and there was no copy. It begins anew; the damaged file "
-                    "is "
-                    "kept as %1.")
+               : tr("The panel's memory was damaged and there was no copy. A new, empty database was created; the "
+                    "damaged file is kept as %1.")
                      .arg(kept);
 }
 

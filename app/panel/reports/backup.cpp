@@ -254,7 +254,7 @@ void Backup::check(int row)
     m_checked.reset();
     tell({}, false);
     if (moves(m_parts.machine.state()))
-        return tell(tr("The machine moves. Stop it first: the panel starts anew after a restore."), true);
+        return tell(tr("The machine is moving. Stop it before restoring; the panel will restart."), true);
     begin();
     m_pool.start([this, path = m_files[row].path, folder = m_folder] {
         const auto staged = store::stageRestore(path, folder);
@@ -293,7 +293,7 @@ void Backup::restore()
     if (!m_checked || !require())
         return;
     if (moves(m_parts.machine.state()))
-        return tell(tr("The machine moves. Stop it first: the panel starts anew after a restore."), true);
+        return tell(tr("The machine is moving. Stop it before restoring; the panel will restart."), true);
     // The old trail gets an entry too, so that it documents its end.
     store::AuditEntry entry;
     entry.what = u"backup.restore"_s;

@@ -95,7 +95,7 @@ QString AccessSentences::pinRefusal(const QString& pin, Level level)
     if (std::ranges::count(pin, pin[0]) == pin.size())
         return tr("The same digit all along is guessed first. Choose another PIN.");
     if (isRow(pin))
-        return tr("Digits in a row, as 1234, are guessed first. Choose another PIN.");
+        return tr("Sequences such as 1234 are easy to guess. Choose another PIN.");
     return {};
 }
 
@@ -107,8 +107,8 @@ QString AccessSentences::seconds(qint64 waitMs)
 
 QString AccessSentences::wrongPin(qint64 waitMs)
 {
-    return waitMs > 0 ? tr("That was not the PIN. Again in %1.").arg(seconds(waitMs))
-                      : tr("That was not the PIN. Try again.");
+    return waitMs > 0 ? tr("Wrong PIN. Try again in %1.").arg(seconds(waitMs))
+                      : tr("Wrong PIN. Try again.");
 }
 
 QString AccessSentences::mustWait(qint64 waitMs)

@@ -92,7 +92,7 @@ constexpr std::array kinds{
         QT_TRANSLATE_NOOP("AlarmCatalogue", "The port to the controller is not there."),
         QT_TRANSLATE_NOOP("AlarmCatalogue", "Plug the adapter in, or choose another port in the settings.")},
     AlarmKind{"L-02", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "No answer"),
-              QT_TRANSLATE_NOOP("AlarmCatalogue", "Nobody answers on the port to the controller."),
+              QT_TRANSLATE_NOOP("AlarmCatalogue", "No response on the port to the controller."),
               QT_TRANSLATE_NOOP("AlarmCatalogue", "Check cable, power, baud rate, parity and unit number.")},
     AlarmKind{
         "L-03", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Connection lost"),
@@ -120,7 +120,7 @@ constexpr std::array kinds{
     AlarmKind{
         "P-02", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Memory lost"),
         QT_TRANSLATE_NOOP("AlarmCatalogue",
-                          "The panel's memory was damaged or missing and there was no copy. It begins anew."),
+                          "The panel's memory was damaged or missing and there was no copy. A new, empty database was created."),
         QT_TRANSLATE_NOOP("AlarmCatalogue",
                           "Restore a backup if there is one. If it comes again, replace the disk.")},
     AlarmKind{

@@ -88,7 +88,7 @@ QString ConnectionSentences::error(const modbus::LinkError& error)
     case LinkErrorKind::NotOpen:
         return tr("The port %1 has gone. Check the adapter; the panel keeps trying.").arg(port);
     case LinkErrorKind::NoAnswer:
-        return tr("Nobody answers on %1. Check cable, power, baud rate, parity and unit number.").arg(port);
+        return tr("No response on %1. Check cable, power, baud rate, parity and unit number.").arg(port);
     case LinkErrorKind::BadChecksum:
     case LinkErrorKind::BadFrame:
         return tr("Only garbage comes from %1. Check baud rate, parity and stop bits.").arg(port);
