@@ -551,6 +551,10 @@
         <source>Gone</source>
         <translation>已恢复</translation>
     </message>
+    <message>
+        <source>until %1</source>
+        <translation>到 %1</translation>
+    </message>
 </context>
 <context>
     <name>AuditWords</name>
@@ -5121,13 +5125,6 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     <message>
         <source>The settings file was damaged and has no good copy. No controller is used. Choose one on the Settings page, under Connection.</source>
         <translation>设置文件已损坏，且没有完好的副本。当前不使用任何控制器。请在“设置”页的“通信”中选择。</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::ShelvedAlarms</name>
-    <message>
-        <source>until %1</source>
-        <translation>到 %1</translation>
     </message>
 </context>
 <context>

@@ -4,11 +4,12 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Panel
 
 Item {
     id: panel
 
-    required property var rows             // a model with the roles of AlarmRow
+    required property RowModel rows        // with the roles of AlarmRow
     required property string emptyText
     property string emptyGlyph
     property string listName               // name for tests

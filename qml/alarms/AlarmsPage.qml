@@ -49,7 +49,7 @@ Page {
         AlarmList {
             anchors { fill: parent; margins: Theme.size.spacing }
             visible: page.section === 1
-            rows: Alarms.history
+            rows: Alarms.history.rows
             listName: "pastAlarm"
             emptyText: Alarms.history.loading ? qsTr("The log is being read …") : qsTr("No alarm has come yet since this log was begun.")
             onOpened: row => {

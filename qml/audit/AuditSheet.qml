@@ -54,7 +54,7 @@ Sheet {
                 width: filters.third
                 glyph: Theme.icon.save
                 text: qsTr("Export CSV")
-                enabled: Audit.count > 0 && !Audit.busy
+                enabled: Audit.rows.count > 0 && !Audit.busy
                 onClicked: {
                     Audit.exportCsv()
                     sheet.exportRequested()
@@ -64,7 +64,7 @@ Sheet {
         Label {
             objectName: "auditEmpty"
             anchors { left: parent.left; right: parent.right; top: filters.bottom; topMargin: Theme.size.padding }
-            visible: Audit.count === 0 && !Audit.busy
+            visible: Audit.rows.count === 0 && !Audit.busy
             wrapMode: Text.WordWrap
             text: qsTr("Nothing of this kind yet. Every command, download, parameter, setting and login is written down here.")
             color: Theme.color.secondaryInk
@@ -76,11 +76,7 @@ Sheet {
             clip: true
             spacing: Theme.size.outline
             boundsBehavior: Flickable.StopAtBounds
-            model: Audit
-            onAtYEndChanged: {
-                if (atYEnd && Audit.count > 0)
-                    Audit.readMore()
-            }
+            model: Audit.rows
             delegate: AuditRow {
                 required property int index
                 objectName: "audit" + index

@@ -16,7 +16,7 @@ Sheet {
     property bool chosenUsable
     signal knotsTaken()
 
-    readonly property OfferModel offers: exports ? Editor.knotFiles.places : Editor.knotFiles.files
+    readonly property RowModel offers: exports ? Editor.knotFiles.places : Editor.knotFiles.files
     readonly property string hint: Editor.knotFiles.busy ? qsTr("Looking …")
         : offers.count === 0 ? qsTr("There is no CSV file on a USB stick or in %1. Plug in a stick and look again.").arg(Editor.knotFiles.ownFolder)
         : exports ? qsTr("Choose the place of the new file.") : qsTr("Choose a file to see what is in it.")

@@ -24,7 +24,7 @@ Sheet {
         anchors { left: parent.left; right: parent.right; top: parent.top; bottom: tiles.top; bottomMargin: Theme.size.spacing }
         clip: true
         boundsBehavior: Flickable.StopAtBounds
-        model: Editor.knots
+        model: Editor.knots.rows
         delegate: T.AbstractButton {
             id: entry
             required property int index

@@ -11,7 +11,7 @@ Item {
     id: column
 
     required property string title
-    required property FigureModel figures
+    required property RowModel figures
     property var quantities: []            // computed ones, of Explanations; empty: no explanation
     signal explainRequested(var quantities)
 

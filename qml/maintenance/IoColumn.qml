@@ -11,7 +11,7 @@ Column {
 
     required property string title
     required property IoList io
-    required property int side             // IoList.Input ...
+    required property int side             // Io.Input ...
     property bool withValues: true
 
     readonly property int rowHeight: Math.round(Theme.size.caption * 1.7)
@@ -25,14 +25,14 @@ Column {
         font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
     }
     Repeater {
-        model: column.io
+        model: column.io.rows
         Item {
             id: row
             required property string name
             required property string value
             required property int side
             required property int lamp
-            readonly property bool bad: lamp === IoList.Bad
+            readonly property bool bad: lamp === Io.Bad
             readonly property color ink: column.io.stale ? Theme.color.disabledInk : bad ? Theme.color.fault : Theme.color.ink
             visible: side === column.side
             width: column.width
@@ -40,12 +40,12 @@ Column {
             Rectangle {
                 id: light
                 anchors.verticalCenter: parent.verticalCenter
-                visible: row.lamp !== IoList.None
+                visible: row.lamp !== Io.None
                 width: Theme.size.mark
                 height: width
                 radius: width / 2
-                color: row.lamp === IoList.Off ? "transparent" : column.io.stale ? Theme.color.disabledInk : row.bad ? Theme.color.fault : Theme.color.touch
-                border { width: Theme.size.outline; color: row.lamp === IoList.Off || column.io.stale ? Theme.color.disabledInk : row.bad ? Theme.color.fault : Theme.color.touch }
+                color: row.lamp === Io.Off ? "transparent" : column.io.stale ? Theme.color.disabledInk : row.bad ? Theme.color.fault : Theme.color.touch
+                border { width: Theme.size.outline; color: row.lamp === Io.Off || column.io.stale ? Theme.color.disabledInk : row.bad ? Theme.color.fault : Theme.color.touch }
             }
             Label {
                 anchors { left: parent.left; leftMargin: Theme.size.mark + Theme.size.spacing; right: amount.left; rightMargin: column.withValues ? Theme.size.spacing : 0 }

@@ -30,14 +30,14 @@ ServiceSection {
                 width: parent.width
                 title: qsTr("Inputs, as the controller counts them")
                 io: section.io
-                side: IoList.Input
+                side: Io.Input
             }
             IoColumn {
                 objectName: "ioOutputs"
                 width: parent.width
                 title: qsTr("Outputs")
                 io: section.io
-                side: IoList.Output
+                side: Io.Output
             }
         }
         Column {
@@ -49,7 +49,7 @@ ServiceSection {
                 width: parent.width
                 title: qsTr("Fault bits")
                 io: section.io
-                side: IoList.Fault
+                side: Io.Fault
                 withValues: false
             }
             IoColumn {
@@ -57,7 +57,7 @@ ServiceSection {
                 width: parent.width
                 title: qsTr("Warning bits")
                 io: section.io
-                side: IoList.Warning
+                side: Io.Warning
                 withValues: false
             }
         }

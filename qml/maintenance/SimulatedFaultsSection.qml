@@ -19,7 +19,7 @@ ServiceSection {
         clip: true
         spacing: Theme.size.spacing
         boundsBehavior: Flickable.StopAtBounds
-        model: section.faults
+        model: section.faults.rows
         delegate: Item {
             id: row
             required property int index

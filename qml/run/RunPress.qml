@@ -38,7 +38,7 @@ Item {
         objectName: "goodStrokes"
         anchors { left: position.right; leftMargin: view.gap; right: parent.right }
         height: view.upper
-        text: Controller.strokes.count > 0 ? Theme.count(Controller.strokes.goodCount, 0) + " / " + Theme.count(Controller.strokes.count, 0) : Theme.unknownText
+        text: Controller.strokes.rows.count > 0 ? Theme.count(Controller.strokes.goodCount, 0) + " / " + Theme.count(Controller.strokes.rows.count, 0) : Theme.unknownText
         caption: qsTr("good of the last strokes")
         quantities: [Explanations.GoodStrokes]
         onExplainRequested: quantities => view.explainRequested(quantities)

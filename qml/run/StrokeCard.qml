@@ -41,7 +41,7 @@ Card {
         anchors { left: parent.left; right: parent.right; top: head.bottom; bottom: parent.bottom; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; topMargin: Theme.size.accent; bottomMargin: Theme.size.spacing }
         clip: true
         boundsBehavior: Flickable.StopAtBounds
-        model: Controller.strokes
+        model: Controller.strokes.rows
         delegate: Item {
             id: stroke
             required property int index
@@ -93,7 +93,7 @@ Card {
     ScrollMark { view: list }
     Label {
         anchors { left: list.left; right: list.right; verticalCenter: list.verticalCenter }
-        visible: Controller.strokes.count === 0
+        visible: Controller.strokes.rows.count === 0
         horizontalAlignment: Text.AlignHCenter
         wrapMode: Text.WordWrap
         text: qsTr("Each stroke is listed here when it ends.")

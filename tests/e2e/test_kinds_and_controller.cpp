@@ -248,7 +248,7 @@ void TestKindsAndController::aStrokeStopsWhereItShould()
     begin(panel);
     if (QTest::currentTestFailed())
         return;
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.strokes()->count(), 1, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.strokes()->rows()->count(), 1, timeoutMs);
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Controller::State::Ready, timeoutMs);
     QVERIFY2(panel.machine.alarmText().isEmpty(), qPrintable(panel.machine.alarmText()));
     const auto& press = panel.status().press;
@@ -266,7 +266,7 @@ void TestKindsAndController::aStrokeStopsWhereItShould()
     QVERIFY2(std::abs(deepest->x() - 100) < 0.2, qPrintable(QString::number(deepest->x())));
     // One start is one stroke.
     panel.machine.start();
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.strokes()->count(), 2, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.strokes()->rows()->count(), 2, timeoutMs);
 }
 
 void TestKindsAndController::aMissingWorkPieceIsAFault()
@@ -281,11 +281,10 @@ void TestKindsAndController::aMissingWorkPieceIsAFault()
     QVERIFY2(panel.machine.alarmText().contains("The press did not feel a work piece."),
              qPrintable(panel.machine.alarmText()));
     QVERIFY(!panel.machine.canStart());
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.strokes()->count(), 1, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine.strokes()->rows()->count(), 1, timeoutMs);
     QCOMPARE(panel.machine.strokes()->goodCount(), 0);
-    const auto* strokes = panel.machine.strokes();
-    QCOMPARE(strokes->data(strokes->index(0), panel::StrokeModel::ResultTextRole).toString(),
-             "Never touched");
+    const auto& stroke = panel.machine.strokes()->rows()->row(0);
+    QCOMPARE(stroke.resultText(), "Never touched");
     panel.machine.resetFault();
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Controller::State::Ready, timeoutMs);
 }

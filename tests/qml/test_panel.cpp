@@ -19,12 +19,11 @@ namespace panel = campanel::panel;
 class TestPanel : public campanel::test::PanelTest {
     Q_OBJECT
 
-    QList<double> knots(panel::KnotModel::Role role)
+    QList<double> knots(QString panel::KnotRow::*text)
     {
-        const panel::KnotModel* model = editor().knots();
         QList<double> values;
-        for (int row = 0; row < model->rowCount(); ++row)
-            values << QLocale().toDouble(model->data(model->index(row), role).toString());
+        for (const panel::KnotRow& row : editor().knots()->rows()->rows())
+            values << QLocale().toDouble(row.*text);
         return values;
     }
 
@@ -160,17 +159,17 @@ private slots:
     {
         editor().newProgram(4);
         tap("nav1");
-        const QList<double> before = knots(panel::KnotModel::SlaveTextRole);
+        const QList<double> before = knots(&panel::KnotRow::slaveText);
         const QPoint handle = centerOf(QStringLiteral("handle1"));
         QTest::mousePress(&m_stage->window(), Qt::LeftButton, {}, handle);
         QTest::mouseMove(&m_stage->window(), handle - QPoint(0, 8));
         QTest::mouseMove(&m_stage->window(), handle - QPoint(0, 16));
         QTest::mouseRelease(&m_stage->window(), Qt::LeftButton, {}, handle - QPoint(0, 16));
-        const QList<double> after = knots(panel::KnotModel::SlaveTextRole);
+        const QList<double> after = knots(&panel::KnotRow::slaveText);
         QVERIFY2(after[1] > before[1] + 1, "a finger that goes up lifts the knot");
         QCOMPARE(after[2], before[2]);
         tap("undo");
-        QCOMPARE(knots(panel::KnotModel::SlaveTextRole), before);
+        QCOMPARE(knots(&panel::KnotRow::slaveText), before);
     }
 
     void knotsAreAddedRemovedAndRepaired()
@@ -182,7 +181,7 @@ private slots:
         tap("knot1");
         tap("knotInsert");
         QCOMPARE(editor().knots()->count(), 6);
-        QCOMPARE(knots(panel::KnotModel::MasterTextRole)[2], 135.0);
+        QCOMPARE(knots(&panel::KnotRow::masterText)[2], 135.0);
         tap("knotRemove");
         QCOMPARE(editor().knots()->count(), 5);
         QVERIFY(!m_stage->find(QStringLiteral("knotRemove"))->isEnabled());
@@ -239,14 +238,10 @@ private slots:
         editor().rate()->set(390);
         tap("nav1");
         tap("lawButton");
-        const panel::LawModel& laws = *editor().laws();
         QString lawId;
-        for (int row = 0; row < laws.count() && lawId.isEmpty(); ++row) {
-            const auto role = [&](panel::LawModel::Role wanted) {
-                return laws.data(laws.index(row), wanted);
-            };
-            if (!role(panel::LawModel::UsableRole).toBool() && !role(panel::LawModel::CurrentRole).toBool())
-                lawId = role(panel::LawModel::LawIdRole).toString();
+        for (const panel::LawRow& law : editor().laws()->rows()) {
+            if (lawId.isEmpty() && !law.usable && !law.current)
+                lawId = law.lawId;
         }
         QVERIFY2(!lawId.isEmpty(), "no law breaks a limit");
         const QString before = editor().lawName();

@@ -180,7 +180,7 @@ private slots:
         tap("choice_parameter");
         QTRY_VERIFY(!m_stage->panel().audit().busy());
         m_stage->settle();
-        QCOMPARE(m_stage->panel().audit().count(), 2);
+        QCOMPARE(m_stage->panel().audit().rows()->count(), 2);
         tap("audit1");
         QCOMPARE(textOf("auditDetail3"), u"900"_s);
         QCOMPARE(textOf("auditDetail5"), u"903.02"_s);

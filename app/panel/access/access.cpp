@@ -3,6 +3,7 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/kit/engine_instances.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/words/access_sentences.h"
@@ -45,6 +46,8 @@ Access::Access(DatabaseService& records, Controller& machine, Settings& settings
     });
     m_waitTimer.setInterval(waitPeriod);
     QCoreApplication::instance()->installEventFilter(this);
+    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
+            &Access::retranslate);
 }
 
 Access::~Access()
@@ -267,6 +270,13 @@ void Access::clearMessage()
     tell({}, false);
 }
 
+void Access::retranslate()
+{
+    clearMessage();
+    emit changed();
+    emit chosenChanged();
+}
+
 bool Access::eventFilter(QObject* watched, QEvent* event)
 {
     switch (event->type()) {
@@ -274,13 +284,6 @@ bool Access::eventFilter(QObject* watched, QEvent* event)
     case QEvent::TouchBegin:
     case QEvent::KeyPress:
         m_touchedAt = m_machine.now();
-        break;
-    case QEvent::LanguageChange:
-        if (watched == QCoreApplication::instance()) {
-            clearMessage();
-            emit changed();
-            emit chosenChanged();
-        }
         break;
     default:
         break;

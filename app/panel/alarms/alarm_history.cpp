@@ -2,7 +2,6 @@
 #include "app/panel/alarms/alarm_history.h"
 
 #include "app/panel/records/database_service.h"
-#include "app/panel/words/alarm_words.h"
 
 #include <algorithm>
 #include <utility>
@@ -13,9 +12,21 @@ using store::AlarmLog;
 using store::AlarmRow;
 
 AlarmHistory::AlarmHistory(DatabaseService& records, QObject* parent)
-    : QAbstractListModel(parent)
+    : QObject(parent)
     , m_records(records)
 {
+    connect(&m_rows, &AlarmList::moreRequested, this, &AlarmHistory::read);
+}
+
+void AlarmHistory::setToday(const QDate& today)
+{
+    if (m_today == today)
+        return;
+    m_today = today;
+    QList<AlarmListRow> rows = m_rows.rows();
+    for (AlarmListRow& row : rows)
+        row.today = today;
+    m_rows.setRows(rows);
 }
 
 void AlarmHistory::setWatched(bool isWatched)
@@ -26,19 +37,18 @@ void AlarmHistory::setWatched(bool isWatched)
     ++m_round;
     m_isLoaded = m_isReading = m_isAtEnd = false;
     m_meanwhile.clear();
-    beginResetModel();
+    m_rows.setHasMore(false);
     m_rows.clear();
-    endResetModel();
     if (m_isWatched)
         read();
     emit changed();
-    emit countChanged();
 }
 
 void AlarmHistory::read()
 {
     m_isReading = true;
-    const qint64 before = m_rows.isEmpty() ? 0 : m_rows.last().id;
+    m_rows.setHasMore(false);
+    const qint64 before = m_rows.count() == 0 ? 0 : m_rows.rows().last().id();
     m_records.store().run(
         this, [before](store::Database& database) { return AlarmLog::page(database, before); },
         [this, round = m_round](const tl::expected<QList<AlarmRow>, store::StoreError>& page) {
@@ -54,12 +64,11 @@ void AlarmHistory::takePage(const QList<AlarmRow>& page)
 {
     m_isReading = false;
     m_isAtEnd = page.size() < AlarmLog::pageRows;
-    if (!page.isEmpty()) {
-        beginInsertRows({}, count(), count() + static_cast<int>(page.size()) - 1);
-        m_rows += page;
-        endInsertRows();
-        emit countChanged();
-    }
+    m_rows.setHasMore(!m_isAtEnd);
+    QList<AlarmListRow> rows;
+    for (const AlarmRow& row : page)
+        rows << AlarmListRow{row, m_today};
+    m_rows.append(rows);
     if (!std::exchange(m_isLoaded, true))
         emit changed();
     for (const store::AlarmChanges& changes : std::exchange(m_meanwhile, {}))
@@ -81,13 +90,13 @@ void AlarmHistory::apply(const store::AlarmChanges& changes)
     for (const AlarmRow& row : changes.rows)
         applyRow(row);
     for (const auto& given : changes.acknowledgements) {
-        for (int at = rowFrom(given.upToId); at < count(); ++at) {
-            AlarmRow& row = m_rows[at];
+        for (int at = rowFrom(given.upToId); at < m_rows.count(); ++at) {
+            AlarmRow row = m_rows.row(at).alarm;
             if (row.code != given.code || !row.wantsAcknowledgement || row.acknowledgedMs > 0)
                 continue;
             row.acknowledgedMs = given.atMs;
             row.acknowledgedBy = given.by;
-            emit dataChanged(index(at), index(at));
+            m_rows.setRow(at, {row, m_today});
         }
     }
 }
@@ -95,62 +104,21 @@ void AlarmHistory::apply(const store::AlarmChanges& changes)
 void AlarmHistory::applyRow(const AlarmRow& row)
 {
     const int at = rowFrom(row.id);
-    if (at < count() && m_rows[at].id == row.id) {
-        m_rows[at] = row;
-        emit dataChanged(index(at), index(at));
+    if (at < m_rows.count() && m_rows.row(at).id() == row.id) {
+        m_rows.setRow(at, {row, m_today});
         return;
     }
-    if (at > 0 || (count() == 0 && !m_isAtEnd))
+    if (at > 0 || (m_rows.count() == 0 && !m_isAtEnd))
         return; // already deleted, or on a page that was not read yet
-    beginInsertRows({}, 0, 0);
-    m_rows.prepend(row);
-    endInsertRows();
-    if (count() > AlarmLog::capacity) {
-        beginRemoveRows({}, count() - 1, count() - 1);
-        m_rows.removeLast();
-        endRemoveRows();
-    }
-    emit countChanged();
+    m_rows.insert(0, {{row, m_today}});
+    m_rows.remove(AlarmLog::capacity, m_rows.count() - AlarmLog::capacity);
 }
 
 int AlarmHistory::rowFrom(qint64 id) const
 {
-    const auto found = std::ranges::lower_bound(m_rows, id, std::ranges::greater(), &AlarmRow::id);
-    return static_cast<int>(found - m_rows.begin());
-}
-
-void AlarmHistory::retranslate()
-{
-    if (count() > 0)
-        emit dataChanged(index(0), index(count() - 1));
-}
-
-int AlarmHistory::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : count();
-}
-
-QVariant AlarmHistory::data(const QModelIndex& index, int role) const
-{
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
-        return {};
-    return AlarmWords::role(m_rows[index.row()], role, m_today());
-}
-
-QHash<int, QByteArray> AlarmHistory::roleNames() const
-{
-    return AlarmWords::roles();
-}
-
-bool AlarmHistory::canFetchMore(const QModelIndex& parent) const
-{
-    return !parent.isValid() && m_isLoaded && !m_isReading && !m_isAtEnd;
-}
-
-void AlarmHistory::fetchMore(const QModelIndex& parent)
-{
-    if (canFetchMore(parent))
-        read();
+    const auto& rows = m_rows.rows();
+    const auto found = std::ranges::lower_bound(rows, id, std::ranges::greater(), &AlarmListRow::id);
+    return static_cast<int>(found - rows.begin());
 }
 
 } // namespace campanel::panel

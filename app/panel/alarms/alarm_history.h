@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The log of alarms as a list, newest first. It is read page by page while it is watched; new entries appear
+// The log of alarms, newest first. It is read page by page while it is watched; new entries appear
 // at once.
 #pragma once
 
-#include "app/store/logs/alarm_log.h"
-
-#include <QAbstractListModel>
-#include <QDate>
-#include <QtQml/qqmlregistration.h>
-
-#include <functional>
+#include "app/panel/alarms/alarm_lists.h"
 
 namespace campanel::panel {
 
 class DatabaseService;
 
-class AlarmHistory : public QAbstractListModel {
+class AlarmHistory : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The lists belong to Alarms")
@@ -23,7 +17,7 @@ class AlarmHistory : public QAbstractListModel {
     Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY changed FINAL)
     // True until the first page has arrived.
     Q_PROPERTY(bool loading READ loading NOTIFY changed FINAL)
-    Q_PROPERTY(int count READ count NOTIFY countChanged FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* rows READ rows CONSTANT FINAL)
 
 public:
     // The records must outlive the object.
@@ -32,23 +26,14 @@ public:
     [[nodiscard]] bool watched() const { return m_isWatched; }
     void setWatched(bool isWatched);
     [[nodiscard]] bool loading() const { return m_isWatched && !m_isLoaded; }
-    [[nodiscard]] int count() const { return static_cast<int>(m_rows.size()); }
-    [[nodiscard]] const QList<store::AlarmRow>& rows() const { return m_rows; }
+    [[nodiscard]] AlarmList* rows() { return &m_rows; }
 
-    void setToday(std::function<QDate()> today) { m_today = std::move(today); }
+    void setToday(const QDate& today);
     // Adds changes that are about to be written after all earlier ones.
     void note(const store::AlarmChanges& changes);
-    void retranslate();
-
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QHash<int, QByteArray> roleNames() const override;
-    [[nodiscard]] bool canFetchMore(const QModelIndex& parent) const override;
-    void fetchMore(const QModelIndex& parent) override;
 
 signals:
     void changed();
-    void countChanged();
 
 private:
     void read();
@@ -59,8 +44,8 @@ private:
     [[nodiscard]] int rowFrom(qint64 id) const;
 
     DatabaseService& m_records;
-    std::function<QDate()> m_today = &QDate::currentDate;
-    QList<store::AlarmRow> m_rows;          // descending ids
+    QDate m_today = QDate::currentDate();
+    AlarmList m_rows{this};                 // descending ids
     QList<store::AlarmChanges> m_meanwhile; // received while a page is being read, which may not contain them
     quint32 m_round = 0;                    // discards pages of an earlier request
     bool m_isWatched = false;

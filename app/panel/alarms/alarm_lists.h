@@ -1,72 +1,66 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lists of alarms that are active or need to be acknowledged, the most urgent first, and of shelved
-// alarms.
+// The rows of the lists of alarms: occurrences, live or in the log, and shelved alarms.
 #pragma once
 
-#include "app/panel/alarms/alarm_book.h"
+#include "app/panel/kit/row_model.h"
+#include "app/panel/words/alarm_words.h"
 
-#include <QAbstractListModel>
 #include <QDate>
-#include <QtQml/qqmlregistration.h>
 
 namespace campanel::panel {
 
-class LiveAlarms : public QAbstractListModel {
-    Q_OBJECT
-    QML_ELEMENT
-    QML_UNCREATABLE("The lists belong to Alarms")
-    Q_PROPERTY(int count READ count NOTIFY countChanged FINAL)
+struct AlarmListRow {
+    Q_GADGET
+    Q_PROPERTY(QString code READ code)
+    Q_PROPERTY(QString title READ title)
+    Q_PROPERTY(int severity READ severity)
+    Q_PROPERTY(QString time READ time)
+    Q_PROPERTY(QString stateText READ stateText)
+    Q_PROPERTY(bool calls READ calls)
+    Q_PROPERTY(bool live READ live)
+    Q_PROPERTY(int times READ times)
 
 public:
-    using QAbstractListModel::QAbstractListModel;
+    store::AlarmRow alarm;
+    QDate today; // times of other days include the date
 
-    // Updates the rows. Remaining occurrences keep their rows, so the scroll position stays.
-    void setEntries(std::vector<AlarmEntry> entries, const QDate& today);
-    [[nodiscard]] const std::vector<AlarmEntry>& entries() const { return m_entries; }
-    [[nodiscard]] int count() const { return static_cast<int>(m_entries.size()); }
-    void retranslate();
+    [[nodiscard]] qint64 id() const { return alarm.id; }
+    [[nodiscard]] QString code() const { return alarm.code; }
+    [[nodiscard]] QString title() const { return AlarmWords::title(alarm.code); }
+    // Returns an Alarms.Severity.
+    [[nodiscard]] int severity() const { return static_cast<int>(AlarmWords::severity(alarm.code)); }
+    [[nodiscard]] QString time() const { return AlarmWords::time(alarm.raisedMs, today); }
+    // Returns "active, acknowledged", ...
+    [[nodiscard]] QString stateText() const { return AlarmWords::state(alarm); }
+    // Returns true if it needs to be acknowledged.
+    [[nodiscard]] bool calls() const { return alarm.wantsAcknowledgement && alarm.acknowledgedMs == 0; }
+    [[nodiscard]] bool live() const { return alarm.end == store::AlarmRow::End::Active; }
+    [[nodiscard]] int times() const { return alarm.count; }
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QHash<int, QByteArray> roleNames() const override;
-
-signals:
-    void countChanged();
-
-private:
-    void place(const AlarmEntry& entry, int at);
-
-    std::vector<AlarmEntry> m_entries;
-    QDate m_today;
+    bool operator==(const AlarmListRow&) const = default;
 };
 
-class ShelvedAlarms : public QAbstractListModel {
-    Q_OBJECT
-    QML_ELEMENT
-    QML_UNCREATABLE("The lists belong to Alarms")
-    Q_PROPERTY(int count READ count NOTIFY countChanged FINAL)
+using AlarmList = RowModel<AlarmListRow, &AlarmListRow::id>;
+
+struct ShelfRow {
+    Q_GADGET
+    Q_PROPERTY(QString code READ code)
+    Q_PROPERTY(QString title READ title)
+    Q_PROPERTY(QString until READ until)
+    Q_PROPERTY(QString by READ by)
 
 public:
-    // The roles; `until` and `by` are sentences.
-    enum Role { CodeRole = Qt::UserRole + 1, TitleRole, UntilRole, ByRole };
+    store::AlarmShelf shelf;
+    QDate today;
 
-    using QAbstractListModel::QAbstractListModel;
+    [[nodiscard]] QString code() const { return shelf.code; }
+    [[nodiscard]] QString title() const { return AlarmWords::title(shelf.code); }
+    [[nodiscard]] QString until() const { return AlarmWords::until(shelf.untilMs, today); }
+    [[nodiscard]] QString by() const { return shelf.by; }
 
-    void setShelves(const QList<store::AlarmShelf>& shelves, const QDate& today);
-    [[nodiscard]] const QList<store::AlarmShelf>& shelves() const { return m_shelves; }
-    [[nodiscard]] int count() const { return static_cast<int>(m_shelves.size()); }
-    void retranslate();
-
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QHash<int, QByteArray> roleNames() const override;
-
-signals:
-    void countChanged();
-
-private:
-    QList<store::AlarmShelf> m_shelves;
-    QDate m_today;
+    bool operator==(const ShelfRow&) const = default;
 };
+
+using ShelvedAlarms = RowModel<ShelfRow, &ShelfRow::code>;
 
 } // namespace campanel::panel

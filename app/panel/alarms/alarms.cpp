@@ -3,10 +3,8 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/kit/engine_instances.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/records/database_service.h"
-
-#include <QCoreApplication>
-#include <QEvent>
 
 #include <algorithm>
 #include <chrono>
@@ -49,7 +47,6 @@ Alarms::Alarms(Controller& machine, Editor& editor, DatabaseService& records, Se
     , m_writeTimer(this)
     , m_lookTimer(this)
 {
-    m_history.setToday([this] { return today(); });
     m_publishTimer.setSingleShot(true);
     m_publishTimer.setInterval(publishDelay);
     m_writeTimer.setSingleShot(true);
@@ -63,7 +60,8 @@ Alarms::Alarms(Controller& machine, Editor& editor, DatabaseService& records, Se
     records.store().run(
         this, [](store::Database& database) { return AlarmLog::begin(database); },
         [this](const tl::expected<AlarmLog::Start, StoreError>& start) { begin(start); });
-    QCoreApplication::instance()->installEventFilter(this);
+    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
+            &Alarms::retranslate);
 }
 
 Alarms::~Alarms()
@@ -121,7 +119,7 @@ void Alarms::noteChange()
 
 void Alarms::publish()
 {
-    auto live = m_book.live();
+    const auto live = m_book.live();
     m_active = m_unacknowledged = 0;
     m_callingSeverity = Severity::None;
     m_urgent = nullptr;
@@ -140,8 +138,15 @@ void Alarms::publish()
         }
     }
     m_isSeen = std::ranges::any_of(live, &AlarmEntry::isActive) && m_unacknowledged == 0;
-    m_live.setEntries(std::move(live), today());
-    m_shelved.setShelves(m_book.shelves(), today());
+    QList<AlarmListRow> rows;
+    for (const AlarmEntry& entry : live)
+        rows << AlarmListRow{entry.row, today()};
+    m_live.setRows(rows);
+    QList<ShelfRow> shelves;
+    for (const store::AlarmShelf& shelf : m_book.shelves())
+        shelves << ShelfRow{shelf, today()};
+    m_shelved.setRows(shelves);
+    m_history.setToday(today());
     m_detail.update(m_book, today());
     emit changed();
 }
@@ -182,7 +187,7 @@ void Alarms::acknowledge(int row)
 {
     if (row < 0 || row >= m_live.count())
         return;
-    const store::AlarmRow& alarm = m_live.entries()[static_cast<std::size_t>(row)].row;
+    const store::AlarmRow& alarm = m_live.row(row).alarm;
     m_book.acknowledge(alarm.code, alarm.id, m_person, now().utcMs);
     noteChange();
     publish();
@@ -201,13 +206,13 @@ void Alarms::acknowledgeAll()
 void Alarms::showLive(int row)
 {
     if (row >= 0 && row < m_live.count())
-        m_detail.show(m_live.entries()[static_cast<std::size_t>(row)].row, m_book, today());
+        m_detail.show(m_live.row(row).alarm, m_book, today());
 }
 
 void Alarms::showHistory(int row)
 {
-    if (row >= 0 && row < m_history.count())
-        m_detail.show(m_history.rows()[row], m_book, today());
+    if (row >= 0 && row < m_history.rows()->count())
+        m_detail.show(m_history.rows()->row(row).alarm, m_book, today());
 }
 
 void Alarms::acknowledgeShown()
@@ -243,7 +248,7 @@ void Alarms::unshelve(int row)
 {
     if (row < 0 || row >= m_shelved.count())
         return;
-    m_book.unshelve(m_shelved.shelves()[row].code);
+    m_book.unshelve(m_shelved.row(row).code());
     noteChange();
     publish();
 }
@@ -251,20 +256,18 @@ void Alarms::unshelve(int row)
 void Alarms::look()
 {
     m_watch.look();
+    m_history.setToday(today());
     if (m_book.endShelves(now().utcMs))
         noteChange();
 }
 
-bool Alarms::eventFilter(QObject* watched, QEvent* event)
+void Alarms::retranslate()
 {
-    if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance()) {
-        m_live.retranslate();
-        m_history.retranslate();
-        m_shelved.retranslate();
-        emit m_detail.changed();
-        emit changed();
-    }
-    return QObject::eventFilter(watched, event);
+    m_live.refresh();
+    m_history.rows()->refresh();
+    m_shelved.refresh();
+    emit m_detail.changed();
+    emit changed();
 }
 
 } // namespace campanel::panel

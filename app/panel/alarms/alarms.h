@@ -25,9 +25,9 @@ class Alarms : public QObject {
     QML_ELEMENT
     QML_SINGLETON
 
-    Q_PROPERTY(campanel::panel::LiveAlarms* live READ live CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* live READ live CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::AlarmHistory* history READ history CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::ShelvedAlarms* shelved READ shelved CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* shelved READ shelved CONSTANT FINAL)
     // The selected alarm.
     Q_PROPERTY(campanel::panel::AlarmDetail* detail READ detail CONSTANT FINAL)
     // The number of active alarms without the shelved ones.
@@ -63,7 +63,7 @@ public:
     void setPerson(const QString& person) { m_person = person; }
     [[nodiscard]] AlarmWatch& watch() { return m_watch; }
 
-    [[nodiscard]] LiveAlarms* live() { return &m_live; }
+    [[nodiscard]] AlarmList* live() { return &m_live; }
     [[nodiscard]] AlarmHistory* history() { return &m_history; }
     [[nodiscard]] ShelvedAlarms* shelved() { return &m_shelved; }
     [[nodiscard]] AlarmDetail* detail() { return &m_detail; }
@@ -93,10 +93,8 @@ public:
 signals:
     void changed();
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
+    void retranslate();
     void raise(const AlarmKind& kind, const QString& detail);
     void clear(const AlarmKind& kind, store::AlarmRow::End end);
     void begin(const tl::expected<store::AlarmLog::Start, store::StoreError>& start);
@@ -115,7 +113,7 @@ private:
     QString m_person;
     AlarmBook m_book;
     AlarmWatch m_watch;
-    LiveAlarms m_live{this};
+    AlarmList m_live{this};
     AlarmHistory m_history;
     ShelvedAlarms m_shelved{this};
     AlarmDetail m_detail{this};

@@ -2,15 +2,13 @@
 #include "app/panel/audit/audit.h"
 
 #include "app/panel/audit/audit_trail.h"
-#include "app/panel/audit/audit_words.h"
 #include "app/panel/kit/engine_instances.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/kit/report_files.h"
 #include "app/panel/records/database_service.h"
 #include "app/panel/words/access_sentences.h"
 #include "app/store/logs/log_export.h"
 
-#include <QCoreApplication>
-#include <QEvent>
 #include <QVariantMap>
 
 #include <algorithm>
@@ -32,12 +30,13 @@ QVariantMap choice(const QString& key, const QString& text)
 } // namespace
 
 Audit::Audit(DatabaseService& records, AuditTrail& trail, ReportFiles& files, QObject* parent)
-    : QAbstractListModel(parent)
+    : QObject(parent)
     , m_records(records)
     , m_files(files)
 {
+    connect(&m_rows, &AuditRows::moreRequested, this, &Audit::read);
     connect(&trail, &AuditTrail::appended, this, &Audit::takeAppended);
-    QCoreApplication::instance()->installEventFilter(this);
+    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this, &Audit::retranslate);
 }
 
 Audit* Audit::create(QQmlEngine* qmlEngine, QJSEngine*)
@@ -60,9 +59,7 @@ void Audit::open()
 void Audit::setFilter(const store::AuditFilter& filter)
 {
     m_filter = filter;
-    beginResetModel();
     m_rows.clear();
-    endResetModel();
     m_hasAll = false;
     m_isReadAgain = m_isReading;
     if (!m_isReading)
@@ -80,16 +77,11 @@ void Audit::setArea(const QString& area)
     setFilter({m_filter.who, area});
 }
 
-void Audit::readMore()
-{
-    if (!m_isReading && !m_hasAll)
-        read();
-}
-
 void Audit::read()
 {
     m_isReading = true;
-    const auto before = m_rows.isEmpty() ? std::nullopt : std::optional(m_rows.last().sequence);
+    m_rows.setHasMore(false);
+    const auto before = m_rows.count() == 0 ? std::nullopt : std::optional(m_rows.rows().last().sequence());
     m_records.store().run(
         this,
         [filter = m_filter, before](store::Database& database) {
@@ -112,10 +104,12 @@ void Audit::takeRows(const Rows& rows)
     } else if (rows->isEmpty()) {
         m_hasAll = true;
     } else {
-        beginInsertRows({}, count(), count() + static_cast<int>(rows->size()) - 1);
-        m_rows += *rows;
-        endInsertRows();
+        QList<AuditListRow> read;
+        for (const store::AuditRow& row : *rows)
+            read << AuditListRow{row};
+        m_rows.append(read);
     }
+    m_rows.setHasMore(!m_hasAll);
     emit changed();
 }
 
@@ -123,12 +117,10 @@ void Audit::takeAppended(const store::AuditRow& row)
 {
     const bool isShown = (!m_filter.who || *m_filter.who == row.entry.who) &&
                          (m_filter.area.isEmpty() || row.entry.what.startsWith(m_filter.area + u'.'));
-    const bool isNewer = m_rows.isEmpty() || m_rows.first().sequence < row.sequence;
+    const bool isNewer = m_rows.count() == 0 || m_rows.row(0).sequence() < row.sequence;
     if (!m_isOpened || m_isReading || !isShown || !isNewer)
         return;
-    beginInsertRows({}, 0, 0);
-    m_rows.prepend(row);
-    endInsertRows();
+    m_rows.insert(0, {{row}});
     emit changed();
 }
 
@@ -222,7 +214,7 @@ QVariantList Audit::areas() const
 
 void Audit::select(int row)
 {
-    m_selected = row >= 0 && row < count() ? std::optional(m_rows[row]) : std::nullopt;
+    m_selected = row >= 0 && row < m_rows.count() ? std::optional(m_rows.row(row).row) : std::nullopt;
     emit detailChanged();
 }
 
@@ -255,50 +247,12 @@ QVariantList Audit::detail() const
     return lines;
 }
 
-int Audit::rowCount(const QModelIndex& parent) const
+void Audit::retranslate()
 {
-    return parent.isValid() ? 0 : count();
-}
-
-QVariant Audit::data(const QModelIndex& index, int role) const
-{
-    if (!index.isValid())
-        return {};
-    const store::AuditEntry& entry = m_rows[index.row()].entry;
-    switch (role) {
-    case TimeRole:
-        return AuditWords::time(entry.timeMs);
-    case WhoRole:
-        return AuditWords::who(entry);
-    case WhatRole:
-        return AuditWords::what(entry.what);
-    case ObjectRole:
-        return AuditWords::object(entry);
-    case ChangeRole:
-        return AuditWords::change(entry);
-    case ProblemRole:
-        return entry.outcome == u"done" ? QString() : AuditWords::outcome(entry.outcome);
-    default:
-        return {};
-    }
-}
-
-QHash<int, QByteArray> Audit::roleNames() const
-{
-    return {{TimeRole, "time"},     {WhoRole, "who"},       {WhatRole, "what"},
-            {ObjectRole, "object"}, {ChangeRole, "change"}, {ProblemRole, "problem"}};
-}
-
-bool Audit::eventFilter(QObject* watched, QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance()) {
-        if (count() > 0)
-            emit dataChanged(index(0), index(count() - 1));
-        emit changed();
-        emit detailChanged();
-        emit chainChanged();
-    }
-    return QObject::eventFilter(watched, event);
+    m_rows.refresh();
+    emit changed();
+    emit detailChanged();
+    emit chainChanged();
 }
 
 } // namespace campanel::panel

@@ -3,9 +3,10 @@
 // in full; the check of the chain; the export to a file.
 #pragma once
 
+#include "app/panel/audit/audit_words.h"
+#include "app/panel/kit/row_model.h"
 #include "app/store/logs/audit_log.h"
 
-#include <QAbstractListModel>
 #include <QDateTime>
 #include <QStringList>
 #include <QVariantList>
@@ -22,11 +23,38 @@ class AuditTrail;
 class DatabaseService;
 class ReportFiles;
 
-class Audit : public QAbstractListModel {
+struct AuditListRow {
+    Q_GADGET
+    Q_PROPERTY(QString time READ time)
+    Q_PROPERTY(QString who READ who)
+    Q_PROPERTY(QString what READ what)
+    Q_PROPERTY(QString object READ object)
+    Q_PROPERTY(QString change READ change)
+    Q_PROPERTY(QString problem READ problem)
+
+public:
+    store::AuditRow row;
+
+    [[nodiscard]] qint64 sequence() const { return row.sequence; }
+    [[nodiscard]] QString time() const { return AuditWords::time(row.entry.timeMs); }
+    [[nodiscard]] QString who() const { return AuditWords::who(row.entry); }
+    [[nodiscard]] QString what() const { return AuditWords::what(row.entry.what); }
+    [[nodiscard]] QString object() const { return AuditWords::object(row.entry); }
+    [[nodiscard]] QString change() const { return AuditWords::change(row.entry); }
+    [[nodiscard]] QString problem() const
+    {
+        return row.entry.outcome == QStringLiteral("done") ? QString()
+                                                           : AuditWords::outcome(row.entry.outcome);
+    }
+};
+
+using AuditRows = RowModel<AuditListRow, &AuditListRow::sequence>;
+
+class Audit : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
-    Q_PROPERTY(int count READ count NOTIFY changed FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* rows READ rows CONSTANT FINAL)
     Q_PROPERTY(bool busy READ busy NOTIFY changed FINAL)
     // The filter: a name of `names` and a key of `areas`, empty for all.
     Q_PROPERTY(QString who READ who WRITE setWho NOTIFY changed FINAL)
@@ -43,8 +71,6 @@ class Audit : public QAbstractListModel {
     Q_PROPERTY(QString chainText READ chainText NOTIFY chainChanged FINAL)
 
 public:
-    enum Role { TimeRole = Qt::UserRole + 1, WhoRole, WhatRole, ObjectRole, ChangeRole, ProblemRole };
-
     // The maximum number of rows in a CSV file; the newest ones are exported.
     static constexpr int mostExported = 100'000;
 
@@ -55,14 +81,12 @@ public:
 
     // Reads the newest rows and checks the chain; call it when the page opens.
     Q_INVOKABLE void open();
-    // Reads the next page of older rows.
-    Q_INVOKABLE void readMore();
     Q_INVOKABLE void select(int row);
     Q_INVOKABLE void check();
     // Reads the filtered rows and offers them to the report files.
     Q_INVOKABLE void exportCsv();
 
-    [[nodiscard]] int count() const { return static_cast<int>(m_rows.size()); }
+    [[nodiscard]] AuditRows* rows() { return &m_rows; } // newest first
     [[nodiscard]] bool busy() const { return m_isReading || m_isExporting; }
     [[nodiscard]] QString who() const { return m_filter.who.value_or(QString()); }
     void setWho(const QString& who);
@@ -77,21 +101,15 @@ public:
     [[nodiscard]] bool broken() const;
     [[nodiscard]] QString chainText() const;
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QHash<int, QByteArray> roleNames() const override;
-
 signals:
     void changed();
     void detailChanged();
     void chainChanged();
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
     using Rows = tl::expected<QList<store::AuditRow>, store::StoreError>;
 
+    void retranslate();
     void setFilter(const store::AuditFilter& filter);
     void read();
     void takeRows(const Rows& rows);
@@ -100,7 +118,7 @@ private:
 
     DatabaseService& m_records;
     ReportFiles& m_files;
-    QList<store::AuditRow> m_rows; // newest first
+    AuditRows m_rows{this};
     store::AuditFilter m_filter;
     QStringList m_names;
     bool m_isOpened = false;

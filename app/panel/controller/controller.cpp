@@ -2,12 +2,10 @@
 #include "app/panel/controller/controller.h"
 
 #include "app/panel/kit/engine_instances.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/words/connection_sentences.h"
 #include "app/panel/words/controller_sentences.h"
-
-#include <QCoreApplication>
-#include <QEvent>
 
 #include <utility>
 
@@ -52,7 +50,8 @@ Controller::Controller(link::Link& link, Settings& settings, QObject* parent)
     m_ageTimer.start(agePeriod);
     connect(&m_qualityTimer, &QTimer::timeout, this, &Controller::qualityChanged);
     m_qualityTimer.start(qualityPeriod);
-    QCoreApplication::instance()->installEventFilter(this);
+    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
+            &Controller::retranslate);
 }
 
 Controller* Controller::create(QQmlEngine* qmlEngine, QJSEngine*)
@@ -329,17 +328,14 @@ void Controller::showMessage(const QString& text)
     emit commandMessageChanged();
 }
 
-bool Controller::eventFilter(QObject* watched, QEvent* event)
+void Controller::retranslate()
 {
-    if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance()) {
-        emit connectionChanged();
-        emit stateChanged();
-        emit commandsChanged();
-        m_strokes.retranslate();
-        m_direction.retranslate();
-        m_packing.retranslate();
-    }
-    return QObject::eventFilter(watched, event);
+    emit connectionChanged();
+    emit stateChanged();
+    emit commandsChanged();
+    m_strokes.rows()->refresh();
+    m_direction.retranslate();
+    m_packing.retranslate();
 }
 
 } // namespace campanel::panel

@@ -177,10 +177,8 @@ signals:
     void commandEnded(const campanel::link::CommandOutcome& outcome);
     void parameterWriting(const QString& name, quint32 id, double value);
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
+    void retranslate();
     void takeReport(const link::LinkReport& report);
     void takeStatus(const link::StatusBatch& batch);
     void takeProgram(const link::ActiveProgram& program);

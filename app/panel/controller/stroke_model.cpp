@@ -8,6 +8,26 @@
 
 namespace campanel::panel {
 
+QString StrokeRow::resultText() const
+{
+    return ControllerSentences::strokeResult(status.result);
+}
+
+QString StrokeRow::stopErrorText() const
+{
+    return Format().number(status.stopErrorPulses / pulsesPerMm, 2);
+}
+
+QString StrokeRow::stopForceText() const
+{
+    return Format().number(status.stopForceN, 0);
+}
+
+QString StrokeRow::peakForceText() const
+{
+    return Format().number(status.peakForceN, 0);
+}
+
 void StrokeModel::note(const modbus::StatusBlock& status, double pulsesPerMm)
 {
     if (!status.press)
@@ -17,15 +37,8 @@ void StrokeModel::note(const modbus::StatusBlock& status, double pulsesPerMm)
     m_cycleCount = status.cycleCount;
     if (!hasEnded || status.press->result == modbus::StrokeResult::None)
         return;
-    beginInsertRows({}, 0, 0);
-    m_strokes.prepend({status.cycleCount, *status.press, pulsesPerMm});
-    endInsertRows();
-    if (m_strokes.size() > mostStrokes) {
-        const int last = count() - 1;
-        beginRemoveRows({}, last, last);
-        m_strokes.removeLast();
-        endRemoveRows();
-    }
+    m_rows.insert(0, {{status.cycleCount, *status.press, pulsesPerMm}});
+    m_rows.remove(mostStrokes, m_rows.count() - mostStrokes);
     emit changed();
 }
 
@@ -44,65 +57,17 @@ void StrokeModel::noteCurve(const modbus::StatusBlock& status, double pulsesPerM
 
 void StrokeModel::clear()
 {
-    beginResetModel();
-    m_strokes.clear();
+    m_rows.clear();
     m_forceCurve.clear();
     m_cycleCount.reset();
     m_isInStroke = false;
-    endResetModel();
     emit changed();
     emit curveChanged();
 }
 
-void StrokeModel::retranslate()
-{
-    if (!m_strokes.isEmpty())
-        emit dataChanged(index(0), index(count() - 1));
-}
-
 int StrokeModel::goodCount() const
 {
-    return static_cast<int>(std::ranges::count(m_strokes, modbus::StrokeResult::Ok,
-                                               [](const Stroke& stroke) { return stroke.status.result; }));
-}
-
-int StrokeModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : count();
-}
-
-QVariant StrokeModel::data(const QModelIndex& index, int role) const
-{
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
-        return {};
-    const Stroke& stroke = m_strokes[index.row()];
-    const Format format;
-    switch (role) {
-    case NumberRole:
-        return stroke.number;
-    case ResultTextRole:
-        return ControllerSentences::strokeResult(stroke.status.result);
-    case GoodRole:
-        return stroke.status.result == modbus::StrokeResult::Ok;
-    case StopErrorTextRole:
-        return format.number(stroke.status.stopErrorPulses / stroke.pulsesPerMm, 2);
-    case StopForceTextRole:
-        return format.number(stroke.status.stopForceN, 0);
-    case PeakForceTextRole:
-        return format.number(stroke.status.peakForceN, 0);
-    default:
-        return {};
-    }
-}
-
-QHash<int, QByteArray> StrokeModel::roleNames() const
-{
-    return {{NumberRole, "number"},
-            {ResultTextRole, "resultText"},
-            {GoodRole, "good"},
-            {StopErrorTextRole, "stopErrorText"},
-            {StopForceTextRole, "stopForceText"},
-            {PeakForceTextRole, "peakForceText"}};
+    return static_cast<int>(std::ranges::count(m_rows.rows(), true, &StrokeRow::good));
 }
 
 } // namespace campanel::panel

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "app/link/link_values.h"
+#include "app/panel/kit/row_model.h"
 
-#include <QAbstractListModel>
 #include <QPointF>
 #include <QtQml/qqmlregistration.h>
 
@@ -12,58 +12,60 @@
 
 namespace campanel::panel {
 
-class StrokeModel : public QAbstractListModel {
+struct StrokeRow {
+    Q_GADGET
+    Q_PROPERTY(quint32 number MEMBER number)
+    Q_PROPERTY(QString resultText READ resultText)
+    Q_PROPERTY(bool good READ good)
+    Q_PROPERTY(QString stopErrorText READ stopErrorText)
+    Q_PROPERTY(QString stopForceText READ stopForceText)
+    Q_PROPERTY(QString peakForceText READ peakForceText)
+
+public:
+    quint32 number = 0;
+    modbus::PressStatus status;
+    double pulsesPerMm = 1;
+
+    [[nodiscard]] QString resultText() const;
+    [[nodiscard]] bool good() const { return status.result == modbus::StrokeResult::Ok; }
+    [[nodiscard]] QString stopErrorText() const;
+    [[nodiscard]] QString stopForceText() const;
+    [[nodiscard]] QString peakForceText() const;
+};
+
+using StrokeRows = RowModel<StrokeRow, &StrokeRow::number>;
+
+class StrokeModel : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("Strokes belong to the Machine")
-    Q_PROPERTY(int count READ count NOTIFY changed FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* rows READ rows CONSTANT FINAL)
     Q_PROPERTY(int goodCount READ goodCount NOTIFY changed FINAL)
     // The newest stroke in order of time: x position in mm, y force in N.
     Q_PROPERTY(QList<QPointF> forceCurve READ forceCurve NOTIFY curveChanged FINAL)
 
 public:
-    enum Role {
-        NumberRole = Qt::UserRole + 1,
-        ResultTextRole,
-        GoodRole,
-        StopErrorTextRole,
-        StopForceTextRole,
-        PeakForceTextRole
-    };
-
     static constexpr int mostStrokes = 200;
     static constexpr int mostPoints = 1000;
 
-    using QAbstractListModel::QAbstractListModel;
+    using QObject::QObject;
 
     // Adds one status of a press; pulsesPerMm is that of its program.
     void note(const modbus::StatusBlock& status, double pulsesPerMm);
     void clear();
-    // Updates the texts after a change of the language.
-    void retranslate();
 
-    [[nodiscard]] int count() const { return static_cast<int>(m_strokes.size()); }
+    [[nodiscard]] StrokeRows* rows() { return &m_rows; } // newest first
     [[nodiscard]] int goodCount() const;
     [[nodiscard]] const QList<QPointF>& forceCurve() const { return m_forceCurve; }
-
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QHash<int, QByteArray> roleNames() const override;
 
 signals:
     void changed();
     void curveChanged();
 
 private:
-    struct Stroke {
-        std::uint32_t number = 0;
-        modbus::PressStatus status;
-        double pulsesPerMm = 1;
-    };
-
     void noteCurve(const modbus::StatusBlock& status, double pulsesPerMm);
 
-    QList<Stroke> m_strokes; // newest first
+    StrokeRows m_rows{this};
     std::optional<std::uint32_t> m_cycleCount;
     QList<QPointF> m_forceCurve;
     bool m_isInStroke = false;

@@ -22,7 +22,7 @@ class ProgramDownload : public QObject {
     Q_PROPERTY(double progress READ progress NOTIFY changed FINAL)
     Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
     Q_PROPERTY(bool canDownload READ canDownload NOTIFY changed FINAL)
-    Q_PROPERTY(campanel::panel::DifferenceModel* differences READ differences CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* differences READ differences CONSTANT FINAL)
     Q_PROPERTY(int differenceCount READ differenceCount NOTIFY changed FINAL)
     Q_PROPERTY(QString controllerText READ controllerText NOTIFY changed FINAL)
     Q_PROPERTY(campanel::panel::ProgramProof* proof READ proof CONSTANT FINAL)

@@ -4,13 +4,13 @@
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor_views.h"
 #include "app/panel/kit/engine_instances.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/recipe/controller_program.h"
 #include "app/panel/recipe/recipe_edit.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
 
 #include <QDir>
-#include <QEvent>
 #include <QFileInfo>
 
 #include <cmath>
@@ -112,7 +112,8 @@ Editor::Editor(Controller& machine, const QString& folder, QObject* parent)
     });
     connect(&machine, &Controller::connectionChanged, this, &Editor::watchController);
     connect(&machine, &Controller::programChanged, this, &Editor::show);
-    QCoreApplication::instance()->installEventFilter(this);
+    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
+            &Editor::retranslate);
     m_controller = machine.identity();
     recompute();
 }
@@ -215,7 +216,8 @@ void Editor::newProgram(int kind)
 
 void Editor::setChoice(int row, int option)
 {
-    edit(Level::Technician, [&](program::Recipe& recipe) { m_choices.apply(row, option, recipe); });
+    if (row >= 0 && row < m_choices.count())
+        edit(Level::Technician, [&](program::Recipe& recipe) { m_choices.row(row).apply(option, recipe); });
 }
 
 void Editor::compareLaw(const QString& lawId)
@@ -345,7 +347,7 @@ void Editor::show()
             item(field)->show(views.field(field));
     }
     showFields();
-    m_choices.show(m_recipe);
+    m_choices.setRows(ChoiceRow::rows(m_recipe));
     const auto* cam = std::get_if<profile::PointCamProgram>(&m_recipe.program);
     m_knots.show(cam ? std::optional(*cam) : std::nullopt, m_cycleSeconds);
     m_knotFiles.show(cam ? cam->knots : std::vector<profile::Knot>{}, recipeName());
@@ -416,14 +418,11 @@ void Editor::dismissNotice()
     showNotice({});
 }
 
-bool Editor::eventFilter(QObject* watched, QEvent* event)
+void Editor::retranslate()
 {
-    if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance()) {
-        show();
-        m_table.setImage(m_solution.image);
-        m_download.update();
-    }
-    return QObject::eventFilter(watched, event);
+    show();
+    m_table.setImage(m_solution.image);
+    m_download.update();
 }
 
 } // namespace campanel::panel

@@ -46,13 +46,13 @@ class Editor : public QObject {
     Q_PROPERTY(QStringList kindNames READ kindNames NOTIFY kindChanged FINAL)
     Q_PROPERTY(QVariantList fields READ fields NOTIFY fieldsChanged FINAL)
     Q_PROPERTY(QVariantList machineFields READ machineFields NOTIFY fieldsChanged FINAL)
-    Q_PROPERTY(campanel::panel::ChoiceModel* choices READ choices CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* choices READ choices CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::KnotModel* knots READ knots CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::KnotFiles* knotFiles READ knotFiles CONSTANT FINAL)
     Q_PROPERTY(bool hasLaw READ hasLaw NOTIFY kindChanged FINAL)
     Q_PROPERTY(QString lawTitle READ lawTitle NOTIFY kindChanged FINAL)
 
-    Q_PROPERTY(campanel::panel::LawModel* laws READ laws CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* laws READ laws CONSTANT FINAL)
     Q_PROPERTY(QString lawName READ lawName NOTIFY solutionChanged FINAL)
 
     Q_PROPERTY(bool solvable READ solvable NOTIFY solutionChanged FINAL)
@@ -186,10 +186,8 @@ signals:
     void downloadBegun(const campanel::program::ProgramImage& image);
     void downloadEnded(const campanel::link::DownloadReport& report);
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
+    void retranslate();
     void connectFields();
     void connectKnots();
     void compareCurves();

@@ -19,8 +19,8 @@ class KnotFiles : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("Files of knots belong to the Editor")
-    Q_PROPERTY(campanel::panel::OfferModel* files READ files CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::OfferModel* places READ places CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* files READ files CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* places READ places CONSTANT FINAL)
     // The folder of this panel, which is always available.
     Q_PROPERTY(QString ownFolder READ ownFolder CONSTANT FINAL)
     Q_PROPERTY(bool busy READ busy NOTIFY changed FINAL)

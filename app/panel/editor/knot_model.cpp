@@ -25,7 +25,7 @@ double shareOf(const profile::PointCamProgram& program, double masterDeg)
 } // namespace
 
 KnotModel::KnotModel(QObject* parent)
-    : QAbstractListModel(parent)
+    : QObject(parent)
 {
     connect(&m_master, &EditorField::setRequested, this, [this](double value) {
         moveSelected({value, at(m_selected).slaveMm});
@@ -39,19 +39,22 @@ void KnotModel::show(const std::optional<profile::PointCamProgram>& program, dou
 {
     if (!program && !m_program)
         return; // still another kind: nothing to report
-    const int before = count();
-    const int after = program ? static_cast<int>(program->knots.size()) : 0;
-    if (before != after)
-        beginResetModel();
     m_program = program;
     m_cycleS = cycleS;
-    m_selected = std::clamp(m_selected, 0, std::max(after - 1, 0));
-    if (before != after)
-        endResetModel();
-    else if (after > 0)
-        emit dataChanged(index(0), index(after - 1));
+    m_selected = std::clamp(m_selected, 0, std::max(count() - 1, 0));
+    showRows();
     showFields();
     emit changed();
+}
+
+void KnotModel::showRows()
+{
+    const Format format;
+    QList<KnotRow> rows;
+    for (int i = 0; i < count(); ++i)
+        rows << KnotRow{i + 1, format.compact(at(i).masterDeg, 1, 4), format.compact(at(i).slaveMm, 1, 3),
+                        i == m_selected};
+    m_rows.setRows(rows);
 }
 
 void KnotModel::showFields()
@@ -97,7 +100,7 @@ void KnotModel::select(int index)
     if (index < 0 || index >= count() || index == m_selected)
         return;
     m_selected = index;
-    emit dataChanged(this->index(0), this->index(count() - 1), {SelectedRole});
+    showRows();
     showFields();
     emit changed();
 }
@@ -215,38 +218,6 @@ void KnotModel::repairWrap()
 {
     if (isValid())
         emit edited(profile::repaired(*m_program));
-}
-
-int KnotModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : count();
-}
-
-QVariant KnotModel::data(const QModelIndex& index, int role) const
-{
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
-        return {};
-    const Format format;
-    switch (role) {
-    case NumberRole:
-        return index.row() + 1;
-    case MasterTextRole:
-        return format.compact(at(index.row()).masterDeg, 1, 4);
-    case SlaveTextRole:
-        return format.compact(at(index.row()).slaveMm, 1, 3);
-    case SelectedRole:
-        return index.row() == m_selected;
-    default:
-        return {};
-    }
-}
-
-QHash<int, QByteArray> KnotModel::roleNames() const
-{
-    return {{NumberRole, "number"},
-            {MasterTextRole, "masterText"},
-            {SlaveTextRole, "slaveText"},
-            {SelectedRole, "selected"}};
 }
 
 } // namespace campanel::panel

@@ -4,19 +4,38 @@
 #pragma once
 
 #include "app/panel/editor/editor_field.h"
+#include "app/panel/kit/row_model.h"
 #include "profile/cam/point_cam_edit.h"
 
-#include <QAbstractListModel>
 #include <QtQml/qqmlregistration.h>
 
 #include <optional>
 
 namespace campanel::panel {
 
-class KnotModel : public QAbstractListModel {
+struct KnotRow {
+    Q_GADGET
+    Q_PROPERTY(int number MEMBER number)
+    Q_PROPERTY(QString masterText MEMBER masterText)
+    Q_PROPERTY(QString slaveText MEMBER slaveText)
+    Q_PROPERTY(bool selected MEMBER isSelected)
+
+public:
+    int number = 0; // from 1
+    QString masterText;
+    QString slaveText;
+    bool isSelected = false;
+
+    bool operator==(const KnotRow&) const = default;
+};
+
+using KnotRows = RowModel<KnotRow, &KnotRow::number>;
+
+class KnotModel : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("Knots belong to the Editor")
+    Q_PROPERTY(campanel::panel::RowModelBase* rows READ rows CONSTANT FINAL)
     Q_PROPERTY(int count READ count NOTIFY changed FINAL)
     Q_PROPERTY(int selected READ selected WRITE select NOTIFY changed FINAL)
     // The place of the selected knot; for the keypad.
@@ -29,13 +48,12 @@ class KnotModel : public QAbstractListModel {
     Q_PROPERTY(bool canRemove READ canRemove NOTIFY changed FINAL)
 
 public:
-    enum Role { NumberRole = Qt::UserRole + 1, MasterTextRole, SlaveTextRole, SelectedRole };
-
     explicit KnotModel(QObject* parent);
 
     // Sets the program and the seconds of its cycle; nothing for other kinds.
     void show(const std::optional<profile::PointCamProgram>& program, double cycleS);
 
+    [[nodiscard]] KnotRows* rows() { return &m_rows; }
     [[nodiscard]] int count() const;
     [[nodiscard]] int selected() const { return m_selected; }
     void select(int index);
@@ -59,10 +77,6 @@ public:
     // Sets periodic ends, so that nothing jumps at the wrap.
     Q_INVOKABLE void repairWrap();
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QHash<int, QByteArray> roleNames() const override;
-
 signals:
     void changed();
     void edited(const campanel::profile::PointCamProgram& program);
@@ -77,10 +91,12 @@ private:
     }
     void insertAt(double masterDeg);
     void moveSelected(const profile::Knot& wanted);
+    void showRows();
     void showFields();
 
     std::optional<profile::PointCamProgram> m_program;
     std::optional<profile::PointCamProgram> m_beforeDrag;
+    KnotRows m_rows{this};
     double m_cycleS = 1;
     int m_selected = 0;
     EditorField m_master{QStringLiteral("knotMaster"), this};

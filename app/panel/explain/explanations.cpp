@@ -240,16 +240,16 @@ Explanation Explanations::followingError() const
 Explanation Explanations::goodStrokes() const
 {
     const Format format;
-    const StrokeModel& strokes = *m_machine.strokes();
+    StrokeModel& strokes = *m_machine.strokes();
     Explanation told;
     told.title = tr("Good of the last strokes");
-    told.value = strokes.count() > 0 ? format.number(strokes.goodCount(), 0) : Format::unknownText();
-    told.meaning =
-        tr("Of the last strokes (%1), those that ended inside the gate: at the press position, "
-           "with a force of "
-           "%2 to %3 N.")
-            .arg(format.number(strokes.count(), 0), format.number(m_machine.active().minStopForceN, 0),
-                 format.number(m_machine.active().maxStopForceN, 0));
+    told.value = strokes.rows()->count() > 0 ? format.number(strokes.goodCount(), 0) : Format::unknownText();
+    told.meaning = tr("Of the last strokes (%1), those that ended inside the gate: at the press position, "
+                      "with a force of "
+                      "%2 to %3 N.")
+                       .arg(format.number(strokes.rows()->count(), 0),
+                            format.number(m_machine.active().minStopForceN, 0),
+                            format.number(m_machine.active().maxStopForceN, 0));
     told.formula = tr("strokes that the controller called good");
     return told;
 }

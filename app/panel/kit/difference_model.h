@@ -2,13 +2,19 @@
 // The changes of a download: one row for each number that differs between controller and editor.
 #pragma once
 
-#include <QAbstractListModel>
-#include <QList>
-#include <QtQml/qqmlregistration.h>
+#include "app/panel/kit/row_model.h"
+
+#include <QString>
 
 namespace campanel::panel {
 
 struct DifferenceRow {
+    Q_GADGET
+    Q_PROPERTY(QString name MEMBER name)
+    Q_PROPERTY(QString activeText MEMBER activeText)
+    Q_PROPERTY(QString editedText MEMBER editedText)
+
+public:
     QString name;
     QString activeText;
     QString editedText;
@@ -16,30 +22,6 @@ struct DifferenceRow {
     bool operator==(const DifferenceRow&) const = default;
 };
 
-class DifferenceModel : public QAbstractListModel {
-    Q_OBJECT
-    QML_ELEMENT
-    QML_UNCREATABLE("Differences belong to the Editor")
-    Q_PROPERTY(int count READ count NOTIFY countChanged FINAL)
-
-public:
-    enum Role { NameRole = Qt::UserRole + 1, ActiveTextRole, EditedTextRole };
-
-    using QAbstractListModel::QAbstractListModel;
-
-    void setRows(QList<DifferenceRow> rows);
-    [[nodiscard]] const QList<DifferenceRow>& rows() const { return m_rows; }
-    [[nodiscard]] int count() const { return static_cast<int>(m_rows.size()); }
-
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QHash<int, QByteArray> roleNames() const override;
-
-signals:
-    void countChanged();
-
-private:
-    QList<DifferenceRow> m_rows;
-};
+using DifferenceModel = RowModel<DifferenceRow, &DifferenceRow::name>;
 
 } // namespace campanel::panel

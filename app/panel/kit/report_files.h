@@ -25,7 +25,7 @@ class ReportFiles : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("Report files belong to the Service")
-    Q_PROPERTY(campanel::panel::OfferModel* places READ places CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* places READ places CONSTANT FINAL)
     Q_PROPERTY(bool busy READ busy NOTIFY changed FINAL)
     // The result of the last write: the paths, or the error. Empty until then.
     Q_PROPERTY(QString message READ message NOTIFY changed FINAL)

@@ -18,7 +18,7 @@ class RecipeFiles : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("Recipe files belong to the Recipes")
-    Q_PROPERTY(campanel::panel::OfferModel* files READ files CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* files READ files CONSTANT FINAL)
     // The folder of this panel, which is always available.
     Q_PROPERTY(QString ownFolder READ ownFolder CONSTANT FINAL)
     Q_PROPERTY(bool busy READ busy NOTIFY changed FINAL)

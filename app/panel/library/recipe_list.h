@@ -2,13 +2,22 @@
 // The recipes of the panel as a list, filtered by a search.
 #pragma once
 
-#include <QAbstractListModel>
-#include <QList>
-#include <QtQml/qqmlregistration.h>
+#include "app/panel/kit/row_model.h"
+
+#include <QString>
 
 namespace campanel::panel {
 
 struct RecipeRow {
+    Q_GADGET
+    Q_PROPERTY(QString name MEMBER name)
+    Q_PROPERTY(int version MEMBER version)
+    Q_PROPERTY(QString summary MEMBER summary)
+    Q_PROPERTY(QString savedText MEMBER savedText)
+    Q_PROPERTY(bool isOpen MEMBER isOpen)
+    Q_PROPERTY(bool isActive MEMBER isActive)
+
+public:
     qint64 id = 0;
     QString name;
     int version = 0;
@@ -20,30 +29,6 @@ struct RecipeRow {
     bool operator==(const RecipeRow&) const = default;
 };
 
-class RecipeList : public QAbstractListModel {
-    Q_OBJECT
-    QML_ELEMENT
-    QML_UNCREATABLE("The list belongs to the Recipes")
-    Q_PROPERTY(int count READ count NOTIFY countChanged FINAL)
-
-public:
-    enum Role { NameRole = Qt::UserRole + 1, VersionRole, SummaryRole, SavedTextRole, OpenRole, ActiveRole };
-
-    using QAbstractListModel::QAbstractListModel;
-
-    void setRows(QList<RecipeRow> rows);
-    [[nodiscard]] const QList<RecipeRow>& rows() const { return m_rows; }
-    [[nodiscard]] int count() const { return static_cast<int>(m_rows.size()); }
-
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QHash<int, QByteArray> roleNames() const override;
-
-signals:
-    void countChanged();
-
-private:
-    QList<RecipeRow> m_rows;
-};
+using RecipeList = RowModel<RecipeRow, &RecipeRow::id>;
 
 } // namespace campanel::panel

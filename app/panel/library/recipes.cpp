@@ -5,6 +5,7 @@
 #include "app/panel/editor/editor.h"
 #include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/library/recipe_audit.h"
 #include "app/panel/recipe/recipe_comparison.h"
 #include "app/panel/recipe/recipe_edit.h"
@@ -13,7 +14,6 @@
 #include "app/panel/words/refusal_sentences.h"
 
 #include <QDir>
-#include <QEvent>
 
 #include <algorithm>
 
@@ -68,7 +68,8 @@ Recipes::Recipes(Controller& machine, Editor& editor, DatabaseService& records, 
         const RecipeVersion* known = named(QString::fromStdString(name));
         return known ? known->version : 0;
     });
-    QCoreApplication::instance()->installEventFilter(this);
+    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
+            &Recipes::retranslate);
 }
 
 Recipes::~Recipes()
@@ -465,13 +466,10 @@ void Recipes::dismissMessage()
     say({});
 }
 
-bool Recipes::eventFilter(QObject* watched, QEvent* event)
+void Recipes::retranslate()
 {
-    if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance()) {
-        dismissMessage(); // the message is in the previous language
-        show();
-    }
-    return QObject::eventFilter(watched, event);
+    dismissMessage(); // the message is in the previous language
+    show();
 }
 
 } // namespace campanel::panel

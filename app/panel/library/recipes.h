@@ -34,7 +34,7 @@ class Recipes : public QObject {
     QML_SINGLETON
 
     // The recipes that match the search; the one saved last comes first.
-    Q_PROPERTY(campanel::panel::RecipeList* list READ list CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* list READ list CONSTANT FINAL)
     Q_PROPERTY(QString search READ search WRITE setSearch NOTIFY listChanged FINAL)
     Q_PROPERTY(int total READ total NOTIFY listChanged FINAL)  // without the search
     Q_PROPERTY(bool ready READ ready NOTIFY listChanged FINAL) // the database has been read
@@ -45,15 +45,15 @@ class Recipes : public QObject {
     Q_PROPERTY(QString chosenNote READ chosenNote NOTIFY listChanged FINAL)
     Q_PROPERTY(bool chosenIsOpen READ chosenIsOpen NOTIFY listChanged FINAL)
     Q_PROPERTY(bool chosenIsActive READ chosenIsActive NOTIFY listChanged FINAL)
-    Q_PROPERTY(campanel::panel::FigureModel* figures READ figures CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* figures READ figures CONSTANT FINAL)
 
     // The name being entered, and the reason why it is not available; empty when it is.
     Q_PROPERTY(QString wantedName READ wantedName WRITE setWantedName NOTIFY wantedNameChanged FINAL)
     Q_PROPERTY(QString nameProblem READ nameProblem NOTIFY wantedNameChanged FINAL)
 
     // The versions or other recipes to compare the chosen one with, and the differences.
-    Q_PROPERTY(campanel::panel::OfferModel* candidates READ candidates CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::DifferenceModel* differences READ differences CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* candidates READ candidates CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* differences READ differences CONSTANT FINAL)
     Q_PROPERTY(QString beforeTitle READ beforeTitle NOTIFY comparisonChanged FINAL)
     Q_PROPERTY(QString afterTitle READ afterTitle NOTIFY comparisonChanged FINAL)
     Q_PROPERTY(bool compared READ compared NOTIFY comparisonChanged FINAL)
@@ -142,12 +142,10 @@ signals:
     void comparisonChanged();
     void messageChanged();
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
     using Versions = QList<store::RecipeVersion>;
 
+    void retranslate();
     // Calls `job` with the library in its thread, then `done` in this one; reports an error.
     template <typename Job, typename Done> void work(Job job, Done done);
     // Saves the recipe, reports it (`recipe` of the result is the given one, under its version) and reads all

@@ -26,7 +26,7 @@ class DryRun : public QObject {
     Q_PROPERTY(double masterDeg READ masterDeg NOTIFY changed FINAL) // 0..360, one cycle
     Q_PROPERTY(double timeS READ timeS NOTIFY changed FINAL)         // within the cycle, at full speed
     Q_PROPERTY(bool playing READ playing WRITE setPlaying NOTIFY playingChanged FINAL)
-    Q_PROPERTY(campanel::panel::FigureModel* figures READ figures CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* figures READ figures CONSTANT FINAL)
 
     // Figures of a rotary cutter: angles of the master, then of the knife shaft in this cycle.
     Q_PROPERTY(double syncStartMasterDeg READ syncStartMasterDeg NOTIFY changed FINAL)

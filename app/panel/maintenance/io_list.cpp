@@ -38,7 +38,7 @@ IoList::Lamp lampOf(bool isOn)
 } // namespace
 
 IoList::IoList(Controller& machine, QObject* parent)
-    : QAbstractListModel(parent)
+    : QObject(parent)
     , m_machine(machine)
     , m_timer(this)
 {
@@ -77,16 +77,7 @@ void IoList::look()
     const bool isStale = !m_machine.isConnected() || !m_machine.fresh();
     if (std::exchange(m_isStale, isStale) != isStale)
         emit staleChanged();
-    if (rows == m_rows)
-        return;
-    const bool isSameLength = rows.size() == m_rows.size();
-    if (!isSameLength)
-        beginResetModel();
-    m_rows = std::move(rows);
-    if (isSameLength)
-        emit dataChanged(index(0), index(rowCount() - 1));
-    else
-        endResetModel();
+    m_rows.setRows(rows);
 }
 
 void IoList::addAxis(QList<Row>& rows, const modbus::StatusBlock& status) const
@@ -159,35 +150,6 @@ void IoList::addBits(QList<Row>& rows, const modbus::StatusBlock& status) const
     for (const WarningBit bit : warningBits)
         rows << Row{
             Side::Warning, AlarmCatalogue::of(bit).title(), {}, status.has(bit) ? Lamp::Bad : Lamp::Off};
-}
-
-int IoList::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-}
-
-QVariant IoList::data(const QModelIndex& index, int role) const
-{
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
-        return {};
-    const Row& row = m_rows[index.row()];
-    switch (role) {
-    case NameRole:
-        return row.name;
-    case ValueRole:
-        return row.value;
-    case SideRole:
-        return QVariant::fromValue(row.side);
-    case LampRole:
-        return QVariant::fromValue(row.lamp);
-    default:
-        return {};
-    }
-}
-
-QHash<int, QByteArray> IoList::roleNames() const
-{
-    return {{NameRole, "name"}, {ValueRole, "value"}, {SideRole, "side"}, {LampRole, "lamp"}};
 }
 
 } // namespace campanel::panel

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "app/link/link_values.h"
+#include "app/panel/kit/row_model.h"
 
-#include <QAbstractListModel>
 #include <QTimer>
 #include <QtQml/qqmlregistration.h>
 
@@ -13,7 +13,32 @@ namespace campanel::panel {
 
 class Controller;
 
-class IoList : public QAbstractListModel {
+namespace Io {
+Q_NAMESPACE
+QML_ELEMENT
+enum class Side { Input, Output, Fault, Warning };
+Q_ENUM_NS(Side)
+enum class Lamp { None, Off, On, Bad }; // Bad: on, and needs attention
+Q_ENUM_NS(Lamp)
+} // namespace Io
+
+struct IoRow {
+    Q_GADGET
+    Q_PROPERTY(QString name MEMBER name)
+    Q_PROPERTY(QString value MEMBER value)
+    Q_PROPERTY(campanel::panel::Io::Side side MEMBER side)
+    Q_PROPERTY(campanel::panel::Io::Lamp lamp MEMBER lamp)
+
+public:
+    Io::Side side = Io::Side::Input;
+    QString name;
+    QString value; // empty for a bit, which has only a lamp
+    Io::Lamp lamp = Io::Lamp::None;
+
+    bool operator==(const IoRow&) const = default;
+};
+
+class IoList : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("Inputs and outputs belong to the Service")
@@ -21,22 +46,13 @@ class IoList : public QAbstractListModel {
     Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
     // True when all rows are older than a second, or without a connection.
     Q_PROPERTY(bool stale READ stale NOTIFY staleChanged FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* rows READ rows CONSTANT FINAL)
 
 public:
-    enum class Side { Input, Output, Fault, Warning };
-    Q_ENUM(Side)
-    enum class Lamp { None, Off, On, Bad }; // Bad: on, and needs attention
-    Q_ENUM(Lamp)
-    enum Role { NameRole = Qt::UserRole + 1, ValueRole, SideRole, LampRole };
-
-    struct Row {
-        Side side = Side::Input;
-        QString name;
-        QString value; // empty for a bit, which has only a lamp
-        Lamp lamp = Lamp::None;
-
-        bool operator==(const Row&) const = default;
-    };
+    using Side = Io::Side;
+    using Lamp = Io::Lamp;
+    using Row = IoRow;
+    using Rows = RowModel<IoRow, &IoRow::name>;
 
     // The machine must outlive the object.
     IoList(Controller& machine, QObject* parent);
@@ -44,11 +60,7 @@ public:
     [[nodiscard]] bool watched() const { return m_timer.isActive(); }
     void setWatched(bool isWatched);
     [[nodiscard]] bool stale() const { return m_isStale; }
-    [[nodiscard]] const QList<Row>& rows() const { return m_rows; }
-
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QHash<int, QByteArray> roleNames() const override;
+    [[nodiscard]] Rows* rows() { return &m_rows; }
 
     void retranslate() { look(); }
 
@@ -64,7 +76,7 @@ private:
 
     Controller& m_machine;
     QTimer m_timer;
-    QList<Row> m_rows;
+    Rows m_rows{this};
     bool m_isStale = true;
     double m_marks = 0; // at the last update
     double m_products = 0;

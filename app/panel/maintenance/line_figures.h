@@ -21,10 +21,10 @@ class LineFigures : public QObject {
     QML_ELEMENT
     QML_UNCREATABLE("The figures belong to the Service")
     Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
-    Q_PROPERTY(campanel::panel::FigureModel* exchanges READ exchanges CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::FigureModel* errors READ errors CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::FigureModel* times READ times CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::FigureModel* controller READ controller CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* exchanges READ exchanges CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* errors READ errors CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* times READ times CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* controller READ controller CONSTANT FINAL)
     // One number for each minute, oldest first; the last one is the minute `stripEnd`. NaN: no exchange.
     Q_PROPERTY(QList<double> stripAnswers READ stripAnswers NOTIFY stripChanged FINAL)
     Q_PROPERTY(QList<double> stripErrors READ stripErrors NOTIFY stripChanged FINAL)

@@ -34,7 +34,7 @@ class LinkDoctor : public QObject {
     // True when a controller answers on a connection other than the present one.
     Q_PROPERTY(bool canTake READ canTake NOTIFY changed FINAL)
     Q_PROPERTY(QString foundText READ foundText NOTIFY changed FINAL)
-    Q_PROPERTY(campanel::panel::OfferModel* findings READ findings CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* findings READ findings CONSTANT FINAL)
 
 public:
     // Both arguments must outlive the object.

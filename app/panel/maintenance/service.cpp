@@ -3,11 +3,10 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/kit/engine_instances.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/settings/settings.h"
 
-#include <QCoreApplication>
 #include <QDir>
-#include <QEvent>
 
 namespace campanel::panel {
 
@@ -25,7 +24,8 @@ Service::Service(Controller& machine, Settings& settings, const QString& folder,
     , m_io(machine, this)
     , m_dryRun(this)
 {
-    QCoreApplication::instance()->installEventFilter(this);
+    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
+            &Service::retranslate);
 }
 
 Service* Service::create(QQmlEngine* qmlEngine, QJSEngine*)
@@ -33,21 +33,18 @@ Service* Service::create(QQmlEngine* qmlEngine, QJSEngine*)
     return attachedInstance<Service>(qmlEngine);
 }
 
-bool Service::eventFilter(QObject* watched, QEvent* event)
+void Service::retranslate()
 {
-    if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance()) {
-        m_doctor.retranslate();
-        m_simulatedFaults.retranslate();
-        m_figures.retranslate();
-        m_inspector.retranslate();
-        m_frames.retranslate();
-        m_packing.retranslate();
-        m_jog.retranslate();
-        m_homing.retranslate();
-        m_io.retranslate();
-        m_dryRun.retranslate();
-    }
-    return QObject::eventFilter(watched, event);
+    m_doctor.retranslate();
+    m_simulatedFaults.retranslate();
+    m_figures.retranslate();
+    m_inspector.retranslate();
+    m_frames.retranslate();
+    m_packing.retranslate();
+    m_jog.retranslate();
+    m_homing.retranslate();
+    m_io.retranslate();
+    m_dryRun.retranslate();
 }
 
 } // namespace campanel::panel

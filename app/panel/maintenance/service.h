@@ -57,10 +57,9 @@ public:
     [[nodiscard]] SimulatedFaults* simulatedFaults() { return &m_simulatedFaults; }
     [[nodiscard]] ReportFiles* files() { return &m_files; }
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
+    void retranslate();
+
     ReportFiles m_files;
     LinkDoctor m_doctor;
     SimulatedFaults m_simulatedFaults;

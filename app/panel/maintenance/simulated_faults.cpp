@@ -68,14 +68,24 @@ constexpr qsizetype faultCount = static_cast<qsizetype>(faults.size());
 } // namespace
 
 SimulatedFaults::SimulatedFaults(link::Link& link, AccessCheck& accessCheck, QObject* parent)
-    : QAbstractListModel(parent)
+    : QObject(parent)
     , m_link(link)
     , m_access(accessCheck)
-    , m_levels(faultCount, Off)
-    , m_wanted(m_levels)
+    , m_wanted(faultCount, Off)
 {
+    setLevels(m_wanted);
     connect(&link, &link::Link::reported, this, &SimulatedFaults::takeReport);
     connect(&link, &link::Link::faultsSimulated, this, &SimulatedFaults::takeOutcome);
+}
+
+QString LineFaultRow::name() const
+{
+    return SimulatedFaults::tr(faults[static_cast<std::size_t>(fault)].name);
+}
+
+QString LineFaultRow::note() const
+{
+    return SimulatedFaults::tr(faults[static_cast<std::size_t>(fault)].note);
 }
 
 QStringList SimulatedFaults::rules(const QList<Level>& levels)
@@ -145,12 +155,15 @@ void SimulatedFaults::takeReport(const link::LinkReport& report)
 void SimulatedFaults::setLevels(const QList<Level>& levels)
 {
     m_levels = levels;
-    emit dataChanged(index(0), index(rowCount() - 1), {LevelRole});
+    QList<LineFaultRow> rows;
+    for (const Level level : levels)
+        rows << LineFaultRow{static_cast<int>(rows.size()), level};
+    m_rows.setRows(rows);
 }
 
 void SimulatedFaults::retranslate()
 {
-    emit dataChanged(index(0), index(rowCount() - 1));
+    m_rows.refresh();
     emit changed();
 }
 
@@ -186,33 +199,6 @@ QString SimulatedFaults::errorText() const
         break;
     }
     return {};
-}
-
-int SimulatedFaults::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(faultCount);
-}
-
-QVariant SimulatedFaults::data(const QModelIndex& index, int role) const
-{
-    if (!index.isValid())
-        return {};
-    const ReadyMade& fault = faults[static_cast<std::size_t>(index.row())];
-    switch (role) {
-    case NameRole:
-        return tr(fault.name);
-    case NoteRole:
-        return tr(fault.note);
-    case LevelRole:
-        return static_cast<int>(m_levels[index.row()]);
-    default:
-        return {};
-    }
-}
-
-QHash<int, QByteArray> SimulatedFaults::roleNames() const
-{
-    return {{NameRole, "name"}, {NoteRole, "note"}, {LevelRole, "level"}};
 }
 
 } // namespace campanel::panel

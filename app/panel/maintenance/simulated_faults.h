@@ -6,8 +6,8 @@
 
 #include "app/link/link.h"
 #include "app/panel/kit/access_check.h"
+#include "app/panel/kit/row_model.h"
 
-#include <QAbstractListModel>
 #include <QList>
 #include <QtQml/qqmlregistration.h>
 
@@ -15,11 +15,26 @@
 
 namespace campanel::panel {
 
-class SimulatedFaults : public QAbstractListModel {
+struct LineFaultRow {
+    Q_GADGET
+    Q_PROPERTY(QString name READ name)
+    Q_PROPERTY(QString note READ note)
+    Q_PROPERTY(int level MEMBER level)
+
+public:
+    int fault = 0;
+    int level = 0; // LineFaults.Level
+
+    [[nodiscard]] QString name() const;
+    [[nodiscard]] QString note() const;
+    bool operator==(const LineFaultRow&) const = default;
+};
+
+class SimulatedFaults : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The line faults belong to the Service")
-
+    Q_PROPERTY(campanel::panel::RowModelBase* rows READ rows CONSTANT FINAL)
     Q_PROPERTY(int activeCount READ activeCount NOTIFY changed FINAL)
     // The active faults as text.
     Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
@@ -29,7 +44,8 @@ class SimulatedFaults : public QAbstractListModel {
 public:
     enum Level { Off, Sometimes, Often };
     Q_ENUM(Level)
-    enum Role { NameRole = Qt::UserRole + 1, NoteRole, LevelRole };
+
+    using Rows = RowModel<LineFaultRow, &LineFaultRow::fault>;
 
     // Link and gate must outlive the object. Changes are for technicians.
     SimulatedFaults(link::Link& link, AccessCheck& accessCheck, QObject* parent);
@@ -39,16 +55,13 @@ public:
     Q_INVOKABLE void clear();
     void retranslate();
 
+    [[nodiscard]] Rows* rows() { return &m_rows; }
     [[nodiscard]] int activeCount() const;
     [[nodiscard]] QString text() const;
     [[nodiscard]] QString errorText() const;
     // Returns the rules of these levels for campanel-controller, one level for each row of the list.
     [[nodiscard]] static QStringList rules(const QList<Level>& levels);
     [[nodiscard]] QStringList rulesInForce() const { return rules(m_levels); }
-
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QHash<int, QByteArray> roleNames() const override;
 
 signals:
     void changed();
@@ -62,6 +75,7 @@ private:
     link::Link& m_link;
     AccessCheck& m_access;
     QList<Level> m_levels; // accepted
+    Rows m_rows{this};
     QList<Level> m_wanted;
     std::optional<QList<Level>> m_sent; // sent but not answered
     std::optional<link::FaultsOutcome> m_failure;

@@ -2,49 +2,34 @@
 // The inputs of the recipe that are not numbers, each with its options; the law has its own list.
 #pragma once
 
+#include "app/panel/kit/row_model.h"
 #include "app/program/recipe.h"
 
-#include <QAbstractListModel>
-#include <QList>
 #include <QStringList>
-#include <QtQml/qqmlregistration.h>
 
 namespace campanel::panel {
 
-class ChoiceModel : public QAbstractListModel {
-    Q_OBJECT
-    QML_ELEMENT
-    QML_UNCREATABLE("Choices belong to the Editor")
-    Q_PROPERTY(int count READ count NOTIFY countChanged FINAL)
+struct ChoiceRow {
+    Q_GADGET
+    Q_PROPERTY(QString name MEMBER name)
+    Q_PROPERTY(QString valueText READ valueText)
+    Q_PROPERTY(QStringList options MEMBER options)
+    Q_PROPERTY(int option MEMBER option)
 
 public:
-    enum Role { NameRole = Qt::UserRole + 1, ValueTextRole, OptionsRole, OptionRole };
+    program::Choice choice = program::Choice::Law;
+    QString name;
+    QStringList options;
+    int option = 0;
 
-    using QAbstractListModel::QAbstractListModel;
+    [[nodiscard]] static QList<ChoiceRow> rows(const program::Recipe& recipe);
+    [[nodiscard]] QString valueText() const { return options.value(option); }
+    // Sets an option in the recipe, if there is one with this index.
+    void apply(int index, program::Recipe& recipe) const;
 
-    void show(const program::Recipe& recipe);
-    [[nodiscard]] int count() const { return static_cast<int>(m_rows.size()); }
-    // Sets the option of a row in the recipe; returns false when there is none.
-    bool apply(int row, int option, program::Recipe& recipe) const;
-
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QHash<int, QByteArray> roleNames() const override;
-
-signals:
-    void countChanged();
-
-private:
-    struct Row {
-        program::Choice choice = program::Choice::Law;
-        QString name;
-        QStringList options;
-        int option = 0;
-
-        bool operator==(const Row&) const = default;
-    };
-
-    QList<Row> m_rows;
+    bool operator==(const ChoiceRow&) const = default;
 };
+
+using ChoiceModel = RowModel<ChoiceRow, &ChoiceRow::choice>;
 
 } // namespace campanel::panel

@@ -2,13 +2,27 @@
 // The speed laws with their demands on the machine for the recipe being edited.
 #pragma once
 
-#include <QAbstractListModel>
-#include <QList>
-#include <QtQml/qqmlregistration.h>
+#include "app/panel/kit/row_model.h"
+
+#include <QString>
 
 namespace campanel::panel {
 
 struct LawRow {
+    Q_GADGET
+    Q_PROPERTY(QString lawId MEMBER lawId)
+    Q_PROPERTY(QString name MEMBER name)
+    Q_PROPERTY(QString strength MEMBER strength)
+    Q_PROPERTY(QString weakness MEMBER weakness)
+    Q_PROPERTY(QString peakRpmText MEMBER peakRpmText)
+    Q_PROPERTY(QString peakAccelerationText MEMBER peakAccelerationText)
+    Q_PROPERTY(QString peakFrequencyText MEMBER peakFrequencyText)
+    Q_PROPERTY(QString peakJerkText MEMBER peakJerkText)
+    Q_PROPERTY(bool current MEMBER current)
+    Q_PROPERTY(bool usable MEMBER usable)
+    Q_PROPERTY(bool compared MEMBER compared)
+
+public:
     QString lawId;
     QString name;
     QString strength; // one sentence each
@@ -24,41 +38,6 @@ struct LawRow {
     bool operator==(const LawRow&) const = default;
 };
 
-class LawModel : public QAbstractListModel {
-    Q_OBJECT
-    QML_ELEMENT
-    QML_UNCREATABLE("Laws belong to the Editor")
-    Q_PROPERTY(int count READ count NOTIFY countChanged FINAL)
-
-public:
-    enum Role {
-        LawIdRole = Qt::UserRole + 1,
-        NameRole,
-        StrengthRole,
-        WeaknessRole,
-        PeakRpmTextRole,
-        PeakAccelerationTextRole,
-        PeakFrequencyTextRole,
-        PeakJerkTextRole,
-        CurrentRole,
-        UsableRole,
-        ComparedRole,
-    };
-
-    using QAbstractListModel::QAbstractListModel;
-
-    void setRows(QList<LawRow> rows);
-    [[nodiscard]] int count() const { return static_cast<int>(m_rows.size()); }
-
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QHash<int, QByteArray> roleNames() const override;
-
-signals:
-    void countChanged();
-
-private:
-    QList<LawRow> m_rows;
-};
+using LawModel = RowModel<LawRow, &LawRow::lawId>;
 
 } // namespace campanel::panel

@@ -4,11 +4,10 @@
 #include "app/store/files/store_logging.h"
 
 #include "app/panel/kit/engine_instances.h"
+#include "app/panel/kit/language_notifier.h"
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
-#include <QEvent>
 
 using namespace Qt::StringLiterals;
 
@@ -21,7 +20,8 @@ DatabaseService::DatabaseService(const QString& folder, QObject* parent)
     , m_store(folder)
 {
     connect(&m_store, &store::StoreThread::opened, this, &DatabaseService::takeOpening);
-    QCoreApplication::instance()->installEventFilter(this);
+    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
+            &DatabaseService::retranslate);
 }
 
 DatabaseService::~DatabaseService() = default;
@@ -131,11 +131,9 @@ void DatabaseService::dismissNotice()
     emit noticeChanged();
 }
 
-bool DatabaseService::eventFilter(QObject* watched, QEvent* event)
+void DatabaseService::retranslate()
 {
-    if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance())
-        emit noticeChanged();
-    return QObject::eventFilter(watched, event);
+    emit noticeChanged();
 }
 
 } // namespace campanel::panel

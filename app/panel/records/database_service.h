@@ -49,10 +49,8 @@ signals:
     void noticeChanged();
     void errorReported(const campanel::store::StoreError& error); // emitted by reportError()
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
+    void retranslate();
     void takeOpening(const store::StoreThread::Report& report);
     void noteReplacement(const store::Database::Opening& opening);
     [[nodiscard]] static QString replacementText(const store::Database::Opening& opening);

@@ -7,6 +7,7 @@
 #include "app/panel/editor/editor.h"
 #include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/trends/trends.h"
@@ -14,7 +15,6 @@
 
 #include <QCoreApplication>
 #include <QDir>
-#include <QEvent>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -71,7 +71,8 @@ Backup::Backup(const Parts& parts, const QString& folder, QObject* parent)
     QDir home(folder);
     for (const QString& old : home.entryList({snapshotName() + u'*'}, QDir::Dirs))
         QDir(home.filePath(old)).removeRecursively();
-    QCoreApplication::instance()->installEventFilter(this);
+    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
+            &Backup::retranslate);
 }
 
 Backup::~Backup()
@@ -335,13 +336,10 @@ void Backup::seal(const Snapshot& present)
     });
 }
 
-bool Backup::eventFilter(QObject* watched, QEvent* event)
+void Backup::retranslate()
 {
-    if (event->type() == QEvent::LanguageChange && watched == QCoreApplication::instance()) {
-        takeFound(m_files);
-        tell({}, false); // the message is in the previous language
-    }
-    return QObject::eventFilter(watched, event);
+    takeFound(m_files);
+    tell({}, false); // the message is in the previous language
 }
 
 } // namespace campanel::panel

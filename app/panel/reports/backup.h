@@ -37,7 +37,7 @@ class Backup : public QObject {
 
     Q_PROPERTY(campanel::panel::ReportFiles* places READ places CONSTANT FINAL)
     // The backups on a stick or in the panel's own folder.
-    Q_PROPERTY(campanel::panel::OfferModel* found READ found CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* found READ found CONSTANT FINAL)
     Q_PROPERTY(bool busy READ busy NOTIFY changed FINAL)
     // The result of the last request; empty: none.
     Q_PROPERTY(QString message READ message NOTIFY changed FINAL)
@@ -96,9 +96,6 @@ signals:
     // Emitted when the confirmed data is ready on the disk: the panel must be rebuilt.
     void restartWanted();
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
     struct Found {
         QString path;
@@ -109,6 +106,7 @@ private:
         QString path;
         store::BackupManifest manifest;
     };
+
     // The present state in a folder that is deleted with its last owner.
     struct Snapshot {
         std::shared_ptr<QTemporaryDir> folder;
@@ -117,6 +115,7 @@ private:
         QString newestRow; // number and hash of the newest row of the audit trail
     };
 
+    void retranslate();
     [[nodiscard]] bool require();
     void snapshot(const std::function<void(const Snapshot& taken)>& then);
     void addTrends(const Snapshot& taken, const std::function<void(const Snapshot& taken)>& then);

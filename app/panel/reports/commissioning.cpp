@@ -63,12 +63,8 @@ ReportSection Commissioning::recipeSection() const
     ReportSection section{tr("Recipe"), {}, {}};
     section.rows.append({tr("Program"), RecipeWords::kindName(m_editor.recipe().kind())});
     addFields(section.rows, m_editor.fields());
-    const ChoiceModel& choices = *m_editor.choices();
-    for (int row = 0; row < choices.count(); ++row) {
-        const QModelIndex index = choices.index(row);
-        section.rows.append({choices.data(index, ChoiceModel::NameRole).toString(),
-                             choices.data(index, ChoiceModel::ValueTextRole).toString()});
-    }
+    for (const ChoiceRow& choice : m_editor.choices()->rows())
+        section.rows.append({choice.name, choice.valueText()});
     if (m_editor.hasLaw())
         section.rows.append({m_editor.lawTitle(), m_editor.lawName()});
     if (m_editor.edited())

@@ -2,41 +2,26 @@
 // The serial ports of this computer, as a list for QML.
 #pragma once
 
-#include <QAbstractListModel>
-#include <QList>
-#include <QtQml/qqmlregistration.h>
+#include "app/panel/kit/row_model.h"
+
+#include <QString>
 
 namespace campanel::panel {
 
 struct PortRow {
+    Q_GADGET
+    Q_PROPERTY(QString name MEMBER name)
+    Q_PROPERTY(QString description MEMBER description)
+    Q_PROPERTY(QString problem MEMBER problem)
+
+public:
     QString name;        // "/dev/ttyUSB0"
     QString description; // description of the adapter
     QString problem;     // reason why it cannot be used, empty when it can
+
+    bool operator==(const PortRow&) const = default;
 };
 
-class PortModel : public QAbstractListModel {
-    Q_OBJECT
-    QML_ELEMENT
-    QML_UNCREATABLE("Ports belong to Settings")
-    Q_PROPERTY(int count READ count NOTIFY countChanged FINAL)
-
-public:
-    enum Role { NameRole = Qt::UserRole + 1, DescriptionRole, ProblemRole };
-
-    using QAbstractListModel::QAbstractListModel;
-
-    void setRows(QList<PortRow> rows);
-    [[nodiscard]] int count() const { return static_cast<int>(m_rows.size()); }
-
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    [[nodiscard]] QHash<int, QByteArray> roleNames() const override;
-
-signals:
-    void countChanged();
-
-private:
-    QList<PortRow> m_rows;
-};
+using PortModel = RowModel<PortRow, &PortRow::name>;
 
 } // namespace campanel::panel

@@ -75,7 +75,7 @@ class Settings : public QObject {
     Q_PROPERTY(QList<int> autoLogoutChoices READ autoLogoutChoices CONSTANT FINAL)
     // True when operating needs a login; viewing and Stop never do.
     Q_PROPERTY(bool operatorsLogIn READ operatorsLogIn WRITE setOperatorsLogIn NOTIFY accessChanged FINAL)
-    Q_PROPERTY(campanel::panel::PortModel* ports READ ports CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RowModelBase* ports READ ports CONSTANT FINAL)
     // True on a new panel: language, controller, PINs, machine and a first recipe must be set.
     Q_PROPERTY(bool firstStart READ firstStart NOTIFY firstStartChanged FINAL)
     // The notice about damaged settings; empty: none.

@@ -11,36 +11,6 @@ namespace campanel::panel {
 
 using store::AlarmRow;
 
-QHash<int, QByteArray> AlarmWords::roles()
-{
-    return {{CodeRole, "code"},       {TitleRole, "title"}, {SeverityRole, "severity"}, {TimeRole, "time"},
-            {StateRole, "stateText"}, {CallsRole, "calls"}, {LiveRole, "live"},         {CountRole, "times"}};
-}
-
-QVariant AlarmWords::role(const AlarmRow& row, int role, const QDate& today)
-{
-    switch (role) {
-    case CodeRole:
-        return row.code;
-    case TitleRole:
-        return title(row.code);
-    case SeverityRole:
-        return static_cast<int>(severity(row.code));
-    case TimeRole:
-        return time(row.raisedMs, today);
-    case StateRole:
-        return state(row);
-    case CallsRole:
-        return row.wantsAcknowledgement && row.acknowledgedMs == 0;
-    case LiveRole:
-        return row.end == AlarmRow::End::Active;
-    case CountRole:
-        return row.count;
-    default:
-        return {};
-    }
-}
-
 QString AlarmWords::title(const QString& code)
 {
     const AlarmKind* kind = AlarmCatalogue::find(code);
@@ -76,6 +46,11 @@ QString AlarmWords::time(qint64 utcMs, const QDate& today)
 {
     const QDateTime local = QDateTime::fromMSecsSinceEpoch(utcMs);
     return local.date() == today ? local.toString(u"HH:mm:ss"_s) : Format::second(local);
+}
+
+QString AlarmWords::until(qint64 utcMs, const QDate& today)
+{
+    return tr("until %1").arg(time(utcMs, today));
 }
 
 } // namespace campanel::panel

@@ -26,6 +26,8 @@ struct AlarmRow {
     int count = 1;          // how many times it came
     bool isShelved = false; // at present or earlier
     QString detail;         // limited to detailLength
+
+    bool operator==(const AlarmRow&) const = default;
 };
 
 struct AlarmShelf {

@@ -7,6 +7,7 @@
 #include <QEventLoop>
 #include <QTest>
 
+#include <algorithm>
 #include <memory>
 
 namespace campanel::test {
@@ -76,12 +77,14 @@ struct AlarmRig {
     {
         QCoreApplication::processEvents();
         QStringList lines;
-        for (const panel::AlarmEntry& entry : alarms->live()->entries())
-            lines << entry.row.code +
-                         (entry.isActive() ? QStringLiteral(" active") : QStringLiteral(" gone")) +
-                         (entry.isShelved            ? QStringLiteral(" shelved")
-                          : entry.isUnacknowledged() ? QStringLiteral(" calls")
-                                                     : QString());
+        const auto isShelved = [this](const panel::AlarmListRow& row) {
+            return std::ranges::count(alarms->shelved()->rows(), row.code(), &panel::ShelfRow::code) > 0;
+        };
+        for (const panel::AlarmListRow& row : alarms->live()->rows())
+            lines << row.code() + (row.live() ? QStringLiteral(" active") : QStringLiteral(" gone")) +
+                         (isShelved(row) ? QStringLiteral(" shelved")
+                          : row.calls()  ? QStringLiteral(" calls")
+                                         : QString());
         return lines;
     }
 };

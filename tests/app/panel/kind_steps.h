@@ -28,7 +28,7 @@ inline QStringList idsOf(const QVariantList& fields)
 inline int rowOf(const ChoiceModel& choices, const QString& name)
 {
     for (int row = 0; row < choices.count(); ++row) {
-        if (choices.data(choices.index(row), ChoiceModel::NameRole).toString() == name)
+        if (choices.row(row).name == name)
             return row;
     }
     return -1;
@@ -38,10 +38,10 @@ inline void choose(Editor& editor, const QString& name, const QString& option)
 {
     const ChoiceModel& choices = *editor.choices();
     const int row = rowOf(choices, name);
-    const auto options = choices.data(choices.index(row), ChoiceModel::OptionsRole).toStringList();
+    const QStringList options = choices.row(row).options;
     QVERIFY2(options.contains(option), qPrintable(options.join(", ")));
     editor.setChoice(row, static_cast<int>(options.indexOf(option)));
-    QCOMPARE(choices.data(choices.index(row), ChoiceModel::ValueTextRole).toString(), option);
+    QCOMPARE(choices.row(row).valueText(), option);
 }
 
 inline void enter(Editor& editor, Field field, double value)
@@ -54,8 +54,7 @@ inline void enter(Editor& editor, Field field, double value)
 
 inline QString knotText(KnotModel& knots, int row)
 {
-    return knots.data(knots.index(row), KnotModel::MasterTextRole).toString() + ' ' +
-           knots.data(knots.index(row), KnotModel::SlaveTextRole).toString();
+    return knots.rows()->row(row).masterText + ' ' + knots.rows()->row(row).slaveText;
 }
 
 inline const profile::PointCamProgram& camOf(const Editor& editor)

@@ -198,7 +198,7 @@ private slots:
         emit rig.panel.link.reported(searching);
         QCOMPARE(rig.live(), Lines());
         QTRY_COMPARE(rig.live(), Lines{"L-01 active calls"});
-        QVERIFY(rig.alarms->live()->entries()[0].row.detail.contains(QStringLiteral("/dev/fake")));
+        QVERIFY(rig.alarms->live()->row(0).alarm.detail.contains(QStringLiteral("/dev/fake")));
         searching.state = link::LinkState::Connecting;
         emit rig.panel.link.reported(searching);
         QCOMPARE(rig.live(), Lines{"L-01 active calls"}); // until another state is certain
@@ -410,7 +410,7 @@ private slots:
         panel::Alarms alarms(rig.panel.machine, rig.panel.editor, records, rig.panel.settings, nullptr);
         records.open();
         QTRY_COMPARE(alarms.urgentCode(), "P-03");
-        QVERIFY(alarms.live()->entries()[0].row.detail.contains(QStringLiteral("/proc/no/such/folder")));
+        QVERIFY(alarms.live()->row(0).alarm.detail.contains(QStringLiteral("/proc/no/such/folder")));
     }
 
     void historyIsReadByPagesAndFollows()
@@ -434,28 +434,29 @@ private slots:
         QVERIFY(history.loading());
         QTRY_VERIFY(!history.loading());
         qInfo("100 000 alarms shown after %lld ms, the opening of the database with it", timer.elapsed());
-        QCOMPARE(history.count(), store::AlarmLog::pageRows);
-        QCOMPARE(history.rows()[0].id, store::AlarmLog::capacity);
-        QVERIFY(history.canFetchMore({}));
-        history.fetchMore({});
-        QVERIFY(!history.canFetchMore({}));
-        QTRY_COMPARE(history.count(), 2 * store::AlarmLog::pageRows);
-        QCOMPARE(history.rows().last().id, store::AlarmLog::capacity - 2 * store::AlarmLog::pageRows + 1);
+        QCOMPARE(history.rows()->count(), store::AlarmLog::pageRows);
+        QCOMPARE(history.rows()->row(0).alarm.id, store::AlarmLog::capacity);
+        QVERIFY(history.rows()->canFetchMore({}));
+        history.rows()->fetchMore({});
+        QVERIFY(!history.rows()->canFetchMore({}));
+        QTRY_COMPARE(history.rows()->count(), 2 * store::AlarmLog::pageRows);
+        QCOMPARE(history.rows()->rows().last().id(),
+                 store::AlarmLog::capacity - 2 * store::AlarmLog::pageRows + 1);
 
         rig.setFaults(jam);
-        QTRY_COMPARE(history.count(), 2 * store::AlarmLog::pageRows + 1);
-        QCOMPARE(history.rows()[0].code, "C-01");
-        QCOMPARE(history.rows()[0].id, store::AlarmLog::capacity + 1);
-        QCOMPARE(history.rows()[0].end, AlarmRow::End::Active);
+        QTRY_COMPARE(history.rows()->count(), 2 * store::AlarmLog::pageRows + 1);
+        QCOMPARE(history.rows()->row(0).alarm.code, "C-01");
+        QCOMPARE(history.rows()->row(0).alarm.id, store::AlarmLog::capacity + 1);
+        QCOMPARE(history.rows()->row(0).alarm.end, AlarmRow::End::Active);
         rig.setFaults(0);
-        QTRY_COMPARE(history.rows()[0].end, AlarmRow::End::Returned);
+        QTRY_COMPARE(history.rows()->row(0).alarm.end, AlarmRow::End::Returned);
         rig.alarms->showHistory(0);
         QVERIFY(rig.alarms->detail()->calls());
         rig.alarms->acknowledgeShown();
         QVERIFY(!rig.alarms->detail()->calls());
-        QTRY_VERIFY(history.rows()[0].acknowledgedMs > 0);
+        QTRY_VERIFY(history.rows()->row(0).alarm.acknowledgedMs > 0);
         history.setWatched(false);
-        QCOMPARE(history.count(), 0);
+        QCOMPARE(history.rows()->count(), 0);
     }
 
     void textsFollowTheLanguage()
@@ -464,12 +465,9 @@ private slots:
         rig.panel.connectIdle();
         rig.setFaults(jam);
         (void)rig.live();
-        const auto title = [&] {
-            const panel::LiveAlarms& live = *rig.alarms->live();
-            return live.data(live.index(0), live.roleNames().key("title")).toString();
-        };
+        const auto title = [&] { return rig.alarms->live()->row(0).title(); };
         QCOMPARE(title(), "Axis does not follow");
-        QSignalSpy changed(rig.alarms->live(), &panel::LiveAlarms::dataChanged);
+        QSignalSpy changed(rig.alarms->live(), &panel::AlarmList::dataChanged);
         QTranslator translator;
         QVERIFY(translator.load(QStringLiteral(":/i18n/campanel_app_zh_CN.qm")));
         QVERIFY(QCoreApplication::installTranslator(&translator));

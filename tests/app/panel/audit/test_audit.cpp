@@ -213,22 +213,22 @@ private slots:
         rig.audit.open();
         rig.settle();
         QTRY_VERIFY(!rig.audit.checking());
-        QCOMPARE(rig.audit.count(), 100);
+        QCOMPARE(rig.audit.rows()->count(), 100);
         QVERIFY2(rig.audit.chainText().contains(u"250"), qPrintable(rig.audit.chainText()));
         QVERIFY(!rig.audit.broken());
-        rig.audit.readMore();
+        rig.audit.rows()->fetchMore({});
         rig.settle();
-        rig.audit.readMore();
+        rig.audit.rows()->fetchMore({});
         rig.settle();
-        rig.audit.readMore();
+        rig.audit.rows()->fetchMore({});
         rig.settle();
-        QCOMPARE(rig.audit.count(), 250);
+        QCOMPARE(rig.audit.rows()->count(), 250);
         rig.audit.setArea(u"command"_s);
         rig.settle();
-        rig.audit.readMore();
+        rig.audit.rows()->fetchMore({});
         rig.settle();
-        QCOMPARE(rig.audit.count(), 125);
-        QCOMPARE(rig.audit.data(rig.audit.index(0), panel::Audit::ObjectRole).toString(), u"249"_s);
+        QCOMPARE(rig.audit.rows()->count(), 125);
+        QCOMPARE(rig.audit.rows()->row(0).object(), u"249"_s);
         rig.machine.stop();
         emit rig.link.commandEnded({rig.link.requests.last().id,
                                     modbus::Command::StopAtCycleEnd,
@@ -236,12 +236,12 @@ private slots:
                                     modbus::Refusal::None,
                                     {}});
         rig.settle();
-        QCOMPARE(rig.audit.count(), 126); // new rows appear at once
+        QCOMPARE(rig.audit.rows()->count(), 126); // new rows appear at once
         rig.audit.select(0);
         QCOMPARE(rig.audit.detailTitle(), u"Stop"_s);
         rig.audit.setWho(u"Anna"_s);
         rig.settle();
-        QCOMPARE(rig.audit.count(), 0);
+        QCOMPARE(rig.audit.rows()->count(), 0);
     }
 
     void aBrokenChainIsTold()

@@ -336,10 +336,8 @@ void TestLineHonesty::faultsAreThoseThatTheControllerTook()
 {
     PanelRig rig;
     SimulatedFaults& faults = *rig.service.simulatedFaults();
-    const auto level = [&](int row) {
-        return faults.data(faults.index(row), SimulatedFaults::LevelRole).toInt();
-    };
-    QVERIFY(faults.rowCount() >= 8);
+    const auto level = [&](int row) { return faults.rows()->row(row).level; };
+    QVERIFY(faults.rows()->count() >= 8);
     faults.setLevel(0, SimulatedFaults::Often);
     QCOMPARE(level(0), int{SimulatedFaults::Off}); // not yet answered
     faults.setLevel(7, SimulatedFaults::Sometimes);

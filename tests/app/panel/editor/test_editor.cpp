@@ -286,20 +286,18 @@ private slots:
         PanelRig rig;
         panel::LawModel* laws = rig.editor.laws();
         QCOMPARE(laws->count(), static_cast<int>(profile::laws().size()));
-        const auto text = [&](int row, panel::LawModel::Role role) {
-            return laws->data(laws->index(row), role).toString();
-        };
-        QCOMPARE(text(0, panel::LawModel::LawIdRole), "cubic");
-        QCOMPARE(text(0, panel::LawModel::CurrentRole), "true");
-        QCOMPARE(text(0, panel::LawModel::PeakRpmTextRole), "71 r/min");
-        QCOMPARE(text(0, panel::LawModel::PeakAccelerationTextRole), "1.95 m/s²");
-        QCOMPARE(text(0, panel::LawModel::PeakFrequencyTextRole), "11.8 kHz");
+        const panel::LawRow& first = laws->row(0);
+        QCOMPARE(first.lawId, "cubic");
+        QVERIFY(first.current);
+        QCOMPARE(first.peakRpmText, "71 r/min");
+        QCOMPARE(first.peakAccelerationText, "1.95 m/s²");
+        QCOMPARE(first.peakFrequencyText, "11.8 kHz");
         QVERIFY(rig.editor.peakText().contains("71 r/min · 1.95 m/s² · 11.8 kHz"));
         for (int row = 0; row < laws->count(); ++row) {
-            QVERIFY(!text(row, panel::LawModel::NameRole).isEmpty());
+            QVERIFY(!laws->row(row).name.isEmpty());
             const profile::Law& law = profile::laws()[static_cast<std::size_t>(row)];
-            QCOMPARE(text(row, panel::LawModel::StrengthRole), QString::fromUtf8(law.strength));
-            QCOMPARE(text(row, panel::LawModel::WeaknessRole), QString::fromUtf8(law.weakness));
+            QCOMPARE(laws->row(row).strength, QString::fromUtf8(law.strength));
+            QCOMPARE(laws->row(row).weakness, QString::fromUtf8(law.weakness));
         }
         QVERIFY(!rig.editor.lawParameter1()->visible());
         rig.editor.setLaw("s_curve");

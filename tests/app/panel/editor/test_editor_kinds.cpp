@@ -13,7 +13,6 @@ namespace test_editor_kinds {
 
 using namespace campanel;
 using namespace campanel::test;
-using panel::LawModel;
 using panel::ProgramDownload;
 
 class TestEditorKinds : public QObject {
@@ -154,12 +153,11 @@ private slots:
         QVERIFY(curves);
         const double fastest = *std::ranges::max_element(curves->velocityMmPerS);
         QVERIFY(std::abs(fastest - 3000 * std::acos(-1.0)) < 1);
-        const LawModel& laws = *rig.editor.laws();
         int compared = 0;
-        for (int row = 0; row < laws.count(); ++row) {
-            compared += laws.data(laws.index(row), LawModel::ComparedRole).toBool() ? 1 : 0;
-            QVERIFY(laws.data(laws.index(row), LawModel::LawIdRole).toString() != "half_modified_sine");
-            QVERIFY(laws.data(laws.index(row), LawModel::PeakFrequencyTextRole).toString().endsWith("Nm"));
+        for (const panel::LawRow& law : rig.editor.laws()->rows()) {
+            compared += law.compared ? 1 : 0;
+            QVERIFY(law.lawId != "half_modified_sine");
+            QVERIFY(law.peakFrequencyText.endsWith("Nm"));
         }
         QCOMPARE(compared, 1);
         QCOMPARE(rig.editor.lawName(), "Quintic 3-4-5"); // compared, not selected

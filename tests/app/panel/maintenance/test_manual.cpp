@@ -33,18 +33,18 @@ void become(PanelRig& rig, State state, std::uint16_t warningBits = 0)
     rig.link.sendStatus(rig.now);
 }
 
-QString valueOf(const IoList& io, const QString& name)
+QString valueOf(IoList& io, const QString& name)
 {
-    for (const IoList::Row& row : io.rows()) {
+    for (const IoList::Row& row : io.rows()->rows()) {
         if (row.name == name)
             return row.value;
     }
     return QStringLiteral("no such row");
 }
 
-IoList::Lamp lampOf(const IoList& io, const QString& name)
+IoList::Lamp lampOf(IoList& io, const QString& name)
 {
-    for (const IoList::Row& row : io.rows()) {
+    for (const IoList::Row& row : io.rows()->rows()) {
         if (row.name == name)
             return row.lamp;
     }
@@ -286,7 +286,7 @@ private slots:
         PanelRig rig;
         IoList& io = *rig.service.io();
         io.setWatched(true);
-        QVERIFY(io.rows().isEmpty());
+        QVERIFY(io.rows()->rows().isEmpty());
         QVERIFY(io.stale());
         rig.connectIdle();
         rig.link.status.axisPositionPulses = 12345;
@@ -314,7 +314,7 @@ private slots:
         IoList& io = *rig.service.io();
         io.setWatched(true);
         const auto lit = std::ranges::count_if(
-            io.rows(), [](const IoList::Row& row) { return row.lamp == IoList::Lamp::Bad; });
+            io.rows()->rows(), [](const IoList::Row& row) { return row.lamp == IoList::Lamp::Bad; });
         QCOMPARE(lit, 7 + 9);
     }
 

@@ -46,11 +46,6 @@ link::ScanReport found()
     return report;
 }
 
-QString textAt(const QAbstractItemModel& model, int row, int role)
-{
-    return model.data(model.index(row, 0), role).toString();
-}
-
 } // namespace
 
 class TestService : public QObject {
@@ -170,8 +165,8 @@ private slots:
             link::ScanReport report;
             report.findings = {finding(static_cast<LineCondition>(i))};
             emit rig.link.scanReported(report);
-            titles << textAt(*rig.service.doctor()->findings(), 0, panel::OfferModel::TitleRole);
-            sentences << textAt(*rig.service.doctor()->findings(), 0, panel::OfferModel::DetailRole);
+            titles << rig.service.doctor()->findings()->row(0).title;
+            sentences << rig.service.doctor()->findings()->row(0).detail;
             QVERIFY2(sentences.last().endsWith(u'.'), qPrintable(titles.last()));
         }
         QCOMPARE(QSet<QString>(sentences.begin(), sentences.end()).size(), sentences.size());
@@ -185,7 +180,7 @@ private slots:
             link::ScanReport report;
             report.findings = {finding};
             emit rig.link.scanReported(report);
-            return textAt(*rig.service.doctor()->findings(), 0, panel::OfferModel::DetailRole);
+            return rig.service.doctor()->findings()->row(0).detail;
         };
         auto busy = finding(LineCondition::PortBusy);
         busy.holders = {{812, "screen"}};

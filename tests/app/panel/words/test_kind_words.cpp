@@ -18,6 +18,7 @@ using namespace campanel;
 using namespace campanel::test;
 using panel::ProgramDownload;
 using panel::StrokeModel;
+using panel::StrokeRow;
 using panel::TableText;
 
 class TestKindWords : public QObject {
@@ -227,7 +228,7 @@ private slots:
         status.cycleCount = 7;
         status.press->stage = modbus::PressStage::Standing;
         strokes.note(status, 100);
-        QCOMPARE(strokes.count(), 0);
+        QCOMPARE(strokes.rows()->count(), 0);
         const auto stroke = [&](modbus::StrokeResult result, std::int16_t error, std::uint16_t force) {
             for (int step = 0; step <= 100; ++step) {
                 status.press->stage = step < 60 ? modbus::PressStage::Approach : modbus::PressStage::Press;
@@ -245,27 +246,26 @@ private slots:
             strokes.note(status, 100);
         };
         stroke(modbus::StrokeResult::Ok, -1, 2000);
-        QCOMPARE(strokes.count(), 1);
+        QCOMPARE(strokes.rows()->count(), 1);
         QCOMPARE(strokes.forceCurve().size(), 101);
         QCOMPARE(strokes.forceCurve().last(), QPointF(100, 2000));
         stroke(modbus::StrokeResult::ForceTooLow, 0, 500);
         QCOMPARE(strokes.forceCurve().size(), 101); // only the newest stroke
-        const auto text = [&](int row, StrokeModel::Role role) {
-            return strokes.data(strokes.index(row), role).toString();
-        };
-        QCOMPARE(text(0, StrokeModel::NumberRole), "9");
-        QCOMPARE(text(0, StrokeModel::ResultTextRole), "Force too low");
-        QCOMPARE(text(1, StrokeModel::ResultTextRole), "OK");
-        QCOMPARE(text(1, StrokeModel::StopErrorTextRole), "−0.01");
-        QCOMPARE(text(1, StrokeModel::StopForceTextRole), "2000");
-        QCOMPARE(text(1, StrokeModel::PeakForceTextRole), "2100");
+        const StrokeRow newest = strokes.rows()->row(0);
+        const StrokeRow first = strokes.rows()->row(1);
+        QCOMPARE(newest.number, 9U);
+        QCOMPARE(newest.resultText(), "Force too low");
+        QCOMPARE(first.resultText(), "OK");
+        QCOMPARE(first.stopErrorText(), "−0.01");
+        QCOMPARE(first.stopForceText(), "2000");
+        QCOMPARE(first.peakForceText(), "2100");
         QCOMPARE(strokes.goodCount(), 1);
         for (int i = 0; i < 2 * StrokeModel::mostStrokes; ++i)
             stroke(modbus::StrokeResult::Ok, 0, 3000);
-        QCOMPARE(strokes.count(), int{StrokeModel::mostStrokes});
+        QCOMPARE(strokes.rows()->count(), int{StrokeModel::mostStrokes});
         QCOMPARE(strokes.goodCount(), int{StrokeModel::mostStrokes});
         strokes.clear();
-        QCOMPARE(strokes.count(), 0);
+        QCOMPARE(strokes.rows()->count(), 0);
         QVERIFY(strokes.forceCurve().isEmpty());
     }
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Chinese texts of app/: complete, with the same placeholders, and switched at run time.
+#include "app/panel/kit/language_notifier.h"
 #include "tests/app/panel/panel_rig.h"
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
@@ -66,16 +67,18 @@ private slots:
         QCOMPARE(rig.machine.stateText(), "Running");
         QCOMPARE(rig.editor.bagLength()->label(), "Bag length");
         QSignalSpy states(&rig.machine, &panel::Controller::stateChanged);
+        QSignalSpy languages(panel::LanguageNotifier::ofApplication(),
+                             &panel::LanguageNotifier::languageChanged);
         QTranslator translator;
         QVERIFY(translator.load(QStringLiteral(":/i18n/campanel_app_zh_CN.qm")));
         QVERIFY(QCoreApplication::installTranslator(&translator));
         QCOMPARE(rig.machine.stateText(), "运行");
         QCOMPARE(states.size(), 1);
+        QCOMPARE(languages.size(), 1);
         QCOMPARE(rig.editor.bagLength()->label(), "袋长");
         QCOMPARE(rig.editor.rate()->unit(), "袋/分");
         QVERIFY(rig.editor.verdict().startsWith("在所有限制之内"));
-        QCOMPARE(rig.editor.laws()->data(rig.editor.laws()->index(0), panel::LawModel::NameRole).toString(),
-                 "三次（论文）");
+        QCOMPARE(rig.editor.laws()->row(0).name, "三次（论文）");
         QCoreApplication::removeTranslator(&translator);
         QCOMPARE(rig.editor.bagLength()->label(), "Bag length");
     }
