@@ -1,29 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interface between the panel and the line: functions return at once, results arrive as signals in the
-// caller's thread. ThreadedLink is the real implementation; tests use a fake.
+// The interface between the panel and the line: functions return at once, results arrive as replies and
+// signals in the caller's thread. ThreadedLink is the real implementation; tests use a fake.
 #pragma once
 
-#include "app/link/link_values.h"
+#include "app/link/link_events.h"
 
-#include <QObject>
+#include <QHash>
+#include <QPointer>
+
+#include <functional>
 
 namespace campanel::link {
 
-class Link : public QObject {
+// Receives the one outcome of a request, unless its context was destroyed before.
+template <class Outcome> struct Reply {
+    QPointer<const QObject> context{};
+    std::function<void(const Outcome&)> receive{};
+};
+
+class Link : public LinkEvents {
     Q_OBJECT
 
 public:
-    using QObject::QObject;
+    explicit Link(QObject* parent = nullptr);
+
+    // Returns a number that no other request of this link has.
+    [[nodiscard]] quint32 nextId() { return ++m_lastId; }
 
     // Closes the present connection, if any, and tries this one from now on.
     virtual void connectTo(const campanel::link::ConnectionSettings& settings) = 0;
-    // Sends a command. Ends in exactly one commandEnded() with the request's id.
-    virtual void request(const campanel::link::CommandRequest& request) = 0;
-    // Reads the physical value of a register with proof. Both parameter functions end in exactly one
-    // parameterEnded() with that id.
-    virtual void readParameter(quint32 id, const std::string& name) = 0;
-    // Writes a physical value into a register of the group "parameter" and reads it back.
-    virtual void writeParameter(quint32 id, const std::string& name, double value) = 0;
+    // Sends a command. A request without an id gets the next one.
+    void request(CommandRequest request, const Reply<CommandOutcome>& reply = {});
+    // Reads the physical value of a register with proof, or writes one into a register of the group
+    // "parameter" and reads it back.
+    void exchange(ParameterRequest request, const Reply<ParameterOutcome>& reply = {});
+    // Reads registers. Reads alternate with the status polls and follow commands; at most 32 wait.
+    void readRegisters(ReadRequest request, const Reply<ReadOutcome>& reply = {});
     // Stages the bank (header and rows), compares CRC-32 and applies it at the next cycle. Ends in exactly
     // one downloadReported() with stage Active, Failed or Canceled. A second download during the first fails
     // at once.
@@ -36,9 +48,6 @@ public:
     // expired, nothing moves before a None.
     virtual void setJog(campanel::link::JogDirection direction) = 0;
 
-    // Reads registers. Ends in exactly one registersRead(). Reads alternate with the status polls and follow
-    // commands; at most 32 wait.
-    virtual void readRegisters(const campanel::link::ReadRequest& request) = 0;
     // Reads the whole active bank back and compares it with `bank`, the downloaded one. With an empty `bank`,
     // only its CRC-32 is compared with the controller's own. Ends in exactly one comparisonReported() with
     // another stage than Reading.
@@ -71,21 +80,26 @@ public:
     // recorded frames.
     virtual void watchFrames(bool isWatched) = 0;
 
-signals:
-    void reported(const campanel::link::LinkReport& report);
-    void statusReceived(const campanel::link::StatusBatch& batch);
-    void programRead(const campanel::link::ActiveProgram& program);
-    void commandEnded(const campanel::link::CommandOutcome& outcome);
-    void parameterEnded(const campanel::link::ParameterOutcome& outcome);
-    void downloadReported(const campanel::link::DownloadReport& report);
-    void registersRead(const campanel::link::ReadOutcome& outcome);
-    void comparisonReported(const campanel::link::ComparisonReport& report);
-    void scanReported(const campanel::link::ScanReport& report);
-    void faultsSimulated(const campanel::link::FaultsOutcome& outcome);
-    void rulerRead(const campanel::link::RulerOutcome& outcome);
-    void figuresReported(const campanel::link::FiguresReport& report);
-    void framesRecorded(const QList<campanel::modbus::FrameRecord>& frames);
-    void pingAnswered(quint32 number);
+protected:
+    // Send the request with its id. Each ends in exactly one commandEnded(), parameterEnded() or
+    // registersRead() with that id, after the function has returned or within it.
+    virtual void sendCommand(const campanel::link::CommandRequest& request) = 0;
+    virtual void sendParameter(const campanel::link::ParameterRequest& request) = 0;
+    virtual void sendRead(const campanel::link::ReadRequest& request) = 0;
+
+private:
+    template <class Outcome> using Waiting = QHash<quint32, Reply<Outcome>>;
+    template <class Outcome> void deliver(Waiting<Outcome>& waiting, quint32 id, const Outcome& outcome)
+    {
+        const Reply<Outcome> reply = waiting.take(id);
+        if (reply.context)
+            reply.receive(outcome);
+    }
+
+    quint32 m_lastId = 0;
+    Waiting<CommandOutcome> m_commands;
+    Waiting<ParameterOutcome> m_parameters;
+    Waiting<ReadOutcome> m_reads;
 };
 
 } // namespace campanel::link

@@ -6,13 +6,12 @@
 #include "app/link/comparison_job.h"
 #include "app/link/download_job.h"
 #include "app/link/held_jog.h"
-#include "app/link/link_values.h"
+#include "app/link/link_events.h"
 #include "app/link/link_watch.h"
 #include "app/link/port_finder.h"
 #include "app/link/register_reads.h"
 #include "app/link/request_queue.h"
 
-#include <QObject>
 #include <QTimer>
 
 #include <memory>
@@ -22,14 +21,13 @@ namespace campanel::link {
 
 class SimulatedController;
 
-class LinkWorker : public QObject {
+class LinkWorker : public LinkEvents {
     Q_OBJECT
 
 public:
     LinkWorker();
     ~LinkWorker() override;
 
-public slots:
     void connectTo(const campanel::link::ConnectionSettings& settings);
     void request(const campanel::link::CommandRequest& request);
     void requestParameter(const campanel::link::ParameterRequest& request);
@@ -47,22 +45,6 @@ public slots:
     void watchFigures(bool isWatched) { m_watch.watchFigures(isWatched); }
     void resetFigures() { m_watch.resetFigures(); }
     void watchFrames(bool isWatched) { m_watch.watchFrames(isWatched); }
-
-signals:
-    void reported(const campanel::link::LinkReport& report);
-    void statusReceived(const campanel::link::StatusBatch& batch);
-    void programRead(const campanel::link::ActiveProgram& program);
-    void commandEnded(const campanel::link::CommandOutcome& outcome);
-    void parameterEnded(const campanel::link::ParameterOutcome& outcome);
-    void downloadReported(const campanel::link::DownloadReport& report);
-    void registersRead(const campanel::link::ReadOutcome& outcome);
-    void comparisonReported(const campanel::link::ComparisonReport& report);
-    void scanReported(const campanel::link::ScanReport& report);
-    void faultsSimulated(const campanel::link::FaultsOutcome& outcome);
-    void rulerRead(const campanel::link::RulerOutcome& outcome);
-    void figuresReported(const campanel::link::FiguresReport& report);
-    void framesRecorded(const QList<campanel::modbus::FrameRecord>& frames);
-    void pingAnswered(quint32 number); // sent from the worker's event loop
 
 private:
     using ProgramId = std::pair<std::uint32_t, std::uint32_t>; // generation and CRC-32

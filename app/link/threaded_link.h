@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Link of the panel program: a LinkWorker in a thread of its own, used through queued signals only.
+// The Link of the panel program: a LinkWorker in a thread of its own, reached through its event queue only.
 #pragma once
 
 #include "app/link/link.h"
+#include "app/link/link_worker.h"
 
 #include <QThread>
 
@@ -16,58 +17,48 @@ public:
     // Ends the thread after the present exchange; waiting requests get no outcome.
     ~ThreadedLink() override;
 
-    void connectTo(const ConnectionSettings& settings) override { emit connectWanted(settings); }
-    void request(const CommandRequest& request) override { emit requestWanted(request); }
-    void readParameter(quint32 id, const std::string& name) override
-    {
-        emit parameterWanted({id, name, std::nullopt});
-    }
-    void writeParameter(quint32 id, const std::string& name, double value) override
-    {
-        emit parameterWanted({id, name, value});
-    }
-    void download(const std::vector<std::uint16_t>& bank) override { emit downloadWanted(bank); }
-    void cancelDownload() override { emit cancelWanted(); }
-    void withdrawStop() override { emit withdrawalWanted(); }
+    void connectTo(const ConnectionSettings& settings) override { post(&LinkWorker::connectTo, settings); }
+    void download(const std::vector<std::uint16_t>& bank) override { post(&LinkWorker::download, bank); }
+    void cancelDownload() override { post(&LinkWorker::cancelDownload); }
+    void withdrawStop() override { post(&LinkWorker::withdrawStop); }
     // Sets the key. Its validity begins now, regardless of a delay in the link thread.
     void setJog(JogDirection direction) override
     {
-        emit jogWanted({direction, std::chrono::steady_clock::now() + jogCounts});
+        post(&LinkWorker::setJog, JogRequest{direction, std::chrono::steady_clock::now() + jogCounts});
     }
-    void readRegisters(const ReadRequest& request) override { emit readWanted(request); }
-    void compareProgram(const std::vector<std::uint16_t>& bank) override { emit comparisonWanted(bank); }
-    void cancelComparison() override { emit comparisonCancelWanted(); }
-    void startScan(modbus::ScanPlan::Depth depth) override { emit scanWanted(depth); }
-    void cancelScan() override { emit scanCancelWanted(); }
-    void simulateFaults(const QStringList& rules) override { emit faultsWanted(rules); }
-    void measureSimulatedBag() override { emit rulerWanted(); }
-    void ping(quint32 number) override { emit pingWanted(number); }
-    void watchFigures(bool isWatched) override { emit figuresWatchWanted(isWatched); }
-    void resetFigures() override { emit figuresResetWanted(); }
-    void watchFrames(bool isWatched) override { emit framesWatchWanted(isWatched); }
+    void compareProgram(const std::vector<std::uint16_t>& bank) override
+    {
+        post(&LinkWorker::compareProgram, bank);
+    }
+    void cancelComparison() override { post(&LinkWorker::cancelComparison); }
+    void startScan(modbus::ScanPlan::Depth depth) override { post(&LinkWorker::startScan, depth); }
+    void cancelScan() override { post(&LinkWorker::cancelScan); }
+    void simulateFaults(const QStringList& rules) override { post(&LinkWorker::simulateFaults, rules); }
+    void measureSimulatedBag() override { post(&LinkWorker::measureSimulatedBag); }
+    void ping(quint32 number) override { post(&LinkWorker::pingAnswered, number); }
+    void watchFigures(bool isWatched) override { post(&LinkWorker::watchFigures, isWatched); }
+    void resetFigures() override { post(&LinkWorker::resetFigures); }
+    void watchFrames(bool isWatched) override { post(&LinkWorker::watchFrames, isWatched); }
 
-signals:
-    void connectWanted(const campanel::link::ConnectionSettings& settings);
-    void requestWanted(const campanel::link::CommandRequest& request);
-    void parameterWanted(const campanel::link::ParameterRequest& request);
-    void downloadWanted(const std::vector<std::uint16_t>& bank);
-    void cancelWanted();
-    void withdrawalWanted();
-    void jogWanted(const campanel::link::JogRequest& request);
-    void readWanted(const campanel::link::ReadRequest& request);
-    void comparisonWanted(const std::vector<std::uint16_t>& bank);
-    void comparisonCancelWanted();
-    void scanWanted(campanel::modbus::ScanPlan::Depth depth);
-    void scanCancelWanted();
-    void faultsWanted(const QStringList& rules);
-    void rulerWanted();
-    void pingWanted(quint32 number);
-    void figuresWatchWanted(bool isWatched);
-    void figuresResetWanted();
-    void framesWatchWanted(bool isWatched);
+protected:
+    void sendCommand(const CommandRequest& request) override { post(&LinkWorker::request, request); }
+    void sendParameter(const ParameterRequest& request) override
+    {
+        post(&LinkWorker::requestParameter, request);
+    }
+    void sendRead(const ReadRequest& request) override { post(&LinkWorker::readRegisters, request); }
 
 private:
+    // Calls the worker's function in its thread.
+    template <class Function, class... Arguments> void post(Function function, const Arguments&... arguments)
+    {
+        QMetaObject::invokeMethod(
+            m_worker, [worker = m_worker, function, arguments...] { (worker->*function)(arguments...); },
+            Qt::QueuedConnection);
+    }
+
     QThread m_thread;
+    LinkWorker* m_worker; // lives in m_thread and is deleted at its end
 };
 
 } // namespace campanel::link

@@ -93,9 +93,9 @@ void DemoLink::connectTo(const link::ConnectionSettings&)
     show(m_situation);
 }
 
-void DemoLink::request(const link::CommandRequest& request)
+void DemoLink::sendCommand(const link::CommandRequest& request)
 {
-    FakeLink::request(request);
+    FakeLink::sendCommand(request);
     link::CommandOutcome outcome;
     outcome.id = request.id;
     outcome.command = request.command;
@@ -110,19 +110,15 @@ qsizetype DemoLink::stopRequests() const
     });
 }
 
-void DemoLink::readParameter(quint32 id, const std::string& name)
+void DemoLink::sendParameter(const link::ParameterRequest& request)
 {
-    const link::ParameterOutcome outcome{id, name, link::ParameterEnd::Done, m_parameters[name],
-                                         std::nullopt};
-    // Queued as on a line: the caller knows the id by then.
+    if (request.value)
+        m_parameters[request.name] = *request.value;
+    const link::ParameterOutcome outcome{request.id, request.name, link::ParameterEnd::Done,
+                                         m_parameters[request.name], std::nullopt};
+    // Queued as on a line.
     QMetaObject::invokeMethod(
         this, [this, outcome] { emit parameterEnded(outcome); }, Qt::QueuedConnection);
-}
-
-void DemoLink::writeParameter(quint32 id, const std::string& name, double value)
-{
-    m_parameters[name] = value;
-    readParameter(id, name);
 }
 
 void DemoLink::download(const std::vector<std::uint16_t>&)
@@ -139,7 +135,7 @@ void DemoLink::cancelDownload()
     emit downloadReported(canceled);
 }
 
-void DemoLink::readRegisters(const link::ReadRequest& request)
+void DemoLink::sendRead(const link::ReadRequest& request)
 {
     if (request.address == modbus::packerAddress) {
         m_filmRequest = request;

@@ -36,12 +36,8 @@ public:
     explicit DemoLink(QObject* parent);
 
     void connectTo(const link::ConnectionSettings& settings) override;
-    void request(const link::CommandRequest& request) override;
-    void readParameter(quint32 id, const std::string& name) override;
-    void writeParameter(quint32 id, const std::string& name, double value) override;
     void download(const std::vector<std::uint16_t>& bank) override;
     void cancelDownload() override;
-    void readRegisters(const link::ReadRequest& request) override;
     void compareProgram(const std::vector<std::uint16_t>& bank) override;
     void simulateFaults(const QStringList& rules) override;
     void startScan(modbus::ScanPlan::Depth depth) override;
@@ -69,6 +65,11 @@ public:
     [[nodiscard]] link::SteadyTime now() const { return m_now; }
     // Advances the clock.
     void advance(std::chrono::microseconds time) { m_now += time; }
+
+protected:
+    void sendCommand(const link::CommandRequest& request) override;
+    void sendParameter(const link::ParameterRequest& request) override;
+    void sendRead(const link::ReadRequest& request) override;
 
 private:
     void report(link::LinkState state, std::optional<modbus::Command> pendingStop = std::nullopt);

@@ -52,7 +52,7 @@ void showValues(Stage& stage, double bags = 12480)
     stage.lookAtClock();
     for (const modbus::RegisterInfo& info : modbus::registers()) {
         if (info.name.starts_with("parameter."))
-            stage.link().writeParameter(0, std::string(info.name), info.defaultValue);
+            stage.link().exchange({0, std::string(info.name), info.defaultValue});
     }
     Packer packer = following();
     packer.set("packer.bag_number", bags);

@@ -14,20 +14,10 @@ public:
     using Link::Link;
 
     void connectTo(const link::ConnectionSettings& settings) override { connections << settings; }
-    void request(const link::CommandRequest& request) override { requests << request; }
-    void readParameter(quint32 id, const std::string& name) override
-    {
-        parameters << link::ParameterRequest{id, name, std::nullopt};
-    }
-    void writeParameter(quint32 id, const std::string& name, double value) override
-    {
-        parameters << link::ParameterRequest{id, name, value};
-    }
     void download(const std::vector<std::uint16_t>& bank) override { banks << bank; }
     void cancelDownload() override { ++cancels; }
     void withdrawStop() override { ++withdrawals; }
     void setJog(link::JogDirection direction) override { jogs << direction; }
-    void readRegisters(const link::ReadRequest& request) override { reads << request; }
     void compareProgram(const std::vector<std::uint16_t>& bank) override { comparisons << bank; }
     void cancelComparison() override { ++comparisonCancels; }
     void startScan(modbus::ScanPlan::Depth depth) override { scans << depth; }
@@ -123,6 +113,11 @@ public:
     }
 
     modbus::StatusBlock status = idle();
+
+protected:
+    void sendCommand(const link::CommandRequest& request) override { requests << request; }
+    void sendParameter(const link::ParameterRequest& request) override { parameters << request; }
+    void sendRead(const link::ReadRequest& request) override { reads << request; }
 
 private:
     static modbus::StatusBlock idle()

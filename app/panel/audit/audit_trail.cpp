@@ -259,28 +259,33 @@ void AuditTrail::noteManual(const QString& what, const QString& before, const QS
 void AuditTrail::watchParameters()
 {
     connect(&m_watched.machine, &Controller::parameterWriting, this, &AuditTrail::noteWriting);
-    connect(&m_watched.machine, &Controller::parameterEnded, this, &AuditTrail::takeParameter);
+    connect(&m_watched.machine, &Controller::parameterWritten, this, &AuditTrail::noteWritten);
     connect(m_watched.service.packing()->wizard(), &MarkWizard::changed, this, &AuditTrail::noteWizard);
 }
 
-// Reads the value just before the new one is written: an earlier reading may be outdated.
-void AuditTrail::noteWriting(const QString& name, quint32 id, double value)
+// Reads the value just before the new one is written: an earlier reading may be outdated. The writes of one
+// parameter end in their order.
+void AuditTrail::noteWriting(const QString& name, double value)
 {
     store::AuditEntry writing = entry(u"parameter.write"_s, name);
     writing.after = numberText(value);
-    m_writes.insert(id, writing);
-    m_readsBefore.insert(m_watched.machine.readParameter(name.toLatin1().constData()), id);
+    m_writes << writing;
+    m_watched.machine.link().exchange({0, name.toStdString(), std::nullopt},
+                                      {this, [this, name](const link::ParameterOutcome& outcome) {
+                                           const auto written = findWrite(name);
+                                           if (outcome.value && written != m_writes.end())
+                                               written->before = numberText(*outcome.value);
+                                       }});
 }
 
-void AuditTrail::takeParameter(const link::ParameterOutcome& outcome)
+QList<store::AuditEntry>::iterator AuditTrail::findWrite(const QString& name)
 {
-    const quint32 write = m_readsBefore.take(outcome.id);
-    if (write != 0) {
-        if (outcome.value && m_writes.contains(write))
-            m_writes[write].before = numberText(*outcome.value);
-        return;
-    }
-    const auto written = m_writes.find(outcome.id);
+    return std::ranges::find(m_writes, name, &store::AuditEntry::object);
+}
+
+void AuditTrail::noteWritten(const link::ParameterOutcome& outcome)
+{
+    const auto written = findWrite(QString::fromStdString(outcome.name));
     if (written == m_writes.end())
         return;
     store::AuditEntry ended = *written;

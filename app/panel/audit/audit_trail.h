@@ -77,8 +77,9 @@ private:
     void watchSettings();
     void watchSimulation();
     void noteSending(const link::CommandRequest& request);
-    void noteWriting(const QString& name, quint32 id, double value);
-    void takeParameter(const link::ParameterOutcome& outcome);
+    void noteWriting(const QString& name, double value);
+    void noteWritten(const link::ParameterOutcome& outcome);
+    [[nodiscard]] QList<store::AuditEntry>::iterator findWrite(const QString& name);
     void beginDownload(const program::ProgramImage& image);
     void endDownload(const link::DownloadReport& report);
     void proveDownload(bool isLast);
@@ -93,8 +94,7 @@ private:
     Watched m_watched;
     Access::WallClock m_wallClock;
     QHash<quint32, store::AuditEntry> m_commands; // pending, by id
-    QHash<quint32, store::AuditEntry> m_writes;
-    QHash<quint32, quint32> m_readsBefore; // id of the read -> id of its write
+    QList<store::AuditEntry> m_writes;            // under way, oldest first
     std::optional<Download> m_download;
     bool m_isDownloadProven = false; // proven by the link; the status with its generation may still be
                                      // pending

@@ -3,12 +3,10 @@
 // NaN while it is unknown.
 #pragma once
 
-#include "app/link/link_values.h"
+#include "app/panel/controller/parameter.h"
 
 #include <QObject>
 #include <QtQml/qqmlregistration.h>
-
-#include <optional>
 
 namespace campanel::panel {
 
@@ -35,15 +33,15 @@ public:
     AxisSpeed(Controller& machine, Use use, QObject* parent);
 
     [[nodiscard]] QString label() const;
-    [[nodiscard]] double frequencyHz() const;
+    [[nodiscard]] double frequencyHz() const { return m_parameter.value().value_or(unknown); }
     [[nodiscard]] QString text() const;
-    [[nodiscard]] double minimum() const { return m_info.minimum; }
-    [[nodiscard]] double maximum() const { return m_info.maximum; }
-    [[nodiscard]] double defaultValue() const { return m_info.defaultValue; }
+    [[nodiscard]] double minimum() const { return m_parameter.info().minimum; }
+    [[nodiscard]] double maximum() const { return m_parameter.info().maximum; }
+    [[nodiscard]] double defaultValue() const { return m_parameter.info().defaultValue; }
     [[nodiscard]] QString failure() const { return m_failure; }
 
     // Reads the value from the controller unless it is known.
-    Q_INVOKABLE void read();
+    Q_INVOKABLE void read() { m_parameter.readIfUncertain(); }
     // Writes the value; for technicians.
     Q_INVOKABLE void write(double frequencyHz);
 
@@ -51,15 +49,9 @@ signals:
     void changed();
 
 private:
-    void takeOutcome(const link::ParameterOutcome& outcome);
-    void noteConnection();
-
     Controller& m_machine;
     Use m_use;
-    const modbus::RegisterInfo& m_info;
-    std::optional<double> m_frequencyHz;
-    quint32 m_readId = 0;
-    quint32 m_writeId = 0;
+    Parameter& m_parameter;
     QString m_failure;
 };
 

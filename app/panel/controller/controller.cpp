@@ -6,6 +6,7 @@
 #include "app/panel/settings/settings.h"
 #include "app/panel/words/connection_sentences.h"
 #include "app/panel/words/controller_sentences.h"
+#include "app/panel/words/register_words.h"
 
 #include <utility>
 
@@ -35,8 +36,6 @@ Controller::Controller(link::Link& link, Settings& settings, QObject* parent)
     connect(&link, &link::Link::statusReceived, this, &Controller::takeStatus);
     connect(&link, &link::Link::programRead, this, &Controller::takeProgram);
     connect(&link, &link::Link::commandEnded, this, &Controller::takeOutcome);
-    connect(&link, &link::Link::parameterEnded, this, &Controller::parameterEnded);
-    connect(this, &Controller::parameterEnded, &m_direction, &MasterDirection::takeOutcome);
     connect(this, &Controller::connectionChanged, &m_direction, &MasterDirection::noteConnection);
     connect(this, &Controller::programChanged, &m_direction, &MasterDirection::noteProgram);
     connect(this, &Controller::freshChanged, &m_direction, &MasterDirection::changed);
@@ -91,6 +90,8 @@ void Controller::takeReport(const link::LinkReport& report)
         report.identity && m_report.identity && report.identity->uniqueId != m_report.identity->uniqueId;
     const bool leftController = m_report.identity && !report.identity; // another connection was chosen
     m_report = report;
+    if (!isConnected())
+        doubtParameters();
     m_hasStopWaited = m_hasStopWaited || report.pendingStop;
     if (wasConnected && !isConnected())
         noteLoss();
@@ -161,6 +162,8 @@ void Controller::takeStatus(const link::StatusBatch& batch)
         const modbus::StatusBlock& status = sample.status;
         m_strokes.note(status, m_program ? m_program->pulsesPerMm : 0);
         bagsChanged |= !m_status || m_status->bagCount != status.bagCount;
+        if (m_status && status.uptimeS < m_status->uptimeS)
+            doubtParameters(); // the controller was restarted
         m_status = status;
         bagsChanged |= m_packing.recordsBags()
                            ? m_bags.noteLength(status.bagLengthMm)
@@ -254,26 +257,42 @@ void Controller::send(modbus::Command command, const modbus::CommandArguments& a
 {
     showMessage({});
     m_hasStopWaited = false;
-    const link::CommandRequest request{++m_lastRequestId, command, arguments};
+    m_lastRequestId = m_link.nextId();
+    const link::CommandRequest request{m_lastRequestId, command, arguments};
     emit commandSending(request);
     m_link.request(request);
 }
 
-quint32 Controller::readParameter(const char* name)
+void Controller::doubtParameters()
 {
-    m_link.readParameter(++m_lastParameterId, name);
-    return m_lastParameterId;
+    for (const auto& [name, parameter] : m_parameters)
+        m_report.identity ? parameter->doubt() : parameter->clear();
 }
 
-quint32 Controller::writeParameter(const char* name, double value)
+Parameter& Controller::parameter(std::string_view name)
+{
+    Parameter*& parameter = m_parameters[name];
+    if (!parameter) {
+        const modbus::RegisterInfo* info = modbus::findRegister(name);
+        Q_ASSERT(info);
+        parameter = new Parameter(*this, *info);
+    }
+    return *parameter;
+}
+
+bool Controller::writeParameter(const modbus::RegisterInfo& info, double value, const Parameter::Reply& reply)
 {
     if (!m_access.require(Level::Technician))
-        return 0;
+        return false;
     showMessage({});
-    const quint32 id = ++m_lastParameterId;
-    emit parameterWriting(QString::fromLatin1(name), id, value);
-    m_link.writeParameter(id, name, value);
-    return id;
+    emit parameterWriting(RegisterWords::name(info), value);
+    m_link.exchange({0, std::string(info.name), value},
+                    {this, [this, reply](const link::ParameterOutcome& outcome) {
+                         emit parameterWritten(outcome);
+                         if (reply.context)
+                             reply.receive(outcome);
+                     }});
+    return true;
 }
 
 void Controller::takeOutcome(const link::CommandOutcome& outcome)

@@ -9,6 +9,7 @@
 #include "app/panel/controller/controller_values.h"
 #include "app/panel/controller/master_direction.h"
 #include "app/panel/controller/packing_line.h"
+#include "app/panel/controller/parameter.h"
 #include "app/panel/controller/status_rate.h"
 #include "app/panel/controller/stroke_model.h"
 #include "app/panel/kit/access_check.h"
@@ -27,8 +28,10 @@
 
 #include <chrono>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 class QJSEngine;
 class QQmlEngine;
@@ -152,12 +155,10 @@ public:
     [[nodiscard]] const std::optional<modbus::StatusBlock>& status() const { return m_status; }
     [[nodiscard]] const std::shared_ptr<const ControllerProgram>& program() const { return m_program; }
     void send(modbus::Command command, const modbus::CommandArguments& arguments = {});
-    // Returns an id for link().readRegisters() that no other reader has.
-    [[nodiscard]] quint32 nextReadId() { return ++m_lastReadId; }
-    // Read or write a controller register by its name, see link::Link. The request ends in one
-    // parameterEnded() with the returned id. Writing is for technicians; the id is 0 when the gate refuses.
-    [[nodiscard]] quint32 readParameter(const char* name);
-    [[nodiscard]] quint32 writeParameter(const char* name, double value);
+    // Returns the parameter with a name of the register table.
+    [[nodiscard]] Parameter& parameter(std::string_view name);
+    // Writes a parameter; for technicians. Returns false, without a reply, when the access check refuses.
+    bool writeParameter(const modbus::RegisterInfo& info, double value, const Parameter::Reply& reply);
 
 signals:
     void connectionChanged();
@@ -171,11 +172,11 @@ signals:
     void savedChanged();
     void commandsChanged();
     void commandMessageChanged();
-    void parameterEnded(const campanel::link::ParameterOutcome& outcome);
     // Emitted for the audit trail: before the request goes to the link, and with its result.
     void commandSending(const campanel::link::CommandRequest& request);
     void commandEnded(const campanel::link::CommandOutcome& outcome);
-    void parameterWriting(const QString& name, quint32 id, double value);
+    void parameterWriting(const QString& name, double value);
+    void parameterWritten(const campanel::link::ParameterOutcome& outcome);
 
 private:
     void retranslate();
@@ -194,6 +195,7 @@ private:
     void forgetStatus();
     void updateAge();
     void showMessage(const QString& text);
+    void doubtParameters();
 
     link::Link& m_link;
     Settings& m_settings;
@@ -207,8 +209,6 @@ private:
     ActualTrace m_trace;
     BagStatistics m_bags;
     StrokeModel m_strokes{this};
-    MasterDirection m_direction{*this};
-    PackingLine m_packing{*this};
     StatusRate m_rate;
     QTimer m_ageTimer;
     QTimer m_qualityTimer;
@@ -218,9 +218,10 @@ private:
     QString m_returnMessage;                         // changes found when the line was back
     bool m_hasStopWaited = false;                    // the last Stop had to wait for the line
     quint32 m_lastRequestId = 0;
-    quint32 m_lastReadId = 0;
-    quint32 m_lastParameterId = 0;
+    std::map<std::string_view, Parameter*> m_parameters; // children
     QString m_commandMessage;
+    MasterDirection m_direction{*this};
+    PackingLine m_packing{*this};
 };
 
 } // namespace campanel::panel

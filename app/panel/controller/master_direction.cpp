@@ -12,7 +12,6 @@ namespace campanel::panel {
 
 namespace {
 
-constexpr auto parameterName = "parameter.master_direction"; // 0 like the program's rate, 1 reversed
 // The maximum change of the angle between two statuses that shows the direction without doubt.
 constexpr double mostTellingDeg = 150;
 constexpr double leastTellingDeg = 0.05; // the resolution of the status is 0.01
@@ -22,7 +21,9 @@ constexpr double leastTellingDeg = 0.05; // the resolution of the status is 0.01
 MasterDirection::MasterDirection(Controller& machine)
     : QObject(&machine)
     , m_machine(machine)
+    , m_parameter(machine.parameter("parameter.master_direction"))
 {
+    connect(&m_parameter, &Parameter::changed, this, &MasterDirection::changed);
 }
 
 std::optional<int> MasterDirection::programSign() const
@@ -35,9 +36,10 @@ std::optional<int> MasterDirection::programSign() const
 MasterDirection::Way MasterDirection::way() const
 {
     const std::optional<int> sign = programSign();
-    if (!sign || !m_reversed)
+    const std::optional<double> reversed = m_parameter.value();
+    if (!sign || !reversed)
         return Way::Unknown;
-    return (*sign < 0) != *m_reversed ? Way::Backward : Way::Forward;
+    return (*sign < 0) != (*reversed != 0) ? Way::Backward : Way::Forward;
 }
 
 bool MasterDirection::turning() const
@@ -50,7 +52,7 @@ QString MasterDirection::blockedReason() const
 {
     if (!m_machine.isConnected() || !m_machine.fresh())
         return tr("There is no connection to the controller.");
-    if (m_isMissing)
+    if (m_parameter.isMissing())
         return tr("This controller cannot turn its master round. Update its firmware.");
     return way() == Way::Unknown ? tr("Asking the controller …") : QString();
 }
@@ -76,19 +78,20 @@ void MasterDirection::turn(Way wanted)
     if (wanted == Way::Unknown || wanted == way() || !canChange() || !sign)
         return;
     const bool isReversed = (wanted == Way::Backward) != (*sign < 0);
-    m_writeId = m_machine.writeParameter(parameterName, isReversed ? 1 : 0);
+    m_parameter.write(isReversed ? 1 : 0, {this, [this](const link::ParameterOutcome& outcome) {
+                                               if (outcome.end != link::ParameterEnd::Done)
+                                                   emit failed(ConnectionSentences::parameter(
+                                                       tr("The direction of the master"), outcome));
+                                           }});
 }
 
 void MasterDirection::noteConnection()
 {
     if (!m_machine.isConnected()) {
-        m_reversed.reset();
         m_observed.reset();
         m_before.reset();
-        m_readId = 0;
-        m_isMissing = false;
     }
-    askWhenUnknown();
+    readWhenUnknown();
     emit changed();
 }
 
@@ -96,18 +99,15 @@ void MasterDirection::noteProgram()
 {
     m_observed.reset();
     m_before.reset();
-    askWhenUnknown();
+    readWhenUnknown();
     emit changed();
 }
 
 void MasterDirection::noteStatus(const modbus::StatusBlock& status)
 {
-    if (status.uptimeS < m_uptimeS)
-        m_reversed.reset(); // the controller was restarted
-    m_uptimeS = status.uptimeS;
     if (status.masterAngleDeg)
         observe({*status.masterAngleDeg, status.masterSpeedPercent, status.sampleTimeMs});
-    askWhenUnknown();
+    readWhenUnknown();
     emit changed();
 }
 
@@ -126,35 +126,10 @@ void MasterDirection::observe(const Sample& now)
         m_observed = turnedDeg < 0 ? -1 : 1;
 }
 
-void MasterDirection::askWhenUnknown()
+void MasterDirection::readWhenUnknown()
 {
-    if (m_machine.isConnected() && programSign() && !m_reversed && !m_isMissing && m_readId == 0)
-        m_readId = m_machine.readParameter(parameterName);
-}
-
-// Handles writes of the register inspector to the same parameter.
-void MasterDirection::noteOthersWrite(const link::ParameterOutcome& outcome)
-{
-    if (outcome.name != parameterName || !outcome.value || !m_reversed)
-        return;
-    m_reversed = *outcome.value != 0;
-    emit changed();
-}
-
-void MasterDirection::takeOutcome(const link::ParameterOutcome& outcome)
-{
-    const bool isWrite = outcome.id == m_writeId;
-    if (outcome.id == 0 || (outcome.id != m_readId && !isWrite)) {
-        noteOthersWrite(outcome);
-        return;
-    }
-    (isWrite ? m_writeId : m_readId) = 0;
-    m_reversed = outcome.value ? std::optional(*outcome.value != 0) : std::nullopt; // the next status
-                                                                                    // requests it
-    m_isMissing = !isWrite && outcome.end == link::ParameterEnd::Refused;
-    if (isWrite && outcome.end != link::ParameterEnd::Done)
-        emit failed(ConnectionSentences::parameter(tr("The direction of the master"), outcome));
-    emit changed();
+    if (programSign())
+        m_parameter.readIfUncertain();
 }
 
 } // namespace campanel::panel

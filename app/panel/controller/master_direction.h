@@ -13,6 +13,7 @@
 namespace campanel::panel {
 
 class Controller;
+class Parameter;
 
 class MasterDirection : public QObject {
     Q_OBJECT
@@ -45,7 +46,6 @@ public:
     void noteConnection();
     void noteProgram();
     void noteStatus(const modbus::StatusBlock& status);
-    void takeOutcome(const link::ParameterOutcome& outcome);
     void retranslate() { emit changed(); }
 
 signals:
@@ -62,18 +62,13 @@ private:
     [[nodiscard]] QString blockedReason() const;
     // Returns the sign of the program, 1 or -1; empty while the controller runs no point cam.
     [[nodiscard]] std::optional<int> programSign() const;
-    void askWhenUnknown();
-    void noteOthersWrite(const link::ParameterOutcome& outcome);
+    void readWhenUnknown();
     void observe(const Sample& now);
 
     Controller& m_machine;
-    std::optional<bool> m_reversed; // the controller's parameter; empty: unknown
-    std::optional<int> m_observed;  // 1 or -1, from the master's angle; empty: unknown
+    Parameter& m_parameter;        // 0 like the program's rate, 1 reversed
+    std::optional<int> m_observed; // 1 or -1, from the master's angle; empty: unknown
     std::optional<Sample> m_before;
-    std::uint32_t m_uptimeS = 0;
-    quint32 m_readId = 0; // pending, else 0
-    quint32 m_writeId = 0;
-    bool m_isMissing = false; // the controller does not have this parameter
 };
 
 } // namespace campanel::panel

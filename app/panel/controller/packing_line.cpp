@@ -22,13 +22,15 @@ constexpr double mmPerUm = 0.001;
 
 PackingLine::PackingLine(Controller& machine)
     : m_machine(machine)
-    , m_setup(machine)
+    , m_sensor(machine.parameter("parameter.mark_distance"))
+    , m_window(machine.parameter("parameter.mark_window"))
     , m_timer(this)
 {
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &PackingLine::ask);
     connect(&machine.link(), &link::Link::registersRead, this, &PackingLine::takeRead);
-    connect(&m_setup, &MarkSetup::changed, this, &PackingLine::changed);
+    for (Parameter* parameter : {&m_sensor, &m_window})
+        connect(parameter, &Parameter::changed, this, &PackingLine::changed);
 }
 
 bool PackingLine::recordsBags() const
@@ -42,14 +44,10 @@ bool PackingLine::recordsBags() const
 
 void PackingLine::noteConnection()
 {
-    if (!m_machine.isConnected()) {
+    if (!m_machine.isConnected())
         m_isAsked = false;
-        m_setup.doubt();
-    }
-    if (!m_machine.identity()) {
-        m_setup.forget();
+    if (!m_machine.identity())
         forget();
-    }
     askWhenIdle();
 }
 
@@ -57,7 +55,8 @@ void PackingLine::noteConnection()
 void PackingLine::noteProgram()
 {
     m_toldBag.reset();
-    m_setup.doubt();
+    for (Parameter* parameter : {&m_sensor, &m_window})
+        parameter->doubt(); // its download may have written them
     askWhenIdle();
 }
 
@@ -68,10 +67,16 @@ void PackingLine::askWhenIdle()
             forget();
         return;
     }
-    m_setup.ask();
+    readSetup();
     if (!m_isAsked && !m_timer.isActive())
         ask();
     emit changed();
+}
+
+void PackingLine::readSetup()
+{
+    for (Parameter* parameter : {&m_sensor, &m_window})
+        parameter->readIfUncertain();
 }
 
 void PackingLine::forget()
@@ -89,16 +94,15 @@ void PackingLine::ask()
     }
     if (!recordsBags() || m_isAsked)
         return;
-    m_setup.ask();
+    readSetup();
     m_isAsked = true;
     m_askedAt = m_machine.now();
-    m_readId = m_machine.nextReadId();
-    m_machine.link().readRegisters({m_readId, modbus::packerAddress, modbus::packerRegisters});
+    m_machine.link().readRegisters({0, modbus::packerAddress, modbus::packerRegisters});
 }
 
 void PackingLine::takeRead(const link::ReadOutcome& outcome)
 {
-    if (outcome.request.id != m_readId)
+    if (outcome.request.address != modbus::packerAddress || outcome.request.count != modbus::packerRegisters)
         return;
     m_isAsked = false;
     const auto took = m_machine.now() - m_askedAt;
@@ -118,8 +122,6 @@ void PackingLine::tellBags()
 {
     const bool hasRestarted = m_toldBag && *m_toldBag > m_status->bagNumber;
     const bool isFirst = !m_toldBag || hasRestarted;
-    if (hasRestarted)
-        m_setup.doubt();
     const std::uint32_t told = isFirst ? m_status->bagNumber : *m_toldBag;
     m_toldBag = m_status->bagNumber;
     for (const modbus::BagRecord& bag : m_status->bags) {

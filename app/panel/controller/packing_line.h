@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/link/link.h"
-#include "app/panel/controller/mark_setup.h"
+#include "app/panel/controller/parameter.h"
 #include "app/panel/kit/numbers.h"
 
 #include <QList>
@@ -108,8 +108,8 @@ public:
     [[nodiscard]] double filmPositionMm() const;
     [[nodiscard]] double filmSpeedMmPerS() const;
     [[nodiscard]] bool knifeOpen() const;
-    [[nodiscard]] double sensorMm() const { return m_setup.sensorMm(); }
-    [[nodiscard]] double windowMm() const { return m_setup.windowMm(); }
+    [[nodiscard]] double sensorMm() const { return m_sensor.lastValue(); }
+    [[nodiscard]] double windowMm() const { return m_window.lastValue(); }
     [[nodiscard]] double nextMarkMm() const;
     [[nodiscard]] QList<QPointF> cuts() const;
     [[nodiscard]] QList<QPointF> seenMarks() const;
@@ -137,6 +137,7 @@ signals:
 private:
     void askWhenIdle();
     void ask();
+    void readSetup();
     void takeRead(const link::ReadOutcome& outcome);
     void tellBags();
     void forget();
@@ -146,13 +147,13 @@ private:
     }
 
     Controller& m_machine;
-    MarkSetup m_setup;
+    Parameter& m_sensor;
+    Parameter& m_window;
     QTimer m_timer;
     std::optional<modbus::PackerStatus> m_status;
     link::SteadyTime m_receivedAt;
     link::SteadyTime m_askedAt;
     bool m_isAsked = false;
-    quint32 m_readId = 0; // the last one
     bool m_wasFresh = false;
     std::optional<std::uint32_t> m_toldBag;
 };

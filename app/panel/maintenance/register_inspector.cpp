@@ -27,8 +27,6 @@ RegisterInspector::RegisterInspector(Controller& machine, QObject* parent)
     m_readTimer.setInterval(readPeriod);
     connect(&m_readTimer, &QTimer::timeout, this, &RegisterInspector::readVisible);
     connect(&m_registers, &RegisterModel::modelReset, this, [this] { select(-1); });
-    connect(&machine.link(), &link::Link::registersRead, this, &RegisterInspector::takeRead);
-    connect(&machine, &Controller::parameterEnded, this, &RegisterInspector::takeWritten);
     connect(&machine, &Controller::connectionChanged, this, &RegisterInspector::noteConnection);
     connect(&machine, &Controller::programChanged, this, &RegisterInspector::noteProgram);
 }
@@ -91,21 +89,20 @@ void RegisterInspector::setVisibleRows(int first, int last)
 void RegisterInspector::readVisible()
 {
     m_registers.markOlderThan(m_machine.now() - staleAfter);
-    if (!m_isWatched || !m_machine.isConnected() || !m_reads.isEmpty())
+    if (!m_isWatched || !m_machine.isConnected() || m_pendingReads > 0)
         return;
-    QList<link::ReadRequest> requests;
-    for (const modbus::RegisterSpan& span : m_registers.spans(m_first, m_last))
-        requests << link::ReadRequest{m_machine.nextReadId(), span.address, span.count};
-    for (const link::ReadRequest& request : requests)
-        m_reads.insert(request.id);
-    for (const link::ReadRequest& request : requests)
-        m_machine.link().readRegisters(request);
+    const auto spans = m_registers.spans(m_first, m_last);
+    m_pendingReads = static_cast<int>(spans.size());
+    for (const modbus::RegisterSpan& span : spans) {
+        m_machine.link().readRegisters(
+            {0, span.address, span.count},
+            {this, [this](const link::ReadOutcome& outcome) { takeRead(outcome); }});
+    }
 }
 
 void RegisterInspector::takeRead(const link::ReadOutcome& outcome)
 {
-    if (!m_reads.remove(outcome.request.id))
-        return;
+    --m_pendingReads;
     const bool isRefused = outcome.error && (outcome.error->kind == modbus::LinkErrorKind::RangeNotReadable ||
                                              outcome.error->kind == modbus::LinkErrorKind::Exception);
     // After another failure the value stays and is displayed as old.
@@ -171,7 +168,7 @@ bool RegisterInspector::writable() const
 
 bool RegisterInspector::canWrite() const
 {
-    return writable() && m_machine.isConnected() && m_writeId == 0;
+    return writable() && m_machine.isConnected() && !m_isWriting;
 }
 
 QString RegisterInspector::unit() const
@@ -222,15 +219,14 @@ void RegisterInspector::write(double value)
         return;
     m_outcome = tr("Writing %1 …").arg(number(value));
     m_isFailed = false;
-    m_writeId = m_machine.writeParameter(row()->name.toLatin1().constData(), value);
+    m_isWriting = m_machine.writeParameter(
+        *row()->info, value, {this, [this](const link::ParameterOutcome& outcome) { takeWritten(outcome); }});
     emit selectionChanged();
 }
 
 void RegisterInspector::takeWritten(const link::ParameterOutcome& outcome)
 {
-    if (m_writeId == 0 || outcome.id != m_writeId)
-        return;
-    m_writeId = 0;
+    m_isWriting = false;
     const bool isShown = row() && row()->name.toStdString() == outcome.name;
     if (isShown) {
         m_isFailed = outcome.end != link::ParameterEnd::Done;

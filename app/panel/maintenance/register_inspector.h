@@ -6,7 +6,6 @@
 #include "app/panel/maintenance/register_model.h"
 
 #include <QObject>
-#include <QSet>
 #include <QTimer>
 #include <QVariantList>
 #include <QtQml/qqmlregistration.h>
@@ -96,8 +95,8 @@ private:
     Controller& m_machine;
     RegisterModel m_registers{this};
     QTimer m_readTimer;
-    QSet<quint32> m_reads; // pending
-    quint32 m_writeId = 0; // pending, else 0
+    int m_pendingReads = 0;
+    bool m_isWriting = false;
     int m_first = 0;
     int m_last = -1;
     int m_selected = -1;

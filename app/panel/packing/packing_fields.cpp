@@ -72,26 +72,17 @@ PackingFields::PackingFields(Controller& machine, QObject* parent)
     , m_machine(machine)
 {
     for (const Listed& field : listed) {
-        const modbus::RegisterInfo* info = modbus::findRegister(field.name);
-        Q_ASSERT(info);
-        m_fields.push_back({info, field.words, field.isSwitch, {}, {}});
+        Parameter& parameter = machine.parameter(field.name);
+        m_fields.push_back({&parameter, field.words, field.isSwitch, {}});
+        connect(&parameter, &Parameter::changed, this, &PackingFields::tell);
     }
-    connect(&machine, &Controller::parameterEnded, this, &PackingFields::takeOutcome);
     connect(&machine.link(), &link::Link::commandEnded, this, &PackingFields::takeCommand);
-    connect(&machine, &Controller::connectionChanged, this, [this] {
-        if (!m_machine.isConnected())
-            forget();
-    });
 }
 
 void PackingFields::read()
 {
-    if (!m_machine.isConnected() || !m_reads.isEmpty())
-        return;
-    for (const Field& field : m_fields) {
-        const QString name = RegisterWords::name(*field.info);
-        m_reads.insert(m_machine.readParameter(name.toLatin1().constData()));
-    }
+    for (const Field& field : m_fields)
+        field.parameter->read();
 }
 
 QString PackingFields::words(const QString& name)
@@ -103,63 +94,49 @@ QString PackingFields::words(const QString& name)
     return {};
 }
 
-// Pending reads end on their own, as all requests without a connection do.
-void PackingFields::forget()
-{
-    m_reads.clear();
-    for (Field& field : m_fields)
-        field.value.reset();
-    tell();
-}
-
 double PackingFields::value(const char* name) const
 {
     const auto found =
-        std::ranges::find_if(m_fields, [name](const Field& field) { return field.info->name == name; });
-    return found == m_fields.end() ? unknown : found->value.value_or(unknown);
+        std::ranges::find_if(m_fields, [name](const Field& field) { return field.info().name == name; });
+    return found == m_fields.end() ? unknown : found->value().value_or(unknown);
 }
 
-PackingFields::Field* PackingFields::find(const QString& name)
+PackingFields::Field& PackingFields::find(std::string_view name)
 {
-    const auto found = std::ranges::find_if(
-        m_fields, [&name](const Field& field) { return RegisterWords::name(*field.info) == name; });
-    return found == m_fields.end() ? nullptr : &*found;
+    const auto found =
+        std::ranges::find_if(m_fields, [name](const Field& field) { return field.info().name == name; });
+    Q_ASSERT(found != m_fields.end());
+    return *found;
 }
 
 void PackingFields::write(const char* name, double value)
 {
-    const Field* field = find(QString::fromLatin1(name));
-    Q_ASSERT(field);
-    if (!m_machine.accessCheck().require(Level::Technician))
+    write(find(name), value);
+}
+
+void PackingFields::write(const Field& field, double value)
+{
+    if (!field.parameter->write(value, {this, [this, &field](const link::ParameterOutcome& outcome) {
+                                            endWrite(field, outcome);
+                                        }}))
         return;
-    m_outcome = tr("Writing %1: %2 …").arg(tr(field->words), text(*field, value));
+    m_outcome = tr("Writing %1: %2 …").arg(tr(field.words), text(field, value));
     m_isFailed = false;
-    m_writes.insert(m_machine.writeParameter(name, value));
     emit changed();
 }
 
-void PackingFields::takeOutcome(const link::ParameterOutcome& outcome)
+void PackingFields::endWrite(const Field& field, const link::ParameterOutcome& outcome)
 {
-    m_reads.remove(outcome.id);
-    const bool isOwn = m_writes.remove(outcome.id);
-    // Handles outcomes of any origin: the registers can be written elsewhere too.
-    const QString name = QString::fromStdString(outcome.name);
-    Field* field = find(name);
-    if (!field)
-        return;
     const bool isDone = outcome.end == link::ParameterEnd::Done;
-    // After a failure the value is unknown if it may have been written.
-    if (isDone || outcome.end == link::ParameterEnd::OutcomeUnknown)
-        field->value = isDone ? outcome.value : std::nullopt;
-    if (isOwn) {
-        m_isFailed = !isDone;
-        m_isUnsaved = m_isUnsaved || isDone;
-        m_outcome = isDone ? tr("%1: %2, read back from the controller.")
-                                 .arg(tr(field->words), text(*field, outcome.value.value_or(unknown)))
-                           : ConnectionSentences::parameter(tr(field->words), outcome);
-        emit written(name, isDone, m_outcome);
-    }
-    tell();
+    m_isFailed = !isDone;
+    m_isUnsaved = m_isUnsaved || isDone;
+    m_outcome = isDone ? tr("%1: %2, read back from the controller.")
+                             .arg(tr(field.words), text(field, outcome.value.value_or(unknown)))
+                       : ConnectionSentences::parameter(tr(field.words), outcome);
+    if (!isDone)
+        field.parameter->read();
+    emit written(RegisterWords::name(field.info()), isDone, m_outcome);
+    emit changed();
 }
 
 void PackingFields::save()
@@ -183,10 +160,8 @@ void PackingFields::suggest(const std::optional<GainSuggestion>& gains, int bags
 {
     m_gains = gains;
     m_bags = bags;
-    find(QStringLiteral("parameter.phase_gain"))->suggestion =
-        gains ? std::optional(gains->phaseGain) : std::nullopt;
-    find(QStringLiteral("parameter.length_gain"))->suggestion =
-        gains ? std::optional(gains->lengthGain) : std::nullopt;
+    find("parameter.phase_gain").suggestion = gains ? std::optional(gains->phaseGain) : std::nullopt;
+    find("parameter.length_gain").suggestion = gains ? std::optional(gains->lengthGain) : std::nullopt;
     tell();
 }
 
@@ -217,21 +192,21 @@ const PackingFields::Field* PackingFields::selected() const
 void PackingFields::writeSelected(double value)
 {
     if (selected() && check(value).isEmpty())
-        write(RegisterWords::name(*selected()->info).toLatin1().constData(), value);
+        write(*selected(), value);
 }
 
 void PackingFields::setOn(int row, bool on)
 {
     const Field& field = m_fields.at(static_cast<std::size_t>(row));
     if (field.isSwitch)
-        write(RegisterWords::name(*field.info).toLatin1().constData(), on ? 1 : 0);
+        write(field, on ? 1 : 0);
 }
 
 void PackingFields::takeSuggestion(int row)
 {
     const Field& field = m_fields.at(static_cast<std::size_t>(row));
     if (field.suggestion)
-        write(RegisterWords::name(*field.info).toLatin1().constData(), *field.suggestion);
+        write(field, *field.suggestion);
 }
 
 QString PackingFields::check(double value) const
@@ -248,7 +223,7 @@ QString PackingFields::label() const
 
 QString PackingFields::unitOf(const Field& field)
 {
-    return QString::fromUtf8(field.info->unit.data(), static_cast<qsizetype>(field.info->unit.size()));
+    return QString::fromUtf8(field.info().unit.data(), static_cast<qsizetype>(field.info().unit.size()));
 }
 
 QString PackingFields::unit() const
@@ -258,28 +233,28 @@ QString PackingFields::unit() const
 
 QString PackingFields::valueText() const
 {
-    return selected() && selected()->value ? Format().number(*selected()->value, decimals())
-                                           : Format::unknownText();
+    return selected() && selected()->value() ? Format().number(*selected()->value(), decimals())
+                                             : Format::unknownText();
 }
 
 double PackingFields::minimum() const
 {
-    return selected() ? selected()->info->minimum : 0;
+    return selected() ? selected()->info().minimum : 0;
 }
 
 double PackingFields::maximum() const
 {
-    return selected() ? selected()->info->maximum : 0;
+    return selected() ? selected()->info().maximum : 0;
 }
 
 double PackingFields::defaultValue() const
 {
-    return selected() ? selected()->info->defaultValue : 0;
+    return selected() ? selected()->info().defaultValue : 0;
 }
 
 int PackingFields::decimals() const
 {
-    return selected() ? RegisterWords::decimals(*selected()->info) : 0;
+    return selected() ? RegisterWords::decimals(selected()->info()) : 0;
 }
 
 // Returns the text with its unit, or On and Off.
@@ -287,8 +262,8 @@ QString PackingFields::text(const Field& field, double value)
 {
     if (field.isSwitch)
         return value != 0 ? tr("On") : tr("Off");
-    const QString number = Format().compact(value, 0, RegisterWords::decimals(*field.info));
-    return field.info->unit.empty() ? number : number + u' ' + unitOf(field);
+    const QString number = Format().compact(value, 0, RegisterWords::decimals(field.info()));
+    return field.info().unit.empty() ? number : number + u' ' + unitOf(field);
 }
 
 QString PackingFields::note(const Field& field) const
@@ -296,9 +271,9 @@ QString PackingFields::note(const Field& field) const
     if (field.isSwitch)
         return {};
     const QString range =
-        tr("%1 to %2").arg(text(field, field.info->minimum), text(field, field.info->maximum));
+        tr("%1 to %2").arg(text(field, field.info().minimum), text(field, field.info().maximum));
     const bool isGain =
-        field.info->name == "parameter.phase_gain" || field.info->name == "parameter.length_gain";
+        field.info().name == "parameter.phase_gain" || field.info().name == "parameter.length_gain";
     if (!isGain)
         return range;
     if (!m_gains && m_bags >= GainEstimate::fewestBags)
@@ -324,14 +299,14 @@ QVariant PackingFields::data(const QModelIndex& index, int role) const
     if (!index.isValid())
         return {};
     const Field& field = m_fields[static_cast<std::size_t>(index.row())];
-    const int digits = RegisterWords::decimals(*field.info);
+    const int digits = RegisterWords::decimals(field.info());
     switch (role) {
     case NameRole:
         return tr(field.words);
     case ValueRole:
-        if (!field.value)
+        if (!field.value())
             return Format::unknownText();
-        return field.isSwitch ? text(field, *field.value) : Format().compact(*field.value, 0, digits);
+        return field.isSwitch ? text(field, *field.value()) : Format().compact(*field.value(), 0, digits);
     case UnitRole:
         return unitOf(field);
     case NoteRole:
@@ -339,12 +314,12 @@ QVariant PackingFields::data(const QModelIndex& index, int role) const
     case SwitchRole:
         return field.isSwitch;
     case OnRole:
-        return field.value.value_or(0) != 0;
+        return field.value().value_or(0) != 0;
     case KnownRole:
-        return field.value.has_value();
+        return field.value().has_value();
     case SuggestionRole: {
-        const bool isOther = field.suggestion && field.value &&
-                             std::abs(*field.suggestion - *field.value) >= 5 * field.info->scale;
+        const bool isOther = field.suggestion && field.value() &&
+                             std::abs(*field.suggestion - *field.value()) >= 5 * field.info().scale;
         return isOther ? Format().number(*field.suggestion, digits) : QString();
     }
     default:

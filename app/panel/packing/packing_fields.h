@@ -3,14 +3,14 @@
 // and a suggestion where there is one. Read when displayed, written with proof.
 #pragma once
 
-#include "app/link/link_values.h"
+#include "app/panel/controller/parameter.h"
 #include "app/panel/packing/gain_estimate.h"
 
 #include <QAbstractListModel>
-#include <QSet>
 #include <QtQml/qqmlregistration.h>
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace campanel::panel {
@@ -50,9 +50,8 @@ public:
     // The machine must outlive the object.
     PackingFields(Controller& machine, QObject* parent);
 
-    // Reads every value from the controller; does nothing while reads are pending.
+    // Reads every value from the controller.
     void read();
-    void forget();
     // Returns the label of a parameter; empty for one that is not in this list. `name` as in the register
     // table.
     [[nodiscard]] static QString words(const QString& name);
@@ -93,26 +92,27 @@ signals:
 
 private:
     struct Field {
-        const modbus::RegisterInfo* info = nullptr;
+        Parameter* parameter = nullptr;
         const char* words = nullptr;
         bool isSwitch = false;
-        std::optional<double> value;
         std::optional<double> suggestion;
+
+        [[nodiscard]] const modbus::RegisterInfo& info() const { return parameter->info(); }
+        [[nodiscard]] std::optional<double> value() const { return parameter->value(); }
     };
 
     [[nodiscard]] const Field* selected() const;
-    [[nodiscard]] Field* find(const QString& name);
+    [[nodiscard]] Field& find(std::string_view name);
+    void write(const Field& field, double value);
+    void endWrite(const Field& field, const link::ParameterOutcome& outcome);
     [[nodiscard]] static QString text(const Field& field, double value);
     [[nodiscard]] static QString unitOf(const Field& field);
     [[nodiscard]] QString note(const Field& field) const;
-    void takeOutcome(const link::ParameterOutcome& outcome);
     void takeCommand(const link::CommandOutcome& outcome);
     void tell();
 
     Controller& m_machine;
     std::vector<Field> m_fields;
-    QSet<quint32> m_reads;  // pending
-    QSet<quint32> m_writes; // pending
     int m_selected = -1;
     std::optional<GainSuggestion> m_gains;
     int m_bags = 0;

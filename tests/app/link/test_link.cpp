@@ -211,8 +211,9 @@ private slots:
         link.connectTo(portSettings(controller.port(), baud));
         // A request now and then, so that the link does not rest.
         QTimer requests;
-        connect(&requests, &QTimer::timeout, &link,
-                [&link] { link.readParameter(1, "parameter.ramp_time"); });
+        connect(&requests, &QTimer::timeout, &link, [&link] {
+            link.exchange({1, "parameter.ramp_time", std::nullopt});
+        });
         requests.start(500);
         QTRY_VERIFY_WITH_TIMEOUT(listener.samples.size() > samples, timeoutMs);
         // The first samples share the line with the reading of the program.
@@ -325,10 +326,10 @@ private slots:
             Listener listener(link);
             link.connectTo(portSettings(controller.port()));
             QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
-            link.readParameter(1, "parameter.ramp_time");
-            link.writeParameter(2, "parameter.ramp_time", 651.3);
-            link.writeParameter(3, "parameter.jog_frequency", 19'999);
-            link.readParameter(4, "identity.timer_clock");
+            link.exchange({1, "parameter.ramp_time", std::nullopt});
+            link.exchange({2, "parameter.ramp_time", 651.3});
+            link.exchange({3, "parameter.jog_frequency", 19'999});
+            link.exchange({4, "identity.timer_clock", std::nullopt});
             QTRY_COMPARE_WITH_TIMEOUT(listener.parameters.size(), 4, timeoutMs);
             for (const link::ParameterOutcome& outcome : listener.parameters)
                 QCOMPARE(outcome.end, link::ParameterEnd::Done);
@@ -343,7 +344,7 @@ private slots:
         Listener listener(later);
         later.connectTo(portSettings(controller.port()));
         QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
-        later.readParameter(1, "parameter.ramp_time");
+        later.exchange({1, "parameter.ramp_time", std::nullopt});
         QTRY_COMPARE_WITH_TIMEOUT(listener.parameters.size(), 1, timeoutMs);
         QCOMPARE(listener.parameters[0].value, 651.0);
     }
@@ -370,7 +371,7 @@ private slots:
         Listener listener(link);
         link.connectTo(portSettings(controller.port()));
         QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
-        link.writeParameter(5, name.toStdString(), value);
+        link.exchange({5, name.toStdString(), value});
         QTRY_COMPARE_WITH_TIMEOUT(listener.parameters.size(), 1, timeoutMs);
         QCOMPARE(listener.parameters[0].id, 5u);
         QCOMPARE(listener.parameters[0].end, link::ParameterEnd::Refused);
@@ -386,20 +387,20 @@ private slots:
         ControllerProcess controller;
         link::ThreadedLink link(nullptr);
         Listener listener(link);
-        link.writeParameter(1, "parameter.master_direction", 1);
+        link.exchange({1, "parameter.master_direction", 1});
         QTRY_COMPARE_WITH_TIMEOUT(listener.parameters.size(), 1, timeoutMs);
         QCOMPARE(listener.parameters[0].end, link::ParameterEnd::NotSent);
         link.connectTo(portSettings(controller.port()));
         QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
         controller.kill();
         QTRY_COMPARE_WITH_TIMEOUT(listener.last.state, LinkState::Lost, timeoutMs);
-        link.readParameter(2, "parameter.master_direction");
+        link.exchange({2, "parameter.master_direction", std::nullopt});
         QTRY_COMPARE_WITH_TIMEOUT(listener.parameters.size(), 2, timeoutMs);
         QCOMPARE(listener.parameters[1].id, 2u);
         QCOMPARE(listener.parameters[1].end, link::ParameterEnd::NotSent);
         controller.start();
         QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected(), timeoutMs);
-        link.readParameter(3, "parameter.master_direction");
+        link.exchange({3, "parameter.master_direction", std::nullopt});
         QTRY_COMPARE_WITH_TIMEOUT(listener.parameters.size(), 3, timeoutMs);
         QCOMPARE(listener.parameters[2].value, 0.0); // nothing is stored for a later write
     }

@@ -38,8 +38,11 @@ struct PackingRig : test::PanelRig {
 
     void tell()
     {
-        emit link.registersRead(
-            {link.reads.value(link.reads.size() - 1), link::ReadEnd::Done, packer.registers(), now, {}});
+        emit link.registersRead({{0, modbus::packerAddress, modbus::packerRegisters},
+                                 link::ReadEnd::Done,
+                                 packer.registers(),
+                                 now,
+                                 {}});
     }
     void set(const char* name, double value)
     {
