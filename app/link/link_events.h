@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the line reports: the signals of Link and of its worker.
+// Declares the reports of the line: the signals of Link and of its worker.
 #pragma once
 
 #include "app/link/link_values.h"

@@ -12,13 +12,13 @@
 namespace campanel::shell {
 namespace {
 
-constexpr int pages = 7; // in Frame.qml; larger values are damaged, or of another version
+constexpr qsizetype maxName = 20; // longer ones are damaged
 
-std::optional<int> pageIn(const QString& path)
+// Returns a name that the frame may not know, as in a damaged file.
+QString pageIn(const QString& path)
 {
-    bool isNumber = false;
-    const int page = store::readBytes(path).value_or(QByteArray()).trimmed().toInt(&isNumber);
-    return isNumber && page >= 0 && page < pages ? std::optional(page) : std::nullopt;
+    const QString name = QString::fromLatin1(store::readBytes(path).value_or(QByteArray()).trimmed());
+    return name.size() <= maxName ? name : QString();
 }
 
 } // namespace
@@ -51,7 +51,7 @@ void PageMemory::keep()
     QFile file(fresh);
     if (!file.open(QIODevice::WriteOnly))
         return;
-    file.write(QByteArray::number(m_window->property("page").toInt()) + '\n');
+    file.write(m_window->property("page").toString().toLatin1() + '\n');
     file.close();
     std::rename(QFile::encodeName(fresh).constData(), QFile::encodeName(m_file).constData());
 }

@@ -7,8 +7,6 @@
 #include <QQuickWindow>
 #include <QString>
 
-#include <optional>
-
 namespace campanel::shell {
 
 class PageMemory : public QObject {
@@ -20,8 +18,8 @@ public:
     // Ends the run properly: the next start begins with the first page.
     ~PageMemory() override;
 
-    // Returns the page of the last run if it was not ended properly; empty otherwise.
-    [[nodiscard]] std::optional<int> left() const { return m_left; }
+    // Returns the name of the page of the last run if it was not ended properly; empty otherwise.
+    [[nodiscard]] QString left() const { return m_left; }
     // Stores the window's property "page" from now on.
     void follow(QQuickWindow& window);
 
@@ -30,7 +28,7 @@ private slots:
 
 private:
     QString m_file;
-    std::optional<int> m_left;
+    QString m_left;
     QQuickWindow* m_window = nullptr;
 };
 

@@ -95,16 +95,18 @@ bool Panel::load(QSize size)
     connect(&m_component, &QQmlComponent::statusChanged, &untilLoaded, &QEventLoop::quit);
     while (m_component.isLoading())
         untilLoaded.exec();
-    m_window.reset(qobject_cast<QQuickWindow*>(m_component.createWithInitialProperties(
-        {{QStringLiteral("width"), size.width()},
-         {QStringLiteral("height"), size.height()},
-         {QStringLiteral("page"), m_pageMemory.left().value_or(0)}})));
+    QVariantMap properties{{QStringLiteral("width"), size.width()},
+                           {QStringLiteral("height"), size.height()}};
+    if (!m_pageMemory.left().isEmpty())
+        properties.insert(QStringLiteral("page"), m_pageMemory.left());
+    m_window.reset(qobject_cast<QQuickWindow*>(m_component.createWithInitialProperties(properties)));
     if (!m_window) {
         qCritical("%s", qPrintable(m_component.errorString()));
         return false;
     }
-    if (m_pageMemory.left())
-        qCInfo(uiLog, "the last run was not ended in order; it had page %d open", *m_pageMemory.left());
+    if (!m_pageMemory.left().isEmpty())
+        qCInfo(uiLog, "the last run was not ended in order; it had page %s open",
+               qPrintable(m_pageMemory.left()));
     m_pageMemory.follow(*m_window);
     return true;
 }

@@ -44,10 +44,10 @@ int compileAll(QQmlEngine& engine)
 qsizetype openAll(QQuickWindow& window)
 {
     auto* frame = window.property("frame").value<QObject*>();
-    const qsizetype opened = frame->property("pageCount").toInt();
+    const auto pages = frame->property("pageNames").toStringList();
     window.show();
     frame->setProperty("showsPages", true); // without waiting for the first frame
-    for (int page = 0; page < opened; ++page) {
+    for (const QString& page : pages) {
         frame->setProperty("page", page);
         QCoreApplication::processEvents();
         if (!frame->property("openPageItem").value<QObject*>())
@@ -55,7 +55,7 @@ qsizetype openAll(QQuickWindow& window)
         if (window.grabWindow().isNull())
             g_warnings += QStringLiteral("page %1 cannot be drawn").arg(page);
     }
-    return opened;
+    return pages.size();
 }
 
 } // namespace

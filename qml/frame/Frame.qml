@@ -9,12 +9,20 @@ import CamPanel.Panel
 Rectangle {
     id: frame
 
-    property int page
+    // The name of the open page. An unknown name at the start opens the first one.
+    property string page: "run"
     property bool showsPages               // off until the frame itself is on the screen: Start and Stop come first
-    readonly property list<string> sources: ["../Run/RunPage.qml", "../Editor/MotionPage.qml", "../Settings/SettingsPage.qml", "../Maintenance/ServicePage.qml", "../Library/RecipesPage.qml",
-        "../Trends/TrendsPage.qml", "../Alarms/AlarmsPage.qml"]
-    readonly property int pageCount: sources.length
-    readonly property Page openPageItem: pages.count > 0 ? (pages.itemAt(frame.page) as Loader)?.item as Page : null
+    readonly property var sources: ({
+        run: "../Run/RunPage.qml",
+        motion: "../Editor/MotionPage.qml",
+        recipes: "../Library/RecipesPage.qml",
+        trends: "../Trends/TrendsPage.qml",
+        alarms: "../Alarms/AlarmsPage.qml",
+        maintenance: "../Maintenance/ServicePage.qml",
+        settings: "../Settings/SettingsPage.qml"
+    })
+    readonly property list<string> pageNames: Object.keys(sources)
+    readonly property Page openPageItem: pages.count > 0 ? (pages.itemAt(frame.pageNames.indexOf(frame.page)) as Loader)?.item as Page : null
     // What is not on the screen at the start is named by its file: naming its type would load it at once.
     readonly property url explanation: "../Explain/ExplanationSheet.qml"
     readonly property url numbersExplained: "../Explain/NumbersSheet.qml"
@@ -26,9 +34,9 @@ Rectangle {
     property int userOfShortPin            // user who must choose a longer PIN
     property real shift                    // offset of the page, so that the keypad does not cover the field
 
-    function openPage(index: int): void {
+    function openPage(name: string): void {
         frame.closeAll()
-        frame.page = index
+        frame.page = name
     }
     function openSheet(sheet: Component, values: var): void {
         frame.closeAll()
@@ -82,6 +90,7 @@ Rectangle {
     }
 
     color: Theme.color.ground
+    Component.onCompleted: if (!(page in sources)) page = "run"
 
     Item {
         id: pageArea
@@ -95,17 +104,17 @@ Rectangle {
             transform: Translate { x: frame.shift }
             Repeater {
                 id: pages
-                model: frame.showsPages ? frame.sources : []
+                model: frame.showsPages ? frame.pageNames : []
                 Loader {
                     id: loader
                     required property int index
                     required property string modelData
-                    property bool wanted: frame.page === index
+                    property bool wanted: frame.page === modelData
                     property bool opened
                     anchors.fill: parent
                     onWantedChanged: opened = opened || wanted
                     Component.onCompleted: opened = wanted
-                    source: opened ? modelData : ""
+                    source: opened ? frame.sources[modelData] : ""
                     visible: wanted
                     Connections {
                         target: loader.item as Page
@@ -173,7 +182,7 @@ Rectangle {
                 function onEditRequested(fields: var, index: int, source: Item) { frame.edit(fields, index, source) }
                 function onExplainRequested(field: EditorField) { frame.openSheet(Qt.createComponent(frame.explanation), { field: field }) }
                 function onSheetRequested(sheet: Component) { frame.openSheet(sheet, {}) }
-                function onFinished() { frame.openPage(1) }
+                function onFinished() { frame.openPage("motion") }
             }
         }
         Item {
@@ -212,7 +221,7 @@ Rectangle {
                 function onNewPinWanted(user: int) { frame.openShortPin(user) }
                 function onLoginRequested(level: int) { frame.openLogin(level) }
                 function onLoginSucceeded() { loginLoader.active = false }
-                function onLeftAlone() { frame.openPage(0) }
+                function onLeftAlone() { frame.openPage("run") }
             }
         }
     }
@@ -229,7 +238,7 @@ Rectangle {
         // A narrow banner is higher.
         height: width < 0.75 * pageArea.width ? Math.round(1.5 * Theme.size.actionBar) : Theme.size.actionBar
         visible: shown && !frame.wiped
-        onAlarmsRequested: frame.openPage(6)
+        onAlarmsRequested: frame.openPage("alarms")
     }
     CommandColumn {
         id: commands

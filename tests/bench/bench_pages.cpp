@@ -48,7 +48,7 @@ public:
         const auto connection =
             QObject::connect(&m_panel.trends(), &panel::Trends::shownChanged, [&] { isShown = true; });
         const double ms = timedMs([&] {
-            m_finger.tap(u"nav5"_s);
+            m_finger.tap(u"nav_trends"_s);
             awaitData([&] { return isShown; });
         });
         QObject::disconnect(connection);
@@ -60,7 +60,7 @@ public:
     {
         leave();
         return timedMs([&] {
-            m_finger.tap(u"nav6"_s);
+            m_finger.tap(u"nav_alarms"_s);
             if (!m_panel.alarms().history()->watched())
                 m_finger.tap(u"alarmsHistory"_s);
             awaitData([this] { return m_panel.alarms().history()->count() > 0; });
@@ -70,7 +70,7 @@ public:
 private:
     void leave()
     {
-        m_finger.tap(u"nav0"_s);
+        m_finger.tap(u"nav_run"_s);
         m_finger.settle();
     }
 

@@ -24,7 +24,7 @@ Figures measurePlots()
     looks::Stage stage({QStringLiteral("en"), QStringLiteral("light"), QSize(1024, 600)});
     if (!stage.isReady())
         throw std::runtime_error("the panel's window cannot be loaded");
-    stage.tap(QStringLiteral("nav1"));
+    stage.tap(QStringLiteral("nav_motion"));
     stage.settle();
 
     panel::EditorField& bagLength = *stage.panel().editor().bagLength();

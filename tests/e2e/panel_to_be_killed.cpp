@@ -43,9 +43,8 @@ static int panelToBeKilled(int argc, char** argv)
     QObject::connect(&timer, &QTimer::timeout, &panel, [&] {
         if (!key.isEmpty() && panel.machine().connection() == panel::Controller::Connection::Connected)
             finger.tap(std::exchange(key, QString()));
-        const QByteArray now = "page " + QByteArray::number(panel.window().property("page").toInt()) +
-                               " state " + QByteArray::number(static_cast<int>(panel.machine().state())) +
-                               '\n';
+        const QByteArray now = "page " + panel.window().property("page").toString().toLatin1() + " state " +
+                               QByteArray::number(static_cast<int>(panel.machine().state())) + '\n';
         if (now == told)
             return;
         told = now;

@@ -98,7 +98,7 @@ private slots:
 private:
     static void enterLength(PanelWindow& panel, const QString& digits)
     {
-        panel.tap("nav1");
+        panel.tap("nav_motion");
         panel.tap("field_bagLength");
         panel.tapDigits(digits);
         panel.tap("keypadAccept");
@@ -144,7 +144,7 @@ void TestPanelAndController::runLength(PanelWindow& panel)
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine().active().bagLengthMm, 260.0, timeoutMs);
     QCOMPARE(panel.machine().generation(), 1.0);
 
-    panel.tap("nav0");
+    panel.tap("nav_run");
     QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
     panel.tap("startKey");
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Running, timeoutMs);
@@ -217,7 +217,7 @@ void TestPanelAndController::lookFromOutsideAndAgain(const QString& port)
     QCOMPARE(panel.machine().active().version, outside["program"]["version"].toDouble());
     QCOMPARE(panel.machine().generation(), 2.0);
     QCOMPARE(panel.machine().state(), Controller::State::Ready);
-    panel.tap("nav1");
+    panel.tap("nav_motion");
     QVERIFY2(panel.texts().contains("generation 2"), qPrintable(panel.texts()));
     QCOMPARE(panel.complaints(), QStringList());
 }
@@ -231,13 +231,13 @@ void TestPanelAndController::theMasterIsTurnedRound()
         PanelWindow panel(controller.port());
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
         panel.editor().newProgram(static_cast<int>(profile::ProgramKind::PointCam));
-        panel.tap("nav1");
+        panel.tap("nav_motion");
         download(panel);
         if (QTest::currentTestFailed())
             return;
         const panel::MasterDirection& direction = *panel.machine().direction();
         QTRY_COMPARE_WITH_TIMEOUT(direction.way(), Way::Forward, timeoutMs);
-        panel.tap("nav0");
+        panel.tap("nav_run");
         QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
         QVERIFY2(panel.texts().contains("starts forward"), qPrintable(panel.texts()));
         panel.tap("startKey");

@@ -42,7 +42,7 @@ private slots:
         PanelWindow panel(controller.port());
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
         for (const char* name :
-             {"nav3", "serviceLine", "service2", "registerGroup", "choice_parameter", "register2"})
+             {"nav_maintenance", "serviceLine", "service2", "registerGroup", "choice_parameter", "register2"})
             panel.tap(name);
         QTRY_COMPARE_WITH_TIMEOUT(rampTime(panel), "800 ms", timeoutMs);
         panel.tap("registerWrite");
@@ -73,7 +73,7 @@ private slots:
         ControllerProcess controller;
         PanelWindow panel(controller.port());
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
-        for (const char* name : {"nav3", "serviceMachine", "serviceJog"})
+        for (const char* name : {"nav_maintenance", "serviceMachine", "serviceJog"})
             panel.tap(name);
         panel::Jog& jog = *panel.service().jog();
         QTRY_COMPARE_WITH_TIMEOUT(jog.speed()->frequencyHz(), 1000.0, timeoutMs);
@@ -87,7 +87,7 @@ private slots:
         // The page disappears under the finger.
         panel.finger().touch(QStringLiteral("jogReverse"));
         QTRY_VERIFY_WITH_TIMEOUT(jog.positionPulses() < stoodAt - 300, timeoutMs);
-        QMetaObject::invokeMethod(panel.finger().frame(), "openPage", Q_ARG(int, 0));
+        QMetaObject::invokeMethod(panel.finger().frame(), "openPage", Q_ARG(QString, QStringLiteral("run")));
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
         panel.finger().lift();
         QCOMPARE(panel.complaints(), QStringList());
@@ -98,7 +98,7 @@ private slots:
         ControllerProcess controller;
         PanelWindow panel(controller.port());
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
-        for (const char* name : {"nav3", "serviceLine", "service0", "doctorDiagnose"})
+        for (const char* name : {"nav_maintenance", "serviceLine", "service0", "doctorDiagnose"})
             panel.tap(name);
         const panel::LinkDoctor& doctor = *panel.service().doctor();
         QTRY_VERIFY_WITH_TIMEOUT(doctor.resultText().startsWith("The connection in use works"), timeoutMs);

@@ -146,7 +146,7 @@ void addRows(store::Database& database)
 
 void openTrail(Stage& stage)
 {
-    stage.tap(u"nav2"_s);
+    stage.tap(u"nav_settings"_s);
     stage.tap(u"sectionUsers"_s);
     stage.tap(u"auditButton"_s);
     panel::Audit& audit = stage.panel().audit();
@@ -156,7 +156,7 @@ void openTrail(Stage& stage)
 
 void openUsers(Stage& stage, const QStringList& taps)
 {
-    stage.tap(u"nav2"_s);
+    stage.tap(u"nav_settings"_s);
     stage.tap(u"sectionUsers"_s);
     for (const QString& tapped : taps)
         stage.tap(tapped);
@@ -191,7 +191,7 @@ Scene login(const char* name, const QStringList& taps, int wrongPins = 0)
     return {QString::fromLatin1(name), [taps, wrongPins](Stage& stage) {
                 addUsers(stage);
                 stage.panel().access().setWallClock([] { return timeMs(0); });
-                stage.tap(u"nav1"_s);
+                stage.tap(u"nav_motion"_s);
                 stage.tap(u"field_baseSpeed"_s);
                 stage.tap(u"login_Li Wei"_s);
                 for (int i = 0; i < wrongPins; ++i)
@@ -225,7 +225,7 @@ QList<Scene> accessScenes()
                   {u"userAdd"_s, u"userPin"_s, u"pin1"_s, u"pin2"_s, u"pin3"_s, u"pin4"_s, u"pinAccept"_s}),
             users("auto-logout", {u"autoLogout"_s}),
             users("without-login", {u"withoutLogin"_s}),
-            users("run-user", {u"nav0"_s}),
+            users("run-user", {u"nav_run"_s}),
             login("login", {u"pin2"_s, u"pin5"_s}),
             login("login-wait", {}, 1),
             // Removes the users: nobody can log in.
@@ -239,7 +239,7 @@ QList<Scene> accessScenes()
                  reloadUsers(stage);
                  QLoggingCategory::setFilterRules({});
                  stage.panel().records().dismissNotice();
-                 stage.tap(u"nav1"_s);
+                 stage.tap(u"nav_motion"_s);
                  stage.tap(u"field_baseSpeed"_s);
              }},
             {u"login-short-pin"_s,

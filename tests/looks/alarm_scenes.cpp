@@ -10,7 +10,7 @@ namespace {
 using Situation = DemoLink::Situation;
 using store::AlarmRow;
 
-const QString alarmsPage = QStringLiteral("nav6");
+const QString alarmsPage = QStringLiteral("nav_alarms");
 
 // Returns a demonstration log of many shifts, always the same.
 QList<AlarmRow> demoLog()

@@ -17,7 +17,7 @@ void openBackup(Stage& stage)
     stage.panel().trends().open(); // required for a backup
     stage.link().show(DemoLink::Situation::Stopped);
     stage.lookAtClock();
-    for (const char* tapped : {"nav3", "servicePanel", "serviceBackup"})
+    for (const char* tapped : {"nav_maintenance", "servicePanel", "serviceBackup"})
         stage.tap(QString::fromLatin1(tapped));
 }
 

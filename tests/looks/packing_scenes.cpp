@@ -75,7 +75,7 @@ void showSuggestions(Stage& stage)
 
 void openSection(Stage& stage)
 {
-    stage.tap(QStringLiteral("nav3"));
+    stage.tap(QStringLiteral("nav_maintenance"));
     stage.tap(QStringLiteral("serviceMachine"));
     stage.tap(QStringLiteral("servicePacking"));
     showValues(stage);
@@ -113,7 +113,7 @@ QList<Scene> packingScenes()
              [](Stage& stage) {
                  stage.link().show(DemoLink::Situation::Empty);
                  stage.lookAtClock();
-                 for (const char* name : {"nav3", "serviceMachine", "servicePacking"})
+                 for (const char* name : {"nav_maintenance", "serviceMachine", "servicePacking"})
                      stage.tap(QString::fromLatin1(name));
              }},
             {QStringLiteral("packing"), openSection},

@@ -57,7 +57,7 @@ void openLibrary(Stage& stage, const QStringList& tapped = {})
         stage.waitUntil(recipes, &Recipes::listChanged,
                         [](const Recipes& each) { return each.total() >= keptNames; });
     }
-    stage.tap(QStringLiteral("nav4"));
+    stage.tap(QStringLiteral("nav_recipes"));
     stage.tap(QStringLiteral("recipe0"));
     for (const QString& name : tapped)
         stage.tap(name);

@@ -19,8 +19,8 @@ namespace {
 using Situation = DemoLink::Situation;
 using Kind = DemoLink::Kind;
 
-// Taps each name in turn; the navigation is "nav0" (Run), "nav1" (Motion), "nav2" (Settings), "nav3"
-// (Service), "nav6" (Alarms).
+// Taps each name in turn; the navigation is "nav_run" (Run), "nav_motion" (Motion), "nav_settings"
+// (Settings), "nav_maintenance" (Service), "nav_alarms" (Alarms).
 Scene taps(const char* name, const QStringList& names)
 {
     return {QString::fromLatin1(name), [names](Stage& stage) {
@@ -42,8 +42,8 @@ Scene held(const char* name, const QString& page, const QString& item)
 Scene morePages(const char* name)
 {
     return {QString::fromLatin1(name), [](Stage& stage) {
-                stage.tap(stage.find(QStringLiteral("navMore")) ? QStringLiteral("navMore")
-                                                                : QStringLiteral("nav0"));
+                stage.tap(stage.find(QStringLiteral("nav_more")) ? QStringLiteral("nav_more")
+                                                                 : QStringLiteral("nav_run"));
             }};
 }
 
@@ -61,7 +61,7 @@ Scene running(const char* name, Kind kind, Situation situation = Situation::Runn
     return {QString::fromLatin1(name), [kind, situation](Stage& stage) {
                 stage.link().show(situation, kind);
                 stage.lookAtClock();
-                stage.tap(QStringLiteral("nav0"));
+                stage.tap(QStringLiteral("nav_run"));
             }};
 }
 
@@ -72,7 +72,7 @@ Scene editing(const char* name, Kind kind, const QStringList& names = {})
                 stage.link().show(Situation::Running, kind);
                 stage.lookAtClock();
                 stage.panel().editor().newProgram(static_cast<int>(kind));
-                stage.tap(QStringLiteral("nav1"));
+                stage.tap(QStringLiteral("nav_motion"));
                 for (const QString& tapped : names)
                     stage.tap(tapped);
             }};
@@ -118,7 +118,7 @@ Scene knotFiles(const char* name, const QStringList& names)
                 panel::Editor& editor = stage.panel().editor();
                 editor.newProgram(static_cast<int>(Kind::PointCam));
                 editor.knotFiles()->setLooker(&knotsOnStick);
-                for (const char* tapped : {"nav1", "knotsButton", "knotFilesButton"})
+                for (const char* tapped : {"nav_motion", "knotsButton", "knotFilesButton"})
                     stage.tap(QString::fromLatin1(tapped));
                 for (const QString& tapped : names) {
                     stage.waitFor(*editor.knotFiles());
@@ -133,7 +133,7 @@ Scene service(const char* name, const QStringList& names, Situation situation = 
     return {QString::fromLatin1(name), [names, situation](Stage& stage) {
                 stage.link().show(situation);
                 stage.lookAtClock();
-                stage.tap(QStringLiteral("nav3"));
+                stage.tap(QStringLiteral("nav_maintenance"));
                 stage.tap(QStringLiteral("serviceLine"));
                 for (const QString& tapped : names)
                     stage.tap(tapped);
@@ -144,7 +144,7 @@ Scene searched(const char* name, bool isFound)
 {
     return {QString::fromLatin1(name), [isFound](Stage& stage) {
                 stage.link().show(Situation::Absent);
-                for (const char* tapped : {"nav3", "serviceLine", "service0", "doctorSearch"})
+                for (const char* tapped : {"nav_maintenance", "serviceLine", "service0", "doctorSearch"})
                     stage.tap(QString::fromLatin1(tapped));
                 stage.link().endScan(isFound);
             }};
@@ -161,7 +161,7 @@ Scene reportPlaces(const char* name)
                         {QStringLiteral("/media/panel/OLD"), QStringLiteral("OLD"), true},
                         {folder.section(u'/', -1), QStringLiteral("reports"), false}};
                 });
-                for (const char* tapped : {"nav3", "serviceLine", "service1", "figuresExport"})
+                for (const char* tapped : {"nav_maintenance", "serviceLine", "service1", "figuresExport"})
                     stage.tap(QString::fromLatin1(tapped));
                 stage.waitFor(files);
                 stage.tap(QStringLiteral("place0"));
@@ -172,9 +172,9 @@ Scene reportPlaces(const char* name)
 
 const QList<Scene>& allScenes()
 {
-    const QString run = QStringLiteral("nav0");
-    const QString motion = QStringLiteral("nav1");
-    const QString settings = QStringLiteral("nav2");
+    const QString run = QStringLiteral("nav_run");
+    const QString motion = QStringLiteral("nav_motion");
+    const QString settings = QStringLiteral("nav_settings");
     const QString length = QStringLiteral("field_bagLength");
     static const QList<Scene> scenes{
         taps("run", {run}),
@@ -284,7 +284,7 @@ const QList<Scene>& allScenes()
          [=](Stage& stage) {
              stage.link().show(Situation::Empty);
              stage.lookAtClock();
-             for (const char* name : {"nav1", "nextStep", "startKey"})
+             for (const char* name : {"nav_motion", "nextStep", "startKey"})
                  stage.tap(QString::fromLatin1(name));
          }},
         running("run-position", Kind::PositionMove),
@@ -319,13 +319,14 @@ const QList<Scene>& allScenes()
          [=](Stage& stage) {
              stage.link().show(Situation::Lost);
              stage.lookAtClock();
-             for (const char* name : {"nav1", "more", "proofButton"})
+             for (const char* name : {"nav_motion", "more", "proofButton"})
                  stage.tap(QString::fromLatin1(name));
          }},
         {QStringLiteral("faults"),
          [=](Stage& stage) {
              stage.link().setSimulated(true);
-             for (const char* name : {"nav3", "serviceLine", "service4", "fault0often", "fault1sometimes"})
+             for (const char* name :
+                  {"nav_maintenance", "serviceLine", "service4", "fault0often", "fault1sometimes"})
                  stage.tap(QString::fromLatin1(name));
          }},
         running("run-press", Kind::Press),
@@ -367,7 +368,7 @@ const QList<Scene>& allScenes()
         {QStringLiteral("figures-explained"),
          [=](Stage& stage) {
              stage.link().show(Situation::Stopped);
-             for (const char* name : {"nav3", "serviceLine", "service1"})
+             for (const char* name : {"nav_maintenance", "serviceLine", "service1"})
                  stage.tap(QString::fromLatin1(name));
              stage.hold(QStringLiteral("figuresTimes"));
          }},
@@ -387,7 +388,7 @@ const QList<Scene>& allScenes()
                 {QStringLiteral("service3"), QStringLiteral("framesAll"), QStringLiteral("frameList")}),
         {QStringLiteral("motion-all-curves"),
          [=](Stage& stage) {
-             for (const char* name : {"nav1", "more", "positionSwitch", "jerkSwitch", "sheetClose"})
+             for (const char* name : {"nav_motion", "more", "positionSwitch", "jerkSwitch", "sheetClose"})
                  stage.tap(QString::fromLatin1(name));
          }},
     };

@@ -15,7 +15,7 @@ void openMachineSection(Stage& stage, const char* section, Situation situation,
 {
     stage.link().show(situation, kind);
     stage.lookAtClock();
-    for (const char* name : {"nav3", "serviceMachine", section})
+    for (const char* name : {"nav_maintenance", "serviceMachine", section})
         stage.tap(QString::fromLatin1(name));
 }
 

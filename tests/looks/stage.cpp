@@ -74,12 +74,12 @@ void Stage::tap(const QString& name)
         Finger::tap(QStringLiteral("choice_%1").arg(groups.indexOf(name)));
         return;
     }
-    const QString navigation = QStringLiteral("nav");
+    const QString navigation = QStringLiteral("nav_");
     if (!name.startsWith(navigation) || find(name)) {
         Finger::tap(name);
         return;
     }
-    Finger::tap(QStringLiteral("navMore"));
+    Finger::tap(QStringLiteral("nav_more"));
     Finger::tap(QStringLiteral("choice_") + name.mid(navigation.size()));
 }
 

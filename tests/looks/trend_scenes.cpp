@@ -134,7 +134,7 @@ void openPage(Stage& stage,
               const QList<int>& quantities = {panel::Trends::Deviation, panel::Trends::MarkError})
 {
     panel::Trends& trends = stage.panel().trends();
-    stage.tap(QStringLiteral("nav0"));
+    stage.tap(QStringLiteral("nav_run"));
     trends.open();
     for (const int quantity : quantities) {
         if (!trends.chosen().contains(quantity))
@@ -146,7 +146,7 @@ void openPage(Stage& stage,
     }
     trends.showSpan(600'000);
     trends.showNow();
-    stage.tap(QStringLiteral("nav5"));
+    stage.tap(QStringLiteral("nav_trends"));
     if (QQuickItem* card = stage.find(QStringLiteral("trendCard")))
         card->setProperty("cursor", std::nan(""));
     stage.waitForTrends();

@@ -63,7 +63,7 @@ private slots:
         const double touch = part("size")->property("touch").toDouble();
         const double command = part("size")->property("commandKey").toDouble();
         const double stop = m_stage->find(QStringLiteral("stopKey"))->width();
-        tap("nav2");
+        tap("nav_settings");
         tap("glovesOn");
         QVERIFY(m_stage->panel().settings().gloves());
         QVERIFY(std::abs(part("size")->property("touch").toDouble() / touch - 1.25) < 0.01);
@@ -75,22 +75,22 @@ private slots:
 
     void lastPagesAreBehindMoreWhereGlovesNeedTheRoom()
     {
-        QVERIFY(!m_stage->find(QStringLiteral("navMore")));
+        QVERIFY(!m_stage->find(QStringLiteral("nav_more")));
         m_stage->panel().settings().setGloves(true);
         m_stage->settle();
-        QVERIFY(!m_stage->find(QStringLiteral("nav3")));
-        tap("navMore");
-        tap("choice_3");
-        QCOMPARE(m_stage->frame()->property("page").toInt(), 3);
-        QVERIFY(!m_stage->find(QStringLiteral("choice_3"))); // the chooser is gone
-        QVERIFY(m_stage->find(QStringLiteral("navMore"))->property("checked").toBool());
-        tap("nav1");
-        QCOMPARE(m_stage->frame()->property("page").toInt(), 1);
+        QVERIFY(!m_stage->find(QStringLiteral("nav_maintenance")));
+        tap("nav_more");
+        tap("choice_maintenance");
+        QCOMPARE(m_stage->frame()->property("page").toString(), "maintenance");
+        QVERIFY(!m_stage->find(QStringLiteral("choice_maintenance"))); // the chooser is gone
+        QVERIFY(m_stage->find(QStringLiteral("nav_more"))->property("checked").toBool());
+        tap("nav_motion");
+        QCOMPARE(m_stage->frame()->property("page").toString(), "motion");
     }
 
     void groupsOfServiceAreBehindOneKeyWhereGlovesNeedTheRoom()
     {
-        tap("nav3");
+        tap("nav_maintenance");
         tap("serviceMachine");
         m_stage->panel().settings().setGloves(true);
         m_stage->settle();
@@ -116,7 +116,7 @@ private slots:
                                    .arg(machine.live().rateBagsPerMin, 0, 'f', 1)),
                  qPrintable(text));
         tap("sheetClose");
-        tap("nav1");
+        tap("nav_motion");
         m_stage->hold(QStringLiteral("verdictNumbers"));
         QVERIFY2(textOf("explanationText").contains(QStringLiteral("rounded down")),
                  qPrintable(textOf("explanationText")));
@@ -138,7 +138,7 @@ private slots:
         m_stage->panel().settings().overrideLanguage(language);
         m_stage->settle();
         editor().rate()->set(rate);
-        tap("nav1");
+        tap("nav_motion");
         QVERIFY2(editor().verdict().contains(unit), qPrintable(editor().verdict()));
         const QString told = textOf("verdict");
         static const QRegularExpression breakable(
@@ -148,7 +148,7 @@ private slots:
 
     void timesOfAnswersSayHowTheyComeAbout()
     {
-        tap("nav3");
+        tap("nav_maintenance");
         tap("serviceLine");
         tap("service1");
         m_stage->hold(QStringLiteral("figuresTimes"));

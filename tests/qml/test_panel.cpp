@@ -42,7 +42,7 @@ private slots:
 
     void keypadTakesANumber()
     {
-        tap("nav1");
+        tap("nav_motion");
         tap("field_bagLength");
         m_stage->type(QStringLiteral("262.5"));
         QCOMPARE(textOf("keypadText"), QStringLiteral("262.5"));
@@ -53,7 +53,7 @@ private slots:
 
     void keypadRefusesWithTheLimit()
     {
-        tap("nav1");
+        tap("nav_motion");
         tap("field_bagLength");
         m_stage->type(QStringLiteral("99999"));
         QVERIFY2(textOf("keypadHint").contains(QStringLiteral("2000")), qPrintable(textOf("keypadHint")));
@@ -65,10 +65,10 @@ private slots:
     void keypadLeavesItsFieldAndStopFree_data()
     {
         QTest::addColumn<QStringList>("way");
-        QTest::newRow("bag length") << QStringList{"nav1", "field_bagLength"};
-        QTest::newRow("film speed") << QStringList{"nav1", "field_filmSpeed"};
+        QTest::newRow("bag length") << QStringList{"nav_motion", "field_bagLength"};
+        QTest::newRow("film speed") << QStringList{"nav_motion", "field_filmSpeed"};
         QTest::newRow("machine parameter at the right")
-            << QStringList{"nav2", "section2", "field_maxAcceleration"};
+            << QStringList{"nav_settings", "section2", "field_maxAcceleration"};
     }
     void keypadLeavesItsFieldAndStopFree()
     {
@@ -87,7 +87,7 @@ private slots:
 
     void enteringADerivedValuePinsIt()
     {
-        tap("nav1");
+        tap("nav_motion");
         QVERIFY(editor().filmSpeed()->derived());
         tap("field_filmSpeed");
         m_stage->type(QStringLiteral("300"));
@@ -102,7 +102,7 @@ private slots:
 
     void holdingADerivedValueExplainsIt()
     {
-        tap("nav1");
+        tap("nav_motion");
         m_stage->hold(QStringLiteral("field_baseSpeed"));
         QVERIFY(m_stage->find(QStringLiteral("sheetPanel")));
         tap("sheetClose");
@@ -111,7 +111,7 @@ private slots:
 
     void aHandleMovesItsRatio()
     {
-        tap("nav1");
+        tap("nav_motion");
         const double before = editor().k2()->value();
         const double first = editor().k1()->value();
         const QPoint handle = centerOf(QStringLiteral("handle1"));
@@ -143,7 +143,7 @@ private slots:
         QFETCH(QString, shown);
         const int before = kind == 1 ? 2 : 1;
         editor().newProgram(before);
-        tap("nav1");
+        tap("nav_motion");
         tap("more");
         tap("kindButton");
         tap(qPrintable(QStringLiteral("choice_%1").arg(kind)));
@@ -158,7 +158,7 @@ private slots:
     void aKnotFollowsTheFinger()
     {
         editor().newProgram(4);
-        tap("nav1");
+        tap("nav_motion");
         const QList<double> before = knots(&panel::KnotRow::slaveText);
         const QPoint handle = centerOf(QStringLiteral("handle1"));
         QTest::mousePress(&m_stage->window(), Qt::LeftButton, {}, handle);
@@ -175,7 +175,7 @@ private slots:
     void knotsAreAddedRemovedAndRepaired()
     {
         editor().newProgram(4);
-        tap("nav1");
+        tap("nav_motion");
         tap("knotsButton");
         QCOMPARE(editor().knots()->count(), 5);
         tap("knot1");
@@ -206,7 +206,7 @@ private slots:
             const QList<campanel::store::Place> places{{path, QStringLiteral("STICK"), false}};
             return panel::KnotFiles::Found{places, campanel::store::offeredKnots(places)};
         });
-        tap("nav1");
+        tap("nav_motion");
         tap("knotsButton");
         tap("knotFilesButton");
         m_stage->waitFor(files);
@@ -236,7 +236,7 @@ private slots:
     void aLawThatBreaksALimitCanBeHeldButNotChosen()
     {
         editor().rate()->set(390);
-        tap("nav1");
+        tap("nav_motion");
         tap("lawButton");
         QString lawId;
         for (const panel::LawRow& law : editor().laws()->rows()) {
@@ -262,7 +262,7 @@ private slots:
     void theMasterIsTurnedByATouch()
     {
         show(Kind::PointCam);
-        tap("nav0");
+        tap("nav_run");
         QCOMPARE(textOf("directionText"), QStringLiteral("runs forward"));
         tap("directionBackward");
         QCOMPARE(textOf("directionText"), QStringLiteral("Turning to backward …"));
@@ -275,7 +275,7 @@ private slots:
     void aHeldLawIsDrawnBehind()
     {
         editor().newProgram(2);
-        tap("nav1");
+        tap("nav_motion");
         tap("lawButton");
         m_stage->hold(QStringLiteral("law_cubic"));
         QCOMPARE(editor().overlayName(), QStringLiteral("Cubic (paper)"));
@@ -329,12 +329,12 @@ private slots:
     void stopIsReachedOverDialogsAndKeypad_data()
     {
         QTest::addColumn<QStringList>("way");
-        QTest::newRow("run") << QStringList{"nav0"};
-        QTest::newRow("settings") << QStringList{"nav2"};
-        QTest::newRow("search") << QStringList{"nav3", "doctorSearch"};
-        QTest::newRow("keypad") << QStringList{"nav1", "field_rate"};
-        QTest::newRow("dialog") << QStringList{"nav1", "lawButton"};
-        QTest::newRow("dialog from a dialog") << QStringList{"nav1", "more", "tableButton"};
+        QTest::newRow("run") << QStringList{"nav_run"};
+        QTest::newRow("settings") << QStringList{"nav_settings"};
+        QTest::newRow("search") << QStringList{"nav_maintenance", "doctorSearch"};
+        QTest::newRow("keypad") << QStringList{"nav_motion", "field_rate"};
+        QTest::newRow("dialog") << QStringList{"nav_motion", "lawButton"};
+        QTest::newRow("dialog from a dialog") << QStringList{"nav_motion", "more", "tableButton"};
     }
     void stopIsReachedOverDialogsAndKeypad()
     {
@@ -361,7 +361,7 @@ private slots:
     void onlyTheRunPageIsMadeAtStart()
     {
         QVERIFY(!m_stage->root().findChild<QObject*>(QStringLiteral("motionPlot")));
-        tap("nav1");
+        tap("nav_motion");
         QVERIFY(m_stage->find(QStringLiteral("motionPlot")));
     }
 
@@ -370,7 +370,7 @@ private slots:
         QTest::addColumn<QStringList>("way");
         QTest::addColumn<bool>("isFirstStart");
         const QString start = QStringLiteral("startKey");
-        const QString motion = QStringLiteral("nav1");
+        const QString motion = QStringLiteral("nav_motion");
         QTest::newRow("first start") << QStringList{start} << true;
         QTest::newRow("Run") << QStringList{start} << false;
         QTest::newRow("Motion") << QStringList{motion, start} << false;
@@ -403,7 +403,7 @@ private slots:
     {
         m_stage->link().show(campanel::looks::DemoLink::Situation::Empty);
         m_stage->settle();
-        for (const char* name : {"nav1", "startKey", "nextStep"})
+        for (const char* name : {"nav_motion", "startKey", "nextStep"})
             tap(name);
         QVERIFY(!m_stage->find(QStringLiteral("banner")));
         tap("startKey");

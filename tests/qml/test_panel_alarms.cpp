@@ -24,7 +24,7 @@ private slots:
     {
         QVERIFY(!isShown("navCalls"));
         QVERIFY(!isShown("urgentAlarm"));
-        tap("nav6");
+        tap("nav_alarms");
         QCOMPARE(textOf("alarmsEmpty"),
                  QStringLiteral("No alarm is active and none waits to be acknowledged."));
         QVERIFY(!isShown("alarmsAcknowledgeAll"));
@@ -39,7 +39,7 @@ private slots:
         QCOMPARE(textOf("navCalls"), QStringLiteral("1"));
         QCOMPARE(textOf("urgentAlarm"), QStringLiteral("Axis does not follow"));
         QVERIFY(isShown("banner"));
-        tap("nav6");
+        tap("nav_alarms");
         QCOMPARE(textOf("alarmState"), QStringLiteral("C-01 · Active, not acknowledged"));
         tap("liveAlarm0");
         QCOMPARE(textOf("alarmCause"), QStringLiteral("The axis does not keep up with its command."));
@@ -61,7 +61,7 @@ private slots:
         QCOMPARE(textOf("alarmReturned"), QStringLiteral("14:06:58"));
         QVERIFY(!isShown("alarmAcknowledge"));
         tap("sheetClose");
-        tap("nav0");
+        tap("nav_run");
         QVERIFY2(!alarms().history()->watched(), "nothing is read while nobody looks");
     }
 
@@ -71,7 +71,7 @@ private slots:
         tap("bannerButton");
         QVERIFY(!isShown("banner"));
         QCOMPARE(textOf("navCalls"), QStringLiteral("1"));
-        tap("nav6");
+        tap("nav_alarms");
         tap("alarmsAcknowledgeAll");
         QVERIFY(!isShown("navCalls"));
         QVERIFY(!isShown("alarmsAcknowledgeAll"));
@@ -85,7 +85,7 @@ private slots:
         QTest::addColumn<QString>("page");
         for (const char* language : {"en", "zh_CN", "long"}) {
             for (const QSize size : {QSize(800, 480), QSize(1024, 600), QSize(1280, 800)}) {
-                for (const char* page : {"nav0", "nav1"})
+                for (const char* page : {"nav_run", "nav_motion"})
                     QTest::addRow("%s %d %s", language, size.width(), page)
                         << QString::fromLatin1(language) << size << QString::fromLatin1(page);
             }
@@ -118,7 +118,7 @@ private slots:
 
     void alarmUnderAFingerTakesNoKeyAway()
     {
-        tap("nav6");
+        tap("nav_alarms");
         const double place = m_stage->find(QStringLiteral("alarmsShelved"))->mapToScene({}).x();
         m_stage->touch(QStringLiteral("alarmsShelved"));
         show(Situation::Fault);
@@ -134,7 +134,7 @@ private slots:
     void warningIsShelvedAndTakenBack()
     {
         show(Situation::Lost);
-        tap("nav6");
+        tap("nav_alarms");
         tap("liveAlarm0");
         tap("alarmShelve8");
         QVERIFY(!isShown("navCalls"));
@@ -150,7 +150,7 @@ private slots:
     void sheetFollowsWhatBecomesOfIt()
     {
         show(Situation::Lost);
-        tap("nav6");
+        tap("nav_alarms");
         tap("liveAlarm0");
         QCOMPARE(textOf("alarmReturned"), QStringLiteral("still active"));
         show(Situation::Running);
@@ -161,7 +161,7 @@ private slots:
     void languageIsSwitchedInTheSheet()
     {
         show(Situation::Fault);
-        tap("nav6");
+        tap("nav_alarms");
         tap("liveAlarm0");
         m_stage->panel().settings().setLanguage(QStringLiteral("zh_CN"));
         m_stage->settle();

@@ -41,7 +41,7 @@ class TestPanelBackup : public test::PanelTest {
         m_stage->panel().access().open();
         m_stage->panel().trail().open();
         m_stage->panel().trends().open();
-        tap("nav3");
+        tap("nav_maintenance");
         tap("servicePanel");
         tap("serviceBackup");
     }

@@ -30,7 +30,7 @@ private slots:
     void aFoundConnectionIsTakenOverInOneTap()
     {
         m_stage->link().show(campanel::looks::DemoLink::Situation::Stopped);
-        tap("nav3");
+        tap("nav_maintenance");
         tap("doctorSearch");
         QVERIFY2(textOf("doctorState").contains(QStringLiteral("/dev/ttyUSB1")),
                  qPrintable(textOf("doctorState")));
@@ -52,7 +52,7 @@ private slots:
 
     void doctorDoesNotDisturbARunningMachine()
     {
-        tap("nav3");
+        tap("nav_maintenance");
         QVERIFY(!m_stage->find(QStringLiteral("doctorSearch"))->isEnabled());
         QVERIFY(!textOf("doctorBlocked").isEmpty());
     }
@@ -60,13 +60,13 @@ private slots:
     void framesAreWatchedOnlyInSight()
     {
         const auto& frames = *m_stage->panel().service().frames();
-        tap("nav3");
+        tap("nav_maintenance");
         QVERIFY(!frames.watched());
         tap("service3");
         QVERIFY(frames.watched());
-        tap("nav0");
+        tap("nav_run");
         QVERIFY(!frames.watched());
-        tap("nav3");
+        tap("nav_maintenance");
         QVERIFY(frames.watched());
         tap("service1");
         QVERIFY(!frames.watched());
@@ -92,7 +92,7 @@ private slots:
     {
         QFETCH(int, kind);
         show(static_cast<Kind>(kind));
-        tap("nav0");
+        tap("nav_run");
         const auto grey = [this](const QQuickItem& text) {
             return text.property("color").value<QColor>() == m_stage->theme()
                                                                  ->property("color")
@@ -164,7 +164,7 @@ private slots:
 
     void theActiveProgramIsProven()
     {
-        for (const char* name : {"nav1", "more", "proofButton", "proofCompare"})
+        for (const char* name : {"nav_motion", "more", "proofButton", "proofCompare"})
             tap(name);
         QVERIFY2(textOf("proofText").startsWith(QStringLiteral("Equal: all ")),
                  qPrintable(textOf("proofText")));
@@ -174,7 +174,7 @@ private slots:
 
     void faultsAreForASimulatedLine()
     {
-        tap("nav3");
+        tap("nav_maintenance");
         QVERIFY(!m_stage->find(QStringLiteral("service4")));
         m_stage->link().setSimulated(true);
         m_stage->settle();

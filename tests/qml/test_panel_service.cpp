@@ -74,7 +74,7 @@ private slots:
         touch("jogForward");
         QCOMPARE(link().jog(), JogDirection::Forward);
         if (what == 0)
-            QMetaObject::invokeMethod(m_stage->frame(), "openPage", Q_ARG(int, 0));
+            QMetaObject::invokeMethod(m_stage->frame(), "openPage", Q_ARG(QString, QStringLiteral("run")));
         else if (what == 1)
             QMetaObject::invokeMethod(m_stage->find(QStringLiteral("serviceHoming")), "clicked");
         else if (what == 2)
@@ -136,7 +136,7 @@ private slots:
         m_stage->lift();
         tap("dryRunPlay");
         QVERIFY(run.playing());
-        tap("nav0");
+        tap("nav_run");
         QVERIFY(!run.playing());
     }
 };

@@ -148,7 +148,7 @@ private slots:
     void anotherPageAsksForNothing()
     {
         enter("trends");
-        tap("nav0");
+        tap("nav_run");
         QVERIFY(!trends().watched());
     }
 };

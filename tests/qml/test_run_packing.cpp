@@ -19,7 +19,7 @@ class TestPacking : public campanel::test::PanelTest {
         m_stage->link().show(situation);
         m_stage->lookAtClock();
         m_stage->settle();
-        tap("nav0");
+        tap("nav_run");
     }
     FilmPicture& picture()
     {
@@ -104,7 +104,7 @@ private slots:
         m_stage->theme()->setProperty("animated", true);
         enter(Situation::Running);
         QTRY_VERIFY(picture().isMoving());
-        tap("nav1");
+        tap("nav_motion");
         QVERIFY(!m_stage->find(QStringLiteral("filmPicture")));
         enter(Situation::Lost);
         QVERIFY(picture().property("stale").toBool());
@@ -113,7 +113,7 @@ private slots:
 
     void theToleranceIsChosen()
     {
-        tap("nav2");
+        tap("nav_settings");
         tap("section2");
         tap("bagTolerance");
         m_stage->type(QStringLiteral("9"));
