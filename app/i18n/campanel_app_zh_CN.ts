@@ -3479,29 +3479,6 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     </message>
 </context>
 <context>
-    <name>campanel::panel::EditorField</name>
-    <message>
-        <source>Enter a number.</source>
-        <translation>请输入数字。</translation>
-    </message>
-    <message>
-        <source>The smallest allowed value is %1.</source>
-        <translation>最小允许值为 %1。</translation>
-    </message>
-    <message>
-        <source>The smallest allowed value is %1 %2.</source>
-        <translation>最小允许值为 %1 %2。</translation>
-    </message>
-    <message>
-        <source>The largest allowed value is %1.</source>
-        <translation>最大允许值为 %1。</translation>
-    </message>
-    <message>
-        <source>The largest allowed value is %1 %2.</source>
-        <translation>最大允许值为 %1 %2。</translation>
-    </message>
-</context>
-<context>
     <name>campanel::panel::Explanations</name>
     <message>
         <source>Rate</source>
@@ -4512,6 +4489,10 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
 <context>
     <name>campanel::panel::MarkWizard</name>
     <message>
+        <source>Cut behind its mark</source>
+        <translation>切断在色标之后</translation>
+    </message>
+    <message>
         <source>There is no connection to the controller.</source>
         <translation>与控制器没有连接。</translation>
     </message>
@@ -4542,10 +4523,6 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     <message>
         <source>The distance is written, but the cuts of the last bags lay %1 from their marks on average. Look at gains and film before measuring again.</source>
         <translation>距离已写入，但最近几袋的切断平均偏离色标 %1。重新测量前请检查增益和薄膜。</translation>
-    </message>
-    <message>
-        <source>At most a bag length, %1, to either side.</source>
-        <translation>两侧最多一个袋长（%1）。</translation>
     </message>
     <message>
         <source>That bag has been measured already; wait for the next one.</source>
@@ -4732,10 +4709,6 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     <message>
         <source>%1: %2, read back from the controller.</source>
         <translation>%1：%2，已从控制器回读。</translation>
-    </message>
-    <message>
-        <source>From %1 to %2.</source>
-        <translation>从 %1 到 %2。</translation>
     </message>
     <message>
         <source>On</source>
@@ -5062,10 +5035,6 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
         <translation>没有连接到控制器。</translation>
     </message>
     <message>
-        <source>From %1 to %2.</source>
-        <translation>从 %1 到 %2。</translation>
-    </message>
-    <message>
         <source>Writing %1 …</source>
         <translation>正在写入 %1…</translation>
     </message>
@@ -5115,6 +5084,14 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
 <context>
     <name>campanel::panel::Settings</name>
     <message>
+        <source>Unit</source>
+        <translation>站号</translation>
+    </message>
+    <message>
+        <source>Bag tolerance ±</source>
+        <translation>袋长允差 ±</translation>
+    </message>
+    <message>
         <source>Not permitted: add the user to the group &quot;%1&quot;.</source>
         <translation>无权限：请将用户加入“%1”组。</translation>
     </message>
@@ -5136,6 +5113,21 @@ Recipes, machine data, users with their PINs, alarms, audit trail, bags, trends 
     <message>
         <source>trends</source>
         <translation>趋势</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Value</name>
+    <message>
+        <source>Enter a number.</source>
+        <translation>请输入数字。</translation>
+    </message>
+    <message>
+        <source>The smallest allowed value is %1.</source>
+        <translation>最小允许值为 %1。</translation>
+    </message>
+    <message>
+        <source>The largest allowed value is %1.</source>
+        <translation>最大允许值为 %1。</translation>
     </message>
 </context>
 </TS>

@@ -89,8 +89,8 @@ std::optional<QString> takePort(const toml::node& node, Configuration& into)
 std::optional<QString> takeTolerance(const toml::node& node, Configuration& into)
 {
     const auto value = node.is_number() ? node.value<double>() : std::nullopt;
-    const double least = panel::Settings::leastToleranceMm;
-    const double most = panel::Settings::mostToleranceMm;
+    const double least = panel::Settings::minToleranceMm;
+    const double most = panel::Settings::maxToleranceMm;
     if (!value || !std::isfinite(*value) || *value < least || *value > most)
         return u"a number from %1 to %2"_s.arg(least).arg(most);
     into.standard.bagToleranceMm = *value;

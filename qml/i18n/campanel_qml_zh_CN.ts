@@ -1283,13 +1283,6 @@ And %2 more.</source>
     </message>
 </context>
 <context>
-    <name>MeasurementKeypad</name>
-    <message>
-        <source>Cut behind its mark</source>
-        <translation>切断在色标之后</translation>
-    </message>
-</context>
-<context>
     <name>MoreSheet</name>
     <message>
         <source>View and tools</source>
@@ -2252,13 +2245,6 @@ And %2 more.</source>
     </message>
 </context>
 <context>
-    <name>SpeedKeypad</name>
-    <message>
-        <source>The frequency is from %1 to %2 Hz.</source>
-        <translation>频率范围为 %1 到 %2 Hz。</translation>
-    </message>
-</context>
-<context>
     <name>StrokeCard</name>
     <message>
         <source>Stroke</source>
@@ -2341,17 +2327,6 @@ And %2 more.</source>
     <message>
         <source>Space</source>
         <translation>空格</translation>
-    </message>
-</context>
-<context>
-    <name>ToleranceKeypad</name>
-    <message>
-        <source>Bag tolerance ±</source>
-        <translation>袋长允差 ±</translation>
-    </message>
-    <message>
-        <source>The tolerance is from %1 to %2 mm.</source>
-        <translation>允差范围为 %1 至 %2 mm。</translation>
     </message>
 </context>
 <context>
@@ -2518,17 +2493,6 @@ And %2 more.</source>
     <message>
         <source>Bags and trends as CSV</source>
         <translation>袋记录和趋势 CSV</translation>
-    </message>
-</context>
-<context>
-    <name>UnitKeypad</name>
-    <message>
-        <source>Unit</source>
-        <translation>站号</translation>
-    </message>
-    <message>
-        <source>The unit is from %1 to %2.</source>
-        <translation>站号范围为 %1 至 %2。</translation>
     </message>
 </context>
 <context>

@@ -81,7 +81,7 @@ ServiceSection {
             objectName: "homingSpeed"
             visible: section.homing.moves
             width: speed.cell
-            label: section.homing.speed.label
+            label: section.homing.speed.value.label
             value: section.homing.speed.text
             onClicked: {
                 if (Access.ask(Access.Technician))
@@ -102,6 +102,6 @@ ServiceSection {
     }
     Component {
         id: speedKeypad
-        SpeedKeypad { speed: section.homing.speed }
+        ValueKeypad { value: section.homing.speed.value }
     }
 }

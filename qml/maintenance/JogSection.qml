@@ -60,7 +60,7 @@ ServiceSection {
         SettingRow {
             objectName: "jogSpeed"
             width: values.cell
-            label: section.jog.speed.label
+            label: section.jog.speed.value.label
             value: section.jog.speed.text
             onClicked: {
                 if (Access.ask(Access.Technician))
@@ -117,6 +117,6 @@ ServiceSection {
     }
     Component {
         id: speedKeypad
-        SpeedKeypad { speed: section.jog.speed }
+        ValueKeypad { value: section.jog.speed.value }
     }
 }

@@ -128,6 +128,6 @@ ServiceSection {
     }
     Component {
         id: valueSheet
-        RegisterKeypad {}
+        ValueKeypad { value: section.inspector.value }
     }
 }

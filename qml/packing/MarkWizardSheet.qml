@@ -4,6 +4,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Parts
 import CamPanel.Panel
 
 Item {
@@ -130,7 +131,7 @@ Item {
                 visible: sheet.step === MarkWizard.Step.Measure
                 glyph: Theme.icon.edit
                 text: qsTr("Enter …")
-                onClicked: keypad.active = true
+                onClicked: keypad.open()
             },
             Button {
                 objectName: "wizardAgain"
@@ -152,7 +153,10 @@ Item {
         id: keypad
         anchors.fill: parent
         active: false
-        source: "MeasurementKeypad.qml"
-        onLoaded: (item as MeasurementKeypad).closed.connect(() => keypad.active = false)
+        function open(): void {
+            setSource("../Parts/ValueKeypad.qml", { value: sheet.wizard.measurement })
+            active = true
+        }
+        onLoaded: (item as ValueKeypad).closed.connect(() => keypad.active = false)
     }
 }

@@ -119,7 +119,7 @@ ServiceSection {
 
     Component {
         id: valueSheet
-        PackingKeypad {}
+        ValueKeypad { value: section.fields.value }
     }
     Component {
         id: wizardSheet

@@ -4,6 +4,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Parts
 import CamPanel.Panel
 
 SettingsSection {
@@ -118,6 +119,6 @@ SettingsSection {
     }
     Component {
         id: unitSheet
-        UnitKeypad {}
+        ValueKeypad { value: Settings.unitNumber }
     }
 }

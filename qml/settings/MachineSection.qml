@@ -54,7 +54,7 @@ SettingsSection {
     }
     Component {
         id: toleranceKeypad
-        ToleranceKeypad {}
+        ValueKeypad { value: Settings.bagTolerance }
     }
     ScrollMark { view: list }
 }

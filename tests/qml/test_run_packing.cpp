@@ -117,7 +117,7 @@ private slots:
         tap("section2");
         tap("bagTolerance");
         m_stage->type(QStringLiteral("9"));
-        QVERIFY2(textOf("keypadHint").contains(QStringLiteral("5.00")), qPrintable(textOf("keypadHint")));
+        QVERIFY2(textOf("keypadHint").contains(QStringLiteral("is 5 mm")), qPrintable(textOf("keypadHint")));
         tap("keypadCancel");
         QVERIFY(!m_stage->find(QStringLiteral("keypad")));
         tap("bagTolerance");

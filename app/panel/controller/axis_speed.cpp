@@ -3,6 +3,7 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/words/connection_sentences.h"
 
 namespace campanel::panel {
@@ -22,7 +23,11 @@ AxisSpeed::AxisSpeed(Controller& machine, Use use, QObject* parent)
     , m_use(use)
     , m_parameter(machine.parameter(parameterOf(use)))
 {
-    connect(&m_parameter, &Parameter::changed, this, &AxisSpeed::changed);
+    connect(&m_parameter, &Parameter::changed, this, &AxisSpeed::updateValue);
+    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
+            &AxisSpeed::updateValue);
+    connect(&m_value, &Value::setRequested, this, &AxisSpeed::write);
+    updateValue();
     connect(&machine, &Controller::programChanged, this, &AxisSpeed::changed);
 }
 
@@ -43,6 +48,14 @@ QString AxisSpeed::text() const
         return frequency;
     return tr("%1 · %2 mm/s", "1,000 Hz · 3.1 mm/s")
         .arg(frequency, format.number(*frequencyHz / program->pulsesPerMm, 1));
+}
+
+void AxisSpeed::updateValue()
+{
+    const modbus::RegisterInfo& info = m_parameter.info();
+    m_value.show({label(), QStringLiteral("Hz"), Format().number(frequencyHz(), 0), info.minimum,
+                  info.maximum, info.defaultValue, 0});
+    emit changed();
 }
 
 void AxisSpeed::write(double frequencyHz)

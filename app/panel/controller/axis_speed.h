@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/panel/controller/parameter.h"
+#include "app/panel/kit/value.h"
 
 #include <QObject>
 #include <QtQml/qqmlregistration.h>
@@ -16,13 +17,9 @@ class AxisSpeed : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("Speeds belong to Jog and Homing")
-    Q_PROPERTY(QString label READ label NOTIFY changed FINAL)
-    Q_PROPERTY(double frequencyHz READ frequencyHz NOTIFY changed FINAL)
+    Q_PROPERTY(campanel::panel::Value* value READ value CONSTANT FINAL)
     // The value as text, "1,000 Hz · 3.1 mm/s"; the second figure needs a program.
     Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
-    Q_PROPERTY(double minimum READ minimum CONSTANT FINAL)
-    Q_PROPERTY(double maximum READ maximum CONSTANT FINAL)
-    Q_PROPERTY(double defaultValue READ defaultValue CONSTANT FINAL)
     // The reason why the last value was not written; empty after a success.
     Q_PROPERTY(QString failure READ failure NOTIFY changed FINAL)
 
@@ -32,26 +29,26 @@ public:
     // The machine must outlive the object.
     AxisSpeed(Controller& machine, Use use, QObject* parent);
 
-    [[nodiscard]] QString label() const;
+    [[nodiscard]] Value* value() { return &m_value; }
     [[nodiscard]] double frequencyHz() const { return m_parameter.value().value_or(unknown); }
     [[nodiscard]] QString text() const;
-    [[nodiscard]] double minimum() const { return m_parameter.info().minimum; }
-    [[nodiscard]] double maximum() const { return m_parameter.info().maximum; }
-    [[nodiscard]] double defaultValue() const { return m_parameter.info().defaultValue; }
     [[nodiscard]] QString failure() const { return m_failure; }
 
     // Reads the value from the controller unless it is known.
     Q_INVOKABLE void read() { m_parameter.readIfUncertain(); }
-    // Writes the value; for technicians.
-    Q_INVOKABLE void write(double frequencyHz);
 
 signals:
     void changed();
 
 private:
+    [[nodiscard]] QString label() const;
+    void write(double frequencyHz);
+    void updateValue();
+
     Controller& m_machine;
     Use m_use;
     Parameter& m_parameter;
+    Value m_value;
     QString m_failure;
 };
 

@@ -3,6 +3,7 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/numbers.h"
 #include "app/panel/words/connection_sentences.h"
 #include "app/panel/words/register_words.h"
 
@@ -27,6 +28,7 @@ RegisterInspector::RegisterInspector(Controller& machine, QObject* parent)
     m_readTimer.setInterval(readPeriod);
     connect(&m_readTimer, &QTimer::timeout, this, &RegisterInspector::readVisible);
     connect(&m_registers, &RegisterModel::modelReset, this, [this] { select(-1); });
+    connect(&m_value, &Value::setRequested, this, &RegisterInspector::write);
     connect(&machine, &Controller::connectionChanged, this, &RegisterInspector::noteConnection);
     connect(&machine, &Controller::programChanged, this, &RegisterInspector::noteProgram);
 }
@@ -111,13 +113,13 @@ void RegisterInspector::takeRead(const link::ReadOutcome& outcome)
     const RegisterRow* chosen = row();
     if (chosen && chosen->address >= outcome.request.address &&
         chosen->address < outcome.request.address + outcome.request.count)
-        emit selectionChanged();
+        updateSelected();
 }
 
 void RegisterInspector::noteConnection()
 {
     readVisible();
-    emit selectionChanged();
+    updateSelected();
 }
 
 void RegisterInspector::noteProgram()
@@ -133,7 +135,7 @@ void RegisterInspector::select(int row)
     m_selected = m_registers.rowAt(row) ? row : -1;
     m_outcome.clear();
     m_isFailed = false;
-    emit selectionChanged();
+    updateSelected();
 }
 
 QString RegisterInspector::selectedName() const
@@ -143,8 +145,8 @@ QString RegisterInspector::selectedName() const
 
 QString RegisterInspector::number(double value) const
 {
-    const QString text = Format().number(value, decimals());
-    return unit().isEmpty() ? text : text + u' ' + unit();
+    const QString text = Format().number(value, m_value.decimals());
+    return m_value.unit().isEmpty() ? text : text + u' ' + m_value.unit();
 }
 
 QString RegisterInspector::selectedText() const
@@ -157,7 +159,8 @@ QString RegisterInspector::selectedText() const
     if (!reason.isEmpty())
         return reason;
     return m_machine.isConnected() ? tr("Can be written: %1 to %2, by default %3.")
-                                         .arg(number(minimum()), number(maximum()), number(defaultValue()))
+                                         .arg(number(m_value.minimum()), number(m_value.maximum()),
+                                              number(m_value.defaultValue()))
                                    : tr("There is no connection to the controller.");
 }
 
@@ -171,57 +174,30 @@ bool RegisterInspector::canWrite() const
     return writable() && m_machine.isConnected() && !m_isWriting;
 }
 
-QString RegisterInspector::unit() const
+void RegisterInspector::updateSelected()
 {
-    return row()
-               ? QString::fromUtf8(row()->info->unit.data(), static_cast<qsizetype>(row()->info->unit.size()))
-               : QString();
-}
-
-QString RegisterInspector::valueText() const
-{
-    const auto value = m_registers.valueAt(m_selected);
-    // A state has no physical value: the keypad displays its number.
-    return value ? Format().number(value->physical.value_or(static_cast<double>(value->raw)), decimals())
-                 : Format::unknownText();
-}
-
-double RegisterInspector::minimum() const
-{
-    return row() ? row()->info->minimum : 0;
-}
-
-double RegisterInspector::maximum() const
-{
-    return row() ? row()->info->maximum : 0;
-}
-
-double RegisterInspector::defaultValue() const
-{
-    return row() ? row()->info->defaultValue : 0;
-}
-
-int RegisterInspector::decimals() const
-{
-    return row() ? RegisterWords::decimals(*row()->info) : 0;
-}
-
-QString RegisterInspector::check(double value) const
-{
-    if (value >= minimum() && value <= maximum())
-        return {};
-    return tr("From %1 to %2.").arg(number(minimum()), number(maximum()));
+    if (row()) {
+        const modbus::RegisterInfo& info = *row()->info;
+        const int decimals = RegisterWords::decimals(info);
+        const auto value = m_registers.valueAt(m_selected);
+        // A state has no physical value: the keypad displays its number.
+        const double number = value ? value->physical.value_or(static_cast<double>(value->raw)) : unknown;
+        m_value.show(
+            {row()->name, QString::fromUtf8(info.unit.data(), static_cast<qsizetype>(info.unit.size())),
+             Format().number(number, decimals), info.minimum, info.maximum, info.defaultValue, decimals});
+    }
+    emit selectionChanged();
 }
 
 void RegisterInspector::write(double value)
 {
-    if (!canWrite() || !check(value).isEmpty() || !m_machine.accessCheck().require(Level::Service))
+    if (!canWrite() || !m_machine.accessCheck().require(Level::Service))
         return;
     m_outcome = tr("Writing %1 …").arg(number(value));
     m_isFailed = false;
     m_isWriting = m_machine.writeParameter(
         *row()->info, value, {this, [this](const link::ParameterOutcome& outcome) { takeWritten(outcome); }});
-    emit selectionChanged();
+    updateSelected();
 }
 
 void RegisterInspector::takeWritten(const link::ParameterOutcome& outcome)
@@ -235,7 +211,7 @@ void RegisterInspector::takeWritten(const link::ParameterOutcome& outcome)
                                      .arg(number(outcome.value.value_or(0)));
     }
     readVisible();
-    emit selectionChanged();
+    updateSelected();
 }
 
 void RegisterInspector::retranslate()
@@ -243,7 +219,7 @@ void RegisterInspector::retranslate()
     m_outcome.clear();
     m_registers.retranslate();
     emit filterChanged();
-    emit selectionChanged();
+    updateSelected();
 }
 
 } // namespace campanel::panel

@@ -3,6 +3,7 @@
 // displayed as read back.
 #pragma once
 
+#include "app/panel/kit/value.h"
 #include "app/panel/maintenance/register_model.h"
 
 #include <QObject>
@@ -35,12 +36,7 @@ class RegisterInspector : public QObject {
     Q_PROPERTY(bool canWrite READ canWrite NOTIFY selectionChanged FINAL)
     Q_PROPERTY(bool writable READ writable NOTIFY selectionChanged FINAL)
     // The selected register, for the keypad.
-    Q_PROPERTY(QString unit READ unit NOTIFY selectionChanged FINAL)
-    Q_PROPERTY(QString valueText READ valueText NOTIFY selectionChanged FINAL)
-    Q_PROPERTY(double minimum READ minimum NOTIFY selectionChanged FINAL)
-    Q_PROPERTY(double maximum READ maximum NOTIFY selectionChanged FINAL)
-    Q_PROPERTY(double defaultValue READ defaultValue NOTIFY selectionChanged FINAL)
-    Q_PROPERTY(int decimals READ decimals NOTIFY selectionChanged FINAL)
+    Q_PROPERTY(campanel::panel::Value* value READ value CONSTANT FINAL)
 
 public:
     // The machine must outlive the object.
@@ -61,20 +57,10 @@ public:
     [[nodiscard]] bool failed() const { return m_isFailed; }
     [[nodiscard]] bool writable() const;
     [[nodiscard]] bool canWrite() const;
-    [[nodiscard]] QString unit() const;
-    [[nodiscard]] QString valueText() const;
-    [[nodiscard]] double minimum() const;
-    [[nodiscard]] double maximum() const;
-    [[nodiscard]] double defaultValue() const;
-    [[nodiscard]] int decimals() const;
+    [[nodiscard]] Value* value() { return &m_value; }
 
     Q_INVOKABLE void setVisibleRows(int first, int last);
     Q_INVOKABLE void select(int row);
-    // Writes the selected register and displays the value read back.
-    Q_INVOKABLE void write(double value);
-    // Returns why the value must not be written; empty when it may.
-    [[nodiscard]] Q_INVOKABLE QString check(double value) const;
-
     void retranslate();
 
 signals:
@@ -83,6 +69,9 @@ signals:
     void selectionChanged();
 
 private:
+    void write(double value);
+    // Updates what is said of the selected register.
+    void updateSelected();
     void applyFilter();
     void noteConnection();
     void noteProgram();
@@ -97,6 +86,7 @@ private:
     QTimer m_readTimer;
     int m_pendingReads = 0;
     bool m_isWriting = false;
+    Value m_value;
     int m_first = 0;
     int m_last = -1;
     int m_selected = -1;

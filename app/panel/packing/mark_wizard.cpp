@@ -56,6 +56,9 @@ MarkWizard::MarkWizard(Controller& machine, PackingFields& fields, QObject* pare
     });
     connect(&fields, &PackingFields::changed, this, &MarkWizard::changed);
     connect(&fields, &PackingFields::written, this, &MarkWizard::takeWritten);
+    connect(&m_measurement, &Value::setRequested, this, &MarkWizard::addMeasurement);
+    connect(this, &MarkWizard::changed, this, &MarkWizard::updateMeasurement);
+    updateMeasurement();
     connect(&machine.link(), &link::Link::rulerRead, this, &MarkWizard::takeRuler);
 }
 
@@ -193,22 +196,19 @@ void MarkWizard::judgeBags()
     }
 }
 
-double MarkWizard::mostMm() const
+// Allows a bag length to either side.
+void MarkWizard::updateMeasurement()
 {
     const double bagMm = m_machine.active().bagLengthMm;
-    return std::isfinite(bagMm) ? bagMm : 0.0;
-}
-
-QString MarkWizard::check(double behindMm) const
-{
-    if (std::abs(behindMm) <= mostMm())
-        return {};
-    return tr("At most a bag length, %1, to either side.").arg(millimeters(mostMm(), 1));
+    const double maxMm = std::isfinite(bagMm) ? bagMm : 0.0;
+    m_measurement.show(
+        {tr("Cut behind its mark"), QStringLiteral("mm"), Format::unknownText(), -maxMm, maxMm, 0.0, 2});
 }
 
 void MarkWizard::addMeasurement(double behindMm)
 {
-    if (m_step != Step::Measure || m_measuredMm.size() >= mostMeasured || !check(behindMm).isEmpty())
+    if (m_step != Step::Measure || m_measuredMm.size() >= mostMeasured ||
+        !m_measurement.check(behindMm).isEmpty())
         return;
     m_measuredMm << behindMm;
     m_isSameBag = false;

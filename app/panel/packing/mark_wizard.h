@@ -6,6 +6,7 @@
 
 #include "app/link/link_values.h"
 #include "app/panel/kit/numbers.h"
+#include "app/panel/kit/value.h"
 
 #include <QList>
 #include <QObject>
@@ -38,7 +39,7 @@ class MarkWizard : public QObject {
     Q_PROPERTY(QString oldText READ oldText NOTIFY changed FINAL)
     Q_PROPERTY(QString newText READ newText NOTIFY changed FINAL)
     // The maximum of a measurement, mm.
-    Q_PROPERTY(double mostMm READ mostMm NOTIFY changed FINAL)
+    Q_PROPERTY(campanel::panel::Value* measurement READ measurement CONSTANT FINAL)
 
 public:
     enum class Step { Explain, Cutting, Measure, Confirm, Writing, Watch, Done, Failed };
@@ -58,9 +59,6 @@ public:
     Q_INVOKABLE void dropMeasurement();
     // Measures the last bag of the simulated machine.
     Q_INVOKABLE void measureSimulatedBag();
-    // Returns why the measurement is invalid; empty when it is valid.
-    [[nodiscard]] Q_INVOKABLE QString check(double behindMm) const;
-
     [[nodiscard]] Step step() const { return m_step; }
     [[nodiscard]] QString text() const;
     [[nodiscard]] QString blockedReason() const;
@@ -72,7 +70,7 @@ public:
     [[nodiscard]] QString offsetText() const;
     [[nodiscard]] QString oldText() const;
     [[nodiscard]] QString newText() const;
-    [[nodiscard]] double mostMm() const;
+    [[nodiscard]] Value* measurement() { return &m_measurement; }
     // Returns mm; NaN while an input is unknown.
     [[nodiscard]] double newDistanceMm() const;
     void retranslate();
@@ -81,6 +79,7 @@ signals:
     void changed();
 
 private:
+    void updateMeasurement();
     void setStep(Step step);
     void followBags();
     void judgeBags();
@@ -95,6 +94,7 @@ private:
 
     Controller& m_machine;
     PackingFields& m_fields;
+    Value m_measurement;
     Step m_step = Step::Explain;
     link::SteadyTime m_steppedAt;
     std::optional<std::uint32_t> m_firstBag; // at the start of the step

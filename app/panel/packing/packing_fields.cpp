@@ -77,6 +77,10 @@ PackingFields::PackingFields(Controller& machine, QObject* parent)
         connect(&parameter, &Parameter::changed, this, &PackingFields::tell);
     }
     connect(&machine.link(), &link::Link::commandEnded, this, &PackingFields::takeCommand);
+    connect(&m_value, &Value::setRequested, this, [this](double value) {
+        if (const Field* field = selected())
+            write(*field, value);
+    });
 }
 
 void PackingFields::read()
@@ -167,6 +171,7 @@ void PackingFields::suggest(const std::optional<GainSuggestion>& gains, int bags
 
 void PackingFields::tell()
 {
+    updateValue();
     emit dataChanged(index(0), index(rowCount() - 1));
     emit changed();
 }
@@ -180,6 +185,7 @@ void PackingFields::retranslate()
 void PackingFields::select(int row)
 {
     m_selected = row;
+    updateValue();
     emit changed();
 }
 
@@ -189,10 +195,16 @@ const PackingFields::Field* PackingFields::selected() const
                                                       : nullptr;
 }
 
-void PackingFields::writeSelected(double value)
+void PackingFields::updateValue()
 {
-    if (selected() && check(value).isEmpty())
-        write(*selected(), value);
+    const Field* field = selected();
+    if (!field)
+        return;
+    const modbus::RegisterInfo& info = field->info();
+    const int decimals = RegisterWords::decimals(info);
+    m_value.show({tr(field->words), unitOf(*field),
+                  Format().number(field->value().value_or(unknown), decimals), info.minimum, info.maximum,
+                  info.defaultValue, decimals});
 }
 
 void PackingFields::setOn(int row, bool on)
@@ -209,52 +221,9 @@ void PackingFields::takeSuggestion(int row)
         write(field, *field.suggestion);
 }
 
-QString PackingFields::check(double value) const
-{
-    if (!selected() || (value >= minimum() && value <= maximum()))
-        return {};
-    return tr("From %1 to %2.").arg(text(*selected(), minimum()), text(*selected(), maximum()));
-}
-
-QString PackingFields::label() const
-{
-    return selected() ? tr(selected()->words) : QString();
-}
-
 QString PackingFields::unitOf(const Field& field)
 {
     return QString::fromUtf8(field.info().unit.data(), static_cast<qsizetype>(field.info().unit.size()));
-}
-
-QString PackingFields::unit() const
-{
-    return selected() ? unitOf(*selected()) : QString();
-}
-
-QString PackingFields::valueText() const
-{
-    return selected() && selected()->value() ? Format().number(*selected()->value(), decimals())
-                                             : Format::unknownText();
-}
-
-double PackingFields::minimum() const
-{
-    return selected() ? selected()->info().minimum : 0;
-}
-
-double PackingFields::maximum() const
-{
-    return selected() ? selected()->info().maximum : 0;
-}
-
-double PackingFields::defaultValue() const
-{
-    return selected() ? selected()->info().defaultValue : 0;
-}
-
-int PackingFields::decimals() const
-{
-    return selected() ? RegisterWords::decimals(selected()->info()) : 0;
 }
 
 // Returns the text with its unit, or On and Off.

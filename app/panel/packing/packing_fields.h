@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/panel/controller/parameter.h"
+#include "app/panel/kit/value.h"
 #include "app/panel/packing/gain_estimate.h"
 
 #include <QAbstractListModel>
@@ -21,14 +22,8 @@ class PackingFields : public QAbstractListModel {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The fields belong to the packing setup")
-    // The selected field, for the keypad; 0 and empty while none is selected.
-    Q_PROPERTY(QString label READ label NOTIFY changed FINAL)
-    Q_PROPERTY(QString unit READ unit NOTIFY changed FINAL)
-    Q_PROPERTY(QString valueText READ valueText NOTIFY changed FINAL)
-    Q_PROPERTY(double minimum READ minimum NOTIFY changed FINAL)
-    Q_PROPERTY(double maximum READ maximum NOTIFY changed FINAL)
-    Q_PROPERTY(double defaultValue READ defaultValue NOTIFY changed FINAL)
-    Q_PROPERTY(int decimals READ decimals NOTIFY changed FINAL)
+    // The selected field, for the keypad.
+    Q_PROPERTY(campanel::panel::Value* value READ value CONSTANT FINAL)
     // The result of the last write; empty before the first.
     Q_PROPERTY(QString outcomeText READ outcomeText NOTIFY changed FINAL)
     Q_PROPERTY(bool failed READ failed NOTIFY changed FINAL)
@@ -63,21 +58,11 @@ public:
     void retranslate();
 
     Q_INVOKABLE void select(int row);
-    // Writes the selected field; values outside its range are ignored.
-    Q_INVOKABLE void writeSelected(double value);
     Q_INVOKABLE void setOn(int row, bool on);
     Q_INVOKABLE void takeSuggestion(int row);
     Q_INVOKABLE void save();
-    // Returns why the value must not be written; empty when it may.
-    [[nodiscard]] Q_INVOKABLE QString check(double value) const;
 
-    [[nodiscard]] QString label() const;
-    [[nodiscard]] QString unit() const;
-    [[nodiscard]] QString valueText() const;
-    [[nodiscard]] double minimum() const;
-    [[nodiscard]] double maximum() const;
-    [[nodiscard]] double defaultValue() const;
-    [[nodiscard]] int decimals() const;
+    [[nodiscard]] Value* value() { return &m_value; }
     [[nodiscard]] QString outcomeText() const { return m_outcome; }
     [[nodiscard]] bool failed() const { return m_isFailed; }
     [[nodiscard]] bool unsaved() const { return m_isUnsaved; }
@@ -110,9 +95,11 @@ private:
     [[nodiscard]] QString note(const Field& field) const;
     void takeCommand(const link::CommandOutcome& outcome);
     void tell();
+    void updateValue();
 
     Controller& m_machine;
     std::vector<Field> m_fields;
+    Value m_value;
     int m_selected = -1;
     std::optional<GainSuggestion> m_gains;
     int m_bags = 0;

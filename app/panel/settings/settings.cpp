@@ -3,6 +3,7 @@
 
 #include "app/link/port_finder.h"
 #include "app/panel/kit/engine_instances.h"
+#include "app/panel/kit/format.h"
 
 #include <QLocale>
 #include <QSettings>
@@ -16,6 +17,10 @@ using namespace Qt::StringLiterals;
 namespace campanel::panel {
 
 namespace {
+
+// Modbus: 0 is broadcast, numbers above 247 are reserved.
+constexpr int minUnit = 1;
+constexpr int maxUnit = 247;
 
 const QString languageKey = u"language"_s;
 const QString themeKey = u"theme"_s;
@@ -108,7 +113,7 @@ Settings::Settings(const QString& storage, QObject* parent, const StandardSettin
                         chosen(standard.language, languages(), systemLanguage));
     m_theme = chosen(m_file.value(themeKey), themes(), standard.theme);
     const double stored = m_file.value(bagToleranceKey).toDouble();
-    if (stored >= leastToleranceMm && stored <= mostToleranceMm)
+    if (stored >= minToleranceMm && stored <= maxToleranceMm)
         m_bagToleranceMm = stored;
     const int minutes = m_file.value(autoLogoutKey).toInt();
     if (possibleLogouts().contains(minutes))
@@ -120,6 +125,13 @@ Settings::Settings(const QString& storage, QObject* parent, const StandardSettin
     QLocale::setDefault(QLocale(m_language));
     // Queued until the texts of the new language are available.
     connect(this, &Settings::languageChanged, this, &Settings::noticeChanged, Qt::QueuedConnection);
+    connect(this, &Settings::languageChanged, this, &Settings::updateValues, Qt::QueuedConnection);
+    connect(this, &Settings::bagToleranceChanged, this, &Settings::updateValues);
+    connect(this, &Settings::connectionChanged, this, &Settings::updateValues);
+    connect(&m_bagTolerance, &Value::setRequested, this, &Settings::setBagToleranceMm);
+    connect(&m_unitNumber, &Value::setRequested, this,
+            [this](double unit) { setUnit(static_cast<int>(std::lround(unit))); });
+    updateValues();
 }
 
 // Removes the connection when the panel's controller is unknown. The panel is not new either: it has no
@@ -270,12 +282,21 @@ void Settings::setGloves(bool gloves)
 
 void Settings::setBagToleranceMm(double toleranceMm)
 {
-    const double taken = std::clamp(toleranceMm, leastToleranceMm, mostToleranceMm);
+    const double taken = std::clamp(toleranceMm, minToleranceMm, maxToleranceMm);
     if (std::isnan(toleranceMm) || taken == m_bagToleranceMm || !require(Level::Technician))
         return;
     m_bagToleranceMm = taken;
     m_file.set(bagToleranceKey, QString::number(m_bagToleranceMm, 'g', QLocale::FloatingPointShortest));
     emit bagToleranceChanged();
+}
+
+void Settings::updateValues()
+{
+    constexpr int decimals = 2;
+    const Format format;
+    m_bagTolerance.show({tr("Bag tolerance ±"), u"mm"_s, format.number(m_bagToleranceMm, decimals),
+                         minToleranceMm, maxToleranceMm, m_standardToleranceMm, decimals});
+    m_unitNumber.show({tr("Unit"), {}, QString::number(m_draft.unit), minUnit, maxUnit, minUnit, 0});
 }
 
 void Settings::setAutoLogoutMinutes(int minutes)
@@ -342,7 +363,7 @@ void Settings::setStopBits(int stopBits)
 void Settings::setUnit(int unit)
 {
     ConnectionChoice choice = m_draft;
-    choice.unit = std::clamp(unit, 1, 247);
+    choice.unit = std::clamp(unit, minUnit, maxUnit);
     edit(choice);
 }
 

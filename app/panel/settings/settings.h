@@ -5,6 +5,7 @@
 
 #include "app/link/link_values.h"
 #include "app/panel/kit/access_check.h"
+#include "app/panel/kit/value.h"
 #include "app/panel/settings/port_model.h"
 #include "app/store/files/settings_file.h"
 
@@ -56,9 +57,9 @@ class Settings : public QObject {
     // The tolerance of a bag's length, +- mm; for display only, the controller does not know it.
     Q_PROPERTY(
         double bagToleranceMm READ bagToleranceMm WRITE setBagToleranceMm NOTIFY bagToleranceChanged FINAL)
-    Q_PROPERTY(double leastBagToleranceMm READ leastBagToleranceMm CONSTANT FINAL)
-    Q_PROPERTY(double mostBagToleranceMm READ mostBagToleranceMm CONSTANT FINAL)
-    Q_PROPERTY(double defaultBagToleranceMm READ defaultBagToleranceMm CONSTANT FINAL)
+    // The same and the unit number, for the keypad.
+    Q_PROPERTY(campanel::panel::Value* bagTolerance READ bagTolerance CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::Value* unitNumber READ unitNumber CONSTANT FINAL)
 
     Q_PROPERTY(bool simulated READ simulated WRITE setSimulated NOTIFY connectionChanged FINAL)
     Q_PROPERTY(QString portName READ portName WRITE setPortName NOTIFY connectionChanged FINAL)
@@ -91,8 +92,8 @@ public:
     [[nodiscard]] static QStringList possibleLanguages();
     [[nodiscard]] static QStringList possibleThemes();
     [[nodiscard]] static QList<int> possibleLogouts();
-    static constexpr double leastToleranceMm = 0.05;
-    static constexpr double mostToleranceMm = 5;
+    static constexpr double minToleranceMm = 0.05;
+    static constexpr double maxToleranceMm = 5;
 
     // Returns the path of the file for that `storage`.
     [[nodiscard]] static QString fileName(const QString& storage);
@@ -120,9 +121,8 @@ public:
     void setGloves(bool gloves);
     [[nodiscard]] double bagToleranceMm() const { return m_bagToleranceMm; }
     void setBagToleranceMm(double toleranceMm); // limited to its range
-    [[nodiscard]] double leastBagToleranceMm() const { return leastToleranceMm; }
-    [[nodiscard]] double mostBagToleranceMm() const { return mostToleranceMm; }
-    [[nodiscard]] double defaultBagToleranceMm() const { return m_standardToleranceMm; }
+    [[nodiscard]] Value* bagTolerance() { return &m_bagTolerance; }
+    [[nodiscard]] Value* unitNumber() { return &m_unitNumber; }
 
     [[nodiscard]] bool simulated() const { return m_draft.simulated; }
     void setSimulated(bool simulated);
@@ -184,6 +184,7 @@ signals:
     void noticeChanged();
 
 private:
+    void updateValues();
     void forgetController(ConnectionChoice standard);
     void edit(ConnectionChoice choice);
     [[nodiscard]] bool require(Level needed) const { return !m_access || m_access->require(needed); }
@@ -194,6 +195,8 @@ private:
     bool m_gloves;
     double m_standardToleranceMm;
     double m_bagToleranceMm;
+    Value m_bagTolerance;
+    Value m_unitNumber;
     int m_autoLogoutMinutes;
     bool m_operatorsLogIn;
     bool m_isNoticed;

@@ -356,7 +356,7 @@ screen = "linuxfb"
             QCOMPARE(settings.theme(), u"dark"_s);
             QVERIFY(settings.gloves());
             QCOMPARE(settings.bagToleranceMm(), 1.5);
-            QCOMPARE(settings.defaultBagToleranceMm(), 1.5);
+            QCOMPARE(settings.bagTolerance()->defaultValue(), 1.5);
             QCOMPARE(settings.autoLogoutMinutes(), 10);
             QVERIFY(settings.operatorsLogIn());
             QCOMPARE(settings.connection(), standard.connection);

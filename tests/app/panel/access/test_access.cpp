@@ -203,10 +203,10 @@ private slots:
         QVERIFY(inspector.canWrite());
         rig.logIn(u"Bo"_s, u"1470"_s);
         const auto before = rig.link.parameters.size();
-        inspector.write(inspector.minimum());
+        inspector.value()->set(inspector.value()->minimum());
         QCOMPARE(rig.link.parameters.size(), before);
         rig.logIn(u"Anna"_s, u"258036"_s);
-        inspector.write(inspector.minimum());
+        inspector.value()->set(inspector.value()->minimum());
         QVERIFY(rig.link.parameters.size() > before);
     }
 

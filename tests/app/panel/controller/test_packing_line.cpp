@@ -289,7 +289,7 @@ private slots:
         settings.setBagToleranceMm(NAN);
         QCOMPARE(settings.bagToleranceMm(), 0.2);
         settings.setBagToleranceMm(100);
-        QCOMPARE(settings.bagToleranceMm(), settings.mostBagToleranceMm());
+        QCOMPARE(settings.bagToleranceMm(), settings.bagTolerance()->maximum());
     }
 };
 

@@ -273,7 +273,7 @@ private slots:
         emit rig.link.parameterEnded({rig.link.parameters.last().id, "parameter.jog_frequency",
                                       link::ParameterEnd::Done, 1000, std::nullopt});
         QCOMPARE(speed.text(), QStringLiteral("1000 Hz"));
-        speed.write(2500);
+        speed.value()->set(2500);
         QCOMPARE(rig.link.parameters.last().value, 2500.0);
         emit rig.link.parameterEnded({rig.link.parameters.last().id, "parameter.jog_frequency",
                                       link::ParameterEnd::OutcomeUnknown, std::nullopt, std::nullopt});

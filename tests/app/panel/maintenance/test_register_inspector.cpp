@@ -135,10 +135,10 @@ private slots:
         panel::RegisterInspector& inspector = rig.inspector();
         inspector.select(2);
         QCOMPARE(inspector.selectedText(), "Can be written: 50 ms to 10000 ms, by default 800 ms.");
-        QVERIFY(!inspector.check(49).isEmpty() && inspector.check(50).isEmpty());
-        inspector.write(49);
+        QVERIFY(!inspector.value()->check(49).isEmpty() && inspector.value()->check(50).isEmpty());
+        inspector.value()->set(49);
         QCOMPARE(rig.link.parameters.size(), 0);
-        inspector.write(900);
+        inspector.value()->set(900);
         QCOMPARE(rig.link.parameters.size(), 1);
         QCOMPARE(rig.link.parameters[0].name, "parameter.ramp_time");
         QCOMPARE(rig.link.parameters[0].value, std::optional(900.0));
@@ -146,7 +146,7 @@ private slots:
         emit rig.link.parameterEnded(
             {rig.link.parameters[0].id, "parameter.ramp_time", link::ParameterEnd::Done, 900.0, {}});
         QCOMPARE(inspector.selectedText(), "Written, and read back from the controller: 900 ms.");
-        inspector.write(1000);
+        inspector.value()->set(1000);
         emit rig.link.parameterEnded({rig.link.parameters[1].id,
                                       "parameter.ramp_time",
                                       link::ParameterEnd::OutcomeUnknown,
@@ -166,7 +166,7 @@ private slots:
         QCOMPARE(rig.machine.direction()->way(), panel::MasterDirection::Way::Forward);
         rig.service.inspector()->setNameFilter(QStringLiteral("master_direction"));
         rig.service.inspector()->select(0);
-        rig.service.inspector()->write(1);
+        rig.service.inspector()->value()->set(1);
         emit rig.link.parameterEnded(
             {rig.link.parameters[1].id, "parameter.master_direction", link::ParameterEnd::Done, 1.0, {}});
         QCOMPARE(rig.machine.direction()->way(), panel::MasterDirection::Way::Backward);

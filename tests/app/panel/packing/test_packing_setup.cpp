@@ -169,12 +169,12 @@ private slots:
         QCOMPARE(rig.at(row, PackingFields::ValueRole).toString(), "6");
         QCOMPARE(rig.at(row, PackingFields::NoteRole).toString(), "0.5 mm to 30 mm");
         rig.fields().select(row);
-        QCOMPARE(rig.fields().unit(), "mm");
-        QCOMPARE(rig.fields().decimals(), 3);
-        QCOMPARE(rig.fields().check(31), "From 0.5 mm to 30 mm.");
-        rig.fields().writeSelected(31);
+        QCOMPARE(rig.fields().value()->unit(), "mm");
+        QCOMPARE(rig.fields().value()->decimals(), 3);
+        QCOMPARE(rig.fields().value()->check(31), "The largest allowed value is 30 mm.");
+        rig.fields().value()->set(31);
         QVERIFY(rig.link.parameters.isEmpty());
-        rig.fields().writeSelected(8);
+        rig.fields().value()->set(8);
         QCOMPARE(rig.link.parameters.last().name, std::string("parameter.mark_window"));
         QCOMPARE(rig.link.parameters.last().value, 8.0);
         QCOMPARE(rig.at(row, PackingFields::ValueRole).toString(), "6"); // until it is proven

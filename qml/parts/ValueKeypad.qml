@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The new value of the selected register.
+// The keypad for one value; a touch beside it cancels.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -9,7 +9,7 @@ import CamPanel.Panel
 Item {
     id: entry
 
-    readonly property RegisterInspector inspector: Service.inspector
+    required property Value value
     signal closed()
 
     MouseArea {
@@ -21,16 +21,16 @@ Item {
         anchors { right: parent.right; verticalCenter: parent.verticalCenter }
         width: 4 * Theme.size.commandKey + 2 * Theme.size.accent
         height: Math.min(parent.height, preferredHeight)
-        label: entry.inspector.selectedName
-        unit: entry.inspector.unit
-        currentText: entry.inspector.valueText
-        minimum: entry.inspector.minimum
-        maximum: entry.inspector.maximum
-        defaultValue: entry.inspector.defaultValue
-        decimals: entry.inspector.decimals
-        refusal: isNaN(typedValue) ? "" : entry.inspector.check(typedValue)
-        onAccepted: value => {
-            entry.inspector.write(value)
+        label: entry.value.label
+        unit: entry.value.unit
+        currentText: entry.value.text
+        minimum: entry.value.minimum
+        maximum: entry.value.maximum
+        defaultValue: entry.value.defaultValue
+        decimals: entry.value.decimals
+        refusal: isNaN(typedValue) ? "" : entry.value.check(typedValue)
+        onAccepted: number => {
+            entry.value.set(number)
             entry.closed()
         }
         onCanceled: entry.closed()

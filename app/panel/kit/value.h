@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// A number that a person can enter, as the keypad shows it. The owner updates it with show() and carries out
+// setRequested().
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QtQml/qqmlregistration.h>
+
+namespace campanel::panel {
+
+struct ValueView {
+    QString label;
+    QString unit;
+    QString text; // the value in localized digits, "--" when unknown
+    double minimum = 0;
+    double maximum = 0;
+    double defaultValue = 0;
+    int decimals = 0;
+
+    bool operator==(const ValueView&) const = default;
+};
+
+class Value : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("Values belong to the object that changes them")
+
+    Q_PROPERTY(QString label READ label NOTIFY changed FINAL)
+    Q_PROPERTY(QString unit READ unit NOTIFY changed FINAL)
+    Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
+    Q_PROPERTY(double minimum READ minimum NOTIFY changed FINAL)
+    Q_PROPERTY(double maximum READ maximum NOTIFY changed FINAL)
+    Q_PROPERTY(double defaultValue READ defaultValue NOTIFY changed FINAL)
+    Q_PROPERTY(int decimals READ decimals NOTIFY changed FINAL)
+
+public:
+    using QObject::QObject;
+
+    [[nodiscard]] QString label() const { return m_view.label; }
+    [[nodiscard]] QString unit() const { return m_view.unit; }
+    [[nodiscard]] QString text() const { return m_view.text; }
+    [[nodiscard]] double minimum() const { return m_view.minimum; }
+    [[nodiscard]] double maximum() const { return m_view.maximum; }
+    [[nodiscard]] double defaultValue() const { return m_view.defaultValue; }
+    [[nodiscard]] int decimals() const { return m_view.decimals; }
+
+    // Returns an empty text when the value may be entered, else a sentence with the limit.
+    Q_INVOKABLE QString check(double value) const;
+    // Requests the value. Values refused by check() change nothing.
+    Q_INVOKABLE void set(double value);
+
+    // Returns true when the view has changed.
+    bool show(const ValueView& view);
+
+signals:
+    void changed();
+    void setRequested(double value);
+
+private:
+    ValueView m_view;
+};
+
+} // namespace campanel::panel
