@@ -79,20 +79,21 @@ constexpr std::array moveDurations{
     entry(MoveDuration::OverDistance, "OverDistance", "The distance of a change of speed is given."),
 };
 
+// The codes are those of profile::LawId.
 constexpr std::array laws{
-    entry(Law::Cubic, "Cubic", "Cubic, 3 x^2 - 2 x^3."),
-    entry(Law::Quintic, "Quintic", "Quintic 3-4-5."),
-    entry(Law::Polynomial4567, "Polynomial4567", "Polynomial 4-5-6-7."),
-    entry(Law::Harmonic, "Harmonic", "Harmonic."),
-    entry(Law::Cycloidal, "Cycloidal", "Cycloidal."),
-    entry(Law::ModifiedSine, "ModifiedSine", "Modified sine."),
-    entry(Law::ModifiedTrapezoid, "ModifiedTrapezoid", "Modified trapezoid."),
-    entry(Law::Parabolic, "Parabolic", "Parabolic: constant acceleration, then constant deceleration."),
-    entry(Law::Trapezoid, "Trapezoid", "Trapezoid; parameter 1: share of the time of each ramp."),
-    entry(Law::SCurve, "SCurve",
-          "Seven segments; parameter 1: share of the time of each ramp, 2: of the ramp with jerk."),
-    entry(Law::Exponential, "Exponential", "Exponential; parameter 1: its exponent."),
-    entry(Law::HalfModifiedSine, "HalfModifiedSine", "First half of the modified sine."),
+    EnumValue{"Cubic", 1, "Cubic, 3 x^2 - 2 x^3."},
+    EnumValue{"Quintic", 2, "Quintic 3-4-5."},
+    EnumValue{"Polynomial4567", 3, "Polynomial 4-5-6-7."},
+    EnumValue{"Harmonic", 4, "Harmonic."},
+    EnumValue{"Cycloidal", 5, "Cycloidal."},
+    EnumValue{"ModifiedSine", 6, "Modified sine."},
+    EnumValue{"ModifiedTrapezoid", 7, "Modified trapezoid."},
+    EnumValue{"Parabolic", 8, "Parabolic: constant acceleration, then constant deceleration."},
+    EnumValue{"Trapezoid", 9, "Trapezoid; parameter 1: share of the time of each ramp."},
+    EnumValue{"SCurve", 10,
+              "Seven segments; parameter 1: share of the time of each ramp, 2: of the ramp with jerk."},
+    EnumValue{"Exponential", 11, "Exponential; parameter 1: its exponent."},
+    EnumValue{"HalfModifiedSine", 12, "First half of the modified sine."},
 };
 
 constexpr std::array splineEnds{

@@ -45,21 +45,6 @@ enum class RampShape : std::uint16_t { Trapezoid = 0, SCurve = 1 };
 // The given input of a move.
 enum class MoveDuration : std::uint16_t { GivenTime = 0, Fastest = 1, OverDistance = 2 };
 
-enum class Law : std::uint16_t {
-    Cubic = 1,
-    Quintic,
-    Polynomial4567,
-    Harmonic,
-    Cycloidal,
-    ModifiedSine,
-    ModifiedTrapezoid,
-    Parabolic,
-    Trapezoid,
-    SCurve,
-    Exponential,
-    HalfModifiedSine,
-};
-
 enum class SplineEnds : std::uint16_t { Natural = 0, Clamped = 1, Periodic = 2 };
 
 enum class PressStage : std::uint16_t { Standing = 0, Approach, Probe, Press, Hold, Return };

@@ -151,9 +151,9 @@ QList<LawRow> EditorViews::laws(std::optional<profile::LawId> compared) const
             continue;
         LawRow row;
         row.lawId = QString::fromUtf8(law.key.data(), static_cast<qsizetype>(law.key.size()));
-        row.name = RecipeWords::lawName(law.id);
-        row.strength = RecipeWords::lawStrength(law.id);
-        row.weakness = RecipeWords::lawWeakness(law.id);
+        row.name = RecipeWords::inWords(law.name);
+        row.strength = RecipeWords::inWords(law.strength);
+        row.weakness = RecipeWords::inWords(law.weakness);
         row.current = law.id == lawOf(m_recipe);
         row.compared = compared == law.id;
         const auto [peaks, isFeasible] = demandOf(law);

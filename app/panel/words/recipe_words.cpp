@@ -2,12 +2,19 @@
 #include "app/panel/words/recipe_words.h"
 
 #include "app/panel/kit/format.h"
+#include "profile/laws/laws.h"
 
 namespace campanel::panel {
 
 using profile::Field;
 using profile::LawId;
 using profile::Limit;
+
+// Translates a text of a table of profile/. Its sources are listed in the catalogue by hand.
+QString RecipeWords::inWords(std::string_view text)
+{
+    return tr(std::string(text).c_str());
+}
 
 QString RecipeWords::valueText(Field field, double value)
 {
@@ -33,109 +40,8 @@ QString RecipeWords::unit(std::string_view unit)
 
 QString RecipeWords::lawName(LawId law)
 {
-    switch (law) {
-    case LawId::Cubic:
-        return tr("Cubic (paper)");
-    case LawId::Quintic:
-        return tr("Quintic 3-4-5");
-    case LawId::Polynomial4567:
-        return tr("Polynomial 4-5-6-7");
-    case LawId::Harmonic:
-        return tr("Harmonic");
-    case LawId::Cycloidal:
-        return tr("Cycloidal");
-    case LawId::ModifiedSine:
-        return tr("Modified sine");
-    case LawId::ModifiedTrapezoid:
-        return tr("Modified trapezoid");
-    case LawId::Parabolic:
-        return tr("Parabolic");
-    case LawId::Trapezoid:
-        return tr("Trapezoid");
-    case LawId::SCurve:
-        return tr("Seven-segment S");
-    case LawId::Exponential:
-        return tr("Exponential");
-    case LawId::HalfModifiedSine:
-        return tr("Half modified sine");
-    }
-    return {};
-}
-
-QString RecipeWords::lawStrength(LawId law)
-{
-    switch (law) {
-    case LawId::Cubic:
-        return tr(
-            "As a speed law its acceleration is zero at both ends and peaks at only 1.5 times its mean.");
-    case LawId::Quintic:
-        return tr("Speed and acceleration are zero at both ends, by one short polynomial.");
-    case LawId::Polynomial4567:
-        return tr("Speed, acceleration and jerk are all zero at both ends, so it excites little vibration.");
-    case LawId::Harmonic:
-        return tr("Low peak speed (1.57) and low peak acceleration (4.93) by half a cosine wave.");
-    case LawId::Cycloidal:
-        return tr("Its acceleration is one whole sine wave, smooth throughout and zero at both ends.");
-    case LawId::ModifiedSine:
-        return tr("Low peak speed (1.76) with moderate peak acceleration (5.53) and no jump of acceleration: "
-                  "it suits large inertia.");
-    case LawId::ModifiedTrapezoid:
-        return tr("The lowest peak acceleration (4.89) of the laws without parameters whose acceleration "
-                  "does not jump.");
-    case LawId::Parabolic:
-        return tr("The lowest peak acceleration (4) that a move from rest to rest can have.");
-    case LawId::Trapezoid:
-        return tr("No law has a lower peak speed at the same peak acceleration; the ramp fraction trades one "
-                  "for the other.");
-    case LawId::SCurve:
-        return tr("Its acceleration does not jump, and both its peak and that of the jerk can be set.");
-    case LawId::Exponential:
-        return tr("It accelerates hardest at low speed, where a motor has most torque to give, and least "
-                  "near the end speed.");
-    case LawId::HalfModifiedSine:
-        return tr("Its acceleration is zero at both ends and peaks at only 1.57 times its mean.");
-    }
-    return {};
-}
-
-QString RecipeWords::lawWeakness(LawId law)
-{
-    switch (law) {
-    case LawId::Cubic:
-        return tr("As a displacement law its acceleration jumps to its peak (6) at both ends, and as a speed "
-                  "law its jerk does.");
-    case LawId::Quintic:
-        return tr("Its jerk steps at both ends, and a trapezoid whose ramps are longer than 22.29 % of the "
-                  "move needs less peak acceleration.");
-    case LawId::Polynomial4567:
-        return tr("It has the highest peak speed (2.19) and peak acceleration (7.51) of the displacement "
-                  "laws without parameters.");
-    case LawId::Harmonic:
-        return tr("As a displacement law it starts and ends with its full acceleration, a jolt each time.");
-    case LawId::Cycloidal:
-        return tr(
-            "Its peak speed (2) and peak acceleration (6.28) are high, and its jerk steps at both ends.");
-    case LawId::ModifiedSine:
-        return tr("Its jerk steps at both ends and has the highest finite peak (69.5) of the laws without "
-                  "parameters.");
-    case LawId::ModifiedTrapezoid:
-        return tr("Its peak speed (2) and peak jerk (61.4) are high, and its jerk steps at both ends.");
-    case LawId::Parabolic:
-        return tr("As a displacement law its acceleration jumps at both ends and in the middle, and its peak "
-                  "speed (2) is high.");
-    case LawId::Trapezoid:
-        return tr("As a displacement law its acceleration jumps at both ends of both ramps, so its jerk has "
-                  "no bound.");
-    case LawId::SCurve:
-        return tr("Its jerk steps at every joint of its segments, and the smaller the jerk share the higher "
-                  "it is.");
-    case LawId::Exponential:
-        return tr("Its acceleration jumps at both ends, at the low speed the more the larger k is.");
-    case LawId::HalfModifiedSine:
-        return tr("It is not symmetric: from rest it travels 0.568 of end speed times time; and its jerk "
-                  "steps at both ends.");
-    }
-    return {};
+    const profile::Law* row = profile::findLaw(law);
+    return row ? inWords(row->name) : QString();
 }
 
 QString RecipeWords::lawParameterName(std::string_view parameterId)

@@ -22,10 +22,9 @@ public:
     // Returns the value with the field's decimals and without its unit; ratios without superfluous zeros.
     [[nodiscard]] static QString valueText(profile::Field field, double value);
     [[nodiscard]] static QString unit(std::string_view unit); // "mm/s^2" -> "mm/s²"
+    // Returns an empty text for an unknown law.
     [[nodiscard]] static QString lawName(profile::LawId law);
-    // Return the sentences of the table of laws.
-    [[nodiscard]] static QString lawStrength(profile::LawId law);
-    [[nodiscard]] static QString lawWeakness(profile::LawId law);
+    [[nodiscard]] static QString inWords(std::string_view text);
     [[nodiscard]] static QString lawParameterName(std::string_view parameterId);
     [[nodiscard]] static QString kindName(profile::ProgramKind kind);
     [[nodiscard]] static QString choiceName(program::Choice choice);

@@ -4,6 +4,7 @@
 #include "campanelctl_call.h"
 #include "modbus/line/rtu_client.h"
 #include "modbus/map/register_document.h"
+#include "profile/laws/laws.h"
 #include "tests/support/controller_process.h"
 #include "tests/support/places.h"
 #include "tests/support/scripted_slave.h"
@@ -310,7 +311,7 @@ void CliTest::lawTable()
     const Result json = call({u"laws"_s, u"--json"_s});
     QCOMPARE(call({u"laws"_s, u"--format"_s, u"json"_s}).out, json.out);
     const QJsonArray laws = json.json()[u"laws"_s].toArray();
-    QCOMPARE(laws.size(), 12);
+    QCOMPARE(static_cast<std::size_t>(laws.size()), profile::laws().size());
     QCOMPARE(laws[7].toObject()[u"key"_s].toString(), u"parabolic"_s);
     QVERIFY(laws[7].toObject()[u"cj"_s].isNull());
     QCOMPARE(laws[9].toObject()[u"parameters"_s].toArray().size(), 2);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Chinese texts of app/: complete, with the same placeholders, and switched at run time.
 #include "app/panel/kit/language_notifier.h"
+#include "profile/laws/laws.h"
 #include "tests/app/panel/panel_rig.h"
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
@@ -58,6 +59,16 @@ private slots:
         }
         QVERIFY(!xml.hasError());
         QVERIFY(texts > 200);
+    }
+
+    void everyLawIsTranslated()
+    {
+        QTranslator translator;
+        QVERIFY(translator.load(QStringLiteral(":/i18n/campanel_app_zh_CN.qm")));
+        for (const profile::Law& law : profile::laws()) {
+            for (const std::string_view text : {law.name, law.strength, law.weakness})
+                QVERIFY2(!translator.translate("RecipeWords", text.data()).isEmpty(), text.data());
+        }
     }
 
     void switchesWhileItRuns()
