@@ -293,7 +293,7 @@ void CliTest::lawTable()
     QVERIFY2(csv.code == Ok, csv.complaint.constData());
     const QList<QByteArray> lines = csv.out.trimmed().split('\n');
     QCOMPARE(lines.first(), QByteArray("key,name,uses,parameters,cv,ca,cj,g_integral,strength,weakness"));
-    QCOMPARE(lines.size(), 13);
+    QCOMPARE(static_cast<std::size_t>(lines.size()), profile::laws().size() + 1);
     const auto has = [&csv](const char* cells) { return csv.out.contains(cells); };
     QVERIFY(
         has("\ncubic,\"Cubic (paper)\",\"speed; displacement\",\"\",1.500000,6.000000,12.000000,0.500000,"));
