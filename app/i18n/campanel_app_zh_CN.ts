@@ -3113,6 +3113,10 @@
 <context>
     <name>campanel::panel::Backup</name>
     <message>
+        <source>The database could not be opened: a backup would be empty. Correct this first, then restart the panel.</source>
+        <translation>数据库无法打开，备份将为空。请先排除故障，再重启面板。</translation>
+    </message>
+    <message>
         <source>CamPanel backup %1</source>
         <comment>name of a file</comment>
         <translation>CamPanel 备份 %1</translation>

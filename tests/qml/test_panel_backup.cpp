@@ -70,6 +70,21 @@ class TestPanelBackup : public test::PanelTest {
     }
 
 private slots:
+    void aDatabaseThatCannotBeOpenedIsNotBackedUp()
+    {
+        openSection();
+        auto& records = m_stage->panel().records();
+        store::StoreThread::Report report;
+        report.error = store::StoreError{store::StoreError::Kind::ReadOnly, u"/data"_s, {}};
+        emit records.store().opened(report);
+        records.dismissNotice();
+        tap("backupMake");
+        QVERIFY2(textOf("backupMessage").startsWith(u"The database could not be opened"_s),
+                 qPrintable(textOf("backupMessage")));
+        QVERIFY(!isOn("place0"));
+        emit records.store().opened({});
+    }
+
     void thereAndBack()
     {
         openSection();

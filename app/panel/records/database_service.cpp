@@ -33,6 +33,7 @@ DatabaseService* DatabaseService::create(QQmlEngine* qmlEngine, QJSEngine*)
 
 void DatabaseService::takeOpening(const store::StoreThread::Report& report)
 {
+    m_openError = report.error;
     if (!report.error && !report.opening.isReplaced()) {
         makeCopy(); // the readable data is worth a copy; if that fails, the file itself still exists
         return;

@@ -40,6 +40,8 @@ public:
     [[nodiscard]] store::StoreThread& store() { return m_store; }
     // Renews the backup copy of the database, which replaces it after damage.
     void makeCopy();
+    // Returns why the database could not be opened; what is read then is only the memory of this run.
+    [[nodiscard]] const std::optional<store::StoreError>& openError() const { return m_openError; }
     // Sets the notice of a finished restore; it stays until it is dismissed.
     void noteRestore(const store::FinishedRestore& restore);
     // Reports data that could not be stored.
@@ -57,6 +59,7 @@ private:
 
     store::StoreThread m_store;
     std::optional<store::StoreThread::Report> m_opening; // until its notice is dismissed
+    std::optional<store::StoreError> m_openError;
     std::optional<store::StoreError> m_error;
     store::FinishedRestore m_restore;
 };

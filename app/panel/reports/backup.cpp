@@ -169,6 +169,11 @@ void Backup::make()
 {
     if (!require())
         return;
+    if (m_parts.records.openError())
+        return tell(
+            tr("The database could not be opened: a backup would be empty. Correct this first, then restart "
+               "the panel."),
+            true);
     tell({}, false);
     snapshot([this](const Snapshot& taken) {
         const QString name =
