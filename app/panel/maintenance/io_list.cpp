@@ -6,8 +6,9 @@
 #include "app/panel/words/alarm_catalogue.h"
 
 #include <algorithm>
-#include <array>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 using namespace std::chrono_literals;
 
@@ -21,14 +22,14 @@ constexpr auto lampLookPeriod = 300ms;
 using modbus::FaultBit;
 using modbus::WarningBit;
 
-constexpr std::array faultBits{FaultBit::FollowingError,    FaultBit::ActiveTableDamaged,
-                               FaultBit::DriveNotFollowing, FaultBit::ForceLimit,
-                               FaultBit::TouchedTooEarly,   FaultBit::NeverTouched,
-                               FaultBit::MasterTooFast};
-constexpr std::array warningBits{
-    WarningBit::HeartbeatLost,     WarningBit::NotHomed,       WarningBit::FlashSlotInvalid,
-    WarningBit::ClockNotSet,       WarningBit::MarksLost,      WarningBit::MarkPitchWrong,
-    WarningBit::CorrectionAtLimit, WarningBit::ProductTooLong, WarningBit::TooManySkips};
+template <class Bit> std::vector<Bit> bitsOf(std::string_view enumeration)
+{
+    std::vector<Bit> bits;
+    const auto found = std::ranges::find(modbus::enumerations(), enumeration, &modbus::EnumInfo::name);
+    for (const modbus::EnumValue& value : found->values)
+        bits.push_back(static_cast<Bit>(value.value));
+    return bits;
+}
 
 IoList::Lamp lampOf(bool isOn)
 {
@@ -144,10 +145,10 @@ void IoList::addLine(QList<Row>& rows)
 
 void IoList::addBits(QList<Row>& rows, const modbus::StatusBlock& status) const
 {
-    for (const FaultBit bit : faultBits)
+    for (const auto bit : bitsOf<FaultBit>("FaultBit"))
         rows << Row{
             Side::Fault, AlarmCatalogue::of(bit).title(), {}, status.has(bit) ? Lamp::Bad : Lamp::Off};
-    for (const WarningBit bit : warningBits)
+    for (const auto bit : bitsOf<WarningBit>("WarningBit"))
         rows << Row{
             Side::Warning, AlarmCatalogue::of(bit).title(), {}, status.has(bit) ? Lamp::Bad : Lamp::Off};
 }
