@@ -18,7 +18,7 @@ namespace {
 using modbus::Download;
 
 // The number of consecutive link errors after which the download fails.
-constexpr int mostErrors = 5;
+constexpr int maxErrors = 5;
 // The additional time beyond two cycles for a stopping or slow machine to activate an armed table.
 constexpr qint64 waitBeyondCyclesMs = 5000;
 
@@ -40,7 +40,7 @@ Outcome transfer(LinkSession& session, Download& download)
         }
         const bool repeatable =
             phase.error().kind == modbus::DownloadErrorKind::Link && !modbus::portIsLost(phase.error().link);
-        if (!repeatable || ++errors >= mostErrors)
+        if (!repeatable || ++errors >= maxErrors)
             return tl::unexpected(failureOf(phase.error()));
     }
     return {};

@@ -38,8 +38,8 @@ Outcome runCamMov(const Invocation& call)
         values[static_cast<std::size_t>(i)] = parts[i].trimmed().toDouble(&isGood);
         isGood = isGood && values[static_cast<std::size_t>(i)] > 0;
     }
-    constexpr double mostPulses = 1e6; // limit of the number of lines
-    if (!isGood || values[0] != std::floor(values[0]) || values[0] > mostPulses)
+    constexpr double maxPulses = 1e6; // limit of the number of lines
+    if (!isGood || values[0] != std::floor(values[0]) || values[0] > maxPulses)
         return fail(
             ExitCode::Usage,
             u"--cam-mov takes four numbers above zero: whole pulses (at most a million), first and last speed, acceleration."_s);
@@ -113,7 +113,7 @@ Outcome runIntervals(const Invocation& call)
     for (std::size_t i = 0; i < pulses.size(); ++i)
         rows.append(QJsonArray{pulses[i], first[i], last[i], acceleration[i]});
     QJsonObject object{{u"rows_used"_s, static_cast<qint64>(table->rows.size())},
-                       {u"fewest_lines"_s, table->fewestLinks},
+                       {u"fewest_lines"_s, table->minLinks},
                        {u"pulses"_s, static_cast<qint64>(table->advance)},
                        {u"time_s"_s, table->timeS},
                        {u"profile_time_s"_s, table->profileTimeS},

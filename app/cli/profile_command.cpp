@@ -86,9 +86,9 @@ Outcome runProfile(const Invocation& call)
 {
     bool ok = false;
     const int points = call.value(u"points"_s).toInt(&ok);
-    constexpr int mostPoints = 100'000;
-    if (!ok || points < 2 || points > mostPoints)
-        return fail(ExitCode::Usage, u"--points takes a whole number from 2 to %1."_s.arg(mostPoints));
+    constexpr int maxPoints = 100'000;
+    if (!ok || points < 2 || points > maxPoints)
+        return fail(ExitCode::Usage, u"--points takes a whole number from 2 to %1."_s.arg(maxPoints));
     const auto recipe = recipeOf(call);
     if (!recipe)
         return tl::unexpected(recipe.error());

@@ -19,7 +19,7 @@ namespace campanel::cli {
 namespace {
 
 constexpr double usualToleranceMm = 0.2;
-constexpr double largestToleranceMm = 100.0;
+constexpr double maxToleranceMm = 100.0;
 constexpr qsizetype rowBytes = 80; // estimate, to reserve memory
 
 // The rows of the bags in the requested format.
@@ -123,7 +123,7 @@ Outcome runSimulate(const Invocation& call)
     const auto job = jobOf(call);
     if (!job)
         return tl::unexpected(job.error());
-    const auto tolerance = numberOf(call, u"tolerance"_s, usualToleranceMm, 0, largestToleranceMm);
+    const auto tolerance = numberOf(call, u"tolerance"_s, usualToleranceMm, 0, maxToleranceMm);
     if (!tolerance)
         return tl::unexpected(tolerance.error());
     return call.isSet(u"table"_s) ? simulateTable(call, *recipe, *job, *tolerance)

@@ -61,7 +61,7 @@ QJsonObject cutsObject(const PackingResult& result, std::uint32_t through, std::
             {u"skipped_product_across"_s, skips(modbus::SkipCause::ProductAcross)},
             {u"skipped_product_too_long"_s, skips(modbus::SkipCause::ProductTooLong)},
             {u"skipped_unexplained"_s, static_cast<qint64>(result.skipsUnexplained)},
-            {u"skipped_farthest_product_mm"_s, result.largestSkipGapMm},
+            {u"skipped_farthest_product_mm"_s, result.maxSkipGapMm},
             {u"through_product"_s, static_cast<qint64>(through)},
             {u"phase_lost"_s, static_cast<qint64>(phaseLost)},
             {u"corrections_limited"_s, static_cast<qint64>(result.correctionsLimited)}};
@@ -147,7 +147,7 @@ QJsonObject PackingFigures::object(const PackingResult& result, double cpuS) con
             {u"products"_s, static_cast<qint64>(result.products)},
             {u"empty_bags"_s, static_cast<qint64>(result.emptyBags)},
             {u"film_saved_m"_s, result.filmSavedM},
-            {u"largest_following_error_pulses"_s, result.largestFollowingErrorPulses},
+            {u"largest_following_error_pulses"_s, result.maxFollowingErrorPulses},
             {u"starts"_s, static_cast<qint64>(result.starts)},
             {u"alarms"_s, alarmsObject(result)}};
 }

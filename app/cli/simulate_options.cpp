@@ -16,8 +16,8 @@ namespace {
 using controller::PackingJob;
 
 constexpr double longestMm = 2000.0;
-constexpr double mostBags = 1e8;
-constexpr double mostSeed = 4294967295.0;
+constexpr double maxBags = 1e8;
+constexpr double maxSeed = 4294967295.0;
 
 struct Disturbance {
     const char* name;
@@ -152,8 +152,8 @@ tl::expected<double, Failure> numberOf(const Invocation& call, const QString& op
 tl::expected<controller::PackingJob, Failure> jobOf(const Invocation& call)
 {
     PackingJob job;
-    const auto bags = wholeOf(call, u"bags"_s, job.bags, 1, mostBags);
-    const auto seed = wholeOf(call, u"seed"_s, 1, 0, mostSeed);
+    const auto bags = wholeOf(call, u"bags"_s, job.bags, 1, maxBags);
+    const auto seed = wholeOf(call, u"seed"_s, 1, 0, maxSeed);
     auto parameters = parameterValues(call);
     if (!bags || !seed || !parameters)
         return tl::unexpected(!bags ? bags.error() : !seed ? seed.error() : parameters.error());

@@ -19,7 +19,7 @@ namespace {
 using profile::Field;
 
 constexpr double slowRate = 60.0; // bags/min
-constexpr double largestRate = 300.0;
+constexpr double maxRate = 300.0;
 
 // Table 2 of the paper: set bag length and the deviation measured on its machine, mm.
 struct PaperRow {
@@ -134,7 +134,7 @@ Outcome addRows(const program::Recipe& recipe, double lengthMm, const controller
         return tl::unexpected(slow.error());
     std::vector<program::ProgramImage> images{*slow};
     const auto fastest = profile::fastestRate(slow->cutter());
-    const double rate = fastest ? std::floor(std::min(largestRate, fastest->rateBagsPerMin)) : slowRate;
+    const double rate = fastest ? std::floor(std::min(maxRate, fastest->rateBagsPerMin)) : slowRate;
     if (rate > slowRate) {
         auto fast = imageAt(recipe, lengthMm, rate);
         if (!fast)

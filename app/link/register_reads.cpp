@@ -7,7 +7,7 @@ namespace campanel::link {
 
 bool RegisterReads::push(const ReadRequest& request)
 {
-    if (m_requests.size() >= mostWaiting)
+    if (m_requests.size() >= maxWaiting)
         return false;
     m_requests.push_back(request);
     return true;

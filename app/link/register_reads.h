@@ -12,7 +12,7 @@ namespace campanel::link {
 
 class RegisterReads {
 public:
-    static constexpr std::size_t mostWaiting = 32;
+    static constexpr std::size_t maxWaiting = 32;
     static constexpr int attempts = 3;
 
     // Returns false when too many reads are waiting.

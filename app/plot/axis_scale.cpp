@@ -10,7 +10,7 @@ namespace campanel::plot {
 
 namespace {
 
-constexpr int mostSteps = 3;
+constexpr int maxSteps = 3;
 // The share of the scale by which data may exceed the last tick (rounding).
 constexpr double overshoot = 1e-6;
 
@@ -18,8 +18,8 @@ QwtScaleDiv roundScale(double minimum, double maximum)
 {
     const QwtLinearScaleEngine engine;
     double step = 0;
-    engine.autoScale(mostSteps, minimum, maximum, step);
-    QwtScaleDiv division = engine.divideScale(minimum, maximum, mostSteps, 0, step);
+    engine.autoScale(maxSteps, minimum, maximum, step);
+    QwtScaleDiv division = engine.divideScale(minimum, maximum, maxSteps, 0, step);
     QList<double> ticks = division.ticks(QwtScaleDiv::MajorTick);
     // Alignment to round numbers can give four steps; every second tick is then sufficient.
     if (ticks.size() == 5) {

@@ -21,7 +21,7 @@ constexpr double defaultReachMm = 1.0;     // without tolerance and without larg
 constexpr double deviationHeadroom = 1.05; // above the largest deviation
 constexpr double levelFactor = 1.5;        // between two levels of zoom
 constexpr double scatterOpacity = 0.25;
-constexpr double leastBand = 2;        // px, of the scatter
+constexpr double minBand = 2;          // px, of the scatter
 constexpr double badPointFactor = 1.5; // color alone must not be the only sign
 
 void paintPoints(QPainter& painter, const QPolygonF& points, std::unique_ptr<QwtSymbol> symbol,
@@ -118,7 +118,7 @@ void BagChart::paintMean(QPainter& painter, const QwtScaleMap& valueMap) const
         return;
     }
     const double middle = valueMap.transform(m_mean);
-    const double half = std::max(leastBand / 2, middle - valueMap.transform(m_mean + m_scatter));
+    const double half = std::max(minBand / 2, middle - valueMap.transform(m_mean + m_scatter));
     QColor color = m_stale ? m_staleColor : m_pointColor;
     color.setAlphaF(static_cast<float>(scatterOpacity));
     painter.fillRect(QRectF(0, middle - half, width(), 2 * half), color);

@@ -12,7 +12,7 @@ namespace campanel::plot {
 namespace {
 
 constexpr auto frameTime = 33ms; // 30 pictures a second
-constexpr double mostBags = 12;  // visible; more cannot be distinguished
+constexpr double maxBags = 12;   // visible; more cannot be distinguished
 constexpr double bagsWithoutSensor = 4;
 constexpr double bagsBehindSensor = 1.1; // visible, for the expected mark
 constexpr double shareAfterKnife = 0.1;  // of the width
@@ -100,7 +100,7 @@ double FilmPicture::reachMm() const
     const double bagMm = m_bagMm > 0 ? m_bagMm : anyBagMm;
     if (!(m_sensorMm > 0))
         return bagsWithoutSensor * bagMm;
-    return std::min(m_sensorMm + bagsBehindSensor * bagMm, mostBags * bagMm);
+    return std::min(m_sensorMm + bagsBehindSensor * bagMm, maxBags * bagMm);
 }
 
 double FilmPicture::knifeX() const

@@ -8,7 +8,7 @@ namespace campanel::plot {
 
 namespace {
 
-constexpr double leastApartPx = 24; // a smaller distance between fingers would zoom without limit
+constexpr double minApartPx = 24; // a smaller distance between fingers would zoom without limit
 
 } // namespace
 
@@ -40,7 +40,7 @@ WindowGesture::Window WindowGesture::moved(const QList<double>& fingersPx)
         return {m_window.fromMs + shift, m_window.toMs + shift};
     }
     const double msPerPx =
-        (timeAt(m_fingersPx[1]) - timeAt(m_fingersPx[0])) / std::max(leastApartPx, now[1] - now[0]);
+        (timeAt(m_fingersPx[1]) - timeAt(m_fingersPx[0])) / std::max(minApartPx, now[1] - now[0]);
     const double from = timeAt(m_fingersPx[0]) - msPerPx * now[0];
     return {from, from + msPerPx * m_widthPx};
 }

@@ -108,7 +108,7 @@ tl::expected<ProgramImage, ProgramRefusal> buildCutter(ProgramImage image)
 // The allowed speed error for the intervals of a move, as a share of its maximum speed. When rows of whole
 // pulses cannot keep the first value, the smallest possible error up to the second one is used.
 constexpr double intervalSpeedShare = 0.01;
-constexpr double mostIntervalSpeedShare = 0.2;
+constexpr double maxIntervalSpeedShare = 0.2;
 
 tl::expected<AxisTable, profile::Refusal> intervalsOf(const SolvedProgram& solved)
 {
@@ -119,7 +119,7 @@ tl::expected<AxisTable, profile::Refusal> intervalsOf(const SolvedProgram& solve
     const double peak = solved.peaks.speedMmPerS;
     auto table = compile(intervalSpeedShare * peak);
     const bool isCoarse = !table && table.error().limit == profile::Limit::SpeedError;
-    if (isCoarse && table.error().allowed <= mostIntervalSpeedShare * peak)
+    if (isCoarse && table.error().allowed <= maxIntervalSpeedShare * peak)
         table = compile(table.error().allowed);
     return table;
 }

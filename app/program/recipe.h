@@ -17,7 +17,7 @@ namespace campanel::program {
 
 // The maximum length of a name in bytes of UTF-8: it is stored with the program in the controller.
 inline constexpr std::size_t longestNameBytes = 32;
-inline constexpr int largestVersion = 65535;
+inline constexpr int maxVersion = 65535;
 
 // The defaults are a bag of 250 mm at 60 bags/min with a knife of 60 mm.
 struct Recipe {

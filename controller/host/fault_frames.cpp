@@ -151,9 +151,9 @@ FrameBytes withWrongCount(std::span<const std::uint8_t> answer, std::mt19937_64&
             putWord(bytes, countAt, wordAt(bytes, countAt) + 1u);
         return withCrc(std::move(bytes));
     }
-    constexpr std::size_t mostData = 250;
+    constexpr std::size_t maxData = 250;
     const bool longer =
-        bytes.size() - dataAt < 4 || (bytes.size() - dataAt < mostData && pickBelow(random, 2) == 0);
+        bytes.size() - dataAt < 4 || (bytes.size() - dataAt < maxData && pickBelow(random, 2) == 0);
     bytes.resize(longer ? bytes.size() + 2 : bytes.size() - 2, 0);
     bytes[2] = static_cast<std::uint8_t>(bytes.size() - dataAt);
     return withCrc(std::move(bytes));

@@ -18,7 +18,7 @@ constexpr double nsPerUs = 1000.0;
 // The maximum sleep: the machine is not visible between two requests, so it need not be updated more often.
 constexpr std::int64_t longestSleepNs = 20'000'000;
 // The maximum number of steps to catch up; a larger delay of the simulated time is permanent.
-constexpr std::uint64_t mostSteps = 100'000;
+constexpr std::uint64_t maxSteps = 100'000;
 
 std::int64_t monotonicNs()
 {
@@ -75,7 +75,7 @@ std::uint64_t Service::simulatedUs(std::int64_t timeNs) const
 void Service::catchUp(std::int64_t nowNs)
 {
     const std::uint64_t targetUs = simulatedUs(nowNs);
-    const std::uint64_t reachableUs = m_controller->nowUs() + mostSteps * SimulatedController::usualStepUs;
+    const std::uint64_t reachableUs = m_controller->nowUs() + maxSteps * SimulatedController::usualStepUs;
     const std::uint64_t endUs = std::min(targetUs, reachableUs);
     while (m_controller->nowUs() + SimulatedController::usualStepUs <= endUs) {
         m_controller->step();

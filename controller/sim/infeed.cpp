@@ -10,7 +10,7 @@ namespace {
 
 constexpr double usualLength = 0.6; // share of the bag length
 constexpr double misplacedBy = 0.45;
-constexpr double leastGapMm = 5.0; // between two products
+constexpr double minGapMm = 5.0; // between two products
 constexpr double shortestMm = 1.0;
 
 } // namespace
@@ -49,7 +49,7 @@ void Infeed::generate()
     const double pitchMm = std::min(m_options.pitchMm, m_bagMm);
     if (m_last) { // one product pushes the other
         const double places = static_cast<double>(product.number - m_last->number);
-        const double room = (m_last->lengthMm + product.lengthMm) / 2.0 + leastGapMm;
+        const double room = (m_last->lengthMm + product.lengthMm) / 2.0 + minGapMm;
         product.behindMm = std::max(product.behindMm, m_last->behindMm + room - places * pitchMm);
     }
     m_last = product;

@@ -22,7 +22,7 @@ constexpr double stepsPerCycle = 400.0;
 constexpr double shortestStepUs = 100.0;
 constexpr double longestStepUs = 2500.0;
 // The number of alarms without a bag after which the machine is not restarted.
-constexpr std::uint32_t mostStartsPerBag = 20;
+constexpr std::uint32_t maxStartsPerBag = 20;
 // The maximum errors of the eye, the product's slip on the film and the film's own slip.
 constexpr double sensorMm = 2.5;
 constexpr double aligningShare = 0.1; // share of the bag length by which a cut may be shifted while aligning
@@ -149,8 +149,8 @@ private:
     bool goesOn()
     {
         const ctl_motion& motion = m_core.motion;
-        m_result.largestFollowingErrorPulses =
-            std::max(m_result.largestFollowingErrorPulses,
+        m_result.maxFollowingErrorPulses =
+            std::max(m_result.maxFollowingErrorPulses,
                      std::abs(static_cast<double>(motion.commanded - motion.actual)));
         if (motion.state == CTL_STATE_FAULT)
             return end(PackingEnd::Fault, motion.fault);
@@ -165,7 +165,7 @@ private:
             m_result.alarms[bit] += static_cast<unsigned>(bits) >> bit & 1u;
         m_startsWithoutBag = m_result.bags == m_bagsAtAlarm ? m_startsWithoutBag + 1 : 0;
         m_bagsAtAlarm = m_result.bags;
-        if (!m_job.goOn || m_startsWithoutBag > mostStartsPerBag)
+        if (!m_job.goOn || m_startsWithoutBag > maxStartsPerBag)
             return end(PackingEnd::Alarm, bits);
         return start();
     }
@@ -237,7 +237,7 @@ private:
         }
         bag.isUnexplained = bag.skipGapMm > keptClearMm();
         m_result.skipsUnexplained += bag.isUnexplained ? 1u : 0u;
-        m_result.largestSkipGapMm = std::max(m_result.largestSkipGapMm, bag.skipGapMm);
+        m_result.maxSkipGapMm = std::max(m_result.maxSkipGapMm, bag.skipGapMm);
     }
 
     // Returns the clearance, plus the remaining correction and undetectable errors.

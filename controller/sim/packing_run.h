@@ -70,7 +70,7 @@ struct PackingResult {
     std::array<std::uint32_t, alarmBits> alarms{}; // runs ended by each bit of WarningBit
     std::array<std::uint32_t, 4> skips{};          // skipped cuts, by SkipCause
     std::uint32_t skipsUnexplained = 0;            // bags with a skipped cut that was free of products
-    double largestSkipGapMm = 0.0;
+    double maxSkipGapMm = 0.0;
     // The controller's own counters.
     std::uint32_t marks = 0;
     std::uint32_t marksMissing = 0;
@@ -80,7 +80,7 @@ struct PackingResult {
     std::uint32_t emptyBags = 0;
     double filmSavedM = 0.0;
     std::uint32_t correctionsLimited = 0;
-    double largestFollowingErrorPulses = 0.0;
+    double maxFollowingErrorPulses = 0.0;
 };
 
 // Returns the time step with which no bag differs by more than a pulse of the film motor: a 400th of a cycle,

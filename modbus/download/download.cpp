@@ -30,7 +30,7 @@ std::string transferReason(const TransferAnswer& answer)
 }
 
 // The maximum number of starts: the download of another panel would alternate with this one endlessly.
-constexpr int mostBeginnings = 20;
+constexpr int maxBeginnings = 20;
 
 bool isWithoutSession(TransferResult result)
 {
@@ -136,7 +136,7 @@ Download::Step Download::refused(const TransferAnswer& answer)
 // panel's start. Returns false when that has happened too often.
 bool Download::beginAgain()
 {
-    if (++m_beginnings > mostBeginnings)
+    if (++m_beginnings > maxBeginnings)
         return false;
     m_phase = Phase::Begin;
     // A restarted controller may be back at an older program, and count from there.

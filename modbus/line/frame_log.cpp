@@ -10,7 +10,7 @@ void FrameLog::add(FrameVerdict verdict, std::span<const std::uint8_t> bytes, st
 {
     const auto now = std::chrono::steady_clock::now();
     do {
-        const auto piece = bytes.first(std::min(bytes.size(), FrameRecord::mostBytes));
+        const auto piece = bytes.first(std::min(bytes.size(), FrameRecord::maxBytes));
         FrameRecord& record = m_ring[++m_lastNumber % m_ring.size()];
         record.number = m_lastNumber;
         record.at = now;

@@ -26,7 +26,7 @@ enum class FrameVerdict : std::uint8_t {
 
 struct FrameRecord {
     // The maximum length of a frame on a serial line (Modbus over serial line, 2.5.1.1).
-    static constexpr std::size_t mostBytes = 256;
+    static constexpr std::size_t maxBytes = 256;
 
     std::uint64_t number = 0;                 // from 1, without gaps
     std::chrono::steady_clock::time_point at; // time when it was sent, or complete
@@ -36,7 +36,7 @@ struct FrameRecord {
     std::uint16_t readAddress = 0;
     std::uint16_t readCount = 0;
     std::uint16_t length = 0;
-    std::array<std::uint8_t, mostBytes> data{};
+    std::array<std::uint8_t, maxBytes> data{};
 
     [[nodiscard]] std::span<const std::uint8_t> bytes() const { return std::span(data).first(length); }
     [[nodiscard]] bool isSent() const { return verdict == FrameVerdict::Sent; }
@@ -50,7 +50,7 @@ public:
     {
     }
 
-    // Adds a record with the next number and the present time; bytes beyond mostBytes become further records.
+    // Adds a record with the next number and the present time; bytes beyond maxBytes become further records.
     void add(FrameVerdict verdict, std::span<const std::uint8_t> bytes, std::uint16_t readAddress = 0,
              std::uint16_t readCount = 0);
 

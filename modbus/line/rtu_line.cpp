@@ -54,7 +54,7 @@ std::size_t answerLength(std::span<const std::uint8_t> begin)
     case 4:
     case 23: {
         const std::size_t length = 5u + begin[2];
-        return length <= FrameRecord::mostBytes ? length : 0;
+        return length <= FrameRecord::maxBytes ? length : 0;
     }
     case 5:
     case 6:
@@ -112,7 +112,7 @@ bool isGone(int errorNumber)
 struct RtuLine::Received {
     enum class End { Complete, Malformed, TimedOut, Gone };
 
-    std::array<std::uint8_t, FrameRecord::mostBytes> data{};
+    std::array<std::uint8_t, FrameRecord::maxBytes> data{};
     std::size_t count = 0;
     End end = End::TimedOut;
 

@@ -13,8 +13,8 @@ constexpr std::uint16_t nothing = 0x8000;
 constexpr double mmPerStep = 0.1; // resolution of the picture of the film
 constexpr double mmPerUm = 0.001;
 constexpr std::uint32_t registersPerBag = 4;
-constexpr int fewestForPitch = 2;
-constexpr int fewestForScatter = 3;
+constexpr int minForPitch = 2;
+constexpr int minForScatter = 3;
 
 static_assert(packerAddress + packerRegisters == 0x01A8 && packerRegisters <= readbackRegisters);
 
@@ -119,9 +119,9 @@ PackerStatus decodePacker(std::span<const std::uint16_t> registers)
     status.knifeGate = static_cast<GateState>(reader.u32("packer.knife_gate"));
     status.filmGate = static_cast<GateState>(reader.u32("packer.film_gate"));
     status.teachMarks = static_cast<int>(reader.u32("packer.teach_marks"));
-    if (status.teachMarks >= fewestForPitch)
+    if (status.teachMarks >= minForPitch)
         status.teachPitchMm = reader.number("packer.teach_pitch");
-    if (status.teachMarks >= fewestForScatter)
+    if (status.teachMarks >= minForScatter)
         status.teachScatterMm = reader.number("packer.teach_scatter");
     status.marksWaiting = static_cast<int>(reader.u32("packer.marks_wait"));
     status.bagNumber = reader.u32("packer.bag_number");

@@ -62,8 +62,8 @@ double unitsPerMm(const Machine& machine)
 tl::expected<PulsesPerCycle, Refusal> exactAdvance(double advanceMm, const Machine& machine)
 {
     // The limit of the rows, so that the products below fit 64 bits.
-    constexpr double mostPulses = std::numeric_limits<std::int32_t>::max() / camUnitsPerPulse;
-    if (std::abs(advanceMm * axisPulsesPerMm(machine)) > mostPulses)
+    constexpr double maxPulses = std::numeric_limits<std::int32_t>::max() / camUnitsPerPulse;
+    if (std::abs(advanceMm * axisPulsesPerMm(machine)) > maxPulses)
         return tl::unexpected(tooLarge(Field::PulsesPerMotorRev, std::abs(advanceMm) * unitsPerMm(machine),
                                        std::numeric_limits<std::int32_t>::max()));
     const std::int64_t micro = std::llround(advanceMm * advancePerMm);

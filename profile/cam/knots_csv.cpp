@@ -120,8 +120,8 @@ private:
 
     [[nodiscard]] tl::unexpected<CsvError> fail(CsvExpectation expected, std::string_view found) const
     {
-        constexpr std::size_t mostBytes = 40;
-        std::size_t end = std::min(found.size(), mostBytes);
+        constexpr std::size_t maxBytes = 40;
+        std::size_t end = std::min(found.size(), maxBytes);
         while (end > 0 && end < found.size() && (static_cast<unsigned char>(found[end]) & 0xC0U) == 0x80U)
             --end; // not inside a UTF-8 character
         const auto isControl = [](char c) {

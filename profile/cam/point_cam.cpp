@@ -226,9 +226,9 @@ AxisMotion solveValid(const PointCamProgram& program, const Machine& machine)
 
 Spline camCurve(const PointCamProgram& program)
 {
-    std::array<double, mostKnots> masterDeg{};
-    std::array<double, mostKnots> slaveMm{};
-    const std::size_t count = std::min(program.knots.size(), mostKnots);
+    std::array<double, maxKnots> masterDeg{};
+    std::array<double, maxKnots> slaveMm{};
+    const std::size_t count = std::min(program.knots.size(), maxKnots);
     for (std::size_t i = 0; i < count; ++i) {
         masterDeg[i] = program.knots[i].masterDeg;
         slaveMm[i] = program.knots[i].slaveMm;

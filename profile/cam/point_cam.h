@@ -13,13 +13,13 @@
 
 namespace campanel::profile {
 
-inline constexpr std::size_t leastKnots = 5;
-inline constexpr std::size_t mostKnots = 100;
+inline constexpr std::size_t minKnots = 5;
+inline constexpr std::size_t maxKnots = 100;
 inline constexpr double camCycleDeg = 360;
-inline constexpr double leastKnotSpacingDeg = 0.1;
+inline constexpr double minKnotSpacingDeg = 0.1;
 inline constexpr double knotMasterStepDeg = 1e-4; // grid of a knot in the controller
 inline constexpr double knotSlaveStepMm = 1e-3;
-inline constexpr double mostSlaveMm = info(Field::Distance).max; // limit of the magnitude
+inline constexpr double maxSlaveMm = info(Field::Distance).max; // limit of the magnitude
 // The interval, in seconds, at which the master's position is updated. The slave's pulses are spread evenly
 // over it.
 inline constexpr double masterUpdateS = 0.002;

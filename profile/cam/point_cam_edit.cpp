@@ -16,8 +16,7 @@ double onGrid(double value, double step)
 
 double slaveOnGrid(double slaveMm)
 {
-    return std::isfinite(slaveMm) ? onGrid(std::clamp(slaveMm, -mostSlaveMm, mostSlaveMm), knotSlaveStepMm)
-                                  : 0;
+    return std::isfinite(slaveMm) ? onGrid(std::clamp(slaveMm, -maxSlaveMm, maxSlaveMm), knotSlaveStepMm) : 0;
 }
 
 // Returns the grid angle nearest to masterDeg that is far enough from both neighbors, if there is one.
@@ -25,8 +24,8 @@ std::optional<double> placeBetween(const Knot& before, const Knot& after, double
 {
     const double perDeg = std::round(1 / knotMasterStepDeg);
     constexpr double rounding = 1e-6; // share of a grid step
-    const double low = std::ceil((before.masterDeg + leastKnotSpacingDeg) * perDeg - rounding);
-    const double high = std::floor((after.masterDeg - leastKnotSpacingDeg) * perDeg + rounding);
+    const double low = std::ceil((before.masterDeg + minKnotSpacingDeg) * perDeg - rounding);
+    const double high = std::floor((after.masterDeg - minKnotSpacingDeg) * perDeg + rounding);
     if (!(low <= high))
         return std::nullopt;
     const double wanted = std::isfinite(masterDeg) ? std::round(masterDeg * perDeg) : low;
@@ -69,7 +68,7 @@ WrapCheck wrapCheck(const PointCamProgram& program)
 PointCamProgram repaired(PointCamProgram program)
 {
     program.ends = SplineEnds::Periodic;
-    if (program.knots.size() >= leastKnots && isMeantToBeClosed(program))
+    if (program.knots.size() >= minKnots && isMeantToBeClosed(program))
         program.knots.back().slaveMm = program.knots.front().slaveMm;
     return program;
 }
@@ -77,7 +76,7 @@ PointCamProgram repaired(PointCamProgram program)
 std::optional<std::size_t> insertKnot(PointCamProgram& program, double masterDeg)
 {
     std::vector<Knot>& knots = program.knots;
-    if (knots.size() >= mostKnots || !std::isfinite(masterDeg))
+    if (knots.size() >= maxKnots || !std::isfinite(masterDeg))
         return std::nullopt;
     const auto next = std::upper_bound(knots.begin() + 1, knots.end() - 1, masterDeg,
                                        [](double deg, const Knot& knot) { return deg < knot.masterDeg; });
@@ -92,7 +91,7 @@ std::optional<std::size_t> insertKnot(PointCamProgram& program, double masterDeg
 bool removeKnot(PointCamProgram& program, std::size_t index)
 {
     std::vector<Knot>& knots = program.knots;
-    if (knots.size() <= leastKnots || index == 0 || index + 1 >= knots.size())
+    if (knots.size() <= minKnots || index == 0 || index + 1 >= knots.size())
         return false;
     knots.erase(knots.begin() + static_cast<std::ptrdiff_t>(index));
     return true;

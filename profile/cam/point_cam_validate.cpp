@@ -31,9 +31,9 @@ std::optional<Refusal> checkPlaces(std::span<const Knot> knots)
         if (!(knot.masterDeg >= 0 && knot.masterDeg <= camCycleDeg))
             return knotRefusal(Limit::KnotRange, i, knot.masterDeg,
                                nearestWithin(knot.masterDeg, 0, camCycleDeg), "deg");
-        if (!(std::abs(knot.slaveMm) <= mostSlaveMm))
+        if (!(std::abs(knot.slaveMm) <= maxSlaveMm))
             return knotRefusal(Limit::KnotRange, i, knot.slaveMm,
-                               nearestWithin(knot.slaveMm, -mostSlaveMm, mostSlaveMm), "mm");
+                               nearestWithin(knot.slaveMm, -maxSlaveMm, maxSlaveMm), "mm");
     }
     return std::nullopt;
 }
@@ -57,9 +57,9 @@ std::optional<Refusal> findNoMotion(const PointCamProgram& program)
 
 std::optional<Refusal> checkKnots(std::span<const Knot> knots)
 {
-    if (knots.size() < leastKnots || knots.size() > mostKnots)
+    if (knots.size() < minKnots || knots.size() > maxKnots)
         return knotRefusal(Limit::KnotCount, 0, static_cast<double>(knots.size()),
-                           static_cast<double>(std::clamp(knots.size(), leastKnots, mostKnots)), {});
+                           static_cast<double>(std::clamp(knots.size(), minKnots, maxKnots)), {});
     if (auto refusal = checkPlaces(knots))
         return refusal;
     for (std::size_t i = 1; i < knots.size(); ++i) {
@@ -67,8 +67,8 @@ std::optional<Refusal> checkKnots(std::span<const Knot> knots)
         const double spacing = knots[i].masterDeg - before;
         if (spacing <= 0)
             return knotRefusal(Limit::KnotOrder, i, knots[i].masterDeg, before, "deg");
-        if (spacing < leastKnotSpacingDeg - angleToleranceDeg)
-            return knotRefusal(Limit::KnotSpacing, i, spacing, leastKnotSpacingDeg, "deg");
+        if (spacing < minKnotSpacingDeg - angleToleranceDeg)
+            return knotRefusal(Limit::KnotSpacing, i, spacing, minKnotSpacingDeg, "deg");
     }
     if (knots.front().masterDeg > angleToleranceDeg)
         return knotRefusal(Limit::KnotEnds, 0, knots.front().masterDeg, 0, "deg");

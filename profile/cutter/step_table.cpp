@@ -16,12 +16,12 @@ namespace campanel::profile {
 namespace {
 
 // The capacity of a row minus one, so that any row has space for the carried pulse.
-constexpr std::int64_t largestRowPulses = std::numeric_limits<std::uint16_t>::max() - 1;
+constexpr std::int64_t maxRowPulses = std::numeric_limits<std::uint16_t>::max() - 1;
 
 class RowWriter {
 public:
     RowWriter(const Machine& machine, std::vector<StepRow>& rows)
-        : m_largestConstant(largestTimerConstant(machine))
+        : m_largestConstant(maxTimerConstant(machine))
         , m_rows(rows)
     {
     }
@@ -53,7 +53,7 @@ private:
 
     void writeEven(const TableSlice& slice)
     {
-        const std::int64_t chunks = (slice.pulses + largestRowPulses - 1) / largestRowPulses;
+        const std::int64_t chunks = (slice.pulses + maxRowPulses - 1) / maxRowPulses;
         std::int64_t pulse = 0;
         std::int64_t tick = 0;
         for (std::int64_t chunk = 1; chunk <= chunks; ++chunk) {
@@ -102,11 +102,11 @@ Refusal tooFast(const RotaryCutter& cutter, double actualHz)
 
 // Returns the longest row of [from, to) that has space for one more pulse.
 std::optional<std::size_t> rowWithRoom(const std::vector<StepRow>& rows, std::size_t from, std::size_t to,
-                                       std::int64_t smallestConstant)
+                                       std::int64_t minConstant)
 {
     std::optional<std::size_t> best;
     for (std::size_t i = from; i < to; ++i) {
-        const bool hasRoom = rows[i].pulses > 0 && (rows[i].pulses + 1) * smallestConstant <= rows[i].ticks;
+        const bool hasRoom = rows[i].pulses > 0 && (rows[i].pulses + 1) * minConstant <= rows[i].ticks;
         if (hasRoom && (!best || rows[i].ticks > rows[*best].ticks))
             best = i;
     }
@@ -164,10 +164,9 @@ tl::expected<StepTable, Refusal> buildTable(const RotaryCutter& cutter)
         refusal.allowed = machine.rowCapacity;
         return tl::unexpected(std::move(refusal));
     }
-    std::optional<std::size_t> row =
-        rowWithRoom(table.rows, carryBegin, carryEnd, smallestTimerConstant(machine));
+    std::optional<std::size_t> row = rowWithRoom(table.rows, carryBegin, carryEnd, minTimerConstant(machine));
     if (!row)
-        row = rowWithRoom(table.rows, 0, table.rows.size(), smallestTimerConstant(machine));
+        row = rowWithRoom(table.rows, 0, table.rows.size(), minTimerConstant(machine));
     if (!row && table.pulses.remainder != 0)
         return tl::unexpected(tooFast(cutter, onePulseMoreHz));
     table.carryRow = row.value_or(0);

@@ -12,12 +12,12 @@
 namespace campanel::profile {
 namespace {
 
-void keepLargest(double candidate, double timeS, double& largest, double& largestTimeS)
+void keepLargest(double candidate, double timeS, double& largest, double& maxTimeS)
 {
     if (std::abs(candidate) <= largest)
         return;
     largest = std::abs(candidate);
-    largestTimeS = timeS;
+    maxTimeS = timeS;
 }
 
 // The part of a slice within one segment of the curve.
@@ -103,7 +103,7 @@ double squaresOf(const SlicePart& part)
 {
     constexpr double enough = 1e-6;       // share of the integral
     constexpr double roundingMm2 = 1e-20; // of the squared error
-    constexpr int mostPieces = 256;
+    constexpr int maxPieces = 256;
     const double rounding = roundingMm2 * (part.toS - part.fromS);
     double sum = squaresBetween(part, part.fromS, part.toS);
     for (int pieces = 2;; pieces *= 2) {
@@ -112,7 +112,7 @@ double squaresOf(const SlicePart& part)
         for (int i = 0; i < pieces; ++i)
             sum += squaresBetween(part, part.fromS + (part.toS - part.fromS) * i / pieces,
                                   part.fromS + (part.toS - part.fromS) * (i + 1) / pieces);
-        if (std::abs(sum - before) <= enough * sum + rounding || pieces >= mostPieces)
+        if (std::abs(sum - before) <= enough * sum + rounding || pieces >= maxPieces)
             return sum + std::abs(sum - before);
     }
 }
@@ -125,8 +125,8 @@ double addErrors(const SlicePart& part, double perMm, TableErrors& errors)
         keepLargest(part.aheadMm(timeS) * perMm, timeS, errors.insidePulses, errors.insideTimeS);
     }
     if (const auto agreement = speedAgreement(part)) {
-        const double largestMm = std::abs(part.aheadMm(agreement->timeS)) + agreement->roomMm;
-        keepLargest(largestMm * perMm, agreement->timeS, errors.insidePulses, errors.insideTimeS);
+        const double maxMm = std::abs(part.aheadMm(agreement->timeS)) + agreement->roomMm;
+        keepLargest(maxMm * perMm, agreement->timeS, errors.insidePulses, errors.insideTimeS);
     }
     return squaresOf(part);
 }

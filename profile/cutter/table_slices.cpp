@@ -66,7 +66,7 @@ std::optional<SlicedCycle> cutSlices(const RotaryCutter& cutter, std::int64_t cy
         static_cast<double>(cyclePulses.remainder) / static_cast<double>(cyclePulses.divisor);
     const double perMm = cyclePulses.asDouble() / cutter.cycle.strokeMm;
     const double clock = cutter.machine.timerClockHz;
-    const std::int64_t constant = smallestTimerConstant(cutter.machine);
+    const std::int64_t constant = minTimerConstant(cutter.machine);
 
     std::vector<std::int64_t> pulses(all.size());
     std::vector<std::int64_t> endTicks(all.size());

@@ -35,11 +35,11 @@ bool isCycleValue(Field field)
 // Refuses a timer that overflows before the shortest interval between pulses.
 std::optional<Refusal> findNarrowTimer(const Machine& machine)
 {
-    if (smallestTimerConstant(machine) <= largestTimerConstant(machine))
+    if (minTimerConstant(machine) <= maxTimerConstant(machine))
         return std::nullopt;
     Refusal refusal = outOfRange(Field::TimerBits, machine.timerBits);
     refusal.allowed =
-        static_cast<double>(std::bit_width(static_cast<std::uint64_t>(smallestTimerConstant(machine))));
+        static_cast<double>(std::bit_width(static_cast<std::uint64_t>(minTimerConstant(machine))));
     return refusal;
 }
 

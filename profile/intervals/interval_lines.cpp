@@ -98,7 +98,7 @@ std::size_t IntervalLines::fewest(double errorHz, std::size_t maxLines)
         m_channel[i] = {samples[i].timeS, std::max(0.0, speed - width), std::min(m_maxHz, speed + width)};
     }
     fixEnds();
-    const auto knots = fewestLinks(m_channel, maxLines);
+    const auto knots = minLinks(m_channel, maxLines);
     return knots ? knots->size() - 1 : 0;
 }
 
@@ -155,7 +155,7 @@ std::optional<std::vector<PathPoint>> IntervalLines::within(double errorHz, std:
                                                             const LineStyle& style, double shiftHz)
 {
     lay(errorHz, style, shiftHz);
-    return fewestLinks(m_channel, lineCount);
+    return minLinks(m_channel, lineCount);
 }
 
 bool IntervalLines::canKeep(double errorHz, std::size_t lineCount, double evenness)

@@ -30,7 +30,7 @@ std::vector<std::size_t> rowCounts(std::size_t max)
 }
 
 // Returns an error that no rows exceed.
-double largestErrorHz(const SpeedCurve& curve)
+double maxErrorHz(const SpeedCurve& curve)
 {
     return 4 * curve.fastestHz();
 }
@@ -106,7 +106,7 @@ IntervalPlanner::Level& IntervalPlanner::levelOf(std::size_t lineCount)
     return *m_levels[level];
 }
 
-std::size_t IntervalPlanner::fewestLines(double errorMmPerS)
+std::size_t IntervalPlanner::minLines(double errorMmPerS)
 {
     const double errorHz = errorMmPerS * m_pulsesPerMm + m_unitHz;
     const std::size_t max = 2 * m_counts.back();
@@ -127,7 +127,7 @@ std::optional<IntervalPlan> IntervalPlanner::plan(std::size_t rowCount, const Li
     const std::size_t lineCount = rowCount + level.lines.flatCount(style.flats);
     // The searched curve is stretched to whole pulses.
     const double stretchHz = std::abs(1 - 1 / curve.stretch()) * curve.fastestHz();
-    const double allowedHz = std::min(errorMmPerS * m_pulsesPerMm + stretchHz, largestErrorHz(curve));
+    const double allowedHz = std::min(errorMmPerS * m_pulsesPerMm + stretchHz, maxErrorHz(curve));
     if (!level.lines.canKeep(allowedHz / (1 + style.evenness / 3), lineCount, style.evenness))
         return std::nullopt;
     const auto lines = level.lines.find(lineCount, style);
@@ -162,10 +162,10 @@ double IntervalPlanner::finestHz()
 {
     if (!m_finestHz) {
         constexpr double share = 0.7;
-        constexpr double smallestShare = 1e-6; // share of the maximum speed
+        constexpr double minShare = 1e-6; // share of the maximum speed
         const SpeedCurve& curve = levelOf(1).curve;
         m_finestHz =
-            std::max(share * std::max(m_unitHz, firstPulseErrorHz(curve)), smallestShare * curve.fastestHz());
+            std::max(share * std::max(m_unitHz, firstPulseErrorHz(curve)), minShare * curve.fastestHz());
     }
     return *m_finestHz;
 }
@@ -176,9 +176,9 @@ bool IntervalPlanner::isTooMany(std::size_t count)
     return count > 1 && levelOf(count).lines.fewest(finestHz(), count - 1) != 0;
 }
 
-std::optional<IntervalPlan> IntervalPlanner::fewestRows(double errorMmPerS)
+std::optional<IntervalPlan> IntervalPlanner::minRows(double errorMmPerS)
 {
-    const std::size_t lines = fewestLines(errorMmPerS);
+    const std::size_t lines = minLines(errorMmPerS);
     if (lines == 0)
         return std::nullopt;
     for (const std::size_t count : m_counts) {
@@ -210,7 +210,7 @@ double IntervalPlanner::keptErrorMmPerS(double triedMmPerS)
 {
     constexpr std::size_t stride = 24; // through the numbers of rows
     constexpr int tries = 5;
-    const std::size_t lines = fewestLines(triedMmPerS);
+    const std::size_t lines = minLines(triedMmPerS);
     std::size_t i = m_counts.size() - 1;
     while (i > 0 && ((lines > 0 && m_counts[i] > lines) || isTooMany(m_counts[i])))
         --i;

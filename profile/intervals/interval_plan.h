@@ -30,12 +30,12 @@ public:
                     std::size_t maxRows);
 
     // Returns the plan with the fewest rows that keeps the error.
-    [[nodiscard]] std::optional<IntervalPlan> fewestRows(double errorMmPerS);
+    [[nodiscard]] std::optional<IntervalPlan> minRows(double errorMmPerS);
     // Returns an error that can be kept when the tried one cannot; infinite when there is none.
     [[nodiscard]] double keptErrorMmPerS(double triedMmPerS);
     // Returns the lower bound of the number of lines that keep the error; 0 when it exceeds the number of
     // rows.
-    [[nodiscard]] std::size_t fewestLines(double errorMmPerS);
+    [[nodiscard]] std::size_t minLines(double errorMmPerS);
 
 private:
     struct Level {

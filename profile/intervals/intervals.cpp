@@ -17,7 +17,7 @@ namespace {
 using detail::SpeedCurve;
 
 constexpr double publishedIterationS = 1.0 / (1 << detail::accumulatorBits);
-constexpr int mostFractionBits = 8;
+constexpr int maxFractionBits = 8;
 constexpr int samplesPerStretch = 64; // to find a reversal
 constexpr int samplesToCheck = 1024;
 
@@ -57,7 +57,7 @@ int fractionBits(const SpeedCurve& curve)
 {
     const double perBit =
         2 * curve.steepestHzPerS() * std::pow(detail::realIterationS / publishedIterationS, 2);
-    int bits = mostFractionBits;
+    int bits = maxFractionBits;
     while (bits > 0 && std::ldexp(perBit, bits) > std::numeric_limits<std::uint32_t>::max())
         --bits;
     return bits;
@@ -115,27 +115,26 @@ tl::expected<IntervalTable, Refusal> compileIntervals(const MotionProfile& motio
     const double limitHz = pulseFrequencyLimitHz(machine);
     if (curve.fastestHz() / curve.stretch() > limitHz * (1 + 1e-9))
         return tl::unexpected(refusal(Limit::PulseFrequency, curve.fastestHz(), limitHz, "Hz"));
-    constexpr double mostPulses = std::numeric_limits<std::int32_t>::max();
-    if (static_cast<double>(curve.wholePulses()) > mostPulses)
+    constexpr double maxPulses = std::numeric_limits<std::int32_t>::max();
+    if (static_cast<double>(curve.wholePulses()) > maxPulses)
         return tl::unexpected(
-            refusal(Limit::TableRange, static_cast<double>(curve.wholePulses()), mostPulses, "pulses"));
-    constexpr double mostTicks = std::numeric_limits<std::uint32_t>::max();
-    if (duration * 1.01 * machine.timerClockHz > mostTicks)
-        return tl::unexpected(
-            refusal(Limit::TableRange, duration * machine.timerClockHz, mostTicks, "ticks"));
+            refusal(Limit::TableRange, static_cast<double>(curve.wholePulses()), maxPulses, "pulses"));
+    constexpr double maxTicks = std::numeric_limits<std::uint32_t>::max();
+    if (duration * 1.01 * machine.timerClockHz > maxTicks)
+        return tl::unexpected(refusal(Limit::TableRange, duration * machine.timerClockHz, maxTicks, "ticks"));
 
     const detail::RowRules rules = rowRules(curve, machine, mode);
     const auto maxRows =
         static_cast<std::size_t>(std::min<std::int64_t>(intervalCapacity, curve.wholePulses()));
     detail::IntervalPlanner planner(motion, pulsesPerMm, rules, maxRows);
     const double error = std::isfinite(speedErrorMmPerS) ? std::max(0.0, speedErrorMmPerS) : 0;
-    auto plan = planner.fewestRows(error);
+    auto plan = planner.minRows(error);
     if (!plan)
         return tl::unexpected(
             refusal(Limit::SpeedError, speedErrorMmPerS, roundedUp(planner.keptErrorMmPerS(error)), "mm/s"));
     IntervalTable table;
     table.rows = std::move(plan->rows);
-    table.fewestLinks = static_cast<int>(planner.fewestLines(error));
+    table.minLinks = static_cast<int>(planner.minLines(error));
     table.fractionBits = rules.fractionBits;
     table.advance = static_cast<std::int64_t>(direction) * curve.wholePulses();
     table.timeS = timeOf(table.rows, table.fractionBits);

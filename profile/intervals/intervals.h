@@ -28,7 +28,7 @@ struct IntervalTable {
     std::vector<IntervalRow> rows; // each starts with the last speed of the previous row
     // The lower bound of the number of straight lines that keep the speed error, for any distance and
     // duration. A row covers up to two lines: a ramp and a stretch at its last speed.
-    int fewestLinks = 0;
+    int minLinks = 0;
     int fractionBits = 0;
     std::int64_t advance = 0;     // sum of the rows' pulses; negative: backward
     std::uint32_t cycleTicks = 0; // timer ticks until the last pulse

@@ -95,14 +95,14 @@ public:
     {
     }
 
-    std::optional<std::vector<PathPoint>> find(std::size_t mostLinks)
+    std::optional<std::vector<PathPoint>> find(std::size_t maxLinks)
     {
         addTo(m_lower, m_upper, {m_channel[0].timeS, m_channel[0].lowerHz, 1});
         addTo(m_upper, m_lower, {m_channel[0].timeS, m_channel[0].upperHz, 1});
         for (std::size_t i = 1; i < m_channel.size();) {
             if (passes(i))
                 ++i;
-            else if (m_lines.size() >= mostLinks)
+            else if (m_lines.size() >= maxLinks)
                 return std::nullopt;
         }
         m_lines.push_back(lastLine());
@@ -221,17 +221,17 @@ private:
 
 } // namespace
 
-std::optional<std::vector<PathPoint>> fewestLinks(std::span<const Gate> channel, std::size_t mostLinks,
-                                                  LastLink last)
+std::optional<std::vector<PathPoint>> minLinks(std::span<const Gate> channel, std::size_t maxLinks,
+                                               LastLink last)
 {
     const auto isShut = [](const Gate& gate) { return !(gate.lowerHz <= gate.upperHz); };
     const auto isWall = [](const Gate& a, const Gate& b) {
         return a.timeS == b.timeS && (a.lowerHz > b.upperHz || b.lowerHz > a.upperHz);
     };
-    if (channel.empty() || mostLinks == 0 || std::ranges::any_of(channel, isShut) ||
+    if (channel.empty() || maxLinks == 0 || std::ranges::any_of(channel, isShut) ||
         std::ranges::adjacent_find(channel, isWall) != channel.end())
         return std::nullopt;
-    return Links(channel, last).find(mostLinks);
+    return Links(channel, last).find(maxLinks);
 }
 
 } // namespace campanel::profile::detail

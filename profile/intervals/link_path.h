@@ -29,7 +29,7 @@ enum class LastLink {
 };
 
 // Returns the ends of the links from the first gate to the last one, in order: one more than the links.
-// Returns nothing when a gate is closed (lower above upper), a step is impassable, or more than mostLinks are
+// Returns nothing when a gate is closed (lower above upper), a step is impassable, or more than maxLinks are
 // necessary.
 //
 // No path has fewer links: each one extends as far as possible from what the previous links can reach. (Imai
@@ -37,6 +37,6 @@ enum class LastLink {
 // algorithm for minimum link paths inside a simple polygon", 1986.) `last` selects the last link within
 // its possible range. The time is linear in the number of gates.
 [[nodiscard]] std::optional<std::vector<PathPoint>>
-fewestLinks(std::span<const Gate> channel, std::size_t mostLinks, LastLink last = LastLink::LeastTurn);
+minLinks(std::span<const Gate> channel, std::size_t maxLinks, LastLink last = LastLink::LeastTurn);
 
 } // namespace campanel::profile::detail

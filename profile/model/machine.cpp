@@ -149,19 +149,19 @@ double motorRpmPerMmPerS(const Machine& machine)
     return 60 * gearRatio(machine) / knifeCircumferenceMm(machine);
 }
 
-std::int64_t smallestTimerConstant(const Machine& machine)
+std::int64_t minTimerConstant(const Machine& machine)
 {
     return static_cast<std::int64_t>(std::ceil(machine.timerClockHz / machine.maxPulseFrequencyHz));
 }
 
-std::int64_t largestTimerConstant(const Machine& machine)
+std::int64_t maxTimerConstant(const Machine& machine)
 {
     return (std::int64_t{1} << machine.timerBits) - 1;
 }
 
 double pulseFrequencyLimitHz(const Machine& machine)
 {
-    return static_cast<double>(machine.timerClockHz) / static_cast<double>(smallestTimerConstant(machine));
+    return static_cast<double>(machine.timerClockHz) / static_cast<double>(minTimerConstant(machine));
 }
 
 double axisPulsesPerMm(const Machine& machine)

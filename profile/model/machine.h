@@ -62,8 +62,8 @@ struct PulsesPerCycle {
 
 // Returns the limits of the timer constant, in ticks per pulse. The minimum also limits the frequency: clock
 // / smallest <= max.
-[[nodiscard]] std::int64_t smallestTimerConstant(const Machine& machine);
-[[nodiscard]] std::int64_t largestTimerConstant(const Machine& machine);
+[[nodiscard]] std::int64_t minTimerConstant(const Machine& machine);
+[[nodiscard]] std::int64_t maxTimerConstant(const Machine& machine);
 [[nodiscard]] double pulseFrequencyLimitHz(const Machine& machine);
 
 } // namespace campanel::profile

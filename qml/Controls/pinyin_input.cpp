@@ -19,7 +19,7 @@ bool openDecoder()
 
 QString candidate(std::size_t number)
 {
-    std::array<ime_pinyin::char16, PinyinInput::mostLetters + 2> text{};
+    std::array<ime_pinyin::char16, PinyinInput::maxLetters + 2> text{};
     if (!ime_pinyin::im_get_candidate(number, text.data(), text.size() - 1))
         return {};
     return QString::fromUtf16(reinterpret_cast<const char16_t*>(text.data()));
@@ -34,7 +34,7 @@ bool PinyinInput::available() const
 
 void PinyinInput::add(const QString& letter)
 {
-    if (letter.size() != 1 || letter[0] < u'a' || letter[0] > u'z' || m_letters.size() >= mostLetters ||
+    if (letter.size() != 1 || letter[0] < u'a' || letter[0] > u'z' || m_letters.size() >= maxLetters ||
         !openDecoder())
         return;
     m_letters += letter[0].toLatin1();
@@ -77,7 +77,7 @@ void PinyinInput::search()
         ime_pinyin::im_reset_search();
         const std::size_t found =
             ime_pinyin::im_search(m_letters.constData(), static_cast<std::size_t>(m_letters.size()));
-        for (std::size_t i = 0; i < found && m_candidates.size() < mostCandidates; ++i)
+        for (std::size_t i = 0; i < found && m_candidates.size() < maxCandidates; ++i)
             m_candidates << candidate(i);
         const ime_pinyin::uint16* starts = nullptr;
         const std::size_t syllables = ime_pinyin::im_get_spl_start_pos(starts);

@@ -21,8 +21,8 @@ class PinyinInput : public QObject {
     Q_PROPERTY(QStringList candidates READ candidates NOTIFY changed FINAL)
 
 public:
-    static constexpr int mostCandidates = 60;
-    static constexpr int mostLetters = 20; // from 27 on the library may abort
+    static constexpr int maxCandidates = 60;
+    static constexpr int maxLetters = 20; // from 27 on the library may abort
 
     using QObject::QObject;
 

@@ -240,7 +240,7 @@ bool Rig::runUntilState(std::uint16_t state, std::uint64_t timeoutUs)
     return core().motion.state == state;
 }
 
-std::int64_t Rig::largestJolt(std::uint64_t timeUs)
+std::int64_t Rig::maxJolt(std::uint64_t timeUs)
 {
     std::int64_t position = core().motion.commanded;
     std::optional<std::int64_t> speed;

@@ -73,7 +73,7 @@ public:
     bool runUntilState(std::uint16_t state, std::uint64_t timeoutUs = 60'000'000);
     // Runs for this time; returns the largest change of the commanded speed between two slices, in pulses per
     // slice.
-    std::int64_t largestJolt(std::uint64_t timeUs);
+    std::int64_t maxJolt(std::uint64_t timeUs);
 
     [[nodiscard]] ctl_core& core() { return m_controller.core(); }
     [[nodiscard]] controller::SimulatedController& controller() { return m_controller; }

@@ -137,7 +137,7 @@ void TestCamEngine::velocityHasNoSawTooth_data()
 void TestCamEngine::velocityHasNoSawTooth()
 {
     QFETCH(unsigned, intervals);
-    constexpr double mostHz = 4.0 / 256.0 * 500.0;
+    constexpr double maxHz = 4.0 / 256.0 * 500.0;
     constexpr double net = 10'000.0;
     constexpr double swing = 5'000.0;
     const std::uint32_t cycle = 8'000'123;
@@ -171,8 +171,8 @@ void TestCamEngine::velocityHasNoSawTooth()
           "%.2f Hz "
           "of %.0f Hz peak",
           intervals, worst, worstFrom, worstStep, net + swing * turn);
-    QVERIFY(worst <= mostHz);
-    QVERIFY(worstStep <= mostHz);
+    QVERIFY(worst <= maxHz);
+    QVERIFY(worstStep <= maxHz);
 }
 
 void TestCamEngine::noDriftInAMillionWraps_data()

@@ -41,7 +41,7 @@ private slots:
     void everyDamagedByteIsNoticed();
     void flashFailureIsReported();
     void savingWhileRunning();
-    void largestCamThroughFlash();
+    void maxCamThroughFlash();
 };
 
 void TestFlash::blankFlash()
@@ -176,7 +176,7 @@ void TestFlash::savingWhileRunning()
     QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
 }
 
-void TestFlash::largestCamThroughFlash()
+void TestFlash::maxCamThroughFlash()
 {
     CamImage cam = sineCam(5000.0, 1000.0, CTL_CAM_POINT_CAPACITY - 1, 8'000'000);
     cam.knots = CTL_KNOT_CAPACITY;

@@ -106,11 +106,11 @@ void TestIntervalMotion::moveStoppedMidwayIsOver()
     QVERIFY2(angle > 11'000 && angle < 12'500, qPrintable(QString::number(angle)));
     QCOMPARE(rig.command(CTL_COMMAND_STOP_NOW), CTL_REFUSAL_NONE);
     const std::int64_t top = rig.core().motion.commanded;
-    QVERIFY(rig.largestJolt(second / 10) <= 2);
+    QVERIFY(rig.maxJolt(second / 10) <= 2);
     // Half-way through the ramp the generator runs at half its speed.
     const std::int32_t hz = rig.signedWide(CTL_REG_STATUS_COMMANDED_FREQUENCY);
     QVERIFY(std::abs(std::abs(hz) - 9700) < 500 && (hz < 0) == backwards);
-    QVERIFY(rig.largestJolt(second / 10) <= 2);
+    QVERIFY(rig.maxJolt(second / 10) <= 2);
     QCOMPARE(rig.core().motion.state, CTL_STATE_READY);
     const std::int64_t stopped = rig.core().motion.commanded;
     QVERIFY2(std::abs(std::abs(stopped - top) - 2000) <= 60, qPrintable(QString::number(stopped - top)));
@@ -158,7 +158,7 @@ void TestIntervalMotion::speedIsHeldUntilAStop()
     rig.setParameter(CTL_REG_PARAMETER_RAMP_TIME, 400);
     for (std::uint32_t run = 1; run <= 2; ++run) {
         QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
-        QVERIFY(rig.largestJolt(second) <= 1);
+        QVERIFY(rig.maxJolt(second) <= 1);
         QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
         QCOMPARE(rig.core().motion.cycle_count, run);
         QVERIFY(ctl_table_holding(&rig.core().motion.table));
@@ -174,7 +174,7 @@ void TestIntervalMotion::speedIsHeldUntilAStop()
         const std::int64_t top = rig.core().motion.commanded;
         QCOMPARE(rig.command(code), CTL_REFUSAL_NONE);
         QCOMPARE(rig.core().motion.state, CTL_STATE_STOPPING);
-        QVERIFY(rig.largestJolt(390'000) <= 1);
+        QVERIFY(rig.maxJolt(390'000) <= 1);
         QVERIFY(rig.runUntilState(CTL_STATE_READY, second / 10));
         QVERIFY(rig.controller().nowUs() - begunUs <= 405'000);
         // Half of the travel at the held speed during the ramp, and the time of the command.
@@ -192,7 +192,7 @@ void TestIntervalMotion::stoppedBeforeTheSpeedIsReached()
     rig.command(CTL_COMMAND_START);
     rig.run(second / 4);
     QCOMPARE(rig.command(CTL_COMMAND_STOP_AT_CYCLE_END), CTL_REFUSAL_NONE);
-    QVERIFY(rig.largestJolt(405'000) <= 1);
+    QVERIFY(rig.maxJolt(405'000) <= 1);
     QCOMPARE(rig.core().motion.state, CTL_STATE_READY);
     QCOMPARE(rig.core().motion.cycle_count, 0u);
 }

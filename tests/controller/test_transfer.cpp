@@ -53,7 +53,7 @@ private slots:
     void sealComparesRowsWithTheInputs();
     void sealComparesCyclesWithTheInputs_data();
     void sealComparesCyclesWithTheInputs();
-    void largestTable();
+    void maxTable();
     void applyRefusals();
     void armedBankIsLockedUntilCancelled();
     void commandIsCarriedOutOnce();
@@ -371,7 +371,7 @@ void TestTransfer::sealComparesCyclesWithTheInputs()
         QCOMPARE(unsigned{rig.read(CTL_REG_TRANSFER_RESULT_SESSION, 8)[4]}, detail);
 }
 
-void TestTransfer::largestTable()
+void TestTransfer::maxTable()
 {
     Rig rig;
     const Registers image = camBank(1'000'000, 1, 80'000'000, CTL_ROW_CAPACITY).registers();

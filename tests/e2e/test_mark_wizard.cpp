@@ -103,7 +103,7 @@ private slots:
         QCOMPARE(fields.value("parameter.mark_distance"), 900.0);
         wizard.goOn();
         QTRY_COMPARE_WITH_TIMEOUT(wizard.step(), Step::Measure, timeoutMs);
-        while (wizard.measuredText().count(u'·') < MarkWizard::mostMeasured - 1) {
+        while (wizard.measuredText().count(u'·') < MarkWizard::maxMeasured - 1) {
             const QString before = wizard.measuredText();
             QTRY_VERIFY_WITH_TIMEOUT((wizard.measureSimulatedBag(), wizard.measuredText() != before),
                                      timeoutMs);

@@ -10,7 +10,7 @@
 namespace campanel::looks {
 namespace {
 
-constexpr int smallestFile = 0; // quality for Qt's PNG writer
+constexpr int minFile = 0; // quality for Qt's PNG writer
 
 // Captures one look into the folder. Returns false after an error.
 bool captureLook(const QDir& target, const Look& look, const QList<Scene>& scenes)
@@ -21,7 +21,7 @@ bool captureLook(const QDir& target, const Look& look, const QList<Scene>& scene
     for (const Scene& scene : scenes) {
         enterScene(stage, scene);
         const QString path = target.filePath(pictureName(scene, look));
-        if (!stage.grab().convertToFormat(QImage::Format_RGB888).save(path, "PNG", smallestFile)) {
+        if (!stage.grab().convertToFormat(QImage::Format_RGB888).save(path, "PNG", minFile)) {
             std::fprintf(stderr,
                          "campanel-looks: %s cannot be written; is the disk full or the folder read-only?\n",
                          qPrintable(path));

@@ -28,8 +28,7 @@ inline bool isWithinTimer(const StepRow& row, const Machine& machine, std::int64
         return row.ticks > 0 && extra == 0;
     const std::int64_t shortest = row.ticks / pulses;
     const std::int64_t longest = (row.ticks + pulses - 1) / pulses;
-    return pulses <= 65535 && shortest >= smallestTimerConstant(machine) &&
-           longest <= largestTimerConstant(machine);
+    return pulses <= 65535 && shortest >= minTimerConstant(machine) && longest <= maxTimerConstant(machine);
 }
 
 // Calls `pulse` with the tick of every pulse of one cycle.

@@ -197,8 +197,8 @@ void TestCamTable::statesTheInterpolationError_data()
 void TestCamTable::statesTheInterpolationError()
 {
     QFETCH(int, points);
-    QFETCH(double, mostMm);
-    QFETCH(double, mostMmPerS);
+    QFETCH(double, maxMm);
+    QFETCH(double, maxMmPerS);
     const MotionProfile motion = moveOf(LawId::Quintic, 6000, 1);
     const Machine machine = fastMachine();
     const auto table = buildCamTable(motion, points, machine, CamUse::Once);
@@ -207,12 +207,12 @@ void TestCamTable::statesTheInterpolationError()
     qInfo("%d points: %.3g mm (%.3g pulses) at %.4f s, %.3g mm/s at %.4f s", points, errors.positionMm,
           errors.positionPulses, errors.positionTimeS, errors.speedMmPerS, errors.speedTimeS);
     const double rounding = 1 / 25600.0; // mm
-    QVERIFY(errors.positionMm <= mostMm + rounding);
+    QVERIFY(errors.positionMm <= maxMm + rounding);
     QVERIFY(errors.positionMm > 0);
     QCOMPARE(errors.positionPulses, errors.positionMm * 100);
     // Half a unit for each of two positions and two slopes, over an interval.
-    QVERIFY(errors.speedMmPerS <= mostMmPerS + 2 * rounding * points);
-    QVERIFY(errors.speedMmPerS > mostMmPerS / 10);
+    QVERIFY(errors.speedMmPerS <= maxMmPerS + 2 * rounding * points);
+    QVERIFY(errors.speedMmPerS > maxMmPerS / 10);
 }
 
 // Replays each interval at many places: no error is larger than stated, nor much smaller.

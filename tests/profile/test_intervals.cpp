@@ -250,7 +250,7 @@ void TestIntervals::trapezoidIsTwoRows()
     QVERIFY(table);
     QCOMPARE(broken(*table, 0.2), QString());
     QCOMPARE(table->rows.size(), std::size_t{2});
-    QCOMPARE(table->fewestLinks, 3);
+    QCOMPARE(table->minLinks, 3);
     QCOMPARE(table->advance, static_cast<std::int64_t>(sign * 14500));
     QVERIFY(std::abs(table->rows[0].pulses - 12000.0) <= 3);
     const double unit = mode == 0 ? 1 : 256 * k;
@@ -300,7 +300,7 @@ void TestIntervals::laws()
 {
     QFETCH(int, law);
     QFETCH(double, speedError);
-    QFETCH(int, mostRows);
+    QFETCH(int, maxRows);
     const auto table = compileIntervals(move(static_cast<LawId>(law), 600, 1), Machine{}, speedError,
                                         IntervalMode::Corrected);
     QVERIFY(table);
@@ -309,7 +309,7 @@ void TestIntervals::laws()
     qInfo("%zu rows, speed error %.3f mm/s, position error %.2f pulses, %.3f us late", table->rows.size(),
           table->errors.speedMmPerS, table->errors.positionPulses,
           (table->timeS - table->profileTimeS) * 1e6);
-    QVERIFY(static_cast<int>(table->rows.size()) <= mostRows);
+    QVERIFY(static_cast<int>(table->rows.size()) <= maxRows);
     QVERIFY(std::abs(table->timeS - 1) < 5e-4);
 }
 
@@ -482,7 +482,7 @@ void TestIntervals::rowsEndWithAStretch()
     QVERIFY2(table, reason(table).c_str());
     QCOMPARE(broken(*table, error), QString());
     QCOMPARE(static_cast<int>(table->rows.size()), rows);
-    QCOMPARE(table->fewestLinks, lines);
+    QCOMPARE(table->minLinks, lines);
 }
 
 // Between two speeds with a constant jerk j: with c = sqrt(8 e / j) the first and the last line, which begin
@@ -497,7 +497,7 @@ void TestIntervals::fewestLinesKeepTheWholeError()
     const double error = jerk * c * c / 8;
     const auto fewest = [&](double mmPerS) {
         const auto table = compileIntervals(motion, Machine{}, mmPerS, IntervalMode::Corrected);
-        return table ? table->fewestLinks : 0;
+        return table ? table->minLinks : 0;
     };
     QCOMPARE(fewest(1.004 * error), lines);
     QCOMPARE(fewest(0.996 * error), lines + 1);
@@ -592,8 +592,8 @@ void TestIntervals::randomMoves()
         const auto count = static_cast<int>(table->rows.size());
         steepest = std::max(steepest, steepness(*table, motion));
         // A row covers at most two lines.
-        QVERIFY(table->fewestLinks >= 1 && table->fewestLinks <= 2 * count);
-        fewest += count <= table->fewestLinks ? 1 : 0;
+        QVERIFY(table->minLinks >= 1 && table->minLinks <= 2 * count);
+        fewest += count <= table->minLinks ? 1 : 0;
         if (i % replayedEvery == 0) {
             const IntervalErrors seen = replayed(*table, motion, 100, mode, 997);
             QVERIFY(table->errors.speedMmPerS >= seen.speedMmPerS * (1 - 1e-9));
@@ -603,7 +603,7 @@ void TestIntervals::randomMoves()
             QVERIFY(coarser && coarser->rows.size() <= table->rows.size());
         }
         rows += count;
-        links += table->fewestLinks;
+        links += table->minLinks;
     }
     qInfo("%d of %d refused; %d with as few rows as lines, all together %.3f times as many", refused, cases,
           fewest, rows / links);

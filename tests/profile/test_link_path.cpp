@@ -51,7 +51,7 @@ double outside(const std::vector<Gate>& channel, const std::vector<PathPoint>& p
 
 // Returns the fewest lines between knots on a grid: at the gates and half-way between them, on levels of the
 // channel.
-int fewestOnGrid(const std::vector<Gate>& channel)
+int minOnGrid(const std::vector<Gate>& channel)
 {
     constexpr int levels = 12;
     std::vector<Gate> columns;
@@ -126,18 +126,18 @@ void TestLinkPath::parabola()
             const double t = static_cast<double>(i) / gates;
             channel.push_back({t, t * t - error, t * t + error});
         }
-        const auto path = fewestLinks(channel, 100);
+        const auto path = minLinks(channel, 100);
         QVERIFY(path);
         QCOMPARE(static_cast<int>(path->size()) - 1, share > 1 ? lines : lines + 1);
         QVERIFY(outside(channel, *path) < 1e-12);
-        QVERIFY(!fewestLinks(channel, path->size() - 2));
+        QVERIFY(!minLinks(channel, path->size() - 2));
     }
 }
 
 void TestLinkPath::straightIsOne()
 {
     const std::vector<Gate> channel{{0, 1, 1}, {1, 2.9, 3.1}, {2, 5, 5}};
-    const auto path = fewestLinks(channel, 5);
+    const auto path = minLinks(channel, 5);
     QVERIFY(path && path->size() == 2);
     QCOMPARE(path->front().speedHz, 1.0);
     QCOMPARE(path->back().speedHz, 5.0);
@@ -147,22 +147,22 @@ void TestLinkPath::straightIsOne()
 void TestLinkPath::steps()
 {
     std::vector<Gate> channel{{0, 0, 1}, {1, 0, 1}, {1, 0.8, 1.8}, {2, 0.8, 1.8}};
-    const auto path = fewestLinks(channel, 5);
+    const auto path = minLinks(channel, 5);
     QVERIFY(path);
     QVERIFY(outside(channel, *path) < 1e-12);
     channel[2].lowerHz = channel[3].lowerHz = 1.1;
-    QVERIFY(!fewestLinks(channel, 5));
+    QVERIFY(!minLinks(channel, 5));
 }
 
 void TestLinkPath::nothing()
 {
-    QVERIFY(!fewestLinks({}, 5));
+    QVERIFY(!minLinks({}, 5));
     const std::vector<Gate> shut{{0, 0, 1}, {1, 2, 1}};
-    QVERIFY(!fewestLinks(shut, 5));
+    QVERIFY(!minLinks(shut, 5));
     const std::vector<Gate> open{{0, 0, 1}, {1, 0, 1}};
-    QVERIFY(!fewestLinks(open, 0));
+    QVERIFY(!minLinks(open, 0));
     const std::vector<Gate> point{{0, 2, 4}};
-    const auto path = fewestLinks(point, 1);
+    const auto path = minLinks(point, 1);
     QVERIFY(path && path->size() == 2 && path->front().speedHz == 3);
 }
 
@@ -186,11 +186,11 @@ void TestLinkPath::randomChannels()
             time += uniform(0.1, 1);
             middle += uniform(-1, 1);
         }
-        const auto path = fewestLinks(channel, 100);
+        const auto path = minLinks(channel, 100);
         QVERIFY2(path, qPrintable(QString::number(i)));
         QVERIFY2(outside(channel, *path) < 1e-9, qPrintable(QString::number(i)));
         const int links = static_cast<int>(path->size()) - 1;
-        const int onGrid = fewestOnGrid(channel);
+        const int onGrid = minOnGrid(channel);
         QVERIFY2(links <= onGrid,
                  qPrintable(QStringLiteral("case %1: %2, %3 on the grid").arg(i).arg(links).arg(onGrid)));
         equal += links == onGrid ? 1 : 0;

@@ -357,7 +357,7 @@ void TestPointCam::insertsOnTheCurve()
     QCOMPARE(program.knots.at(7).masterDeg, 359.9);
     QVERIFY(!insertKnot(program, 0.05).has_value()); // no space
     QVERIFY(!insertKnot(program, noNumber).has_value());
-    while (program.knots.size() < mostKnots)
+    while (program.knots.size() < maxKnots)
         QVERIFY(insertKnot(program, 1.0 + static_cast<double>(program.knots.size()) * 3).has_value());
     QVERIFY(!insertKnot(program, 355).has_value());
     QVERIFY(!checkKnots(program.knots).has_value());

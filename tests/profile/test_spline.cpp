@@ -90,7 +90,7 @@ private slots:
     void agreesWithScipy();
     void isTwiceDifferentiable();
     void endsAreAsAsked();
-    void fewestKnots();
+    void minKnots();
     void unitSpacing();
     void continuesOutside();
 };
@@ -178,7 +178,7 @@ void TestSpline::endsAreAsAsked()
     QVERIFY(near(line.at(0).slope, 2, 1e-14));
 }
 
-void TestSpline::fewestKnots()
+void TestSpline::minKnots()
 {
     const std::vector<double> x{1, 3};
     const std::vector<double> y{4, 10};

@@ -194,7 +194,7 @@ void TestStepTable::replayStaysAtTheCurve()
         const double travel =
             cutter->motion.at(static_cast<double>(tick) / r.machine.timerClockHz).positionMm * perMm;
         worst = std::max(worst, std::abs(static_cast<double>(count) - travel));
-        QVERIFY(tick - previous >= smallestTimerConstant(r.machine));
+        QVERIFY(tick - previous >= minTimerConstant(r.machine));
         previous = tick;
     });
     QVERIFY2(worst <= table->errors.insidePulses + 0.01, std::to_string(worst).c_str());

@@ -96,7 +96,7 @@ private slots:
             for (int i = 0; i < 4000; ++i) {
                 const int what = random.bounded(12);
                 if (what == 0)
-                    input.choose(random.bounded(PinyinInput::mostCandidates));
+                    input.choose(random.bounded(PinyinInput::maxCandidates));
                 else if (what == 1)
                     input.erase();
                 else if (what == 2 && random.bounded(10) == 0)
@@ -104,8 +104,8 @@ private slots:
                 else
                     input.add(
                         QString(QLatin1Char(letters[random.bounded(static_cast<int>(letters.size()))])));
-                QVERIFY(input.spelling().remove(u'\'').size() <= PinyinInput::mostLetters);
-                QVERIFY(input.candidates().size() <= PinyinInput::mostCandidates);
+                QVERIFY(input.spelling().remove(u'\'').size() <= PinyinInput::maxLetters);
+                QVERIFY(input.candidates().size() <= PinyinInput::maxCandidates);
             }
         }
     }
@@ -120,8 +120,8 @@ private slots:
         input.clear();
         QVERIFY(input.spelling().isEmpty());
         type(input, QByteArray(200, 'a').constData());
-        QVERIFY(input.spelling().remove(u'\'').size() <= PinyinInput::mostLetters);
-        QVERIFY(input.candidates().size() <= PinyinInput::mostCandidates);
+        QVERIFY(input.spelling().remove(u'\'').size() <= PinyinInput::maxLetters);
+        QVERIFY(input.candidates().size() <= PinyinInput::maxCandidates);
     }
 };
 

@@ -31,7 +31,7 @@ public:
     program::Recipe around(profile::ProgramKind kind)
     {
         program::Recipe recipe = program::defaultRecipe(kind);
-        recipe.version = 1 + below(program::largestVersion);
+        recipe.version = 1 + below(program::maxVersion);
         recipe.name = "Recipe " + std::to_string(below(1000));
         const program::KindInfo& info = program::kindInfo(kind);
         for (const profile::Field field : info.programFields) {

@@ -178,7 +178,7 @@ void Audit::exportCsv()
     m_records.store().run(
         this,
         [filter = m_filter](store::Database& database) {
-            return store::readAudit(database, filter, std::nullopt, mostExported);
+            return store::readAudit(database, filter, std::nullopt, maxExported);
         },
         [this](const Rows& rows) {
             m_isExporting = false;

@@ -72,7 +72,7 @@ class Audit : public QObject {
 
 public:
     // The maximum number of rows in a CSV file; the newest ones are exported.
-    static constexpr int mostExported = 100'000;
+    static constexpr int maxExported = 100'000;
 
     // All arguments must outlive the object.
     Audit(DatabaseService& records, AuditTrail& trail, ReportFiles& files, QObject* parent);

@@ -18,7 +18,7 @@ void ActualTrace::add(const Sample& sample, double durationS)
 {
     const std::uint32_t cycles = sample.cycle - m_pen.cycle;
     const bool missedACycle = cycles > 1 || (cycles == 1 && sample.share > m_pen.share);
-    const double step = durationS / mostPoints; // closer points cannot be distinguished
+    const double step = durationS / maxPoints; // closer points cannot be distinguished
     const double pen = m_pen.share * durationS;
     const double x = sample.share * durationS;
     if (missedACycle) {

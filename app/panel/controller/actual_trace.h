@@ -12,7 +12,7 @@ namespace campanel::panel {
 
 class ActualTrace {
 public:
-    static constexpr int mostPoints = 1000;
+    static constexpr int maxPoints = 1000;
 
     struct Sample {
         std::uint32_t cycle = 0; // counts the cycles completed

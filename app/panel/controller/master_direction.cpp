@@ -13,8 +13,8 @@ namespace campanel::panel {
 namespace {
 
 // The maximum change of the angle between two statuses that shows the direction without doubt.
-constexpr double mostTellingDeg = 150;
-constexpr double leastTellingDeg = 0.05; // the resolution of the status is 0.01
+constexpr double maxTellingDeg = 150;
+constexpr double minTellingDeg = 0.05; // the resolution of the status is 0.01
 
 } // namespace
 
@@ -120,9 +120,9 @@ void MasterDirection::observe(const Sample& now)
     const double seconds = static_cast<std::uint16_t>(now.timeMs - before->timeMs) / 1000.0;
     const double share = std::max(now.speedPercent, before->speedPercent) / 100;
     const double turnedDeg = std::remainder(now.angleDeg - before->angleDeg, 360);
-    if (360 * share * seconds / program->cycleSeconds > mostTellingDeg)
+    if (360 * share * seconds / program->cycleSeconds > maxTellingDeg)
         m_observed.reset();
-    else if (std::abs(turnedDeg) >= leastTellingDeg)
+    else if (std::abs(turnedDeg) >= minTellingDeg)
         m_observed = turnedDeg < 0 ? -1 : 1;
 }
 

@@ -38,7 +38,7 @@ void StrokeModel::note(const modbus::StatusBlock& status, double pulsesPerMm)
     if (!hasEnded || status.press->result == modbus::StrokeResult::None)
         return;
     m_rows.insert(0, {{status.cycleCount, *status.press, pulsesPerMm}});
-    m_rows.remove(mostStrokes, m_rows.count() - mostStrokes);
+    m_rows.remove(maxStrokes, m_rows.count() - maxStrokes);
     emit changed();
 }
 
@@ -49,7 +49,7 @@ void StrokeModel::noteCurve(const modbus::StatusBlock& status, double pulsesPerM
     if (isInStroke && !m_isInStroke)
         m_forceCurve.clear();
     m_isInStroke = isInStroke;
-    if (!isInStroke || pulsesPerMm <= 0 || m_forceCurve.size() >= mostPoints)
+    if (!isInStroke || pulsesPerMm <= 0 || m_forceCurve.size() >= maxPoints)
         return;
     m_forceCurve.append(QPointF(status.axisPositionPulses / pulsesPerMm, status.press->forceN));
     emit curveChanged();

@@ -45,8 +45,8 @@ class StrokeModel : public QObject {
     Q_PROPERTY(QList<QPointF> forceCurve READ forceCurve NOTIFY curveChanged FINAL)
 
 public:
-    static constexpr int mostStrokes = 200;
-    static constexpr int mostPoints = 1000;
+    static constexpr int maxStrokes = 200;
+    static constexpr int maxPoints = 1000;
 
     using QObject::QObject;
 

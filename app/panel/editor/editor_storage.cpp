@@ -21,7 +21,7 @@ int Editor::recipeVersion() const
 int Editor::nextVersion() const
 {
     const int opened = m_recipe.name == m_stored.name ? m_stored.version : 0;
-    return std::min(std::max(opened, m_newestVersion(m_recipe.name)) + 1, program::largestVersion);
+    return std::min(std::max(opened, m_newestVersion(m_recipe.name)) + 1, program::maxVersion);
 }
 
 void Editor::setNewestVersion(NewestVersion newest)

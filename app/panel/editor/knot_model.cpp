@@ -72,16 +72,16 @@ void KnotModel::showFields()
     view.value = view.defaultValue = knots[selected].masterDeg;
     view.text = format.compact(view.value, 1, 4);
     const bool isEnd = selected == 0 || selected == last;
-    view.minimum = isEnd ? view.value : knots[selected - 1].masterDeg + profile::leastKnotSpacingDeg;
-    view.maximum = isEnd ? view.value : knots[selected + 1].masterDeg - profile::leastKnotSpacingDeg;
+    view.minimum = isEnd ? view.value : knots[selected - 1].masterDeg + profile::minKnotSpacingDeg;
+    view.maximum = isEnd ? view.value : knots[selected + 1].masterDeg - profile::minKnotSpacingDeg;
     m_master.show(view);
     view.label = tr("Knot %1, slave").arg(m_selected + 1);
     view.unit = QStringLiteral("mm");
     view.decimals = 3;
     view.value = view.defaultValue = knots[selected].slaveMm;
     view.text = format.compact(view.value, 1, 3);
-    view.minimum = -profile::mostSlaveMm;
-    view.maximum = profile::mostSlaveMm;
+    view.minimum = -profile::maxSlaveMm;
+    view.maximum = profile::maxSlaveMm;
     m_slave.show(view);
 }
 
@@ -136,7 +136,7 @@ bool KnotModel::canRepair() const
 bool KnotModel::canRemove() const
 {
     return isValid() && m_selected > 0 && m_selected + 1 < count() &&
-           m_program->knots.size() > profile::leastKnots;
+           m_program->knots.size() > profile::minKnots;
 }
 
 void KnotModel::moveSelected(const profile::Knot& wanted)

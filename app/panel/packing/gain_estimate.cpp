@@ -16,11 +16,11 @@ namespace campanel::panel {
 
 namespace {
 
-constexpr double leastScatterMm = 0.002; // below the resolution of the registers no estimate is possible
-constexpr double leastPhaseGain = 0.1;
-constexpr double mostPhaseGain = 0.6;
-constexpr double leastLengthGain = 0.02;
-constexpr double mostLengthGain = 0.2;
+constexpr double minScatterMm = 0.002; // below the resolution of the registers no estimate is possible
+constexpr double minPhaseGain = 0.1;
+constexpr double maxPhaseGain = 0.6;
+constexpr double minLengthGain = 0.02;
+constexpr double maxLengthGain = 0.2;
 constexpr double gainStep = 0.01;
 // The number of distances that lie along a straight line: the film's stretch changes slowly.
 constexpr std::size_t longestRun = 100;
@@ -81,7 +81,7 @@ void GainEstimate::take(const MarkSample& mark, double phaseGain)
     if (m_runs.empty() || m_runs.back().size() == longestRun)
         m_runs.emplace_back();
     m_runs.back().push_back(before->pitchMm + mark.errorMm - (1.0 - phaseGain) * before->errorMm);
-    while (bags() > mostBags || m_runs.size() > static_cast<std::size_t>(mostBags))
+    while (bags() > maxBags || m_runs.size() > static_cast<std::size_t>(maxBags))
         m_runs.pop_front();
 }
 
@@ -95,7 +95,7 @@ int GainEstimate::bags() const
 
 std::optional<GainSuggestion> GainEstimate::suggestion() const
 {
-    if (bags() < fewestBags)
+    if (bags() < minBags)
         return std::nullopt;
     std::vector<std::vector<double>> runs;
     for (const Run& run : m_runs) {
@@ -114,15 +114,15 @@ std::optional<GainSuggestion> GainEstimate::suggestion() const
         }
     }
     const double variance = least / bags();
-    if (variance < leastScatterMm * leastScatterMm)
+    if (variance < minScatterMm * minScatterMm)
         return std::nullopt;
     GainSuggestion suggestion;
     suggestion.slipMm = best * std::sqrt(variance);
     suggestion.sensorMm = std::sqrt((1.0 - best) * variance);
-    suggestion.phaseGain = std::clamp(best, leastPhaseGain, mostPhaseGain);
+    suggestion.phaseGain = std::clamp(best, minPhaseGain, maxPhaseGain);
     // The length gain with the best settling for it: T. R. Benedict, G. W. Bordner, 1962.
     const double length = suggestion.phaseGain * suggestion.phaseGain / (2.0 - suggestion.phaseGain);
-    suggestion.lengthGain = std::clamp(length, leastLengthGain, mostLengthGain);
+    suggestion.lengthGain = std::clamp(length, minLengthGain, maxLengthGain);
     return suggestion;
 }
 

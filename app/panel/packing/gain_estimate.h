@@ -28,8 +28,8 @@ struct GainSuggestion {
 
 class GainEstimate {
 public:
-    static constexpr int fewestBags = 50;
-    static constexpr int mostBags = 400;
+    static constexpr int minBags = 50;
+    static constexpr int maxBags = 400;
 
     // Adds a mark; call it for every mark. Distances next to a missing mark are ignored. `phaseGain`: the
     // gain in the controller.
@@ -37,7 +37,7 @@ public:
     void clear() { *this = {}; }
     // Returns the number of distances that count.
     [[nodiscard]] int bags() const;
-    // Returns nothing before there are fewestBags, or when the marks do not scatter.
+    // Returns nothing before there are minBags, or when the marks do not scatter.
     [[nodiscard]] std::optional<GainSuggestion> suggestion() const;
 
 private:

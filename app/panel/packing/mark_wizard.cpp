@@ -207,7 +207,7 @@ void MarkWizard::updateMeasurement()
 
 void MarkWizard::addMeasurement(double behindMm)
 {
-    if (m_step != Step::Measure || m_measuredMm.size() >= mostMeasured ||
+    if (m_step != Step::Measure || m_measuredMm.size() >= maxMeasured ||
         !m_measurement.check(behindMm).isEmpty())
         return;
     m_measuredMm << behindMm;
@@ -228,7 +228,7 @@ void MarkWizard::dropMeasurement()
 bool MarkWizard::canReadRuler() const
 {
     return m_step == Step::Measure && m_machine.simulated() && m_machine.isConnected() && !m_isRulerAsked &&
-           m_measuredMm.size() < mostMeasured;
+           m_measuredMm.size() < maxMeasured;
 }
 
 void MarkWizard::measureSimulatedBag()
@@ -356,7 +356,7 @@ QString MarkWizard::text() const
         return tr("Measure from the printed mark to the cut: positive when the film passes the mark first "
                   "and the cut comes "
                   "behind it, negative when the cut comes before its mark. The mean of up to %1 bags counts.")
-            .arg(mostMeasured);
+            .arg(maxMeasured);
     }
     case Step::Confirm:
         return tr(

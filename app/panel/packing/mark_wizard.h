@@ -45,7 +45,7 @@ public:
     enum class Step { Explain, Cutting, Measure, Confirm, Writing, Watch, Done, Failed };
     Q_ENUM(Step)
     static constexpr int bagsToCut = 5;
-    static constexpr int mostMeasured = 5;
+    static constexpr int maxMeasured = 5;
 
     // Machine and fields must outlive the object.
     MarkWizard(Controller& machine, PackingFields& fields, QObject* parent);

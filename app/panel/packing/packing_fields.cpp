@@ -245,12 +245,12 @@ QString PackingFields::note(const Field& field) const
         field.info().name == "parameter.phase_gain" || field.info().name == "parameter.length_gain";
     if (!isGain)
         return range;
-    if (!m_gains && m_bags >= GainEstimate::fewestBags)
+    if (!m_gains && m_bags >= GainEstimate::minBags)
         return tr("%1 · no suggestion: the marks do not scatter (%2 bags)").arg(range).arg(m_bags);
     if (!m_gains)
         return tr("%1 · suggestion after %2 bags that follow their marks, %3 so far")
             .arg(range)
-            .arg(GainEstimate::fewestBags)
+            .arg(GainEstimate::minBags)
             .arg(m_bags);
     const Format format;
     return tr("%1 · film slips %2 mm a bag, sensor scatters %3 mm (%4 bags)")

@@ -12,7 +12,7 @@ namespace {
 using profile::Field;
 
 // The minimum share of a cycle between two ends of segments after a drag.
-constexpr double smallestGap = 0.01;
+constexpr double minGap = 0.01;
 
 using program::pinnableFields;
 
@@ -93,8 +93,8 @@ ShareRange ratioRange(const Recipe& recipe, int index)
     const auto& k = recipe.cutter().k;
     const auto at = static_cast<std::size_t>(index);
     ShareRange range;
-    range.from = at == 0 ? smallestGap : 1 / k[at - 1] + smallestGap;
-    range.to = at + 1 == k.size() ? 1 - smallestGap : 1 / k[at + 1] - smallestGap;
+    range.from = at == 0 ? minGap : 1 / k[at - 1] + minGap;
+    range.to = at + 1 == k.size() ? 1 - minGap : 1 / k[at + 1] - minGap;
     range.from = std::min(range.from, range.to);
     return range;
 }

@@ -25,7 +25,7 @@ namespace campanel::panel {
 
 namespace {
 
-constexpr qsizetype mostFound = 50; // in one place
+constexpr qsizetype maxFound = 50; // in one place
 const QString suffix = u"zip"_s;
 
 QString snapshotName()
@@ -205,7 +205,7 @@ void Backup::search(const std::function<void()>& done)
     m_pool.start([this, look = m_looker, folder = m_ownFolder, done] {
         QList<Found> found;
         for (const store::Place& place : look(folder)) {
-            for (const QFileInfo& file : store::filesIn(place, suffix, mostFound))
+            for (const QFileInfo& file : store::filesIn(place, suffix, maxFound))
                 found << Found{file.filePath(), place.name, store::readManifest(file.filePath())};
         }
         QMetaObject::invokeMethod(this, [this, found, done] {

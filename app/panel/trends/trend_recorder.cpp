@@ -15,8 +15,8 @@ namespace {
 using store::TrendQuantity;
 
 constexpr qint64 msPerSecond = 1000;
-constexpr std::size_t mostParts = 600 * store::trendQuantities;
-constexpr qsizetype mostBags = 600 * 5;
+constexpr std::size_t maxParts = 600 * store::trendQuantities;
+constexpr qsizetype maxBags = 600 * 5;
 
 bool turns(const modbus::StatusBlock& status)
 {
@@ -122,14 +122,14 @@ void TrendRecorder::add(store::Bag bag)
     if (bag.markErrorMm)
         add(TrendQuantity::MarkError, bag.timeMs, *bag.markErrorMm);
     m_bags << bag;
-    if (m_bags.size() > mostBags)
+    if (m_bags.size() > maxBags)
         m_bags.removeFirst();
 }
 
 void TrendRecorder::add(TrendQuantity quantity, qint64 nowMs, double value, bool isWithin)
 {
     m_parts[{nowMs / msPerSecond, quantity}].add(value, isWithin);
-    if (m_parts.size() > mostParts)
+    if (m_parts.size() > maxParts)
         m_parts.erase(m_parts.begin());
 }
 

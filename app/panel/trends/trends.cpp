@@ -27,7 +27,7 @@ constexpr qint64 shortestStepMs = 1000; // for a window that follows the time
 constexpr qint64 longestStepMs = 30'000;
 constexpr qint64 stepsInAWindow = 600;
 constexpr qint64 bagsInMemory = 20'000; // when the file cannot be opened
-constexpr qint64 mostBagsExported = 200'000;
+constexpr qint64 maxBagsExported = 200'000;
 // The distance from which bags have a gap between them: bags come one by one, other values many times a
 // second.
 constexpr qint64 gapOfBagsMs = 15'000;
@@ -146,7 +146,7 @@ void Trends::toggle(int quantity)
     if (quantity < 0 || quantity >= store::trendQuantities || m_chosen == QList<int>{quantity})
         return;
     if (m_chosen.removeAll(quantity) == 0) {
-        if (m_chosen.size() == mostChosen)
+        if (m_chosen.size() == maxChosen)
             m_chosen.removeLast();
         m_chosen << quantity;
         std::ranges::sort(m_chosen);
@@ -327,7 +327,7 @@ void Trends::exportCsv()
         [batch = m_recorder.take(), question = question()](store::Database& database) {
             Files files;
             files.kept = keep(database, batch);
-            const auto bags = store::bagsCsv(database, question.fromMs, question.toMs, mostBagsExported);
+            const auto bags = store::bagsCsv(database, question.fromMs, question.toMs, maxBagsExported);
             const auto window = store::readTrends(database, question);
             if (!bags || !window)
                 files.error = bags ? window.error() : bags.error();

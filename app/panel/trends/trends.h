@@ -25,7 +25,7 @@ class Trends : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
-    // The quantities from top to bottom, at least one, at most `mostChosen`.
+    // The quantities from top to bottom, at least one, at most `maxChosen`.
     Q_PROPERTY(QList<int> chosen READ chosen NOTIFY chosenChanged FINAL)
     // The window in ms since 1970 UTC. It moves with the time while `live`.
     Q_PROPERTY(double fromMs READ fromMs NOTIFY windowChanged FINAL)
@@ -53,7 +53,7 @@ public:
     enum Content { Unread, NothingYet, NothingHere, Shown };
     Q_ENUM(Content)
 
-    static constexpr int mostChosen = 3;
+    static constexpr int maxChosen = 3;
     static constexpr qint64 shortestSpanMs = 60'000;
     static constexpr qint64 longestSpanMs = 30LL * 24 * 3'600'000;
     static constexpr int writePeriodMs = 5000;

@@ -56,8 +56,8 @@ bool addEntry(zip_t* archive, const ArchiveEntry& entry)
     return true;
 }
 
-// Passes the pieces of the entry `name` to `take`, at most `mostBytes` together.
-tl::expected<void, Error> readPieces(zip_t* archive, const QString& name, qint64 mostBytes,
+// Passes the pieces of the entry `name` to `take`, at most `maxBytes` together.
+tl::expected<void, Error> readPieces(zip_t* archive, const QString& name, qint64 maxBytes,
                                      const std::function<bool(const QByteArray&)>& take)
 {
     const Entry entry(zip_fopen(archive, name.toUtf8().constData(), 0));
@@ -68,7 +68,7 @@ tl::expected<void, Error> readPieces(zip_t* archive, const QString& name, qint64
         QByteArray piece(pieceBytes, Qt::Uninitialized);
         const zip_int64_t got = zip_fread(entry.get(), piece.data(), pieceBytes);
         total += got;
-        if (got < 0 || total > mostBytes) // wrong checksum, or another entry
+        if (got < 0 || total > maxBytes) // wrong checksum, or another entry
             return tl::unexpected(Error{Fault::Damaged, name});
         if (got == 0)
             return {};
@@ -118,10 +118,10 @@ tl::expected<ArchiveReader, Error> ArchiveReader::open(const QString& path)
     return tl::unexpected(Error{beginsAsOne ? Fault::Damaged : Fault::NotAnArchive, reasonOf(code)});
 }
 
-tl::expected<QByteArray, Error> ArchiveReader::read(const QString& name, qint64 mostBytes)
+tl::expected<QByteArray, Error> ArchiveReader::read(const QString& name, qint64 maxBytes)
 {
     QByteArray bytes;
-    const auto done = readPieces(m_archive.get(), name, mostBytes, [&bytes](const QByteArray& piece) {
+    const auto done = readPieces(m_archive.get(), name, maxBytes, [&bytes](const QByteArray& piece) {
         bytes += piece;
         return true;
     });

@@ -35,8 +35,8 @@ public:
 
     [[nodiscard]] static tl::expected<ArchiveReader, Error> open(const QString& path);
 
-    // Reads a whole entry, which must not be longer than `mostBytes`.
-    [[nodiscard]] tl::expected<QByteArray, Error> read(const QString& name, qint64 mostBytes);
+    // Reads a whole entry, which must not be longer than `maxBytes`.
+    [[nodiscard]] tl::expected<QByteArray, Error> read(const QString& name, qint64 maxBytes);
     // Extracts an entry of exactly `bytes` bytes to the new file `target` and returns its SHA-256.
     [[nodiscard]] tl::expected<QByteArray, Error> extract(const QString& name, qint64 bytes,
                                                           const QString& target);

@@ -24,8 +24,8 @@ namespace {
 
 const QString manifestName = u"manifest.json"_s;
 const QString backupFormat = u"campanel-backup"_s;
-constexpr qint64 mostManifestBytes = 100'000;
-constexpr qint64 mostRecipeBytes = 1'000'000;
+constexpr qint64 maxManifestBytes = 100'000;
+constexpr qint64 maxRecipeBytes = 1'000'000;
 
 const QString databaseName = u"campanel.sqlite"_s;
 const QString anchorName = u"campanel.sqlite.audit"_s;
@@ -46,7 +46,7 @@ qint64 maxBytesOf(const QString& part)
 {
     if (part == databaseName || part == trendsName)
         return maxDatabaseBytes;
-    return part == anchorName ? maxAnchorBytes : mostRecipeBytes;
+    return part == anchorName ? maxAnchorBytes : maxRecipeBytes;
 }
 
 BackupError errorOf(const ArchiveReader::Error& error, const QString& path)
@@ -94,7 +94,7 @@ QByteArray manifestJson(const BackupManifest& manifest)
 
 tl::expected<BackupManifest, BackupError> manifestOf(ArchiveReader& archive, const QString& path)
 {
-    const auto bytes = archive.read(manifestName, mostManifestBytes);
+    const auto bytes = archive.read(manifestName, maxManifestBytes);
     const QJsonObject json = bytes ? QJsonDocument::fromJson(*bytes).object() : QJsonObject();
     if (json.value("format"_L1).toString() != backupFormat)
         return tl::unexpected(BackupError{Kind::NotABackup, path, {}});
@@ -133,7 +133,7 @@ tl::expected<int, StoreError> count(Database& database, const QString& table)
 tl::expected<void, BackupError> checkRecipe(const QDir& folder, const QString& name, const QString& path)
 {
     QFile file(folder.filePath(name));
-    if (!file.open(QIODevice::ReadOnly) || !fromJson(file.read(mostRecipeBytes), name))
+    if (!file.open(QIODevice::ReadOnly) || !fromJson(file.read(maxRecipeBytes), name))
         return tl::unexpected(BackupError{Kind::Damaged, path, name});
     return {};
 }

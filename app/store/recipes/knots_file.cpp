@@ -14,7 +14,7 @@ namespace campanel::store {
 namespace {
 
 // The maximum number of files per place: a longer list cannot be searched by touch.
-constexpr qsizetype mostFiles = 100;
+constexpr qsizetype maxFiles = 100;
 
 QString expectation(profile::CsvExpectation expected)
 {
@@ -106,7 +106,7 @@ QList<KnotsOffer> offeredKnots(const QList<Place>& places)
 {
     QList<KnotsOffer> offers;
     for (const Place& place : places) {
-        for (const QFileInfo& file : filesIn(place, QStringLiteral("csv"), mostFiles)) {
+        for (const QFileInfo& file : filesIn(place, QStringLiteral("csv"), maxFiles)) {
             KnotsOffer offer = readOffer(file.filePath());
             offer.placeName = place.name;
             offer.changed = file.lastModified();

@@ -29,10 +29,10 @@ tl::expected<void, FileError> writeRecipe(const program::Recipe& recipe, const Q
 
 QList<RecipeOffer> offeredRecipes(const QList<Place>& places)
 {
-    constexpr qsizetype mostFiles = 200; // in one place
+    constexpr qsizetype maxFiles = 200; // in one place
     QList<RecipeOffer> offers;
     for (const Place& place : places) {
-        for (const QFileInfo& file : filesIn(place, QStringLiteral("json"), mostFiles))
+        for (const QFileInfo& file : filesIn(place, QStringLiteral("json"), maxFiles))
             offers << RecipeOffer{file.filePath(), place.name, file.lastModified(),
                                   readRecipe(file.filePath())};
     }

@@ -72,7 +72,7 @@ tl::expected<Recipe, FileError> fromJson(const QByteArray& json, const QString& 
         reader.fail(u"name"_s, FileError::Kind::TooLong, name, QString::number(program::longestNameBytes));
     profile::FieldInfo versions;
     versions.min = 1;
-    versions.max = program::largestVersion;
+    versions.max = program::maxVersion;
     if (reader.has(u"version"_s))
         recipe.version = static_cast<int>(reader.number(u"version"_s, true, versions));
     readProgram(reader.object(u"program"_s), recipe, failure);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr qint64 firstDelayMs = 1000;
 constexpr qint64 longestDelayMs = 300'000;
-constexpr int mostDoublings = 9; // beyond the maximum delay
+constexpr int maxDoublings = 9; // beyond the maximum delay
 
 StoreError refused(const Database& database, const QString& reason)
 {
@@ -58,7 +58,7 @@ qint64 delayMs(int failedAttempts)
 {
     if (failedAttempts <= 0)
         return 0;
-    return std::min(longestDelayMs, firstDelayMs << std::min(failedAttempts - 1, mostDoublings));
+    return std::min(longestDelayMs, firstDelayMs << std::min(failedAttempts - 1, maxDoublings));
 }
 
 qint64 waitMs(const User& user, qint64 nowMs)

@@ -185,8 +185,7 @@ private slots:
         QVERIFY(packed.result.cutsSkipped > 300);
         QCOMPARE(packed.result.skipsUnexplained, 0u);
         // The clearance, and the errors of the eye and the product's slip on the film.
-        QVERIFY2(packed.result.largestSkipGapMm < 5 + 2,
-                 qPrintable(QString::number(packed.result.largestSkipGapMm)));
+        QVERIFY2(packed.result.maxSkipGapMm < 5 + 2, qPrintable(QString::number(packed.result.maxSkipGapMm)));
         QCOMPARE(packed.result.skips[CTL_SKIP_CAUSE_PRODUCT_ACROSS], packed.result.cutsSkipped);
         std::uint32_t skipped = 0;
         for (const PackedBag& bag : packed.bags) {

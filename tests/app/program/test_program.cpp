@@ -182,7 +182,7 @@ void ProgramTest::refusals()
 void ProgramTest::valueWithoutRoomInItsRegister()
 {
     Recipe recipe;
-    recipe.version = largestVersion + 1;
+    recipe.version = maxVersion + 1;
     const auto image = buildProgram(recipe);
     QVERIFY(!image.has_value());
     QVERIFY(image.error().unstorable.has_value());

@@ -149,7 +149,7 @@ private slots:
         const GainEstimate estimate = follow({0.03, 0.05, 0, 23}, 600, 0.25, 8, 40);
         const auto suggestion = estimate.suggestion();
         QVERIFY(suggestion.has_value());
-        QVERIFY(estimate.bags() <= GainEstimate::mostBags);
+        QVERIFY(estimate.bags() <= GainEstimate::maxBags);
         QVERIFY2(suggestion->slipMm < 0.06 && suggestion->sensorMm < 0.07, "a gap was taken for slip");
         // Every second one: no two in a row.
         QCOMPARE(follow({0.03, 0.05}, 600, 0.25, 8, 1).bags(), 0);

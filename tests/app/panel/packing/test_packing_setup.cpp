@@ -223,11 +223,11 @@ private slots:
             rig.packer.set("packer.mark_pitch", 250);
             rig.set("packer.last_mark", (mark * 7919 % 101 - 50) * 0.001);
         };
-        for (int mark = 1; mark <= GainEstimate::fewestBags; ++mark)
+        for (int mark = 1; mark <= GainEstimate::minBags; ++mark)
             passMark(mark);
         QVERIFY(rig.at(row, PackingFields::SuggestionRole).toString().isEmpty());
         QVERIFY(rig.at(row, PackingFields::NoteRole).toString().endsWith("49 so far"));
-        passMark(GainEstimate::fewestBags + 1);
+        passMark(GainEstimate::minBags + 1);
         const QString suggestion = rig.at(row, PackingFields::SuggestionRole).toString();
         QVERIFY(!suggestion.isEmpty());
         rig.fields().takeSuggestion(row);
@@ -242,7 +242,7 @@ private slots:
         PackingRig rig;
         rig.setup().open();
         rig.answerParameters();
-        for (int mark = 1; mark <= GainEstimate::fewestBags + 1; ++mark) {
+        for (int mark = 1; mark <= GainEstimate::minBags + 1; ++mark) {
             rig.packer.set("packer.marks", mark);
             rig.packer.set("packer.mark_pitch", 250);
             rig.set("packer.last_mark", 0.05);

@@ -25,7 +25,7 @@ using test::AccessRig;
 
 namespace {
 
-constexpr qint64 mostBytes = 50'000'000;
+constexpr qint64 maxBytes = 50'000'000;
 
 struct BundleRig : AccessRig {
     ServiceBundle bundle{{machine, editor, records, *service.figures(), *service.files()}, nullptr};
@@ -63,7 +63,7 @@ struct BundleRig : AccessRig {
 QByteArray entry(const QString& archive, const char* name)
 {
     auto reader = store::ArchiveReader::open(archive);
-    return reader ? reader->read(QString::fromLatin1(name), mostBytes).value_or(QByteArray()) : QByteArray();
+    return reader ? reader->read(QString::fromLatin1(name), maxBytes).value_or(QByteArray()) : QByteArray();
 }
 
 QList<QByteArray> lines(const QByteArray& csv)

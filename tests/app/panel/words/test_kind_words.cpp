@@ -89,13 +89,13 @@ private slots:
 
     void onlyTheRateLimitIsCalledTheLargestRate()
     {
-        const QString largestRate = panel::RecipeWords::limitName(profile::Limit::MachineRate);
-        QCOMPARE(largestRate, QStringLiteral("largest rate"));
+        const QString maxRate = panel::RecipeWords::limitName(profile::Limit::MachineRate);
+        QCOMPARE(maxRate, QStringLiteral("largest rate"));
         constexpr int last = static_cast<int>(profile::Limit::SpeedError);
         for (int i = 0; i <= last; ++i) {
             const auto limit = static_cast<profile::Limit>(i);
             if (limit != profile::Limit::MachineRate)
-                QVERIFY2(panel::RecipeWords::limitName(limit) != largestRate,
+                QVERIFY2(panel::RecipeWords::limitName(limit) != maxRate,
                          std::string(profile::limitId(limit)).c_str());
         }
     }
@@ -260,10 +260,10 @@ private slots:
         QCOMPARE(first.stopForceText(), "2000");
         QCOMPARE(first.peakForceText(), "2100");
         QCOMPARE(strokes.goodCount(), 1);
-        for (int i = 0; i < 2 * StrokeModel::mostStrokes; ++i)
+        for (int i = 0; i < 2 * StrokeModel::maxStrokes; ++i)
             stroke(modbus::StrokeResult::Ok, 0, 3000);
-        QCOMPARE(strokes.rows()->count(), int{StrokeModel::mostStrokes});
-        QCOMPARE(strokes.goodCount(), int{StrokeModel::mostStrokes});
+        QCOMPARE(strokes.rows()->count(), int{StrokeModel::maxStrokes});
+        QCOMPARE(strokes.goodCount(), int{StrokeModel::maxStrokes});
         strokes.clear();
         QCOMPARE(strokes.rows()->count(), 0);
         QVERIFY(strokes.forceCurve().isEmpty());
