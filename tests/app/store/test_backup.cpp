@@ -348,7 +348,7 @@ private slots:
         put(snapshot.filePath(u"campanel.sqlite.audit"_s), {});
         put(snapshot.filePath(u"trends.sqlite"_s), {});
         BackupManifest manifest;
-        manifest.made = QDateTime::fromMSecsSinceEpoch(nowMs, Qt::UTC);
+        manifest.made = QDateTime::fromMSecsSinceEpoch(nowMs).toUTC();
         const QString bomb = home.stick.filePath(u"bomb.zip"_s);
         QVERIFY(writeBackup(bomb, manifest, snapshot.path(), {}));
         QVERIFY(QFileInfo(bomb).size() < 300'000);
