@@ -21,7 +21,7 @@ Rectangle {
         { page: 4, text: qsTr("Recipes"), glyph: Theme.icon.recipes },
         { page: 5, text: qsTr("Trends"), glyph: Theme.icon.trends },
         { page: 6, text: qsTr("Alarms"), glyph: Theme.icon.alarm },
-        { page: 3, text: qsTr("Service"), glyph: Theme.icon.service },
+        { page: 3, text: qsTr("Maintenance"), glyph: Theme.icon.service },
         { page: 2, text: qsTr("Settings"), glyph: Theme.icon.settings }
     ]
 

@@ -29,7 +29,7 @@ Item {
         defaultValue: entry.speed.defaultValue
         decimals: 0
         refusal: isNaN(typedValue) || (typedValue >= minimum && typedValue <= maximum) ? ""
-            : qsTr("The frequency is from %1 to %2 Hz.").arg(Theme.number(minimum, 0)).arg(Theme.number(maximum, 0))
+            : qsTr("The frequency must be from %1 to %2 Hz.").arg(Theme.number(minimum, 0)).arg(Theme.number(maximum, 0))
         onAccepted: value => {
             entry.speed.write(value)
             entry.closed()

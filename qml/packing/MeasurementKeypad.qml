@@ -21,7 +21,7 @@ Item {
         anchors { right: parent.right; verticalCenter: parent.verticalCenter }
         width: 4 * Theme.size.commandKey + 2 * Theme.size.accent
         height: Math.min(parent.height, preferredHeight)
-        label: qsTr("Cut behind its mark")
+        label: qsTr("Cut offset behind its mark")
         unit: "mm"
         currentText: Theme.number(NaN, 2)
         minimum: -entry.wizard.mostMm

@@ -29,7 +29,7 @@ Item {
         defaultValue: Settings.defaultBagToleranceMm
         decimals: entry.decimals
         refusal: isNaN(typedValue) || (typedValue >= minimum && typedValue <= maximum) ? ""
-            : qsTr("The tolerance is from %1 to %2 mm.").arg(Theme.number(minimum, entry.decimals)).arg(Theme.number(maximum, entry.decimals))
+            : qsTr("The tolerance must be from %1 to %2 mm.").arg(Theme.number(minimum, entry.decimals)).arg(Theme.number(maximum, entry.decimals))
         onAccepted: value => {
             Settings.bagToleranceMm = value
             entry.closed()

@@ -21,7 +21,7 @@ Item {
         anchors { right: parent.right; verticalCenter: parent.verticalCenter }
         width: 4 * Theme.size.commandKey + 2 * Theme.size.accent
         height: Math.min(parent.height, preferredHeight)
-        label: qsTr("Unit")
+        label: qsTr("Unit number")
         unit: ""
         currentText: Settings.unit
         minimum: entry.lowest
@@ -29,7 +29,7 @@ Item {
         defaultValue: entry.lowest
         decimals: 0
         refusal: isNaN(typedValue) || (typedValue >= minimum && typedValue <= maximum) ? ""
-            : qsTr("The unit is from %1 to %2.").arg(minimum).arg(maximum)
+            : qsTr("The unit number must be from %1 to %2.").arg(minimum).arg(maximum)
         onAccepted: value => {
             Settings.unit = value
             entry.closed()

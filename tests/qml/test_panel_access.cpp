@@ -47,7 +47,7 @@ private slots:
         QVERIFY2(textOf("pinHint").startsWith(u"Sequences such as"), qPrintable(textOf("pinHint")));
         typePin("258036");
         typePin("258136");
-        QVERIFY(textOf("pinHint").startsWith(u"The two were not the same"));
+        QVERIFY(textOf("pinHint").startsWith(u"The two PINs differ"));
         typePin("258036");
         typePin("258036");
         QTRY_VERIFY(access().protectedByPins());

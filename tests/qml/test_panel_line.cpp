@@ -155,7 +155,7 @@ private slots:
         QCOMPARE(m_stage->link().stopRequests(), stops + 1);
         m_stage->link().showWaitingStop();
         m_stage->settle();
-        QVERIFY2(textOf("banner").startsWith(QStringLiteral("Stop waits for the line")),
+        QVERIFY2(textOf("banner").startsWith(QStringLiteral("Stop is not sent yet.")),
                  qPrintable(textOf("banner")));
         QCOMPARE(textOf("bannerButton"), QStringLiteral("Withdraw"));
         tap("bannerButton");
@@ -166,7 +166,7 @@ private slots:
     {
         for (const char* name : {"nav1", "more", "proofButton", "proofCompare"})
             tap(name);
-        QVERIFY2(textOf("proofText").startsWith(QStringLiteral("Equal: all ")),
+        QVERIFY2(textOf("proofText").startsWith(QStringLiteral("Identical: all ")),
                  qPrintable(textOf("proofText")));
         tap("proofCancel"); // "Close" at this time
         QVERIFY(!m_stage->find(QStringLiteral("sheetPanel")));

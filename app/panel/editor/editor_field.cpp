@@ -21,15 +21,13 @@ QString EditorField::check(double value) const
     const Format format;
     if (value < m_view.minimum - halfStep)
         return m_view.unit.isEmpty()
-                   ? tr("The smallest allowed value is %1.")
-                         .arg(format.compact(m_view.minimum, 0, m_view.decimals))
-                   : tr("The smallest allowed value is %1 %2.")
+                   ? tr("The minimum is %1.").arg(format.compact(m_view.minimum, 0, m_view.decimals))
+                   : tr("The minimum is %1 %2.")
                          .arg(format.compact(m_view.minimum, 0, m_view.decimals), m_view.unit);
     if (value > m_view.maximum + halfStep)
         return m_view.unit.isEmpty()
-                   ? tr("The largest allowed value is %1.")
-                         .arg(format.compact(m_view.maximum, 0, m_view.decimals))
-                   : tr("The largest allowed value is %1 %2.")
+                   ? tr("The maximum is %1.").arg(format.compact(m_view.maximum, 0, m_view.decimals))
+                   : tr("The maximum is %1 %2.")
                          .arg(format.compact(m_view.maximum, 0, m_view.decimals), m_view.unit);
     return {};
 }

@@ -66,34 +66,33 @@ QString RecipeWords::lawStrength(LawId law)
 {
     switch (law) {
     case LawId::Cubic:
-        return tr(
-            "As a speed law its acceleration is zero at both ends and peaks at only 1.5 times its mean.");
+        return tr("As a speed law, acceleration is zero at both ends and peaks at only 1.5 times its mean.");
     case LawId::Quintic:
-        return tr("Speed and acceleration are zero at both ends, by one short polynomial.");
+        return tr("Speed and acceleration are zero at both ends, with a short polynomial.");
     case LawId::Polynomial4567:
-        return tr("Speed, acceleration and jerk are all zero at both ends, so it excites little vibration.");
+        return tr("Speed, acceleration and jerk are zero at both ends, which excites little vibration.");
     case LawId::Harmonic:
-        return tr("Low peak speed (1.57) and low peak acceleration (4.93) by half a cosine wave.");
+        return tr("Half a cosine wave gives a low peak speed (1.57) and a low peak acceleration (4.93).");
     case LawId::Cycloidal:
-        return tr("Its acceleration is one whole sine wave, smooth throughout and zero at both ends.");
+        return tr("Acceleration is one full sine wave: smooth, and zero at both ends.");
     case LawId::ModifiedSine:
-        return tr("Low peak speed (1.76) with moderate peak acceleration (5.53) and no jump of acceleration: "
-                  "it suits large inertia.");
+        return tr("Low peak speed (1.76), moderate peak acceleration (5.53) and continuous acceleration suit "
+                  "large inertia.");
     case LawId::ModifiedTrapezoid:
-        return tr("The lowest peak acceleration (4.89) of the laws without parameters whose acceleration "
-                  "does not jump.");
+        return tr("This law has the lowest peak acceleration (4.89) of the laws without parameters and "
+                  "acceleration jumps.");
     case LawId::Parabolic:
-        return tr("The lowest peak acceleration (4) that a move from rest to rest can have.");
+        return tr("This law has the lowest possible peak acceleration (4) from rest to rest.");
     case LawId::Trapezoid:
-        return tr("No law has a lower peak speed at the same peak acceleration; the ramp fraction trades one "
-                  "for the other.");
+        return tr("At the same peak acceleration, no law has a lower peak speed; the ramp fraction trades "
+                  "one for the other.");
     case LawId::SCurve:
-        return tr("Its acceleration does not jump, and both its peak and that of the jerk can be set.");
+        return tr("Acceleration does not jump; the peaks of acceleration and jerk can be set.");
     case LawId::Exponential:
-        return tr("It accelerates hardest at low speed, where a motor has most torque to give, and least "
+        return tr("Acceleration is highest at low speed, where the motor has the most torque, and lowest "
                   "near the end speed.");
     case LawId::HalfModifiedSine:
-        return tr("Its acceleration is zero at both ends and peaks at only 1.57 times its mean.");
+        return tr("Acceleration is zero at both ends and peaks at only 1.57 times its mean.");
     }
     return {};
 }
@@ -102,38 +101,36 @@ QString RecipeWords::lawWeakness(LawId law)
 {
     switch (law) {
     case LawId::Cubic:
-        return tr("As a displacement law its acceleration jumps to its peak (6) at both ends, and as a speed "
-                  "law its jerk does.");
+        return tr("As a displacement law, acceleration jumps to its peak (6) at both ends; as a speed law, "
+                  "jerk does.");
     case LawId::Quintic:
-        return tr("Its jerk steps at both ends, and a trapezoid whose ramps are longer than 22.29 % of the "
-                  "move needs less peak acceleration.");
+        return tr("Jerk jumps at both ends; a trapezoid with ramps above 22.29 % of the move needs less peak "
+                  "acceleration.");
     case LawId::Polynomial4567:
-        return tr("It has the highest peak speed (2.19) and peak acceleration (7.51) of the displacement "
-                  "laws without parameters.");
+        return tr("This law has the highest peak speed (2.19) and peak acceleration (7.51) of the "
+                  "displacement laws without parameters.");
     case LawId::Harmonic:
-        return tr("As a displacement law it starts and ends with its full acceleration, a jolt each time.");
+        return tr("As a displacement law, full acceleration at start and end causes jolts.");
     case LawId::Cycloidal:
-        return tr(
-            "Its peak speed (2) and peak acceleration (6.28) are high, and its jerk steps at both ends.");
+        return tr("Peak speed (2) and peak acceleration (6.28) are high, and jerk jumps at both ends.");
     case LawId::ModifiedSine:
-        return tr("Its jerk steps at both ends and has the highest finite peak (69.5) of the laws without "
-                  "parameters.");
+        return tr(
+            "Jerk jumps at both ends and has the highest finite peak (69.5) of the laws without parameters.");
     case LawId::ModifiedTrapezoid:
-        return tr("Its peak speed (2) and peak jerk (61.4) are high, and its jerk steps at both ends.");
+        return tr("Peak speed (2) and peak jerk (61.4) are high, and jerk jumps at both ends.");
     case LawId::Parabolic:
-        return tr("As a displacement law its acceleration jumps at both ends and in the middle, and its peak "
-                  "speed (2) is high.");
+        return tr("As a displacement law, acceleration jumps at both ends and in the middle, and peak speed "
+                  "(2) is high.");
     case LawId::Trapezoid:
-        return tr("As a displacement law its acceleration jumps at both ends of both ramps, so its jerk has "
-                  "no bound.");
+        return tr(
+            "As a displacement law, acceleration jumps at both ends of both ramps, so jerk is unbounded.");
     case LawId::SCurve:
-        return tr("Its jerk steps at every joint of its segments, and the smaller the jerk share the higher "
-                  "it is.");
+        return tr("Jerk jumps at every joint of the segments; a smaller jerk share means a higher jerk.");
     case LawId::Exponential:
-        return tr("Its acceleration jumps at both ends, at the low speed the more the larger k is.");
+        return tr("Acceleration jumps at both ends; a larger k increases the jump at the low speed.");
     case LawId::HalfModifiedSine:
-        return tr("It is not symmetric: from rest it travels 0.568 of end speed times time; and its jerk "
-                  "steps at both ends.");
+        return tr("The law is not symmetric: from rest, the travel is 0.568 of end speed times time; jerk "
+                  "jumps at both ends.");
     }
     return {};
 }
@@ -176,7 +173,7 @@ QString RecipeWords::choiceName(program::Choice choice)
     case Choice::Duration:
         return tr("Duration");
     case Choice::Execution:
-        return tr("Executed as");
+        return tr("Execution");
     case Choice::SplineEnds:
         return tr("Spline ends");
     case Choice::MasterRampShape:
@@ -227,7 +224,7 @@ QString RecipeWords::limitName(Limit limit)
     case Limit::RowCapacity:
         return tr("table rows");
     case Limit::MachineRate:
-        return tr("largest rate");
+        return tr("max. rate");
     case Limit::FieldRange: // for the fastest rate: the limit of the speeds in a recipe
         return tr("knife speed");
     case Limit::PinnedPair:
