@@ -726,7 +726,7 @@ And %2 more.</source>
     <name>FirstController</name>
     <message>
         <source>Simulated controller</source>
-        <translation>模拟控制器</translation>
+        <translation>仿真控制器</translation>
     </message>
     <message>
         <source>for training and tests; can be changed in Settings at any time</source>

@@ -155,7 +155,7 @@ private slots:
         QCOMPARE(verdicts, expected);
         const QString text = QString::fromStdString(framesText(m_client->record().frames.since(0)));
         QVERIFY(text.contains("dropped: answer to another question: unit 1, read and write"));
-        QVERIFY(text.contains("no answer in time"));
+        QVERIFY(text.contains("response timeout"));
         QCOMPARE(m_client->record().figures.errors(LinkErrorKind::ForeignAnswer), 0u);
         QCOMPARE(m_client->record().figures.droppedBytes(),
                  static_cast<std::uint64_t>(statusFrames.answerBytes));
@@ -177,7 +177,7 @@ private slots:
         QVERIFY(!decodeFrame(recordOf(FrameVerdict::BadChecksum, {1, 3, 2, 0, 5, 0, 0})).unit);
         QCOMPARE(sentenceOf(recordOf(FrameVerdict::Malformed, {0xFF, 0xFE, 0xFD})),
                  QString("dropped: no frame, 3 bytes"));
-        QCOMPARE(sentenceOf(recordOf(FrameVerdict::Silence, {})), QString("no answer in time"));
+        QCOMPARE(sentenceOf(recordOf(FrameVerdict::Silence, {})), QString("response timeout"));
         std::vector<std::uint8_t> exception{1, 0x97, 2};
         const std::uint16_t crc = crc16(exception);
         exception.push_back(static_cast<std::uint8_t>(crc & 0xFFu));

@@ -174,7 +174,7 @@ private slots:
     void theTrailIsReadByTaps()
     {
         enter("audit");
-        QVERIFY2(textOf("auditChain").startsWith(u"Checked: unbroken, 9 rows"),
+        QVERIFY2(textOf("auditChain").startsWith(u"Checked: 9 rows, intact"),
                  qPrintable(textOf("auditChain")));
         tap("auditArea");
         tap("choice_parameter");

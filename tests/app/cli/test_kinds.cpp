@@ -323,11 +323,11 @@ void CliKindsTest::knotsThatCannotBe()
     const QString text = u"\ufeffmaster_deg,slave_mm\n0,0\n"_s;
     const QByteArray utf16(reinterpret_cast<const char*>(text.utf16()), text.size() * 2);
     QCOMPARE(complaintOf(utf16), "campanelctl: The file " + m_directory.filePath(u"wrong.csv"_s).toUtf8() +
-                                     " is not text in UTF-8. Save it as CSV in UTF-8.\n");
+                                     " is not UTF-8 text. Save the file as CSV in UTF-8.\n");
     const QByteArray knots("master_deg,slave_mm\n0,0\n90,20\n180,50\n270,20\n360,1e306\n");
     QCOMPARE(
         complaintOf(knots),
-        QByteArray("campanelctl: Knot 5 at 1e+306 mm is out of range; the nearest place is 1000000 mm.\n"));
+        QByteArray("campanelctl: Knot 5 at 1e+306 mm is out of range; the nearest position is 1000000 mm.\n"));
 }
 
 void CliKindsTest::knotsRepaired()

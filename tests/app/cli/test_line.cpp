@@ -82,7 +82,7 @@ private slots:
         slave.setRegister(0, 0x4711);
         const Result result = call({u"doctor"_s, u"--port"_s, QString::fromStdString(slave.port())});
         QCOMPARE(result.code, int{Link});
-        QVERIFY2(result.out.contains("no CamPanel controller"), result.out.constData());
+        QVERIFY2(result.out.contains("other than a CamPanel controller"), result.out.constData());
         QCOMPARE(slave.writes(), 0);
     }
 
@@ -131,8 +131,8 @@ private slots:
             call({u"frames"_s, u"--port"_s, QString::fromStdString(slave.port()), u"--seconds"_s, u"0.5"_s});
         QVERIFY2(result.code == Ok, result.complaint.constData());
         QVERIFY(result.out.contains("identity.device_type = 51773"));
-        QVERIFY(result.out.contains("no answer in time"));
-        QVERIFY(result.out.contains("dropped: answer to another question"));
+        QVERIFY(result.out.contains("response timeout"));
+        QVERIFY(result.out.contains("dropped: response to another request"));
         QVERIFY(result.out.contains("exchange.heartbeat = "));
         QVERIFY(result.out.contains("01 03 00 00 00 13 ")); // the bytes as sent
     }

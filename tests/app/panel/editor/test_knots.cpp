@@ -155,7 +155,7 @@ private slots:
         QTest::newRow("beyond the cycle") << "[[0,0],[90,1],[180,2],[270,1],[400,0]]"
                                           << "Knot 5 at 400 °";
         QTest::newRow("begins late") << "[[10,0],[90,1],[180,2],[270,1],[360,0]]"
-                                     << "Knot 1 is at 10 °, the cam needs one at 0 °";
+                                     << "Knot 1 is at 10 °; the cam needs a knot at 0 °";
         QTest::newRow("too far") << "[[0,0],[90,1],[180,2000000],[270,1],[360,0]]"
                                  << "Knot 3 at";
         QTest::newRow("overshoot") << "[[0,0],[175,0],[180,50],[185,50],[360,0]]"
