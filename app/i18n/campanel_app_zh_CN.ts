@@ -2481,18 +2481,18 @@
         <translation>在所有限值之内。</translation>
     </message>
     <message>
-        <source>Within all limits. Maximum rate: %1 (%2).</source>
+        <source>Within all limits. Possible up to %1 (%2).</source>
         <comment>%1: rate with unit, %2: name of the limit</comment>
-        <translation>在所有限值之内。最高速率 %1（受限于%2）。</translation>
+        <translation>在所有限值之内。最快可达 %1（受限于%2）。</translation>
     </message>
     <message>
         <source>Just within the limits.</source>
         <translation>刚好在限值之内。</translation>
     </message>
     <message>
-        <source>Just within the limits. Maximum rate: %1 (%2).</source>
+        <source>Just within the limits. Possible up to %1 (%2).</source>
         <comment>%1: rate with unit, %2: name of the limit</comment>
-        <translation>刚好在限值之内。最高速率 %1（受限于%2）。</translation>
+        <translation>刚好在限值之内。最快可达 %1（受限于%2）。</translation>
     </message>
     <message>
         <source>Motor speed would reach %1 at %3 s (%4°); the limit is %2.</source>
@@ -3628,8 +3628,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>控制器判为合格的行程数</translation>
     </message>
     <message>
-        <source>Maximum rate</source>
-        <translation>最高速率</translation>
+        <source>Maximum possible rate</source>
+        <translation>最高可行速率</translation>
     </message>
     <message>
         <source>Maximum rate with this bag length, law and machine; limited by: %1. Speeds rise with the rate, acceleration with its square.</source>
@@ -4175,7 +4175,7 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>应答延迟</translation>
     </message>
     <message>
-        <source>Responses arrive one and a half timeouts late, after the next request.</source>
+        <source>Responses arrive 1.5 timeouts late, after the next request.</source>
         <translation>应答延迟 1.5 个超时时间，与下一个请求相遇。</translation>
     </message>
     <message>
@@ -4291,7 +4291,7 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>请求</translation>
     </message>
     <message>
-        <source>Answers</source>
+        <source>Responses</source>
         <translation>应答</translation>
     </message>
     <message>
@@ -4754,7 +4754,7 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>%1 · 跟踪色标 %2 袋后给出建议，目前 %3 袋</translation>
     </message>
     <message>
-        <source>%1 · film slip %2 mm per bag, sensor std. dev. %3 mm (%4 bags)</source>
+        <source>%1 · film slip %2 mm per bag, sensor std dev %3 mm (%4 bags)</source>
         <translation>%1 · 薄膜每袋打滑 %2 mm，传感器标准差 %3 mm（%4 袋）</translation>
     </message>
     <message>

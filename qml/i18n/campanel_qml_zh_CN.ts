@@ -241,7 +241,7 @@
         <translation>平均 %1</translation>
     </message>
     <message>
-        <source>std. dev. %1</source>
+        <source>std dev %1</source>
         <translation>标准差 %1</translation>
     </message>
     <message>
@@ -268,7 +268,7 @@
         <translation>袋长</translation>
     </message>
     <message>
-        <source>mean %1, std. dev. %2</source>
+        <source>mean %1, std dev %2</source>
         <translation>平均 %1，标准差 %2</translation>
     </message>
     <message>
@@ -702,8 +702,8 @@ And %2 more.</source>
         <translation>检出的色标</translation>
     </message>
     <message>
-        <source>mark missed, position calculated</source>
-        <translation>漏检的色标（推算位置）</translation>
+        <source>missed mark, calculated</source>
+        <translation>漏检色标（推算）</translation>
     </message>
     <message>
         <source>next expected mark</source>
@@ -2300,8 +2300,8 @@ And %2 more.</source>
         <translation>从不</translation>
     </message>
     <message>
-        <source>Clean screen</source>
-        <translation>清洁屏幕</translation>
+        <source>Clean</source>
+        <translation>清洁</translation>
     </message>
     <message>
         <source>Clock</source>
@@ -2388,11 +2388,11 @@ And %2 more.</source>
         <translation>此时段无数据</translation>
     </message>
     <message>
-        <source>n %1 · mean %2 · std. dev. %3 · %4 … %5 · %6 % within</source>
+        <source>n %1 · mean %2 · std dev %3 · %4 … %5 · %6 % within</source>
         <translation>n %1 · 平均 %2 · 标准差 %3 · %4 … %5 · 合格 %6 %</translation>
     </message>
     <message>
-        <source>n %1 · mean %2 · std. dev. %3 · %4 … %5</source>
+        <source>n %1 · mean %2 · std dev %3 · %4 … %5</source>
         <translation>n %1 · 平均 %2 · 标准差 %3 · %4 … %5</translation>
     </message>
     <message>
@@ -2637,7 +2637,7 @@ And %2 more.</source>
         <translation>第一个用户</translation>
     </message>
     <message>
-        <source>Automatic logout without touch after</source>
+        <source>Logout without touch after</source>
         <translation>无触摸自动退出时间</translation>
     </message>
 </context>

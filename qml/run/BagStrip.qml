@@ -44,7 +44,7 @@ Card {
             anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
             fontSizeMode: Text.HorizontalFit
             minimumPixelSize: Theme.size.caption - 3
-            text: qsTr("mean %1, std. dev. %2").arg(Theme.number(Controller.bags.meanMm, 2)).arg(Theme.number(Controller.bags.scatterMm, 2))
+            text: qsTr("mean %1, std dev %2").arg(Theme.number(Controller.bags.meanMm, 2)).arg(Theme.number(Controller.bags.scatterMm, 2))
             color: card.figureColor
             font.pixelSize: Theme.size.caption
         }

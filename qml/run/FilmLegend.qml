@@ -49,7 +49,7 @@ Item {
             Sign { color: Theme.color.ink }
         }
         Key {
-            text: qsTr("mark missed, position calculated")
+            text: qsTr("missed mark, calculated")
             Sign {
                 color: Theme.color.touchTint
                 border { width: Theme.size.hairline; color: Theme.color.ink }

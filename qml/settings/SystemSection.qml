@@ -81,7 +81,7 @@ SettingsSection {
             Button {
                 id: wipeKey
                 objectName: "wipeScreen"
-                text: qsTr("Clean screen")
+                text: qsTr("Clean")
                 onClicked: Display.wipe()
             }
         }

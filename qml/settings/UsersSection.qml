@@ -208,7 +208,7 @@ SettingsSection {
         id: logoutPicker
         ListPicker {
             readonly property var minutes: Settings.autoLogoutChoices
-            title: qsTr("Automatic logout without touch after")
+            title: qsTr("Logout without touch after")
             choices: minutes.map(key => ({ key: key, text: qsTr("%1 min").arg(key) }))
             current: Settings.autoLogoutMinutes
             onChosen: key => {

@@ -25,7 +25,7 @@ Card {
         const found = Trends.statistics[lane]
         if (!found || found.count === 0)
             return qsTr("no data in this time")
-        const figures = (quantity <= Trends.Deviation ? qsTr("n %1 · mean %2 · std. dev. %3 · %4 … %5 · %6 % within") : qsTr("n %1 · mean %2 · std. dev. %3 · %4 … %5"))
+        const figures = (quantity <= Trends.Deviation ? qsTr("n %1 · mean %2 · std dev %3 · %4 … %5 · %6 % within") : qsTr("n %1 · mean %2 · std dev %3 · %4 … %5"))
             .arg(Theme.count(found.count, 0)).arg(card.figure(quantity, found.mean)).arg(card.figure(quantity, found.scatter))
             .arg(card.figure(quantity, found.low)).arg(card.figure(quantity, found.high))
         return quantity <= Trends.Deviation ? figures.arg(Theme.number(100 * found.within, 1)) : figures

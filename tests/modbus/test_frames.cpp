@@ -154,7 +154,7 @@ private slots:
                                                  FrameVerdict::Answer};
         QCOMPARE(verdicts, expected);
         const QString text = QString::fromStdString(framesText(m_client->record().frames.since(0)));
-        QVERIFY(text.contains("dropped: answer to another question: unit 1, read and write"));
+        QVERIFY(text.contains("dropped: response to another request: unit 1, read and write"));
         QVERIFY(text.contains("response timeout"));
         QCOMPARE(m_client->record().figures.errors(LinkErrorKind::ForeignAnswer), 0u);
         QCOMPARE(m_client->record().figures.droppedBytes(),
@@ -176,7 +176,7 @@ private slots:
         QVERIFY(!decodeFrame(recordOf(FrameVerdict::Drained, {1, 3, 2, 0, 5, 0x78, 0x47})).unit);
         QVERIFY(!decodeFrame(recordOf(FrameVerdict::BadChecksum, {1, 3, 2, 0, 5, 0, 0})).unit);
         QCOMPARE(sentenceOf(recordOf(FrameVerdict::Malformed, {0xFF, 0xFE, 0xFD})),
-                 QString("dropped: no frame, 3 bytes"));
+                 QString("dropped: invalid frame, 3 bytes"));
         QCOMPARE(sentenceOf(recordOf(FrameVerdict::Silence, {})), QString("response timeout"));
         std::vector<std::uint8_t> exception{1, 0x97, 2};
         const std::uint16_t crc = crc16(exception);

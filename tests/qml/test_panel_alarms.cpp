@@ -55,7 +55,7 @@ private slots:
         QVERIFY(!isShown("liveAlarm0"));
         QVERIFY(!isShown("urgentAlarm"));
         tap("alarmsHistory");
-        QTRY_COMPARE(textOf("alarmState"), QStringLiteral("C-01 · Gone, acknowledged"));
+        QTRY_COMPARE(textOf("alarmState"), QStringLiteral("C-01 · Cleared, acknowledged"));
         tap("pastAlarm0");
         QCOMPARE(textOf("alarmReturned"), QStringLiteral("14:06:58"));
         QVERIFY(!isShown("alarmAcknowledge"));

@@ -180,7 +180,7 @@ private slots:
         m_stage->settle();
         tap("service4");
         tap("fault0often");
-        QCOMPARE(textOf("faultsText"), QStringLiteral("Active: Late answers"));
+        QCOMPARE(textOf("faultsText"), QStringLiteral("Active: Late responses"));
         tap("faultsOff");
         QVERIFY(textOf("faultsText").startsWith(QStringLiteral("No faults")));
         tap("fault1often");

@@ -45,7 +45,7 @@ private slots:
         QCOMPARE(textOf("markError"), QStringLiteral("mark error +0.04 mm"));
         QVERIFY(textOf("bagFigures").startsWith(QStringLiteral("mean 250.0")));
         QCOMPARE(textOf("bagsWithin"), QStringLiteral("60 of 60 within"));
-        QCOMPARE(textOf("lastSkip"), QStringLiteral("Last: A product was missing"));
+        QCOMPARE(textOf("lastSkip"), QStringLiteral("Last: Product missing"));
         QVERIFY(!m_stage->find(QStringLiteral("packingGate")));
     }
 
@@ -53,7 +53,7 @@ private slots:
     {
         enter(Situation::ProductAcross);
         QCOMPARE(textOf("packingGate"), QStringLiteral("Knife stays open: product in its path"));
-        QCOMPARE(textOf("lastSkip"), QStringLiteral("Last: A product lay across the knife's path"));
+        QCOMPARE(textOf("lastSkip"), QStringLiteral("Last: Product in the knife's path"));
         QVERIFY(picture().property("knifeOpen").toBool());
         QCOMPARE(picture().property("cuts").value<QList<QPointF>>().constFirst().y(), 1.0);
     }

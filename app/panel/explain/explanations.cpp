@@ -249,7 +249,7 @@ Explanation Explanations::fastestRate() const
 {
     const Format format;
     Explanation told;
-    told.title = tr("Maximum rate");
+    told.title = tr("Maximum possible rate");
     told.value = Format::unknownText();
     told.unit = tr("bags/min");
     const auto cutter = cutterOf(m_editor.recipe());

@@ -69,7 +69,7 @@ void LineFigures::showRows()
     const Format format;
     m_exchanges.setRows(
         {{tr("Requests"), count(figures.requests()), false},
-         {tr("Answers"), count(figures.answers()), false},
+         {tr("Responses"), count(figures.answers()), false},
          {tr("Retries"), count(figures.retries()), figures.retries() > 0},
          {tr("Bytes dropped"), count(figures.droppedBytes()), figures.droppedBytes() > 0},
          {tr("Line utilization"),

@@ -22,7 +22,7 @@ struct ReadyMade {
 constexpr std::array faults{
     ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "Late responses"),
               QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults",
-                                "Responses arrive one and a half timeouts late, after the next request."),
+                                "Responses arrive 1.5 timeouts late, after the next request."),
               "late times=1.5 probability=0.01", "late times=1.5 probability=0.1"},
     ReadyMade{
         QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "Lost frames"),

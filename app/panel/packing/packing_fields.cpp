@@ -310,7 +310,7 @@ QString PackingFields::note(const Field& field) const
             .arg(GainEstimate::fewestBags)
             .arg(m_bags);
     const Format format;
-    return tr("%1 · film slip %2 mm per bag, sensor std. dev. %3 mm (%4 bags)")
+    return tr("%1 · film slip %2 mm per bag, sensor std dev %3 mm (%4 bags)")
         .arg(range, format.number(m_gains->slipMm, 3), format.number(m_gains->sensorMm, 3))
         .arg(m_bags);
 }

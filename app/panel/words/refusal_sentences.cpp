@@ -41,7 +41,7 @@ QString RefusalSentences::withinLimits(const std::optional<profile::FastestRate>
 {
     if (!fastest)
         return tr("Within all limits.");
-    return tr("Within all limits. Maximum rate: %1 (%2).", "%1: rate with unit, %2: name of the limit")
+    return tr("Within all limits. Possible up to %1 (%2).", "%1: rate with unit, %2: name of the limit")
         .arg(valueWithUnit(profile::Field::Rate, fastest->rateBagsPerMin),
              RecipeWords::limitName(fastest->limitedBy));
 }
@@ -50,7 +50,7 @@ QString RefusalSentences::closeToLimits(const std::optional<profile::FastestRate
 {
     if (!fastest)
         return tr("Just within the limits.");
-    return tr("Just within the limits. Maximum rate: %1 (%2).", "%1: rate with unit, %2: name of the limit")
+    return tr("Just within the limits. Possible up to %1 (%2).", "%1: rate with unit, %2: name of the limit")
         .arg(valueWithUnit(profile::Field::Rate, fastest->rateBagsPerMin),
              RecipeWords::limitName(fastest->limitedBy));
 }

@@ -350,7 +350,7 @@ void CliTest::lifeWithAController()
     QVERIFY(fresh[u"bag_length_mm"_s].isNull());
     const Result tooEarly = call(QStringList{u"start"_s} + port);
     QCOMPARE(tooEarly.code, int{Refused});
-    QVERIFY2(tooEarly.complaint.contains("Download a program first"), tooEarly.complaint.constData());
+    QVERIFY2(tooEarly.complaint.contains("download one first"), tooEarly.complaint.constData());
 
     const Result loaded =
         call(QStringList{u"download"_s, u"--rate"_s, u"120"_s, u"--verify"_s} + port + json);

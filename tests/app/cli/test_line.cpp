@@ -60,7 +60,7 @@ private slots:
         const Result result = call(
             {u"doctor"_s, u"--port"_s, controller.port(), u"--unit"_s, u"9"_s, u"--format"_s, u"json"_s});
         QCOMPARE(result.code, int{Link});
-        QVERIFY(result.complaint.contains("unit 9"));
+        QVERIFY(result.complaint.contains("unit number 9"));
         const QJsonObject finding = QJsonDocument::fromJson(result.out).array().first().toObject();
         QCOMPARE(finding[u"condition"_s].toString(), u"wrong_unit"_s);
         QCOMPARE(finding[u"unit"_s].toInt(), 2);
