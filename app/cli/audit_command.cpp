@@ -52,16 +52,15 @@ QString sentence(const store::ChainCheck& check, const QString& path)
     case Fault::EndUnknown:
         break;
     }
-    return u"%1: the rows before %2 are unbroken. Newer ones may be missing: the file %1.audit, which names "
-           u"the "
-           "newest row, is missing or damaged."_s.arg(path, row);
+    return u"%1: the rows before %2 are intact. Newer rows may be missing: the file %1.audit, which names the newest row, is missing or damaged."_s
+        .arg(path, row);
 }
 
 tl::expected<std::unique_ptr<store::Database>, Failure> databaseOf(const QString& path,
                                                                    const QTemporaryDir& unpacked)
 {
     if (!QFileInfo(path).isFile())
-        return fail(ExitCode::File, u"%1 is no file; name a database or a backup."_s.arg(path));
+        return fail(ExitCode::File, u"%1 is not a file. Name a database or a backup."_s.arg(path));
     QString database = path;
     if (store::readManifest(path)) {
         const auto backup = store::unpackBackup(path, unpacked.path());
@@ -74,8 +73,7 @@ tl::expected<std::unique_ptr<store::Database>, Failure> databaseOf(const QString
         return std::move(*opened);
     switch (opened.error().kind) {
     case store::StoreError::Kind::Damaged:
-        return fail(ExitCode::File,
-                    u"%1 is no database or backup of CamPanel, or it is damaged."_s.arg(path));
+        return fail(ExitCode::File, u"%1 is damaged or not a database or backup of CamPanel."_s.arg(path));
     case store::StoreError::Kind::NewerSchema:
         return fail(ExitCode::File,
                     u"%1 was written by a newer version of CamPanel. Use that version."_s.arg(path));
@@ -98,7 +96,7 @@ Outcome runAudit(const Invocation& call)
     const auto check = store::verifyChain(**database);
     if (!check)
         return fail(ExitCode::File,
-                    u"%1 has no audit trail that can be read: %2."_s.arg(words.last(), check.error().detail));
+                    u"The audit trail of %1 cannot be read: %2."_s.arg(words.last(), check.error().detail));
     const bool isUnbroken = check->fault() == Fault::None;
     QJsonObject result{{u"verdict"_s, verdictKey(check->fault())},
                        {u"rows"_s, check->rows()},

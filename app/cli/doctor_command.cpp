@@ -59,7 +59,7 @@ void showProgress(const modbus::ScanProgress& progress)
     if (isatty(STDERR_FILENO) == 0)
         return;
     const auto seconds = std::chrono::ceil<std::chrono::seconds>(progress.remaining).count();
-    std::fprintf(stderr, "\r%d of %d: %s %u 8%c%u unit %d, at most %lld s more   ", progress.done,
+    std::fprintf(stderr, "\r%d of %d: %s %u 8%c%u unit %d, max. %lld s left   ", progress.done,
                  progress.total, progress.port.c_str(), progress.line.baud,
                  static_cast<char>(progress.line.parity), static_cast<unsigned>(progress.line.stopBits),
                  progress.unit, static_cast<long long>(seconds));
@@ -108,7 +108,7 @@ Outcome runDoctor(const Invocation& call)
     if (found == nullptr)
         return fail(ExitCode::Link, u"No controller was found."_s);
     if (!isSearch && found->condition == modbus::LineCondition::WrongUnit)
-        return fail(ExitCode::Link, u"No controller answers at unit %1."_s.arg(settings->unit));
+        return fail(ExitCode::Link, u"No controller responds at unit number %1."_s.arg(settings->unit));
     return {};
 }
 

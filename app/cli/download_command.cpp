@@ -64,8 +64,8 @@ tl::expected<modbus::StatusBlock, Failure> awaitActive(LinkSession& session, Dow
         if (timer.elapsed() > longest)
             return fail(
                 ExitCode::Refused,
-                u"The table is armed, but the machine has not reached the end of its cycle in %1 s. It "
-                "becomes active when it does."_s.arg(longest / 1000));
+                u"The table is armed, but the machine did not reach the end of its cycle within %1 s. The table becomes active at the end of the cycle."_s
+                    .arg(longest / 1000));
     }
 }
 

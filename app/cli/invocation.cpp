@@ -36,12 +36,12 @@ Invocation::Invocation(const CommandInfo& command)
 {
     m_parser.addPositionalArgument(command.name, command.summary);
     if (command.takes & CommandInfo::Recipe)
-        m_parser.addPositionalArgument(u"RECIPE.json"_s, u"Recipe file; without it the default recipe."_s,
+        m_parser.addPositionalArgument(u"RECIPE.json"_s, u"Recipe file (default: the default recipe)."_s,
                                        u"[RECIPE.json]"_s);
     if (command.takes & CommandInfo::Names)
         m_parser.addPositionalArgument(u"NAME"_s, u"Registers to read, with --read."_s, u"[NAME...]"_s);
     if (command.takes & CommandInfo::TrailFile) {
-        m_parser.addPositionalArgument(u"verify"_s, u"Check the chain of the rows."_s);
+        m_parser.addPositionalArgument(u"verify"_s, u"Check all rows for changes."_s);
         m_parser.addPositionalArgument(u"FILE"_s, u"Database or backup."_s);
     }
     m_parser.addOption({{u"h"_s, u"help"_s}, u"Show this help."_s});
@@ -67,10 +67,10 @@ Outcome Invocation::parse(const QStringList& arguments)
     const bool many = (m_command.takes & (CommandInfo::Names | CommandInfo::TrailFile)) != 0;
     const qsizetype most = (m_command.takes & CommandInfo::Recipe) != 0 ? 1 : 0;
     if (!many && m_arguments.size() > most)
-        return fail(ExitCode::Usage, u"\"%1\" is one argument too many. See campanelctl %2 --help."_s.arg(
+        return fail(ExitCode::Usage, u"Unexpected argument \"%1\". See campanelctl %2 --help."_s.arg(
                                          m_arguments[most], m_command.name));
     if (!m_command.formats.isEmpty() && !m_command.formats.contains(format()))
-        return fail(ExitCode::Usage, u"\"%1\" is no format of %2; choose one of: %3."_s.arg(
+        return fail(ExitCode::Usage, u"\"%1\" is not a format of %2; choose one of: %3."_s.arg(
                                          format(), m_command.name, m_command.formats.join(u", "_s)));
     return {};
 }
@@ -100,7 +100,7 @@ Outcome Invocation::deliver(const QByteArray& text) const
     if (const auto written = store::replaceBytes(path, bytes); !written)
         return fail(
             ExitCode::File,
-            u"%1 cannot be written: %2. Nothing in it has changed. Make room there, or name another file."_s
+            u"%1 cannot be written: %2; the file is unchanged. Free some disk space, or name another file."_s
                 .arg(path, written.error().found));
     return {};
 }
@@ -112,8 +112,8 @@ Outcome writeStandardOutput(const QByteArray& text)
     if (std::fwrite(bytes.constData(), 1, size, stdout) != size || std::fflush(stdout) != 0)
         return fail(
             ExitCode::File,
-            u"Standard output cannot be written: %1. Make room there, or redirect it to another file."_s.arg(
-                qt_error_string()));
+            u"Standard output cannot be written: %1. Free some disk space, or redirect the output to another file."_s
+                .arg(qt_error_string()));
     return {};
 }
 

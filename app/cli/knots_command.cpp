@@ -18,7 +18,7 @@ Outcome runKnots(const Invocation& call)
         return tl::unexpected(recipe.error());
     const auto* given = std::get_if<profile::PointCamProgram>(&recipe->program);
     if (given == nullptr)
-        return fail(ExitCode::Usage, u"Only a point cam has knots: --kind point_cam."_s);
+        return fail(ExitCode::Usage, u"Only a point cam has knots. Use --kind point_cam."_s);
     if (const auto wrong = profile::checkKnots(given->knots))
         return fail(ExitCode::Refused, profile::describe(*wrong));
     const profile::PointCamProgram cam = call.isSet(u"repair"_s) ? profile::repaired(*given) : *given;

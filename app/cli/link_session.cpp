@@ -49,7 +49,7 @@ QList<QCommandLineOption> linkOptions()
                                u"115200"_s),
             QCommandLineOption(u"parity"_s, u"N (default), E or O."_s, u"PARITY"_s, u"N"_s),
             QCommandLineOption(u"stop-bits"_s, u"1 (default) or 2."_s, u"COUNT"_s, u"1"_s),
-            QCommandLineOption(u"unit"_s, u"Modbus unit, 1 (default) to 247."_s, u"UNIT"_s, u"1"_s)};
+            QCommandLineOption(u"unit"_s, u"Modbus unit number, 1 (default) to 247."_s, u"UNIT"_s, u"1"_s)};
 }
 
 tl::expected<LinkSession, Failure> LinkSession::open(const Invocation& call)

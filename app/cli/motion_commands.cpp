@@ -48,7 +48,7 @@ Outcome runSave(const Invocation& call)
         return tl::unexpected(before.error());
     if (!before->activeCrc)
         return fail(ExitCode::Refused,
-                    u"The controller has no active program to save; download one first."_s);
+                    u"The controller has no active program to save. Download a program first."_s);
     if (const Outcome saved = session->command(modbus::Command::SaveToFlash, {0, 0, *before->activeCrc});
         !saved)
         return saved;
@@ -56,8 +56,7 @@ Outcome runSave(const Invocation& call)
     if (!after)
         return tl::unexpected(after.error());
     if (after->savedCrc != before->activeCrc)
-        return fail(ExitCode::Refused,
-                    u"The controller reports another saved program than the active one. Save again."_s);
+        return fail(ExitCode::Refused, u"The saved program differs from the active program. Save again."_s);
     return call.deliver("Saved.\n");
 }
 

@@ -142,9 +142,9 @@ tl::expected<QList<double>, Failure> numbers(const Invocation& call, const QStri
 Outcome pinGiven(const std::vector<Field>& given, program::Recipe& recipe)
 {
     if (given.size() > 2)
-        return fail(ExitCode::Usage,
-                    u"Give at most two of --bag-length-mm, --rate, --base-speed-mm-per-s and "
-                    "--film-speed-mm-per-s; the others follow from them."_s);
+        return fail(
+            ExitCode::Usage,
+            u"Give at most two of --bag-length-mm, --rate, --base-speed-mm-per-s and --film-speed-mm-per-s; the other values follow."_s);
     auto& pinned = recipe.cutter().pinned;
     if (given.size() == 2)
         pinned = {given[0], given[1]};
@@ -164,7 +164,7 @@ Outcome applyFields(const Invocation& call, program::Recipe& recipe)
             continue;
         if (!belongsTo(kind, field))
             return fail(ExitCode::Usage,
-                        u"--%1 does not belong to a program of kind %2."_s.arg(name, fromText(kind.key)));
+                        u"--%1 does not apply to a program of kind %2."_s.arg(name, fromText(kind.key)));
         const auto value = numbers(call, name, 1, u"a number"_s);
         if (!value)
             return tl::unexpected(value.error());
@@ -182,7 +182,7 @@ Outcome applyGear(const Invocation& call, program::Recipe& recipe)
     if (!call.isSet(u"gear"_s))
         return {};
     if (!recipe.isCutter())
-        return fail(ExitCode::Usage, u"--gear belongs to a rotary cutter."_s);
+        return fail(ExitCode::Usage, u"--gear applies to a rotary cutter only."_s);
     const QStringList parts = call.value(u"gear"_s).split(u'/');
     bool numeratorOk = false;
     bool denominatorOk = true;
@@ -200,7 +200,7 @@ Outcome applyRatios(const Invocation& call, program::Recipe& recipe)
     if (!call.isSet(u"k"_s))
         return {};
     if (!recipe.isCutter())
-        return fail(ExitCode::Usage, u"--k belongs to a rotary cutter."_s);
+        return fail(ExitCode::Usage, u"--k applies to a rotary cutter only."_s);
     const QString form = u"four numbers such as 4,2.5,1.6667,1.3333"_s;
     const auto values = numbers(call, u"k"_s, 4, form);
     if (!values)
@@ -223,7 +223,7 @@ Outcome applyLaw(const Invocation& call, program::Recipe& recipe)
         const profile::Law* law = profile::findLaw(call.value(u"law"_s).toStdString());
         if (law == nullptr || !program::isLawOf(kind.kind, *law))
             return fail(ExitCode::Usage,
-                        u"There is no %1 law \"%2\"; choose one of: %3."_s.arg(
+                        u"Unknown %1 law \"%2\"; choose one of: %3."_s.arg(
                             kind.kind == profile::ProgramKind::PositionMove ? u"displacement"_s : u"speed"_s,
                             call.value(u"law"_s), lawKeys(&kind)));
         program::setChoice(recipe.program, program::Choice::Law, static_cast<std::uint16_t>(law->id));
@@ -250,7 +250,7 @@ Outcome applyChoices(const Invocation& call, program::Recipe& recipe)
             continue;
         if (std::ranges::find(kind.choices, each.choice) == kind.choices.end())
             return fail(ExitCode::Usage,
-                        u"--%1 does not belong to a program of kind %2."_s.arg(name, fromText(kind.key)));
+                        u"--%1 does not apply to a program of kind %2."_s.arg(name, fromText(kind.key)));
         const program::ChoiceInfo info = program::choiceInfo(kind.kind, each.choice);
         const std::string key = call.value(name).toStdString();
         const auto found = std::ranges::find(info.options, key, &program::ChoiceOption::key);
@@ -267,7 +267,7 @@ Outcome applyKnots(const Invocation& call, program::Recipe& recipe)
         return {};
     auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program);
     if (cam == nullptr)
-        return fail(ExitCode::Usage, u"--knots-csv belongs to a point cam."_s);
+        return fail(ExitCode::Usage, u"--knots-csv applies to a point cam only."_s);
     auto knots = store::readKnots(call.value(u"knots-csv"_s));
     if (!knots)
         return fail(ExitCode::File, knots.error());
@@ -294,9 +294,9 @@ QList<QCommandLineOption> recipeOptions()
     for (const program::ChoiceInfo& info : choiceOptions())
         options << QCommandLineOption(fromText(info.id).replace(u'_', u'-'),
                                       u"One of: %1."_s.arg(optionKeys(info)), u"CHOICE"_s);
-    options << QCommandLineOption(
-                   u"kind"_s, u"Kind of program to begin with when no recipe is named: %1."_s.arg(kindKeys()),
-                   u"KIND"_s)
+    options << QCommandLineOption(u"kind"_s,
+                                  u"Kind of the default recipe, if no recipe is named: %1."_s.arg(kindKeys()),
+                                  u"KIND"_s)
             << QCommandLineOption(u"knots-csv"_s, u"Knots of a point cam: lines of master_deg,slave_mm."_s,
                                   u"FILE"_s);
     options << QCommandLineOption(u"gear"_s, u"Motor revolutions per knife revolution, such as 5/2."_s,

@@ -98,7 +98,7 @@ Outcome readLive(const Invocation& call, const QString& format)
         const RegisterInfo* info = modbus::findRegister(name.toStdString());
         if (info == nullptr)
             return fail(ExitCode::Usage,
-                        u"There is no register \"%1\"; campanelctl registers lists them."_s.arg(name));
+                        u"Unknown register \"%1\". campanelctl registers lists all registers."_s.arg(name));
         if (info->type == modbus::RegisterType::Block)
             return fail(ExitCode::Usage,
                         u"%1 is a block of %2 registers; name a single value."_s.arg(name).arg(info->count));

@@ -20,8 +20,9 @@ Outcome runSet(const Invocation& call)
     const modbus::RegisterInfo* info = modbus::findRegister(arguments[0].toStdString());
     // All other writable registers belong to protocols of their own.
     if (info == nullptr || !info->name.starts_with("parameter."))
-        return fail(ExitCode::Usage,
-                    u"\"%1\" is no parameter; campanelctl registers lists them."_s.arg(arguments[0]));
+        return fail(
+            ExitCode::Usage,
+            u"\"%1\" is not a parameter. campanelctl registers lists all parameters."_s.arg(arguments[0]));
     auto session = LinkSession::open(call);
     if (!session)
         return tl::unexpected(session.error());

@@ -73,10 +73,10 @@ Outcome checkCombination(const Invocation& call)
 {
     const bool table = call.isSet(u"table"_s);
     if (!table && call.isSet(u"lengths"_s))
-        return fail(ExitCode::Usage, u"--lengths belongs to --table."_s);
+        return fail(ExitCode::Usage, u"--lengths requires --table."_s);
     for (const QString& option : {u"no-tracking"_s, u"with-bags"_s}) {
         if (table && call.isSet(option))
-            return fail(ExitCode::Usage, u"--%1 does not go with --table."_s.arg(option));
+            return fail(ExitCode::Usage, u"--%1 cannot be combined with --table."_s.arg(option));
     }
     return {};
 }

@@ -33,30 +33,30 @@ using Machine = controller::MachineOptions;
 constexpr Disturbance disturbances[] = {
     {"slip", "standard deviation of the film's slip from bag to bag", "MM", 0, 10,
      [](Machine& machine) -> double& { return machine.film.slipMm; }},
-    {"stretch", "largest slow stretch of the film", "SHARE", 0, 0.1,
+    {"stretch", "maximum slow stretch of the film", "SHARE", 0, 0.1,
      [](Machine& machine) -> double& { return machine.film.stretch; }},
-    {"stretch-step", "stretch that sets in at once", "SHARE", -0.2, 0.2,
+    {"stretch-step", "sudden stretch of the film", "SHARE", -0.2, 0.2,
      [](Machine& machine) -> double& { return machine.film.stretchStep; }},
-    {"stretch-step-after", "film before it sets in", "M", 0, 1e6,
+    {"stretch-step-after", "film length before the sudden stretch", "M", 0, 1e6,
      [](Machine& machine) -> double& { return machine.film.stretchStepM; }},
     {"mark-noise", "standard deviation of the mark sensor", "MM", 0, 10,
      [](Machine& machine) -> double& { return machine.film.markNoiseMm; }},
-    {"marks-missing", "marks that the sensor does not see", "SHARE", 0, 1,
+    {"marks-missing", "marks that the sensor misses", "SHARE", 0, 1,
      [](Machine& machine) -> double& { return machine.film.marksMissing; }},
-    {"marks-false", "bags with a second mark anywhere", "SHARE", 0, 1,
+    {"marks-false", "bags with an additional mark", "SHARE", 0, 1,
      [](Machine& machine) -> double& { return machine.film.marksFalse; }},
-    {"print-error", "by which the print is longer than the bag", "SHARE", -0.5, 0.5,
+    {"print-error", "print length minus bag length", "SHARE", -0.5, 0.5,
      [](Machine& machine) -> double& { return machine.film.printError; }},
-    {"film-misplaced", "film off its marks at the first cut", "MM", -longestMm, longestMm,
+    {"film-misplaced", "offset of the first cut from its mark", "MM", -longestMm, longestMm,
      [](Machine& machine) -> double& { return machine.film.misplacedMm; }},
     {"product-length", "length of the products; 0: 0.6 of the bag", "MM", 0, longestMm,
      [](Machine& machine) -> double& { return machine.products.lengthMm; }},
-    {"product-scatter", "standard deviation of their places", "MM", 0, longestMm,
+    {"product-scatter", "standard deviation of the product positions", "MM", 0, longestMm,
      [](Machine& machine) -> double& { return machine.products.scatterMm; }},
-    {"products-missing", "places without a product", "SHARE", 0, 1,
+    {"products-missing", "missing products", "SHARE", 0, 1,
      [](Machine& machine) -> double& { return machine.products.missing; }},
-    {"products-misplaced", "products that lie anywhere within 0.45 of a bag length from their place", "SHARE",
-     0, 1, [](Machine& machine) -> double& { return machine.products.misplaced; }},
+    {"products-misplaced", "products displaced by up to 0.45 of a bag length", "SHARE", 0, 1,
+     [](Machine& machine) -> double& { return machine.products.misplaced; }},
 };
 
 // Parses "parameter.cut_clearance=8".
@@ -106,20 +106,20 @@ QList<QCommandLineOption> simulateOptions()
 {
     QList<QCommandLineOption> options{
         {u"bags"_s, u"Bags to cut (default 1000)."_s, u"COUNT"_s},
-        {u"seed"_s, u"Of everything that is left to chance (default 1); same seed, same bags."_s,
+        {u"seed"_s, u"Seed of the random numbers (default 1); the same seed gives the same bags."_s,
          u"NUMBER"_s},
-        {u"tolerance"_s, u"Deviation that a bag may have (default 0.2)."_s, u"MM"_s},
+        {u"tolerance"_s, u"Allowed deviation of a bag's length (default 0.2)."_s, u"MM"_s},
         {u"go-on"_s, u"Start again after an alarm, as an operator would, until all bags are cut."_s},
-        {u"with-bags"_s, u"With --format json: the bags too."_s},
+        {u"with-bags"_s, u"With --format json: print the bags too."_s},
         {u"set"_s,
          u"Set a parameter of the controller, such as parameter.cut_clearance=8; may be repeated."_s,
          u"NAME=VALUE"_s},
-        {u"no-tracking"_s, u"The cuts do not follow the marks: parameter.mark_tracking=0."_s},
-        {u"save-film"_s, u"No product, no bag: parameter.empty_bag=1."_s},
+        {u"no-tracking"_s, u"Switch mark tracking off: parameter.mark_tracking=0."_s},
+        {u"save-film"_s, u"Make no bags without product: parameter.empty_bag=1."_s},
         {u"table"_s,
-         u"Run the --lengths at 60 bags/min and at the largest feasible rate up to 300, with and without "
-         "tracking; print one table."_s},
-        {u"lengths"_s, u"For --table, in mm; without it those of the paper's Table 2."_s, u"L1,L2,..."_s}};
+         u"Run the --lengths at 60 bags/min and at the maximum feasible rate up to 300, with and without tracking; print one table."_s},
+        {u"lengths"_s, u"Bag lengths for --table, in mm (default: those of the paper's Table 2)."_s,
+         u"L1,L2,..."_s}};
     const controller::MachineOptions defaults;
     for (const Disturbance& each : disturbances) {
         Machine machine = defaults;
@@ -176,7 +176,7 @@ tl::expected<controller::ParameterValue, Failure> parameterOf(const QString& nam
     const modbus::RegisterInfo* info = modbus::findRegister(name.toStdString());
     if (info == nullptr || !info->name.starts_with("parameter."))
         return fail(ExitCode::Usage,
-                    u"\"%1\" is no parameter; campanelctl registers lists them."_s.arg(name));
+                    u"\"%1\" is not a parameter. campanelctl registers lists all parameters."_s.arg(name));
     controller::ParameterValue parameter;
     parameter.address = info->address;
     parameter.registers.resize(info->count);

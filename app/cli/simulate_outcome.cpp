@@ -20,13 +20,13 @@ QString actionFor(WarningBit bit)
     case WarningBit::MarksLost:
         return u"Check film and mark sensor, or run without marks: --no-tracking."_s;
     case WarningBit::MarkPitchWrong:
-        return u"Take the film that was printed for this bag length, or set the bag length of the film."_s;
+        return u"Use a film printed for this bag length, or set the bag length of the film."_s;
     case WarningBit::CorrectionAtLimit:
         return u"Check the film's tension and slip, or raise parameter.length_limit or parameter.phase_limit."_s;
     case WarningBit::ProductTooLong:
-        return u"Take shorter products or a longer bag, or lower parameter.cut_clearance."_s;
+        return u"Use shorter products or a longer bag, or lower parameter.cut_clearance."_s;
     case WarningBit::TooManySkips:
-        return u"Put the products in order, or raise parameter.skip_limit."_s;
+        return u"Align the products, or raise parameter.skip_limit."_s;
     default:
         return {};
     }
@@ -40,7 +40,7 @@ QString actionFor(Refusal reason)
     case Refusal::MarkWindowTooWide:
         return u"Lower parameter.mark_window or set a longer bag."_s;
     case Refusal::NoRoomToCorrect:
-        return u"Change --k so that knife and film move together for a shorter time."_s;
+        return u"Change --k for a shorter sync window."_s;
     case Refusal::EyeTooNear:
         return u"Change parameter.eye_distance."_s;
     case Refusal::FeedTooFast:
@@ -71,11 +71,11 @@ QString sentenceOf(const controller::PackingResult& result)
     case controller::PackingEnd::Done:
         return {};
     case controller::PackingEnd::BadBank:
-        return u"The controller does not take the program: "_s +
+        return u"The controller does not accept the program: "_s +
                fromView(modbus::enumText("TransferResult", code));
     case controller::PackingEnd::BadParameter:
-        return u"The controller does not take the parameter at 0x%1."_s.arg(result.detail, 4, 16,
-                                                                            QChar(u'0'));
+        return u"The controller does not accept the parameter at 0x%1."_s.arg(result.detail, 4, 16,
+                                                                              QChar(u'0'));
     case controller::PackingEnd::Refused:
         return u"The controller refuses to start: %1 %2"_s.arg(fromView(modbus::enumText("Refusal", code)),
                                                                actionFor(static_cast<Refusal>(code)));
@@ -85,9 +85,8 @@ QString sentenceOf(const controller::PackingResult& result)
         return u"After %1 bags the machine went into fault: "_s.arg(result.bags) +
                wordsOf("FaultBit", result.detail).join(u' ');
     case controller::PackingEnd::NoBags:
-        return u"After %1 bags no more came for hundreds of cycles: film or knife stood. Check whether "
-               u"products "
-               "come."_s.arg(result.bags);
+        return u"After %1 bags, no bag was cut for hundreds of cycles: film or knife stood still. Check the supply of products."_s
+            .arg(result.bags);
     }
     return {};
 }

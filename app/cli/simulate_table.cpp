@@ -153,7 +153,8 @@ Outcome addRows(const program::Recipe& recipe, double lengthMm, const controller
 QByteArray tableText(const QJsonArray& rows, const controller::PackingJob& job, double toleranceMm)
 {
     QString text =
-        u"mm; %1 bags a row, seed %2; within %3 mm; paper: Table 2, its machine's deviation\n"_s.arg(job.bags)
+        u"mm; %1 bags per row, seed %2; within %3 mm; paper: deviation of its machine in Table 2\n"_s
+            .arg(job.bags)
             .arg(job.machine.seed)
             .arg(toleranceMm);
     for (const TableColumn& column : measuredColumns)

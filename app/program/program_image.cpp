@@ -170,8 +170,7 @@ std::string describe(const DecodeError& error)
         return "The controller runs a program of kind " + code +
                ", which this version cannot show. Update the panel's software.";
     case DecodeErrorKind::Pinned:
-        return "The controller's program does not say which two inputs it was made from (" + code +
-               "). Download a recipe again.";
+        return "The controller's program has unknown pinned values (" + code + "). Download a recipe again.";
     case DecodeErrorKind::Law:
         return "The controller's program uses law " + code +
                ", which this version does not know. Update the panel's software.";

@@ -47,7 +47,7 @@ std::string describe(const DownloadError& error)
     case DownloadErrorKind::Link:
         return describe(error.link);
     case DownloadErrorKind::ImageTooLong:
-        return "The table needs " + std::to_string(error.actual) + " registers, the controller holds " +
+        return "The table needs " + std::to_string(error.actual) + " registers, the controller has " +
                std::to_string(error.expected) + ". Reduce the slices per ramp." + untouched;
     case DownloadErrorKind::KindNotSupported:
         return std::string("The controller cannot execute this kind of program. Update its firmware.") +
@@ -55,8 +55,8 @@ std::string describe(const DownloadError& error)
     case DownloadErrorKind::TransferRefused:
         return "The controller refused the table: " + transferReason(error.transfer) + untouched;
     case DownloadErrorKind::ChecksumDiffers:
-        return "The controller holds other bytes than were sent: CRC-32 " + hex32(error.actual) +
-               " instead of " + hex32(error.expected) + ". Download again." + untouched;
+        return "The received data differ from the sent data: CRC-32 " + hex32(error.actual) + " instead of " +
+               hex32(error.expected) + ". Download again." + untouched;
     case DownloadErrorKind::RowsDiffer:
         return "Register " + std::to_string(error.offset) + " of the table reads back as " +
                std::to_string(error.actual) + " instead of " + std::to_string(error.expected) +
@@ -65,7 +65,7 @@ std::string describe(const DownloadError& error)
         return "The controller did not apply the table: " +
                std::string(enumText("Refusal", static_cast<std::uint16_t>(error.refusal))) + untouched;
     case DownloadErrorKind::Withdrawn:
-        return std::string("The change was cancelled before it became active.") + untouched;
+        return std::string("The change was withdrawn before becoming active.") + untouched;
     }
     return {};
 }

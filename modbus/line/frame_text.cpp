@@ -132,19 +132,19 @@ std::string_view verdictText(FrameVerdict verdict)
     case FrameVerdict::Exception:
         return "exception";
     case FrameVerdict::Foreign:
-        return "dropped: answer to another question";
+        return "dropped: response to another request";
     case FrameVerdict::BadChecksum:
         return "dropped: wrong checksum";
     case FrameVerdict::Malformed:
-        return "dropped: no frame";
+        return "dropped: invalid frame";
     case FrameVerdict::Incomplete:
-        return "dropped: the rest did not come in time";
+        return "dropped: incomplete frame";
     case FrameVerdict::Silence:
-        return "no answer in time";
+        return "response timeout";
     case FrameVerdict::Drained:
-        return "dropped: nobody asked";
+        return "dropped: no request pending";
     case FrameVerdict::PortGone:
-        return "the port has gone";
+        return "port removed";
     }
     return {};
 }

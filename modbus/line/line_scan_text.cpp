@@ -20,14 +20,14 @@ std::string busyText(const LineFinding& finding)
 {
     std::string text = "The port " + finding.port + " is in use by ";
     if (finding.holders.empty())
-        return text.append("another program that this user may not look into. Close it, then try again.");
+        return text.append("another user's program. Close that program, then try again.");
     bool isFirst = true;
     for (const PortHolder& holder : finding.holders) {
         text.append(isFirst ? "" : " and ").append(holder.program.empty() ? "a program" : holder.program);
         text.append(" (process ").append(std::to_string(holder.processId)).append(")");
         isFirst = false;
     }
-    return text.append(". Close it, then try again.");
+    return text.append(". Close that program, then try again.");
 }
 
 std::string answerText(const LineFinding& finding)
@@ -37,16 +37,16 @@ std::string answerText(const LineFinding& finding)
     case LineCondition::Controller:
         return "A CamPanel controller, firmware " +
                (finding.identity ? finding.identity->firmwareVersion() : std::string("unknown")) +
-               ", answers at " + where + ".";
+               ", responds at " + where + ".";
     case LineCondition::WrongUnit:
-        return "The controller answers at " + where + ": set the unit number to " +
+        return "The controller responds at " + where + ": set the unit number to " +
                std::to_string(finding.unit) + ".";
     case LineCondition::OtherMapVersion:
         return "The controller at " + where + " has register map " + std::to_string(finding.code) +
                ", this program needs map " + std::to_string(mapMajor) + ". Update the " +
                (finding.code < mapMajor ? "controller's firmware." : "panel's software.");
     default:
-        return "A device that is no CamPanel controller answers at " + where +
+        return "A device other than a CamPanel controller responds at " + where +
                ". Nothing was written to it. Check the cable, the port and the unit number.";
     }
 }
@@ -54,18 +54,14 @@ std::string answerText(const LineFinding& finding)
 std::string silenceText(const LineFinding& finding)
 {
     if (finding.condition == LineCondition::Garbage)
-        return "Bytes come in at " + finding.port + " (" + std::to_string(finding.bytesSeen) +
-               "), but no valid frame: baud rate or parity differ, or the cable picks up noise. Search for "
-               "the "
-               "settings.";
+        return "Invalid data at " + finding.port + " (" + std::to_string(finding.bytesSeen) +
+               " bytes). Check baud rate and parity, or search for the settings; then check shield and "
+               "ground.";
     if (finding.condition == LineCondition::EchoOnly)
-        return "Only the program's own questions come back at " + finding.port +
-               ": the adapter echoes them, and no controller answers. Check that the controller has power, "
-               "that the "
-               "cable is in, and that A and B are not swapped.";
-    return "Nothing at all comes in at " + finding.port +
-           ". Check that the controller has power, that the cable is in, and that transmit and receive are "
-           "crossed.";
+        return "The adapter echoes the requests at " + finding.port +
+               ", and no controller responds. Check the controller's power, the cable, and A and B.";
+    return "No data at " + finding.port +
+           ". Check the controller's power and the cable; transmit and receive must be crossed.";
 }
 
 } // namespace

@@ -41,34 +41,32 @@ std::string describeRequest(const LinkError& error)
     const std::string where = " (" + error.request + ", " + error.port + ")";
     switch (error.kind) {
     case LinkErrorKind::PortGone:
-        return "The port " + error.port +
-               " has gone: the adapter was unplugged or the controller's end was closed. Plug it in again.";
+        return "The port " + error.port + " was removed or closed. Plug the adapter in again.";
     case LinkErrorKind::NotOpen:
         return "The port " + error.port + " is not open.";
     case LinkErrorKind::NoAnswer:
-        return "The controller does not answer" + where +
-               ". Check its power, the cable, and that baud rate, parity, stop bits and unit number agree.";
+        return "No response from the controller" + where +
+               ". Check power, cable, baud rate, parity, stop bits and unit number.";
     case LinkErrorKind::BadChecksum:
-        return "The answer arrived damaged, its CRC-16 is wrong" + where +
-               ". Check the cable's screen and length, and the parity setting.";
+        return "The response has a wrong checksum" + where +
+               ". Check the cable's shield and length, and the parity setting.";
     case LinkErrorKind::BadFrame:
-        return "The answer is not a valid frame" + where +
-               ". Check that baud rate and parity agree and that no other device has the same unit number.";
+        return "The response is not a valid frame" + where +
+               ". Check baud rate, parity and other devices with the same unit number.";
     case LinkErrorKind::ForeignAnswer:
-        return "An answer to another question arrived and was dropped" + where + ". Ask again.";
+        return "A response to another request was dropped" + where + ". Try again.";
     case LinkErrorKind::Exception:
         return "The controller refused the request with Modbus exception " + std::to_string(error.code) +
                ", " + std::string(exceptionName(error.code)) + where + ".";
     case LinkErrorKind::RangeNotReadable:
-        return "The controller has no such registers: " + error.detail + where + ".";
+        return "The controller lacks registers: " + error.detail + where + ".";
     case LinkErrorKind::CommandLost:
-        return "The command did not reach the controller" + where + ". Nothing was done; give it again.";
+        return "The command did not reach the controller" + where + ". Try again.";
     case LinkErrorKind::OutcomeUnknown:
-        return "The connection broke while the command was under way" + where +
-               "; whether it was carried out is not known. Look at the machine's state before giving it "
-               "again.";
+        return "The connection was lost during the command" + where +
+               "; its result is unknown. Check the machine before you try again.";
     case LinkErrorKind::ReadBackDiffers:
-        return "The controller did not keep the value written: " + error.detail + where + ".";
+        return "The controller stored a different value: " + error.detail + where + ".";
     default:
         return error.detail;
     }
@@ -88,7 +86,7 @@ std::string_view exceptionName(int code)
     case 4:
         return "device failure";
     case 5:
-        return "acknowledged, not yet done";
+        return "acknowledged, in progress";
     case 6:
         return "device busy";
     default:
@@ -99,7 +97,7 @@ std::string_view exceptionName(int code)
 std::string describe(const LinkError& error)
 {
     if (error.kind == LinkErrorKind::NotCamPanel)
-        return "The device at " + error.port + " answers, but is no CamPanel controller (" +
+        return "The device at " + error.port + " is not a CamPanel controller (" +
                (error.code == 0 ? "it has no identity registers"
                                 : "its device type is " + hex(error.code) + ", not " + hex(deviceType)) +
                "). Nothing was written to it. Check the port and the unit number.";
@@ -109,7 +107,7 @@ std::string describe(const LinkError& error)
                (error.code < mapMajor ? "controller's firmware." : "panel's software.");
     if (error.kind == LinkErrorKind::WrongIdentity)
         return "The controller at " + error.port + " reports an impossible value: " + error.detail + " is " +
-               std::to_string(error.code) + ". Correct its firmware.";
+               std::to_string(error.code) + ". Update its firmware.";
     const std::string port = describePort(error);
     return port.empty() ? describeRequest(error) : port;
 }

@@ -35,9 +35,8 @@ constexpr std::array lawTable{
         cubicAt,
         cubicPeaks,
         cubicPieces,
-        "As a speed law its acceleration is zero at both ends and peaks at only 1.5 times its mean.",
-        "As a displacement law its acceleration jumps to its peak (6) at both ends, and as a speed law its "
-        "jerk does."},
+        "As a speed law, acceleration is zero at both ends and peaks at only 1.5 times its mean.",
+        "As a displacement law, acceleration jumps to its peak (6) at both ends; as a speed law, jerk does."},
     Law{LawId::Quintic,
         "quintic",
         "Quintic 3-4-5",
@@ -48,9 +47,9 @@ constexpr std::array lawTable{
         quinticAt,
         quinticPeaks,
         quinticPieces,
-        "Speed and acceleration are zero at both ends, by one short polynomial.",
-        "Its jerk steps at both ends, and a trapezoid whose ramps are longer than 22.29 % of the move needs "
-        "less peak acceleration."},
+        "Speed and acceleration are zero at both ends, with a short polynomial.",
+        "Jerk jumps at both ends; a trapezoid with ramps above 22.29 % of the move needs less peak "
+        "acceleration."},
     Law{LawId::Polynomial4567,
         "polynomial_4567",
         "Polynomial 4-5-6-7",
@@ -61,9 +60,9 @@ constexpr std::array lawTable{
         polynomial4567At,
         polynomial4567Peaks,
         polynomial4567Pieces,
-        "Speed, acceleration and jerk are all zero at both ends, so it excites little vibration.",
-        "It has the highest peak speed (2.19) and peak acceleration (7.51) of the displacement laws without "
-        "parameters."},
+        "Speed, acceleration and jerk are zero at both ends, which excites little vibration.",
+        "This law has the highest peak speed (2.19) and peak acceleration (7.51) of the displacement laws "
+        "without parameters."},
     Law{LawId::Harmonic,
         "harmonic",
         "Harmonic",
@@ -74,8 +73,8 @@ constexpr std::array lawTable{
         harmonicAt,
         harmonicPeaks,
         harmonicPieces,
-        "Low peak speed (1.57) and low peak acceleration (4.93) by half a cosine wave.",
-        "As a displacement law it starts and ends with its full acceleration, a jolt each time."},
+        "Half a cosine wave gives a low peak speed (1.57) and a low peak acceleration (4.93).",
+        "As a displacement law, full acceleration at start and end causes jolts."},
     Law{LawId::Cycloidal,
         "cycloidal",
         "Cycloidal",
@@ -86,8 +85,8 @@ constexpr std::array lawTable{
         cycloidalAt,
         cycloidalPeaks,
         cycloidalPieces,
-        "Its acceleration is one whole sine wave, smooth throughout and zero at both ends.",
-        "Its peak speed (2) and peak acceleration (6.28) are high, and its jerk steps at both ends."},
+        "Acceleration is one full sine wave: smooth, and zero at both ends.",
+        "Peak speed (2) and peak acceleration (6.28) are high, and jerk jumps at both ends."},
     Law{LawId::ModifiedSine,
         "modified_sine",
         "Modified sine",
@@ -98,9 +97,9 @@ constexpr std::array lawTable{
         modifiedSineAt,
         modifiedSinePeaks,
         modifiedSinePieces,
-        "Low peak speed (1.76) with moderate peak acceleration (5.53) and no jump of acceleration: it suits "
-        "large inertia.",
-        "Its jerk steps at both ends and has the highest finite peak (69.5) of the laws without parameters."},
+        "Low peak speed (1.76), moderate peak acceleration (5.53) and continuous acceleration suit large "
+        "inertia.",
+        "Jerk jumps at both ends and has the highest finite peak (69.5) of the laws without parameters."},
     Law{LawId::ModifiedTrapezoid,
         "modified_trapezoid",
         "Modified trapezoid",
@@ -111,9 +110,9 @@ constexpr std::array lawTable{
         modifiedTrapezoidAt,
         modifiedTrapezoidPeaks,
         modifiedTrapezoidPieces,
-        "The lowest peak acceleration (4.89) of the laws without parameters whose acceleration does not "
-        "jump.",
-        "Its peak speed (2) and peak jerk (61.4) are high, and its jerk steps at both ends."},
+        "This law has the lowest peak acceleration (4.89) of the laws without parameters and acceleration "
+        "jumps.",
+        "Peak speed (2) and peak jerk (61.4) are high, and jerk jumps at both ends."},
     Law{LawId::Parabolic,
         "parabolic",
         "Parabolic",
@@ -124,23 +123,23 @@ constexpr std::array lawTable{
         parabolicAt,
         parabolicPeaks,
         parabolicPieces,
-        "The lowest peak acceleration (4) that a move from rest to rest can have.",
-        "As a displacement law its acceleration jumps at both ends and in the middle, and its peak speed (2) "
-        "is high."},
+        "This law has the lowest possible peak acceleration (4) from rest to rest.",
+        "As a displacement law, acceleration jumps at both ends and in the middle, and peak speed (2) is "
+        "high."},
     Law{LawId::Trapezoid, "trapezoid", "Trapezoid", true, true, true, trapezoidParameters, trapezoidAt,
         trapezoidPeaks, trapezoidPieces,
-        "No law has a lower peak speed at the same peak acceleration; the ramp fraction trades one for the "
+        "At the same peak acceleration, no law has a lower peak speed; the ramp fraction trades one for the "
         "other.",
-        "As a displacement law its acceleration jumps at both ends of both ramps, so its jerk has no bound."},
+        "As a displacement law, acceleration jumps at both ends of both ramps, so jerk is unbounded."},
     Law{LawId::SCurve, "s_curve", "Seven-segment S", true, true, true, sCurveParameters, sCurveAt,
         sCurvePeaks, sCurvePieces,
-        "Its acceleration does not jump, and both its peak and that of the jerk can be set.",
-        "Its jerk steps at every joint of its segments, and the smaller the jerk share the higher it is."},
+        "Acceleration does not jump; the peaks of acceleration and jerk can be set.",
+        "Jerk jumps at every joint of the segments; a smaller jerk share means a higher jerk."},
     Law{LawId::Exponential, "exponential", "Exponential", true, false, false, exponentialParameters,
         exponentialAt, exponentialPeaks, exponentialPieces,
-        "It accelerates hardest at low speed, where a motor has most torque to give, and least near the end "
+        "Acceleration is highest at low speed, where the motor has the most torque, and lowest near the end "
         "speed.",
-        "Its acceleration jumps at both ends, at the low speed the more the larger k is."},
+        "Acceleration jumps at both ends; a larger k increases the jump at the low speed."},
     Law{LawId::HalfModifiedSine,
         "half_modified_sine",
         "Half modified sine",
@@ -151,9 +150,9 @@ constexpr std::array lawTable{
         halfModifiedSineAt,
         halfModifiedSinePeaks,
         halfModifiedSinePieces,
-        "Its acceleration is zero at both ends and peaks at only 1.57 times its mean.",
-        "It is not symmetric: from rest it travels 0.568 of end speed times time; and its jerk steps at both "
-        "ends."},
+        "Acceleration is zero at both ends and peaks at only 1.57 times its mean.",
+        "The law is not symmetric: from rest, the travel is 0.568 of end speed times time; jerk jumps at "
+        "both ends."},
 };
 
 } // namespace

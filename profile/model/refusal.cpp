@@ -25,7 +25,7 @@ std::string rangeReason(const Refusal& r)
 {
     const FieldInfo& f = info(r.field);
     if (!std::isfinite(r.actual)) {
-        return concat({f.name, " has no finite value; it must be from ", fixedText(f.min, f.decimals), " to ",
+        return concat({f.name, " has no finite value; the range is ", fixedText(f.min, f.decimals), " to ",
                        fieldValue(r.field, f.max), "."});
     }
     return concat({f.name, " ", withUnit(significantText(r.actual), f.unit), " must be at ",
@@ -54,22 +54,22 @@ std::string knotReason(const Refusal& r)
         return concat({"A cam of ", fixedText(r.actual, 0), " knots; the nearest number it can have is ",
                        fixedText(r.allowed, 0), "."});
     case Limit::KnotOrder:
-        return concat({knot, " at ", actual, " must come after the one before it at ", allowed, "."});
+        return concat({knot, " at ", actual, " must come after the previous knot at ", allowed, "."});
     case Limit::KnotSpacing:
-        return concat({knot, " is ", actual, " after the one before it; keep at least ", allowed, "."});
+        return concat({knot, " is ", actual, " after the previous knot; the minimum is ", allowed, "."});
     case Limit::KnotRange:
         if (!std::isfinite(r.actual))
-            return concat({knot, " has no finite value; the nearest place is ", allowed, "."});
-        return concat({knot, " at ", actual, " is out of range; the nearest place is ", allowed, "."});
+            return concat({knot, " has no finite value; the nearest position is ", allowed, "."});
+        return concat({knot, " at ", actual, " is out of range; the nearest position is ", allowed, "."});
     case Limit::KnotEnds:
-        return concat({knot, " is at ", actual, " but the cam must have one at ", allowed, "."});
+        return concat({knot, " is at ", actual, "; the cam needs a knot at ", allowed, "."});
     case Limit::Overshoot:
         return concat({"Near knot ", std::to_string(r.index + 1), " the curve reaches ", actual,
-                       ", beyond the knots' own range, which ends at ", allowed,
-                       ". Move the knot or add one beside it."});
+                       ", beyond the end of the knots' range at ", allowed,
+                       ". Move the knot or add another knot."});
     case Limit::WrapJump:
-        return concat(
-            {"Where the cycle closes the ", r.lawParameter, " jumps by ", actual, "; choose periodic ends."});
+        return concat({"At the end of the cycle, the ", r.lawParameter, " jumps by ", actual,
+                       ". Choose periodic ends."});
     default:
         return {};
     }
@@ -81,10 +81,10 @@ std::string reason(const Refusal& r)
     case Limit::FieldRange:
         return rangeReason(r);
     case Limit::PinnedPair:
-        return "Pin two different ones of bag length, rate, base speed and film speed.";
+        return "Pin two of bag length, rate, base speed and film speed.";
     case Limit::LawUnknown:
-        return concat({"There is no such law for this program (code ", fixedText(r.actual, 0),
-                       "); choose one of the list."});
+        return concat(
+            {"The law is unknown for this program (code ", fixedText(r.actual, 0), "). Choose another law."});
     case Limit::LawParameter:
         return concat({"Law parameter ", r.lawParameter, " = ", significantText(r.actual),
                        " is outside its range; the nearest allowed value is ", significantText(r.allowed),
@@ -94,8 +94,8 @@ std::string reason(const Refusal& r)
                        " must be below ", significantText(r.allowed), "."});
     case Limit::StrokeCannotClose:
         return concat({"A bag of ", withUnit(fixedText(r.actual, 1), r.unit),
-                       " takes more than the knife's stroke; with these ratios at most ",
-                       withUnit(fixedText(r.allowed, 1), r.unit), " can be cut."});
+                       " exceeds the knife stroke; with these ratios the maximum is ",
+                       withUnit(fixedText(r.allowed, 1), r.unit), "."});
     case Limit::MotorSpeed:
         return overLimit("Motor speed", r);
     case Limit::KnifeAcceleration:
@@ -105,10 +105,10 @@ std::string reason(const Refusal& r)
     case Limit::MachineRate:
         return overLimit("Rate", r);
     case Limit::RowCapacity:
-        return concat({"The table needs ", fixedText(r.actual, 0), " rows; the controller holds ",
+        return concat({"The table needs ", fixedText(r.actual, 0), " rows; the controller has ",
                        fixedText(r.allowed, 0), "."});
     case Limit::TooFewPulses:
-        return concat({"A cycle has ", significantText(r.actual), " pulses; it needs at least ",
+        return concat({"A cycle has ", significantText(r.actual), " pulses; the minimum is ",
                        fixedText(r.allowed, 0), "."});
     case Limit::AxisAcceleration:
         return overLimit("Acceleration", r);
@@ -116,13 +116,13 @@ std::string reason(const Refusal& r)
         return overLimit("Motor torque", r);
     case Limit::NoMotion:
         return concat({info(r.field).name, " is ", fieldValue(r.field, r.actual),
-                       ": nothing would move. Enter another value."});
+                       ", which gives no motion. Enter another value."});
     case Limit::DistanceTooShort:
-        return concat({"The speeds need at least ", fieldValue(Field::Distance, r.allowed), ", not ",
+        return concat({"These speeds require at least ", fieldValue(Field::Distance, r.allowed), ", not ",
                        fieldValue(Field::Distance, r.actual), "."});
     case Limit::DistanceSign:
-        return concat({"A distance of ", fieldValue(Field::Distance, r.actual),
-                       " points the other way than the speeds. Change its sign."});
+        return concat({"The distance ", fieldValue(Field::Distance, r.actual),
+                       " and the speeds have opposite directions. Change the sign of the distance."});
     case Limit::MasterTooFast:
         return overLimit("Pulse frequency between two updates of the master", r);
     case Limit::StageOrder:
@@ -132,20 +132,20 @@ std::string reason(const Refusal& r)
         return concat({info(r.field).name, " ", fieldValue(r.field, r.actual), " must be at most ",
                        fieldValue(r.field, r.allowed), "."});
     case Limit::TableRange:
-        return concat({"The table would hold ", significantText(r.actual),
-                       " where the controller takes at most ", significantText(r.allowed),
+        return concat({"The table exceeds the controller's range: ", significantText(r.actual),
+                       " instead of at most ", significantText(r.allowed),
                        ". Use fewer pulses per revolution or a shorter motion."});
     case Limit::Reversal:
-        return concat({"The motion turns round at ", fixedText(r.timeS.value_or(0), 3),
-                       " s; intervals go one way within a cycle. Execute it as cam points."});
+        return concat({"The motion reverses at ", fixedText(r.timeS.value_or(0), 3),
+                       " s, but intervals run in one direction. Choose cam points."});
     case Limit::SpeedError:
         return concat({"Intervals cannot keep a speed error of ", withUnit(significantText(r.actual), r.unit),
                        "; they can keep ", withUnit(significantText(r.allowed), r.unit), "."});
     case Limit::RampTooLong:
         return concat({info(r.field).name, " needs a ramp of ", withUnit(fixedText(r.actual, 0), r.unit),
-                       " with the largest acceleration; the controller takes at most ",
+                       " at maximum acceleration; the controller allows ",
                        withUnit(fixedText(r.allowed, 0), r.unit),
-                       ". Enter a lower speed or a larger acceleration."});
+                       ". Enter a lower speed or a higher acceleration."});
     case Limit::KnotCount:
     case Limit::KnotOrder:
     case Limit::KnotSpacing:
@@ -178,7 +178,7 @@ std::string describe(const Refusal& refusal)
     std::string text = reason(refusal);
     for (std::size_t i = 0; i < refusal.nearest.size(); ++i) {
         const Suggestion& s = refusal.nearest[i];
-        text.append(i == 0 ? " Nearest that works: " : ", or ");
+        text.append(i == 0 ? " Nearest possible value: " : ", or ");
         text.append(concat({info(s.field).name, " ", fieldValue(s.field, s.value)}));
     }
     return refusal.nearest.empty() ? text : text.append(".");

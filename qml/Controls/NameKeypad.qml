@@ -33,7 +33,7 @@ Sheet {
         objectName: "nameText"
         anchors { left: parent.left; right: parent.right; top: parent.top }
         height: Math.round(1.4 * Theme.size.value)
-        text: keypad.text.length > 0 ? keypad.text : qsTr("anything")
+        text: keypad.text.length > 0 ? keypad.text : qsTr("any")
         color: keypad.text.length > 0 ? Theme.color.ink : Theme.color.secondaryInk
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption

@@ -8,7 +8,7 @@ SizeClass {
     screen: Qt.size(1024, 600)
     diagonalInch: 7
     topBar: 56
-    navigation: 88
+    navigation: 93
     wideGap: 12
     padding: 12
     radius: 8

@@ -8,7 +8,7 @@ SizeClass {
     screen: Qt.size(800, 480)
     diagonalInch: 7
     topBar: 44
-    navigation: 72
+    navigation: 82
     wideGap: 8
     padding: 8
     radius: 6

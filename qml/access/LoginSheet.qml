@@ -14,13 +14,13 @@ PinPanel {
     readonly property var people: sheet.everybody.filter(user => user.level >= sheet.level)
 
     title: qsTr("Log in")
-    sentence: sheet.level > Access.Viewer || Access.locked ? Access.refusalText(sheet.level) : qsTr("Choose who you are.")
+    sentence: sheet.level > Access.Viewer || Access.locked ? Access.refusalText(sheet.level) : qsTr("Choose your name.")
     pad {
         label: qsTr("PIN")
         ready: Access.chosen > 0 && !Access.waits && !Access.busy
         hintIsFault: Access.waits || Access.failed
-        hint: Access.locked ? "" : Access.chosen === 0 ? qsTr("Choose who you are, then type your PIN.") : Access.waits ? Access.waitText
-            : Access.busy ? qsTr("One moment …") : Access.message.length > 0 ? Access.message : qsTr("Type your PIN.")
+        hint: Access.locked ? "" : Access.chosen === 0 ? qsTr("Choose your name, then enter your PIN.") : Access.waits ? Access.waitText
+            : Access.busy ? qsTr("Please wait …") : Access.message.length > 0 ? Access.message : qsTr("Enter your PIN.")
         onAccepted: pin => Access.login(pin)
         onEdited: Access.clearMessage()
     }

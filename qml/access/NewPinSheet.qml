@@ -15,17 +15,17 @@ PinPanel {
 
     function take(pin: string): void {
         const isSecond = sheet.first.length > 0
-        sheet.refusal = isSecond ? (pin === sheet.first ? "" : qsTr("The two were not the same. Once more from the beginning.")) : Access.pinRefusal(pin, sheet.level)
+        sheet.refusal = isSecond ? (pin === sheet.first ? "" : qsTr("The two PINs differ. Enter the new PIN again.")) : Access.pinRefusal(pin, sheet.level)
         if (isSecond && sheet.refusal.length === 0)
             sheet.entered(pin)
         sheet.first = isSecond || sheet.refusal.length > 0 ? "" : pin
     }
 
-    sentence: qsTr("%1 to 8 digits. Nobody can look it up later; somebody of the level Service can set a new one.").arg(sheet.minDigits)
+    sentence: qsTr("%1 to 8 digits. A forgotten PIN cannot be read; a user of the level Service can set a new PIN.").arg(sheet.minDigits)
     pad {
         fewest: sheet.minDigits
-        label: sheet.first.length > 0 ? qsTr("Again") : qsTr("New PIN")
-        hint: sheet.refusal.length > 0 ? sheet.refusal : sheet.first.length > 0 ? qsTr("Type the same PIN again.") : qsTr("Type the new PIN.")
+        label: sheet.first.length > 0 ? qsTr("Repeat PIN") : qsTr("New PIN")
+        hint: sheet.refusal.length > 0 ? sheet.refusal : sheet.first.length > 0 ? qsTr("Enter the same PIN again.") : qsTr("Enter the new PIN.")
         hintIsFault: sheet.refusal.length > 0
         onAccepted: pin => sheet.take(pin)
         onEdited: sheet.refusal = ""

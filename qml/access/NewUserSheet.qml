@@ -33,7 +33,7 @@ Sheet {
                 visible: !Access.protectedByPins
                 width: parent.width
                 wrapMode: Text.WordWrap
-                text: qsTr("The first user is of the level Service: may do everything and adds the others. Keep this PIN where it can be found again; nobody can read it out of the panel.")
+                text: qsTr("The first user has the level Service and adds the other users. Keep this PIN safe: a forgotten PIN cannot be read from the panel.")
             }
             SettingRow {
                 objectName: "newUserName"
@@ -76,7 +76,7 @@ Sheet {
         Button {
             objectName: "userPin"
             kind: Button.Primary
-            text: qsTr("On to the PIN")
+            text: qsTr("Next: PIN")
             enabled: sheet.refusal.length === 0
             onClicked: sheet.pinRequested()
         }

@@ -57,10 +57,10 @@ Sheet {
                 width: parent.width
                 spacing: 2 * Theme.size.padding
                 Repeater {
-                    model: [{ name: "alarmRaised", caption: qsTr("Came"), text: sheet.alarm.raisedText },
-                        { name: "alarmReturned", caption: qsTr("Gone"), text: sheet.alarm.returnedText },
+                    model: [{ name: "alarmRaised", caption: qsTr("Raised"), text: sheet.alarm.raisedText },
+                        { name: "alarmReturned", caption: qsTr("Cleared"), text: sheet.alarm.returnedText },
                         { name: "alarmAcknowledged", caption: qsTr("Acknowledged"), text: sheet.alarm.acknowledgedText },
-                        { name: "alarmTimes", caption: qsTr("How often"), text: Theme.count(sheet.alarm.times, 0) }]
+                        { name: "alarmTimes", caption: qsTr("Count"), text: Theme.count(sheet.alarm.times, 0) }]
                     AlarmText {
                         required property var modelData
                         name: modelData.name
@@ -77,7 +77,7 @@ Sheet {
         Button {
             objectName: "alarmUnshelve"
             visible: sheet.alarm.shelved
-            text: qsTr("Take back from the shelf")
+            text: qsTr("Unshelve")
             onClicked: {
                 Alarms.unshelveShown()
                 sheet.closed()

@@ -39,7 +39,7 @@ Page {
             visible: page.section === 0
             rows: Alarms.live
             listName: "liveAlarm"
-            emptyText: qsTr("No alarm is active and none waits to be acknowledged.")
+            emptyText: qsTr("No alarm is active or waiting for acknowledgment.")
             emptyGlyph: Theme.icon.good
             onOpened: row => {
                 Alarms.showLive(row)
@@ -51,7 +51,7 @@ Page {
             visible: page.section === 1
             rows: Alarms.history.rows
             listName: "pastAlarm"
-            emptyText: Alarms.history.loading ? qsTr("The log is being read …") : qsTr("No alarm has come yet since this log was begun.")
+            emptyText: Alarms.history.loading ? qsTr("Reading the log …") : qsTr("No alarm since the start of this log.")
             onOpened: row => {
                 Alarms.showHistory(row)
                 page.sheetRequested(detailSheet)

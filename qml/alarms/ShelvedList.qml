@@ -53,7 +53,7 @@ Item {
                 id: back
                 objectName: "unshelve" + row.index
                 anchors { right: parent.right; verticalCenter: parent.verticalCenter }
-                text: qsTr("Take back")
+                text: qsTr("Unshelve")
                 onClicked: Alarms.unshelve(row.index)
             }
         }
@@ -65,7 +65,7 @@ Item {
         visible: list.count === 0
         horizontalAlignment: Text.AlignHCenter
         wrapMode: Text.WordWrap
-        text: qsTr("Nothing is shelved. A warning that is known about and does not stop the machine can be shelved for some hours: tap it in the list.")
+        text: qsTr("No alarm is shelved. To shelve a known warning for some hours, tap the warning in the list.")
         color: Theme.color.secondaryInk
     }
 }

@@ -38,14 +38,14 @@ Sheet {
             SettingRow {
                 objectName: "auditWho"
                 width: filters.third
-                label: qsTr("Who")
-                value: Audit.who.length > 0 ? Audit.who : qsTr("Everybody")
+                label: qsTr("User")
+                value: Audit.who.length > 0 ? Audit.who : qsTr("All users")
                 onClicked: sheet.mode = "who"
             }
             SettingRow {
                 objectName: "auditArea"
                 width: filters.third
-                label: qsTr("What")
+                label: qsTr("Action")
                 value: Audit.areaText
                 onClicked: sheet.mode = "area"
             }
@@ -66,7 +66,7 @@ Sheet {
             anchors { left: parent.left; right: parent.right; top: filters.bottom; topMargin: Theme.size.padding }
             visible: Audit.rows.count === 0 && !Audit.busy
             wrapMode: Text.WordWrap
-            text: qsTr("Nothing of this kind yet. Every command, download, parameter, setting and login is written down here.")
+            text: qsTr("There are no entries of this kind. Commands, downloads, parameters, settings and logins are recorded here.")
             color: Theme.color.secondaryInk
         }
         ListView {

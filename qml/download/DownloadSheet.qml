@@ -50,9 +50,9 @@ Sheet {
         visible: list.count === 0
         horizontalAlignment: Text.AlignHCenter
         wrapMode: Text.WordWrap
-        text: !Controller.fresh ? qsTr("Without a connection it is not known what the controller runs now.")
+        text: !Controller.fresh ? qsTr("No connection: the present program of the controller is unknown.")
             : Controller.active.isPresent ? qsTr("The controller already has this program.")
-            : qsTr("The controller has no program yet; this recipe will be its first.")
+            : qsTr("The controller has no program yet; this recipe becomes its first program.")
         color: Theme.color.secondaryInk
     }
     Column {

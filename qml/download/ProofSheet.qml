@@ -13,7 +13,7 @@ Sheet {
     readonly property bool equal: proof.result === ProgramProof.Equal
     readonly property bool different: proof.result === ProgramProof.Different
 
-    title: qsTr("What the controller runs")
+    title: qsTr("Program in the controller")
     panelWidth: width * 0.86
     panelHeight: height * 0.9
 
@@ -45,17 +45,17 @@ Sheet {
         Entry {
             live: false
             name: qsTr("Edited on this panel")
-            value: Editor.programDownload.differenceCount > 0 && Controller.fresh ? qsTr("%1 · v%2, values that differ from the active one: %3").arg(Editor.recipeName).arg(Editor.recipeVersion).arg(Editor.programDownload.differenceCount)
+            value: Editor.programDownload.differenceCount > 0 && Controller.fresh ? qsTr("%1 · v%2, differences from the active program: %3").arg(Editor.recipeName).arg(Editor.recipeVersion).arg(Editor.programDownload.differenceCount)
                 : qsTr("%1 · v%2").arg(Editor.recipeName).arg(Editor.recipeVersion)
         }
         Entry {
             objectName: "proofActive"
-            name: Controller.fresh ? qsTr("Active in the controller") : qsTr("Active in the controller when it was last heard")
+            name: Controller.fresh ? qsTr("Active in the controller") : qsTr("Active in the controller (last known)")
             value: sheet.proof.activeText
         }
         Entry {
             objectName: "proofSaved"
-            name: Controller.fresh ? qsTr("Saved in the controller") : qsTr("Saved in the controller when it was last heard")
+            name: Controller.fresh ? qsTr("Saved in the controller") : qsTr("Saved in the controller (last known)")
             value: sheet.proof.savedText
         }
     }

@@ -11,11 +11,11 @@ ListPicker {
     readonly property var names: Editor.kindNames
     readonly property list<string> notes: [
         qsTr("A knife that follows the film while it seals"), qsTr("A distance, from rest to rest"),
-        qsTr("From one speed to another, which is then held"), qsTr("A curve through points, behind a master"),
+        qsTr("From one speed to another constant speed"), qsTr("A curve through knots that follows a master"),
         qsTr("Approach, probe, press, hold, return")]
 
     title: qsTr("New program")
-    note: qsTr("Takes the place of the recipe on this page; Undo brings it back")
+    note: qsTr("Replaces the recipe on this page; Undo restores the old recipe")
     current: Editor.kind
     choices: sheet.names.map((text, index) => ({ key: index + 1, text: text, note: sheet.notes[index] }))
 }

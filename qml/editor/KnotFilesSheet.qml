@@ -17,9 +17,9 @@ Sheet {
     signal knotsTaken()
 
     readonly property RowModel offers: exports ? Editor.knotFiles.places : Editor.knotFiles.files
-    readonly property string hint: Editor.knotFiles.busy ? qsTr("Looking …")
-        : offers.count === 0 ? qsTr("There is no CSV file on a USB stick or in %1. Plug in a stick and look again.").arg(Editor.knotFiles.ownFolder)
-        : exports ? qsTr("Choose the place of the new file.") : qsTr("Choose a file to see what is in it.")
+    readonly property string hint: Editor.knotFiles.busy ? qsTr("Searching …")
+        : offers.count === 0 ? qsTr("There is no CSV file on a USB stick or in %1. Plug a stick in and search again.").arg(Editor.knotFiles.ownFolder)
+        : exports ? qsTr("Choose the location of the new file.") : qsTr("Choose a file to view its content.")
 
     function look(): void {
         sheet.chosen = -1
@@ -101,7 +101,7 @@ Sheet {
         anchors { right: parent.right; bottom: parent.bottom }
         kind: Button.Primary
         enabled: sheet.chosen >= 0 && sheet.chosenUsable && !Editor.knotFiles.busy
-        text: sheet.exports ? qsTr("Write file") : qsTr("Take over")
+        text: sheet.exports ? qsTr("Write file") : qsTr("Import")
         onClicked: sheet.goOn()
     }
 }

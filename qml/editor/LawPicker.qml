@@ -13,7 +13,7 @@ Sheet {
     signal editRequested(var fields, int index, Item source)
 
     title: Editor.lawTitle
-    note: qsTr("What each law asks of this recipe; hold one to draw its curves in grey behind")
+    note: qsTr("Peak values of each law for this recipe; hold a law to compare its curves in grey")
 
     LawRow {
         id: head

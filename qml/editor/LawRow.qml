@@ -63,7 +63,7 @@ T.AbstractButton {
             visible: !row.usable
             width: parent.width
             wrapMode: Text.WordWrap
-            text: row.holds ? qsTr("Breaks a limit with this recipe.") : qsTr("Breaks a limit with this recipe: hold it to compare, it cannot be chosen.")
+            text: row.holds ? qsTr("This law exceeds a limit with this recipe.") : qsTr("This law exceeds a limit with this recipe. Hold the law to compare.")
             color: row.holds || row.down ? Theme.color.ink : Theme.color.fault
             font.pixelSize: Theme.size.caption
         }

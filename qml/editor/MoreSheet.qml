@@ -96,7 +96,7 @@ Sheet {
             width: sheet.half
             height: Theme.size.touch
             glyph: Theme.icon.revert
-            text: qsTr("Back to the stored recipe")
+            text: qsTr("Restore stored recipe")
             enabled: Editor.edited
             onClicked: {
                 Editor.revert()

@@ -23,7 +23,7 @@ Button {
     enabled: busy || suggests || saves || Editor.programDownload.canDownload
     text: busy ? qsTr("Downloading") : suggests ? Editor.suggestionText : saves ? qsTr("Save")
         : settled ? qsTr("Saved") : qsTr("Download")
-    note: busy ? Theme.number(100 * Editor.programDownload.progress, 0) + " %" : saves ? qsTr("keep over power loss")
+    note: busy ? Theme.number(100 * Editor.programDownload.progress, 0) + " %" : saves ? qsTr("keep after power-off")
         : settled ? qsTr("in the controller") : !Controller.fresh ? qsTr("no connection") : suggests ? "" : Controller.state === Controller.State.Running ? qsTr("next cycle") : qsTr("to the controller")
     onClicked: step.suggests ? Editor.applySuggestion() : step.saves ? Editor.saveToFlash() : step.downloadRequested()
 }

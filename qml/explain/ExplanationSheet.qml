@@ -28,7 +28,7 @@ Sheet {
         fontSizeMode: Text.Fit
         minimumPixelSize: Theme.size.caption
         text: sheet.field.derived ? sheet.field.explanation
-            : sheet.field.explanation + (sheet.field.explanation.length > 0 ? "\n" : "") + qsTr("This number is given, not derived. It may be from %1 to %2.")
+            : sheet.field.explanation + (sheet.field.explanation.length > 0 ? "\n" : "") + qsTr("This value is entered, not calculated. The range is %1 to %2.")
                 .arg(Theme.number(sheet.field.minimum, sheet.field.decimals)).arg(Theme.number(sheet.field.maximum, sheet.field.decimals))
         lineHeight: 1.2
     }

@@ -18,7 +18,7 @@ FirstStep {
             objectName: "firstSimulated"
             width: parent.width
             text: qsTr("Simulated controller")
-            note: qsTr("to learn and to try things out; it can be changed in Settings at any time")
+            note: qsTr("for training and tests; can be changed in Settings at any time")
             holds: Controller.simulated && !step.doctor.running
             enabled: !step.doctor.running
             onClicked: {
@@ -30,7 +30,7 @@ FirstStep {
             objectName: "firstSearch"
             width: parent.width
             text: qsTr("Search for the controller")
-            note: qsTr("on every serial port, with every setting; takes up to some minutes")
+            note: qsTr("all serial ports and settings; may take several minutes")
             holds: !Controller.simulated || step.doctor.running
             enabled: step.doctor.canBegin
             onClicked: step.doctor.search()

@@ -22,8 +22,8 @@ FirstStep {
             width: parent.width
             wrapMode: Text.WordWrap
             text: Access.protectedByPins
-                ? qsTr("%1 is set. Operators start, stop and change bag length and rate; the cam and the machine are for technicians. Add the others in Settings > Users.").arg(Access.userName)
-                : qsTr("With a PIN only those who know one change the cam, the machine and the connection. Operators start, stop and change bag length and rate without one. There is no PIN from the factory; until one is set, everybody may do everything.")
+                ? qsTr("%1 is set. Add other users in Settings > Users: operators start, stop and change bag length and rate, technicians also set cam and machine.").arg(Access.userName)
+                : qsTr("A PIN protects the cam, the machine and the connection; operators start, stop and change bag length and rate without a PIN. Until a PIN is set, all users have full access.")
         }
         Label {
             width: parent.width

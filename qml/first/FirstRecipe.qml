@@ -59,7 +59,7 @@ FirstStep {
         Label {
             width: parent.width
             wrapMode: Text.WordWrap
-            text: qsTr("Then: Download on the page Motion, and Start.")
+            text: qsTr("Next: press Download on the Motion page, then Start.")
             color: Theme.color.secondaryInk
         }
     }

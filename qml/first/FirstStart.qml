@@ -17,8 +17,8 @@ Page {
         { title: qsTr("Language"), source: "FirstLanguage.qml" },
         { title: qsTr("Controller"), source: "FirstController.qml" },
         { title: qsTr("Access"), source: "FirstPin.qml" },
-        { title: qsTr("The machine"), source: "FirstMachine.qml" },
-        { title: qsTr("A first recipe"), source: "FirstRecipe.qml" }
+        { title: qsTr("Machine"), source: "FirstMachine.qml" },
+        { title: qsTr("First recipe"), source: "FirstRecipe.qml" }
     ]
     readonly property bool isLast: step === steps.length - 1
 

@@ -25,7 +25,7 @@ Rectangle {
             width: parent.width
             horizontalAlignment: Text.AlignHCenter
             wrapMode: Text.Wrap
-            text: qsTr("Wipe the screen now. Touches do nothing until the time is over; only Stop works.")
+            text: qsTr("Clean the screen now. The panel ignores touches until the time is over; Stop still works.")
         }
     }
 }

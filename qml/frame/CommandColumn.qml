@@ -49,7 +49,7 @@ Item {
         square: true
         filled: true
         text: qsTr("Stop")
-        note: Controller.stopWaits ? qsTr("waits for the line") : Controller.state === Controller.State.Stopping ? qsTr("again: at once") : ""
+        note: Controller.stopWaits ? qsTr("not sent yet") : Controller.state === Controller.State.Stopping ? qsTr("again: immediate") : ""
         baseColor: Theme.color.stop
         pressedColor: Theme.color.stopPressed
         onPressed: Controller.stop()

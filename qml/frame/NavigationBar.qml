@@ -21,7 +21,7 @@ Rectangle {
         { page: "recipes", text: qsTr("Recipes"), glyph: Theme.icon.recipes },
         { page: "trends", text: qsTr("Trends"), glyph: Theme.icon.trends },
         { page: "alarms", text: qsTr("Alarms"), glyph: Theme.icon.alarm },
-        { page: "maintenance", text: qsTr("Service"), glyph: Theme.icon.service },
+        { page: "maintenance", text: qsTr("Maintenance"), glyph: Theme.icon.service },
         { page: "settings", text: qsTr("Settings"), glyph: Theme.icon.settings }
     ]
 

@@ -8,12 +8,12 @@
         <translation>CamPanel %1</translation>
     </message>
     <message>
-        <source>Stop on this panel is no safety function. The machine needs an emergency stop that is wired in hardware.</source>
-        <translation>本面板的“停止”不是安全功能。机器必须装有硬接线的急停装置。</translation>
+        <source>Stop on this panel is not a safety function. The machine needs a hard-wired emergency stop.</source>
+        <translation>本面板的“停止”不是安全功能。机器必须装有硬接线急停装置。</translation>
     </message>
     <message>
-        <source>Touchscreen of an electronic-cam machine. It computes the cam, writes it to the motion controller and shows what the controller really does.</source>
-        <translation>电子凸轮机的触摸屏：计算凸轮，写入运动控制器，并显示控制器的实际运行。</translation>
+        <source>Touchscreen of an electronic-cam machine. CamPanel computes the cam, downloads the program to the motion controller and shows the controller&apos;s actual values.</source>
+        <translation>电子凸轮机的触摸屏。CamPanel 计算凸轮，将程序下载到运动控制器，并显示控制器的实际值。</translation>
     </message>
     <message>
         <source>Licence: Apache 2.0. Made with Qt (LGPL 3), Qwt (Qwt licence 1.0), libmodbus (LGPL 2.1).</source>
@@ -50,11 +50,11 @@
         <translation>详情</translation>
     </message>
     <message>
-        <source>Came</source>
-        <translation>出现</translation>
+        <source>Raised</source>
+        <translation>发生</translation>
     </message>
     <message>
-        <source>Gone</source>
+        <source>Cleared</source>
         <translation>恢复</translation>
     </message>
     <message>
@@ -62,11 +62,11 @@
         <translation>确认</translation>
     </message>
     <message>
-        <source>How often</source>
+        <source>Count</source>
         <translation>次数</translation>
     </message>
     <message>
-        <source>Take back from the shelf</source>
+        <source>Unshelve</source>
         <translation>取消搁置</translation>
     </message>
     <message>
@@ -86,11 +86,11 @@
     <name>AlarmsPage</name>
     <message>
         <source>Active: %1</source>
-        <translation>当前：%1</translation>
+        <translation>未恢复：%1</translation>
     </message>
     <message>
         <source>Active</source>
-        <translation>当前</translation>
+        <translation>未恢复</translation>
     </message>
     <message>
         <source>History</source>
@@ -109,15 +109,15 @@
         <translation>全部确认</translation>
     </message>
     <message>
-        <source>No alarm is active and none waits to be acknowledged.</source>
-        <translation>当前没有报警，也没有待确认的报警。</translation>
+        <source>No alarm is active or waiting for acknowledgment.</source>
+        <translation>没有未恢复或待确认的报警。</translation>
     </message>
     <message>
-        <source>The log is being read …</source>
+        <source>Reading the log …</source>
         <translation>正在读取记录…</translation>
     </message>
     <message>
-        <source>No alarm has come yet since this log was begun.</source>
+        <source>No alarm since the start of this log.</source>
         <translation>自记录开始以来尚无报警。</translation>
     </message>
 </context>
@@ -135,24 +135,24 @@
         <translation>审计记录</translation>
     </message>
     <message>
-        <source>Who</source>
-        <translation>人员</translation>
+        <source>User</source>
+        <translation>用户</translation>
     </message>
     <message>
-        <source>Everybody</source>
-        <translation>所有人</translation>
+        <source>All users</source>
+        <translation>所有用户</translation>
     </message>
     <message>
-        <source>What</source>
-        <translation>内容</translation>
+        <source>Action</source>
+        <translation>操作</translation>
     </message>
     <message>
         <source>Export CSV</source>
         <translation>导出 CSV</translation>
     </message>
     <message>
-        <source>Nothing of this kind yet. Every command, download, parameter, setting and login is written down here.</source>
-        <translation>尚无此类记录。所有命令、下载、参数、设置和登录都会记录在此。</translation>
+        <source>There are no entries of this kind. Commands, downloads, parameters, settings and logins are recorded here.</source>
+        <translation>没有此类记录。命令、下载、参数、设置和登录均记录在此。</translation>
     </message>
     <message>
         <source>Back to the list</source>
@@ -166,7 +166,7 @@
         <translation>备份</translation>
     </message>
     <message>
-        <source>Make a backup</source>
+        <source>Create backup</source>
         <translation>生成备份</translation>
     </message>
     <message>
@@ -174,11 +174,11 @@
         <translation>恢复</translation>
     </message>
     <message>
-        <source>Puts a backup in the place of all that. The file is checked first, and what is here now is kept as a backup too.</source>
-        <translation>用备份替换上述全部内容。先检查文件，当前内容也保存为备份。</translation>
+        <source>Replaces all these data by a backup. The file is checked first, and the present data are saved as a backup.</source>
+        <translation>用备份替换上述全部数据。先检查文件，并将当前数据保存为备份。</translation>
     </message>
     <message>
-        <source>Choose a file</source>
+        <source>Choose file</source>
         <translation>选择文件</translation>
     </message>
     <message>
@@ -186,11 +186,11 @@
         <translation>调试报告</translation>
     </message>
     <message>
-        <source>A PDF of the open recipe with its curves, limits and table, of the machine data, of what the controller runs and of the last bags.</source>
-        <translation>PDF 文件：当前配方及其曲线、极限和表，机器数据，控制器运行的程序，以及最近的袋子。</translation>
+        <source>PDF with the open recipe (curves, limits, table), machine data, controller program and last bags.</source>
+        <translation>PDF 文件：当前配方（曲线、限值、数据表）、机器数据、控制器程序和最近的袋。</translation>
     </message>
     <message>
-        <source>Make a report</source>
+        <source>Create report</source>
         <translation>生成报告</translation>
     </message>
     <message>
@@ -198,12 +198,12 @@
         <translation>正在处理…</translation>
     </message>
     <message>
-        <source>Where to write the backup</source>
-        <translation>备份写到哪里</translation>
+        <source>Location of the backup</source>
+        <translation>备份位置</translation>
     </message>
     <message>
-        <source>Where to write the report</source>
-        <translation>报告写到哪里</translation>
+        <source>Location of the report</source>
+        <translation>报告位置</translation>
     </message>
     <message>
         <source>Restore this backup?</source>
@@ -214,20 +214,20 @@
         <translation>服务包</translation>
     </message>
     <message>
-        <source>For a manufacturer who helps: open recipe, table, controller, alarms and changes of 7 days, link, the last 10 seconds. No PINs.</source>
-        <translation>供提供帮助的制造商使用：当前配方与数据表、控制器运行的内容、7 天的报警和更改、通信数据、最近 10 秒。不含 PIN。</translation>
+        <source>For the manufacturer&apos;s support: open recipe, table, controller, alarms and changes of 7 days, communication, the last 10 seconds. No PINs.</source>
+        <translation>供制造商支持使用：当前配方、数据表、控制器、7 天的报警和更改、通信、最近 10 秒。不含 PIN。</translation>
     </message>
     <message>
-        <source>Make a bundle</source>
-        <translation>制作服务包</translation>
+        <source>Create bundle</source>
+        <translation>生成服务包</translation>
     </message>
     <message>
-        <source>Where to write the service bundle</source>
-        <translation>服务包写到哪里</translation>
+        <source>Location of the service bundle</source>
+        <translation>服务包位置</translation>
     </message>
     <message>
-        <source>All that this panel keeps in one file: recipes with their versions, machine data, users, alarms, audit trail, bags, trends, settings.</source>
-        <translation>本面板保存的全部内容合为一个文件：配方及其版本、机器数据、用户、报警、审计记录、袋子记录、趋势、设置。</translation>
+        <source>All data of this panel in one file: recipes with their versions, machine data, users, alarms, audit trail, bags, trends, settings.</source>
+        <translation>本面板的全部数据合为一个文件：配方及其版本、机器数据、用户、报警、审计记录、袋记录、趋势、设置。</translation>
     </message>
 </context>
 <context>
@@ -241,8 +241,8 @@
         <translation>平均 %1</translation>
     </message>
     <message>
-        <source>scatter %1</source>
-        <translation>离散 %1</translation>
+        <source>std dev %1</source>
+        <translation>标准差 %1</translation>
     </message>
     <message>
         <source>No bag measured yet. Press Start.</source>
@@ -250,7 +250,7 @@
     </message>
     <message>
         <source>tolerance ±%1 mm</source>
-        <translation>允差 ±%1 mm</translation>
+        <translation>公差 ±%1 mm</translation>
     </message>
     <message>
         <source>last %1</source>
@@ -260,16 +260,16 @@
 <context>
     <name>BagStrip</name>
     <message>
-        <source>Bag of %1 lengths, cut left out</source>
-        <translation>%1 个袋长，有切断略过</translation>
+        <source>Bag of %1 lengths, skipped cut</source>
+        <translation>%1 个袋长，略过切断</translation>
     </message>
     <message>
         <source>Bag length</source>
         <translation>袋长</translation>
     </message>
     <message>
-        <source>mean %1, scatter %2</source>
-        <translation>平均 %1，离散 %2</translation>
+        <source>mean %1, std dev %2</source>
+        <translation>平均 %1，标准差 %2</translation>
     </message>
     <message>
         <source>No bag measured yet. Press Start.</source>
@@ -320,7 +320,7 @@ And %2 more.</source>
         <translation>停止</translation>
     </message>
     <message>
-        <source>again: at once</source>
+        <source>again: immediate</source>
         <translation>再按：立即</translation>
     </message>
     <message>
@@ -328,8 +328,8 @@ And %2 more.</source>
         <translation>没有连接</translation>
     </message>
     <message>
-        <source>waits for the line</source>
-        <translation>等待连接</translation>
+        <source>not sent yet</source>
+        <translation>尚未发送</translation>
     </message>
 </context>
 <context>
@@ -359,7 +359,7 @@ And %2 more.</source>
     </message>
     <message>
         <source>Simulated</source>
-        <translation>模拟</translation>
+        <translation>仿真</translation>
     </message>
     <message>
         <source>Serial port</source>
@@ -386,12 +386,12 @@ And %2 more.</source>
         <translation>%1，%2</translation>
     </message>
     <message>
-        <source>Unit</source>
+        <source>Unit number</source>
         <translation>站号</translation>
     </message>
     <message>
-        <source>The simulated controller runs inside this computer and moves no machine. Use it to learn and to try recipes.</source>
-        <translation>模拟控制器在本机内运行，不会带动任何机器。可用于学习和试验配方。</translation>
+        <source>The simulated controller runs on this computer and moves no machine. It serves for training and for testing recipes.</source>
+        <translation>仿真控制器在本机内运行，不会带动任何机器。用于培训和试验配方。</translation>
     </message>
     <message>
         <source>Connect</source>
@@ -426,7 +426,7 @@ And %2 more.</source>
     </message>
     <message>
         <source>Jerk m/s³</source>
-        <translation>加加速度 m/s³</translation>
+        <translation>跃度 m/s³</translation>
     </message>
     <message>
         <source>Pulse frequency kHz</source>
@@ -458,7 +458,7 @@ And %2 more.</source>
         <translation>正转</translation>
     </message>
     <message>
-        <source>Backward</source>
+        <source>Reverse</source>
         <translation>反转</translation>
     </message>
 </context>
@@ -493,8 +493,8 @@ And %2 more.</source>
         <translation>高对比度</translation>
     </message>
     <message>
-        <source>Keys for gloves</source>
-        <translation>手套按键</translation>
+        <source>Glove mode</source>
+        <translation>手套模式</translation>
     </message>
     <message>
         <source>Off</source>
@@ -505,8 +505,8 @@ And %2 more.</source>
         <translation>开</translation>
     </message>
     <message>
-        <source>Light for a bright hall, dark for the night shift, high contrast for tired eyes or a dirty screen. For gloves all keys are a quarter larger. Numbers and units follow the language.</source>
-        <translation>明亮车间用浅色，夜班用深色，眼睛疲劳或屏幕脏污时用高对比度。戴手套时所有按键放大四分之一。数字和单位随语言而变。</translation>
+        <source>Use light in a bright hall, dark in the night shift, high contrast for a dirty screen. Glove mode enlarges all keys by a quarter; numbers and units follow the language.</source>
+        <translation>明亮车间用浅色，夜班用深色，屏幕脏污时用高对比度。手套模式将所有按键放大四分之一；数字和单位随语言而变。</translation>
     </message>
 </context>
 <context>
@@ -551,8 +551,8 @@ And %2 more.</source>
         <translation>本面板</translation>
     </message>
     <message>
-        <source>The controller has no program yet; this recipe will be its first.</source>
-        <translation>控制器中还没有程序，此配方将是第一个。</translation>
+        <source>The controller has no program yet; this recipe becomes its first program.</source>
+        <translation>控制器中还没有程序，此配方将是第一个程序。</translation>
     </message>
     <message>
         <source>Cancel download</source>
@@ -575,8 +575,8 @@ And %2 more.</source>
         <translation>下载</translation>
     </message>
     <message>
-        <source>Without a connection it is not known what the controller runs now.</source>
-        <translation>没有连接，不知道控制器现在运行什么。</translation>
+        <source>No connection: the present program of the controller is unknown.</source>
+        <translation>没有连接：控制器当前的程序未知。</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -584,14 +584,14 @@ And %2 more.</source>
     </message>
     <message>
         <source>The controller already has this program.</source>
-        <translation>控制器中已是这一配方。</translation>
+        <translation>控制器中已有此程序。</translation>
     </message>
 </context>
 <context>
     <name>DryRunSection</name>
     <message>
         <source>The recipe cannot be executed. Correct it on the Motion page.</source>
-        <translation>正在编辑的配方无法构成运动。请在“运动”页面修正。</translation>
+        <translation>此配方无法执行。请在“运动”页修正。</translation>
     </message>
     <message>
         <source>Master %1°</source>
@@ -599,7 +599,7 @@ And %2 more.</source>
     </message>
     <message>
         <source>Knife %1°</source>
-        <translation>刀 %1°</translation>
+        <translation>切刀 %1°</translation>
     </message>
     <message>
         <source>%1, at full speed</source>
@@ -607,7 +607,7 @@ And %2 more.</source>
     </message>
     <message>
         <source>Knife</source>
-        <translation>刀</translation>
+        <translation>切刀</translation>
     </message>
     <message>
         <source>Speed mm/s</source>
@@ -622,33 +622,33 @@ And %2 more.</source>
         <translation>播放</translation>
     </message>
     <message>
-        <source>Only on the screen: nothing moves and nothing is sent to the controller. Turn the left dial.</source>
-        <translation>仅在屏幕上演示：机器不动，也不向控制器发送任何内容。请转动左侧表盘。</translation>
+        <source>Only on the screen: the machine does not move, and nothing is sent to the controller. Turn the left dial.</source>
+        <translation>仅在屏幕上演示：机器不动，也不向控制器发送数据。请转动左侧表盘。</translation>
     </message>
 </context>
 <context>
     <name>ExplanationSheet</name>
     <message>
-        <source>This number is given, not derived. It may be from %1 to %2.</source>
-        <translation>此值为给定值，不是计算值。范围为 %1 至 %2。</translation>
+        <source>This value is entered, not calculated. The range is %1 to %2.</source>
+        <translation>此值为输入值，不是计算值。范围为 %1 至 %2。</translation>
     </message>
     <message>
         <source>Enter this value instead</source>
-        <translation>改为给定此值</translation>
+        <translation>改为输入此值</translation>
     </message>
 </context>
 <context>
     <name>FiguresSection</name>
     <message>
-        <source>Exchanges</source>
-        <translation>交换</translation>
+        <source>Communication</source>
+        <translation>通信</translation>
     </message>
     <message>
         <source>Errors</source>
         <translation>错误</translation>
     </message>
     <message>
-        <source>Time of answers</source>
+        <source>Response time</source>
         <translation>应答时间</translation>
     </message>
     <message>
@@ -656,28 +656,28 @@ And %2 more.</source>
         <translation>控制器：</translation>
     </message>
     <message>
-        <source>Answers, at most %1 a minute</source>
+        <source>Responses, max. %1 per minute</source>
         <translation>应答，每分钟最多 %1</translation>
     </message>
     <message>
-        <source>99 % answered within, at most %1 ms</source>
-        <translation>99 % 应答时间，最长 %1 毫秒</translation>
+        <source>99 % of responses within, max. %1 ms</source>
+        <translation>99 % 的应答不超过，最长 %1 毫秒</translation>
     </message>
     <message>
-        <source>Errors, at most %1 a minute</source>
+        <source>Errors, max. %1 per minute</source>
         <translation>错误，每分钟最多 %1</translation>
     </message>
     <message>
-        <source>Count from zero</source>
-        <translation>从零计数</translation>
+        <source>Reset counters</source>
+        <translation>计数清零</translation>
     </message>
     <message>
         <source>Export CSV</source>
         <translation>导出 CSV</translation>
     </message>
     <message>
-        <source>Figures as CSV</source>
-        <translation>数据导出为 CSV</translation>
+        <source>Statistics as CSV</source>
+        <translation>统计导出为 CSV</translation>
     </message>
 </context>
 <context>
@@ -698,16 +698,16 @@ And %2 more.</source>
 <context>
     <name>FilmLegend</name>
     <message>
-        <source>mark seen</source>
-        <translation>已检出的色标</translation>
+        <source>mark detected</source>
+        <translation>检出的色标</translation>
     </message>
     <message>
-        <source>mark not seen, reckoned</source>
-        <translation>未检出、推算的色标</translation>
+        <source>missed mark, calculated</source>
+        <translation>漏检色标（推算）</translation>
     </message>
     <message>
-        <source>next mark expected here</source>
-        <translation>下一色标应在此处</translation>
+        <source>next expected mark</source>
+        <translation>下一个预期色标</translation>
     </message>
     <message>
         <source>product</source>
@@ -718,7 +718,7 @@ And %2 more.</source>
         <translation>下一次切断</translation>
     </message>
     <message>
-        <source>cut left out</source>
+        <source>skipped cut</source>
         <translation>略过的切断</translation>
     </message>
 </context>
@@ -726,19 +726,19 @@ And %2 more.</source>
     <name>FirstController</name>
     <message>
         <source>Simulated controller</source>
-        <translation>模拟控制器</translation>
+        <translation>仿真控制器</translation>
     </message>
     <message>
-        <source>to learn and to try things out; it can be changed in Settings at any time</source>
-        <translation>用于学习和试用；随时可在“设置”中更改</translation>
+        <source>for training and tests; can be changed in Settings at any time</source>
+        <translation>用于培训和试验；随时可在“设置”中更改</translation>
     </message>
     <message>
         <source>Search for the controller</source>
         <translation>搜索控制器</translation>
     </message>
     <message>
-        <source>on every serial port, with every setting; takes up to some minutes</source>
-        <translation>在所有串口上以各种设置搜索；最长需几分钟</translation>
+        <source>all serial ports and settings; may take several minutes</source>
+        <translation>所有串口和设置；可能需要几分钟</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -757,22 +757,22 @@ And %2 more.</source>
     <name>FirstLanguage</name>
     <message>
         <source>The Stop button is always available. It is not an emergency stop: use the machine&apos;s emergency-stop switch.</source>
-        <translation>右侧的“停止”始终有效。它不是急停：急停是机器上的开关。</translation>
+        <translation>“停止”按钮始终可用。它不是急停：急停请用机器的急停开关。</translation>
     </message>
 </context>
 <context>
     <name>FirstPin</name>
     <message>
-        <source>%1 is set. Operators start, stop and change bag length and rate; the cam and the machine are for technicians. Add the others in Settings &gt; Users.</source>
-        <translation>%1 已设置。操作员可启停并更改袋长和速率；凸轮和机器由技术员设置。请在“设置 &gt; 用户”中添加其他人员。</translation>
+        <source>%1 is set. Add other users in Settings &gt; Users: operators start, stop and change bag length and rate, technicians also set cam and machine.</source>
+        <translation>%1 已设置。请在“设置 &gt; 用户”中添加其他用户：操作员可启停并更改袋长和速率，技术员还可设置凸轮和机器。</translation>
     </message>
     <message>
-        <source>With a PIN only those who know one change the cam, the machine and the connection. Operators start, stop and change bag length and rate without one. There is no PIN from the factory; until one is set, everybody may do everything.</source>
-        <translation>设置PIN后，只有知道PIN的人才能更改凸轮、机器和通信。操作员无需PIN即可启停并更改袋长和速率。出厂没有PIN；设置之前，任何人都可进行任何操作。</translation>
+        <source>A PIN protects the cam, the machine and the connection; operators start, stop and change bag length and rate without a PIN. Until a PIN is set, all users have full access.</source>
+        <translation>PIN 保护凸轮、机器和通信；操作员无需 PIN 即可启停并更改袋长和速率。设置 PIN 之前，任何人都有全部权限。</translation>
     </message>
     <message>
         <source>Set the first PIN</source>
-        <translation>设置第一个PIN</translation>
+        <translation>设置第一个 PIN</translation>
     </message>
     <message>
         <source>Name of the user</source>
@@ -780,7 +780,7 @@ And %2 more.</source>
     </message>
     <message>
         <source>PIN of %1</source>
-        <translation>%1 的PIN</translation>
+        <translation>%1 的 PIN</translation>
     </message>
 </context>
 <context>
@@ -790,8 +790,8 @@ And %2 more.</source>
         <translation>名称</translation>
     </message>
     <message>
-        <source>Then: Download on the page Motion, and Start.</source>
-        <translation>然后：在“运动”页下载，再启动。</translation>
+        <source>Next: press Download on the Motion page, then Start.</source>
+        <translation>下一步：在“运动”页按“下载”，再按“启动”。</translation>
     </message>
     <message>
         <source>Name of the recipe</source>
@@ -810,14 +810,14 @@ And %2 more.</source>
     </message>
     <message>
         <source>Access</source>
-        <translation>谁可以更改</translation>
+        <translation>访问权限</translation>
     </message>
     <message>
-        <source>The machine</source>
+        <source>Machine</source>
         <translation>机器</translation>
     </message>
     <message>
-        <source>A first recipe</source>
+        <source>First recipe</source>
         <translation>第一个配方</translation>
     </message>
     <message>
@@ -889,18 +889,18 @@ And %2 more.</source>
         <translation>写入</translation>
     </message>
     <message>
-        <source>Nothing of this kind has passed.</source>
-        <translation>没有这类帧经过。</translation>
+        <source>No frames of this kind.</source>
+        <translation>没有此类报文。</translation>
     </message>
     <message>
         <source>Frames as text</source>
-        <translation>帧导出为文本</translation>
+        <translation>报文导出为文本</translation>
     </message>
 </context>
 <context>
     <name>HomingSection</name>
     <message>
-        <source>Position since then</source>
+        <source>Position since homing</source>
         <translation>自回零起的位置</translation>
     </message>
     <message>
@@ -911,7 +911,7 @@ And %2 more.</source>
 <context>
     <name>IoSection</name>
     <message>
-        <source>Inputs, as the controller counts them</source>
+        <source>Inputs (counted by the controller)</source>
         <translation>输入（控制器计数）</translation>
     </message>
     <message>
@@ -927,12 +927,12 @@ And %2 more.</source>
         <translation>警告位</translation>
     </message>
     <message>
-        <source>Nothing comes from the controller: what is grey is how it was.</source>
-        <translation>没有收到控制器的数据：灰色显示的是之前的状态。</translation>
+        <source>No data from the controller: grey values were received last.</source>
+        <translation>没有收到控制器的数据：灰色为最后收到的值。</translation>
     </message>
     <message>
-        <source>The controller tells what it counts at its inputs, not the levels of its pins. A full lamp is on.</source>
-        <translation>控制器提供的是输入的计数，而不是引脚电平。实心灯表示接通。</translation>
+        <source>The controller reports the counts of its inputs, not the levels of its pins. A filled lamp means on.</source>
+        <translation>控制器报告输入的计数，而不是引脚电平。实心灯表示接通。</translation>
     </message>
 </context>
 <context>
@@ -943,7 +943,7 @@ And %2 more.</source>
     </message>
     <message>
         <source>Knife angle</source>
-        <translation>刀角度</translation>
+        <translation>切刀角度</translation>
     </message>
     <message>
         <source>Position</source>
@@ -992,11 +992,11 @@ And %2 more.</source>
         <translation>从静止到静止走一段距离</translation>
     </message>
     <message>
-        <source>From one speed to another, which is then held</source>
+        <source>From one speed to another constant speed</source>
         <translation>从一个速度变到另一个速度并保持</translation>
     </message>
     <message>
-        <source>A curve through points, behind a master</source>
+        <source>A curve through knots that follows a master</source>
         <translation>过型值点的曲线，从轴跟随主轴</translation>
     </message>
     <message>
@@ -1008,26 +1008,26 @@ And %2 more.</source>
         <translation>新建程序</translation>
     </message>
     <message>
-        <source>Takes the place of the recipe on this page; Undo brings it back</source>
+        <source>Replaces the recipe on this page; Undo restores the old recipe</source>
         <translation>将取代本页的配方，可用“撤销”恢复</translation>
     </message>
 </context>
 <context>
     <name>KnotFilesSheet</name>
     <message>
-        <source>Looking …</source>
+        <source>Searching …</source>
         <translation>正在查找…</translation>
     </message>
     <message>
-        <source>There is no CSV file on a USB stick or in %1. Plug in a stick and look again.</source>
+        <source>There is no CSV file on a USB stick or in %1. Plug a stick in and search again.</source>
         <translation>U 盘和 %1 中都没有 CSV 文件。请插入 U 盘后重新查找。</translation>
     </message>
     <message>
-        <source>Choose the place of the new file.</source>
+        <source>Choose the location of the new file.</source>
         <translation>请选择新文件的位置。</translation>
     </message>
     <message>
-        <source>Choose a file to see what is in it.</source>
+        <source>Choose a file to view its content.</source>
         <translation>请选择文件以查看其内容。</translation>
     </message>
     <message>
@@ -1047,8 +1047,8 @@ And %2 more.</source>
         <translation>写入文件</translation>
     </message>
     <message>
-        <source>Take over</source>
-        <translation>采用</translation>
+        <source>Import</source>
+        <translation>导入</translation>
     </message>
 </context>
 <context>
@@ -1078,7 +1078,7 @@ And %2 more.</source>
     <name>LawPicker</name>
     <message>
         <source>Peak speed</source>
-        <translation>最高转速</translation>
+        <translation>峰值速度</translation>
     </message>
     <message>
         <source>Acceleration</source>
@@ -1086,15 +1086,15 @@ And %2 more.</source>
     </message>
     <message>
         <source>Jerk</source>
-        <translation>加加速度</translation>
+        <translation>跃度</translation>
     </message>
     <message>
         <source>Frequency</source>
         <translation>频率</translation>
     </message>
     <message>
-        <source>What each law asks of this recipe; hold one to draw its curves in grey behind</source>
-        <translation>各规律对本配方的要求；长按某一项，以灰色曲线衬在后面比较</translation>
+        <source>Peak values of each law for this recipe; hold a law to compare its curves in grey</source>
+        <translation>各规律用于本配方的峰值；长按某一规律，以灰色曲线比较</translation>
     </message>
     <message>
         <source>Torque</source>
@@ -1104,12 +1104,12 @@ And %2 more.</source>
 <context>
     <name>LawRow</name>
     <message>
-        <source>Breaks a limit with this recipe: hold it to compare, it cannot be chosen.</source>
-        <translation>在此配方下超出限值：可长按比较，不能选用。</translation>
+        <source>This law exceeds a limit with this recipe. Hold the law to compare.</source>
+        <translation>此规律用于本配方时超出限值。长按可比较。</translation>
     </message>
     <message>
-        <source>Breaks a limit with this recipe.</source>
-        <translation>在此配方下超出限值。</translation>
+        <source>This law exceeds a limit with this recipe.</source>
+        <translation>此规律用于本配方时超出限值。</translation>
     </message>
 </context>
 <context>
@@ -1161,7 +1161,7 @@ And %2 more.</source>
         <translation>登录</translation>
     </message>
     <message>
-        <source>Choose who you are.</source>
+        <source>Choose your name.</source>
         <translation>请选择您的姓名。</translation>
     </message>
     <message>
@@ -1169,15 +1169,15 @@ And %2 more.</source>
         <translation>PIN</translation>
     </message>
     <message>
-        <source>Choose who you are, then type your PIN.</source>
+        <source>Choose your name, then enter your PIN.</source>
         <translation>先选择姓名，再输入 PIN。</translation>
     </message>
     <message>
-        <source>One moment …</source>
+        <source>Please wait …</source>
         <translation>请稍候…</translation>
     </message>
     <message>
-        <source>Type your PIN.</source>
+        <source>Enter your PIN.</source>
         <translation>请输入 PIN。</translation>
     </message>
 </context>
@@ -1189,7 +1189,7 @@ And %2 more.</source>
     </message>
     <message>
         <source>Bag tolerance</source>
-        <translation>袋长允差</translation>
+        <translation>袋长公差</translation>
     </message>
     <message>
         <source>±%1 mm</source>
@@ -1203,7 +1203,7 @@ And %2 more.</source>
         <translation>色标传感器到切刀</translation>
     </message>
     <message>
-        <source>Step 1 of 5: what this does</source>
+        <source>Step 1 of 5: introduction</source>
         <translation>第 1 步，共 5 步：说明</translation>
     </message>
     <message>
@@ -1219,11 +1219,11 @@ And %2 more.</source>
         <translation>第 4 步，共 5 步：写入</translation>
     </message>
     <message>
-        <source>Step 5 of 5: watch</source>
-        <translation>第 5 步，共 5 步：观察</translation>
+        <source>Step 5 of 5: check</source>
+        <translation>第 5 步，共 5 步：检查</translation>
     </message>
     <message>
-        <source>Distance before</source>
+        <source>Old distance</source>
         <translation>原距离</translation>
     </message>
     <message>
@@ -1247,7 +1247,7 @@ And %2 more.</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>Read the ruler</source>
+        <source>Read ruler</source>
         <translation>读尺</translation>
     </message>
     <message>
@@ -1271,7 +1271,7 @@ And %2 more.</source>
         <translation>切断在色标后</translation>
     </message>
     <message>
-        <source>Wanted</source>
+        <source>Target</source>
         <translation>目标</translation>
     </message>
 </context>
@@ -1302,7 +1302,7 @@ And %2 more.</source>
     </message>
     <message>
         <source>Jerk curve</source>
-        <translation>加加速度曲线</translation>
+        <translation>跃度曲线</translation>
     </message>
     <message>
         <source>Compare with controller</source>
@@ -1313,7 +1313,7 @@ And %2 more.</source>
         <translation>行、脉冲、误差</translation>
     </message>
     <message>
-        <source>Back to the stored recipe</source>
+        <source>Restore stored recipe</source>
         <translation>恢复已存配方</translation>
     </message>
     <message>
@@ -1326,7 +1326,7 @@ And %2 more.</source>
     </message>
     <message>
         <source>controller in grey</source>
-        <translation>控制器的曲线为灰色</translation>
+        <translation>灰色为控制器的曲线</translation>
     </message>
     <message>
         <source>Edited, active, saved</source>
@@ -1340,7 +1340,7 @@ And %2 more.</source>
 <context>
     <name>NameKeypad</name>
     <message>
-        <source>anything</source>
+        <source>any</source>
         <translation>任意</translation>
     </message>
 </context>
@@ -1359,7 +1359,7 @@ And %2 more.</source>
         <translation>设置</translation>
     </message>
     <message>
-        <source>Service</source>
+        <source>Maintenance</source>
         <translation>维护</translation>
     </message>
     <message>
@@ -1382,11 +1382,11 @@ And %2 more.</source>
 <context>
     <name>NewPinSheet</name>
     <message>
-        <source>The two were not the same. Once more from the beginning.</source>
-        <translation>两次输入不同。请从头再输入。</translation>
+        <source>The two PINs differ. Enter the new PIN again.</source>
+        <translation>两次输入的 PIN 不同。请重新输入。</translation>
     </message>
     <message>
-        <source>Again</source>
+        <source>Repeat PIN</source>
         <translation>再次输入</translation>
     </message>
     <message>
@@ -1394,16 +1394,16 @@ And %2 more.</source>
         <translation>新 PIN</translation>
     </message>
     <message>
-        <source>Type the same PIN again.</source>
+        <source>Enter the same PIN again.</source>
         <translation>请再次输入同一 PIN。</translation>
     </message>
     <message>
-        <source>Type the new PIN.</source>
+        <source>Enter the new PIN.</source>
         <translation>请输入新 PIN。</translation>
     </message>
     <message>
-        <source>%1 to 8 digits. Nobody can look it up later; somebody of the level Service can set a new one.</source>
-        <translation>%1 至 8 位数字。以后无法查出；“维护”级用户可以设定新的 PIN。</translation>
+        <source>%1 to 8 digits. A forgotten PIN cannot be read; a user of the level Service can set a new PIN.</source>
+        <translation>%1 至 8 位数字。忘记的 PIN 无法读出；“维护”级用户可以设定新的 PIN。</translation>
     </message>
 </context>
 <context>
@@ -1413,15 +1413,15 @@ And %2 more.</source>
         <translation>新用户</translation>
     </message>
     <message>
-        <source>The first user is of the level Service: may do everything and adds the others. Keep this PIN where it can be found again; nobody can read it out of the panel.</source>
-        <translation>第一个用户为“维护”级：可进行所有操作，并添加其他用户。请妥善保存此 PIN；任何人都无法从面板中读出。</translation>
+        <source>The first user has the level Service and adds the other users. Keep this PIN safe: a forgotten PIN cannot be read from the panel.</source>
+        <translation>第一个用户为“维护”级，可添加其他用户。请妥善保存此 PIN：忘记的 PIN 无法从面板读出。</translation>
     </message>
     <message>
         <source>Name</source>
         <translation>名称</translation>
     </message>
     <message>
-        <source>On to the PIN</source>
+        <source>Next: PIN</source>
         <translation>下一步：PIN</translation>
     </message>
 </context>
@@ -1444,7 +1444,7 @@ And %2 more.</source>
         <translation>下载</translation>
     </message>
     <message>
-        <source>keep over power loss</source>
+        <source>keep after power-off</source>
         <translation>断电保持</translation>
     </message>
     <message>
@@ -1453,7 +1453,7 @@ And %2 more.</source>
     </message>
     <message>
         <source>next cycle</source>
-        <translation>下一循环</translation>
+        <translation>下一周期</translation>
     </message>
     <message>
         <source>to the controller</source>
@@ -1468,7 +1468,7 @@ And %2 more.</source>
     <name>NumbersSheet</name>
     <message>
         <source>How this is calculated</source>
-        <translation>这些数字的由来</translation>
+        <translation>计算方法</translation>
     </message>
 </context>
 <context>
@@ -1493,7 +1493,7 @@ And %2 more.</source>
 <context>
     <name>PackingRow</name>
     <message>
-        <source>Take %1</source>
+        <source>Apply %1</source>
         <translation>采用 %1</translation>
     </message>
     <message>
@@ -1508,7 +1508,7 @@ And %2 more.</source>
 <context>
     <name>PackingSection</name>
     <message>
-        <source>Measure the marks</source>
+        <source>Measure marks</source>
         <translation>测量色标</translation>
     </message>
     <message>
@@ -1516,8 +1516,8 @@ And %2 more.</source>
         <translation>传感器到切刀…</translation>
     </message>
     <message>
-        <source>Values are used at once. The controller keeps them over a power-off only after Save.</source>
-        <translation>数值立即生效。只有保存后，控制器断电才不丢失。</translation>
+        <source>Changes take effect at once. Press Save to keep the values after power-off.</source>
+        <translation>更改立即生效。按“保存”后断电不丢失。</translation>
     </message>
     <message>
         <source>Save</source>
@@ -1539,7 +1539,7 @@ And %2 more.</source>
         <translation>上一次切断的色标误差</translation>
     </message>
     <message>
-        <source>Distance of the marks</source>
+        <source>Mark distance</source>
         <translation>色标间距</translation>
     </message>
     <message>
@@ -1547,23 +1547,23 @@ And %2 more.</source>
         <translation>下一次切断的移动量</translation>
     </message>
     <message>
-        <source>Correction of the length</source>
+        <source>Length correction</source>
         <translation>袋长修正量</translation>
     </message>
     <message>
-        <source>Corrections at their limit</source>
+        <source>Corrections at limit</source>
         <translation>达到限值的修正</translation>
     </message>
     <message>
-        <source>Marks followed</source>
+        <source>Tracked marks</source>
         <translation>已跟踪的色标</translation>
     </message>
     <message>
-        <source>Marks missing</source>
+        <source>Missing marks</source>
         <translation>缺失的色标</translation>
     </message>
     <message>
-        <source>Marks where none belongs</source>
+        <source>Unexpected marks</source>
         <translation>多余的色标</translation>
     </message>
     <message>
@@ -1575,8 +1575,8 @@ And %2 more.</source>
         <translation>产品</translation>
     </message>
     <message>
-        <source>Skipped cuts, product across</source>
-        <translation>因产品横在切刀处略过的切断</translation>
+        <source>Skipped cuts, product in the way</source>
+        <translation>因产品阻挡略过的切断</translation>
     </message>
     <message>
         <source>Bags without product</source>
@@ -1658,8 +1658,8 @@ And %2 more.</source>
         <translation>串口</translation>
     </message>
     <message>
-        <source>This computer has no serial port. Plug in the adapter and press Search again.</source>
-        <translation>本机没有串口。请插上转换器，再按“重新搜索”。</translation>
+        <source>This computer has no serial port. Plug the adapter in and press Search again.</source>
+        <translation>本机没有串口。请插入适配器，再按“重新搜索”。</translation>
     </message>
     <message>
         <source>Search again</source>
@@ -1669,36 +1669,36 @@ And %2 more.</source>
 <context>
     <name>ProofSheet</name>
     <message>
-        <source>What the controller runs</source>
-        <translation>控制器运行的程序</translation>
+        <source>Program in the controller</source>
+        <translation>控制器中的程序</translation>
     </message>
     <message>
         <source>Edited on this panel</source>
         <translation>本面板上编辑的</translation>
     </message>
     <message>
-        <source>%1 · v%2, values that differ from the active one: %3</source>
-        <translation>%1 · 第%2版，与运行中的有 %3 个值不同</translation>
+        <source>%1 · v%2, differences from the active program: %3</source>
+        <translation>%1 · 第 %2 版，与运行中的程序有 %3 处不同</translation>
     </message>
     <message>
         <source>%1 · v%2</source>
-        <translation>%1 · 第%2版</translation>
+        <translation>%1 · 第 %2 版</translation>
     </message>
     <message>
         <source>Active in the controller</source>
         <translation>控制器中运行的</translation>
     </message>
     <message>
-        <source>Active in the controller when it was last heard</source>
-        <translation>最后一次收到时控制器中运行的</translation>
+        <source>Active in the controller (last known)</source>
+        <translation>控制器中运行的（最后已知）</translation>
     </message>
     <message>
         <source>Saved in the controller</source>
         <translation>控制器中保存的</translation>
     </message>
     <message>
-        <source>Saved in the controller when it was last heard</source>
-        <translation>最后一次收到时控制器中保存的</translation>
+        <source>Saved in the controller (last known)</source>
+        <translation>控制器中保存的（最后已知）</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -1771,23 +1771,23 @@ And %2 more.</source>
         <translation>比较 %1</translation>
     </message>
     <message>
-        <source>What it changed</source>
+        <source>Changes</source>
         <translation>此版改动</translation>
     </message>
     <message>
-        <source>To the newest</source>
+        <source>To newest</source>
         <translation>与最新版</translation>
     </message>
     <message>
-        <source>There is no difference.</source>
-        <translation>没有差别。</translation>
+        <source>No differences</source>
+        <translation>没有差别</translation>
     </message>
     <message>
-        <source>There is nothing to compare with yet.</source>
-        <translation>还没有可比较的配方。</translation>
+        <source>There is no other version to compare.</source>
+        <translation>没有可比较的其他版本。</translation>
     </message>
     <message>
-        <source>Choose at the left.</source>
+        <source>Choose an entry at the left.</source>
         <translation>请在左侧选择。</translation>
     </message>
     <message>
@@ -1810,19 +1810,19 @@ And %2 more.</source>
         <translation>导入配方</translation>
     </message>
     <message>
-        <source>Looking …</source>
+        <source>Searching …</source>
         <translation>正在查找…</translation>
     </message>
     <message>
-        <source>Choose a file to see what is in it.</source>
-        <translation>选择文件以查看其内容。</translation>
+        <source>Choose a file to view its content.</source>
+        <translation>请选择文件以查看其内容。</translation>
     </message>
     <message>
-        <source>There is no recipe file on a USB stick or in %1. Plug in a stick: it is found by itself.</source>
-        <translation>U盘和 %1 中都没有配方文件。请插入U盘，系统会自动找到。</translation>
+        <source>There is no recipe file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.</source>
+        <translation>U 盘和 %1 中都没有配方文件。请插入 U 盘，面板会自动找到。</translation>
     </message>
     <message>
-        <source>Take over</source>
+        <source>Import</source>
         <translation>导入</translation>
     </message>
 </context>
@@ -1830,7 +1830,7 @@ And %2 more.</source>
     <name>RecipeRow</name>
     <message>
         <source>v%1 · %2</source>
-        <translation>第%1版 · %2</translation>
+        <translation>第 %1 版 · %2</translation>
     </message>
 </context>
 <context>
@@ -1860,7 +1860,7 @@ And %2 more.</source>
         <translation>%1 已修改，尚未保存。</translation>
     </message>
     <message>
-        <source>Bring back</source>
+        <source>Restore</source>
         <translation>恢复</translation>
     </message>
     <message>
@@ -1873,19 +1873,19 @@ And %2 more.</source>
     </message>
     <message>
         <source>Save as version %1</source>
-        <translation>保存为第%1版</translation>
+        <translation>保存为第 %1 版</translation>
     </message>
     <message>
-        <source>The recipes are being read …</source>
+        <source>Reading the recipes …</source>
         <translation>正在读取配方…</translation>
     </message>
     <message>
-        <source>No recipe has &quot;%1&quot; in its name. Change or clear the search.</source>
+        <source>No recipe name contains &quot;%1&quot;. Change or clear the search.</source>
         <translation>没有名称含“%1”的配方。请更改或清除搜索。</translation>
     </message>
     <message>
-        <source>There is no recipe yet. Make a new one, or import one from a USB stick.</source>
-        <translation>还没有配方。请新建，或从U盘导入。</translation>
+        <source>There is no recipe yet. Create a recipe, or import one from a USB stick.</source>
+        <translation>还没有配方。请新建，或从 U 盘导入。</translation>
     </message>
     <message>
         <source>%1 copy</source>
@@ -1932,8 +1932,8 @@ And %2 more.</source>
         <translation>删除 %1？</translation>
     </message>
     <message>
-        <source>It leaves the list. Its versions are kept: it comes back when a recipe is saved under its name.</source>
-        <translation>它将从列表中移除，但各版本仍保留：以同名保存配方时会恢复。</translation>
+        <source>The recipe leaves the list; its versions are kept. Saving a recipe under this name restores them.</source>
+        <translation>配方将从列表中移除，各版本仍保留。以同名保存配方时恢复。</translation>
     </message>
     <message>
         <source>Delete</source>
@@ -1944,8 +1944,8 @@ And %2 more.</source>
         <translation>%1 尚未保存</translation>
     </message>
     <message>
-        <source>It was edited. If another recipe is opened without saving, the edits are gone.</source>
-        <translation>配方已修改。如不保存就打开其他配方，修改将丢失。</translation>
+        <source>The recipe was edited. Opening another recipe without saving discards the edits.</source>
+        <translation>配方已修改。不保存就打开其他配方将丢失修改。</translation>
     </message>
     <message>
         <source>Discard edits</source>
@@ -1963,12 +1963,12 @@ And %2 more.</source>
         <translation>名称包含</translation>
     </message>
     <message>
-        <source>anything</source>
+        <source>any</source>
         <translation>任意</translation>
     </message>
     <message>
-        <source>No register has this in its name.</source>
-        <translation>没有名称包含此内容的寄存器。</translation>
+        <source>No register name contains this text.</source>
+        <translation>没有名称包含此文本的寄存器。</translation>
     </message>
     <message>
         <source>Write …</source>
@@ -1986,11 +1986,11 @@ And %2 more.</source>
 <context>
     <name>ReportFilesSheet</name>
     <message>
-        <source>Looking …</source>
+        <source>Searching …</source>
         <translation>正在查找…</translation>
     </message>
     <message>
-        <source>Choose the place of the new files.</source>
+        <source>Choose the location of the new files.</source>
         <translation>请选择新文件的位置。</translation>
     </message>
     <message>
@@ -2009,20 +2009,20 @@ And %2 more.</source>
         <translation>正在检查…</translation>
     </message>
     <message>
-        <source>Looking …</source>
+        <source>Searching …</source>
         <translation>正在查找…</translation>
     </message>
     <message>
-        <source>Choose a file to see what is in it.</source>
-        <translation>选择一个文件查看其内容。</translation>
+        <source>Choose a file to view its content.</source>
+        <translation>请选择文件以查看其内容。</translation>
     </message>
     <message>
         <source>Check and restore</source>
         <translation>检查并恢复</translation>
     </message>
     <message>
-        <source>There is no backup on a USB stick or on this panel. Plug in a stick: it is found by itself.</source>
-        <translation>U 盘和本面板上都没有备份。插入 U 盘即可自动找到。</translation>
+        <source>There is no backup on a USB stick or on this panel. Plug a stick in; the panel finds it automatically.</source>
+        <translation>U 盘和本面板上都没有备份。请插入 U 盘，面板会自动找到。</translation>
     </message>
 </context>
 <context>
@@ -2096,19 +2096,19 @@ And %2 more.</source>
         <translation>位置 mm</translation>
     </message>
     <message>
-        <source>good of the last strokes</source>
+        <source>good / last strokes</source>
         <translation>合格数 / 最近行程数</translation>
     </message>
 </context>
 <context>
     <name>ServicePage</name>
     <message>
-        <source>Link doctor</source>
-        <translation>线路诊断</translation>
+        <source>Diagnostics</source>
+        <translation>通信诊断</translation>
     </message>
     <message>
-        <source>Figures</source>
-        <translation>数据</translation>
+        <source>Statistics</source>
+        <translation>通信统计</translation>
     </message>
     <message>
         <source>Registers</source>
@@ -2116,7 +2116,7 @@ And %2 more.</source>
     </message>
     <message>
         <source>Frames</source>
-        <translation>帧</translation>
+        <translation>报文</translation>
     </message>
     <message>
         <source>Faults</source>
@@ -2147,19 +2147,19 @@ And %2 more.</source>
         <translation>空运行</translation>
     </message>
     <message>
-        <source>The line to the controller</source>
-        <translation>与控制器的线路</translation>
+        <source>Connection to the controller</source>
+        <translation>与控制器的通信</translation>
     </message>
     <message>
-        <source>The machine</source>
+        <source>Machine</source>
         <translation>机器</translation>
     </message>
     <message>
-        <source>What the panel keeps</source>
-        <translation>面板保存的内容</translation>
+        <source>Panel data</source>
+        <translation>面板数据</translation>
     </message>
     <message>
-        <source>Service</source>
+        <source>Maintenance</source>
         <translation>维护</translation>
     </message>
 </context>
@@ -2175,7 +2175,7 @@ And %2 more.</source>
     </message>
     <message>
         <source>simulated or serial port</source>
-        <translation>模拟或串口</translation>
+        <translation>仿真或串口</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -2217,12 +2217,12 @@ And %2 more.</source>
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>Take back</source>
+        <source>Unshelve</source>
         <translation>取消搁置</translation>
     </message>
     <message>
-        <source>Nothing is shelved. A warning that is known about and does not stop the machine can be shelved for some hours: tap it in the list.</source>
-        <translation>没有搁置的报警。已知情且不会停机的警告可以搁置几小时：请在列表中点按它。</translation>
+        <source>No alarm is shelved. To shelve a known warning for some hours, tap the warning in the list.</source>
+        <translation>没有搁置的报警。如要将已知的警告搁置几小时，请在列表中点按该警告。</translation>
     </message>
 </context>
 <context>
@@ -2259,8 +2259,8 @@ And %2 more.</source>
         <translation>力 N</translation>
     </message>
     <message>
-        <source>Each stroke is listed here when it ends.</source>
-        <translation>每个行程结束后列在此处。</translation>
+        <source>Completed strokes are listed here.</source>
+        <translation>完成的行程列在此处。</translation>
     </message>
 </context>
 <context>
@@ -2278,16 +2278,16 @@ And %2 more.</source>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Dark after so many minutes without a touch, when nothing moves</source>
-        <translation>设备静止且无触摸达到该分钟数后熄屏</translation>
+        <source>Screen off after minutes without touch, at standstill</source>
+        <translation>静止且无触摸多少分钟后熄屏</translation>
     </message>
     <message>
         <source>Never</source>
         <translation>从不</translation>
     </message>
     <message>
-        <source>Wipe</source>
-        <translation>擦屏</translation>
+        <source>Clean</source>
+        <translation>清洁</translation>
     </message>
     <message>
         <source>Clock</source>
@@ -2306,12 +2306,12 @@ And %2 more.</source>
         <translation>未连接</translation>
     </message>
     <message>
-        <source>Clock and network are set in the system.</source>
-        <translation>时钟和网络在系统中设置。</translation>
+        <source>Set clock and network in the operating system.</source>
+        <translation>请在操作系统中设置时钟和网络。</translation>
     </message>
     <message>
-        <source>Clock and network are set in the system. This screen has no brightness that could be set here.</source>
-        <translation>时钟和网络在系统中设置。此屏幕的亮度不能在这里调节。</translation>
+        <source>Set clock and network in the operating system. The brightness of this screen cannot be set here.</source>
+        <translation>请在操作系统中设置时钟和网络。此屏幕的亮度不能在这里调节。</translation>
     </message>
 </context>
 <context>
@@ -2333,7 +2333,7 @@ And %2 more.</source>
     <name>TopBar</name>
     <message>
         <source>%1 · v%2</source>
-        <translation>%1 · 第%2版</translation>
+        <translation>%1 · 第 %2 版</translation>
     </message>
     <message>
         <source>Edited</source>
@@ -2345,7 +2345,7 @@ And %2 more.</source>
     </message>
     <message>
         <source>Simulated</source>
-        <translation>模拟</translation>
+        <translation>仿真</translation>
     </message>
     <message>
         <source>%1/s</source>
@@ -2353,38 +2353,38 @@ And %2 more.</source>
     </message>
     <message>
         <source>in the controller: %1 · v%2</source>
-        <translation>控制器中：%1 · 第%2版</translation>
+        <translation>控制器中：%1 · 第 %2 版</translation>
     </message>
 </context>
 <context>
     <name>TrendCard</name>
     <message>
-        <source>nothing recorded in this time</source>
-        <translation>此时段无记录</translation>
+        <source>no data in this time</source>
+        <translation>此时段无数据</translation>
     </message>
     <message>
-        <source>n %1 · mean %2 · scatter %3 · %4 … %5 · %6 % within</source>
-        <translation>n %1 · 平均 %2 · 离散 %3 · %4 … %5 · 合格 %6 %</translation>
+        <source>n %1 · mean %2 · std dev %3 · %4 … %5 · %6 % within</source>
+        <translation>n %1 · 平均 %2 · 标准差 %3 · %4 … %5 · 合格 %6 %</translation>
     </message>
     <message>
-        <source>n %1 · mean %2 · scatter %3 · %4 … %5</source>
-        <translation>n %1 · 平均 %2 · 离散 %3 · %4 … %5</translation>
+        <source>n %1 · mean %2 · std dev %3 · %4 … %5</source>
+        <translation>n %1 · 平均 %2 · 标准差 %3 · %4 … %5</translation>
     </message>
     <message>
-        <source>%1 · nothing recorded</source>
-        <translation>%1 · 无记录</translation>
+        <source>%1 · no data</source>
+        <translation>%1 · 无数据</translation>
     </message>
     <message>
         <source>%1 · mean %2 · %3 … %4</source>
         <translation>%1 · 平均 %2 · %3 … %4</translation>
     </message>
     <message>
-        <source>Nothing of these curves has been recorded yet. Press Start, or choose others with Curves.</source>
-        <translation>这些曲线尚无记录。请按“启动”，或通过“曲线”选择其他曲线。</translation>
+        <source>There are no data of these curves yet. Press Start, or choose other curves with Curves.</source>
+        <translation>这些曲线尚无数据。请按“启动”，或通过“曲线”选择其他曲线。</translation>
     </message>
     <message>
-        <source>Nothing was recorded in this time. Press Now, or − for a longer time.</source>
-        <translation>此时段无记录。请按“现在”，或按 − 查看更长时段。</translation>
+        <source>There are no data in this time. Press Now, or − for a longer time.</source>
+        <translation>此时段无数据。请按“现在”，或按 − 查看更长时段。</translation>
     </message>
 </context>
 <context>
@@ -2394,8 +2394,8 @@ And %2 more.</source>
         <translation>曲线</translation>
     </message>
     <message>
-        <source>Up to three; one more takes the place of the lowest.</source>
-        <translation>最多三条；再选一条将替换最下面的一条。</translation>
+        <source>Up to three curves; one more replaces the lowest.</source>
+        <translation>最多三条曲线；再选一条将替换最下面的一条。</translation>
     </message>
 </context>
 <context>
@@ -2421,32 +2421,32 @@ And %2 more.</source>
         <translation>速率 袋/分</translation>
     </message>
     <message>
-        <source>Time of answers ms</source>
+        <source>Response time ms</source>
         <translation>应答时间 ms</translation>
     </message>
     <message>
-        <source>of each bag, of one length of it</source>
+        <source>each bag, per bag length</source>
         <translation>每一袋，按单个袋长计</translation>
     </message>
     <message>
-        <source>of each bag from the length that was set</source>
+        <source>each bag against the set length</source>
         <translation>每一袋与设定袋长之差</translation>
     </message>
     <message>
-        <source>of each cut from its printed mark</source>
+        <source>each cut against its printed mark</source>
         <translation>每次切断与印刷色标之差</translation>
     </message>
     <message>
-        <source>of the knife, while it turns</source>
+        <source>knife, while turning</source>
         <translation>切刀转动时</translation>
     </message>
     <message>
-        <source>of the master, 0 at standstill</source>
+        <source>master, 0 at standstill</source>
         <translation>主轴的速率，停止时为 0</translation>
     </message>
     <message>
-        <source>of the controller to the panel&apos;s questions</source>
-        <translation>控制器回答面板询问所需的时间</translation>
+        <source>controller to the panel&apos;s requests</source>
+        <translation>控制器应答面板请求的时间</translation>
     </message>
 </context>
 <context>
@@ -2517,8 +2517,8 @@ And %2 more.</source>
         <translation>用户</translation>
     </message>
     <message>
-        <source>No PIN is set: everybody may do everything. With the first user that changes. Viewing and Stop never need a login.</source>
-        <translation>尚未设定 PIN：任何人都可进行所有操作。添加第一个用户后即有限制。查看和停止始终无需登录。</translation>
+        <source>No PIN is set: all users have full access until the first user is added. Viewing and Stop never need a login.</source>
+        <translation>尚未设定 PIN：添加第一个用户之前，任何人都有全部权限。查看和停止始终无需登录。</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -2549,11 +2549,11 @@ And %2 more.</source>
         <translation>%1 分钟</translation>
     </message>
     <message>
-        <source>Without a login</source>
+        <source>Without login</source>
         <translation>未登录时</translation>
     </message>
     <message>
-        <source>look and stop</source>
+        <source>view and stop</source>
         <translation>查看和停止</translation>
     </message>
     <message>
@@ -2561,8 +2561,8 @@ And %2 more.</source>
         <translation>操作</translation>
     </message>
     <message>
-        <source>Who changed what</source>
-        <translation>何人改动何项</translation>
+        <source>Record of changes</source>
+        <translation>更改记录</translation>
     </message>
     <message>
         <source>Audit trail</source>
@@ -2585,11 +2585,11 @@ And %2 more.</source>
         <translation>操作</translation>
     </message>
     <message>
-        <source>Look and stop</source>
+        <source>View and stop</source>
         <translation>查看和停止</translation>
     </message>
     <message>
-        <source>operators log in too</source>
+        <source>operators must log in</source>
         <translation>操作员也须登录</translation>
     </message>
     <message>
@@ -2601,8 +2601,8 @@ And %2 more.</source>
         <translation>第一个用户</translation>
     </message>
     <message>
-        <source>Log out without a touch after</source>
-        <translation>无触摸多久后退出</translation>
+        <source>Logout without touch after</source>
+        <translation>无触摸自动退出时间</translation>
     </message>
 </context>
 <context>
@@ -2612,8 +2612,8 @@ And %2 more.</source>
         <translation>%1 秒</translation>
     </message>
     <message>
-        <source>Wipe the screen now. Touches do nothing until the time is over; only Stop works.</source>
-        <translation>现在请擦拭屏幕。计时结束前触摸无效，只有停止键有效。</translation>
+        <source>Clean the screen now. The panel ignores touches until the time is over; Stop still works.</source>
+        <translation>现在请清洁屏幕。计时结束前触摸无效，“停止”仍有效。</translation>
     </message>
 </context>
 </TS>

@@ -58,7 +58,7 @@ Sheet {
             id: base
             visible: sheet.versions
             anchors { left: parent.left; right: parent.right; top: parent.top }
-            choices: [{ key: false, text: qsTr("What it changed"), name: "compareBefore" }, { key: true, text: qsTr("To the newest"), name: "compareNewest" }]
+            choices: [{ key: false, text: qsTr("Changes"), name: "compareBefore" }, { key: true, text: qsTr("To newest"), name: "compareNewest" }]
             current: sheet.withNewest
             onChosen: key => {
                 sheet.withNewest = key
@@ -87,8 +87,8 @@ Sheet {
             anchors.fill: rows
             visible: rows.count === 0
             wrapMode: Text.WordWrap
-            text: Recipes.compared ? qsTr("There is no difference.")
-                : sheet.chosen < 0 ? (list.count === 0 ? qsTr("There is nothing to compare with yet.") : qsTr("Choose at the left."))
+            text: Recipes.compared ? qsTr("No differences")
+                : sheet.chosen < 0 ? (list.count === 0 ? qsTr("There is no other version to compare.") : qsTr("Choose an entry at the left."))
                 : sheet.withNewest ? qsTr("This is the newest version.") : qsTr("This is the first version.")
             color: Theme.color.secondaryInk
         }

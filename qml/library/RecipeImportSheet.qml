@@ -58,9 +58,9 @@ Sheet {
         wrapMode: Text.Wrap
         fontSizeMode: Text.Fit
         minimumPixelSize: Theme.size.caption - 3
-        text: sheet.chosen >= 0 ? sheet.chosenDetail : sheet.source.busy ? qsTr("Looking …")
-            : list.count > 0 ? qsTr("Choose a file to see what is in it.")
-            : qsTr("There is no recipe file on a USB stick or in %1. Plug in a stick: it is found by itself.").arg(sheet.source.ownFolder)
+        text: sheet.chosen >= 0 ? sheet.chosenDetail : sheet.source.busy ? qsTr("Searching …")
+            : list.count > 0 ? qsTr("Choose a file to view its content.")
+            : qsTr("There is no recipe file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.").arg(sheet.source.ownFolder)
         color: sheet.chosen >= 0 ? (sheet.chosenUsable ? Theme.color.ink : Theme.color.fault) : Theme.color.secondaryInk
     }
     Button {
@@ -69,7 +69,7 @@ Sheet {
         anchors { right: parent.right; bottom: parent.bottom }
         kind: Button.Primary
         enabled: sheet.chosen >= 0 && sheet.chosenUsable
-        text: qsTr("Take over")
+        text: qsTr("Import")
         onClicked: {
             sheet.source.take(sheet.chosen)
             sheet.closed()

@@ -90,7 +90,7 @@ Page {
             Button {
                 objectName: "recipeRestore"
                 visible: Recipes.canRestore
-                text: qsTr("Bring back")
+                text: qsTr("Restore")
                 onClicked: Recipes.restore()
             }
             Button {
@@ -140,9 +140,9 @@ Page {
             anchors { fill: parent; margins: Theme.size.padding }
             visible: list.count === 0
             wrapMode: Text.WordWrap
-            text: !Recipes.ready ? qsTr("The recipes are being read …")
-                : Recipes.search.length > 0 ? qsTr("No recipe has \"%1\" in its name. Change or clear the search.").arg(Recipes.search)
-                : qsTr("There is no recipe yet. Make a new one, or import one from a USB stick.")
+            text: !Recipes.ready ? qsTr("Reading the recipes …")
+                : Recipes.search.length > 0 ? qsTr("No recipe name contains \"%1\". Change or clear the search.").arg(Recipes.search)
+                : qsTr("There is no recipe yet. Create a recipe, or import one from a USB stick.")
             color: Theme.color.secondaryInk
         }
     }
@@ -254,7 +254,7 @@ Page {
         id: removeSheet
         ConfirmSheet {
             title: qsTr("Delete %1?").arg(Recipes.chosenName)
-            question: qsTr("It leaves the list. Its versions are kept: it comes back when a recipe is saved under its name.")
+            question: qsTr("The recipe leaves the list; its versions are kept. Saving a recipe under this name restores them.")
             ways: [{ key: "remove", text: qsTr("Delete"), primary: true }]
             onChosen: Recipes.remove()
         }
@@ -263,7 +263,7 @@ Page {
         id: unsavedSheet
         ConfirmSheet {
             title: qsTr("%1 is not saved").arg(Editor.recipeName)
-            question: qsTr("It was edited. If another recipe is opened without saving, the edits are gone.")
+            question: qsTr("The recipe was edited. Opening another recipe without saving discards the edits.")
             ways: [{ key: "discard", text: qsTr("Discard edits"), primary: false },
                 { key: "save", text: qsTr("Save as version %1").arg(Recipes.nextVersion), primary: true }]
             onChosen: key => {

@@ -149,7 +149,7 @@ ServiceSection {
             wrapMode: Text.WordWrap
             fontSizeMode: Text.Fit
             minimumPixelSize: Theme.size.caption - 2
-            text: qsTr("Only on the screen: nothing moves and nothing is sent to the controller. Turn the left dial.")
+            text: qsTr("Only on the screen: the machine does not move, and nothing is sent to the controller. Turn the left dial.")
             color: Theme.color.secondaryInk
         }
     }

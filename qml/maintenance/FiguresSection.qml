@@ -23,7 +23,7 @@ ServiceSection {
         FigureColumn {
             width: columns.columnWidth
             objectName: "figuresExchanges"
-            title: qsTr("Exchanges")
+            title: qsTr("Communication")
             figures: section.figures.exchanges
             quantities: [Explanations.WireShare]
             onExplainRequested: quantities => section.page.numbersExplainRequested(quantities)
@@ -36,7 +36,7 @@ ServiceSection {
         FigureColumn {
             width: columns.columnWidth
             objectName: "figuresTimes"
-            title: qsTr("Time of answers")
+            title: qsTr("Response time")
             figures: section.figures.times
             quantities: [Explanations.AnswersHalf, Explanations.Answers95, Explanations.Answers99, Explanations.AnswersLongest, Explanations.AnswerAllowance]
             onExplainRequested: quantities => section.page.numbersExplainRequested(quantities)
@@ -78,9 +78,9 @@ ServiceSection {
         errors: section.figures.stripErrors
         timesMs: section.figures.stripP99Ms
         end: section.figures.stripEnd
-        answersTitle: qsTr("Answers, at most %1 a minute")
-        timesTitle: qsTr("99 % answered within, at most %1 ms")
-        errorsTitle: qsTr("Errors, at most %1 a minute")
+        answersTitle: qsTr("Responses, max. %1 per minute")
+        timesTitle: qsTr("99 % of responses within, max. %1 ms")
+        errorsTitle: qsTr("Errors, max. %1 per minute")
         localeName: Theme.language
         textFont: Theme.captionFont
         textColor: Theme.color.secondaryInk
@@ -100,7 +100,7 @@ ServiceSection {
             objectName: "figuresReset"
             width: foot.keyWidth
             glyph: Theme.icon.refresh
-            text: qsTr("Count from zero")
+            text: qsTr("Reset counters")
             onClicked: section.figures.reset()
         }
         Button {
@@ -117,6 +117,6 @@ ServiceSection {
     }
     Component {
         id: exportSheet
-        ReportFilesSheet { title: qsTr("Figures as CSV") }
+        ReportFilesSheet { title: qsTr("Statistics as CSV") }
     }
 }

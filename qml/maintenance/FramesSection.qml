@@ -82,7 +82,7 @@ ServiceSection {
         visible: list.count === 0
         horizontalAlignment: Text.AlignHCenter
         wrapMode: Text.WordWrap
-        text: qsTr("Nothing of this kind has passed.")
+        text: qsTr("No frames of this kind.")
         color: Theme.color.secondaryInk
     }
     Component {

@@ -74,7 +74,7 @@ ServiceSection {
             objectName: "homingPosition"
             width: speed.cell
             stale: !Controller.fresh
-            label: qsTr("Position since then")
+            label: qsTr("Position since homing")
             value: !section.good || isNaN(Controller.live.positionMm) ? Theme.unknownText : qsTr("%1 mm").arg(Theme.number(Controller.live.positionMm, 2))
         }
         SettingRow {

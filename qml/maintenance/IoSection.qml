@@ -28,7 +28,7 @@ ServiceSection {
             IoColumn {
                 objectName: "ioInputs"
                 width: parent.width
-                title: qsTr("Inputs, as the controller counts them")
+                title: qsTr("Inputs (counted by the controller)")
                 io: section.io
                 side: Io.Input
             }
@@ -68,8 +68,8 @@ ServiceSection {
         objectName: "ioText"
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
         wrapMode: Text.WordWrap
-        text: section.io.stale ? qsTr("Nothing comes from the controller: what is grey is how it was.")
-            : qsTr("The controller tells what it counts at its inputs, not the levels of its pins. A full lamp is on.")
+        text: section.io.stale ? qsTr("No data from the controller: grey values were received last.")
+            : qsTr("The controller reports the counts of its inputs, not the levels of its pins. A filled lamp means on.")
         color: section.io.stale ? Theme.color.warning : Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }

@@ -35,7 +35,7 @@ ServiceSection {
             objectName: "registerName"
             width: (filters.width - 2 * filters.spacing - clearButton.width) / 2
             label: qsTr("Name contains")
-            value: section.inspector.nameFilter.length > 0 ? section.inspector.nameFilter : qsTr("anything")
+            value: section.inspector.nameFilter.length > 0 ? section.inspector.nameFilter : qsTr("any")
             onClicked: section.page.sheetRequested(nameSheet)
         }
         Button {
@@ -74,7 +74,7 @@ ServiceSection {
         visible: list.count === 0
         wrapMode: Text.WordWrap
         horizontalAlignment: Text.AlignHCenter
-        text: qsTr("No register has this in its name.")
+        text: qsTr("No register name contains this text.")
         color: Theme.color.secondaryInk
     }
     Item {

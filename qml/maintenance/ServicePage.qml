@@ -14,8 +14,8 @@ Page {
     property int group
     property var chosen: [0, 0, 0]         // the key of each group's section
     readonly property var line: [
-        { key: 0, name: "service0", text: qsTr("Link doctor"), source: "DoctorSection.qml" },
-        { key: 1, name: "service1", text: qsTr("Figures"), source: "FiguresSection.qml" },
+        { key: 0, name: "service0", text: qsTr("Diagnostics"), source: "DoctorSection.qml" },
+        { key: 1, name: "service1", text: qsTr("Statistics"), source: "FiguresSection.qml" },
         { key: 2, name: "service2", text: qsTr("Registers"), source: "RegistersSection.qml" },
         { key: 3, name: "service3", text: qsTr("Frames"), source: "FramesSection.qml" }
     ]
@@ -76,8 +76,8 @@ Page {
     Component {
         id: groupSheet
         ListPicker {
-            title: qsTr("Service")
-            choices: [{ key: 0, text: qsTr("The line to the controller") }, { key: 1, text: qsTr("The machine") }, { key: 2, text: qsTr("What the panel keeps") }]
+            title: qsTr("Maintenance")
+            choices: [{ key: 0, text: qsTr("Connection to the controller") }, { key: 1, text: qsTr("Machine") }, { key: 2, text: qsTr("Panel data") }]
             current: page.group
             onChosen: key => {
                 page.group = key

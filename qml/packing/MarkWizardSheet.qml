@@ -40,8 +40,8 @@ Item {
         anchors.fill: parent
         visible: !keypad.active
         title: qsTr("Mark sensor to knife")
-        note: sheet.ended ? "" : [qsTr("Step 1 of 5: what this does"), qsTr("Step 2 of 5: cut bags"), qsTr("Step 3 of 5: measure"),
-            qsTr("Step 4 of 5: write"), qsTr("Step 4 of 5: write"), qsTr("Step 5 of 5: watch")][sheet.step]
+        note: sheet.ended ? "" : [qsTr("Step 1 of 5: introduction"), qsTr("Step 2 of 5: cut bags"), qsTr("Step 3 of 5: measure"),
+            qsTr("Step 4 of 5: write"), qsTr("Step 4 of 5: write"), qsTr("Step 5 of 5: check")][sheet.step]
         panelWidth: width * 0.9
         onClosed: sheet.closed()
 
@@ -77,11 +77,11 @@ Item {
                 value: sheet.wizard.meanText
             }
             Pair {
-                name: qsTr("Wanted")
+                name: qsTr("Target")
                 value: sheet.wizard.offsetText
             }
             Pair {
-                name: qsTr("Distance before")
+                name: qsTr("Old distance")
                 value: sheet.wizard.oldText
             }
             Pair {
@@ -123,7 +123,7 @@ Item {
                 objectName: "wizardRuler"
                 visible: sheet.step === MarkWizard.Step.Measure && Controller.simulated
                 enabled: sheet.wizard.canReadRuler
-                text: qsTr("Read the ruler")
+                text: qsTr("Read ruler")
                 onClicked: sheet.wizard.measureSimulatedBag()
             },
             Button {

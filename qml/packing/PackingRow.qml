@@ -55,7 +55,7 @@ T.AbstractButton {
             objectName: "packingTake" + row.index
             anchors { right: shown.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
             visible: row.suggestion.length > 0
-            text: qsTr("Take %1").arg(row.suggestion)
+            text: qsTr("Apply %1").arg(row.suggestion)
             onClicked: row.suggestionTaken()
         }
         Row {

@@ -52,7 +52,7 @@ ServiceSection {
             spacing: Theme.size.spacing
             Button {
                 objectName: "packingTeach"
-                text: qsTr("Measure the marks")
+                text: qsTr("Measure marks")
                 enabled: section.setup.canTeach
                 onClicked: section.setup.teach()
             }
@@ -103,7 +103,7 @@ ServiceSection {
             minimumPixelSize: Theme.size.caption - 2
             verticalAlignment: Text.AlignVCenter
             text: section.fields.outcomeText.length > 0 ? section.fields.outcomeText
-                : qsTr("Values are used at once. The controller keeps them over a power-off only after Save.")
+                : qsTr("Changes take effect at once. Press Save to keep the values after power-off.")
             color: section.fields.failed ? Theme.color.fault : section.fields.outcomeText.length > 0 ? Theme.color.ink : Theme.color.secondaryInk
         }
         Button {

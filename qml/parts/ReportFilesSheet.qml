@@ -14,7 +14,7 @@ Sheet {
     property bool chosenUsable
 
     property ReportFiles files: Service.files
-    readonly property string hint: sheet.files.busy ? qsTr("Looking …") : qsTr("Choose the place of the new files.")
+    readonly property string hint: sheet.files.busy ? qsTr("Searching …") : qsTr("Choose the location of the new files.")
 
     // Searches again, to find a stick when it is plugged in.
     Timer {

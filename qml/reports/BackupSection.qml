@@ -32,8 +32,8 @@ ServiceSection {
             id: backupRow
             width: rows.width
             title: qsTr("Backup")
-            note: qsTr("All that this panel keeps in one file: recipes with their versions, machine data, users, alarms, audit trail, bags, trends, settings.")
-            action: qsTr("Make a backup")
+            note: qsTr("All data of this panel in one file: recipes with their versions, machine data, users, alarms, audit trail, bags, trends, settings.")
+            action: qsTr("Create backup")
             name: "backupMake"
             glyph: Theme.icon.save
             keyWidth: section.keyWidth
@@ -44,8 +44,8 @@ ServiceSection {
             id: restoreRow
             width: rows.width
             title: qsTr("Restore")
-            note: qsTr("Puts a backup in the place of all that. The file is checked first, and what is here now is kept as a backup too.")
-            action: qsTr("Choose a file")
+            note: qsTr("Replaces all these data by a backup. The file is checked first, and the present data are saved as a backup.")
+            action: qsTr("Choose file")
             name: "backupRestore"
             glyph: Theme.icon.undo
             keyWidth: section.keyWidth
@@ -56,8 +56,8 @@ ServiceSection {
             id: reportRow
             width: rows.width
             title: qsTr("Commissioning report")
-            note: qsTr("A PDF of the open recipe with its curves, limits and table, of the machine data, of what the controller runs and of the last bags.")
-            action: qsTr("Make a report")
+            note: qsTr("PDF with the open recipe (curves, limits, table), machine data, controller program and last bags.")
+            action: qsTr("Create report")
             name: "reportMake"
             glyph: Theme.icon.save
             keyWidth: section.keyWidth
@@ -70,8 +70,8 @@ ServiceSection {
             id: bundleRow
             width: rows.width
             title: qsTr("Service bundle")
-            note: qsTr("For a manufacturer who helps: open recipe, table, controller, alarms and changes of 7 days, link, the last 10 seconds. No PINs.")
-            action: qsTr("Make a bundle")
+            note: qsTr("For the manufacturer's support: open recipe, table, controller, alarms and changes of 7 days, communication, the last 10 seconds. No PINs.")
+            action: qsTr("Create bundle")
             name: "bundleMake"
             glyph: Theme.icon.save
             keyWidth: section.keyWidth
@@ -92,17 +92,17 @@ ServiceSection {
     Component {
         id: backupPlaces
         ReportFilesSheet {
-            title: qsTr("Where to write the backup")
+            title: qsTr("Location of the backup")
             files: Backup.places
         }
     }
     Component {
         id: reportPlaces
-        ReportFilesSheet { title: qsTr("Where to write the report") }
+        ReportFilesSheet { title: qsTr("Location of the report") }
     }
     Component {
         id: bundlePlaces
-        ReportFilesSheet { title: qsTr("Where to write the service bundle") }
+        ReportFilesSheet { title: qsTr("Location of the service bundle") }
     }
     Component {
         id: restoreSheet

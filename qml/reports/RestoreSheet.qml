@@ -57,10 +57,10 @@ Sheet {
         wrapMode: Text.Wrap
         fontSizeMode: Text.Fit
         minimumPixelSize: Theme.size.caption - 3
-        text: Backup.busy ? (sheet.chosen >= 0 ? qsTr("Checking …") : qsTr("Looking …"))
+        text: Backup.busy ? (sheet.chosen >= 0 ? qsTr("Checking …") : qsTr("Searching …"))
             : sheet.hasMessage ? Backup.message : sheet.chosen >= 0 ? sheet.chosenDetail
-            : list.count > 0 ? qsTr("Choose a file to see what is in it.")
-            : qsTr("There is no backup on a USB stick or on this panel. Plug in a stick: it is found by itself.")
+            : list.count > 0 ? qsTr("Choose a file to view its content.")
+            : qsTr("There is no backup on a USB stick or on this panel. Plug a stick in; the panel finds it automatically.")
         color: sheet.hasMessage || sheet.chosen >= 0 && !sheet.chosenUsable ? Theme.color.fault
             : sheet.chosen >= 0 ? Theme.color.ink : Theme.color.secondaryInk
     }

@@ -40,7 +40,7 @@ Card {
         }
         Label {
             anchors.right: parent.right
-            text: qsTr("scatter %1").arg(Theme.number(Controller.bags.scatterMm, 2))
+            text: qsTr("std dev %1").arg(Theme.number(Controller.bags.scatterMm, 2))
             color: card.figureColor
             font.pixelSize: Theme.size.caption
         }

@@ -29,7 +29,7 @@ Card {
             fontSizeMode: Text.HorizontalFit
             minimumPixelSize: Theme.size.caption - 2
             font.pixelSize: Theme.size.caption
-            text: Controller.bags.lengths > 1 ? qsTr("Bag of %1 lengths, cut left out").arg(Controller.bags.lengths) : qsTr("Bag length")
+            text: Controller.bags.lengths > 1 ? qsTr("Bag of %1 lengths, skipped cut").arg(Controller.bags.lengths) : qsTr("Bag length")
             color: !Controller.fresh ? Theme.color.disabledInk : Controller.bags.lengths > 1 ? Theme.color.warning : Theme.color.secondaryInk
         }
         Readout {
@@ -44,7 +44,7 @@ Card {
             anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
             fontSizeMode: Text.HorizontalFit
             minimumPixelSize: Theme.size.caption - 3
-            text: qsTr("mean %1, scatter %2").arg(Theme.number(Controller.bags.meanMm, 2)).arg(Theme.number(Controller.bags.scatterMm, 2))
+            text: qsTr("mean %1, std dev %2").arg(Theme.number(Controller.bags.meanMm, 2)).arg(Theme.number(Controller.bags.scatterMm, 2))
             color: card.figureColor
             font.pixelSize: Theme.size.caption
         }

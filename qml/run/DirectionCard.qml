@@ -39,7 +39,7 @@ Card {
         anchors { right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
         width: Math.round(parent.width * 0.56)
         enabled: card.direction.canChange
-        choices: [{ key: MasterDirection.Forward, text: qsTr("Forward"), name: "directionForward" }, { key: MasterDirection.Backward, text: qsTr("Backward"), name: "directionBackward" }]
+        choices: [{ key: MasterDirection.Forward, text: qsTr("Forward"), name: "directionForward" }, { key: MasterDirection.Backward, text: qsTr("Reverse"), name: "directionBackward" }]
         current: card.direction.way
         onChosen: key => card.direction.turn(key)
     }

@@ -45,18 +45,18 @@ Item {
         columns: 2
 
         Key {
-            text: qsTr("mark seen")
+            text: qsTr("mark detected")
             Sign { color: Theme.color.ink }
         }
         Key {
-            text: qsTr("mark not seen, reckoned")
+            text: qsTr("missed mark, calculated")
             Sign {
                 color: Theme.color.touchTint
                 border { width: Theme.size.hairline; color: Theme.color.ink }
             }
         }
         Key {
-            text: qsTr("next mark expected here")
+            text: qsTr("next expected mark")
             Sign {
                 width: Theme.size.mark
                 color: Theme.color.touchTint
@@ -79,7 +79,7 @@ Item {
             }
         }
         Key {
-            text: qsTr("cut left out")
+            text: qsTr("skipped cut")
             IconLabel {
                 anchors.centerIn: parent
                 code: Theme.icon.close

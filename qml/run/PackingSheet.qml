@@ -48,19 +48,19 @@ Sheet {
     Column {
         Heading { text: sheet.line.markStateText }
         Figure { objectName: "sheetMarkError"; label: qsTr("Mark error of the last cut"); value: sheet.millimeters(sheet.line.markErrorMm) }
-        Figure { label: qsTr("Distance of the marks"); value: isNaN(sheet.line.markPitchMm) ? Theme.unknownText : qsTr("%1 mm").arg(Theme.number(sheet.line.markPitchMm, 2)) }
+        Figure { label: qsTr("Mark distance"); value: isNaN(sheet.line.markPitchMm) ? Theme.unknownText : qsTr("%1 mm").arg(Theme.number(sheet.line.markPitchMm, 2)) }
         Figure { label: qsTr("Shift of the next cut"); value: sheet.millimeters(sheet.line.phaseCorrectionMm) }
-        Figure { label: qsTr("Correction of the length"); value: sheet.millimeters(sheet.line.lengthCorrectionMm) }
-        Figure { label: qsTr("Corrections at their limit"); value: Theme.count(sheet.line.correctionsLimited, 0) }
-        Figure { label: qsTr("Marks followed"); value: Theme.count(sheet.line.marks, 0) }
-        Figure { label: qsTr("Marks missing"); value: Theme.count(sheet.line.marksMissing, 0) }
-        Figure { label: qsTr("Marks where none belongs"); value: Theme.count(sheet.line.marksFalse, 0) }
+        Figure { label: qsTr("Length correction"); value: sheet.millimeters(sheet.line.lengthCorrectionMm) }
+        Figure { label: qsTr("Corrections at limit"); value: Theme.count(sheet.line.correctionsLimited, 0) }
+        Figure { label: qsTr("Tracked marks"); value: Theme.count(sheet.line.marks, 0) }
+        Figure { label: qsTr("Missing marks"); value: Theme.count(sheet.line.marksMissing, 0) }
+        Figure { label: qsTr("Unexpected marks"); value: Theme.count(sheet.line.marksFalse, 0) }
     }
     Column {
         anchors.right: parent.right
         Heading { text: qsTr("Cuts and film") }
         Figure { label: qsTr("Products"); value: Theme.count(sheet.line.products, 0) }
-        Figure { label: qsTr("Skipped cuts, product across"); value: Theme.count(sheet.line.cutsSkipped, 0) }
+        Figure { label: qsTr("Skipped cuts, product in the way"); value: Theme.count(sheet.line.cutsSkipped, 0) }
         Figure { label: qsTr("Bags without product"); value: Theme.count(sheet.line.emptyBags, 0) }
         Figure { label: qsTr("Film saved"); value: isNaN(sheet.line.filmSavedM) ? Theme.unknownText : qsTr("%1 m").arg(Theme.number(sheet.line.filmSavedM, 1)) }
         Figure { label: qsTr("Following error of the knife"); value: sheet.millimeters(Controller.live.followingErrorMm) }

@@ -39,7 +39,7 @@ Item {
         anchors { left: position.right; leftMargin: view.gap; right: parent.right }
         height: view.upper
         text: Controller.strokes.rows.count > 0 ? Theme.count(Controller.strokes.goodCount, 0) + " / " + Theme.count(Controller.strokes.rows.count, 0) : Theme.unknownText
-        caption: qsTr("good of the last strokes")
+        caption: qsTr("good / last strokes")
         quantities: [Explanations.GoodStrokes]
         onExplainRequested: quantities => view.explainRequested(quantities)
     }

@@ -96,7 +96,7 @@ Card {
         visible: Controller.strokes.rows.count === 0
         horizontalAlignment: Text.AlignHCenter
         wrapMode: Text.WordWrap
-        text: qsTr("Each stroke is listed here when it ends.")
+        text: qsTr("Completed strokes are listed here.")
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }

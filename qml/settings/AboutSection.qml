@@ -29,7 +29,7 @@ SettingsSection {
             objectName: "safetySentence"
             anchors { left: mark.right; right: parent.right; margins: Theme.size.padding; verticalCenter: parent.verticalCenter }
             wrapMode: Text.WordWrap
-            text: qsTr("Stop on this panel is no safety function. The machine needs an emergency stop that is wired in hardware.")
+            text: qsTr("Stop on this panel is not a safety function. The machine needs a hard-wired emergency stop.")
             font.weight: Font.DemiBold
         }
     }
@@ -39,7 +39,7 @@ SettingsSection {
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
         minimumPixelSize: Theme.size.caption - 2
-        text: qsTr("Touchscreen of an electronic-cam machine. It computes the cam, writes it to the motion controller and shows what the controller really does.")
+        text: qsTr("Touchscreen of an electronic-cam machine. CamPanel computes the cam, downloads the program to the motion controller and shows the controller's actual values.")
             + "\n\n" + qsTr("Licence: Apache 2.0. Made with Qt (LGPL 3), Qwt (Qwt licence 1.0), libmodbus (LGPL 2.1).")
         color: Theme.color.secondaryInk
     }

@@ -59,7 +59,7 @@ SettingsSection {
             }
             SettingRow {
                 width: section.half
-                label: qsTr("Unit")
+                label: qsTr("Unit number")
                 value: Settings.unit
                 onClicked: section.page.sheetRequested(unitSheet)
             }
@@ -68,7 +68,7 @@ SettingsSection {
             width: parent.width
             visible: Settings.simulated
             wrapMode: Text.WordWrap
-            text: qsTr("The simulated controller runs inside this computer and moves no machine. Use it to learn and to try recipes.")
+            text: qsTr("The simulated controller runs on this computer and moves no machine. It serves for training and for testing recipes.")
             color: Theme.color.secondaryInk
         }
     }

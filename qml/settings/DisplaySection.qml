@@ -55,7 +55,7 @@ SettingsSection {
                     width: parent.width
                     fontSizeMode: Text.HorizontalFit
                     minimumPixelSize: Theme.size.caption - 2
-                    text: qsTr("Keys for gloves")
+                    text: qsTr("Glove mode")
                     color: Theme.color.secondaryInk
                 }
                 Segmented {
@@ -91,7 +91,7 @@ SettingsSection {
             visible: parent.y + y + implicitHeight <= section.height // only if there is space
             width: parent.width
             wrapMode: Text.WordWrap
-            text: qsTr("Light for a bright hall, dark for the night shift, high contrast for tired eyes or a dirty screen. For gloves all keys are a quarter larger. Numbers and units follow the language.")
+            text: qsTr("Use light in a bright hall, dark in the night shift, high contrast for a dirty screen. Glove mode enlarges all keys by a quarter; numbers and units follow the language.")
             color: Theme.color.secondaryInk
         }
     }

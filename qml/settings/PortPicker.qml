@@ -16,7 +16,7 @@ Sheet {
         anchors { left: parent.left; right: parent.right; top: parent.top }
         visible: list.count === 0
         wrapMode: Text.WordWrap
-        text: qsTr("This computer has no serial port. Plug in the adapter and press Search again.")
+        text: qsTr("This computer has no serial port. Plug the adapter in and press Search again.")
         color: Theme.color.secondaryInk
     }
     ListView {

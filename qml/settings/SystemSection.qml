@@ -65,7 +65,7 @@ SettingsSection {
         Caption {
             wrapMode: Text.Wrap
             fontSizeMode: Text.FixedSize
-            text: qsTr("Dark after so many minutes without a touch, when nothing moves")
+            text: qsTr("Screen off after minutes without touch, at standstill")
         }
         Row {
             id: darkRow
@@ -81,7 +81,7 @@ SettingsSection {
             Button {
                 id: wipeKey
                 objectName: "wipeScreen"
-                text: qsTr("Wipe")
+                text: qsTr("Clean")
                 onClicked: Display.wipe()
             }
         }
@@ -97,8 +97,8 @@ SettingsSection {
         Caption {
             wrapMode: Text.Wrap
             fontSizeMode: Text.FixedSize
-            text: Display.adjustable ? qsTr("Clock and network are set in the system.")
-                : qsTr("Clock and network are set in the system. This screen has no brightness that could be set here.")
+            text: Display.adjustable ? qsTr("Set clock and network in the operating system.")
+                : qsTr("Set clock and network in the operating system. The brightness of this screen cannot be set here.")
         }
     }
 }

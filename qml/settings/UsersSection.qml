@@ -44,7 +44,7 @@ SettingsSection {
             visible: !Access.protectedByPins
             width: parent.width
             wrapMode: Text.WordWrap
-            text: qsTr("No PIN is set: everybody may do everything. With the first user that changes. Viewing and Stop never need a login.")
+            text: qsTr("No PIN is set: all users have full access until the first user is added. Viewing and Stop never need a login.")
             color: Theme.color.secondaryInk
         }
         Column {
@@ -123,14 +123,14 @@ SettingsSection {
             objectName: "withoutLogin"
             visible: Access.protectedByPins
             width: section.half
-            label: qsTr("Without a login")
-            value: Settings.operatorsLogIn ? qsTr("look and stop") : qsTr("operate")
+            label: qsTr("Without login")
+            value: Settings.operatorsLogIn ? qsTr("view and stop") : qsTr("operate")
             onClicked: section.page.sheetRequested(withoutLoginPicker)
         }
         SettingRow {
             objectName: "auditButton"
             width: section.half
-            label: qsTr("Who changed what")
+            label: qsTr("Record of changes")
             value: qsTr("Audit trail")
             onClicked: section.page.sheetRequested(auditSheet)
         }
@@ -208,7 +208,7 @@ SettingsSection {
         id: logoutPicker
         ListPicker {
             readonly property var minutes: Settings.autoLogoutChoices
-            title: qsTr("Log out without a touch after")
+            title: qsTr("Logout without touch after")
             choices: minutes.map(key => ({ key: key, text: qsTr("%1 min").arg(key) }))
             current: Settings.autoLogoutMinutes
             onChosen: key => {
@@ -220,9 +220,9 @@ SettingsSection {
     Component {
         id: withoutLoginPicker
         ListPicker {
-            title: qsTr("Without a login")
+            title: qsTr("Without login")
             choices: [{ key: false, text: qsTr("Operate"), note: Access.permissionText(Access.Operator) },
-                { key: true, text: qsTr("Look and stop"), note: qsTr("operators log in too") }]
+                { key: true, text: qsTr("View and stop"), note: qsTr("operators must log in") }]
             current: Settings.operatorsLogIn
             onChosen: key => {
                 Settings.operatorsLogIn = key

@@ -24,8 +24,8 @@ Card {
     function figuresOf(lane: int, quantity: int): string {
         const found = Trends.statistics[lane]
         if (!found || found.count === 0)
-            return qsTr("nothing recorded in this time")
-        const figures = (quantity <= Trends.Deviation ? qsTr("n %1 · mean %2 · scatter %3 · %4 … %5 · %6 % within") : qsTr("n %1 · mean %2 · scatter %3 · %4 … %5"))
+            return qsTr("no data in this time")
+        const figures = (quantity <= Trends.Deviation ? qsTr("n %1 · mean %2 · std dev %3 · %4 … %5 · %6 % within") : qsTr("n %1 · mean %2 · std dev %3 · %4 … %5"))
             .arg(Theme.count(found.count, 0)).arg(card.figure(quantity, found.mean)).arg(card.figure(quantity, found.scatter))
             .arg(card.figure(quantity, found.low)).arg(card.figure(quantity, found.high))
         return quantity <= Trends.Deviation ? figures.arg(Theme.number(100 * found.within, 1)) : figures
@@ -38,7 +38,7 @@ Card {
     // Returns the figures; `at` is the revision of the curves that a binding depends on.
     function valuesOf(lane: int, quantity: int, at: int): string {
         const values = plot.valuesAt(lane, card.cursor)
-        return isNaN(values[1]) ? qsTr("%1 · nothing recorded").arg(card.momentOf(card.cursor))
+        return isNaN(values[1]) ? qsTr("%1 · no data").arg(card.momentOf(card.cursor))
             : qsTr("%1 · mean %2 · %3 … %4").arg(card.momentOf(card.cursor)).arg(card.figure(quantity, values[1]))
                 .arg(card.figure(quantity, values[0])).arg(card.figure(quantity, values[2]))
     }
@@ -111,8 +111,8 @@ Card {
         width: parent.width - 4 * Theme.size.padding
         horizontalAlignment: Text.AlignHCenter
         wrapMode: Text.WordWrap
-        text: Trends.content === Trends.NothingYet ? qsTr("Nothing of these curves has been recorded yet. Press Start, or choose others with Curves.")
-            : qsTr("Nothing was recorded in this time. Press Now, or − for a longer time.")
+        text: Trends.content === Trends.NothingYet ? qsTr("There are no data of these curves yet. Press Start, or choose other curves with Curves.")
+            : qsTr("There are no data in this time. Press Now, or − for a longer time.")
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.title
     }

@@ -16,7 +16,7 @@ Sheet {
 
     panelHeight: Theme.size.touch + Theme.size.outline + 3 * (sheet.rowHeight + Theme.size.spacing) + Theme.size.padding
     title: qsTr("Curves")
-    note: qsTr("Up to three; one more takes the place of the lowest.")
+    note: qsTr("Up to three curves; one more replaces the lowest.")
 
     Grid {
         id: grid

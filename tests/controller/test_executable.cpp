@@ -252,7 +252,7 @@ void TestExecutable::answersTakeAsLongAsOnTheWire_data()
 {
     QTest::addColumn<int>("baud");
     QTest::addColumn<QString>("parity");
-    QTest::addColumn<double>("leastMs");
+    QTest::addColumn<double>("minMs");
     // 8 bytes out, 3.5 characters of silence, 85 bytes back.
     QTest::newRow("115200 8N1") << 115200 << u"N"_s << (93 * 10 / 115.2 + 1.75);
     QTest::newRow("9600 8E1") << 9600 << u"E"_s << (93 + 3.5) * 11 / 9.6;

@@ -278,13 +278,13 @@ void TestKindsAndController::aMissingWorkPieceIsAFault()
     if (QTest::currentTestFailed())
         return;
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Controller::State::Fault, timeoutMs);
-    QVERIFY2(panel.machine.alarmText().contains("The press did not feel a work piece."),
+    QVERIFY2(panel.machine.alarmText().contains("The press did not detect a workpiece."),
              qPrintable(panel.machine.alarmText()));
     QVERIFY(!panel.machine.canStart());
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine.strokes()->rows()->count(), 1, timeoutMs);
     QCOMPARE(panel.machine.strokes()->goodCount(), 0);
     const auto& stroke = panel.machine.strokes()->rows()->row(0);
-    QCOMPARE(stroke.resultText(), "Never touched");
+    QCOMPARE(stroke.resultText(), "No contact");
     panel.machine.resetFault();
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Controller::State::Ready, timeoutMs);
 }

@@ -163,7 +163,7 @@ void TestLineTrouble::controllerIsKilledAndStartedAgain()
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Controller::State::Ready, timeoutMs);
     QCOMPARE(panel.machine.bags().count, 0.0);
     QCOMPARE(panel.machine.commandMessage(),
-             QStringLiteral("The line is back. The controller has restarted meanwhile."));
+             QStringLiteral("Connection restored. The controller has restarted meanwhile."));
     verifyTrue(panel);
 }
 
@@ -180,7 +180,8 @@ void TestLineTrouble::stopPressedWithoutALineIsSentWhenItIsBack()
     QTRY_VERIFY_WITH_TIMEOUT(panel.machine.stopWaits(), timeoutMs);
     QTRY_COMPARE_WITH_TIMEOUT(
         panel.machine.commandMessage(),
-        QStringLiteral("The line is back: Stop was sent and the controller has taken it."), timeoutMs);
+        QStringLiteral("Connection restored: Stop was sent, and the controller accepted the command."),
+        timeoutMs);
     QVERIFY(!panel.machine.stopWaits());
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Controller::State::Ready, timeoutMs);
 }

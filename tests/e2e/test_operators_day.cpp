@@ -196,7 +196,7 @@ private slots:
         download(panel);
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().active().bagLengthMm, 250.0, timeoutMs);
         QCOMPARE(panel.machine().state(), Controller::State::Running);
-        QVERIFY2(panel.texts().contains(QStringLiteral("Downloaded. The machine runs with this recipe.")),
+        QVERIFY2(panel.texts().contains(QStringLiteral("Downloaded. The machine is running this recipe.")),
                  qPrintable(panel.texts()));
         // Both downloads are versions of it.
         QTRY_COMPARE_WITH_TIMEOUT(panel.panel().recipes().list()->rows().first().version, 3, timeoutMs);

@@ -248,9 +248,9 @@ void TestPanelAndController::theMasterIsTurnedRound()
                          [&] { hasTurned |= direction.turning(); });
         const std::size_t before = panel.statuses().size();
         panel.tap("directionBackward");
-        QTRY_VERIFY_WITH_TIMEOUT(panel.texts().contains("Turning to backward"), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.texts().contains("Changing to reverse"), timeoutMs);
         QCOMPARE(direction.way(), Way::Backward);
-        QTRY_VERIFY_WITH_TIMEOUT(panel.texts().contains("runs backward"), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.texts().contains("runs in reverse"), timeoutMs);
         QVERIFY(hasTurned);
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().live().masterSpeedPercent, 100.0, timeoutMs);
         // Down by its ramp and up again, never stopped as a program.
@@ -266,10 +266,10 @@ void TestPanelAndController::theMasterIsTurnedRound()
     }
     PanelWindow later(controller.port());
     QTRY_COMPARE_WITH_TIMEOUT(later.machine().direction()->way(), Way::Backward, timeoutMs);
-    QTRY_VERIFY_WITH_TIMEOUT(later.texts().contains("runs backward"), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(later.texts().contains("runs in reverse"), timeoutMs);
     later.tap("stopKey");
     QTRY_COMPARE_WITH_TIMEOUT(later.machine().state(), Controller::State::Ready, timeoutMs);
-    QTRY_VERIFY_WITH_TIMEOUT(later.texts().contains("starts backward"), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(later.texts().contains("starts in reverse"), timeoutMs);
     QCOMPARE(later.statuses().back().commandedPositionPulses, 0); // a closed cam ends where it began
     later.tap("directionForward");
     QTRY_VERIFY_WITH_TIMEOUT(later.texts().contains("starts forward"), timeoutMs);
@@ -283,8 +283,7 @@ void TestPanelAndController::aBusyPortIsTakenWhenItIsFree()
     QTRY_COMPARE_WITH_TIMEOUT(first->machine().connection(), Controller::Connection::Connected, timeoutMs);
     PanelWindow second(controller.port());
     QTRY_COMPARE_WITH_TIMEOUT(second.machine().connection(), Controller::Connection::PortProblem, timeoutMs);
-    QTRY_VERIFY_WITH_TIMEOUT(second.texts().contains("in use by another program. Close that program"),
-                             timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(second.texts().contains("is using port"), timeoutMs);
     QCOMPARE(first->machine().connection(), Controller::Connection::Connected);
     first.reset();
     QTRY_COMPARE_WITH_TIMEOUT(second.machine().connection(), Controller::Connection::Connected, timeoutMs);
@@ -296,8 +295,9 @@ void TestPanelAndController::badPorts_data()
     QTest::addColumn<Controller::Connection>("connection");
     QTest::addColumn<QString>("words");
     // It may still be plugged in: the panel keeps searching.
-    QTest::newRow("absent") << "/dev/ttyNONE7" << Controller::Connection::Searching
-                            << "There is no port /dev/ttyNONE7. Plug the adapter in, or choose another port";
+    QTest::newRow("absent")
+        << "/dev/ttyNONE7" << Controller::Connection::Searching
+        << "Port /dev/ttyNONE7 does not exist. Plug the adapter in, or choose another port";
     QTest::newRow("no serial port") << "/dev/null" << Controller::Connection::PortProblem
                                     << "/dev/null is not a serial port. Choose another port";
 }

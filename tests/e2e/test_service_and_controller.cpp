@@ -49,7 +49,7 @@ private slots:
         panel.tapDigits(QStringLiteral("900"));
         panel.tap("keypadAccept");
         QTRY_COMPARE_WITH_TIMEOUT(panel.service().inspector()->selectedText(),
-                                  "Written, and read back from the controller: 900 ms.", timeoutMs);
+                                  "Written and read back from the controller: 900 ms.", timeoutMs);
         QTRY_COMPARE_WITH_TIMEOUT(rampTime(panel), "900 ms", timeoutMs);
 
         panel.tap("service1");
@@ -64,7 +64,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(frames.count() >= 2, timeoutMs);
         QCOMPARE(frames.data(frames.index(0), panel::FrameList::WordsRole).toString(),
                  "Write parameter.ramp_time = 900 ms");
-        QCOMPARE(frames.data(frames.index(1), panel::FrameList::WordsRole).toString(), "Answer: done");
+        QCOMPARE(frames.data(frames.index(1), panel::FrameList::WordsRole).toString(), "Response: done");
         QCOMPARE(panel.complaints(), QStringList());
     }
 

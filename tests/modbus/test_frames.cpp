@@ -154,8 +154,8 @@ private slots:
                                                  FrameVerdict::Answer};
         QCOMPARE(verdicts, expected);
         const QString text = QString::fromStdString(framesText(m_client->record().frames.since(0)));
-        QVERIFY(text.contains("dropped: answer to another question: unit 1, read and write"));
-        QVERIFY(text.contains("no answer in time"));
+        QVERIFY(text.contains("dropped: response to another request: unit 1, read and write"));
+        QVERIFY(text.contains("response timeout"));
         QCOMPARE(m_client->record().figures.errors(LinkErrorKind::ForeignAnswer), 0u);
         QCOMPARE(m_client->record().figures.droppedBytes(),
                  static_cast<std::uint64_t>(statusFrames.answerBytes));
@@ -176,8 +176,8 @@ private slots:
         QVERIFY(!decodeFrame(recordOf(FrameVerdict::Drained, {1, 3, 2, 0, 5, 0x78, 0x47})).unit);
         QVERIFY(!decodeFrame(recordOf(FrameVerdict::BadChecksum, {1, 3, 2, 0, 5, 0, 0})).unit);
         QCOMPARE(sentenceOf(recordOf(FrameVerdict::Malformed, {0xFF, 0xFE, 0xFD})),
-                 QString("dropped: no frame, 3 bytes"));
-        QCOMPARE(sentenceOf(recordOf(FrameVerdict::Silence, {})), QString("no answer in time"));
+                 QString("dropped: invalid frame, 3 bytes"));
+        QCOMPARE(sentenceOf(recordOf(FrameVerdict::Silence, {})), QString("response timeout"));
         std::vector<std::uint8_t> exception{1, 0x97, 2};
         const std::uint16_t crc = crc16(exception);
         exception.push_back(static_cast<std::uint8_t>(crc & 0xFFu));

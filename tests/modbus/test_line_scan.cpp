@@ -187,7 +187,7 @@ private slots:
         const LineFinding garbage = diagnose(noisy.port());
         QCOMPARE(garbage.condition, LineCondition::Garbage);
         QVERIFY(garbage.bytesSeen >= 10);
-        QVERIFY(sentence(garbage).contains("baud rate or parity"));
+        QVERIFY(sentence(garbage).contains("baud rate and parity"));
 
         NoisyPort silent({});
         const LineFinding silence = diagnose(silent.port());

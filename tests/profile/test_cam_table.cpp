@@ -185,8 +185,8 @@ void TestCamTable::rowsOfAQuinticMove()
 void TestCamTable::statesTheInterpolationError_data()
 {
     QTest::addColumn<int>("points");
-    QTest::addColumn<double>("mostMm");
-    QTest::addColumn<double>("mostMmPerS");
+    QTest::addColumn<double>("maxMm");
+    QTest::addColumn<double>("maxMmPerS");
     // A clamped spline of a smooth curve has an error of at most 5/384 h^4 max|s''''| in position and h^3 /
     // 24 max|s''''| in speed; s'''' = 6000 (720 x - 360), at most 2 160 000 mm/s^4. Rows are rounded to 1/256
     // pulse (0.00004 mm), slopes likewise.

@@ -210,14 +210,13 @@ void TestFieldsAndText::valuesGoInAndComeOut()
 void TestFieldsAndText::sentences()
 {
     Recipe r = checkRecipe(1100);
+    QCOMPARE(QString::fromStdString(describe(solve(r.program, r.machine).error())),
+             QString("A bag of 1100.0 mm exceeds the knife stroke; with these ratios the maximum is 1077.1 "
+                     "mm. Nearest possible value: Bag length 1077.1 mm."));
+    r = checkRecipe(5);
     QCOMPARE(
         QString::fromStdString(describe(solve(r.program, r.machine).error())),
-        QString(
-            "A bag of 1100.0 mm takes more than the knife's stroke; with these ratios at most 1077.1 mm can "
-            "be cut. Nearest that works: Bag length 1077.1 mm."));
-    r = checkRecipe(5);
-    QCOMPARE(QString::fromStdString(describe(solve(r.program, r.machine).error())),
-             QString("Bag length 5 mm must be at least 10.0 mm. Nearest that works: Bag length 10.0 mm."));
+        QString("Bag length 5 mm must be at least 10.0 mm. Nearest possible value: Bag length 10.0 mm."));
     r = checkRecipe(250, 601);
     QVERIFY(QString::fromStdString(describe(solve(r.program, r.machine).error()))
                 .startsWith("Rate 601 bags/min must be at most 600.0 bags/min."));
@@ -225,14 +224,14 @@ void TestFieldsAndText::sentences()
     r.machine.timerBits = 8;
     r.machine.maxPulseFrequencyHz = 20000;
     QCOMPARE(QString::fromStdString(describe(solve(r.program, r.machine).error())),
-             QString("Timer width 8 bit must be at least 9 bit. Nearest that works: Timer width 9 bit."));
+             QString("Timer width 8 bit must be at least 9 bit. Nearest possible value: Timer width 9 bit."));
     r = checkRecipe(250, 150);
     r.machine.maxKnifeAccelerationMmPerS2 = 11100;
     QCOMPARE(
         QString::fromStdString(describe(checkLimits(*solve(r.program, r.machine)).at(0))),
         QString(
             "Knife acceleration 12211 mm/s^2 at 0.130 s (117.0 degrees) is 10.0 % over the limit of 11100 "
-            "mm/s^2. Nearest that works: Rate 143.0 bags/min, or Bag length 261.6 mm."));
+            "mm/s^2. Nearest possible value: Rate 143.0 bags/min, or Bag length 261.6 mm."));
     r = checkRecipe();
     r.program.k[1] = 5;
     QVERIFY(QString::fromStdString(describe(solve(r.program, r.machine).error()))

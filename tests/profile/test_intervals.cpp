@@ -283,7 +283,7 @@ void TestIntervals::laws_data()
 {
     QTest::addColumn<int>("law");
     QTest::addColumn<double>("speedError");
-    QTest::addColumn<int>("mostRows");
+    QTest::addColumn<int>("maxRows");
     // 600 mm in 1 s. A line of duration h deviates from a curve of constant jerk j by at least j h^2 / 16, or
     // j h^2 / 12 for the same distance. The cubic law (3600 mm/s at its peak speed of 900) needs 8 lines at
     // 10 mm/s, 25 at 1 mm/s.

@@ -370,8 +370,8 @@ void TestPress::tableRefusesWhatItCannotHold()
     QCOMPARE(ramp.error().actual, 1013.0);
     QCOMPARE(ramp.error().allowed, 1000.0);
     QCOMPARE(describe(ramp.error()),
-             std::string("Approach speed needs a ramp of 1013 ms with the largest acceleration; the "
-                         "controller takes at most 1000 ms. Enter a lower speed or a larger acceleration."));
+             std::string("Approach speed needs a ramp of 1013 ms at maximum acceleration; the "
+                         "controller allows 1000 ms. Enter a lower speed or a higher acceleration."));
 
     Machine coarse;
     coarse.pulsesPerMotorRev = 10; // 10 mm per pulse

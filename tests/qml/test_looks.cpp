@@ -159,7 +159,7 @@ private slots:
         const auto rank = static_cast<qulonglong>(std::ceil(0.99 * static_cast<double>(latency.count())));
         QString numbers = told.numbers;
         QCOMPARE(numbers.remove(u','),
-                 QStringLiteral("time of number %1 of %2").arg(rank).arg(latency.count()));
+                 QStringLiteral("time of response %1 of %2").arg(rank).arg(latency.count()));
         QVERIFY2(textOf("explanationText").contains(QStringLiteral("at 50 % of their number")),
                  qPrintable(textOf("explanationText")));
         tap("sheetClose");

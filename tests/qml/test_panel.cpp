@@ -265,7 +265,7 @@ private slots:
         tap("nav_run");
         QCOMPARE(textOf("directionText"), QStringLiteral("runs forward"));
         tap("directionBackward");
-        QCOMPARE(textOf("directionText"), QStringLiteral("Turning to backward …"));
+        QCOMPARE(textOf("directionText"), QStringLiteral("Changing to reverse …"));
         m_stage->link().show(campanel::looks::DemoLink::Situation::Lost, Kind::PointCam);
         m_stage->settle();
         QVERIFY(!m_stage->find(QStringLiteral("directionChoice"))->isEnabled());

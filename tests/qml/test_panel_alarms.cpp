@@ -25,11 +25,10 @@ private slots:
         QVERIFY(!isShown("navCalls"));
         QVERIFY(!isShown("urgentAlarm"));
         tap("nav_alarms");
-        QCOMPARE(textOf("alarmsEmpty"),
-                 QStringLiteral("No alarm is active and none waits to be acknowledged."));
+        QCOMPARE(textOf("alarmsEmpty"), QStringLiteral("No alarm is active or waiting for acknowledgment."));
         QVERIFY(!isShown("alarmsAcknowledgeAll"));
         tap("alarmsShelved");
-        QVERIFY(textOf("alarmsEmpty").startsWith(QStringLiteral("Nothing is shelved.")));
+        QVERIFY(textOf("alarmsEmpty").startsWith(QStringLiteral("No alarm is shelved.")));
     }
 
     void fromTheFaultToTheHistory()
@@ -37,13 +36,13 @@ private slots:
         m_stage->panel().records().open();
         show(Situation::Fault);
         QCOMPARE(textOf("navCalls"), QStringLiteral("1"));
-        QCOMPARE(textOf("urgentAlarm"), QStringLiteral("Axis does not follow"));
+        QCOMPARE(textOf("urgentAlarm"), QStringLiteral("Following error too large"));
         QVERIFY(isShown("banner"));
         tap("nav_alarms");
         QCOMPARE(textOf("alarmState"), QStringLiteral("C-01 · Active, not acknowledged"));
         tap("liveAlarm0");
-        QCOMPARE(textOf("alarmCause"), QStringLiteral("The axis does not keep up with its command."));
-        QCOMPARE(textOf("alarmAction"), QStringLiteral("Look for a jam, then reset the fault and home."));
+        QCOMPARE(textOf("alarmCause"), QStringLiteral("The axis cannot follow its setpoint."));
+        QCOMPARE(textOf("alarmAction"), QStringLiteral("Check for a jam, then reset the fault and home."));
         QCOMPARE(textOf("alarmReturned"), QStringLiteral("still active"));
         QVERIFY2(!isShown("alarmShelve1"), "what stops the machine cannot be shelved");
         tap("alarmAcknowledge");
@@ -51,12 +50,12 @@ private slots:
         QVERIFY(!isShown("navCalls"));
         QVERIFY2(!isShown("banner"), "who has acknowledged it has seen it");
         QCOMPARE(textOf("alarmState"), QStringLiteral("C-01 · Active, acknowledged"));
-        QCOMPARE(textOf("urgentAlarm"), QStringLiteral("Axis does not follow"));
+        QCOMPARE(textOf("urgentAlarm"), QStringLiteral("Following error too large"));
         show(Situation::Running);
         QVERIFY(!isShown("liveAlarm0"));
         QVERIFY(!isShown("urgentAlarm"));
         tap("alarmsHistory");
-        QTRY_COMPARE(textOf("alarmState"), QStringLiteral("C-01 · Gone, acknowledged"));
+        QTRY_COMPARE(textOf("alarmState"), QStringLiteral("C-01 · Cleared, acknowledged"));
         tap("pastAlarm0");
         QCOMPARE(textOf("alarmReturned"), QStringLiteral("14:06:58"));
         QVERIFY(!isShown("alarmAcknowledge"));
@@ -125,7 +124,7 @@ private slots:
         QCOMPARE(alarms().active(), 1);
         m_stage->lift();
         m_stage->settle();
-        QVERIFY(textOf("alarmsEmpty").startsWith(QStringLiteral("Nothing is shelved.")));
+        QVERIFY(textOf("alarmsEmpty").startsWith(QStringLiteral("No alarm is shelved.")));
         tap("alarmsLive");
         QVERIFY(isShown("alarmsAcknowledgeAll"));
         QCOMPARE(m_stage->find(QStringLiteral("alarmsShelved"))->mapToScene({}).x(), place);

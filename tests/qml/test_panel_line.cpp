@@ -155,7 +155,7 @@ private slots:
         QCOMPARE(m_stage->link().stopRequests(), stops + 1);
         m_stage->link().showWaitingStop();
         m_stage->settle();
-        QVERIFY2(textOf("banner").startsWith(QStringLiteral("Stop waits for the line")),
+        QVERIFY2(textOf("banner").startsWith(QStringLiteral("Stop is not sent yet.")),
                  qPrintable(textOf("banner")));
         QCOMPARE(textOf("bannerButton"), QStringLiteral("Withdraw"));
         tap("bannerButton");
@@ -166,7 +166,7 @@ private slots:
     {
         for (const char* name : {"nav_motion", "more", "proofButton", "proofCompare"})
             tap(name);
-        QVERIFY2(textOf("proofText").startsWith(QStringLiteral("Equal: all ")),
+        QVERIFY2(textOf("proofText").startsWith(QStringLiteral("Identical: all ")),
                  qPrintable(textOf("proofText")));
         tap("proofCancel"); // "Close" at this time
         QVERIFY(!m_stage->find(QStringLiteral("sheetPanel")));
@@ -180,7 +180,7 @@ private slots:
         m_stage->settle();
         tap("service4");
         tap("fault0often");
-        QCOMPARE(textOf("faultsText"), QStringLiteral("Active: Late answers"));
+        QCOMPARE(textOf("faultsText"), QStringLiteral("Active: Late responses"));
         tap("faultsOff");
         QVERIFY(textOf("faultsText").startsWith(QStringLiteral("No faults")));
         tap("fault1often");

@@ -26,7 +26,7 @@ private slots:
     void marksAreToldInWords()
     {
         enter("packing");
-        QVERIFY2(textOf("packingTeachText").startsWith(QStringLiteral("The marks are 250.31 mm apart")),
+        QVERIFY2(textOf("packingTeachText").startsWith(QStringLiteral("The mark distance is 250.31 mm")),
                  qPrintable(textOf("packingTeachText")));
         QVERIFY(!m_stage->find(QStringLiteral("packingSave"))->isEnabled());
     }
@@ -40,7 +40,7 @@ private slots:
         m_stage->settle();
         QVERIFY(!m_stage->find(QStringLiteral("keypad")));
         QCOMPARE(textOf("packingText"),
-                 QStringLiteral("Phase gain: share taken for slip: 0.25, read back from the controller."));
+                 QStringLiteral("Phase gain: correction of slip: 0.25, read back from the controller."));
         QVERIFY(packing().fields()->unsaved());
         tap("packingSave");
         QVERIFY(!packing().fields()->unsaved());

@@ -106,7 +106,7 @@ private slots:
         QVERIFY(trends().live());
         enter("trends-cursor");
         m_stage->hold(QStringLiteral("trendFigures1"));
-        QVERIFY2(textOf("explanationText").contains(QStringLiteral("columns of 2 s")),
+        QVERIFY2(textOf("explanationText").contains(QStringLiteral("covers 2 s")),
                  qPrintable(textOf("explanationText")));
         enter("trends-nothing-here");
         QVERIFY(m_stage->panel().explanations().ofTrend(0).isEmpty());

@@ -41,19 +41,19 @@ private slots:
         QCOMPARE(picture().property("window").toDouble(), 6.0);
         QVERIFY(picture().property("nextMark").toDouble() > 800);
         QVERIFY(!picture().property("stale").toBool());
-        QCOMPARE(textOf("markState"), QStringLiteral("Following the marks"));
+        QCOMPARE(textOf("markState"), QStringLiteral("Tracking marks"));
         QCOMPARE(textOf("markError"), QStringLiteral("mark error +0.04 mm"));
         QVERIFY(textOf("bagFigures").startsWith(QStringLiteral("mean 250.0")));
         QCOMPARE(textOf("bagsWithin"), QStringLiteral("60 of 60 within"));
-        QCOMPARE(textOf("lastSkip"), QStringLiteral("Last: A product was missing"));
+        QCOMPARE(textOf("lastSkip"), QStringLiteral("Last: Product missing"));
         QVERIFY(!m_stage->find(QStringLiteral("packingGate")));
     }
 
     void aWaitingKnifeSaysWhy()
     {
         enter(Situation::ProductAcross);
-        QCOMPARE(textOf("packingGate"), QStringLiteral("Knife stays open: product across"));
-        QCOMPARE(textOf("lastSkip"), QStringLiteral("Last: A product lay across the knife's path"));
+        QCOMPARE(textOf("packingGate"), QStringLiteral("Knife stays open: product in its path"));
+        QCOMPARE(textOf("lastSkip"), QStringLiteral("Last: Product in the knife's path"));
         QVERIFY(picture().property("knifeOpen").toBool());
         QCOMPARE(picture().property("cuts").value<QList<QPointF>>().constFirst().y(), 1.0);
     }
@@ -61,9 +61,9 @@ private slots:
     void lostMarksAreAnAlarm()
     {
         enter(Situation::MarksLost);
-        QCOMPARE(textOf("markState"), QStringLiteral("Looking for marks"));
+        QCOMPARE(textOf("markState"), QStringLiteral("Searching for marks"));
         QCOMPARE(countOf("marks"), 0);
-        QVERIFY(textOf("banner").startsWith(QStringLiteral("The marks on the film were lost")));
+        QVERIFY(textOf("banner").startsWith(QStringLiteral("The controller lost the marks")));
         QVERIFY(!m_stage->find(QStringLiteral("markError")));
     }
 

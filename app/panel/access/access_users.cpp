@@ -106,7 +106,7 @@ QString Access::nameRefusal(const QString& name) const
     const bool isTaken = std::ranges::any_of(m_users, [&](const store::User& user) {
         return user.name.compare(wanted, Qt::CaseInsensitive) == 0;
     });
-    return isTaken ? tr("Somebody has this name already.") : QString();
+    return isTaken ? tr("This name is already in use.") : QString();
 }
 
 QString Access::freeName(int level) const
@@ -127,7 +127,7 @@ void Access::hash(const QString& pin, std::function<void(const QString& hash)> t
             if (made)
                 then(*made);
             else
-                tell(tr("There is not enough memory to keep a PIN safely. Restart the panel."), true);
+                tell(tr("There is not enough memory to store a PIN safely. Restart the panel."), true);
             end();
         });
     });
@@ -213,12 +213,12 @@ void Access::changeLevel(int id, int level)
         return;
     const auto wanted = static_cast<store::UserLevel>(level);
     if (wanted != store::UserLevel::Service && isLastService(*user)) {
-        tell(tr("Somebody of the level Service must be left."), true);
+        tell(tr("At least one user of the level Service must remain."), true);
         return;
     }
     apply([id, wanted](store::Database& database) { return store::setUserLevel(database, id, wanted); },
           {u"user.level"_s, user->name, levelKey(user->level), levelKey(wanted)},
-          tr("%1 is now of the level %2.")
+          tr("%1 now has the level %2.")
               .arg(user->name, AccessSentences::level(static_cast<panel::Level>(level))));
 }
 
@@ -228,12 +228,12 @@ void Access::removeUser(int id)
     if (!ask(Service) || !user || busy())
         return;
     if (isLastService(*user)) {
-        tell(tr("Somebody of the level Service must be left."), true);
+        tell(tr("At least one user of the level Service must remain."), true);
         return;
     }
     apply([id](store::Database& database) { return store::removeUser(database, id); },
           {u"user.remove"_s, user->name, levelKey(user->level), {}},
-          tr("%1 cannot log in any more.").arg(user->name));
+          tr("%1 can no longer log in.").arg(user->name));
 }
 
 } // namespace campanel::panel

@@ -61,7 +61,7 @@ QString AlarmDetail::stateText() const
 
 QString AlarmDetail::cause() const
 {
-    return kind() ? kind()->cause() : tr("A newer version of the panel has logged it.");
+    return kind() ? kind()->cause() : tr("This alarm was logged by a newer panel version.");
 }
 
 QString AlarmDetail::action() const
@@ -84,13 +84,13 @@ QString AlarmDetail::returnedText() const
     case AlarmRow::End::Unknown:
         break;
     }
-    return tr("not known: panel or controller were switched meanwhile");
+    return tr("unknown: the panel was off or the controller was changed");
 }
 
 QString AlarmDetail::acknowledgedText() const
 {
     if (m_row.acknowledgedMs == 0)
-        return m_row.wantsAcknowledgement ? tr("not yet") : tr("not necessary");
+        return m_row.wantsAcknowledgement ? tr("not yet") : tr("not required");
     const QString time = AlarmWords::time(m_row.acknowledgedMs, m_today);
     return m_row.acknowledgedBy.isEmpty() ? time
                                           : tr("%1 by %2", "time, person").arg(time, m_row.acknowledgedBy);

@@ -165,7 +165,7 @@ bool Audit::broken() const
 QString Audit::chainText() const
 {
     if (m_isChecking)
-        return tr("Checking the chain …");
+        return tr("Checking the audit trail …");
     return m_check ? AuditWords::chain(*m_check) : tr("Not checked yet.");
 }
 
@@ -198,7 +198,7 @@ QString Audit::areaText() const
 
 QVariantList Audit::names() const
 {
-    QVariantList names{choice({}, tr("Everybody"))};
+    QVariantList names{choice({}, tr("All users"))};
     for (const QString& name : m_names)
         names << choice(name, name);
     return names;
@@ -233,16 +233,16 @@ QVariantList Audit::detail() const
         lines << QVariantMap{{u"label"_s, label}, {u"text"_s, text.isEmpty() ? u"--"_s : text}};
     };
     add(tr("Row and time"), u"%1 · %2"_s.arg(m_selected->sequence).arg(AuditWords::time(entry.timeMs)));
-    add(tr("Who"),
+    add(tr("User"),
         u"%1 · %2"_s.arg(AuditWords::who(entry),
                          AccessSentences::level(static_cast<Level>(std::clamp(entry.level, 0, 3)))));
     // The text for the reader, the key for a search in the register document.
     const QString words = AuditWords::object(entry);
-    add(tr("What"), words == entry.object ? words : u"%1 (%2)"_s.arg(words, entry.object));
+    add(tr("Action"), words == entry.object ? words : u"%1 (%2)"_s.arg(words, entry.object));
     add(tr("Before"), entry.before);
-    add(tr("Wanted"), entry.after);
+    add(tr("Requested"), entry.after);
     add(tr("Read back"), entry.readBack);
-    add(tr("Outcome"), AuditWords::outcome(entry.outcome));
+    add(tr("Result"), AuditWords::outcome(entry.outcome));
     add(tr("Hash"), QString::fromLatin1(m_selected->hash.toHex().left(16)));
     return lines;
 }

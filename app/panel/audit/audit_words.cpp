@@ -32,76 +32,76 @@ constexpr std::array areaWords{
     Word{"setting", QT_TRANSLATE_NOOP("AuditWords", "Settings")},
     Word{"backup", QT_TRANSLATE_NOOP("AuditWords", "Backup and restore")},
     Word{"user", QT_TRANSLATE_NOOP("AuditWords", "Users and logins")},
-    Word{"memory", QT_TRANSLATE_NOOP("AuditWords", "The panel's memory")},
-    Word{"audit", QT_TRANSLATE_NOOP("AuditWords", "The trail itself")},
+    Word{"memory", QT_TRANSLATE_NOOP("AuditWords", "Panel database")},
+    Word{"audit", QT_TRANSLATE_NOOP("AuditWords", "Audit trail")},
 };
 
 constexpr std::array whatWords{
     Word{"command.start", QT_TRANSLATE_NOOP("AuditWords", "Start")},
     Word{"command.stop", QT_TRANSLATE_NOOP("AuditWords", "Stop")},
-    Word{"command.stop_now", QT_TRANSLATE_NOOP("AuditWords", "Stop at once")},
+    Word{"command.stop_now", QT_TRANSLATE_NOOP("AuditWords", "Immediate stop")},
     Word{"command.home", QT_TRANSLATE_NOOP("AuditWords", "Home")},
     Word{"command.home_end", QT_TRANSLATE_NOOP("AuditWords", "Homing ended")},
     Word{"command.jog_forward", QT_TRANSLATE_NOOP("AuditWords", "Jog forward")},
-    Word{"command.jog_reverse", QT_TRANSLATE_NOOP("AuditWords", "Jog in reverse")},
+    Word{"command.jog_reverse", QT_TRANSLATE_NOOP("AuditWords", "Jog reverse")},
     Word{"command.jog_end", QT_TRANSLATE_NOOP("AuditWords", "Jog ended")},
     Word{"command.reset", QT_TRANSLATE_NOOP("AuditWords", "Fault reset")},
     Word{"command.save", QT_TRANSLATE_NOOP("AuditWords", "Saved in the controller")},
     Word{"command.teach", QT_TRANSLATE_NOOP("AuditWords", "Marks measured")},
     Word{"command.other", QT_TRANSLATE_NOOP("AuditWords", "Command")},
     Word{"program.download", QT_TRANSLATE_NOOP("AuditWords", "Download")},
-    Word{"program.value", QT_TRANSLATE_NOOP("AuditWords", "Value of the program")},
+    Word{"program.value", QT_TRANSLATE_NOOP("AuditWords", "Program value")},
     Word{"recipe.new", QT_TRANSLATE_NOOP("AuditWords", "New recipe")},
     Word{"recipe.save", QT_TRANSLATE_NOOP("AuditWords", "Recipe saved")},
     Word{"recipe.rename", QT_TRANSLATE_NOOP("AuditWords", "Recipe renamed")},
     Word{"recipe.delete", QT_TRANSLATE_NOOP("AuditWords", "Recipe deleted")},
-    Word{"recipe.restore", QT_TRANSLATE_NOOP("AuditWords", "Recipe brought back")},
+    Word{"recipe.restore", QT_TRANSLATE_NOOP("AuditWords", "Recipe restored")},
     Word{"parameter.write", QT_TRANSLATE_NOOP("AuditWords", "Parameter written")},
     Word{"wizard.marks", QT_TRANSLATE_NOOP("AuditWords", "Mark sensor measured")},
     Word{"setting.change", QT_TRANSLATE_NOOP("AuditWords", "Setting")},
-    Word{"backup.make", QT_TRANSLATE_NOOP("AuditWords", "Backup made")},
+    Word{"backup.make", QT_TRANSLATE_NOOP("AuditWords", "Backup created")},
     Word{"backup.restore", QT_TRANSLATE_NOOP("AuditWords", "Replaced by a backup")},
     Word{"backup.restored", QT_TRANSLATE_NOOP("AuditWords", "Restored from a backup")},
     Word{"user.login", QT_TRANSLATE_NOOP("AuditWords", "Login")},
     Word{"user.logout", QT_TRANSLATE_NOOP("AuditWords", "Logout")},
-    Word{"user.auto_logout", QT_TRANSLATE_NOOP("AuditWords", "Logout by itself")},
+    Word{"user.auto_logout", QT_TRANSLATE_NOOP("AuditWords", "Automatic logout")},
     Word{"user.add", QT_TRANSLATE_NOOP("AuditWords", "User added")},
     Word{"user.pin", QT_TRANSLATE_NOOP("AuditWords", "New PIN")},
-    Word{"user.level", QT_TRANSLATE_NOOP("AuditWords", "Level of a user")},
+    Word{"user.level", QT_TRANSLATE_NOOP("AuditWords", "Level changed")},
     Word{"user.remove", QT_TRANSLATE_NOOP("AuditWords", "User removed")},
     Word{"memory.from_copy", QT_TRANSLATE_NOOP("AuditWords", "Replaced by its copy")},
-    Word{"memory.lost", QT_TRANSLATE_NOOP("AuditWords", "Lost, began empty")},
-    Word{"audit.loss", QT_TRANSLATE_NOOP("AuditWords", "Rows were lost")},
-    Word{"audit.end_unknown", QT_TRANSLATE_NOOP("AuditWords", "The newest row was not known")},
-    Word{"audit.trimmed", QT_TRANSLATE_NOOP("AuditWords", "Oldest rows dropped")},
+    Word{"memory.lost", QT_TRANSLATE_NOOP("AuditWords", "Lost, new and empty")},
+    Word{"audit.loss", QT_TRANSLATE_NOOP("AuditWords", "Rows lost")},
+    Word{"audit.end_unknown", QT_TRANSLATE_NOOP("AuditWords", "Newest row unknown")},
+    Word{"audit.trimmed", QT_TRANSLATE_NOOP("AuditWords", "Oldest rows deleted")},
 };
 
 constexpr std::array objectWords{
     Word{"language", QT_TRANSLATE_NOOP("AuditWords", "language")},
-    Word{"theme", QT_TRANSLATE_NOOP("AuditWords", "light, dark or high contrast")},
-    Word{"gloves", QT_TRANSLATE_NOOP("AuditWords", "keys for gloves")},
+    Word{"theme", QT_TRANSLATE_NOOP("AuditWords", "theme")},
+    Word{"gloves", QT_TRANSLATE_NOOP("AuditWords", "glove mode")},
     Word{"bag_tolerance_mm", QT_TRANSLATE_NOOP("AuditWords", "bag tolerance, mm")},
     Word{"connection", QT_TRANSLATE_NOOP("AuditWords", "connection")},
     Word{"auto_logout_minutes", QT_TRANSLATE_NOOP("AuditWords", "minutes until logout")},
-    Word{"operators_log_in", QT_TRANSLATE_NOOP("AuditWords", "operators log in")},
-    Word{"simulated_faults", QT_TRANSLATE_NOOP("AuditWords", "faults of the simulated line")},
+    Word{"operators_log_in", QT_TRANSLATE_NOOP("AuditWords", "operator login required")},
+    Word{"simulated_faults", QT_TRANSLATE_NOOP("AuditWords", "simulated faults")},
 };
 
 constexpr std::array outcomeWords{
     Word{"done", QT_TRANSLATE_NOOP("AuditWords", "done")},
     Word{"not_sent", QT_TRANSLATE_NOOP("AuditWords", "not sent: no connection")},
-    Word{"not_received", QT_TRANSLATE_NOOP("AuditWords", "the controller did not get it")},
-    Word{"unknown", QT_TRANSLATE_NOOP("AuditWords", "not known: no proof came back")},
+    Word{"not_received", QT_TRANSLATE_NOOP("AuditWords", "not received by the controller")},
+    Word{"unknown", QT_TRANSLATE_NOOP("AuditWords", "not known: no confirmation")},
     Word{"withdrawn", QT_TRANSLATE_NOOP("AuditWords", "withdrawn")},
     Word{"canceled", QT_TRANSLATE_NOOP("AuditWords", "canceled")},
     Word{"failed", QT_TRANSLATE_NOOP("AuditWords", "failed")},
     Word{"refused", QT_TRANSLATE_NOOP("AuditWords", "refused")},
     Word{"wrong_pin", QT_TRANSLATE_NOOP("AuditWords", "wrong PIN")},
-    Word{"must_wait", QT_TRANSLATE_NOOP("AuditWords", "had to wait after wrong PINs")},
-    Word{"released", QT_TRANSLATE_NOOP("AuditWords", "key let go")},
+    Word{"must_wait", QT_TRANSLATE_NOOP("AuditWords", "locked after wrong PINs")},
+    Word{"released", QT_TRANSLATE_NOOP("AuditWords", "key released")},
     Word{"stopped", QT_TRANSLATE_NOOP("AuditWords", "stopped")},
-    Word{"broken_off", QT_TRANSLATE_NOOP("AuditWords", "broken off")},
-    Word{"off_target", QT_TRANSLATE_NOOP("AuditWords", "written, but the cuts are off")},
+    Word{"broken_off", QT_TRANSLATE_NOOP("AuditWords", "interrupted")},
+    Word{"off_target", QT_TRANSLATE_NOOP("AuditWords", "written, but the cuts still deviate")},
 };
 
 // Returns "mm" for "program.bag_length"; empty without a register or a unit.
@@ -136,7 +136,7 @@ QStringList AuditWords::areas()
 QString AuditWords::area(const QString& area)
 {
     const char* words = wordsFor(areaWords, area);
-    return words ? tr(words) : tr("Everything");
+    return words ? tr(words) : tr("All");
 }
 
 QString AuditWords::what(const QString& what)
@@ -200,23 +200,21 @@ QString AuditWords::chain(const store::ChainCheck& check)
     const QString sequence = QString::number(check.brokenSequence());
     switch (check.fault()) {
     case store::ChainCheck::Fault::Altered:
-        return tr("Row %1 is not as it was written: the trail was altered there.").arg(sequence);
+        return tr("Row %1 was altered after it was written.").arg(sequence);
     case store::ChainCheck::Fault::Missing:
-        return tr("Row %1 is missing: the trail was altered there.").arg(sequence);
+        return tr("Row %1 is missing: the audit trail was altered.").arg(sequence);
     case store::ChainCheck::Fault::MissingAtEnd:
-        return tr("Row %1 and what followed it are missing at the end.").arg(sequence);
+        return tr("Row %1 and all later rows are missing.").arg(sequence);
     case store::ChainCheck::Fault::EndUnknown:
-        return tr("Unbroken up to row %1, but the file that knows the newest row is gone: rows may be "
-                  "missing "
-                  "at the end.")
+        return tr("Intact up to row %1. The file with the newest row is missing: later rows may be lost.")
             .arg(check.brokenSequence() - 1);
     case store::ChainCheck::Fault::None:
         break;
     }
     const QString rows = QLocale().toString(check.rows());
     return check.losses() > 0
-               ? tr("Checked: unbroken, %1 rows; rows may have been lost once, see there.").arg(rows)
-               : tr("Checked: unbroken, %1 rows.").arg(rows);
+               ? tr("Checked: %1 rows, intact; rows may have been lost earlier, see the trail.").arg(rows)
+               : tr("Checked: %1 rows, intact.").arg(rows);
 }
 
 } // namespace campanel::panel

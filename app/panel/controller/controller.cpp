@@ -121,12 +121,12 @@ void Controller::noteReturn(const modbus::StatusBlock& status)
         return;
     m_returnMessage.clear();
     if (status.uptimeS < before->uptimeS)
-        m_returnMessage = tr("The line is back. The controller has restarted meanwhile.");
+        m_returnMessage = tr("Connection restored. The controller has restarted meanwhile.");
     else if (status.generation != before->generation)
-        m_returnMessage = tr("The line is back. The controller has got another program meanwhile.");
+        m_returnMessage = tr("Connection restored. The controller has a different program now.");
     else if (before->state && status.state && before->state != status.state)
         m_returnMessage =
-            tr("The line is back. Before: %1. Now: %2.", "states of the machine")
+            tr("Connection restored. Before: %1. Now: %2.", "states of the machine")
                 .arg(ControllerSentences::state(*before->state), ControllerSentences::state(*status.state));
     if (!m_returnMessage.isEmpty())
         showMessage(m_returnMessage);
@@ -318,14 +318,14 @@ QString Controller::stopOutcomeText(const link::CommandOutcome& outcome) const
 {
     switch (outcome.end) {
     case link::CommandEnd::Done:
-        return tr("The line is back: Stop was sent and the controller has taken it.");
+        return tr("Connection restored: Stop was sent, and the controller accepted the command.");
     case link::CommandEnd::Withdrawn:
-        return tr("Stop was withdrawn: it is not sent any more.");
+        return tr("Stop was withdrawn and will not be sent.");
     case link::CommandEnd::NotSent:
-        return tr("Stop was not sent: it was meant for the machine that was connected before.");
+        return tr("Stop was not sent: a different machine is connected now.");
     case link::CommandEnd::Refused:
         if (outcome.reason == modbus::Refusal::NotRunning)
-            return tr("The line is back: Stop was sent, but the machine was no longer running.");
+            return tr("Connection restored: Stop was sent, but the machine was no longer running.");
         break;
     case link::CommandEnd::NotReceived:
     case link::CommandEnd::OutcomeUnknown:

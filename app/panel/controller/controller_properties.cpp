@@ -45,8 +45,9 @@ QString Controller::stopWaitsText() const
 {
     if (!stopWaits())
         return {};
-    return isConnected() ? tr("Stop was sent and its answer is awaited.")
-                         : tr("Stop waits for the line – it is sent as soon as the line is back.");
+    return isConnected()
+               ? tr("Stop was sent. Waiting for the response.")
+               : tr("Stop is not sent yet. The panel sends Stop as soon as the connection is restored.");
 }
 
 const ControllerProgram* Controller::runningProgram() const
@@ -215,7 +216,7 @@ QString Controller::blockedReason(modbus::Command command) const
     if (!isConnected() || !m_fresh)
         return tr("There is no connection to the controller.");
     if (state() == State::Unknown)
-        return tr("The state of the controller is not known.");
+        return tr("The controller's state is unknown.");
     return ControllerSentences::refusal(expectedRefusal(*m_status, command));
 }
 

@@ -53,8 +53,8 @@ QString MasterDirection::blockedReason() const
     if (!m_machine.isConnected() || !m_machine.fresh())
         return tr("There is no connection to the controller.");
     if (m_parameter.isMissing())
-        return tr("This controller cannot turn its master round. Update its firmware.");
-    return way() == Way::Unknown ? tr("Asking the controller …") : QString();
+        return tr("This controller cannot reverse its master. Update its firmware.");
+    return way() == Way::Unknown ? tr("Waiting for the controller …") : QString();
 }
 
 QString MasterDirection::text() const
@@ -64,12 +64,12 @@ QString MasterDirection::text() const
         return reason;
     const bool isBackward = way() == Way::Backward;
     if (turning())
-        return isBackward ? tr("Turning to backward …") : tr("Turning to forward …");
+        return isBackward ? tr("Changing to reverse …") : tr("Changing to forward …");
     if (m_machine.state() != Controller::State::Running)
-        return isBackward ? tr("starts backward") : tr("starts forward");
+        return isBackward ? tr("starts in reverse") : tr("starts forward");
     if (!m_observed)
-        return isBackward ? tr("set to backward") : tr("set to forward");
-    return isBackward ? tr("runs backward") : tr("runs forward");
+        return isBackward ? tr("set to reverse") : tr("set to forward");
+    return isBackward ? tr("runs in reverse") : tr("runs forward");
 }
 
 void MasterDirection::turn(Way wanted)
@@ -78,11 +78,11 @@ void MasterDirection::turn(Way wanted)
     if (wanted == Way::Unknown || wanted == way() || !canChange() || !sign)
         return;
     const bool isReversed = (wanted == Way::Backward) != (*sign < 0);
-    m_parameter.write(isReversed ? 1 : 0, {this, [this](const link::ParameterOutcome& outcome) {
-                                               if (outcome.end != link::ParameterEnd::Done)
-                                                   emit failed(ConnectionSentences::parameter(
-                                                       tr("The direction of the master"), outcome));
-                                           }});
+    m_parameter.write(isReversed ? 1 : 0,
+                      {this, [this](const link::ParameterOutcome& outcome) {
+                           if (outcome.end != link::ParameterEnd::Done)
+                               emit failed(ConnectionSentences::parameter(tr("Master direction"), outcome));
+                       }});
 }
 
 void MasterDirection::noteConnection()

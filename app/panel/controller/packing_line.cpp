@@ -169,7 +169,7 @@ QString PackingLine::gateText() const
     if (m_status->filmGate != modbus::GateState::Running)
         return tr("Film waits for a product");
     if (m_status->knifeGate != modbus::GateState::Running)
-        return tr("Knife stays open: product across");
+        return tr("Knife stays open: product in its path");
     return {};
 }
 

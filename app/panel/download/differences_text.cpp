@@ -63,12 +63,12 @@ DifferenceRow DifferencesText::row(const program::Difference& difference, profil
         return {tr("Recipe"), QString::fromStdString(difference.textA),
                 QString::fromStdString(difference.textB)};
     if (name == "bank.kind")
-        return {tr("Kind of program"), kindText(difference.a), kindText(difference.b)};
+        return {tr("Program type"), kindText(difference.a), kindText(difference.b)};
     if (name == "bank.layout")
         return {RecipeWords::choiceName(program::Choice::Execution), layoutText(difference.a),
                 layoutText(difference.b)};
     if (name == "program.pinned")
-        return {tr("Pinned"), pinnedText(static_cast<std::uint16_t>(difference.a)),
+        return {tr("Pinned values"), pinnedText(static_cast<std::uint16_t>(difference.a)),
                 pinnedText(static_cast<std::uint16_t>(difference.b))};
     const std::string_view suffix = name.substr(name.find('.') + 1);
     if (suffix == "law")

@@ -72,14 +72,12 @@ QString ProgramDownload::blockedReason() const
     if (!m_machine.isConnected() || !m_machine.fresh())
         return tr("Not possible now: there is no connection to the controller.");
     if (!m_offer)
-        return tr("Not possible: the machine cannot do this recipe.");
+        return tr("Not possible: the machine cannot execute this recipe.");
     if (!m_machine.identity()->supports(static_cast<modbus::ProgramKind>(m_offer->recipe.kind())))
         return tr("Not possible: this controller cannot execute this kind of program.");
     const Controller::State state = m_machine.state();
     if (state != Controller::State::Idle && state != Controller::State::Ready && changesMachineData())
-        return tr(
-            "The kind of program and the data of the machine change only at standstill. Stop the machine "
-            "first.");
+        return tr("Program type and machine data can only be changed at standstill. Stop the machine first.");
     return {};
 }
 
@@ -112,7 +110,7 @@ QString ProgramDownload::text() const
         return tr("The controller already has this program.");
     case State::Ready:
         return m_machine.state() == Controller::State::Running
-                   ? tr("The machine keeps running; the new recipe begins with the next cycle.")
+                   ? tr("The machine keeps running; the new recipe starts with the next cycle.")
                    : tr("The new recipe is used from the next start.");
     case State::Blocked:
         return blockedReason();
@@ -123,7 +121,7 @@ QString ProgramDownload::text() const
         break;
     case State::Applied:
         if (m_machine.state() == Controller::State::Running)
-            return tr("Downloaded. The machine runs with this recipe.");
+            return tr("Downloaded. The machine is running this recipe.");
         return m_machine.canStart() ? tr("Downloaded. Press Start to run this recipe.")
                                     : tr("Downloaded. The controller has this recipe.");
     }
@@ -133,18 +131,18 @@ QString ProgramDownload::text() const
 QString ProgramDownload::controllerText() const
 {
     if (!m_machine.status() || !m_machine.identity())
-        return tr("Controller: not known yet");
+        return tr("Controller: unknown");
     if (!m_machine.program())
-        return m_machine.status()->activeCrc ? tr("Controller: reading its program …")
+        return m_machine.status()->activeCrc ? tr("Controller: reading the program …")
                                              : tr("The controller has no program");
     const QString generation = QString::number(m_machine.program()->generation);
     if (!m_machine.isConnected() || !m_machine.fresh())
-        return tr("No connection. Last known in the controller: generation %1").arg(generation);
+        return tr("No connection. Last known program in the controller: generation %1").arg(generation);
     if (!m_offer)
         return tr("Active in controller: generation %1").arg(generation);
     switch (m_differences.count()) {
     case 0:
-        return tr("Active in controller: generation %1 · the same").arg(generation);
+        return tr("Active in controller: generation %1 · identical").arg(generation);
     case 1:
         return tr("Active in controller: generation %1 · 1 value differs").arg(generation);
     default:

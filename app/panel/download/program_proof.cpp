@@ -136,12 +136,12 @@ QString ProgramProof::text() const
     if (m_hasResult)
         return resultText();
     if (m_isRunning)
-        return m_report.isInterrupted ? tr("The connection is lost; the comparison goes on when it is back.")
-                                      : tr("Reading the table back from the controller …");
+        return m_report.isInterrupted
+                   ? tr("The connection is lost. The comparison continues when it is restored.")
+                   : tr("Reading the table back from the controller …");
     const QString reason = blockedReason();
     return reason.isEmpty()
-               ? tr("Reads every register of the table back and compares it. The machine may run "
-                    "meanwhile.")
+               ? tr("Reads back and compares every register of the table, also while the machine runs.")
                : reason;
 }
 
@@ -151,7 +151,7 @@ QString ProgramProof::basisText() const
     case Basis::Downloaded:
         return tr("what this panel downloaded");
     case Basis::Rebuilt:
-        return tr("the table computed anew from its recipe");
+        return tr("the table computed again from its recipe");
     case Basis::OwnChecksum:
         break;
     }
@@ -162,11 +162,11 @@ QString ProgramProof::resultText() const
 {
     switch (m_report.stage) {
     case ComparisonStage::Equal:
-        return m_expected.empty() ? tr("Equal: the table of generation %1, read back, has %2. CRC-32 %3.",
+        return m_expected.empty() ? tr("Identical: the table of generation %1 matches %2. CRC-32 %3.",
                                        "%2: \"the controller's own checksum\"")
                                         .arg(m_report.generation)
                                         .arg(basisText(), Format::hex(m_report.readCrc, 8))
-                                  : tr("Equal: all %1 registers of generation %2 are %3. CRC-32 %4.",
+                                  : tr("Identical: all %1 registers of generation %2 match %3. CRC-32 %4.",
                                        "%3: for example \"what this panel downloaded\"")
                                         .arg(m_expected.size())
                                         .arg(m_report.generation)
@@ -178,7 +178,7 @@ QString ProgramProof::resultText() const
     case ComparisonStage::NoProgram:
         return tr("The controller has no program. Download a recipe first.");
     case ComparisonStage::Canceled:
-        return tr("Canceled. Nothing was found out.");
+        return tr("Canceled without a result.");
     case ComparisonStage::Failed:
         return failureText();
     case ComparisonStage::Reading:
@@ -190,18 +190,18 @@ QString ProgramProof::resultText() const
 QString ProgramProof::differentText() const
 {
     if (!m_report.firstDifference)
-        return tr("Different: read back the table has CRC-32 %1, the controller says %2. Download the recipe "
-                  "again.")
+        return tr("Different: the table read back has CRC-32 %1, the controller reports %2. Download the "
+                  "recipe again.")
             .arg(Format::hex(m_report.readCrc, 8), Format::hex(m_report.controllerCrc, 8));
     const auto& first = *m_report.firstDifference;
     const QString values =
         tr("first %1: %2 instead of %3", "register: its value, expected value")
             .arg(nameOf(first.offset), Format::hex(first.actual, 4), Format::hex(first.expected, 4));
     return m_report.differingRegisters == 1
-               ? tr("Different: 1 of %1 registers is not %2, %3. Download the recipe again.")
+               ? tr("Different: 1 of %1 registers does not match %2, %3. Download the recipe again.")
                      .arg(m_expected.size())
                      .arg(basisText(), values)
-               : tr("Different: %1 of %2 registers are not %3, %4. Download the recipe again.")
+               : tr("Different: %1 of %2 registers do not match %3, %4. Download the recipe again.")
                      .arg(m_report.differingRegisters)
                      .arg(m_expected.size())
                      .arg(basisText(), values);
@@ -212,7 +212,7 @@ QString ProgramProof::failureText() const
     if (m_report.isConnectionMissing)
         return tr("Not compared: there is no connection to the controller.");
     if (m_report.isBusy)
-        return tr("Not compared: another comparison is under way.");
+        return tr("Not compared: another comparison is in progress.");
     return m_report.error
                ? tr("Not compared. %1", "%1: whole sentence").arg(ConnectionSentences::error(*m_report.error))
                : QString();
@@ -256,11 +256,10 @@ QString ProgramProof::savedText() const
     if (!status)
         return unknownText;
     if (!status->savedCrc)
-        return tr("nothing: after a loss of power there is no program");
-    return status->savedCrc == status->activeCrc
-               ? tr("the same: it is there after a loss of power")
-               : tr("another one, CRC-32 %1: it is back after a loss of power")
-                     .arg(Format::hex(*status->savedCrc, 8));
+        return tr("none: no program after a power loss");
+    return status->savedCrc == status->activeCrc ? tr("identical: kept after a power loss")
+                                                 : tr("different, CRC-32 %1: restored after a power loss")
+                                                       .arg(Format::hex(*status->savedCrc, 8));
 }
 
 } // namespace campanel::panel

@@ -165,7 +165,7 @@ QList<LawRow> EditorViews::laws(std::optional<profile::LawId> compared) const
                                     ? tr("%1 kHz").arg(format.number(peaks.pulseFrequencyHz / 1000, 1))
                                     : tr("%1 Nm").arg(format.number(peaks.torqueNm, 3));
         row.peakJerkText = std::isinf(peaks.jerkMmPerS3)
-                               ? tr("acceleration steps")
+                               ? tr("acceleration jumps")
                                : tr("%1 m/s³").arg(format.number(peaks.jerkMmPerS3 / 1000, 1));
         rows << row;
     }
@@ -193,12 +193,12 @@ QString EditorViews::verdict() const
     if (!m_solution.refusals.empty())
         return RefusalSentences::refusal(m_solution.refusals.front());
     if (m_solution.unstorable)
-        return tr("The controller cannot hold the value %1 (%2 to %3). Choose another one.")
+        return tr("The controller cannot store the value %1 (%2 to %3). Enter another value.")
             .arg(m_solution.unstorable->value)
             .arg(m_solution.unstorable->minimum)
             .arg(m_solution.unstorable->maximum);
     if (m_solution.isTablePending)
-        return tr("Within all limits; the table is being made …");
+        return tr("Within all limits; building the table …");
     if (!m_recipe.isCutter())
         return m_solution.isCloseToLimit() ? tr("Just within the limits.") : tr("Within all limits.");
     return m_solution.isCloseToLimit() ? RefusalSentences::closeToLimits(m_solution.fastest)

@@ -73,10 +73,9 @@ void KnotFiles::takeFound(const Found& found, const QStringList& exportPaths)
         const store::Place& place = found.places[i];
         const QString detail =
             place.isReadOnly
-                ? tr("%1 can only be read. Unlock the stick or choose another place.").arg(place.path)
+                ? tr("%1 is read-only. Unlock the stick or choose another location.").arg(place.path)
                 : tr("A new file %1 will be written.").arg(exportPaths[i]);
-        places << OfferRow{place.name,
-                           place.isReadOnly ? tr("%1 · can only be read").arg(place.path) : place.path,
+        places << OfferRow{place.name, place.isReadOnly ? tr("%1 · read-only").arg(place.path) : place.path,
                            detail, !place.isReadOnly};
     }
     m_places.setRows(places);
@@ -96,17 +95,17 @@ OfferRow KnotFiles::fileRow(const store::KnotsOffer& offer) const
                                 .arg(date, offer.placeName)
                           : tr("cannot be used · %1 · %2", "date, place").arg(date, offer.placeName);
     if (offer.refusal) {
-        row.detail = tr("Line %1: %2 Correct the file and look again.", "%2: whole sentence")
+        row.detail = tr("Line %1: %2 Correct the file and search again.", "%2: whole sentence")
                          .arg(offer.refusedLine)
                          .arg(RefusalSentences::refusal(*offer.refusal));
     } else if (!row.usable) {
-        row.detail = tr("%1 Correct the file and look again.", "%1: whole sentence").arg(offer.problem);
+        row.detail = tr("%1 Correct the file and search again.", "%1: whole sentence").arg(offer.problem);
     } else {
         const auto [lowest, highest] = std::ranges::minmax(offer.knots, {}, &profile::Knot::slaveMm);
-        row.detail = tr("%1 knots, slave %2 to %3 mm, take the place of those of the recipe. Undo brings "
-                        "these back.")
-                         .arg(offer.knots.size())
-                         .arg(format.compact(lowest.slaveMm, 0, 3), format.compact(highest.slaveMm, 0, 3));
+        row.detail =
+            tr("%1 knots, slave %2 to %3 mm, will replace the recipe's knots. Undo restores the old knots.")
+                .arg(offer.knots.size())
+                .arg(format.compact(lowest.slaveMm, 0, 3), format.compact(highest.slaveMm, 0, 3));
     }
     return row;
 }
@@ -128,7 +127,7 @@ void KnotFiles::write(int place)
         QMetaObject::invokeMethod(this, [this, written, isOnStick = where.isRemovable] {
             m_failed = !written;
             m_message = !written    ? written.error()
-                        : isOnStick ? tr("Written: %1. The stick can be taken out now.").arg(*written)
+                        : isOnStick ? tr("Written: %1. You can remove the stick now.").arg(*written)
                                     : tr("Written: %1").arg(*written);
             --m_jobs;
             search();

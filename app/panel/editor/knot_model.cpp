@@ -123,7 +123,7 @@ QString KnotModel::wrapText() const
         return wrap.advanceMm == 0 ? tr("The cycle closes smoothly.")
                                    : tr("The cycle closes smoothly and advances by %1 mm.")
                                          .arg(format.compact(wrap.advanceMm, 0, 3));
-    return tr("Where the cycle closes: position jumps by %1 mm, speed by %2 mm/°, acceleration by %3 mm/°².")
+    return tr("At the end of the cycle: position jumps by %1 mm, speed by %2 mm/°, acceleration by %3 mm/°².")
         .arg(format.compact(wrap.positionMm, 0, 3), format.compact(wrap.speedMmPerDeg, 0, 4),
              format.compact(wrap.accelerationMmPerDeg2, 0, 5));
 }

@@ -116,9 +116,7 @@ Explanation Explanations::rate() const
     told.title = tr("Rate");
     told.value = format.number(rate, 1);
     told.unit = tr("bags/min");
-    told.meaning =
-        tr("How many bags a minute the knife cuts at the speed that the master has now. Nobody counts "
-           "them for this number.");
+    told.meaning = tr("Bags per minute at the present master speed. This value is calculated, not counted.");
     told.formula = tr("rate of the program × master speed");
     told.numbers = ifKnown({rate, program, master},
                            u"%1 × %2 %"_s.arg(format.compact(program, 1, 4), format.compact(master, 0, 1)));
@@ -140,7 +138,7 @@ Explanation Explanations::bags(Quantity quantity) const
         told.title = tr("Mean bag length");
         told.value = format.number(length, 2);
         told.meaning =
-            tr("Mean of the last bags (%1, at most 60) since the set length was changed.").arg(count);
+            tr("Mean of the last bags (%1, at most 60) since the last change of the set length.").arg(count);
         told.formula = tr("set length + sum of their deviations / bags");
         told.numbers = ifKnown(
             {length, mean},
@@ -151,12 +149,10 @@ Explanation Explanations::bags(Quantity quantity) const
     case BagScatter: {
         const double scatter = m_machine.bags().scatterMm;
         const double squares = scatter * scatter * static_cast<double>(series.size() - 1);
-        told.title = tr("Scatter of the bag length");
+        told.title = tr("Standard deviation of the bag length");
         told.value = format.number(scatter, 2);
         told.meaning =
-            tr("Standard deviation of the last bags (%1): about two thirds of the bags are closer to the "
-               "mean than this.")
-                .arg(count);
+            tr("About two thirds of the last bags (%1) are closer to the mean than this value.").arg(count);
         told.formula = tr("√(sum of (deviation − mean deviation)² / (bags − 1))");
         told.numbers = ifKnown({scatter}, u"√(%1 / (%2 − 1))"_s.arg(format.compact(squares, 2, 4), count));
         break;
@@ -166,18 +162,17 @@ Explanation Explanations::bags(Quantity quantity) const
         told.value = format.number(m_machine.bags().within, 0);
         told.unit.clear();
         told.meaning =
-            tr("How many of the last bags (%1) are within ±%2 mm. The tolerance is set in Settings, Machine.")
+            tr("Number of the last bags (%1) within ±%2 mm. Set the tolerance in Settings, Machine.")
                 .arg(count, format.number(tolerance, 2));
-        told.formula = tr("bags whose deviation is not above the tolerance");
+        told.formula = tr("bags with a deviation within the tolerance");
         break;
     default: {
         const double deviation = m_machine.bags().deviationMm;
         const double length = m_machine.bags().lengthMm;
         told.title = tr("Deviation of the last bag");
         told.value = format.number(deviation, 2);
-        told.meaning =
-            tr("Positive: the bag is too long. Where cuts were left out, the set length is that of all its "
-               "lengths.");
+        told.meaning = tr("Positive: the bag is too long. With skipped cuts, the set length is the sum of "
+                          "all lengths in the bag.");
         told.formula = tr("measured length − set length");
         told.numbers = ifKnown({deviation, length}, u"%1 − %2"_s.arg(format.number(length, 2),
                                                                      format.number(length - deviation, 2)));
@@ -196,10 +191,9 @@ Explanation Explanations::packing(Quantity quantity) const
         told.title = tr("Mark error");
         told.value = format.number(line.markErrorMm(), 2);
         told.unit = tr("mm");
-        told.meaning = tr(
-            "Of the last cut that had a mark, as the controller measured it. The tracker turns the film by "
-            "a part of it, cut after cut.");
-        told.formula = tr("where the cut was − where its mark wanted it");
+        told.meaning = tr("Mark error of the last cut with a mark, measured by the controller. Mark tracking "
+                          "corrects a part of this error with each cut.");
+        told.formula = tr("position of the cut − position required by its mark");
         return told;
     }
     const double saved = line.filmSavedM();
@@ -207,10 +201,9 @@ Explanation Explanations::packing(Quantity quantity) const
     told.title = tr("Film saved");
     told.value = format.number(saved, 1);
     told.unit = tr("m");
-    told.meaning =
-        tr("Film that bags without product would have used up: the film waited instead. Counted since "
-           "the controller was switched on.");
-    told.formula = tr("bags left out × their mean length");
+    told.meaning = tr("Film that was not used because the film waited for missing products. Counted since "
+                      "power-on of the controller.");
+    told.formula = tr("skipped bags × their mean length");
     told.numbers = bags > 0
                        ? ifKnown({saved, bags},
                                  tr("%1 × %2 m").arg(format.number(bags, 0), format.number(saved / bags, 3)))
@@ -227,8 +220,7 @@ Explanation Explanations::followingError() const
     told.title = tr("Following error");
     told.value = format.number(error, 2);
     told.unit = tr("mm");
-    told.meaning =
-        tr("How far the axis was from where the program wanted it, when the controller told last.");
+    told.meaning = tr("Last reported difference between commanded and actual position of the axis.");
     told.formula = tr("error in pulses / pulses per mm");
     if (m_machine.program())
         told.numbers = ifKnown({error, pulses},
@@ -242,15 +234,14 @@ Explanation Explanations::goodStrokes() const
     const Format format;
     StrokeModel& strokes = *m_machine.strokes();
     Explanation told;
-    told.title = tr("Good of the last strokes");
+    told.title = tr("Good strokes");
     told.value = strokes.rows()->count() > 0 ? format.number(strokes.goodCount(), 0) : Format::unknownText();
-    told.meaning = tr("Of the last strokes (%1), those that ended inside the gate: at the press position, "
-                      "with a force of "
-                      "%2 to %3 N.")
-                       .arg(format.number(strokes.rows()->count(), 0),
-                            format.number(m_machine.active().minStopForceN, 0),
-                            format.number(m_machine.active().maxStopForceN, 0));
-    told.formula = tr("strokes that the controller called good");
+    told.meaning =
+        tr("Number of the last strokes (%1) that ended at the press position with a force of %2 to %3 N.")
+            .arg(format.number(strokes.rows()->count(), 0),
+                 format.number(m_machine.active().minStopForceN, 0),
+                 format.number(m_machine.active().maxStopForceN, 0));
+    told.formula = tr("strokes that the controller evaluated as good");
     return told;
 }
 
@@ -258,7 +249,7 @@ Explanation Explanations::fastestRate() const
 {
     const Format format;
     Explanation told;
-    told.title = tr("Fastest possible rate");
+    told.title = tr("Maximum possible rate");
     told.value = Format::unknownText();
     told.unit = tr("bags/min");
     const auto cutter = cutterOf(m_editor.recipe());
@@ -266,10 +257,9 @@ Explanation Explanations::fastestRate() const
     if (!fastest)
         return told;
     told.value = format.compact(fastest->rateBagsPerMin, 1, 2);
-    told.meaning =
-        tr("With this bag length, law and machine. What ends it first: %1. Speeds grow with the rate, the "
-           "acceleration with its square.")
-            .arg(RecipeWords::limitName(fastest->limitedBy));
+    told.meaning = tr("Maximum rate with this bag length, law and machine; limited by: %1. Speeds rise with "
+                      "the rate, acceleration with its square.")
+                       .arg(RecipeWords::limitName(fastest->limitedBy));
     const profile::Peaks peaks = profile::peaks(*cutter);
     const profile::Machine& machine = cutter->machine;
     const QString rate = format.compact(cutter->cycle.rateBagsPerMin, 1, 2);
@@ -318,14 +308,14 @@ Explanation Explanations::peak(Quantity quantity) const
         told.unit = RecipeWords::unit(explained.unit);
     };
     if (quantity == PeakMotorSpeed) {
-        take(tr("Highest motor speed"), profile::Quantity::PeakMotorRpm);
-        told.meaning = tr("Where the knife is fastest.");
+        take(tr("Peak motor speed"), profile::Quantity::PeakMotorRpm);
+        told.meaning = tr("Motor speed at the maximum knife speed.");
     } else if (quantity == PeakAcceleration) {
-        take(tr("Highest acceleration of the knife"), profile::Quantity::PeakAcceleration);
-        told.meaning = tr("Where its speed changes most quickly.");
+        take(tr("Peak knife acceleration"), profile::Quantity::PeakAcceleration);
+        told.meaning = tr("Acceleration at the fastest change of the knife speed.");
     } else {
-        take(tr("Highest pulse frequency"), profile::Quantity::PeakFrequency);
-        told.meaning = tr("What the controller has to put out where the knife is fastest.");
+        take(tr("Peak pulse frequency"), profile::Quantity::PeakFrequency);
+        told.meaning = tr("Output frequency of the controller at the maximum knife speed.");
     }
     return told;
 }

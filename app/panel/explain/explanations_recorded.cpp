@@ -35,13 +35,12 @@ Explanation Explanations::wireShare() const
 {
     const Format format;
     Explanation told;
-    told.title = tr("Share of the wire's limit");
+    told.title = tr("Line utilization");
     told.value = Format::unknownText();
-    told.meaning =
-        tr("How much of the time that the exchanges took the frames themselves need at this baud "
-           "rate, with the silences of the standard. At 100 % no master could ask faster; what is "
-           "missing was spent waiting for the controller, the adapter or answers that never came.");
-    told.formula = tr("time of the frames on the wire / time of the exchanges");
+    told.meaning = tr("Time of the frames on the wire at this baud rate, with the silent intervals of the "
+                      "standard, divided by the communication time. At 100 % no master could poll faster; "
+                      "the rest is time spent waiting for controller and adapter.");
+    told.formula = tr("time of the frames on the wire / communication time");
     const auto& report = m_figures.report();
     const auto share = report ? report->figures.wireShare() : std::nullopt;
     if (!share)
@@ -70,29 +69,29 @@ Explanation Explanations::answers(Quantity quantity) const
         told.unit = tr("ms");
     };
     if (quantity == AnswersLongest) {
-        told.title = tr("Longest time of an answer");
+        told.title = tr("Maximum response time");
         told.meaning =
-            tr("From handing the question to the port to the last byte of its answer. One single answer, "
-               "perhaps hours ago: the percentages say more about every day.");
-        told.formula = tr("the longest since the count began");
+            tr("Time from sending the request to the last byte of the response. This is one single response, "
+               "perhaps hours ago: the percentages describe normal operation better.");
+        told.formula = tr("maximum since the last reset of the counters");
         take(latency.maximum());
         return told;
     }
     const int percent = quantity == AnswersHalf ? 50 : quantity == Answers95 ? 95 : 99;
-    told.title = quantity == AnswersHalf ? tr("Half of the answers came within")
-                                         : tr("%1 % of the answers came within").arg(percent);
+    told.title = quantity == AnswersHalf ? tr("50 % of responses within")
+                                         : tr("%1 % of responses within").arg(percent);
     told.meaning =
         quantity == AnswersHalf
-            ? tr("From handing the question to the port to the last byte of its answer, both frames on the "
-                 "wire included. Counted since the panel was started or Count from zero was pressed.")
-            : tr("%1 of 100 answers took no longer than this.").arg(percent);
-    told.formula = tr("all answers in the order of their times: the time of the one at %1 % of their number, "
-                      "at most 6.25 % too high, never too low")
+            ? tr("Time from sending the request to the last byte of the response, both frames on the wire "
+                 "included. Counted since the start of the panel or the last reset of the counters.")
+            : tr("%1 of 100 responses took at most this time.").arg(percent);
+    told.formula = tr("all responses sorted by time: value at %1 % of their number, up to 6.25 % too high, "
+                      "never too low")
                        .arg(percent);
     take(latency.percentile(percent / 100.0));
     if (isKnown)
         told.numbers =
-            tr("time of number %1 of %2")
+            tr("time of response %1 of %2")
                 .arg(format.grouped(std::ceil(count * percent / 100.0), 0), format.grouped(count, 0));
     return told;
 }
@@ -102,12 +101,11 @@ Explanation Explanations::answerAllowance() const
     const Format format;
     const auto& report = m_figures.report();
     Explanation told;
-    told.title = tr("Allowed beyond wire time");
+    told.title = tr("Response timeout");
     told.value = Format::unknownText();
-    told.meaning = tr("How long the panel waits for an answer, beyond what both frames need on the wire, "
-                      "before it counts as missing. It follows what this controller and adapter need, and "
-                      "doubles when nothing comes.");
-    told.formula = tr("%1 × the time within which 99 % of the last answers began, from %2 to %3 ms")
+    told.meaning = tr("Waiting time for a response, in addition to both frames on the wire. The panel adapts "
+                      "this time to controller and adapter, and doubles it without a response.");
+    told.formula = tr("%1 × the time in which 99 % of the last responses started, from %2 to %3 ms")
                        .arg(modbus::AnswerAllowance::margin)
                        .arg(modbus::AnswerAllowance::shortest.count())
                        .arg(modbus::AnswerAllowance::longest.count());
@@ -138,18 +136,17 @@ QVariantList Explanations::ofTrend(int lane) const
     mean.title = tr("Mean");
     mean.value = format.number(average, decimals);
     mean.unit = unit;
-    mean.meaning = tr("Of all values recorded in the time that is shown (n = %1).").arg(values);
+    mean.meaning = tr("Mean of all values recorded in the displayed time (n = %1).").arg(values);
     mean.formula = tr("sum of the values / n");
     mean.numbers = u"%1 / %2"_s.arg(format.grouped(average * count, decimals), values);
     QVariantList told{QVariant::fromValue(mean)};
 
     const double deviation = found.value(u"scatter"_s).toDouble();
     Explanation scatter;
-    scatter.title = tr("Scatter");
+    scatter.title = tr("Standard deviation");
     scatter.value = format.number(deviation, decimals);
     scatter.unit = std::isfinite(deviation) ? unit : QString();
-    scatter.meaning =
-        tr("Standard deviation: about two thirds of the values are closer to the mean than this.");
+    scatter.meaning = tr("About two thirds of the values are closer to the mean than this value.");
     scatter.formula = tr("√(sum of (value − mean)² / (n − 1))");
     if (std::isfinite(deviation))
         scatter.numbers =
@@ -157,15 +154,14 @@ QVariantList Explanations::ofTrend(int lane) const
     told << QVariant::fromValue(scatter);
 
     Explanation ends;
-    ends.title = tr("Lowest and highest");
+    ends.title = tr("Minimum and maximum");
     ends.value = tr("%1 … %2", "lowest, highest")
                      .arg(format.number(found.value(u"low"_s).toDouble(), decimals),
                           format.number(found.value(u"high"_s).toDouble(), decimals));
     ends.unit = unit;
-    ends.meaning =
-        tr("Single values. The curve is the mean of each column, the pale band around it goes from "
-           "the lowest to the highest value of that column.");
-    ends.formula = tr("the lowest … the highest of the n values");
+    ends.meaning = tr("Minimum and maximum are single values. The curve shows the mean of each column, the "
+                      "pale band its minimum and maximum.");
+    ends.formula = tr("minimum … maximum of the n values");
     told << QVariant::fromValue(ends);
 
     if (quantity > Trends::Deviation)
@@ -175,8 +171,8 @@ QVariantList Explanations::ofTrend(int lane) const
     within.title = tr("Within the tolerance");
     within.value = format.number(100 * share, 1);
     within.unit = u"%"_s;
-    within.meaning = tr("Each bag is judged by the tolerance that held when it was made.");
-    within.formula = tr("bags whose deviation is not above the tolerance / n");
+    within.meaning = tr("Each bag is compared with the tolerance that was valid at its production.");
+    within.formula = tr("bags with a deviation within the tolerance / n");
     within.numbers = u"%1 / %2"_s.arg(format.grouped(std::round(share * count), 0), values);
     return told << QVariant::fromValue(within);
 }
@@ -199,11 +195,9 @@ QVariantList Explanations::ofTrendCursor(int lane, const QList<double>& values) 
     told.title = tr("Mean at the cursor");
     told.value = format.number(values[1], decimals);
     told.unit = trendUnit(quantity);
-    told.meaning =
-        tr("The curves are drawn in columns of %1 each. In the one at the cursor the lowest value was "
-           "%2, the highest %3.")
-            .arg(width, format.number(values[0], decimals), format.number(values[2], decimals));
-    told.formula = tr("sum of the column's values / their number");
+    told.meaning = tr("One column of the curves covers %1. At the cursor the minimum was %2, the maximum %3.")
+                       .arg(width, format.number(values[0], decimals), format.number(values[2], decimals));
+    told.formula = tr("sum of the column's values / number of values");
     return {QVariant::fromValue(told)};
 }
 

@@ -90,11 +90,10 @@ void ReportFiles::takePlaces(const QList<store::Place>& places)
     for (const store::Place& place : places) {
         const QString detail =
             place.isReadOnly
-                ? tr("%1 can only be read. Unlock the stick or choose another place.").arg(place.path)
+                ? tr("%1 is read-only. Unlock the stick or choose another location.").arg(place.path)
                 : tr("New files will be written to %1.").arg(place.path);
-        rows << OfferRow{place.name,
-                         place.isReadOnly ? tr("%1 · can only be read").arg(place.path) : place.path, detail,
-                         !place.isReadOnly};
+        rows << OfferRow{place.name, place.isReadOnly ? tr("%1 · read-only").arg(place.path) : place.path,
+                         detail, !place.isReadOnly};
     }
     m_places.setRows(rows);
 }
@@ -111,7 +110,7 @@ void ReportFiles::write(int place)
             m_failed = !written.problem.isEmpty();
             const QString paths = written.paths.join(QStringLiteral(", "));
             m_message = m_failed            ? written.problem
-                        : written.isOnStick ? tr("Written: %1. The stick can be taken out now.").arg(paths)
+                        : written.isOnStick ? tr("Written: %1. You can remove the stick now.").arg(paths)
                                             : tr("Written: %1").arg(paths);
             --m_jobs;
             emit this->written(written.paths, written.problem);

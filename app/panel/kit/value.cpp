@@ -17,9 +17,9 @@ QString Value::check(double value) const
         return m_view.unit.isEmpty() ? text : text + QLatin1Char(' ') + m_view.unit;
     };
     if (value < m_view.minimum - halfStep)
-        return tr("The smallest allowed value is %1.").arg(limit(m_view.minimum));
+        return tr("The minimum is %1.").arg(limit(m_view.minimum));
     if (value > m_view.maximum + halfStep)
-        return tr("The largest allowed value is %1.").arg(limit(m_view.maximum));
+        return tr("The maximum is %1.").arg(limit(m_view.maximum));
     return {};
 }
 

@@ -59,7 +59,7 @@ Recipes::Recipes(Controller& machine, Editor& editor, DatabaseService& records, 
             return;
         keep(onThisMachine(recipe), [this, fileName](const RecipeVersion& kept) {
             m_chosenId = kept.recipeId;
-            say(tr("%1 was taken over as %2, version %3.", "file, recipe")
+            say(tr("%1 was imported as %2, version %3.", "file, recipe")
                     .arg(fileName, nameOf(kept.recipe))
                     .arg(kept.version));
         });
@@ -291,10 +291,10 @@ QString Recipes::nameProblem() const
     if (name.isEmpty())
         return tr("Enter a name.");
     if (name.toStdString().size() > program::longestNameBytes)
-        return tr("Too long: the controller keeps %1 letters of a name, or a third as many Chinese ones.")
+        return tr("The name is too long. Enter at most %1 letters, or a third as many Chinese characters.")
             .arg(program::longestNameBytes);
     if (named(name))
-        return tr("There is a recipe of this name already.");
+        return tr("A recipe with this name already exists.");
     return {};
 }
 
@@ -333,7 +333,8 @@ void Recipes::create(int kind)
         !m_machine.accessCheck().require(Level::Technician))
         return;
     keepAndOpen(renamed(m_editor.newRecipe(static_cast<profile::ProgramKind>(kind))), [](const Recipe& kept) {
-        return tr("%1 is new and open, with usual values. Set yours on the page Motion.").arg(nameOf(kept));
+        return tr("%1 was created with default values and opened. Set your values on the Motion page.")
+            .arg(nameOf(kept));
     });
 }
 
@@ -341,8 +342,9 @@ void Recipes::copy()
 {
     const RecipeVersion* chosen = chosenRecipe();
     if (chosen && nameProblem().isEmpty() && m_machine.accessCheck().require(Level::Technician))
-        keepAndOpen(renamed(onThisMachine(chosen->recipe)),
-                    [](const Recipe& kept) { return tr("%1 is a copy and open.").arg(nameOf(kept)); });
+        keepAndOpen(renamed(onThisMachine(chosen->recipe)), [](const Recipe& kept) {
+            return tr("%1 was created as a copy and opened.").arg(nameOf(kept));
+        });
 }
 
 void Recipes::saveAs()
@@ -416,7 +418,7 @@ void Recipes::remove()
             note(u"recipe.delete"_s, name, {}, {});
             m_deletedId = id;
             m_deletedName = name;
-            m_message = tr("%1 was deleted. Its versions are kept.").arg(name);
+            m_message = tr("%1 was deleted; its versions are kept.").arg(name);
             emit messageChanged();
             reload();
         });

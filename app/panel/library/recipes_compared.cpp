@@ -117,10 +117,10 @@ QString Recipes::consequence(const Recipe& recipe) const
     const QString name = QString::fromStdString(recipe.name);
     const RecipeVersion* known = named(name);
     if (!known)
-        return tr("It becomes a new recipe, %1. The data of this machine stay as they are.").arg(name);
+        return tr("The file becomes the new recipe %1. The data of this machine stay unchanged.").arg(name);
     if (RecipeComparison::rows(known->recipe, recipe).isEmpty())
-        return tr("It is the same as %1, version %2; nothing changes.").arg(name).arg(known->version);
-    return tr("It becomes version %2 of %1; the versions before are kept.")
+        return tr("The file is identical to %1, version %2; nothing changes.").arg(name).arg(known->version);
+    return tr("The file becomes version %2 of %1; earlier versions are kept.")
         .arg(name)
         .arg(std::max(known->version + 1, recipe.version));
 }

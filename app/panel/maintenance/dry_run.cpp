@@ -195,9 +195,9 @@ void DryRun::tellCutter(QList<FigureRow>& rows) const
     const double filmMmPerS = cutter.cycle.bagLengthMm / cutter.cycle.cycleTimeS;
     rows << FigureRow{tr("Knife speed"), tr("%1 mm/s").arg(format.number(knifeMmPerS, 1)), false}
          << FigureRow{tr("Film speed"), tr("%1 mm/s").arg(format.number(filmMmPerS, 1)), false}
-         << FigureRow{tr("Knife against film"),
+         << FigureRow{tr("Knife speed / film speed"),
                       tr("%1 %").arg(format.number(100 * knifeMmPerS / filmMmPerS, 1)), false}
-         << FigureRow{tr("Synchronous zone"), synchronous() ? tr("yes") : tr("no"), false};
+         << FigureRow{tr("Sync window"), synchronous() ? tr("yes") : tr("no"), false};
 }
 
 } // namespace campanel::panel

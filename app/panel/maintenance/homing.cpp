@@ -52,39 +52,35 @@ QString Homing::placeText() const
 {
     switch (place()) {
     case Place::Homed:
-        return moves() ? tr("Homed") : tr("Upper position known");
+        return moves() ? tr("Homed") : tr("Top position known");
     case Place::NotHomed:
-        return moves() ? tr("Not homed") : tr("Upper position not known");
+        return moves() ? tr("Not homed") : tr("Top position not known");
     case Place::NotNeeded:
-        return tr("Needs no homing");
+        return tr("No homing required");
     case Place::Unknown:
         break;
     }
-    return tr("Not known");
+    return tr("Unknown");
 }
 
 QString Homing::explanation() const
 {
     switch (kindOf(m_machine)) {
     case Kind::RotaryCutter:
-        return tr("The knife turns slowly forward to the index mark of its shaft, brakes and returns to it: "
-                  "that is "
-                  "0°. Keep hands away from the knife. Start does this by itself when it is needed.");
+        return tr("Keep hands away: the knife turns slowly forward to the index mark of its shaft, brakes "
+                  "and returns to 0°. Start homes automatically when required.");
     case Kind::PointCam:
-        return tr(
-            "The axis turns slowly forward to the index mark of its motor, brakes and returns to it: that is "
-            "position 0. Start does this by itself when it is needed.");
+        return tr("The axis turns slowly forward to the index mark of its motor, brakes and returns to "
+                  "position 0. Start homes automatically when required.");
     case Kind::PositionMove:
     case Kind::SpeedMove:
-        return tr("Moves begin where the axis stands, so nothing has to be homed. Home turns slowly to the "
-                  "index mark "
-                  "of the motor and calls it position 0.");
+        return tr("Moves start at the present axis position, so homing is not required. Home turns slowly to "
+                  "the motor's index mark, which becomes position 0.");
     case Kind::Press:
-        return tr("Nothing moves: the place where the ram stands now becomes its upper position, from which "
-                  "all depths "
-                  "are measured. Jog it there first. A wrong place makes every stroke wrong.");
+        return tr("No motion: the present ram position becomes the top position, the reference of all "
+                  "depths. Jog the ram there first; a wrong top position makes every stroke wrong.");
     }
-    return tr("What homing does depends on the program, and the controller has none.");
+    return tr("Homing depends on the program. Download a recipe first.");
 }
 
 QString Homing::keyText() const
@@ -95,7 +91,7 @@ QString Homing::keyText() const
 QString Homing::blockedReason() const
 {
     if (m_machine.state() == Controller::State::Homing && m_machine.fresh())
-        return tr("Looking for the index mark …");
+        return tr("Searching for the index mark …");
     return m_machine.blockedReason(modbus::Command::Home);
 }
 
@@ -108,16 +104,15 @@ QString Homing::resultText() const
 {
     switch (m_result) {
     case Result::Done:
-        return moves() ? tr("The last homing has found the index mark.")
-                       : tr("The place where the ram stood has become its upper position.");
+        return moves() ? tr("The last homing found the index mark.")
+                       : tr("The ram position was set as top position.");
     case Result::Stopped:
-        return tr("The last homing was stopped before it ended.");
+        return tr("The last homing was stopped before its end.");
     case Result::Failed:
-        return tr("The last homing has failed, see the alarm: no index mark came within two revolutions, or "
-                  "the axis "
-                  "did not follow.");
+        return tr("The last homing failed: no index mark within two revolutions, or the axis did not follow. "
+                  "See the alarm.");
     case Result::Interrupted:
-        return tr("The line was lost while homing: what came of it is not known.");
+        return tr("The connection was lost during homing: the result is unknown.");
     case Result::None:
     case Result::UnderWay:
         break;

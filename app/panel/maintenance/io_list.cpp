@@ -95,7 +95,7 @@ void IoList::addAxis(QList<Row>& rows, const modbus::StatusBlock& status) const
                     Lamp::None};
     else
         rows << Row{Side::Input, tr("Index mark"),
-                    status.has(WarningBit::NotHomed) ? tr("not found yet") : tr("found, or not needed"),
+                    status.has(WarningBit::NotHomed) ? tr("not found yet") : tr("found or not required"),
                     lampOf(!status.has(WarningBit::NotHomed))};
     rows << Row{Side::Input, tr("Heartbeat of the panel"),
                 tr("no. %1", "of a heartbeat").arg(status.heartbeat),
@@ -117,27 +117,27 @@ void IoList::addLine(QList<Row>& rows)
     rows << Row{Side::Input, tr("Mark sensor"), tr("%1 marks").arg(format.grouped(marks, 0)),
                 lampOf(std::exchange(m_marks, marks) < marks)}
          << Row{Side::Input, tr("Product eye"),
-                tr("%1 products laid").arg(format.grouped(line.products(), 0)),
+                tr("%1 products placed").arg(format.grouped(line.products(), 0)),
                 lampOf(std::exchange(m_products, line.products()) < line.products())}
          << Row{Side::Input, tr("Encoder of the film"),
                 tr("%1 mm").arg(format.grouped(line.filmPositionMm(), 1)), Lamp::None};
     const auto gate = [](modbus::GateState state) {
         switch (state) {
         case modbus::GateState::Running:
-            return tr("follows");
+            return tr("following");
         case modbus::GateState::Slowing:
-            return tr("slows down");
+            return tr("decelerating");
         case modbus::GateState::Standing:
-            return tr("stands");
+            return tr("at standstill");
         case modbus::GateState::Gaining:
-            return tr("gains speed");
+            return tr("accelerating");
         }
         return Format::unknownText();
     };
     const auto& packer = *line.status();
     rows << Row{Side::Output, tr("Pulses to the film"), gate(packer.filmGate),
                 lampOf(packer.filmGate != modbus::GateState::Standing && line.filmSpeedMmPerS() != 0)}
-         << Row{Side::Output, tr("Knife with the film"), gate(packer.knifeGate),
+         << Row{Side::Output, tr("Knife synchronous with film"), gate(packer.knifeGate),
                 lampOf(packer.knifeGate == modbus::GateState::Running)}
          << Row{Side::Output, tr("Film, sent minus encoder"),
                 tr("%1 mm").arg(format.number(line.filmFollowingErrorMm(), 2)), Lamp::None};

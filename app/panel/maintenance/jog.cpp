@@ -109,30 +109,30 @@ QString Jog::blockedReason() const
     case Controller::State::Running:
         return tr("The machine is running. Stop it first.");
     case Controller::State::Stopping:
-        return tr("The machine is stopping. Wait until it stands.");
+        return tr("The machine is stopping. Wait for standstill.");
     case Controller::State::Homing:
-        return tr("The axis is homing. Wait until it stands.");
+        return tr("The axis is homing. Wait for standstill.");
     case Controller::State::Fault:
         return tr("The controller is in fault. Reset the fault first.");
     case Controller::State::Unknown:
         break;
     }
-    return tr("The state of the controller is not known.");
+    return tr("The controller's state is unknown.");
 }
 
 QString Jog::endText() const
 {
     switch (m_end) {
     case End::Stopped:
-        return tr("Stop has ended it. Let the key go before you jog again.");
+        return tr("Stop ended the jog. Release the key before you jog again.");
     case End::BothKeys:
-        return tr("Two keys at once: nothing moves. Let both go.");
+        return tr("Two keys are pressed: no motion. Release both keys.");
     case End::Released:
     case End::Blocked:
     case End::LeftScreen:
         break;
     }
-    return tr("Let the key go before you jog again.");
+    return tr("Release the key before you jog again.");
 }
 
 QString Jog::text() const
@@ -142,20 +142,17 @@ QString Jog::text() const
         return reason;
     if (m_isRefused)
         return isPress(m_machine) && m_held > 0
-                   ? tr("The controller does not move. A press does not go on against its force.")
-                   : tr("The controller does not move. Let the key go and try again.");
+                   ? tr("No motion: the press does not continue against its force.")
+                   : tr("No motion. Release the key and try again.");
     if (m_held > 0)
-        return tr("Forward, as long as you hold the key.");
+        return tr("Moves forward while you hold the key.");
     if (m_held < 0)
-        return tr("In reverse, as long as you hold the key.");
+        return tr("Moves in reverse while you hold the key.");
     if (m_pressed != 0)
         return endText();
     if (isCutter(m_machine))
-        return tr("Hold a key: the knife turns while your finger is on it. The film stands, and the next "
-                  "start homes "
-                  "first.");
-    return isPress(m_machine) ? tr("Hold a key: the ram moves while your finger is on it.")
-                              : tr("Hold a key: the axis moves while your finger is on it.");
+        return tr("Hold a key to turn the knife. The film stays still, and the next start homes first.");
+    return isPress(m_machine) ? tr("Hold a key to move the ram.") : tr("Hold a key to move the axis.");
 }
 
 void Jog::press(int direction)

@@ -69,10 +69,10 @@ void LineFigures::showRows()
     const Format format;
     m_exchanges.setRows(
         {{tr("Requests"), count(figures.requests()), false},
-         {tr("Answers"), count(figures.answers()), false},
-         {tr("Asked again"), count(figures.retries()), figures.retries() > 0},
+         {tr("Responses"), count(figures.answers()), false},
+         {tr("Retries"), count(figures.retries()), figures.retries() > 0},
          {tr("Bytes dropped"), count(figures.droppedBytes()), figures.droppedBytes() > 0},
-         {tr("Share of the wire's limit"),
+         {tr("Line utilization"),
           share ? tr("%1 %").arg(format.number(100 * *share, 1)) : Format::unknownText(), false}});
     showErrors();
     showTimes();
@@ -86,12 +86,12 @@ void LineFigures::showErrors()
         return FigureRow{label, count(number), number > 0};
     };
     using modbus::LinkErrorKind;
-    m_errors.setRows({row(tr("No answer"), LinkErrorKind::NoAnswer),
+    m_errors.setRows({row(tr("No response"), LinkErrorKind::NoAnswer),
                       row(tr("Wrong checksum"), LinkErrorKind::BadChecksum),
                       row(tr("Damaged frame"), LinkErrorKind::BadFrame),
-                      row(tr("Foreign answer"), LinkErrorKind::ForeignAnswer),
+                      row(tr("Foreign response"), LinkErrorKind::ForeignAnswer),
                       row(tr("Refused by the controller"), LinkErrorKind::Exception),
-                      row(tr("Port gone"), LinkErrorKind::PortGone)});
+                      row(tr("Port removed"), LinkErrorKind::PortGone)});
 }
 
 void LineFigures::showTimes()
@@ -106,11 +106,11 @@ void LineFigures::showTimes()
         m_report ? m_report->figures.latency() : modbus::LatencyHistogram();
     const auto allowance = m_report ? m_report->answerAllowance : std::chrono::milliseconds(0);
     m_times.setRows(
-        {{tr("Half of all within"), ms(latency.percentile(0.5)), false},
+        {{tr("50 % within"), ms(latency.percentile(0.5)), false},
          {tr("95 % within"), ms(latency.percentile(0.95)), false},
          {tr("99 % within"), ms(latency.percentile(0.99)), false},
-         {tr("Longest"), ms(latency.maximum()), false},
-         {tr("Allowed beyond wire time"),
+         {tr("Maximum"), ms(latency.maximum()), false},
+         {tr("Response timeout"),
           allowance.count() > 0 ? tr("%1 ms").arg(allowance.count()) : Format::unknownText(), false}});
 }
 
@@ -151,7 +151,7 @@ void LineFigures::showStrip()
 void LineFigures::exportCsv()
 {
     const modbus::LinkFigures figures = m_report ? m_report->figures : modbus::LinkFigures();
-    m_files.offer({{tr("link figures"), QStringLiteral("csv"),
+    m_files.offer({{tr("link statistics"), QStringLiteral("csv"),
                     [figures] { return QByteArray::fromStdString(modbus::figuresCsv(figures)); }},
                    {tr("link 24 hours"), QStringLiteral("csv"),
                     [figures] { return QByteArray::fromStdString(modbus::stripCsv(figures)); }}});

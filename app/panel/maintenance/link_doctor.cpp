@@ -28,15 +28,14 @@ QString LinkDoctor::blockedReason() const
     case Controller::State::Stopping:
     case Controller::State::Jogging:
     case Controller::State::Homing:
-        return tr("The machine is moving. Diagnosis and search close the connection, and the controller "
-                  "would miss this panel. Stop the machine first.");
+        return tr("The machine is moving. Stop it first: diagnosis and search interrupt the connection.");
     default:
         break;
     }
     if (m_isStopWaiting)
-        return tr("A Stop waits for the connection to come back. It goes first.");
+        return tr("A stop command is waiting for the connection and has priority.");
     if (m_isDownloading)
-        return tr("A download is under way. Wait for its end, or cancel it.");
+        return tr("A download is in progress. Wait for its end, or cancel the download.");
     return {};
 }
 
@@ -79,22 +78,21 @@ bool LinkDoctor::canTake() const
 QString LinkDoctor::resultText() const
 {
     if (!m_report)
-        return tr("Diagnose asks the port in use a few questions. Search tries every port, baud rate, parity "
-                  "and unit number, which may take long. Both only read, and close the connection "
-                  "meanwhile.");
+        return tr("Diagnose tests the port in use. Search tries all ports, baud rates, parities and unit "
+                  "numbers, which may take long; both only read and interrupt the connection.");
     if (m_report->isRunning)
         return m_report->depth == Depth::Search
-                   ? tr("Searching. The connection comes back after it.")
-                   : tr("Asking the port in use. The connection comes back after it.");
+                   ? tr("Searching. The panel reconnects afterwards.")
+                   : tr("Testing the port in use. The panel reconnects afterwards.");
     if (canTake())
-        return tr("A controller answers: %1.").arg(foundText());
+        return tr("A controller responds: %1.").arg(foundText());
     if (m_report->found)
         return tr("The connection in use works: %1.").arg(foundText());
     if (m_report->isCanceled)
-        return tr("Canceled. The connection comes back by itself.");
+        return tr("Canceled. The panel reconnects automatically.");
     if (m_report->findings.isEmpty())
-        return tr("This computer has no serial port. Plug in the adapter and search again.");
-    return tr("No controller was found. This is what was seen:");
+        return tr("This computer has no serial port. Plug the adapter in and search again.");
+    return tr("No controller was found. Result for each port:");
 }
 
 void LinkDoctor::diagnose()

@@ -152,13 +152,13 @@ QString RegisterInspector::number(double value) const
 QString RegisterInspector::selectedText() const
 {
     if (!row())
-        return tr("Tap a register to read more about it, or to write it.");
+        return tr("Tap a register to read its description or to write a value.");
     if (!m_outcome.isEmpty())
         return m_outcome;
     const QString reason = RegisterWords::readOnlyReason(row()->group);
     if (!reason.isEmpty())
         return reason;
-    return m_machine.isConnected() ? tr("Can be written: %1 to %2, by default %3.")
+    return m_machine.isConnected() ? tr("Writable: %1 to %2, default %3.")
                                          .arg(number(m_value.minimum()), number(m_value.maximum()),
                                               number(m_value.defaultValue()))
                                    : tr("There is no connection to the controller.");
@@ -206,9 +206,10 @@ void RegisterInspector::takeWritten(const link::ParameterOutcome& outcome)
     const bool isShown = row() && row()->name.toStdString() == outcome.name;
     if (isShown) {
         m_isFailed = outcome.end != link::ParameterEnd::Done;
-        m_outcome = m_isFailed ? ConnectionSentences::parameter(row()->name, outcome)
-                               : tr("Written, and read back from the controller: %1.")
-                                     .arg(number(outcome.value.value_or(0)));
+        m_outcome =
+            m_isFailed
+                ? ConnectionSentences::parameter(row()->name, outcome)
+                : tr("Written and read back from the controller: %1.").arg(number(outcome.value.value_or(0)));
     }
     readVisible();
     updateSelected();

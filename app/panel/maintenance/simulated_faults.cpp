@@ -20,46 +20,49 @@ struct ReadyMade {
 
 // About 80 exchanges pass per second at full speed: a probability of 0.001 means once in twelve seconds.
 constexpr std::array faults{
-    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Late answers"),
-              QT_TRANSLATE_NOOP("campanel::panel::LineFaults",
-                                "One and a half time-outs late: they meet the next question."),
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "Late responses"),
+              QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults",
+                                "Responses arrive 1.5 timeouts late, after the next request."),
               "late times=1.5 probability=0.01", "late times=1.5 probability=0.1"},
-    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Lost frames"),
-              QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Questions and answers that never arrive."),
-              "lost-request probability=0.005; lost-answer probability=0.005",
-              "lost-request probability=0.05; lost-answer probability=0.05"},
-    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Corrupted answers"),
-              QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Flipped bits and answers cut short."),
+    ReadyMade{
+        QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "Lost frames"),
+        QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "Requests and responses that never arrive."),
+        "lost-request probability=0.005; lost-answer probability=0.005",
+        "lost-request probability=0.05; lost-answer probability=0.05"},
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "Corrupted responses"),
+              QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "Flipped bits and truncated responses."),
               "corrupt probability=0.01; truncate probability=0.005",
               "corrupt probability=0.1; truncate probability=0.05"},
-    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Noise"),
-              QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Random bytes behind the answers."),
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "Noise"),
+              QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "Random bytes after the responses."),
               "noise probability=0.01", "noise probability=0.1"},
-    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "A second master"),
-              QT_TRANSLATE_NOOP("campanel::panel::LineFaults",
-                                "Its right answers stand where the panel's are expected."),
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "A second master"),
+              QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults",
+                                "Its valid responses arrive in place of the panel's."),
               "second-master probability=0.01", "second-master probability=0.1"},
-    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Other devices answer"),
-              QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Wrong unit, wrong function, wrong length."),
-              "wrong-unit probability=0.005; wrong-function probability=0.005; wrong-count probability=0.005",
-              "wrong-unit probability=0.05; wrong-function probability=0.05; wrong-count probability=0.05"},
-    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Busy controller"),
-              QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "It refuses three questions in a row."),
+    ReadyMade{
+        QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "Responses of other devices"),
+        QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "Wrong unit, wrong function, wrong length."),
+        "wrong-unit probability=0.005; wrong-function probability=0.005; wrong-count probability=0.005",
+        "wrong-unit probability=0.05; wrong-function probability=0.05; wrong-count probability=0.05"},
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "Busy controller"),
+              QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults",
+                                "The controller refuses three requests in a row."),
               "busy probability=0.005", "busy probability=0.05"},
-    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Silence"),
-              QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Nothing passes for two seconds."),
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "Silence"),
+              QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "No data passes for two seconds."),
               "silence time=2000 probability=0.001", "silence time=2000 probability=0.005"},
-    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Unplugged adapter"),
-              QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "The port is gone for two seconds."),
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "Unplugged adapter"),
+              QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "The port disappears for two seconds."),
               "unplug when=answer time=2000 probability=0.001",
               "unplug when=answer time=2000 probability=0.005"},
-    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Restarts of the controller"),
-              QT_TRANSLATE_NOOP("campanel::panel::LineFaults",
-                                "Silence, then power-up from what was saved. The machine stops."),
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "Restarts of the controller"),
+              QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults",
+                                "Silence, then power-on with the saved program. The machine stops."),
               "restart time=1500 probability=0.001", "restart time=1500 probability=0.005"},
-    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::LineFaults", "Another register map"),
-              QT_TRANSLATE_NOOP("campanel::panel::LineFaults",
-                                "Seen when the panel connects anew, after another fault."),
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "Another register map"),
+              QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults",
+                                "Takes effect when the panel reconnects, after another fault."),
               "map-version major=2 probability=0.5", "map-version major=2"},
 };
 
@@ -175,7 +178,7 @@ int SimulatedFaults::activeCount() const
 QString SimulatedFaults::text() const
 {
     if (activeCount() == 0)
-        return tr("No faults: the line is as good as it gets.");
+        return tr("No faults: the connection works without errors.");
     QStringList names;
     for (qsizetype row = 0; row < faultCount; ++row) {
         if (m_levels[row] != Off)
@@ -192,9 +195,9 @@ QString SimulatedFaults::errorText() const
     case link::FaultsEnd::Refused:
         return tr("The simulated controller refused the fault: %1").arg(m_failure->detail);
     case link::FaultsEnd::NotSimulated:
-        return tr("Faults are for the simulated controller only.");
+        return tr("Faults are available for the simulated controller only.");
     case link::FaultsEnd::NotServing:
-        return tr("The simulated controller is not running. Try again when it is connected.");
+        return tr("The simulated controller is not running. Connect it, then try again.");
     case link::FaultsEnd::Accepted:
         break;
     }

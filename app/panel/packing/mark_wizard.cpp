@@ -94,15 +94,16 @@ QString MarkWizard::blockedReason() const
     if (!m_machine.isConnected() || !m_machine.fresh())
         return tr("There is no connection to the controller.");
     if (!m_machine.packing()->known())
-        return tr("The controller does not run a packing machine's program.");
+        return tr(
+            "The controller has no program for a packing machine. Download a recipe of a rotary cutter.");
     if (needsRun && m_machine.state() != Controller::State::Running)
-        return tr("Start the machine; this step goes on while it runs.");
+        return tr("Start the machine: this step continues while the machine runs.");
     if (needsRun && m_machine.packing()->markState() == PackingLine::MarkState::Off)
-        return tr("The cuts do not follow the marks. Switch that on first.");
+        return tr("Mark tracking is off. Switch mark tracking on first.");
     if (needsRun && m_machine.packing()->markState() != PackingLine::MarkState::Tracking)
-        return tr("Waiting until the cuts have met the marks …");
+        return tr("Waiting for the cuts to reach the marks …");
     if (!std::isfinite(m_fields.value(distanceName)) || !std::isfinite(m_fields.value(offsetName)))
-        return tr("Asking the controller …");
+        return tr("Waiting for the controller …");
     if (m_step == Step::Confirm && !std::isfinite(newDistanceMm()))
         return tr("The corrected distance is outside the controller's range. Measure again.");
     return {};
@@ -188,9 +189,8 @@ void MarkWizard::judgeBags()
     if (std::abs(meanErrorMm) <= rightWithinMm) {
         setStep(Step::Done);
     } else if (bagsSinceStep() >= bagsToWatch()) {
-        m_failure = tr("The distance is written, but the cuts of the last bags lay %1 from their marks "
-                       "on average. "
-                       "Look at gains and film before measuring again.")
+        m_failure = tr("The distance was written, but the cuts of the last bags deviate by %1 from their "
+                       "marks on average. Check gains and film before you measure again.")
                         .arg(millimeters(meanErrorMm, 2));
         setStep(Step::Failed);
     }
@@ -201,8 +201,8 @@ void MarkWizard::updateMeasurement()
 {
     const double bagMm = m_machine.active().bagLengthMm;
     const double maxMm = std::isfinite(bagMm) ? bagMm : 0.0;
-    m_measurement.show(
-        {tr("Cut behind its mark"), QStringLiteral("mm"), Format::unknownText(), -maxMm, maxMm, 0.0, 2});
+    m_measurement.show({tr("Cut offset behind its mark"), QStringLiteral("mm"), Format::unknownText(), -maxMm,
+                        maxMm, 0.0, 2});
 }
 
 void MarkWizard::addMeasurement(double behindMm)
@@ -317,7 +317,7 @@ QString MarkWizard::newText() const
 QString MarkWizard::rulerText() const
 {
     if (m_isSameBag)
-        return tr("That bag has been measured already; wait for the next one.");
+        return tr("This bag has been measured already. Wait for the next bag.");
     if (!m_ruler || m_ruler->end == link::RulerEnd::Read)
         return {};
     return m_ruler->end == link::RulerEnd::NoBag ? tr("No bag has been cut yet.")
@@ -326,9 +326,8 @@ QString MarkWizard::rulerText() const
 
 QString MarkWizard::watchedText() const
 {
-    return tr("The controller works with the new distance, and the cuts of the last bags lie within %1 of "
-              "where it wants "
-              "them. Measure one more bag to be sure. Without Save the controller forgets it at power-off.")
+    return tr("The new distance is active, and the cuts of the last bags are within %1 of the target. "
+              "Measure one more bag to be sure; without Save, the distance is lost at power-off.")
         .arg(millimeters(rightWithinMm, 1));
 }
 
@@ -336,14 +335,11 @@ QString MarkWizard::text() const
 {
     switch (m_step) {
     case Step::Explain:
-        return tr("When every cut lies off its mark by the same distance, the controller is wrong about how "
-                  "far the mark "
-                  "sensor is from the knife. This finds it out: the machine cuts a few bags, you measure how "
-                  "far their "
-                  "cuts lie behind their marks, and the distance is corrected. Nothing is changed before you "
-                  "confirm.");
+        return tr("When all cuts deviate from their marks by the same distance, the distance from mark "
+                  "sensor to knife is set wrong. The machine cuts a few bags, you measure the cuts from "
+                  "their marks, and the panel corrects the distance after you confirm.");
     case Step::Cutting:
-        return tr("%1 of %2 bags cut. Keep them in order and do not pull them.")
+        return tr("%1 of %2 bags cut. Keep the bags in order and do not stretch them.")
             .arg(bagsSinceStep())
             .arg(bagsToCut);
     case Step::Measure: {
@@ -351,22 +347,20 @@ QString MarkWizard::text() const
         if (!rulerText().isEmpty())
             return rulerText();
         if (m_measuredMm.size() > 1 && *most - *least > scatterMm)
-            return tr("The measurements are %1 apart. Are they all from the same edge of the mark?")
+            return tr("The measurements differ by %1. Check that all of them start at the same edge of the "
+                      "mark.")
                 .arg(millimeters(*most - *least, 1));
-        return tr("Measure from the printed mark to the cut: positive when the film passes the mark first "
-                  "and the cut comes "
-                  "behind it, negative when the cut comes before its mark. The mean of up to %1 bags counts.")
+        return tr("Measure from the printed mark to the cut: positive if the cut comes after its mark, "
+                  "negative if the cut comes before its mark. The mean of up to %1 bags counts.")
             .arg(maxMeasured);
     }
     case Step::Confirm:
         return tr(
-            "This becomes the distance from the mark sensor to the knife. The cuts move over the next bags.");
+            "This value becomes the distance from mark sensor to knife. The cuts shift over the next bags.");
     case Step::Writing:
-        return tr("Writing, and reading back …");
+        return tr("Writing and reading back …");
     case Step::Watch:
-        return tr("Written and read back. The new distance reaches the knife with the film: bag %1 of at "
-                  "most "
-                  "%2.")
+        return tr("Written and read back. The new distance reaches the knife with bag %1 of at most %2.")
             .arg(bagsSinceStep())
             .arg(bagsToWatch());
     case Step::Done:

@@ -23,40 +23,41 @@ struct Listed {
 
 // The fields in the order of the screen; the register map has the texts.
 constexpr std::array listed{
-    Listed{"parameter.mark_tracking",
-           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Cuts follow the marks"), true},
+    Listed{"parameter.mark_tracking", QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Mark tracking"),
+           true},
     Listed{"parameter.phase_gain",
-           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Phase gain: share taken for slip"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Phase gain: correction of slip"), false},
     Listed{"parameter.length_gain",
-           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Length gain: share taken for length"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Length gain: correction of length"), false},
     Listed{"parameter.mark_distance",
            QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Mark sensor to knife"), false},
     Listed{"parameter.mark_offset",
-           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Cut behind its mark"), false},
-    Listed{"parameter.mark_window",
-           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Window around an expected mark, ±"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Cut offset behind its mark"), false},
+    Listed{"parameter.mark_window", QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Mark window, ±"),
+           false},
     Listed{"parameter.mark_missing_limit",
-           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Missing marks in a row to stop"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Missing marks in a row before stop"), false},
     Listed{"parameter.phase_limit",
-           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Phase limit: most shift of a cut"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Phase limit: max. shift of a cut"), false},
     Listed{"parameter.length_limit",
-           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Length limit: most change of a bag"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Length limit: max. change of a bag"), false},
     Listed{"parameter.length_trim",
            QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Length trim without marks"), false},
     Listed{"parameter.anti_cut",
-           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Knife stays open over a product"), true},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Anti-cut: knife stays open over product"),
+           true},
     Listed{"parameter.cut_clearance",
            QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Clearance on both sides of a cut"), false},
     Listed{"parameter.skip_limit",
-           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Skipped cuts in a row to stop"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Skipped cuts in a row before stop"), false},
     Listed{"parameter.empty_bag",
            QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Film waits for a missing product"), true},
     Listed{"parameter.product_distance",
-           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Products are laid before the knife"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Product placement to knife"), false},
     Listed{"parameter.eye_distance",
-           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Product eye before that place"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Product eye to placement"), false},
     Listed{"parameter.flight_pitch",
-           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Product distance on the infeed"), false},
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Product pitch on the infeed"), false},
     Listed{"parameter.flight_pulses",
            QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Infeed motor: pulses per product"), false},
     Listed{"parameter.film_feed",
@@ -246,14 +247,14 @@ QString PackingFields::note(const Field& field) const
     if (!isGain)
         return range;
     if (!m_gains && m_bags >= GainEstimate::minBags)
-        return tr("%1 · no suggestion: the marks do not scatter (%2 bags)").arg(range).arg(m_bags);
+        return tr("%1 · no suggestion: the mark positions do not vary (%2 bags)").arg(range).arg(m_bags);
     if (!m_gains)
-        return tr("%1 · suggestion after %2 bags that follow their marks, %3 so far")
+        return tr("%1 · suggestion after %2 tracked bags, %3 so far")
             .arg(range)
             .arg(GainEstimate::minBags)
             .arg(m_bags);
     const Format format;
-    return tr("%1 · film slips %2 mm a bag, sensor scatters %3 mm (%4 bags)")
+    return tr("%1 · film slip %2 mm per bag, sensor std dev %3 mm (%4 bags)")
         .arg(range, format.number(m_gains->slipMm, 3), format.number(m_gains->sensorMm, 3))
         .arg(m_bags);
 }

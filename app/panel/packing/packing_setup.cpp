@@ -120,31 +120,30 @@ QString PackingSetup::teachText() const
     const PackingLine& packing = *m_machine.packing();
     if (!available())
         return tr(
-            "The controller tells nothing of a packing machine: connect it and download a cutter's recipe.");
+            "No packing machine data. Connect the controller and download a recipe of a rotary cutter.");
     if (!m_refusal.isEmpty())
         return m_refusal;
     if (teaching() && m_machine.state() != Controller::State::Running)
-        return tr("Waiting: the marks are measured while the film runs.");
+        return tr("Waiting: marks are measured while the film runs.");
     if (teaching())
         return tr("%1 of %2 marks measured …")
             .arg(std::lround(teachProgress() * marksToTeach))
             .arg(marksToTeach);
     if (!std::isfinite(packing.teachPitchMm()))
         return m_machine.state() == Controller::State::Running
-                   ? tr("Measures the distances between the next %1 marks. The machine keeps running.")
+                   ? tr("Measures the distances of the next %1 marks while the machine runs.")
                          .arg(marksToTeach)
-                   : tr("Start the machine: the marks are measured while the film runs, with or without "
-                        "following them.");
+                   : tr("Start the machine: marks are measured while the film runs, with mark tracking on or "
+                        "off.");
     const Format format;
     const QString pitch = format.number(packing.teachPitchMm(), 2);
     const QString scatter = format.number(packing.teachScatterMm(), 2);
     const QString bag = format.compact(m_machine.active().bagLengthMm, 0, 2);
     if (misfit())
-        return tr("The marks are %1 mm apart (± %2 mm); the recipe cuts %3 mm. That is more than the length "
-                  "limit allows: "
-                  "this film does not fit this recipe.")
+        return tr("The mark distance is %1 mm (± %2 mm), the recipe cuts %3 mm. The difference exceeds the "
+                  "length limit: this film does not match this recipe.")
             .arg(pitch, scatter, bag);
-    return tr("The marks are %1 mm apart (± %2 mm); the recipe cuts %3 mm.").arg(pitch, scatter, bag);
+    return tr("The mark distance is %1 mm (± %2 mm), the recipe cuts %3 mm.").arg(pitch, scatter, bag);
 }
 
 void PackingSetup::retranslate()

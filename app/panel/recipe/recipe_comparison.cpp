@@ -52,11 +52,11 @@ QList<DifferenceRow> RecipeComparison::rows(const Recipe& before, const Recipe& 
     };
     compare(tr("Recipe"), QString::fromStdString(a.name), QString::fromStdString(b.name));
     if (a.kind() != b.kind()) {
-        compare(tr("Kind of program"), RecipeWords::kindName(a.kind()), RecipeWords::kindName(b.kind()));
+        compare(tr("Program type"), RecipeWords::kindName(a.kind()), RecipeWords::kindName(b.kind()));
         return rows; // inputs of different kinds cannot be compared
     }
     if (a.isCutter())
-        compare(tr("Pinned"), pinnedText(a), pinnedText(b));
+        compare(tr("Pinned values"), pinnedText(a), pinnedText(b));
     const program::KindInfo& kind = program::kindInfo(a.kind());
     for (const profile::Field field : kind.programFields) {
         if (program::isRead(a.program, field) || program::isRead(b.program, field))

@@ -94,14 +94,14 @@ QString DatabaseService::notice() const
         return store::StoreErrorText::describe(*m_error);
     if (m_restore.isDone && !m_opening)
         return m_restore.problem.isEmpty()
-                   ? tr("The backup has been restored. What was there before is kept in %1.")
+                   ? tr("The backup has been restored. The previous data are kept in %1.")
                          .arg(QDir::toNativeSeparators(m_restore.keptIn))
-                   : tr("The restore could not be finished: %1. It is tried again at the next start.")
+                   : tr("The restore could not be completed: %1. The panel tries again at the next start.")
                          .arg(m_restore.problem);
     if (!m_opening)
         return {};
     if (m_opening->error)
-        return tr("%1 Until then nothing is kept over a restart.", "%1: whole sentences")
+        return tr("%1 Until then, new data are lost at a restart.", "%1: whole sentences")
             .arg(store::StoreErrorText::describe(*m_opening->error));
     return replacementText(m_opening->opening);
 }
@@ -109,19 +109,17 @@ QString DatabaseService::notice() const
 QString DatabaseService::replacementText(const store::Database::Opening& opening)
 {
     if (opening.wasMissing)
-        return opening.fromCopy
-                   ? tr("The panel's memory was missing or empty. The last good copy was put in its place: "
-                        "what was saved after the last start is lost.")
-                   : tr("The panel's memory was missing or empty, and there was no good copy. A new, empty "
-                        "one was created. Restore a backup.");
+        return opening.fromCopy ? tr("The panel's database was missing or empty and was replaced by the last "
+                                     "good copy. Data saved after the last start are lost.")
+                                : tr("The panel's database was missing or empty, and there was no good copy. "
+                                     "A new, empty database was created; restore a backup.");
     const QString kept = QDir::toNativeSeparators(opening.damagedKeptAs);
-    return opening.fromCopy
-               ? tr("The panel's memory was damaged. It goes on with its last good copy; the damaged file is "
-                    "kept as %1.")
-                     .arg(kept)
-               : tr("The panel's memory was damaged and there was no copy. A new, empty database was created; the "
-                    "damaged file is kept as %1.")
-                     .arg(kept);
+    return opening.fromCopy ? tr("The panel's database was damaged. The last good copy is used; the damaged "
+                                 "file is kept as %1.")
+                                  .arg(kept)
+                            : tr("The panel's database was damaged and there was no copy. A new, empty "
+                                 "database was created; the damaged file is kept as %1.")
+                                  .arg(kept);
 }
 
 void DatabaseService::dismissNotice()

@@ -281,16 +281,12 @@ QString Backup::question() const
     if (!m_checked)
         return {};
     return (m_checked->manifest.hasTrends()
-                ? tr("The file is whole: %1.\nRecipes, machine data, users with their PINs, alarms, audit "
-                     "trail, "
-                     "bags, trends and settings of this panel are replaced by those of the file. The present "
-                     "state "
-                     "is kept as a backup on this panel. The panel then starts anew.")
-                : tr("The file is whole: %1.\nRecipes, machine data, users with their PINs, alarms, audit "
-                     "trail and "
-                     "settings of this panel are replaced by those of the file. Bags and trends stay. The "
-                     "present "
-                     "state is kept as a backup on this panel. The panel then starts anew."))
+                ? tr("The file is valid: %1.\nIt replaces recipes, machine data, users with their PINs, "
+                     "alarms, audit trail, bags, trends and settings of this panel. The present state is "
+                     "saved as a backup on this panel, then the panel restarts.")
+                : tr("The file is valid: %1.\nIt replaces recipes, machine data, users with their PINs, "
+                     "alarms, audit trail and settings of this panel; bags and trends stay. The present "
+                     "state is saved as a backup on this panel, then the panel restarts."))
         .arg(summary(m_checked->manifest));
 }
 
@@ -333,7 +329,7 @@ void Backup::seal(const Snapshot& present)
         QMetaObject::invokeMethod(this, [this, ready] {
             m_checked.reset();
             if (!ready)
-                tell(tr("The restore was not begun: %1. Nothing was changed.").arg(ready.error()), true);
+                tell(tr("The restore was not started: %1. Nothing was changed.").arg(ready.error()), true);
             end();
             if (ready)
                 emit restartWanted();

@@ -110,7 +110,7 @@ ReportSection Commissioning::controllerSection() const
     section.rows.append({tr("Saved program"), proof.savedText()});
     section.lines << m_editor.programDownload()->controllerText();
     section.lines << (proof.result() == ProgramProof::Result::None
-                          ? tr("Its table was not read back for this report.")
+                          ? tr("The active program was not read back for this report.")
                           : proof.text());
     return section;
 }
@@ -125,13 +125,13 @@ ReportSection Commissioning::bagSection() const
     };
     const auto bags = m_machine.bags().series.size();
     if (bags == 0) {
-        section.lines << tr("No bag has been measured.");
+        section.lines << tr("No bag has been measured yet.");
         return section;
     }
     section.rows.append({tr("Measured"), QString::number(bags)});
     add(tr("Mean length"), m_machine.bags().meanMm, 2, u"mm"_s);
     add(tr("Mean deviation"), m_machine.bags().meanDeviationMm, 3, u"mm"_s);
-    add(tr("Scatter (standard deviation)"), m_machine.bags().scatterMm, 3, u"mm"_s);
+    add(tr("Standard deviation"), m_machine.bags().scatterMm, 3, u"mm"_s);
     section.rows.append({tr("Within ±%1 mm").arg(format.compact(m_machine.bags().toleranceMm, 0, 2)),
                          tr("%1 of %2").arg(m_machine.bags().within).arg(bags)});
     return section;

@@ -150,10 +150,10 @@ QString Settings::notice() const
     if (!m_isNoticed)
         return {};
     return m_file.origin() == store::SettingsFile::Origin::Copy
-               ? tr("The settings file was damaged or missing. Its last good copy is used. "
-                    "Check the settings.")
-               : tr("The settings file was damaged and has no good copy. No controller is used. "
-                    "Choose one on the Settings page, under Connection.");
+               ? tr("The settings file was damaged or missing. The last good copy is used; check the "
+                    "settings.")
+               : tr("The settings file was damaged and has no good copy. No controller is selected: select "
+                    "one on the Settings page, under Connection.");
 }
 
 void Settings::dismissNotice()
@@ -296,7 +296,7 @@ void Settings::updateValues()
     const Format format;
     m_bagTolerance.show({tr("Bag tolerance ±"), u"mm"_s, format.number(m_bagToleranceMm, decimals),
                          minToleranceMm, maxToleranceMm, m_standardToleranceMm, decimals});
-    m_unitNumber.show({tr("Unit"), {}, QString::number(m_draft.unit), minUnit, maxUnit, minUnit, 0});
+    m_unitNumber.show({tr("Unit number"), {}, QString::number(m_draft.unit), minUnit, maxUnit, minUnit, 0});
 }
 
 void Settings::setAutoLogoutMinutes(int minutes)
@@ -371,9 +371,9 @@ void Settings::refreshPorts()
 {
     QList<PortRow> rows;
     for (const link::PortDescription& port : link::availablePorts()) {
-        const QString problem = port.isPermitted
-                                    ? QString()
-                                    : tr("Not permitted: add the user to the group \"%1\".").arg(port.group);
+        const QString problem =
+            port.isPermitted ? QString()
+                             : tr("Permission denied: add the user to the group \"%1\".").arg(port.group);
         rows << PortRow{port.path, port.description, problem};
     }
     m_ports.setRows(rows);

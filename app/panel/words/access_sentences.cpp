@@ -46,15 +46,15 @@ QString AccessSentences::permission(Level level)
 {
     switch (level) {
     case Level::Viewer:
-        return tr("see everything, stop the machine");
+        return tr("view everything, stop the machine");
     case Level::Operator:
         return tr("start, bag length, rate, recipes, alarms");
     case Level::Technician:
-        return tr("also the cam, machine, packing, connection");
+        return tr("plus cam, machine, packing, connection");
     case Level::Service:
         break;
     }
-    return tr("also users and single registers");
+    return tr("plus users and single registers");
 }
 
 QString AccessSentences::refusal(Level needed)
@@ -62,20 +62,20 @@ QString AccessSentences::refusal(Level needed)
     switch (needed) {
     case Level::Viewer:
     case Level::Operator:
-        return tr("Whoever operates the machine logs in. Stop needs no login.");
+        return tr("Log in to operate the machine. Stop needs no login.");
     case Level::Technician:
-        return tr("This is for a technician or for service. These may do it:");
+        return tr("This requires the level Technician or Service. Users with this level:");
     case Level::Service:
         break;
     }
-    return tr("This is for service. These may do it:");
+    return tr("This requires the level Service. Users with this level:");
 }
 
 QString AccessSentences::locked(const store::StoreError& reason)
 {
     return reason.kind == store::StoreError::Kind::PinsLost
                ? store::StoreErrorText::describe(reason)
-               : tr("%1 PINs cannot be checked until then: only operators can work.", "%1: whole sentences")
+               : tr("%1 Until then PINs cannot be checked: only operators can work.", "%1: whole sentences")
                      .arg(store::StoreErrorText::describe(reason));
 }
 
@@ -88,12 +88,12 @@ QString AccessSentences::pinRefusal(const QString& pin, Level level)
 {
     if (!hasOnlyDigits(pin) || pin.size() < minPinDigits(level) || pin.size() > store::mostPinDigits)
         return level == Level::Service
-                   ? tr("A PIN for the level Service has %1 to %2 digits.")
+                   ? tr("A PIN of the level Service has %1 to %2 digits.")
                          .arg(minPinDigits(level))
                          .arg(store::mostPinDigits)
                    : tr("A PIN has %1 to %2 digits.").arg(minPinDigits(level)).arg(store::mostPinDigits);
     if (std::ranges::count(pin, pin[0]) == pin.size())
-        return tr("The same digit all along is guessed first. Choose another PIN.");
+        return tr("A PIN of equal digits is easy to guess. Choose another PIN.");
     if (isRow(pin))
         return tr("Sequences such as 1234 are easy to guess. Choose another PIN.");
     return {};
@@ -107,13 +107,12 @@ QString AccessSentences::seconds(qint64 waitMs)
 
 QString AccessSentences::wrongPin(qint64 waitMs)
 {
-    return waitMs > 0 ? tr("Wrong PIN. Try again in %1.").arg(seconds(waitMs))
-                      : tr("Wrong PIN. Try again.");
+    return waitMs > 0 ? tr("Wrong PIN. Try again in %1.").arg(seconds(waitMs)) : tr("Wrong PIN. Try again.");
 }
 
 QString AccessSentences::mustWait(qint64 waitMs)
 {
-    return tr("After wrong PINs this user has to wait: %1.").arg(seconds(waitMs));
+    return tr("Too many wrong PINs. Try again in %1.").arg(seconds(waitMs));
 }
 
 } // namespace campanel::panel

@@ -14,7 +14,7 @@ using store::AlarmRow;
 QString AlarmWords::title(const QString& code)
 {
     const AlarmKind* kind = AlarmCatalogue::find(code);
-    return kind ? kind->title() : tr("Alarm of a newer version");
+    return kind ? kind->title() : tr("Alarm of a newer panel version");
 }
 
 AlarmSeverity AlarmWords::severity(const QString& code)
@@ -30,16 +30,16 @@ QString AlarmWords::state(const AlarmRow& row)
     if (row.acknowledgedMs > 0)
         return isActive    ? tr("Active, acknowledged")
                : isUnknown ? tr("End unknown, acknowledged")
-                           : tr("Gone, acknowledged");
+                           : tr("Cleared, acknowledged");
     if (row.wantsAcknowledgement)
         return isActive    ? tr("Active, not acknowledged")
                : isUnknown ? tr("End unknown, not acknowledged")
-                           : tr("Gone, not acknowledged");
+                           : tr("Cleared, not acknowledged");
     if (row.isShelved)
         return isActive    ? tr("Active, shelved")
                : isUnknown ? tr("End unknown, shelved")
-                           : tr("Gone, shelved");
-    return isActive ? tr("Active") : isUnknown ? tr("End unknown") : tr("Gone");
+                           : tr("Cleared, shelved");
+    return isActive ? tr("Active") : isUnknown ? tr("End unknown") : tr("Cleared");
 }
 
 QString AlarmWords::time(qint64 utcMs, const QDate& today)

@@ -12,21 +12,21 @@ using modbus::LinkErrorKind;
 QString ConnectionSentences::connection(const link::LinkReport& report, const QDateTime& lostAt)
 {
     if (report.isScanning)
-        return tr("The link doctor has the ports. The connection comes back when it has ended.");
+        return tr("The diagnostics are using the ports. The panel reconnects when they have finished.");
     if (report.state == LinkState::Connected)
         return report.simulated ? tr("Connected to the simulated controller.")
                                 : tr("Connected to the controller on %1.").arg(report.portName);
     if (report.simulated && report.simulator != link::SimulatorState::Serving)
         return simulator(report);
     if (report.error && !report.simulated && report.error->port.empty())
-        return tr("No controller is chosen. Choose one on the Settings page, under Connection.");
+        return tr("No controller is selected. Select one on the Settings page, under Connection.");
     if (report.state == LinkState::Lost)
         return lost(report, lostAt.toString(QStringLiteral("HH:mm:ss")));
     if (report.error)
         return error(*report.error);
     if (report.state == LinkState::Connecting)
-        return tr("Asking the controller on %1 who it is …").arg(report.portName);
-    return tr("Looking for the port %1 …").arg(report.portName);
+        return tr("Identifying the controller on %1 …").arg(report.portName);
+    return tr("Searching for port %1 …").arg(report.portName);
 }
 
 QString ConnectionSentences::lost(const link::LinkReport& report, const QString& since)
@@ -34,29 +34,28 @@ QString ConnectionSentences::lost(const link::LinkReport& report, const QString&
     const bool isPortGone = report.error && (report.error->kind == LinkErrorKind::PortAbsent ||
                                              report.error->kind == LinkErrorKind::PortGone);
     if (report.simulated)
-        return tr("No connection since %1. The panel asks the simulated controller on %2 four times a second "
-                  "and reconnects by itself.")
+        return tr("No connection since %1 to the simulated controller on %2. The panel reconnects "
+                  "automatically.")
             .arg(since, report.portName);
-    return isPortGone
-               ? tr("No connection since %1: the port %2 is gone. Plug the adapter in again; the panel "
-                    "looks for it four times a second, under any name, and reconnects by itself.")
-                     .arg(since, report.portName)
-               : tr("No connection since %1: nobody answers on %2. Check the cable and the controller's "
-                    "power; the panel keeps asking and reconnects by itself.")
-                     .arg(since, report.portName);
+    return isPortGone ? tr("No connection since %1: port %2 was removed. Plug the adapter in again; the "
+                           "panel finds it under any name and reconnects automatically.")
+                            .arg(since, report.portName)
+                      : tr("No connection since %1: no response on %2. Check the cable and the controller's "
+                           "power; the panel reconnects automatically.")
+                            .arg(since, report.portName);
 }
 
 QString ConnectionSentences::simulator(const link::LinkReport& report)
 {
     switch (report.simulator) {
     case link::SimulatorState::NotFound:
-        return tr("The simulated controller was not found at %1. Install it, or choose a real port in the "
+        return tr("The simulated controller was not found at %1. Install it, or choose a serial port in the "
                   "settings.")
             .arg(report.simulatorDetail);
     case link::SimulatorState::Ended:
         return report.simulatorDetail.isEmpty()
-                   ? tr("The simulated controller has ended and is being started again.")
-                   : tr("The simulated controller has ended and is being started again. It wrote: %1")
+                   ? tr("The simulated controller has stopped and is restarting.")
+                   : tr("The simulated controller has stopped and is restarting. Its output: %1")
                          .arg(report.simulatorDetail);
     case link::SimulatorState::NotUsed:
     case link::SimulatorState::Starting:
@@ -72,30 +71,30 @@ QString ConnectionSentences::error(const modbus::LinkError& error)
     const QString detail = QString::fromStdString(error.detail);
     switch (error.kind) {
     case LinkErrorKind::PortAbsent:
-        return tr("There is no port %1. Plug the adapter in, or choose another port in the settings.")
+        return tr("Port %1 does not exist. Plug the adapter in, or choose another port in the settings.")
             .arg(port);
     case LinkErrorKind::PortBusy:
-        return tr("The port %1 is in use by another program. Close that program, or choose another port.")
-            .arg(port);
+        return tr("Another program is using port %1. Close that program, or choose another port.").arg(port);
     case LinkErrorKind::PortNotPermitted:
-        return tr("This user may not use the port %1. Add the user to the group \"%2\" and log in again.")
+        return tr("This user has no right to use port %1. Add the user to the group \"%2\" and log in again.")
             .arg(port, detail);
     case LinkErrorKind::PortNotSerial:
         return tr("%1 is not a serial port. Choose another port in the settings.").arg(port);
     case LinkErrorKind::PortSettings:
-        return tr("The port %1 cannot be set up: %2. Choose other settings.").arg(port, detail);
+        return tr("Port %1 cannot be set up: %2. Choose other settings.").arg(port, detail);
     case LinkErrorKind::PortGone:
     case LinkErrorKind::NotOpen:
-        return tr("The port %1 has gone. Check the adapter; the panel keeps trying.").arg(port);
+        return tr("Port %1 was removed. Check the adapter; the panel reconnects automatically.").arg(port);
     case LinkErrorKind::NoAnswer:
         return tr("No response on %1. Check cable, power, baud rate, parity and unit number.").arg(port);
     case LinkErrorKind::BadChecksum:
     case LinkErrorKind::BadFrame:
-        return tr("Only garbage comes from %1. Check baud rate, parity and stop bits.").arg(port);
+        return tr("Invalid data on %1. Check baud rate, parity and stop bits.").arg(port);
     case LinkErrorKind::ForeignAnswer:
-        return tr("Answers on %1 belong to other questions. Is another master on the line?").arg(port);
+        return tr("Responses on %1 belong to other requests. Check for another master on the line.")
+            .arg(port);
     case LinkErrorKind::Exception:
-        return tr("The device on %1 refuses the question (Modbus exception %2). It may not be a CamPanel "
+        return tr("The device on %1 refuses the request (Modbus exception %2). Check that it is a CamPanel "
                   "controller.")
             .arg(port)
             .arg(error.code);
@@ -104,13 +103,12 @@ QString ConnectionSentences::error(const modbus::LinkError& error)
             .arg(port);
     case LinkErrorKind::WrongMapMajor:
         return tr("The controller on %1 has register map version %2, this panel needs version %3. Update the "
-                  "older of "
-                  "the two.")
+                  "older device.")
             .arg(port)
             .arg(error.code)
             .arg(modbus::mapMajor);
     case LinkErrorKind::WrongIdentity:
-        return tr("The controller on %1 reports an impossible value: %2 is %3. Correct its firmware.")
+        return tr("The controller on %1 reports an impossible value: %2 is %3. Update its firmware.")
             .arg(port, detail)
             .arg(error.code);
     case LinkErrorKind::RangeNotReadable:
@@ -119,13 +117,12 @@ QString ConnectionSentences::error(const modbus::LinkError& error)
     case LinkErrorKind::CommandLost:
         return tr("The controller did not receive the command. Try again.");
     case LinkErrorKind::OutcomeUnknown:
-        return tr(
-            "It is not known whether the controller received the command. Look at the machine before trying "
-            "again.");
+        return tr("It is unknown whether the controller received the command. Check the machine before you "
+                  "try again.");
     case LinkErrorKind::ReadBackDiffers:
-        return tr("The controller kept another value than was written. Try again.");
+        return tr("The controller stored a different value. Try again.");
     case LinkErrorKind::ValueRefused:
-        return tr("The value is outside the limits of the controller: %1").arg(detail);
+        return tr("The value is outside the controller's limits: %1").arg(detail);
     }
     return {};
 }
@@ -145,7 +142,7 @@ QString ConnectionSentences::commandName(modbus::Command command)
     case modbus::Command::SaveToFlash:
         return tr("Save");
     case modbus::Command::TeachMarks:
-        return tr("Measure the marks");
+        return tr("Measure marks");
     case modbus::Command::None:
     case modbus::Command::ApplyStaged:
     case modbus::Command::CancelApply:
@@ -164,14 +161,15 @@ QString ConnectionSentences::command(const link::CommandOutcome& outcome)
     case CommandEnd::Withdrawn: // the user already knows
         return {};
     case CommandEnd::Refused:
-        return tr("%1 was refused: %2", "%1: command, %2: whole sentence")
+        return tr("%1 was refused. %2", "%1: command, %2: whole sentence")
             .arg(name, ControllerSentences::refusal(outcome.reason));
     case CommandEnd::NotSent:
         return tr("%1 was not sent: there is no connection to the controller.").arg(name);
     case CommandEnd::NotReceived:
         return tr("%1 did not reach the controller. Try again.").arg(name);
     case CommandEnd::OutcomeUnknown:
-        return tr("%1 was sent, but no answer came. Look at the machine before trying again.").arg(name);
+        return tr("%1 was sent, but no response was received. Check the machine before you try again.")
+            .arg(name);
     }
     return {};
 }
@@ -184,10 +182,10 @@ QString ConnectionSentences::parameter(const QString& what, const link::Paramete
     case link::ParameterEnd::NotSent:
         return tr("%1 was not changed: there is no connection to the controller.").arg(what);
     case link::ParameterEnd::Refused:
-        return tr("%1 was not changed: %2", "%2: whole sentence")
+        return tr("%1 was not changed. %2", "%2: whole sentence")
             .arg(what, outcome.error ? error(*outcome.error) : QString());
     case link::ParameterEnd::OutcomeUnknown:
-        return tr("%1 was sent, but no proof came back. Look at the machine before trying again.").arg(what);
+        return tr("%1 was sent, but not confirmed. Check the machine before you try again.").arg(what);
     }
     return {};
 }
@@ -197,15 +195,16 @@ QString ConnectionSentences::download(const link::DownloadReport& report)
     if (report.isConnectionMissing)
         return tr("Not downloaded: there is no connection to the controller.");
     if (report.isBusy)
-        return tr("Not downloaded: another download is under way.");
+        return tr("Not downloaded: another download is in progress.");
     switch (report.stage) {
     case link::DownloadStage::Transferring:
-        return report.isInterrupted ? tr("The connection is lost; the download goes on when it is back.")
-                                    : tr("Sending the table …");
+        return report.isInterrupted
+                   ? tr("The connection is lost. The download continues when it is restored.")
+                   : tr("Sending the table …");
     case link::DownloadStage::Sealing:
-        return tr("The controller checks the table …");
+        return tr("The controller is checking the table …");
     case link::DownloadStage::Armed:
-        return tr("Checked. Becomes active at the end of the cycle.");
+        return tr("Checked. The program becomes active at the end of the cycle.");
     case link::DownloadStage::Active:
         return tr("The controller has this program.");
     case link::DownloadStage::Canceled:
@@ -221,23 +220,23 @@ QString ConnectionSentences::downloadError(const modbus::DownloadError& error)
     using modbus::DownloadErrorKind;
     switch (error.kind) {
     case DownloadErrorKind::Link:
-        return tr("The download failed and the controller's program is unchanged. %1", "%1: whole sentence")
+        return tr("Download failed; the controller's program is unchanged. %1", "%1: whole sentence")
             .arg(ConnectionSentences::error(error.link));
     case DownloadErrorKind::ImageTooLong:
-        return tr("The table needs %1 registers, the controller holds %2. Use fewer slices per ramp.")
+        return tr("The table needs %1 registers, the controller has %2. Use fewer slices per ramp.")
             .arg(error.actual)
             .arg(error.expected);
     case DownloadErrorKind::KindNotSupported:
         return tr("This controller cannot execute this kind of program. Update its firmware.");
     case DownloadErrorKind::TransferRefused:
-        return tr("The controller refused the table, its program is unchanged. %1", "%1: whole sentence")
+        return tr("The controller refused the table; its program is unchanged. %1", "%1: whole sentence")
             .arg(ControllerSentences::transferResult(error.transfer));
     case DownloadErrorKind::ChecksumDiffers:
     case DownloadErrorKind::RowsDiffer:
-        return tr(
-            "The controller received other bytes than were sent; its program is unchanged. Download again.");
+        return tr("The received data differ from the sent data; the controller's program is unchanged. "
+                  "Download again.");
     case DownloadErrorKind::CommandRefused:
-        return tr("The controller did not apply the table, its program is unchanged. %1",
+        return tr("The controller did not apply the table; its program is unchanged. %1",
                   "%1: whole sentence")
             .arg(ControllerSentences::refusal(error.refusal));
     case DownloadErrorKind::Withdrawn:

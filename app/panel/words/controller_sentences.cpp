@@ -58,11 +58,11 @@ QString ControllerSentences::refusal(Refusal reason)
     case Refusal::None:
         return {};
     case Refusal::UnknownCommand:
-        return tr("The controller does not know this command. Update its firmware.");
+        return tr("The controller does not support this command. Update its firmware.");
     case Refusal::NoActiveProgram:
         return tr("The controller has no program. Download a recipe first.");
     case Refusal::AlreadyRunning:
-        return tr("The machine is already moving.");
+        return tr("The machine is already moving. Stop it first.");
     case Refusal::NotRunning:
         return tr("The machine is not running.");
     case Refusal::InFault:
@@ -70,46 +70,41 @@ QString ControllerSentences::refusal(Refusal reason)
     case Refusal::NotStandstill:
         return tr("This is only possible at standstill. Stop the machine first.");
     case Refusal::NothingSealed:
-        return tr("The controller holds no checked table. Download again.");
+        return tr("The controller has no checked table. Download again.");
     case Refusal::WrongSession:
-        return tr("Another download came in between. Download again.");
+        return tr("Another download interfered. Download again.");
     case Refusal::WrongChecksum:
-        return tr("The controller holds other bytes. Download again.");
+        return tr("The controller received different data. Download again.");
     case Refusal::MachineDataDiffers:
-        return tr("The data of the machine change only at standstill. Stop the machine first.");
+        return tr("Machine data can only be changed at standstill. Stop the machine first.");
     case Refusal::NotArmed:
-        return tr("No change is waiting.");
+        return tr("No change is pending.");
     case Refusal::FlashFailed:
-        return tr("The controller's flash could not be written; what was saved before is unchanged.");
+        return tr("Writing to the controller's flash failed; the saved program is unchanged. Save again.");
     case Refusal::NoFault:
         return tr("There is no fault to reset.");
     case Refusal::BadArgument:
         return tr("The controller does not accept this value. Update the older of panel and controller.");
     case Refusal::FaultPersists:
-        return tr("The cause of the fault is still there. Remove it first.");
+        return tr("The cause of the fault still exists. Remove it first.");
     case Refusal::HeartbeatLost:
-        return tr("The controller does not hear the panel. Check the cable.");
+        return tr("The controller receives no heartbeat from the panel. Check the cable.");
     case Refusal::SensorTooFar:
-        return tr(
-            "Too many bags lie between mark sensor and knife. Set a longer bag, move the sensor nearer, or "
-            "switch mark tracking off under Service.");
+        return tr("There are too many bags between mark sensor and knife. Set a longer bag, move the sensor "
+                  "closer, or switch off mark tracking under Maintenance.");
     case Refusal::MarkWindowTooWide:
-        return tr("The window for the marks is wider than half a bag. Make it narrower under Service.");
+        return tr("The mark window is wider than half a bag. Reduce it under Maintenance.");
     case Refusal::NoRoomToCorrect:
-        return tr(
-            "Knife and film move together for so long that no time is left to correct the film. Change k1 "
-            "to k4.");
+        return tr("The sync window is too long to correct the film. Change k1 to k4.");
     case Refusal::EyeTooNear:
-        return tr(
-            "The product eye is too near or too far to decide in time. Check its distance under Service.");
+        return tr("The product eye is too close or too far to decide in time. Check its distance under "
+                  "Maintenance.");
     case Refusal::FeedTooFast:
-        return tr(
-            "The film or the infeed would have to run faster than the controller can drive it. Lower the "
-            "rate.");
+        return tr("Film or infeed would exceed the controller's speed limit. Lower the rate.");
     case Refusal::CommandIncomplete:
-        return tr("Another device on the line writes commands in parts. Check what is connected.");
+        return tr("Another device on the line writes parts of commands. Check the connected devices.");
     }
-    return tr("The controller gives a reason that this panel does not know (%1).")
+    return tr("The controller reports reason %1, which this panel does not know. Update the panel.")
         .arg(static_cast<int>(reason));
 }
 
@@ -118,7 +113,7 @@ QString ControllerSentences::pressStage(modbus::PressStage stage)
     using modbus::PressStage;
     switch (stage) {
     case PressStage::Standing:
-        return tr("Standing");
+        return tr("At standstill");
     case PressStage::Approach:
         return tr("Approach");
     case PressStage::Probe:
@@ -142,17 +137,17 @@ QString ControllerSentences::strokeResult(modbus::StrokeResult result)
     case StrokeResult::Ok:
         return tr("OK");
     case StrokeResult::PositionOutside:
-        return tr("Stopped outside the tolerance");
+        return tr("Stop position outside tolerance");
     case StrokeResult::ForceTooLow:
         return tr("Force too low");
     case StrokeResult::ForceTooHigh:
         return tr("Force too high");
     case StrokeResult::TouchedTooEarly:
-        return tr("Touched too early");
+        return tr("Contact too early");
     case StrokeResult::NeverTouched:
-        return tr("Never touched");
+        return tr("No contact");
     case StrokeResult::ForceLimit:
-        return tr("Largest force reached");
+        return tr("Max. force reached");
     case StrokeResult::Stopped:
         return tr("Stopped");
     }
@@ -164,13 +159,13 @@ QString ControllerSentences::markState(modbus::MarkState state)
     using modbus::MarkState;
     switch (state) {
     case MarkState::Off:
-        return tr("Marks not followed");
+        return tr("Mark tracking off");
     case MarkState::Searching:
-        return tr("Looking for marks");
+        return tr("Searching for marks");
     case MarkState::Aligning:
-        return tr("Moving the cuts onto the marks");
+        return tr("Aligning cuts with marks");
     case MarkState::Tracking:
-        return tr("Following the marks");
+        return tr("Tracking marks");
     }
     return {};
 }
@@ -182,11 +177,11 @@ QString ControllerSentences::skipCause(modbus::SkipCause cause)
     case SkipCause::None:
         return {};
     case SkipCause::ProductAcross:
-        return tr("A product lay across the knife's path");
+        return tr("Product in the knife's path");
     case SkipCause::ProductTooLong:
-        return tr("A product was longer than the bag");
+        return tr("Product longer than the bag");
     case SkipCause::NoProduct:
-        return tr("A product was missing");
+        return tr("Product missing");
     }
     return {};
 }
@@ -199,23 +194,24 @@ QString ControllerSentences::transferResult(const modbus::TransferAnswer& answer
         return {};
     case TransferResult::WrongSession:
     case TransferResult::NotReceiving:
-        return tr("Another download came in between. Download again.");
+        return tr("Another download interfered. Download again.");
     case TransferResult::BadBlock:
     case TransferResult::BadLength:
     case TransferResult::BlocksMissing:
-        return tr("Parts of the table did not arrive. Download again.");
+        return tr("Parts of the table are missing. Download again.");
     case TransferResult::WrongMapVersion:
     case TransferResult::KindNotSupported:
-        return tr("Panel and controller do not match. Update the older of the two.");
+        return tr("Panel and controller do not match. Update the older device.");
     case TransferResult::BadHeader:
-        return tr("Value %1 of the table's header is outside the controller's limits.").arg(answer.detail);
+        return tr("Value %1 in the table header is outside the controller's limits. Correct the recipe.")
+            .arg(answer.detail);
     case TransferResult::BadRow:
         return tr("Row %1 of the table is outside the range of the controller's timer. Lower the rate.")
             .arg(answer.detail);
     case TransferResult::BadSum:
-        return tr("The rows do not add up to the announced pulses and time. Download again.");
+        return tr("The table's rows do not match its total pulses and time. Download again.");
     case TransferResult::StateRefuses:
-        return tr("An earlier change is still waiting for the end of the cycle. Cancel it first.");
+        return tr("An earlier change is waiting for the end of the cycle. Cancel it first.");
     }
     return {};
 }

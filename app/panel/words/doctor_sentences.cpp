@@ -26,25 +26,25 @@ QString DoctorSentences::condition(LineCondition condition)
     case LineCondition::WrongUnit:
         return tr("Controller at another unit number");
     case LineCondition::OtherMapVersion:
-        return tr("Controller of another version");
+        return tr("Controller with another version");
     case LineCondition::OtherDevice:
         return tr("Another device");
     case LineCondition::Garbage:
-        return tr("Only garbage");
+        return tr("Invalid data");
     case LineCondition::NoBytes:
-        return tr("No answer");
+        return tr("No response");
     case LineCondition::EchoOnly:
         return tr("Echo only");
     case LineCondition::PortAbsent:
-        return tr("No such port");
+        return tr("Port does not exist");
     case LineCondition::PortNotPermitted:
-        return tr("Not permitted");
+        return tr("Permission denied");
     case LineCondition::PortBusy:
         return tr("In use by another program");
     case LineCondition::PortNotSerial:
-        return tr("No serial port");
+        return tr("Not a serial port");
     case LineCondition::PortSettings:
-        return tr("Settings not possible");
+        return tr("Settings not supported");
     case LineCondition::PortGone:
         return tr("Unplugged");
     }
@@ -56,46 +56,42 @@ QString DoctorSentences::finding(const modbus::LineFinding& finding)
     QString text;
     switch (finding.condition) {
     case LineCondition::Controller:
-        text = tr("A CamPanel controller with firmware %1 answers.")
+        text = tr("A CamPanel controller with firmware %1 responds.")
                    .arg(finding.identity ? QString::fromStdString(finding.identity->firmwareVersion())
                                          : Format::unknownText());
         break;
     case LineCondition::WrongUnit:
-        text = tr("A CamPanel controller answers at unit %1, which is not the one that is set. Use this "
-                  "connection, or set the unit number at the controller.")
+        text = tr("A CamPanel controller responds at unit number %1, which differs from the setting. Use "
+                  "this connection, or set the unit number at the controller.")
                    .arg(finding.unit);
         break;
     case LineCondition::OtherMapVersion:
-        text = tr("A CamPanel controller answers with register map version %1; this panel needs version %2. "
-                  "Update the older of the two.")
+        text = tr("A CamPanel controller responds with register map version %1; this panel needs version %2. "
+                  "Update the older device.")
                    .arg(finding.code)
                    .arg(modbus::mapMajor);
         break;
     case LineCondition::OtherDevice:
-        text = tr("A device answers that is no CamPanel controller. Choose another port or unit number.");
+        text = tr("The responding device is not a CamPanel controller. Choose another port or unit number.");
         break;
     case LineCondition::Garbage:
-        text = tr("%1 bytes came, but no answer could be read. Baud rate, parity or stop bits differ from "
-                  "the controller's, or the cable picks up noise. Search for the controller; check shield "
-                  "and ground.")
+        text = tr("%1 bytes were received, but no valid response. Check baud rate, parity and stop bits, or "
+                  "search for the controller; then check shield and ground.")
                    .arg(finding.bytesSeen);
         break;
     case LineCondition::NoBytes:
-        text = tr("Not a single byte comes. Check that the controller has power and that the cable is "
-                  "plugged in at both ends; on RS-232 the transmit and receive wires must be crossed, on "
-                  "RS-485 A and B may be swapped.");
+        text = tr("No data was received. Check the controller's power and both ends of the cable; on RS-232 "
+                  "cross the transmit and receive wires, on RS-485 check A and B.");
         break;
     case LineCondition::EchoOnly:
-        text = tr(
-            "The adapter returns what the panel sends, and no controller answers. Check that the controller "
-            "has power, that the cable is plugged in at both ends, and that A and B are not swapped.");
+        text = tr("The adapter echoes the panel's requests, and no controller responds. Check the "
+                  "controller's power, both ends of the cable, and A and B.");
         break;
     default:
         text = portFinding(finding);
     }
     if (finding.isLatencyTooLong())
-        text = tr("%1 The USB adapter collects bytes for %2 ms before it hands them on, which slows the line "
-                  "down: set its latency timer to 1 ms.",
+        text = tr("%1 The USB adapter delays data by %2 ms: set its latency timer to 1 ms.",
                   "%1: whole sentence")
                    .arg(text)
                    .arg(*finding.latencyTimerMs);
@@ -106,21 +102,22 @@ QString DoctorSentences::portFinding(const modbus::LineFinding& finding)
 {
     switch (finding.condition) {
     case LineCondition::PortAbsent:
-        return tr("This port is not there. Plug the adapter in, or choose another port in the settings.");
+        return tr("This port does not exist. Plug the adapter in, or choose another port in the settings.");
     case LineCondition::PortNotPermitted:
         return finding.group.empty()
-                   ? tr("This user may not use the port. Ask the administrator for the right to use it.")
-                   : tr("This user may not use the port. Add the user to the group \"%1\" and log in again.")
+                   ? tr("This user has no right to use the port. Ask the administrator for this right.")
+                   : tr("This user has no right to use the port. Add the user to the group \"%1\" and log in "
+                        "again.")
                          .arg(QString::fromStdString(finding.group));
     case LineCondition::PortBusy:
         return busy(finding);
     case LineCondition::PortNotSerial:
-        return tr("This is no serial port. Choose another port in the settings.");
+        return tr("This is not a serial port. Choose another port in the settings.");
     case LineCondition::PortSettings:
-        return tr("The port cannot be set up like this: %1. Choose other settings.")
+        return tr("The port cannot be set up: %1. Choose other settings.")
             .arg(QString::fromStdString(finding.detail));
     case LineCondition::PortGone:
-        return tr("The adapter disappeared while it was asked. Check its plug and cable.");
+        return tr("The adapter was removed during the test. Check its plug and cable.");
     default:
         return {};
     }
@@ -135,8 +132,8 @@ QString DoctorSentences::busy(const modbus::LineFinding& finding)
                                                  .arg(QString::fromStdString(holder.program))
                                                  .arg(holder.processId));
     return holders.isEmpty()
-               ? tr("Another program has this port open. Close that program, or choose another port.")
-               : tr("The port is held by %1. Close that program, or choose another port.")
+               ? tr("Another program is using this port. Close that program, or choose another port.")
+               : tr("The port is in use by %1. Close that program, or choose another port.")
                      .arg(holders.join(QStringLiteral(", ")));
 }
 
@@ -145,11 +142,11 @@ QString DoctorSentences::progress(const modbus::ScanProgress& progress)
     constexpr int secondsOfMinute = 60;
     const auto seconds = std::chrono::ceil<std::chrono::seconds>(progress.remaining).count();
     if (seconds > 2 * secondsOfMinute)
-        return tr("%1 of %2, at most %3 min more")
+        return tr("%1 of %2, max. %3 min left")
             .arg(progress.done)
             .arg(progress.total)
             .arg((seconds + secondsOfMinute - 1) / secondsOfMinute);
-    return tr("%1 of %2, at most %3 s more").arg(progress.done).arg(progress.total).arg(seconds);
+    return tr("%1 of %2, max. %3 s left").arg(progress.done).arg(progress.total).arg(seconds);
 }
 
 } // namespace campanel::panel

@@ -94,7 +94,7 @@ QString RecipeWords::fieldName(Field field)
     case Field::ProbeForce:
         return tr("Probe force");
     case Field::ProbeEnd:
-        return tr("Touch before");
+        return tr("Contact before");
     case Field::PressSpeed:
         return tr("Press speed");
     case Field::PressPosition:

@@ -64,23 +64,23 @@ QString FrameWords::verdict(FrameVerdict verdict)
     case FrameVerdict::Sent:
         return tr("Sent");
     case FrameVerdict::Answer:
-        return tr("Answer");
+        return tr("Response");
     case FrameVerdict::Exception:
         return tr("Refused by the controller");
     case FrameVerdict::Foreign:
-        return tr("Dropped: the answer to another question");
+        return tr("Dropped: response to another request");
     case FrameVerdict::BadChecksum:
         return tr("Dropped: wrong checksum");
     case FrameVerdict::Malformed:
-        return tr("Dropped: not a frame");
+        return tr("Dropped: invalid frame");
     case FrameVerdict::Incomplete:
-        return tr("Dropped: the rest did not come in time");
+        return tr("Dropped: incomplete frame");
     case FrameVerdict::Silence:
-        return tr("No answer in time");
+        return tr("Response timeout");
     case FrameVerdict::Drained:
-        return tr("Dropped: nobody had asked");
+        return tr("Dropped: no request pending");
     case FrameVerdict::PortGone:
-        return tr("The port has gone");
+        return tr("Port removed");
     }
     return {};
 }
@@ -97,7 +97,7 @@ QString FrameWords::exception(int code)
     case 4:
         return tr("device failure");
     case 5:
-        return tr("acknowledged, not yet done");
+        return tr("acknowledged, in progress");
     case 6:
         return tr("device busy");
     default:
@@ -108,7 +108,7 @@ QString FrameWords::exception(int code)
 QString FrameWords::question(const DecodedFrame& frame)
 {
     if (starts(frame.written, "exchange.tag"))
-        return tr("Status wanted, heartbeat %1").arg(valueOf(frame, "exchange.heartbeat"));
+        return tr("Status request, heartbeat %1").arg(valueOf(frame, "exchange.heartbeat"));
     if (starts(frame.written, "command.counter"))
         return tr("Command %1, counter %2", "name, number")
             .arg(valueOf(frame, "command.code"), valueOf(frame, "command.counter"));
@@ -140,11 +140,11 @@ QString FrameWords::answer(const DecodedFrame& frame)
         return tr("Transfer %1: %2", "operation, what became of it")
             .arg(valueOf(frame, "transfer_result.operation"), valueOf(frame, "transfer_result.result"));
     if (frame.values.empty())
-        return tr("Answer: done");
+        return tr("Response: done");
     // The values read follow the echo of the question.
     constexpr std::size_t echo = 3;
     const bool isReadback = starts(frame.read, "readback_result.tag") && frame.values.size() > echo;
-    return tr("Answer: %1").arg(assignment(frame.values[isReadback ? echo : 0]));
+    return tr("Response: %1").arg(assignment(frame.values[isReadback ? echo : 0]));
 }
 
 QString FrameWords::line(const modbus::FrameRecord& record)

@@ -10,41 +10,38 @@ QString RecipeWords::machineHelp(Field field)
 {
     switch (field) {
     case Field::KnifeRadius:
-        return tr("From the middle of the shaft to the edge of the knife. Measure the diameter at the edge "
-                  "and halve it. All speeds "
-                  "of the knife are those of this edge.");
+        return tr("Distance from the shaft's center to the knife edge: half of the diameter measured at the "
+                  "edge. All knife speeds refer to the edge.");
     case Field::Knives:
-        return tr("Knives on the shaft, evenly spread. Each bag turns the shaft by one knife.");
+        return tr("Number of knives on the shaft, evenly spaced. Each bag turns the shaft by one knife.");
     case Field::PulsesPerMotorRev:
-        return tr("Pulses for one turn of the motor, as the electronic gear of the servo drive is set. A "
-                  "wrong number makes all "
-                  "bags too long or too short.");
+        return tr("Pulses per motor revolution, as set in the servo drive's electronic gear. A wrong value "
+                  "makes all bags too long or too short.");
     case Field::GearNumerator:
-        return tr("Turns of the motor for the turns of the knife's shaft below, as the gear's plate says: 7 "
-                  "and 3 for a gear of 7:3.");
+        return tr("Motor revolutions for the knife shaft revolutions below, see the gear's nameplate: 7 and "
+                  "3 for a gear of 7:3.");
     case Field::GearDenominator:
-        return tr("Turns of the knife's shaft for the turns of the motor above.");
+        return tr("Knife shaft revolutions for the motor revolutions above.");
     case Field::MaxMotorRpm:
-        return tr("The largest speed of the motor, from its plate. No recipe goes beyond it.");
+        return tr("Maximum motor speed, see the motor's nameplate. No recipe exceeds this speed.");
     case Field::MaxKnifeAcceleration:
     case Field::MaxAcceleration:
-        return tr("What motor and mechanics bear without shaking or losing their position. Begin low, and "
-                  "raise it when the following "
-                  "error allows.");
+        return tr("Maximum acceleration without vibration or loss of position. Start with a low value, and "
+                  "raise it as the following error allows.");
     case Field::MaxPulseFrequency:
-        return tr("The largest pulse frequency of the drive's input, from its manual. The controller has a "
-                  "limit of its own.");
+        return tr("Maximum pulse frequency of the drive's input, see its manual. The controller has its own "
+                  "limit.");
     case Field::MaxRate:
-        return tr("What sealing time and infeed allow, whatever the knife could do.");
+        return tr("Maximum rate that sealing time and infeed allow, independent of the knife.");
     case Field::FeedPerMotorRev:
-        return tr("How far the axis moves in one turn of the motor, gear and spindle included.");
+        return tr("Travel of the axis per motor revolution, including gear and spindle.");
     case Field::MaxTorque:
-        return tr("The torque that the motor gives for a moment, from its plate.");
+        return tr("Peak torque of the motor, see the motor's nameplate.");
     case Field::Inertia:
-        return tr("Motor, gear and load together, seen from the motor. With it the torque of a motion is "
-                  "estimated.");
+        return tr("Total inertia of motor, gear and load at the motor. CamPanel uses the inertia to estimate "
+                  "the torque of a motion.");
     case Field::Friction:
-        return tr("The torque that turns the axis slowly and steadily, seen from the motor.");
+        return tr("Friction torque at the motor while the axis turns slowly and steadily.");
     default:
         return {};
     }

@@ -82,7 +82,7 @@ QString RecipeWords::choiceName(program::Choice choice)
     case Choice::Duration:
         return tr("Duration");
     case Choice::Execution:
-        return tr("Executed as");
+        return tr("Execution");
     case Choice::SplineEnds:
         return tr("Spline ends");
     case Choice::MasterRampShape:
@@ -133,7 +133,7 @@ QString RecipeWords::limitName(Limit limit)
     case Limit::RowCapacity:
         return tr("table rows");
     case Limit::MachineRate:
-        return tr("largest rate");
+        return tr("max. rate");
     case Limit::FieldRange: // for the fastest rate: the limit of the speeds in a recipe
         return tr("knife speed");
     case Limit::PinnedPair:

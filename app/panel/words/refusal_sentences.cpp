@@ -41,7 +41,7 @@ QString RefusalSentences::withinLimits(const std::optional<profile::FastestRate>
 {
     if (!fastest)
         return tr("Within all limits.");
-    return tr("Within all limits. Fastest possible: %1 (%2).", "%1: rate with unit, %2: name of the limit")
+    return tr("Within all limits. Possible up to %1 (%2).", "%1: rate with unit, %2: name of the limit")
         .arg(valueWithUnit(profile::Field::Rate, fastest->rateBagsPerMin),
              RecipeWords::limitName(fastest->limitedBy));
 }
@@ -50,8 +50,7 @@ QString RefusalSentences::closeToLimits(const std::optional<profile::FastestRate
 {
     if (!fastest)
         return tr("Just within the limits.");
-    return tr("Just within the limits. Fastest possible: %1 (%2).",
-              "%1: rate with unit, %2: name of the limit")
+    return tr("Just within the limits. Possible up to %1 (%2).", "%1: rate with unit, %2: name of the limit")
         .arg(valueWithUnit(profile::Field::Rate, fastest->rateBagsPerMin),
              RecipeWords::limitName(fastest->limitedBy));
 }
@@ -61,15 +60,16 @@ QString RefusalSentences::axisLimitBrokenAt(Limit limit, const QString& actual, 
 {
     switch (limit) {
     case Limit::MotorSpeed:
-        return tr("The motor would turn at %1 at %3 s; the limit is %2.").arg(actual, allowed, time);
+        return tr("Motor speed would reach %1 at %3 s; the limit is %2.").arg(actual, allowed, time);
     case Limit::AxisAcceleration:
-        return tr("The acceleration would be %1 at %3 s; the limit is %2.").arg(actual, allowed, time);
+        return tr("Acceleration would reach %1 at %3 s; the limit is %2.").arg(actual, allowed, time);
     case Limit::MotorTorque:
-        return tr("The motor would need %1 at %3 s; it has %2.").arg(actual, allowed, time);
+        return tr("Motor torque would reach %1 at %3 s; the limit is %2.").arg(actual, allowed, time);
     case Limit::MasterTooFast:
-        return tr("Following the master would take %1 at %3 s; the limit is %2.").arg(actual, allowed, time);
+        return tr("Following the master would require %1 at %3 s; the limit is %2.")
+            .arg(actual, allowed, time);
     default:
-        return tr("The pulse frequency would be %1 at %3 s; the limit is %2.").arg(actual, allowed, time);
+        return tr("Pulse frequency would reach %1 at %3 s; the limit is %2.").arg(actual, allowed, time);
     }
 }
 
@@ -84,21 +84,22 @@ QString RefusalSentences::limitBrokenAt(const profile::Refusal& refusal)
     const QString angle = format.number(*refusal.angleDeg, 0);
     switch (refusal.limit) {
     case Limit::MotorSpeed:
-        return tr("The motor would turn at %1 at %3 s (%4°); the limit is %2.")
+        return tr("Motor speed would reach %1 at %3 s (%4°); the limit is %2.")
             .arg(actual, allowed, time, angle);
     case Limit::KnifeAcceleration:
-        return tr("The knife would accelerate with %1 at %3 s (%4°); the limit is %2.")
+        return tr("Knife acceleration would reach %1 at %3 s (%4°); the limit is %2.")
             .arg(actual, allowed, time, angle);
     case Limit::AxisAcceleration:
-        return tr("The acceleration would be %1 at %3 s (%4°); the limit is %2.")
+        return tr("Acceleration would reach %1 at %3 s (%4°); the limit is %2.")
             .arg(actual, allowed, time, angle);
     case Limit::MotorTorque:
-        return tr("The motor would need %1 at %3 s (%4°); it has %2.").arg(actual, allowed, time, angle);
+        return tr("Motor torque would reach %1 at %3 s (%4°); the limit is %2.")
+            .arg(actual, allowed, time, angle);
     case Limit::MasterTooFast:
-        return tr("Following the master would take %1 at %3 s (%4°); the limit is %2.")
+        return tr("Following the master would require %1 at %3 s (%4°); the limit is %2.")
             .arg(actual, allowed, time, angle);
     default:
-        return tr("The pulse frequency would be %1 at %3 s (%4°); the limit is %2.")
+        return tr("Pulse frequency would reach %1 at %3 s (%4°); the limit is %2.")
             .arg(actual, allowed, time, angle);
     }
 }
@@ -107,7 +108,7 @@ QString RefusalSentences::limitBroken(const profile::Refusal& refusal)
 {
     if (refusal.timeS && refusal.limit != Limit::MachineRate)
         return limitBrokenAt(refusal);
-    return tr("%1 would be needed; the limit of the machine is %2.")
+    return tr("%1 is required; the machine's limit is %2.")
         .arg(valueWithUnit(refusal.field, refusal.actual), valueWithUnit(refusal.field, refusal.allowed));
 }
 
@@ -125,25 +126,28 @@ QString RefusalSentences::knot(const profile::Refusal& refusal)
         return tr("The cam has %1 knots; the nearest possible number is %2.")
             .arg(format.number(refusal.actual, 0), format.number(refusal.allowed, 0));
     case Limit::KnotOrder:
-        return tr("Knot %1 at %2 must come after the one before it at %3.").arg(number).arg(actual, allowed);
+        return tr("Knot %1 at %2 must come after the previous knot at %3.").arg(number).arg(actual, allowed);
     case Limit::KnotSpacing:
-        return tr("Knot %1 is only %2 after the one before it; keep %3.").arg(number).arg(actual, allowed);
+        return tr("Knot %1 is only %2 after the previous knot; the minimum is %3.")
+            .arg(number)
+            .arg(actual, allowed);
     case Limit::KnotRange:
-        return tr("Knot %1 at %2 is out of range; the nearest place is %3.").arg(number).arg(actual, allowed);
+        return tr("Knot %1 at %2 is out of range; the nearest position is %3.")
+            .arg(number)
+            .arg(actual, allowed);
     case Limit::KnotEnds:
-        return tr("Knot %1 is at %2, but the cam needs one at %3.").arg(number).arg(actual, allowed);
+        return tr("Knot %1 is at %2; the cam needs a knot at %3.").arg(number).arg(actual, allowed);
     case Limit::Overshoot:
-        return tr("Near knot %1 the curve reaches %2, beyond the range of the knots, which ends at %3. Move "
-                  "the knot "
-                  "or add one beside it.")
+        return tr("Near knot %1 the curve reaches %2, beyond the end of the knots' range at %3. Move the "
+                  "knot or add another knot.")
             .arg(number)
             .arg(actual, allowed);
     case Limit::WrapJump:
         if (refusal.lawParameter == "position")
-            return tr("The position jumps by %1 where the cycle closes. Choose periodic ends.").arg(actual);
+            return tr("Position jumps by %1 at the end of the cycle. Choose periodic ends.").arg(actual);
         if (refusal.lawParameter == "speed")
-            return tr("The speed jumps by %1 where the cycle closes. Choose periodic ends.").arg(actual);
-        return tr("The acceleration jumps by %1 where the cycle closes. Choose periodic ends.").arg(actual);
+            return tr("Speed jumps by %1 at the end of the cycle. Choose periodic ends.").arg(actual);
+        return tr("Acceleration jumps by %1 at the end of the cycle. Choose periodic ends.").arg(actual);
     default:
         return {};
     }
@@ -159,26 +163,26 @@ QString RefusalSentences::refusal(const profile::Refusal& refusal)
         if (!std::isfinite(refusal.actual))
             return tr("%1 has no value. Enter %2 to %3.")
                 .arg(name, format.number(field.min, field.decimals), valueWithUnit(refusal.field, field.max));
-        return tr("%1 would be %2; possible is %3 to %4.")
+        return tr("%1 would be %2; the allowed range is %3 to %4.")
             .arg(name, valueWithUnit(refusal.field, refusal.actual), format.number(field.min, field.decimals),
                  valueWithUnit(refusal.field, field.max));
     case Limit::PinnedPair:
-        return tr("Pin two different ones of bag length, rate, base speed and film speed.");
+        return tr("Pin two of bag length, rate, base speed and film speed.");
     case Limit::LawUnknown:
-        return tr("This speed law is not known. Choose another one.");
+        return tr("This speed law is unknown. Choose another law.");
     case Limit::LawParameter:
         return tr("%1 is %2; the nearest possible value is %3.")
             .arg(RecipeWords::lawParameterName(refusal.lawParameter), format.compact(refusal.actual, 0, 3),
                  format.compact(refusal.allowed, 0, 3));
     case Limit::RatioOrder:
-        return tr("The ratios must descend from k1 to k4: %1 is %2 and must stay below %3.")
+        return tr("The ratios must descend from k1 to k4: %1 is %2 and must be below %3.")
             .arg(name, format.compact(refusal.actual, 2, 4), format.compact(refusal.allowed, 2, 4));
     case Limit::StrokeCannotClose:
-        return tr("A bag of %1 takes more than the knife's stroke; with these ratios %2 is the longest.")
+        return tr("A bag of %1 exceeds the knife stroke; with these ratios the maximum is %2.")
             .arg(valueWithUnit(profile::Field::BagLength, refusal.actual),
                  valueWithUnit(profile::Field::BagLength, refusal.allowed));
     case Limit::RowCapacity:
-        return tr("The table needs %1 rows, the controller holds %2. Use fewer slices per ramp.")
+        return tr("The table needs %1 rows, the controller has %2. Use fewer slices per ramp.")
             .arg(format.number(refusal.actual, 0), format.number(refusal.allowed, 0));
     case Limit::TooFewPulses:
         return tr("A cycle has only %1 pulses. Check pulses per revolution, gear and knives.")
@@ -192,14 +196,14 @@ QString RefusalSentences::refusal(const profile::Refusal& refusal)
     case Limit::MasterTooFast:
         return limitBroken(refusal);
     case Limit::NoMotion:
-        return tr("%1 is %2: nothing would move. Enter another value.")
+        return tr("%1 is %2, which gives no motion. Enter another value.")
             .arg(name, valueWithUnit(refusal.field, refusal.actual));
     case Limit::DistanceTooShort:
-        return tr("The speeds need at least %1, not %2.")
+        return tr("These speeds require at least %1, not %2.")
             .arg(valueWithUnit(profile::Field::Distance, refusal.allowed),
                  valueWithUnit(profile::Field::Distance, refusal.actual));
     case Limit::DistanceSign:
-        return tr("A distance of %1 points the other way than the speeds. Change its sign.")
+        return tr("The distance %1 and the speeds have opposite directions. Change the sign of the distance.")
             .arg(valueWithUnit(profile::Field::Distance, refusal.actual));
     case Limit::StageOrder:
         return tr("%1 %2 must be beyond %3.")
@@ -211,15 +215,15 @@ QString RefusalSentences::refusal(const profile::Refusal& refusal)
                  valueWithUnit(refusal.field, refusal.allowed));
     case Limit::TableRange:
         return tr(
-            "The table does not fit the controller. Use fewer pulses per revolution or a shorter motion.");
+            "The table exceeds the controller's range. Use fewer pulses per revolution or a shorter motion.");
     case Limit::Reversal:
-        return tr("The motion turns round, and intervals go one way. Choose cam points.");
+        return tr("The motion reverses, but intervals run in one direction. Choose cam points.");
     case Limit::SpeedError:
-        return tr("Whole pulses cannot keep the speed within %1 mm/s. Use more pulses per revolution.")
+        return tr("With whole pulses, the speed error exceeds %1 mm/s. Use more pulses per revolution.")
             .arg(format.compact(refusal.actual, 0, 3));
     case Limit::RampTooLong:
-        return tr("%1 needs a ramp of %2 ms with the largest acceleration; the controller takes at most %3 "
-                  "ms. Enter a lower speed or a larger acceleration.")
+        return tr("%1 needs a ramp of %2 ms at maximum acceleration; the controller allows %3 ms. Enter a "
+                  "lower speed or a higher acceleration.")
             .arg(name, format.number(refusal.actual, 0), format.number(refusal.allowed, 0));
     case Limit::KnotCount:
     case Limit::KnotOrder:

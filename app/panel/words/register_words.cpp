@@ -45,18 +45,19 @@ QString RegisterWords::readOnlyReason(const QString& group)
     if (group == u"parameter")
         return {};
     if (group == u"exchange")
-        return tr("Read only: the panel writes this register itself with every status.");
+        return tr("Read only: the panel writes this register with every status request.");
     if (group == u"command")
-        return tr("Read only: commands go out by their keys, each once and with a counter of its own.");
+        return tr(
+            "Read only: the command keys write this register, each command once and with its own counter.");
     if (group == u"transfer")
         return tr("Read only: written by downloads.");
     if (group == u"readback")
-        return tr("Read only: the panel writes this register itself to read others.");
+        return tr("Read only: the panel uses this register to read other registers.");
     if (group == u"active" || group == u"staged")
-        return tr("Read only: changed by the download of a whole program.");
+        return tr("Read only: changed by a program download.");
     if (group == u"clock")
         return tr("Read only: set by the panel after connecting.");
-    return tr("Read only: the controller alone writes this register.");
+    return tr("Read only: only the controller writes this register.");
 }
 
 QString RegisterWords::value(const modbus::NamedValue& value)

@@ -38,12 +38,12 @@ QStringList TableText::columns() const
 {
     switch (m_image.table.index()) {
     case 0:
-        return {tr("Row"), tr("Stretch"), tr("Time s"), tr("Frequency Hz"), tr("Pulses"), tr("Timer ticks")};
+        return {tr("Row"), tr("Section"), tr("Time s"), tr("Frequency Hz"), tr("Pulses"), tr("Timer ticks")};
     case 1:
         return {tr("Point"), tr("Master"), tr("Time s"), tr("Position mm"), tr("Pulses"), tr("Slope pulses")};
     case 2:
-        return {tr("Row"),      tr("Motion"),  tr("Time s"), tr("Pulses"),
-                tr("First Hz"), tr("Last Hz"), tr("Hz/s")};
+        return {tr("Row"),      tr("Motion"), tr("Time s"), tr("Pulses"),
+                tr("Start Hz"), tr("End Hz"), tr("Hz/s")};
     default:
         return {tr("Row"), tr("Stage"), tr("Speed Hz"), tr("End pulses"), tr("Force N"), tr("Time ms")};
     }
@@ -100,8 +100,8 @@ QStringList TableText::cells(std::size_t row, double startS) const
         const profile::IntervalRow& each = intervals->rows[row];
         const program::IntervalSpeeds speeds = program::speedsOf(each, intervals->fractionBits);
         return {number,
-                each.lastSpeed > each.firstSpeed   ? tr("faster")
-                : each.lastSpeed < each.firstSpeed ? tr("slower")
+                each.lastSpeed > each.firstSpeed   ? tr("accel.")
+                : each.lastSpeed < each.firstSpeed ? tr("decel.")
                                                    : tr("constant"),
                 format.number(startS, 4),
                 format.number(each.pulses, 0),
@@ -145,17 +145,17 @@ QStringList TableText::summaryOf(const profile::StepTable& table) const
                  .arg(format.compact(table.pulses.asDouble(), 0, 4))
                  .arg(format.compact(
                      static_cast<double>(table.cycleTicks) / m_image.solved.machine.timerClockHz, 3, 6));
-    lines << tr("Largest speed error: %1 mm/s (%2 %) at %3 s")
+    lines << tr("Max. speed error: %1 mm/s (%2 %) at %3 s")
                  .arg(format.number(errors.speedMmPerS, 2), format.number(errors.speedPercent, 2),
                       format.number(errors.speedTimeS, 3));
-    lines << tr("Largest frequency step: %1 Hz at %2 s")
+    lines << tr("Max. frequency step: %1 Hz at %2 s")
                  .arg(format.number(errors.frequencyStepHz, 0), format.number(errors.frequencyStepTimeS, 3));
-    lines << tr("Largest position error: %1 pulses between rows, %2 inside")
+    lines << tr("Max. position error: %1 pulses between rows, %2 inside")
                  .arg(format.number(errors.boundaryPulses, 2), format.number(errors.insidePulses, 2));
-    lines << tr("Drift: none, the fraction of a pulse is carried from cycle to cycle");
+    lines << tr("Drift: none; the pulse remainder is carried over to the next cycle");
     const profile::PaperTable paper =
         profile::paperTable(m_image.cutter(), m_image.recipe.cutter().slicesPerRamp);
-    lines << tr("The paper's rule would be wrong by %1 pulses (%2 mm) in each bag")
+    lines << tr("Error of the paper's rounding rule: %1 pulses (%2 mm) per bag")
                  .arg(format.number(std::abs(paper.errorPulses), 0),
                       format.number(std::abs(paper.errorMm), 2));
     return lines;
@@ -175,10 +175,10 @@ QStringList TableText::summaryOf(const profile::CamTable& table) const
                  .arg(format.compact(table.advance.asDouble(), 0, 4))
                  .arg(format.compact(
                      static_cast<double>(table.cycleTicks) / m_image.solved.machine.timerClockHz, 3, 6));
-    lines << tr("Largest position error between points: %1 pulses (%2 mm) at %3 s")
+    lines << tr("Max. position error between points: %1 pulses (%2 mm) at %3 s")
                  .arg(format.compact(errors.positionPulses, 2, 5), format.compact(errors.positionMm, 2, 6),
                       format.number(errors.positionTimeS, 3));
-    lines << tr("Largest speed error: %1 mm/s at %2 s")
+    lines << tr("Max. speed error: %1 mm/s at %2 s")
                  .arg(format.compact(errors.speedMmPerS, 2, 5), format.number(errors.speedTimeS, 3));
     return lines;
 }
@@ -191,7 +191,7 @@ QStringList TableText::summaryOf(const profile::IntervalTable& table) const
                  .arg(table.rows.size())
                  .arg(table.advance)
                  .arg(format.number(table.timeS, 6), format.number(table.profileTimeS, 6));
-    lines << tr("Largest speed error: %1 mm/s at %2 s, position: %3 pulses")
+    lines << tr("Max. speed error: %1 mm/s at %2 s, position: %3 pulses")
                  .arg(format.compact(table.errors.speedMmPerS, 2, 4),
                       format.number(table.errors.speedTimeS, 3),
                       format.compact(table.errors.positionPulses, 2, 3));
@@ -200,7 +200,7 @@ QStringList TableText::summaryOf(const profile::IntervalTable& table) const
 
 QStringList TableText::summaryOf(const profile::PressTable& table) const
 {
-    return {tr("%1 stages; the last stretch is counted in the pulse generator, %2 mm a pulse")
+    return {tr("%1 stages; the pulse generator counts the last section, %2 mm per pulse")
                 .arg(table.rows.size())
                 .arg(Format().compact(1 / m_image.solved.pulsesPerMm, 2, 5))};
 }

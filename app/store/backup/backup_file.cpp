@@ -191,14 +191,14 @@ QString BackupErrorText::describe(const BackupError& error)
     case Kind::NotReadable:
         return tr("The file %1 cannot be read: %2. Nothing was changed.").arg(path, error.detail);
     case Kind::NotABackup:
-        return tr("%1 is no backup of CamPanel. Nothing was changed.").arg(path);
+        return tr("%1 is not a backup of CamPanel. Nothing was changed.").arg(path);
     case Kind::Newer:
-        return tr("%1 was made by the newer CamPanel %2. Install that version first. Nothing was changed.")
+        return tr("%1 was made by the newer CamPanel %2. Install that version first; nothing was changed.")
             .arg(path, error.detail);
     case Kind::Damaged:
-        return tr("%1 is damaged (%2). Take another backup. Nothing was changed.").arg(path, error.detail);
+        return tr("%1 is damaged (%2). Use another backup; nothing was changed.").arg(path, error.detail);
     case Kind::NotWritable:
-        return tr("The backup cannot be unpacked: %1. Make room on this panel. Nothing was changed.")
+        return tr("The backup cannot be unpacked: %1. Free space on this panel; nothing was changed.")
             .arg(error.detail);
     }
     return {};
@@ -280,7 +280,7 @@ tl::expected<void, BackupError> checkSizes(const BackupManifest& manifest, qint6
         return tl::unexpected(BackupError{Kind::Damaged, path, manifestName});
     if (total + reserveBytes > freeBytes)
         return tl::unexpected(BackupError{Kind::NotWritable, path,
-                                          BackupErrorText::tr("it needs %1 MB and %2 MB are free")
+                                          BackupErrorText::tr("%1 MB are required and %2 MB are free")
                                               .arg((total + reserveBytes) / megabyte + 1)
                                               .arg(freeBytes / megabyte)});
     return {};

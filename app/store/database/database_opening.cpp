@@ -154,7 +154,7 @@ tl::expected<std::unique_ptr<Database>, StoreError> Database::open(const QString
 {
     if (!makePrivateFolder(folder))
         return tl::unexpected(StoreError{StoreError::Kind::CannotOpen, folder,
-                                         StoreErrorText::tr("the folder cannot be made")});
+                                         StoreErrorText::tr("the folder cannot be created")});
     const QString path = QDir(folder).filePath(file.name);
     Opening opening;
     opening.isNew = QFileInfo(path).size() == 0;
@@ -194,7 +194,7 @@ tl::expected<std::unique_ptr<Database>, StoreError> Database::openReadOnly(const
 {
     if (!QFileInfo(path).isFile())
         return tl::unexpected(
-            fileError(StoreError::Kind::CannotOpen, path, StoreErrorText::tr("there is no such file")));
+            fileError(StoreError::Kind::CannotOpen, path, StoreErrorText::tr("this file does not exist")));
     std::unique_ptr<Database> database(new Database(path, file));
     // A read-only folder does not allow merging the log; without a log that is not necessary.
     const bool hasLog = QFileInfo::exists(path + u"-wal"_s);

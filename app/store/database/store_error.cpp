@@ -10,35 +10,35 @@ QString StoreErrorText::describe(const StoreError& error)
     const QString path = QDir::toNativeSeparators(error.path);
     switch (error.kind) {
     case StoreError::Kind::CannotOpen:
-        return tr("The panel's memory %1 cannot be opened: %2. Check the disk and its permissions.")
+        return tr("The panel's database %1 cannot be opened: %2. Check the disk and its permissions.")
             .arg(path, error.detail);
     case StoreError::Kind::NewerSchema:
-        return tr("The panel's memory %1 was written by a newer version of CamPanel. Install that version.")
+        return tr("The panel's database %1 was written by a newer version of CamPanel. Install that version.")
             .arg(path);
     case StoreError::Kind::Damaged:
-        return tr("The panel's memory %1 is damaged. Restart the panel: the last good copy takes its place, "
-                  "if there is one.")
+        return tr("The panel's database %1 is damaged. Restart the panel to use the last good copy, if there "
+                  "is one.")
             .arg(path);
     case StoreError::Kind::InUse:
-        return tr("The panel's memory %1 is in use by another program. Close that program, then restart the "
-                  "panel.")
+        return tr("The panel's database %1 is in use by another program. Close that program, then restart "
+                  "the panel.")
             .arg(path);
     case StoreError::Kind::PinsLost:
-        return tr("The users of this panel and their PINs are lost. Only operators can work until they are "
-                  "back. To start without PINs, delete the file %1 and restart the panel; then restore a "
-                  "backup.")
+        return tr("The users and PINs of this panel are lost; only operators can work. To start without "
+                  "PINs, delete the file %1, restart the panel and restore a backup.")
             .arg(path);
     case StoreError::Kind::Full:
-        return tr("The disk is full. What was saved before is kept; make room and save again.");
+        return tr("The disk is full; data saved before are kept. Free some disk space and save again.");
     case StoreError::Kind::ReadOnly:
-        return tr("The panel's memory %1 is write-protected. Check the disk and its permissions.").arg(path);
+        return tr("The panel's database %1 is write-protected. Check the disk and its permissions.")
+            .arg(path);
     case StoreError::Kind::TrendsAnew:
-        return tr("The records of bags and trends were damaged and begin anew. The damaged file is kept as "
-                  "%1.")
+        return tr("The records of bags and trends were damaged; new records were started. The damaged file "
+                  "was saved as %1.")
             .arg(QDir::toNativeSeparators(error.detail));
     case StoreError::Kind::Refused:
     case StoreError::Kind::Failed:
-        return tr("The panel's memory did not take this: %1.").arg(error.detail);
+        return tr("The panel's database did not accept the data: %1.").arg(error.detail);
     }
     return {};
 }

@@ -15,8 +15,8 @@ QString FileErrorText::describe(const FileError& error)
     case FileError::Kind::NotReadable:
         return tr("The recipe file %1 cannot be read: %2.").arg(path, error.found);
     case FileError::Kind::NotWritable:
-        return tr("The recipe could not be saved to %1: %2. The stored recipe is unchanged. "
-                  "Make room there or check the permissions, then save again.")
+        return tr("The recipe could not be saved to %1: %2; the stored recipe is unchanged. Free disk space "
+                  "or check the permissions, then save again.")
             .arg(path, error.found);
     case FileError::Kind::NotJson:
         return tr("The recipe file %1 is damaged at byte %2: %3. Restore it from a copy.")
@@ -30,35 +30,35 @@ QString FileErrorText::describe(const FileError& error)
                   "program.")
             .arg(path, error.found, error.expected);
     case FileError::Kind::UnknownKey:
-        return tr("In the recipe file %1 the key %2 is not known. Correct or remove it.")
+        return tr("The recipe file %1 has an unknown key %2. Correct or remove the key.")
             .arg(path, error.key);
     case FileError::Kind::MissingKey:
-        return tr("In the recipe file %1 the key %2 is missing. Add it.").arg(path, error.key);
+        return tr("The recipe file %1 lacks the key %2. Add the key.").arg(path, error.key);
     case FileError::Kind::WrongType:
-        return tr("In the recipe file %1 %2 must be %3.").arg(path, error.key, error.expected);
+        return tr("In the recipe file %1, %2 must be %3.").arg(path, error.key, error.expected);
     case FileError::Kind::OutOfRange:
-        return tr("In the recipe file %1 %2 is %3; enter %4.")
+        return tr("In the recipe file %1, %2 is %3; enter %4.")
             .arg(path, error.key, error.found, error.expected);
     case FileError::Kind::NotAChoice:
-        return tr("In the recipe file %1 %2 is \"%3\"; choose one of: %4.")
+        return tr("In the recipe file %1, %2 is \"%3\"; choose one of: %4.")
             .arg(path, error.key, error.found, error.expected);
     case FileError::Kind::TooLong:
-        return tr("In the recipe file %1 %2 is longer than %3 bytes. Shorten it.")
+        return tr("In the recipe file %1, %2 is longer than %3 bytes. Shorten the text.")
             .arg(path, error.key, error.expected);
     case FileError::Kind::RepeatedKey:
-        return tr("In the recipe file %1 the key %2 occurs twice. Remove one of them.").arg(path, error.key);
+        return tr("The recipe file %1 has the key %2 twice. Remove one of them.").arg(path, error.key);
     }
     return {};
 }
 
 QString FileErrorText::notAFile()
 {
-    return tr("it is not a regular file");
+    return tr("not a regular file");
 }
 
 QString FileErrorText::tooLarge()
 {
-    return tr("it is larger than 1 MB");
+    return tr("larger than 1 MB");
 }
 
 QString FileErrorText::aNumber()
@@ -83,8 +83,7 @@ QString FileErrorText::anObject()
 
 QString FileErrorText::twoPinnedKeys()
 {
-    return tr("a list of two different ones of bag_length_mm, rate_bags_per_min, base_speed_mm_per_s, "
-              "film_speed_mm_per_s");
+    return tr("a list of two of bag_length_mm, rate_bags_per_min, base_speed_mm_per_s, film_speed_mm_per_s");
 }
 
 QString FileErrorText::pairsOfNumbers()

@@ -26,7 +26,7 @@ tl::expected<QString, QString> writeNewFile(const Place& place, const QString& n
     if (!written) {
         QFile::remove(path); // it did not exist before
         return tl::unexpected(
-            FileErrorText::tr("%1 Make room there, unlock the stick or choose another place.",
+            FileErrorText::tr("%1 Free some space, unlock the stick or choose another location.",
                               "%1: whole sentence")
                 .arg(FileErrorText::tr("The file %1 cannot be written: %2.")
                          .arg(QDir::toNativeSeparators(path), written.error())));

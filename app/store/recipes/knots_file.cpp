@@ -54,7 +54,7 @@ QString notOpened(const FileError& error)
 QString problemOf(const profile::CsvError& error, const QString& path)
 {
     if (error.expected == profile::CsvExpectation::Utf8)
-        return FileErrorText::tr("The file %1 is not text in UTF-8. Save it as CSV in UTF-8.").arg(path);
+        return FileErrorText::tr("The file %1 is not UTF-8 text. Save the file as CSV in UTF-8.").arg(path);
     return FileErrorText::tr("%1, line %2: expected %3, found \"%4\".")
         .arg(path)
         .arg(error.line)

@@ -37,7 +37,7 @@ tl::expected<void, StoreError> change(Database& database, const QString& stateme
         return tl::unexpected(done.error());
     return done->numRowsAffected() == 1
                ? tl::expected<void, StoreError>()
-               : tl::unexpected(refused(database, StoreErrorText::tr("there is no such user")));
+               : tl::unexpected(refused(database, StoreErrorText::tr("this user does not exist")));
 }
 
 // Checks, in the transaction after the change, that a user of the level Service remains.
@@ -49,7 +49,7 @@ tl::expected<void, StoreError> keepOneService(Database& database)
     if (counted->value(1).toInt() > 0)
         return {};
     return tl::unexpected(
-        refused(database, StoreErrorText::tr("somebody of the level Service must be left")));
+        refused(database, StoreErrorText::tr("at least one user of the level Service must remain")));
 }
 
 } // namespace
@@ -162,7 +162,7 @@ tl::expected<LoginAttempt, StoreError> beginLogin(Database& database, qint64 id,
         if (!row)
             return tl::unexpected(row.error());
         if (!row->next())
-            return tl::unexpected(refused(database, StoreErrorText::tr("there is no such user")));
+            return tl::unexpected(refused(database, StoreErrorText::tr("this user does not exist")));
         attempt.user = userOf(*row);
         const QString hash = row->value(5).toString();
         row->finish();

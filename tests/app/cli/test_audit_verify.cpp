@@ -131,7 +131,7 @@ private slots:
             const auto database = store::Database::open(trail.folder.path());
             auto manifest = store::takeSnapshot(**database, snapshot.path());
             QVERIFY(manifest);
-            manifest->made = QDateTime::fromMSecsSinceEpoch(1'790'000'000'000, Qt::UTC);
+            manifest->made = QDateTime::fromMSecsSinceEpoch(1'790'000'000'000).toUTC();
             const QByteArray recipe = store::toJson({});
             QVERIFY(store::writeBackup(path, *manifest, snapshot.path(), {{}, recipe, recipe}));
         }

@@ -118,7 +118,7 @@ void CliTest::helpSuffices_data()
     QTest::newRow("download") << u"download"_s
                               << QStringList{u"--verify"_s, u"--port"_s, u"--when-stopped"_s};
     QTest::newRow("status") << u"status"_s << QStringList{u"--baud"_s, u"--unit"_s};
-    QTest::newRow("stop") << u"stop"_s << QStringList{u"--now"_s, u"no emergency stop"_s};
+    QTest::newRow("stop") << u"stop"_s << QStringList{u"--now"_s, u"not an emergency stop"_s};
     QTest::newRow("registers") << u"registers"_s << QStringList{u"--read"_s, u"--markdown"_s};
 }
 
@@ -206,7 +206,7 @@ void CliTest::curvesAreDrawnPastABrokenLimit()
     QCOMPARE(result.code, int{Refused});
     QVERIFY(result.out.startsWith("time_s,position_mm,velocity_mm_per_s"));
     QVERIFY(result.out.count('\n') > 1000);
-    QVERIFY2(result.complaint.contains("Nearest that works"), result.complaint.constData());
+    QVERIFY2(result.complaint.contains("Nearest possible value"), result.complaint.constData());
     QCOMPARE(result.complaint.count('\n'), 1);
 }
 
@@ -390,7 +390,7 @@ void CliTest::otherDevices_data()
     QTest::addColumn<int>("address");
     QTest::addColumn<int>("value");
     QTest::addColumn<QString>("words");
-    QTest::newRow("another device") << 0 << 0x1234 << u"no CamPanel controller"_s;
+    QTest::newRow("another device") << 0 << 0x1234 << u"not a CamPanel controller"_s;
     QTest::newRow("a later map") << 1 << 2 << u"Update the panel's software"_s;
 }
 

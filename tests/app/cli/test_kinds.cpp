@@ -326,11 +326,11 @@ void CliKindsTest::knotsThatCannotBe()
     const QString text = u"\ufeffmaster_deg,slave_mm\n0,0\n"_s;
     const QByteArray utf16(reinterpret_cast<const char*>(text.utf16()), text.size() * 2);
     QCOMPARE(complaintOf(utf16), "campanelctl: The file " + m_directory.filePath(u"wrong.csv"_s).toUtf8() +
-                                     " is not text in UTF-8. Save it as CSV in UTF-8.\n");
+                                     " is not UTF-8 text. Save the file as CSV in UTF-8.\n");
     const QByteArray knots("master_deg,slave_mm\n0,0\n90,20\n180,50\n270,20\n360,1e306\n");
-    QCOMPARE(
-        complaintOf(knots),
-        QByteArray("campanelctl: Knot 5 at 1e+306 mm is out of range; the nearest place is 1000000 mm.\n"));
+    QCOMPARE(complaintOf(knots),
+             QByteArray(
+                 "campanelctl: Knot 5 at 1e+306 mm is out of range; the nearest position is 1000000 mm.\n"));
 }
 
 void CliKindsTest::knotsRepaired()
@@ -382,8 +382,8 @@ void CliKindsTest::complaints_data()
     };
     row("unknown kind", u"table --kind gearbox"_s, Usage, u"rotary_cutter, position_move"_s);
     row("a field of another kind", u"table --kind point_cam --distance-mm 5"_s, Usage,
-        u"--distance-mm does not belong to a program of kind point_cam"_s);
-    row("a knife for a press", u"profile --kind press --knives 2"_s, Usage, u"--knives does not belong"_s);
+        u"--distance-mm does not apply to a program of kind point_cam"_s);
+    row("a knife for a press", u"profile --kind press --knives 2"_s, Usage, u"--knives does not apply"_s);
     row("a press without options", u"profile --press-speed-mm-per-s 10"_s, Usage, u"rotary_cutter"_s);
     row("a choice of another kind", u"table --kind press --duration fastest"_s, Usage, u"--duration"_s);
     row("no such choice", u"table --kind position_move --duration over_distance"_s, Usage,
@@ -392,7 +392,7 @@ void CliKindsTest::complaints_data()
     row("ratios of a cam", u"table --kind point_cam --k 4,3,2,1.5"_s, Usage, u"rotary cutter"_s);
     row("law of a press", u"table --kind press --law cubic"_s, Usage, u"has no law"_s);
     row("law of the wrong sort", u"table --kind position_move --law half_modified_sine"_s, Usage,
-        u"no displacement law"_s);
+        u"Unknown displacement law"_s);
     row("knots of a move", u"table --kind speed_move --knots-csv x"_s, Usage, u"point cam"_s);
     row("absent knots", u"knots --kind point_cam --knots-csv /nowhere/k.csv"_s, File, u"/nowhere/k.csv"_s);
     row("no knots", u"knots"_s, Usage, u"--kind point_cam"_s);

@@ -60,7 +60,7 @@ private slots:
         const Result result = call(
             {u"doctor"_s, u"--port"_s, controller.port(), u"--unit"_s, u"9"_s, u"--format"_s, u"json"_s});
         QCOMPARE(result.code, int{Link});
-        QVERIFY(result.complaint.contains("unit 9"));
+        QVERIFY(result.complaint.contains("unit number 9"));
         const QJsonObject finding = QJsonDocument::fromJson(result.out).array().first().toObject();
         QCOMPARE(finding[u"condition"_s].toString(), u"wrong_unit"_s);
         QCOMPARE(finding[u"unit"_s].toInt(), 2);
@@ -82,7 +82,7 @@ private slots:
         slave.setRegister(0, 0x4711);
         const Result result = call({u"doctor"_s, u"--port"_s, QString::fromStdString(slave.port())});
         QCOMPARE(result.code, int{Link});
-        QVERIFY2(result.out.contains("no CamPanel controller"), result.out.constData());
+        QVERIFY2(result.out.contains("other than a CamPanel controller"), result.out.constData());
         QCOMPARE(slave.writes(), 0);
     }
 
@@ -131,8 +131,8 @@ private slots:
             call({u"frames"_s, u"--port"_s, QString::fromStdString(slave.port()), u"--seconds"_s, u"0.5"_s});
         QVERIFY2(result.code == Ok, result.complaint.constData());
         QVERIFY(result.out.contains("identity.device_type = 51773"));
-        QVERIFY(result.out.contains("no answer in time"));
-        QVERIFY(result.out.contains("dropped: answer to another question"));
+        QVERIFY(result.out.contains("response timeout"));
+        QVERIFY(result.out.contains("dropped: response to another request"));
         QVERIFY(result.out.contains("exchange.heartbeat = "));
         QVERIFY(result.out.contains("01 03 00 00 00 13 ")); // the bytes as sent
     }

@@ -89,7 +89,8 @@ void OutputTest::aFullDiskCostsNoFile()
     }
     QCOMPARE(result.code, int{File});
     QCOMPARE(get(path), QByteArray("the old file"));
-    QVERIFY2(result.complaint.contains("cannot be written") && result.complaint.contains("Make room"),
+    QVERIFY2(result.complaint.contains("cannot be written") &&
+                 result.complaint.contains("Free some disk space"),
              result.complaint.constData());
     QCOMPARE(QDir(m_directory.path()).entryList(QDir::Files), before);
 }

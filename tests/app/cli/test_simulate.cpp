@@ -31,17 +31,17 @@ private slots:
         row("slip", u"--slip -1"_s, Usage, "--slip takes a number from 0 to 10");
         row("share", u"--marks-missing 2"_s, Usage, "--marks-missing");
         row("not a number", u"--stretch nan"_s, Usage, "--stretch");
-        row("no parameter", u"--set status.state=1"_s, Usage, "\"status.state\" is no parameter");
+        row("no parameter", u"--set status.state=1"_s, Usage, "\"status.state\" is not a parameter");
         row("no value", u"--set parameter.anti_cut"_s, Usage, "--set takes a parameter and its value");
         row("out of range", u"--set parameter.cut_clearance=99"_s, Usage, "0.5 .. 60 mm");
         row("another kind", u"--kind press"_s, Usage, "rotary cutter");
-        row("lengths alone", u"--lengths 100"_s, Usage, "--lengths belongs to --table");
+        row("lengths alone", u"--lengths 100"_s, Usage, "--lengths requires --table");
         row("bad lengths", u"--table --lengths 100,x"_s, Usage, "--lengths takes numbers");
-        row("table without tracking", u"--table --no-tracking"_s, Usage, "does not go with --table");
+        row("table without tracking", u"--table --no-tracking"_s, Usage, "cannot be combined with --table");
         row("table of what cannot be", u"--table --bags 20 --lengths 2000"_s, Refused,
             "2000 mm at 60 bags/min");
         row("too fast", u"--bag-length-mm 150 --rate 300"_s, Refused,
-            "Nearest that works: Rate 227.0 bags/min");
+            "Nearest possible value: Rate 227.0 bags/min");
         row("no marks", u"--marks-missing 1"_s, Refused, "Check film and mark sensor");
         row("product too long", u"--product-length 260"_s, Refused, "longer bag");
         row("sensor too far", u"--bag-length-mm 100 --set parameter.mark_distance=5000"_s, Refused,

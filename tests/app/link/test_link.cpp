@@ -193,7 +193,7 @@ private slots:
     {
         QTest::addColumn<std::uint32_t>("baud");
         QTest::addColumn<int>("samples");
-        QTest::addColumn<double>("leastPerSecond");
+        QTest::addColumn<double>("minPerSecond");
         // A quarter of the limit, so that a busy computer does not fail; the benchmark checks the rate
         // itself.
         QTest::newRow("115200 baud, wire limit 80/s") << 115200u << 160 << 20.0;

@@ -166,8 +166,7 @@ private slots:
         put(folder.filePath(u"photo.csv"_s), QByteArray("\xFF\xD8\xFF\0\x10", 5));
         const auto offers = offeredKnots({{folder.path(), u"STICK"_s, false}});
         QCOMPARE(offers.size(), 1);
-        QVERIFY2(offers[0].problem.contains(u"photo.csv is not text in UTF-8"_s),
-                 qPrintable(offers[0].problem));
+        QVERIFY2(offers[0].problem.contains(u"photo.csv is not UTF-8 text"_s), qPrintable(offers[0].problem));
     }
 
     void aFullDiskLeavesTheFileThatWasThere()
@@ -204,7 +203,7 @@ private slots:
         }();
         QVERIFY(!written);
         QVERIFY2(written.error().contains(place.path) && written.error().contains(u"cannot be written"_s) &&
-                     written.error().contains(u"choose another place"_s),
+                     written.error().contains(u"choose another location"_s),
                  qPrintable(written.error()));
         QVERIFY(QDir(folder.path()).isEmpty()); // no partial file
         QCOMPARE(offeredKnots({place}).size(), 0);

@@ -466,7 +466,7 @@ private slots:
         rig.setFaults(jam);
         (void)rig.live();
         const auto title = [&] { return rig.alarms->live()->row(0).title(); };
-        QCOMPARE(title(), "Axis does not follow");
+        QCOMPARE(title(), "Following error too large");
         QSignalSpy changed(rig.alarms->live(), &panel::AlarmList::dataChanged);
         QTranslator translator;
         QVERIFY(translator.load(QStringLiteral(":/i18n/campanel_app_zh_CN.qm")));
@@ -474,7 +474,7 @@ private slots:
         QCOMPARE(title(), "跟随误差过大");
         QCOMPARE(rig.alarms->urgentTitle(), "跟随误差过大");
         QCOMPARE(changed.size(), 1);
-        QCOMPARE(rig.panel.machine.alarmText(), "轴跟不上指令。请检查是否卡阻，然后复位故障并回零。");
+        QCOMPARE(rig.panel.machine.alarmText(), "轴跟不上设定值。请检查是否卡阻，然后复位故障并回零。");
         QCoreApplication::removeTranslator(&translator);
     }
 };

@@ -61,7 +61,7 @@ void TestLineHonesty::lostLineSaysSinceWhenAndWhatIsTried()
     rig.machine.setWallClock([] { return QDateTime(QDate(2026, 1, 15), QTime(14, 8, 0)); });
     rig.link.becomeLost(); // tried again
     const QString text = rig.machine.connectionText();
-    for (const char* words : {"since 14:07:05", "/dev/fake", "four times a second", "reconnects by itself"})
+    for (const char* words : {"since 14:07:05", "/dev/fake", "reconnects automatically"})
         QVERIFY2(text.contains(QLatin1String(words)), qPrintable(text));
     // The age increases.
     rig.now += 4s;
@@ -77,15 +77,14 @@ void TestLineHonesty::stopWaitsAndIsToldOf_data()
     QTest::addColumn<QString>("words");
     const auto none = static_cast<int>(modbus::Refusal::None);
     QTest::newRow("sent") << static_cast<int>(CommandEnd::Done) << none
-                          << "The line is back: Stop was sent and the controller has taken it.";
+                          << "Connection restored: Stop was sent, and the controller accepted the command.";
     QTest::newRow("no longer running")
         << static_cast<int>(CommandEnd::Refused) << static_cast<int>(modbus::Refusal::NotRunning)
-        << "The line is back: Stop was sent, but the machine was no longer running.";
+        << "Connection restored: Stop was sent, but the machine was no longer running.";
     QTest::newRow("withdrawn") << static_cast<int>(CommandEnd::Withdrawn) << none
-                               << "Stop was withdrawn: it is not sent any more.";
-    QTest::newRow("another machine")
-        << static_cast<int>(CommandEnd::NotSent) << none
-        << "Stop was not sent: it was meant for the machine that was connected before.";
+                               << "Stop was withdrawn and will not be sent.";
+    QTest::newRow("another machine") << static_cast<int>(CommandEnd::NotSent) << none
+                                     << "Stop was not sent: a different machine is connected now.";
 }
 
 void TestLineHonesty::stopWaitsAndIsToldOf()
@@ -101,7 +100,7 @@ void TestLineHonesty::stopWaitsAndIsToldOf()
     QCOMPARE(rig.link.requests.last().command, Command::StopAtCycleEnd);
     rig.link.becomeLost(Command::StopAtCycleEnd);
     QVERIFY(rig.machine.stopWaits());
-    QVERIFY2(rig.machine.stopWaitsText().startsWith("Stop waits for the line"),
+    QVERIFY2(rig.machine.stopWaitsText().startsWith("Stop is not sent yet."),
              qPrintable(rig.machine.stopWaitsText()));
     rig.machine.withdrawStop();
     QCOMPARE(rig.link.withdrawals, 1);
@@ -154,7 +153,7 @@ void TestLineHonesty::changesMeanwhileAreTold()
     rig.link.status.state = modbus::State::Ready;
     rig.link.becomeConnected();
     rig.link.sendStatus(rig.now);
-    QCOMPARE(rig.machine.commandMessage(), "The line is back. Before: Running. Now: Ready.");
+    QCOMPARE(rig.machine.commandMessage(), "Connection restored. Before: Running. Now: Ready.");
     QCOMPARE(rig.machine.state(), Controller::State::Ready);
     rig.link.becomeLost(); // the return is over
     QVERIFY2(rig.machine.commandMessage().isEmpty(), qPrintable(rig.machine.commandMessage()));
@@ -180,10 +179,10 @@ void TestLineHonesty::lostLineClaimsNothingOfTheController()
     PanelRig rig;
     rig.connectRunning();
     rig.editor.download();
-    QVERIFY(rig.editor.programDownload()->controllerText().contains("the same"));
+    QVERIFY(rig.editor.programDownload()->controllerText().contains("identical"));
     rig.link.becomeLost();
     QCOMPARE(rig.editor.programDownload()->controllerText(),
-             "No connection. Last known in the controller: generation 1");
+             "No connection. Last known program in the controller: generation 1");
     QVERIFY(!rig.editor.programDownload()->canDownload());
     QCOMPARE(rig.editor.programDownload()->text(),
              "Not possible now: there is no connection to the controller.");
@@ -217,7 +216,7 @@ void TestLineHonesty::proofComparesWithWhatWasDownloaded()
     QCOMPARE(proof.progress(), 0.5);
     report.isInterrupted = true;
     emit rig.link.comparisonReported(report);
-    QCOMPARE(proof.text(), "The connection is lost; the comparison goes on when it is back.");
+    QCOMPARE(proof.text(), "The connection is lost. The comparison continues when it is restored.");
     proof.cancel();
     QCOMPARE(rig.link.comparisonCancels, 1);
     report.stage = ComparisonStage::Equal;
@@ -225,7 +224,7 @@ void TestLineHonesty::proofComparesWithWhatWasDownloaded()
     emit rig.link.comparisonReported(report);
     QCOMPARE(proof.result(), ProgramProof::Result::Equal);
     QVERIFY2(proof.text().contains(QString::number(image.registers.size()) +
-                                   " registers of generation 1 are what this panel downloaded"),
+                                   " registers of generation 1 match what this panel downloaded"),
              qPrintable(proof.text()));
     QVERIFY(proof.text().contains(QString::number(image.crc, 16).toUpper()));
 }
@@ -288,8 +287,7 @@ void TestLineHonesty::proofEndsInWords_data()
                              << "The controller's program changed during the comparison. Compare again.";
     QTest::newRow("none") << static_cast<int>(ComparisonStage::NoProgram)
                           << "The controller has no program. Download a recipe first.";
-    QTest::newRow("canceled") << static_cast<int>(ComparisonStage::Canceled)
-                              << "Canceled. Nothing was found out.";
+    QTest::newRow("canceled") << static_cast<int>(ComparisonStage::Canceled) << "Canceled without a result.";
     QTest::newRow("no connection") << static_cast<int>(ComparisonStage::Failed)
                                    << "Not compared: there is no connection to the controller.";
 }
@@ -348,7 +346,7 @@ void TestLineHonesty::faultsAreThoseThatTheControllerTook()
     QCOMPARE(rig.link.faults.last().size(), 2);
     emit rig.link.faultsSimulated({});
     QCOMPARE(faults.activeCount(), 2);
-    QCOMPARE(faults.text(), "Active: Late answers, Silence");
+    QCOMPARE(faults.text(), "Active: Late responses, Silence");
     faults.setLevel(1, SimulatedFaults::Often);
     emit rig.link.faultsSimulated({link::FaultsEnd::Refused, "line 1: 'x' is wrong"});
     QCOMPARE(level(1), int{SimulatedFaults::Off});

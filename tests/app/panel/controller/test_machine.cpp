@@ -273,7 +273,7 @@ private slots:
         rig.link.becomeLost();
         QCOMPARE(rig.machine.connection(), Controller::Connection::Lost);
         QCOMPARE(rig.machine.state(), Controller::State::Unknown);
-        QVERIFY(rig.machine.connectionText().contains("reconnects by itself"));
+        QVERIFY(rig.machine.connectionText().contains("reconnects automatically"));
         QVERIFY(rig.machine.active().isPresent);
         QCOMPARE(rig.machine.linkQuality(), 0);
     }
@@ -391,7 +391,7 @@ private slots:
         report.state = link::LinkState::PortProblem;
         report.error = modbus::LinkError{modbus::LinkErrorKind::PortAbsent, {}, {}, {}, 0};
         emit rig.link.reported(report);
-        QVERIFY2(rig.machine.connectionText().startsWith("No controller is chosen."),
+        QVERIFY2(rig.machine.connectionText().startsWith("No controller is selected."),
                  qPrintable(rig.machine.connectionText()));
     }
 

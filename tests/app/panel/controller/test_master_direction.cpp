@@ -167,7 +167,7 @@ private slots:
         QVERIFY(!rig.direction().turning()); // the request is not accepted yet
         rig.answer(1);
         QVERIFY(rig.direction().turning());
-        QCOMPARE(rig.direction().text(), "Turning to backward …");
+        QCOMPARE(rig.direction().text(), "Changing to reverse …");
         rig.advance(3, 50);
         rig.advance(0.5, 5);
         rig.advance(0, 0);
@@ -175,7 +175,7 @@ private slots:
         QSignalSpy told(&rig.direction(), &MasterDirection::changed);
         rig.advance(-0.5, 5);
         QVERIFY(!rig.direction().turning());
-        QCOMPARE(rig.direction().text(), "runs backward");
+        QCOMPARE(rig.direction().text(), "runs in reverse");
         QVERIFY(!told.isEmpty());
         for (int i = 0; i < 60; ++i) { // over the end of the cycle
             rig.advance(-7.2);
@@ -193,7 +193,7 @@ private slots:
         rig.direction().turn(Way::Backward);
         rig.answer(1);
         QVERIFY(!rig.direction().turning());
-        QCOMPARE(rig.direction().text(), "starts backward");
+        QCOMPARE(rig.direction().text(), "starts in reverse");
     }
 
     void aMasterTooFastToFollowIsNotGuessedAt()
@@ -215,7 +215,7 @@ private slots:
         QTest::addColumn<QString>("words");
         QTest::newRow("not sent") << link::ParameterEnd::NotSent << "there is no connection";
         QTest::newRow("refused") << link::ParameterEnd::Refused << "was not changed";
-        QTest::newRow("unknown") << link::ParameterEnd::OutcomeUnknown << "no proof came back";
+        QTest::newRow("unknown") << link::ParameterEnd::OutcomeUnknown << "not confirmed";
     }
     void aWriteThatFailsIsSaidAndReadAgain()
     {

@@ -176,14 +176,14 @@ private slots:
         QCOMPARE(line.seenProducts(), (QList<QPointF>{{20, 170}}));
         QCOMPARE(line.filmPositionMm(), 1234.5);
         QCOMPARE(line.nextMarkMm(), 601.0);
-        QCOMPARE(line.markStateText(), "Following the marks");
+        QCOMPARE(line.markStateText(), "Tracking marks");
         QCOMPARE(line.filmSpeedMmPerS(), bagMm / rig.machine.active().cycleSeconds);
         QVERIFY(line.gateText().isEmpty());
         rig.film.put("packer.knife_gate", static_cast<unsigned>(modbus::GateState::Standing));
         rig.film.put("packer.mark_state", static_cast<unsigned>(modbus::MarkState::Searching));
         rig.answerNext();
         QVERIFY(line.knifeOpen());
-        QCOMPARE(line.gateText(), "Knife stays open: product across");
+        QCOMPARE(line.gateText(), "Knife stays open: product in its path");
         QVERIFY2(std::isnan(line.nextMarkMm()), "none is expected while they are looked for");
         rig.film.put("packer.film_gate", static_cast<unsigned>(modbus::GateState::Standing));
         rig.answerNext();

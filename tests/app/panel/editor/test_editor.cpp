@@ -234,7 +234,7 @@ private slots:
         QTest::addColumn<double>("rate");
         QTest::addColumn<QString>("word");
         QTest::addColumn<bool>("solvable");
-        QTest::newRow("too fast") << 100.0 << 390.0 << "accelerate" << true;
+        QTest::newRow("too fast") << 100.0 << 390.0 << "acceleration" << true;
         QTest::newRow("film faster than the stroke") << 1500.0 << 60.0 << "stroke" << false;
     }
 

@@ -113,7 +113,7 @@ private slots:
         const auto fields = [&] { return idsOf(rig.editor.fields()); };
         choose(rig.editor, "Duration", "Over a distance");
         QVERIFY(fields().contains("distance_mm") && !fields().contains("time_s"));
-        choose(rig.editor, "Executed as", "Intervals");
+        choose(rig.editor, "Execution", "Intervals");
         QVERIFY(!fields().contains("cam_points"));
         QTRY_COMPARE(rig.editor.table()->name(), "Intervals"); // compiled once the finger rests
         choose(rig.editor, "Duration", "As fast as possible");

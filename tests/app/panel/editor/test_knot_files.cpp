@@ -110,7 +110,7 @@ private slots:
         look(rig);
         const OfferRow row = rig.editor.knotFiles()->files()->rows().value(0);
         QVERIFY(!row.usable);
-        QVERIFY2(row.detail.contains(words) && row.detail.endsWith(u"Correct the file and look again."_s),
+        QVERIFY2(row.detail.contains(words) && row.detail.endsWith(u"Correct the file and search again."_s),
                  qPrintable(row.detail));
         for (const int index : {-1, 0, 1})
             rig.editor.knotFiles()->take(index);
@@ -157,7 +157,7 @@ private slots:
         look(rig);
         KnotFiles& files = *rig.editor.knotFiles();
         QVERIFY(!files.places()->rows()[0].usable);
-        QVERIFY2(files.places()->rows()[0].detail.contains(u"can only be read"_s),
+        QVERIFY2(files.places()->rows()[0].detail.contains(u"is read-only"_s),
                  qPrintable(files.places()->rows()[0].detail));
         files.write(0);
         QVERIFY(!files.busy());

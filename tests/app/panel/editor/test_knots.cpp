@@ -149,13 +149,13 @@ private slots:
         QTest::newRow("four") << "[[0,0],[90,1],[180,2],[360,0]]"
                               << "The cam has 4 knots";
         QTest::newRow("backwards") << "[[0,0],[90,1],[80,2],[270,1],[360,0]]"
-                                   << "Knot 3 at 80 ° must come after the one before it at 90 °";
+                                   << "Knot 3 at 80 ° must come after the previous knot at 90 °";
         QTest::newRow("too close") << "[[0,0],[90,1],[90.01,2],[270,1],[360,0]]"
                                    << "Knot 3 is only 0.01 °";
         QTest::newRow("beyond the cycle") << "[[0,0],[90,1],[180,2],[270,1],[400,0]]"
                                           << "Knot 5 at 400 °";
         QTest::newRow("begins late") << "[[10,0],[90,1],[180,2],[270,1],[360,0]]"
-                                     << "Knot 1 is at 10 °, but the cam needs one at 0 °";
+                                     << "Knot 1 is at 10 °; the cam needs a knot at 0 °";
         QTest::newRow("too far") << "[[0,0],[90,1],[180,2000000],[270,1],[360,0]]"
                                  << "Knot 3 at";
         QTest::newRow("overshoot") << "[[0,0],[175,0],[180,50],[185,50],[360,0]]"
@@ -196,7 +196,7 @@ private slots:
         choose(rig.editor, "Spline ends", "Natural");
         enter(rig.editor, Field::MaxAcceleration, 5000);
         enter(rig.editor, Field::MasterRate, 100);
-        QVERIFY2(rig.editor.verdict().contains("where the cycle closes. Choose periodic ends"),
+        QVERIFY2(rig.editor.verdict().contains("at the end of the cycle. Choose periodic ends"),
                  qPrintable(rig.editor.verdict()));
         choose(rig.editor, "Spline ends", "Periodic");
         QVERIFY2(rig.editor.feasible(), qPrintable(rig.editor.verdict()));

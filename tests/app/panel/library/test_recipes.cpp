@@ -331,7 +331,7 @@ private slots:
         rig.recipes.exports()->write(0);
         QTRY_VERIFY(!rig.recipes.exports()->message().isEmpty());
         QVERIFY2(!rig.recipes.exports()->failed(), qPrintable(rig.recipes.exports()->message()));
-        QVERIFY(rig.recipes.exports()->message().contains(QStringLiteral("taken out")));
+        QVERIFY(rig.recipes.exports()->message().contains(QStringLiteral("remove the stick")));
         const auto read = store::readRecipe(rig.folder.filePath(QStringLiteral("recipes/Rusk 310.json")));
         QVERIFY(read);
         QCOMPARE(read->name, std::string("Rusk 310"));

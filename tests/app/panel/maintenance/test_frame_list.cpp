@@ -85,12 +85,12 @@ private slots:
              frame(6, FrameVerdict::Answer, {1, 16, 0, 0x82, 0, 1}),
              frame(7, FrameVerdict::Sent, {1, 3, 0x10, 0, 0, 2}),
              frame(8, FrameVerdict::Exception, {1, 0x83, 2})});
-        const QStringList all{"Status wanted, heartbeat 42",
-                              "No answer in time",
+        const QStringList all{"Status request, heartbeat 42",
+                              "Response timeout",
                               "Command Start, counter 9",
                               "Command Start: Done",
                               "Write parameter.ramp_time = 900 ms",
-                              "Answer: done",
+                              "Response: done",
                               "Read 0x1000, count 2",
                               "Exception 2: illegal register address"};
         QCOMPARE(words(frames), all);

@@ -156,7 +156,7 @@ private slots:
         jog.press(1);
         QCOMPARE(jog.held(), 1);
         QTRY_VERIFY(jog.blocked()); // the controller does not start
-        QVERIFY(jog.text().startsWith(QStringLiteral("The controller does not move.")));
+        QVERIFY(jog.text().startsWith(QStringLiteral("No motion")));
         become(rig, State::Jogging);
         QVERIFY(!jog.blocked());
         jog.release(1);
@@ -242,14 +242,13 @@ private slots:
         become(rig, State::Ready, notHomed);
         Homing& homing = *rig.service.homing();
         QVERIFY(!homing.moves());
-        QVERIFY(homing.explanation().startsWith(
-            QStringLiteral("Nothing moves: the place where the ram stands now")));
+        QVERIFY(
+            homing.explanation().startsWith(QStringLiteral("No motion: the present ram position becomes")));
         homing.home();
         emit rig.link.commandEnded({rig.link.requests.last().id, modbus::Command::Home,
                                     link::CommandEnd::Done, modbus::Refusal::None, std::nullopt});
         QVERIFY(!homing.failed());
-        QCOMPARE(homing.resultText(),
-                 QStringLiteral("The place where the ram stood has become its upper position."));
+        QCOMPARE(homing.resultText(), QStringLiteral("The ram position was set as top position."));
     }
 
     void withoutAProgramThereIsNothingToHome()
@@ -343,7 +342,7 @@ private slots:
         QVERIFY(run.synchronous());
         QVERIFY(std::ranges::any_of(run.cuts(), [](QPointF cut) { return std::abs(cut.x()) < 1e-9; }));
         QVERIFY(std::abs(run.knifeDeg() - run.cutDeg()) < 1e-9);
-        QVERIFY(std::abs(figure(run, QStringLiteral("Knife against film")) - 100) < 0.05);
+        QVERIFY(std::abs(figure(run, QStringLiteral("Knife speed / film speed")) - 100) < 0.05);
         run.turn(-run.cutMasterDeg());
         QVERIFY(!run.synchronous());
         const auto& curves = *rig.editor.solution().curves;

@@ -134,7 +134,7 @@ private slots:
         InspectorRig rig;
         panel::RegisterInspector& inspector = rig.inspector();
         inspector.select(2);
-        QCOMPARE(inspector.selectedText(), "Can be written: 50 ms to 10000 ms, by default 800 ms.");
+        QCOMPARE(inspector.selectedText(), "Writable: 50 ms to 10000 ms, default 800 ms.");
         QVERIFY(!inspector.value()->check(49).isEmpty() && inspector.value()->check(50).isEmpty());
         inspector.value()->set(49);
         QCOMPARE(rig.link.parameters.size(), 0);
@@ -145,7 +145,7 @@ private slots:
         QVERIFY(!inspector.canWrite()); // one at a time
         emit rig.link.parameterEnded(
             {rig.link.parameters[0].id, "parameter.ramp_time", link::ParameterEnd::Done, 900.0, {}});
-        QCOMPARE(inspector.selectedText(), "Written, and read back from the controller: 900 ms.");
+        QCOMPARE(inspector.selectedText(), "Written and read back from the controller: 900 ms.");
         inspector.value()->set(1000);
         emit rig.link.parameterEnded({rig.link.parameters[1].id,
                                       "parameter.ramp_time",
@@ -153,7 +153,7 @@ private slots:
                                       std::nullopt,
                                       {}});
         QVERIFY(inspector.failed());
-        QVERIFY2(inspector.selectedText().contains("no proof"), qPrintable(inspector.selectedText()));
+        QVERIFY2(inspector.selectedText().contains("not confirmed"), qPrintable(inspector.selectedText()));
     }
 
     void theInspectorTurnsTheMasterToo()

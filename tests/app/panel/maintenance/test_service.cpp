@@ -101,7 +101,7 @@ private slots:
         report.isScanning = true;
         emit rig.link.reported(report);
         QCOMPARE(rig.link.scanCancels, 0);
-        QVERIFY(rig.machine.connectionText().startsWith("The link doctor has the ports."));
+        QVERIFY(rig.machine.connectionText().startsWith("The diagnostics are using the ports."));
         report.pendingStop = modbus::Command::StopNow;
         emit rig.link.reported(report);
         QCOMPARE(rig.link.scanCancels, 1);
@@ -121,11 +121,11 @@ private slots:
         emit rig.link.scanReported(report);
         QVERIFY(doctor.running());
         QCOMPARE(doctor.triedText(), "Trying /dev/ttyUSB1: 19200 baud, 8E2, unit 7");
-        QCOMPARE(doctor.progressText(), "30 of 120, at most 12 s more");
+        QCOMPARE(doctor.progressText(), "30 of 120, max. 12 s left");
         QCOMPARE(doctor.progress(), 0.25);
         report.progress.remaining = 301s;
         emit rig.link.scanReported(report);
-        QCOMPARE(doctor.progressText(), "30 of 120, at most 6 min more");
+        QCOMPARE(doctor.progressText(), "30 of 120, max. 6 min left");
         doctor.cancel();
         QCOMPARE(rig.link.scanCancels, 1);
         report.isRunning = false;
@@ -242,8 +242,8 @@ private slots:
         QTRY_VERIFY(!files.busy());
         QVERIFY2(!files.failed(), qPrintable(files.message()));
         const QDir folder(rig.folder.filePath(QStringLiteral("reports")));
-        QCOMPARE(folder.entryList(QDir::Files), (QStringList{"link 24 hours.csv", "link figures.csv"}));
-        QFile file(folder.filePath(QStringLiteral("link figures.csv")));
+        QCOMPARE(folder.entryList(QDir::Files), (QStringList{"link 24 hours.csv", "link statistics.csv"}));
+        QFile file(folder.filePath(QStringLiteral("link statistics.csv")));
         QVERIFY(file.open(QIODevice::ReadOnly));
         QVERIFY(file.readAll().contains("requests,1\n"));
     }
@@ -261,7 +261,7 @@ private slots:
         files.write(0);
         QTRY_VERIFY(!files.busy());
         QVERIFY(files.failed());
-        QVERIFY2(files.message().contains("choose another place"), qPrintable(files.message()));
+        QVERIFY2(files.message().contains("choose another location"), qPrintable(files.message()));
     }
 };
 

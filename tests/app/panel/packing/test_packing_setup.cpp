@@ -133,10 +133,10 @@ private slots:
         rig.set("packer.teach_marks", 10);
         QVERIFY(!rig.setup().teaching() && !rig.setup().misfit());
         QCOMPARE(rig.setup().teachText(),
-                 "The marks are 250.30 mm apart (± 0.08 mm); the recipe cuts 250 mm.");
+                 "The mark distance is 250.30 mm (± 0.08 mm), the recipe cuts 250 mm.");
         rig.set("packer.teach_pitch", 260);
         QVERIFY(rig.setup().misfit());
-        QVERIFY(rig.setup().teachText().endsWith("this film does not fit this recipe."));
+        QVERIFY(rig.setup().teachText().endsWith("this film does not match this recipe."));
     }
 
     void teachingNeedsARunAndSaysARefusal()
@@ -162,7 +162,7 @@ private slots:
         rig.setup().open();
         rig.setup().open();
         QCOMPARE(rig.link.parameters.size(), rig.fields().rowCount());
-        const int row = rig.rowOf(QStringLiteral("Window around"));
+        const int row = rig.rowOf(QStringLiteral("Mark window"));
         QCOMPARE(rig.at(row, PackingFields::ValueRole).toString(), "--");
         QVERIFY(!rig.at(row, PackingFields::KnownRole).toBool());
         rig.answerParameters();
@@ -171,7 +171,7 @@ private slots:
         rig.fields().select(row);
         QCOMPARE(rig.fields().value()->unit(), "mm");
         QCOMPARE(rig.fields().value()->decimals(), 3);
-        QCOMPARE(rig.fields().value()->check(31), "The largest allowed value is 30 mm.");
+        QCOMPARE(rig.fields().value()->check(31), "The maximum is 30 mm.");
         rig.fields().value()->set(31);
         QVERIFY(rig.link.parameters.isEmpty());
         rig.fields().value()->set(8);
@@ -181,8 +181,7 @@ private slots:
         QVERIFY(!rig.fields().unsaved());
         rig.answerParameters();
         QCOMPARE(rig.at(row, PackingFields::ValueRole).toString(), "8");
-        QCOMPARE(rig.fields().outcomeText(),
-                 "Window around an expected mark, ±: 8 mm, read back from the controller.");
+        QCOMPARE(rig.fields().outcomeText(), "Mark window, ±: 8 mm, read back from the controller.");
         QVERIFY(rig.fields().unsaved());
         rig.link.becomeLost();
         rig.link.becomeConnected();
@@ -251,7 +250,7 @@ private slots:
         QVERIFY(rig.at(row, PackingFields::SuggestionRole).toString().isEmpty());
         QVERIFY(rig.at(row, PackingFields::NoteRole)
                     .toString()
-                    .endsWith("no suggestion: the marks do not scatter (50 bags)"));
+                    .endsWith("no suggestion: the mark positions do not vary (50 bags)"));
     }
 
     void wizardCorrectsTheDistance()
@@ -306,7 +305,7 @@ private slots:
         rig.set("packer.mark_state", static_cast<double>(modbus::MarkState::Off));
         rig.openWizard();
         QVERIFY(!rig.wizard().canGoOn());
-        QVERIFY(rig.wizard().blockedReason().startsWith("The cuts do not follow the marks."));
+        QVERIFY(rig.wizard().blockedReason().startsWith("Mark tracking is off."));
         rig.set("packer.mark_state", static_cast<double>(modbus::MarkState::Tracking));
         rig.setState(modbus::State::Ready);
         QVERIFY(!rig.wizard().canGoOn());
@@ -420,7 +419,7 @@ private slots:
         rig.wizard().measureSimulatedBag();
         emit rig.link.rulerRead({link::RulerEnd::Read, 250.1, -3.05});
         QCOMPARE(rig.wizard().measuredText(), "−3.05");
-        QVERIFY(rig.wizard().text().startsWith("That bag has been measured already"));
+        QVERIFY(rig.wizard().text().startsWith("This bag has been measured already"));
         rig.wizard().measureSimulatedBag();
         emit rig.link.rulerRead({link::RulerEnd::NoBag, 0, 0});
         QCOMPARE(rig.wizard().text(), "No bag has been cut yet.");

@@ -33,7 +33,7 @@ private slots:
         QFile file(folder.filePath(QStringLiteral("campanel.sqlite")));
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write(QByteArray(9000, 'x')) == 9000);
         file.close();
-        QTest::ignoreMessage(QtWarningMsg, QRegularExpression(QStringLiteral("memory was damaged")));
+        QTest::ignoreMessage(QtWarningMsg, QRegularExpression(QStringLiteral("database was damaged")));
         DatabaseService records(folder.path(), nullptr);
         QSignalSpy told(&records, &DatabaseService::noticeChanged);
         records.open();
@@ -49,7 +49,7 @@ private slots:
         const QString path = folder.filePath(QStringLiteral("campanel.sqlite"));
         QVERIFY((*store::Database::open(folder.path()))->makeCopy());
         QVERIFY(QFile::remove(path));
-        QTest::ignoreMessage(QtWarningMsg, QRegularExpression(QStringLiteral("memory was missing")));
+        QTest::ignoreMessage(QtWarningMsg, QRegularExpression(QStringLiteral("database was missing")));
         {
             DatabaseService records(folder.path(), nullptr);
             records.open();
@@ -67,7 +67,7 @@ private slots:
         QTest::ignoreMessage(QtWarningMsg, QRegularExpression(QStringLiteral("cannot be opened")));
         DatabaseService records(QStringLiteral("/proc/no/such/folder"), nullptr);
         records.open();
-        QTRY_VERIFY(records.notice().contains(QStringLiteral("nothing is kept")));
+        QTRY_VERIFY(records.notice().contains(QStringLiteral("new data are lost")));
     }
 };
 

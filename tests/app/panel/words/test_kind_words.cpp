@@ -39,18 +39,16 @@ private slots:
             QTest::newRow(tag) << static_cast<int>(kind) << plain << words << suggests;
         };
         const auto position = ProgramKind::PositionMove;
-        row("motor too slow", position, {{Field::Distance, 7000}}, "The motor would turn at", true);
-        row("torque", position, {{Field::MaxTorque, 0.05}}, "The motor would need", true);
-        row("acceleration", position, {{Field::MaxAcceleration, 30000}}, "The acceleration would be", true);
-        row("frequency", position, {{Field::MaxPulseFrequency, 100000}}, "The pulse frequency would be",
-            true);
-        row("nothing moves", position, {{Field::Distance, 0}}, "nothing would move", false);
-        row("no change of speed", ProgramKind::SpeedMove, {{Field::EndSpeed, 0}}, "nothing would move",
-            false);
-        row("master stands", ProgramKind::PointCam, {{Field::MasterRate, 0}}, "nothing would move", false);
+        row("motor too slow", position, {{Field::Distance, 7000}}, "Motor speed would reach", true);
+        row("torque", position, {{Field::MaxTorque, 0.05}}, "Motor torque would reach", true);
+        row("acceleration", position, {{Field::MaxAcceleration, 30000}}, "Acceleration would reach", true);
+        row("frequency", position, {{Field::MaxPulseFrequency, 100000}}, "Pulse frequency would reach", true);
+        row("nothing moves", position, {{Field::Distance, 0}}, "gives no motion", false);
+        row("no change of speed", ProgramKind::SpeedMove, {{Field::EndSpeed, 0}}, "gives no motion", false);
+        row("master stands", ProgramKind::PointCam, {{Field::MasterRate, 0}}, "gives no motion", false);
         row("master too fast", ProgramKind::PointCam, {{Field::MasterRate, 1000}}, "the limit is", true);
         row("touch before the approach ends", ProgramKind::Press, {{Field::ProbeEnd, 50}},
-            "Touch before 50.00 mm must be beyond 60.00 mm", true);
+            "Contact before 50.00 mm must be beyond 60.00 mm", true);
         row("press to before the touch", ProgramKind::Press, {{Field::PressPosition, 80}},
             "Press to 80.00 mm must be beyond 90.00 mm", true);
         row("ramps longer than a row holds", ProgramKind::Press, {{Field::MaxAcceleration, 70}},
@@ -90,7 +88,7 @@ private slots:
     void onlyTheRateLimitIsCalledTheLargestRate()
     {
         const QString maxRate = panel::RecipeWords::limitName(profile::Limit::MachineRate);
-        QCOMPARE(maxRate, QStringLiteral("largest rate"));
+        QCOMPARE(maxRate, QStringLiteral("max. rate"));
         constexpr int last = static_cast<int>(profile::Limit::SpeedError);
         for (int i = 0; i <= last; ++i) {
             const auto limit = static_cast<profile::Limit>(i);
@@ -120,15 +118,14 @@ private slots:
         begin(rig, ProgramKind::SpeedMove);
         choose(rig.editor, "Duration", "Over a distance");
         enter(rig.editor, Field::Distance, -5000);
-        QVERIFY2(rig.editor.verdict().contains("points the other way than the speeds"),
-                 qPrintable(rig.editor.verdict()));
+        QVERIFY2(rig.editor.verdict().contains("have opposite directions"), qPrintable(rig.editor.verdict()));
         enter(rig.editor, Field::Distance, 5000);
         QVERIFY2(rig.editor.feasible(), qPrintable(rig.editor.verdict()));
-        choose(rig.editor, "Executed as", "Intervals");
+        choose(rig.editor, "Execution", "Intervals");
         choose(rig.editor, "Duration", "In a given time");
         enter(rig.editor, Field::StartSpeed, -9000);
         // Intervals are compiled once the finger rests.
-        QTRY_VERIFY2(rig.editor.verdict().contains("intervals go one way. Choose cam points"),
+        QTRY_VERIFY2(rig.editor.verdict().contains("intervals run in one direction. Choose cam points"),
                      qPrintable(rig.editor.verdict()));
     }
 
@@ -147,7 +144,7 @@ private slots:
         QTest::newRow("cam") << 4 << false << "Cam points"
                              << "1001 points, 0 pulses per cycle";
         QTest::newRow("press") << 5 << false << "Press stages"
-                               << "0.01 mm a pulse";
+                               << "0.01 mm per pulse";
     }
 
     void tablesInWords()
@@ -177,8 +174,8 @@ private slots:
             const double last =
                 program::speedsOf(table->rows.back(), table->fractionBits).timeS + starts.back();
             QVERIFY2(std::abs(last - table->timeS) < 1e-3, qPrintable(QString::number(last)));
-            QVERIFY2(text.cells(0, 0)[1] == "faster", qPrintable(text.cells(0, 0)[1]));
-            QCOMPARE(text.cells(starts.size() - 1, 0)[1], "slower");
+            QVERIFY2(text.cells(0, 0)[1] == "accel.", qPrintable(text.cells(0, 0)[1]));
+            QCOMPARE(text.cells(starts.size() - 1, 0)[1], "decel.");
         }
     }
 
@@ -215,7 +212,7 @@ private slots:
         rows.clear();
         for (const auto& row : rig.editor.programDownload()->differences()->rows())
             rows << row.name + ": " + row.activeText + " > " + row.editedText;
-        QVERIFY2(rows.contains("Kind of program: Speed move > Point cam"), qPrintable(rows.join('\n')));
+        QVERIFY2(rows.contains("Program type: Speed move > Point cam"), qPrintable(rows.join('\n')));
         QCOMPARE(rig.editor.item(Field::MasterRate)->activeText(), QString());
     }
 
