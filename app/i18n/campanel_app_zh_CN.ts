@@ -76,8 +76,8 @@
         <translation>PIN 错误。请重试。</translation>
     </message>
     <message>
-        <source>Too many wrong PINs. Try again in %1.</source>
-        <translation>PIN 多次输错。请在 %1 后重试。</translation>
+        <source>Locked after wrong PINs. Try again in %1.</source>
+        <translation>PIN 输错后锁定。请在 %1 后重试。</translation>
     </message>
     <message>
         <source>%1 Until then PINs cannot be checked: only operators can work.</source>

@@ -112,7 +112,7 @@ QString AccessSentences::wrongPin(qint64 waitMs)
 
 QString AccessSentences::mustWait(qint64 waitMs)
 {
-    return tr("Too many wrong PINs. Try again in %1.").arg(seconds(waitMs));
+    return tr("Locked after wrong PINs. Try again in %1.").arg(seconds(waitMs));
 }
 
 } // namespace campanel::panel
