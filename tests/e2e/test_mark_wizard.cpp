@@ -147,7 +147,7 @@ private slots:
         setup.teach();
         QVERIFY(setup.teaching());
         QTRY_VERIFY_WITH_TIMEOUT(!setup.teaching(), timeoutMs);
-        QVERIFY2(setup.teachText().startsWith("The marks are 25"), qPrintable(setup.teachText()));
+        QVERIFY2(setup.teachText().startsWith("The mark distance is 25"), qPrintable(setup.teachText()));
         QVERIFY2(setup.teachText().endsWith("the recipe cuts 250 mm."), qPrintable(setup.teachText()));
         const double pitchMm = panel.machine.packing()->teachPitchMm();
         QVERIFY2(pitchMm > 249.9 && pitchMm < 251.4, qPrintable(setup.teachText()));
