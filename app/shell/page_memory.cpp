@@ -7,18 +7,25 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace campanel::shell {
 namespace {
 
-constexpr qsizetype maxName = 20; // longer ones are damaged
+constexpr qsizetype maxName = 20;
 
-// Returns a name that the frame may not know, as in a damaged file.
+bool isLetter(QChar character)
+{
+    return character >= u'a' && character <= u'z';
+}
+
+// Returns an empty text for a damaged file. The frame may not know the name, as one of another version.
 QString pageIn(const QString& path)
 {
     const QString name = QString::fromLatin1(store::readBytes(path).value_or(QByteArray()).trimmed());
-    return name.size() <= maxName ? name : QString();
+    const bool isName = name.size() <= maxName && std::ranges::all_of(name, &isLetter);
+    return isName ? name : QString();
 }
 
 } // namespace
