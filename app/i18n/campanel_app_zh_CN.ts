@@ -883,15 +883,15 @@
         <translation>%1 不是 CamPanel 的备份。没有任何更改。</translation>
     </message>
     <message>
-        <source>%1 was made by the newer CamPanel %2. Install that version first; nothing was changed.</source>
+        <source>%1 was made by the newer CamPanel %2. Install that version first. Nothing was changed.</source>
         <translation>%1 由更新的 CamPanel %2 生成。请先安装该版本；没有任何更改。</translation>
     </message>
     <message>
-        <source>%1 is damaged (%2). Use another backup; nothing was changed.</source>
+        <source>%1 is damaged (%2). Use another backup. Nothing was changed.</source>
         <translation>%1 已损坏（%2）。请使用其他备份；没有任何更改。</translation>
     </message>
     <message>
-        <source>The backup cannot be unpacked: %1. Free space on this panel; nothing was changed.</source>
+        <source>The backup cannot be unpacked: %1. Free space on this panel. Nothing was changed.</source>
         <translation>无法解压备份：%1。请在本面板上腾出空间；没有任何更改。</translation>
     </message>
     <message>

@@ -193,12 +193,12 @@ QString BackupErrorText::describe(const BackupError& error)
     case Kind::NotABackup:
         return tr("%1 is not a backup of CamPanel. Nothing was changed.").arg(path);
     case Kind::Newer:
-        return tr("%1 was made by the newer CamPanel %2. Install that version first; nothing was changed.")
+        return tr("%1 was made by the newer CamPanel %2. Install that version first. Nothing was changed.")
             .arg(path, error.detail);
     case Kind::Damaged:
-        return tr("%1 is damaged (%2). Use another backup; nothing was changed.").arg(path, error.detail);
+        return tr("%1 is damaged (%2). Use another backup. Nothing was changed.").arg(path, error.detail);
     case Kind::NotWritable:
-        return tr("The backup cannot be unpacked: %1. Free space on this panel; nothing was changed.")
+        return tr("The backup cannot be unpacked: %1. Free space on this panel. Nothing was changed.")
             .arg(error.detail);
     }
     return {};

@@ -333,7 +333,7 @@ private slots:
         QVERIFY(!staged);
         QCOMPARE(static_cast<int>(staged.error().kind), kind);
         const QString sentence = BackupErrorText::describe(staged.error());
-        QVERIFY2(sentence.contains(u"day.zip"_s) && sentence.endsWith(u"othing was changed."),
+        QVERIFY2(sentence.contains(u"day.zip"_s) && sentence.endsWith(u"Nothing was changed."),
                  qPrintable(sentence));
         QVERIFY(home.files() == before);
     }
