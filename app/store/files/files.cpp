@@ -102,7 +102,7 @@ QString printable(const QString& text)
         if (character.category() != QChar::Other_Control || character == u'\n' || character == u'\t')
             shown += character;
         else
-            shown += QStringLiteral("\\u%1").arg(character.unicode(), 4, 16, QLatin1Char('0'));
+            shown += QStringLiteral("\\u%1").arg(uint{character.unicode()}, 4, 16, QLatin1Char('0'));
     }
     return shown;
 }
