@@ -4082,10 +4082,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 <context>
     <name>campanel::panel::KnotFiles</name>
     <message>
-        <source>%1 is read-only. Unlock the stick or choose another location.</source>
-        <translation>%1 为只读。请解除 U 盘的写保护，或选择其他位置。</translation>
-    </message>
-    <message>
         <source>A new file %1 will be written.</source>
         <translation>将写入新文件 %1。</translation>
     </message>
@@ -4112,18 +4108,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>%1 knots, slave %2 to %3 mm, will replace the recipe&apos;s knots. Undo restores the old knots.</source>
         <translation>%1 个型值点，从轴 %2 至 %3 mm，将取代配方中的型值点。可用“撤销”恢复。</translation>
-    </message>
-    <message>
-        <source>Written: %1</source>
-        <translation>已写入：%1</translation>
-    </message>
-    <message>
-        <source>%1 · read-only</source>
-        <translation>%1 · 只读</translation>
-    </message>
-    <message>
-        <source>Written: %1. You can remove the stick now.</source>
-        <translation>已写入：%1。现在可以拔出 U 盘。</translation>
     </message>
 </context>
 <context>
@@ -5057,24 +5041,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 <context>
     <name>campanel::panel::ReportFiles</name>
     <message>
-        <source>%1 is read-only. Unlock the stick or choose another location.</source>
-        <translation>%1 为只读。请解除 U 盘的写保护，或选择其他位置。</translation>
-    </message>
-    <message>
         <source>New files will be written to %1.</source>
         <translation>新文件将写入 %1。</translation>
-    </message>
-    <message>
-        <source>%1 · read-only</source>
-        <translation>%1 · 只读</translation>
-    </message>
-    <message>
-        <source>Written: %1</source>
-        <translation>已写入：%1</translation>
-    </message>
-    <message>
-        <source>Written: %1. You can remove the stick now.</source>
-        <translation>已写入：%1。现在可以拔出 U 盘。</translation>
     </message>
 </context>
 <context>
@@ -5132,6 +5100,25 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>The maximum is %1.</source>
         <translation>最大值为 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::FileExchange</name>
+    <message>
+        <source>%1 is read-only. Unlock the stick or choose another location.</source>
+        <translation>%1 为只读。请解除 U 盘的写保护，或选择其他位置。</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已写入：%1</translation>
+    </message>
+    <message>
+        <source>%1 · read-only</source>
+        <translation>%1 · 只读</translation>
+    </message>
+    <message>
+        <source>Written: %1. You can remove the stick now.</source>
+        <translation>已写入：%1。现在可以拔出 U 盘。</translation>
     </message>
 </context>
 </TS>

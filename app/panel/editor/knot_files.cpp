@@ -23,16 +23,9 @@ KnotFiles::Found lookAtDisks(const QString& ownFolder)
 } // namespace
 
 KnotFiles::KnotFiles(const QString& ownFolder, QObject* parent)
-    : QObject(parent)
-    , m_ownFolder(ownFolder)
+    : FileExchange(ownFolder, parent)
     , m_looker(&lookAtDisks)
 {
-    m_pool.setMaxThreadCount(1);
-}
-
-KnotFiles::~KnotFiles()
-{
-    m_pool.waitForDone();
 }
 
 void KnotFiles::show(const std::vector<profile::Knot>& knots, const QString& recipeName)
@@ -41,46 +34,27 @@ void KnotFiles::show(const std::vector<profile::Knot>& knots, const QString& rec
     m_recipeName = recipeName;
 }
 
-void KnotFiles::look()
+std::function<FileExchange::Apply()> KnotFiles::searcher()
 {
-    m_message.clear();
-    m_failed = false;
-    search();
-}
-
-void KnotFiles::search()
-{
-    ++m_jobs;
-    emit changed();
-    m_pool.start([this, look = m_looker, folder = m_ownFolder, name = m_recipeName] {
+    return [this, look = m_looker, folder = ownFolder(), name = m_recipeName]() -> Apply {
         const Found found = look(folder);
         QStringList paths;
         for (const store::Place& place : found.places)
             paths << store::exportPath(name, place);
-        QMetaObject::invokeMethod(this, [this, found, paths] { takeFound(found, paths); });
-    });
+        return [this, found, paths] { showFound(found, paths); };
+    };
 }
 
-void KnotFiles::takeFound(const Found& found, const QStringList& exportPaths)
+void KnotFiles::showFound(const Found& found, const QStringList& exportPaths)
 {
     m_found = found;
     QList<OfferRow> files;
     for (const store::KnotsOffer& offer : found.offers)
         files << fileRow(offer);
     m_files.setRows(files);
-    QList<OfferRow> places;
-    for (qsizetype i = 0; i < found.places.size(); ++i) {
-        const store::Place& place = found.places[i];
-        const QString detail =
-            place.isReadOnly
-                ? tr("%1 is read-only. Unlock the stick or choose another location.").arg(place.path)
-                : tr("A new file %1 will be written.").arg(exportPaths[i]);
-        places << OfferRow{place.name, place.isReadOnly ? tr("%1 · read-only").arg(place.path) : place.path,
-                           detail, !place.isReadOnly};
-    }
-    m_places.setRows(places);
-    --m_jobs;
-    emit changed();
+    m_places.setRows(placeRows(found.places, [&exportPaths](qsizetype place) {
+        return tr("A new file %1 will be written.").arg(exportPaths[place]);
+    }));
 }
 
 OfferRow KnotFiles::fileRow(const store::KnotsOffer& offer) const
@@ -120,19 +94,12 @@ void KnotFiles::write(int place)
 {
     if (place < 0 || place >= m_found.places.size() || m_found.places[place].isReadOnly)
         return;
-    ++m_jobs;
-    emit changed();
-    m_pool.start([this, where = m_found.places[place], knots = m_knots, name = m_recipeName] {
-        const auto written = store::exportKnots(knots, name, where);
-        QMetaObject::invokeMethod(this, [this, written, isOnStick = where.isRemovable] {
-            m_failed = !written;
-            m_message = !written    ? written.error()
-                        : isOnStick ? tr("Written: %1. You can remove the stick now.").arg(*written)
-                                    : tr("Written: %1").arg(*written);
-            --m_jobs;
+    run([where = m_found.places[place], knots = m_knots,
+         name = m_recipeName] { return store::exportKnots(knots, name, where); },
+        [this, isOnStick = m_found.places[place].isRemovable](const auto& written) {
+            tellWritten({written.value_or(QString())}, written ? QString() : written.error(), isOnStick);
             search();
         });
-    });
 }
 
 } // namespace campanel::panel

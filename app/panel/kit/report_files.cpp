@@ -30,16 +30,9 @@ Written writeAll(const QList<ReportFile>& files, const store::Place& place)
 } // namespace
 
 ReportFiles::ReportFiles(const QString& ownFolder, QObject* parent)
-    : QObject(parent)
-    , m_ownFolder(ownFolder)
+    : FileExchange(ownFolder, parent)
     , m_looker(&store::exchangePlaces)
 {
-    m_pool.setMaxThreadCount(1);
-}
-
-ReportFiles::~ReportFiles()
-{
-    m_pool.waitForDone();
 }
 
 void ReportFiles::offer(QList<ReportFile> files)
@@ -48,75 +41,28 @@ void ReportFiles::offer(QList<ReportFile> files)
     look();
 }
 
-void ReportFiles::look()
+std::function<FileExchange::Apply()> ReportFiles::searcher()
 {
-    m_message.clear();
-    m_failed = false;
-    search();
-}
-
-void ReportFiles::refresh()
-{
-    if (busy() || m_isRefreshing)
-        return;
-    m_isRefreshing = true;
-    m_pool.start([this, look = m_looker, folder = m_ownFolder] {
-        const QList<store::Place> found = look(folder);
-        QMetaObject::invokeMethod(this, [this, found] {
-            m_isRefreshing = false;
-            takePlaces(found);
-        });
-    });
-}
-
-void ReportFiles::search()
-{
-    ++m_jobs;
-    emit changed();
-    m_pool.start([this, look = m_looker, folder = m_ownFolder] {
-        const QList<store::Place> found = look(folder);
-        QMetaObject::invokeMethod(this, [this, found] {
-            takePlaces(found);
-            --m_jobs;
-            emit changed();
-        });
-    });
-}
-
-void ReportFiles::takePlaces(const QList<store::Place>& places)
-{
-    m_found = places;
-    QList<OfferRow> rows;
-    for (const store::Place& place : places) {
-        const QString detail =
-            place.isReadOnly
-                ? tr("%1 is read-only. Unlock the stick or choose another location.").arg(place.path)
-                : tr("New files will be written to %1.").arg(place.path);
-        rows << OfferRow{place.name, place.isReadOnly ? tr("%1 · read-only").arg(place.path) : place.path,
-                         detail, !place.isReadOnly};
-    }
-    m_places.setRows(rows);
+    return [this, look = m_looker, folder = ownFolder()]() -> Apply {
+        return [this, found = look(folder)] {
+            m_found = found;
+            m_places.setRows(placeRows(found, [this](qsizetype place) {
+                return tr("New files will be written to %1.").arg(m_found[place].path);
+            }));
+        };
+    };
 }
 
 void ReportFiles::write(int place)
 {
     if (place < 0 || place >= m_found.size() || m_found[place].isReadOnly || m_files.isEmpty())
         return;
-    ++m_jobs;
-    emit changed();
-    m_pool.start([this, where = m_found[place], files = m_files] {
-        const Written written = writeAll(files, where);
-        QMetaObject::invokeMethod(this, [this, written] {
-            m_failed = !written.problem.isEmpty();
-            const QString paths = written.paths.join(QStringLiteral(", "));
-            m_message = m_failed            ? written.problem
-                        : written.isOnStick ? tr("Written: %1. You can remove the stick now.").arg(paths)
-                                            : tr("Written: %1").arg(paths);
-            --m_jobs;
+    run([where = m_found[place], files = m_files] { return writeAll(files, where); },
+        [this](const Written& written) {
+            tellWritten(written.paths, written.problem, written.isOnStick);
             emit this->written(written.paths, written.problem);
             search();
         });
-    });
 }
 
 } // namespace campanel::panel

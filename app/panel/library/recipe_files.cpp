@@ -9,50 +9,23 @@
 namespace campanel::panel {
 
 RecipeFiles::RecipeFiles(const QString& ownFolder, Consequence consequence, QObject* parent)
-    : QObject(parent)
-    , m_ownFolder(ownFolder)
+    : FileExchange(ownFolder, parent)
     , m_consequence(std::move(consequence))
     , m_looker([](const QString& folder) { return store::offeredRecipes(store::exchangePlaces(folder)); })
 {
-    m_pool.setMaxThreadCount(1);
 }
 
-RecipeFiles::~RecipeFiles()
+std::function<FileExchange::Apply()> RecipeFiles::searcher()
 {
-    m_pool.waitForDone();
-}
-
-void RecipeFiles::look()
-{
-    ++m_jobs;
-    emit changed();
-    search([this] {
-        --m_jobs;
-        emit changed();
-    });
-}
-
-void RecipeFiles::refresh()
-{
-    if (busy() || m_isRefreshing)
-        return;
-    m_isRefreshing = true;
-    search([this] { m_isRefreshing = false; });
-}
-
-void RecipeFiles::search(std::function<void()> done)
-{
-    m_pool.start([this, look = m_looker, folder = m_ownFolder, done] {
-        const QList<store::RecipeOffer> found = look(folder);
-        QMetaObject::invokeMethod(this, [this, found, done] {
+    return [this, look = m_looker, folder = ownFolder()]() -> Apply {
+        return [this, found = look(folder)] {
             m_found = found;
             QList<OfferRow> rows;
             for (const store::RecipeOffer& offer : m_found)
                 rows << row(offer);
             m_files.setRows(rows);
-            done();
-        });
-    });
+        };
+    };
 }
 
 OfferRow RecipeFiles::row(const store::RecipeOffer& offer) const

@@ -51,15 +51,13 @@ QString newestRowOf(store::Database& database)
 } // namespace
 
 Backup::Backup(const Parts& parts, const QString& folder, QObject* parent)
-    : QObject(parent)
+    : FileExchange(QDir(folder).filePath(u"backups"_s), parent)
     , m_parts(parts)
     , m_folder(folder)
-    , m_ownFolder(QDir(folder).filePath(u"backups"_s))
-    , m_places(m_ownFolder, this)
+    , m_places(ownFolder(), this)
     , m_looker(&store::exchangePlaces)
     , m_wallClock([] { return QDateTime::currentDateTime(); })
 {
-    m_pool.setMaxThreadCount(1);
     connect(&m_places, &ReportFiles::written, this, [this](const QStringList& paths, const QString& problem) {
         store::AuditEntry entry;
         entry.what = u"backup.make"_s;
@@ -73,11 +71,6 @@ Backup::Backup(const Parts& parts, const QString& folder, QObject* parent)
         QDir(home.filePath(old)).removeRecursively();
     connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
             &Backup::retranslate);
-}
-
-Backup::~Backup()
-{
-    m_pool.waitForDone();
 }
 
 Backup* Backup::create(QQmlEngine* qmlEngine, QJSEngine*)
@@ -94,25 +87,6 @@ void Backup::setLooker(Looker looker)
 bool Backup::require()
 {
     return !busy() && m_parts.machine.accessCheck().require(Level::Service);
-}
-
-void Backup::begin()
-{
-    ++m_jobs;
-    emit changed();
-}
-
-void Backup::end()
-{
-    --m_jobs;
-    emit changed();
-}
-
-void Backup::tell(const QString& message, bool failed)
-{
-    m_message = message;
-    m_failed = failed;
-    emit changed();
 }
 
 void Backup::snapshot(const std::function<void(const Snapshot&)>& then)
@@ -186,33 +160,16 @@ void Backup::make()
     });
 }
 
-void Backup::look()
+std::function<FileExchange::Apply()> Backup::searcher()
 {
-    tell({}, false);
-    begin();
-    search([this] { end(); });
-}
-
-void Backup::refresh()
-{
-    if (busy() || std::exchange(m_isRefreshing, true))
-        return;
-    search([this] { m_isRefreshing = false; });
-}
-
-void Backup::search(const std::function<void()>& done)
-{
-    m_pool.start([this, look = m_looker, folder = m_ownFolder, done] {
+    return [this, look = m_looker, folder = ownFolder()]() -> Apply {
         QList<Found> found;
         for (const store::Place& place : look(folder)) {
             for (const QFileInfo& file : store::filesIn(place, suffix, maxFound))
                 found << Found{file.filePath(), place.name, store::readManifest(file.filePath())};
         }
-        QMetaObject::invokeMethod(this, [this, found, done] {
-            takeFound(found);
-            done();
-        });
-    });
+        return [this, found] { takeFound(found); };
+    };
 }
 
 void Backup::takeFound(const QList<Found>& found)
@@ -261,19 +218,14 @@ void Backup::check(int row)
     tell({}, false);
     if (moves(m_parts.machine.state()))
         return tell(tr("The machine is moving. Stop it before restoring; the panel will restart."), true);
-    begin();
-    m_pool.start([this, path = m_files[row].path, folder = m_folder] {
-        const auto staged = store::stageRestore(path, folder);
-        QMetaObject::invokeMethod(this, [this, path, staged] {
-            if (staged)
-                m_checked = Checked{path, *staged};
-            else
-                tell(store::BackupErrorText::describe(staged.error()), true);
-            end();
-            if (staged)
-                emit checked();
+    const QString path = m_files[row].path;
+    run([path, folder = m_folder] { return store::stageRestore(path, folder); },
+        [this, path](const tl::expected<store::BackupManifest, store::BackupError>& staged) {
+            if (!staged)
+                return tell(store::BackupErrorText::describe(staged.error()), true);
+            m_checked = Checked{path, *staged};
+            QMetaObject::invokeMethod(this, &Backup::checked, Qt::QueuedConnection); // not busy any more
         });
-    });
 }
 
 QString Backup::question() const
@@ -319,22 +271,23 @@ void Backup::seal(const Snapshot& present)
     entry.outcome = u"done"_s;
     const QString name =
         tr("CamPanel before restore %1", "name of a file").arg(m_wallClock().toString(u"yyyy-MM-dd HH-mm"_s));
-    begin();
-    m_pool.start([this, present, entry, name, folder = m_folder, own = m_ownFolder] {
-        QDir().mkpath(own);
-        const auto kept = store::writeNewFile({own, {}}, name, suffix, [&present](const QString& path) {
-            return store::writeBackup(path, present.manifest, present.folder->path(), present.parts);
-        });
-        const auto ready = kept.and_then([&](const QString&) { return store::commitRestore(folder, entry); });
-        QMetaObject::invokeMethod(this, [this, ready] {
+    run(
+        [present, entry, name, folder = m_folder, own = ownFolder()] {
+            QDir().mkpath(own);
+            return store::writeNewFile({own, {}}, name, suffix,
+                                       [&present](const QString& path) {
+                                           return store::writeBackup(path, present.manifest,
+                                                                     present.folder->path(), present.parts);
+                                       })
+                .and_then([&](const QString&) { return store::commitRestore(folder, entry); });
+        },
+        [this](const auto& ready) {
             m_checked.reset();
-            if (!ready)
-                tell(tr("The restore was not started: %1. Nothing was changed.").arg(ready.error()), true);
-            end();
             if (ready)
-                emit restartWanted();
+                QMetaObject::invokeMethod(this, &Backup::restartWanted, Qt::QueuedConnection);
+            else
+                tell(tr("The restore was not started: %1. Nothing was changed.").arg(ready.error()), true);
         });
-    });
 }
 
 void Backup::retranslate()

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files on a stick or in the panel's own folder: searching, reading and writing. A stick may be slow or
+// broken: everything that accesses a disk runs in a thread of its own. Base of the classes for each type of
+// file.
+#pragma once
+
+#include "app/panel/kit/offer_model.h"
+#include "app/store/files/exchange_places.h"
+
+#include <QObject>
+#include <QThreadPool>
+#include <QtQml/qqmlregistration.h>
+
+#include <functional>
+#include <utility>
+
+namespace campanel::panel {
+
+class FileExchange : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("File exchanges belong to the object that has the data")
+    // The folder of this panel, which is always available.
+    Q_PROPERTY(QString ownFolder READ ownFolder CONSTANT FINAL)
+    Q_PROPERTY(bool busy READ busy NOTIFY changed FINAL)
+    // The result of the last request; empty: none.
+    Q_PROPERTY(QString message READ message NOTIFY changed FINAL)
+    Q_PROPERTY(bool failed READ failed NOTIFY changed FINAL)
+
+public:
+    // Searches for places; called in another thread.
+    using Looker = std::function<QList<store::Place>(const QString& ownFolder)>;
+
+    [[nodiscard]] QString ownFolder() const { return m_ownFolder; }
+    [[nodiscard]] bool busy() const { return m_jobs > 0; }
+    [[nodiscard]] QString message() const { return m_message; }
+    [[nodiscard]] bool failed() const { return m_failed; }
+
+    // Searches and clears the message.
+    Q_INVOKABLE void look();
+    // Searches again without clearing the message, for a sheet that waits for a stick.
+    Q_INVOKABLE void refresh();
+
+signals:
+    void changed();
+
+protected:
+    using Apply = std::function<void()>;
+
+    FileExchange(QString ownFolder, QObject* parent);
+    ~FileExchange() override;
+
+    // Returns the search, to be called in another thread. It returns what shows its result, to be called in
+    // the thread of this object.
+    [[nodiscard]] virtual std::function<Apply()> searcher() = 0;
+
+    // Calls `job` in another thread, then `done` with its result in the thread of this object.
+    template <class Job, class Done> void run(Job job, Done done)
+    {
+        begin();
+        m_pool.start([this, job = std::move(job), done = std::move(done)] {
+            auto result = job();
+            QMetaObject::invokeMethod(this, [this, done, result] {
+                done(result);
+                end();
+            });
+        });
+    }
+    // Searches as look(), without clearing the message.
+    void search();
+    void begin();
+    void end();
+    void tell(const QString& message, bool failed);
+    // Tells the result of a write: the paths, or the error.
+    void tellWritten(const QStringList& paths, const QString& problem, bool isOnStick);
+    // Returns the rows of places, with the consequence of choosing one that can be written.
+    [[nodiscard]] static QList<OfferRow>
+    placeRows(const QList<store::Place>& places, const std::function<QString(qsizetype place)>& consequence);
+
+private:
+    QString m_ownFolder;
+    QString m_message;
+    bool m_failed = false;
+    bool m_isRefreshing = false;
+    int m_jobs = 0;
+    QThreadPool m_pool; // one thread; the destructor waits for it
+};
+
+} // namespace campanel::panel
