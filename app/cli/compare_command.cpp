@@ -30,7 +30,7 @@ QJsonObject comparisonRow(const profile::LawComparison& each)
         row[u"refusal"_s] = QString::fromStdString(profile::describe(each.result.error()));
         return row;
     }
-    const profile::AxisPeaks& peaks = each.result->peaks;
+    const profile::Peaks& peaks = each.result->peaks;
     row[u"time_s"_s] = each.result->motion.durationS();
     row[u"speed_mm_per_s"_s] = peaks.speedMmPerS;
     row[u"motor_rpm"_s] = peaks.motorRpm;

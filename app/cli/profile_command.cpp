@@ -37,7 +37,7 @@ QJsonObject cycleObject(const profile::CycleNumbers& cycle)
             {u"td_s"_s, cycle.tdS}};
 }
 
-QJsonObject peakObject(const profile::AxisPeaks& peaks)
+QJsonObject peakObject(const profile::Peaks& peaks)
 {
     return {{u"speed_mm_per_s"_s, peaks.speedMmPerS},
             {u"speed_at_s"_s, peaks.speedTimeS},

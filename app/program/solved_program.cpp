@@ -7,8 +7,6 @@
 #include "profile/moves/speed_move.h"
 #include "profile/press/press.h"
 
-#include <limits>
-
 namespace campanel::program {
 namespace {
 
@@ -18,18 +16,10 @@ Solved ofCutter(tl::expected<profile::RotaryCutter, profile::Refusal> cutter)
 {
     if (!cutter)
         return tl::unexpected(std::move(cutter.error()));
-    const profile::Peaks peaks = profile::peaks(*cutter);
     SolvedProgram solved;
     solved.machine = cutter->machine;
     solved.motion = cutter->motion;
-    solved.peaks = {peaks.speedMmPerS,
-                    peaks.speedTimeS,
-                    peaks.motorRpm,
-                    peaks.pulseFrequencyHz,
-                    peaks.accelerationMmPerS2,
-                    peaks.accelerationTimeS,
-                    std::numeric_limits<double>::quiet_NaN(),
-                    peaks.jerkMmPerS3};
+    solved.peaks = profile::peaks(*cutter);
     solved.broken = profile::checkLimits(*cutter);
     solved.marksS = {cutter->cycle.taS, cutter->cycle.tbS, cutter->cycle.tcS, cutter->cycle.tdS};
     solved.pulsesPerMm = profile::pulsesPerMm(cutter->machine);

@@ -18,7 +18,7 @@ struct SolvedProgram {
     std::optional<profile::RotaryCutter> cutter; // only for a rotary cutter
     profile::Machine machine;
     profile::MotionProfile motion;        // one cycle; for a press a nominal stroke
-    profile::AxisPeaks peaks;             // the torque of a cutter is NaN
+    profile::Peaks peaks;             // the torque of a cutter is NaN
     std::vector<profile::Refusal> broken; // exceeded limits of the machine; empty when it can execute the
                                           // motion
     std::vector<double> marksS;           // lines on the plot: ends of segments, knots, stages

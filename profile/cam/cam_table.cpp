@@ -4,7 +4,7 @@
 
 #include "profile/cam/spline.h"
 #include "profile/cutter/validate.h"
-#include "profile/model/limit_tolerance.h"
+#include "profile/model/limit_check.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "profile/cam/point_cam.h"
 
 #include "profile/cam/point_cam_validate.h"
-#include "profile/model/limit_tolerance.h"
+#include "profile/model/limit_check.h"
 
 #include <algorithm>
 #include <array>
@@ -162,7 +162,7 @@ std::optional<Refusal> findWrapJump(const PointCamProgram& program, const Machin
 }
 
 // Includes the acceleration and the torque of the jump at the wrap in the peaks.
-void addWrapPeak(AxisPeaks& peaks, const PointCamProgram& program, const Machine& machine)
+void addWrapPeak(Peaks& peaks, const PointCamProgram& program, const Machine& machine)
 {
     const double jump = std::abs(wrapJumpMmPerS(program));
     if (jump > jumpTolerance * peaks.speedMmPerS)
@@ -177,7 +177,7 @@ void addWrapPeak(AxisPeaks& peaks, const PointCamProgram& program, const Machine
 // Returns the feasible rate: speeds are proportional to it, accelerations to its square; the limits of both
 // are known.
 std::optional<Suggestion> feasibleRate(const PointCamProgram& program, const Machine& machine,
-                                       const AxisPeaks& peaks)
+                                       const Peaks& peaks)
 {
     const AxisAllowance allowance = axisAllowance(machine);
     const auto share = [](double allowed, double actual) {

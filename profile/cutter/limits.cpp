@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes peaks by formula. Finds the time spans of an exceeded limit by bisection between monotone
-// sections.
+// Computes peaks by formula.
 #include "profile/cutter/limits.h"
 
 #include "profile/cutter/nearest.h"
 #include "profile/laws/laws.h"
-#include "profile/model/limit_tolerance.h"
 
 #include <algorithm>
 #include <array>
@@ -15,84 +13,30 @@
 namespace campanel::profile {
 namespace {
 
-bool exceeds(double actual, double limit)
-{
-    return actual > limit * (1 + detail::limitTolerance);
-}
+using detail::Bounded;
+using detail::LimitComparison;
 
-struct CutterComparison {
-    Limit limit;
-    Field field; // the machine's limit
-    double actual;
-    double allowed;
-};
-
-std::array<CutterComparison, 4> compareCutter(const CycleNumbers& cycle, const Peaks& peak,
-                                              const Machine& machine)
+std::array<LimitComparison, 4> compareCutter(const CycleNumbers& cycle, const Peaks& peak,
+                                             const Machine& machine)
 {
-    return {{{Limit::MachineRate, Field::MaxRate, cycle.rateBagsPerMin, machine.maxRateBagsPerMin},
-             {Limit::MotorSpeed, Field::MaxMotorRpm, peak.motorRpm, machine.maxMotorRpm},
-             {Limit::KnifeAcceleration, Field::MaxKnifeAcceleration, peak.accelerationMmPerS2,
-              machine.maxKnifeAccelerationMmPerS2},
-             {Limit::PulseFrequency, Field::MaxPulseFrequency, peak.pulseFrequencyHz,
-              pulseFrequencyLimitHz(machine)}}};
-}
-
-// Appends the part of [fromS, toS] above the limit; |quantity| must be monotone there.
-template <typename Quantity>
-void appendBrokenCutterSpan(std::vector<TimeSpan>& spans, double fromS, double toS, double limit,
-                            Quantity quantity)
-{
-    const bool startBroken = exceeds(std::abs(quantity(fromS)), limit);
-    const bool endBroken = exceeds(std::abs(quantity(toS)), limit);
-    if ((!startBroken && !endBroken) || !(toS > fromS))
-        return;
-    TimeSpan span{fromS, toS};
-    if (startBroken != endBroken) {
-        double whole = startBroken ? fromS : toS;
-        double sound = startBroken ? toS : fromS;
-        constexpr int halvings = 50;
-        for (int i = 0; i < halvings; ++i) {
-            const double middle = (whole + sound) / 2;
-            (exceeds(std::abs(quantity(middle)), limit) ? whole : sound) = middle;
-        }
-        (startBroken ? span.toS : span.fromS) = whole;
-    }
-    if (!spans.empty() && spans.back().toS == span.fromS)
-        spans.back().toS = span.toS;
-    else
-        spans.push_back(span);
-}
-
-std::vector<TimeSpan> brokenCutterSpans(const RotaryCutter& cutter, Limit limit, double allowed)
-{
-    std::vector<TimeSpan> spans;
-    if (limit == Limit::MachineRate)
-        return spans;
-    const bool isAcceleration = limit == Limit::KnifeAcceleration;
-    const double perSpeed =
-        limit == Limit::MotorSpeed ? motorRpmPerMmPerS(cutter.machine) : pulsesPerMm(cutter.machine);
-    for (const Segment& segment : cutter.motion.segments()) {
-        const auto quantity = [&](double timeS) {
-            const MotionPoint p = segment.at(timeS);
-            return isAcceleration ? p.accelerationMmPerS2 : p.velocityMmPerS * perSpeed;
-        };
-        double peakAt = segment.startS;
-        if (isAcceleration && segment.law != nullptr) {
-            const double x = segment.law->peaks(segment.parameters).cvAt;
-            peakAt += segment.durationS * (segment.isMirrored ? 1 - x : x);
-        }
-        appendBrokenCutterSpan(spans, segment.startS, peakAt, allowed, quantity);
-        appendBrokenCutterSpan(spans, peakAt, segment.endS(), allowed, quantity);
-    }
-    return spans;
+    const double pulses = pulseFrequencyLimitHz(machine);
+    return {
+        {{Limit::MachineRate, Field::MaxRate, cycle.rateBagsPerMin, machine.maxRateBagsPerMin, Bounded::Rate,
+          machine.maxRateBagsPerMin},
+         {Limit::MotorSpeed, Field::MaxMotorRpm, peak.motorRpm, machine.maxMotorRpm, Bounded::Speed,
+          machine.maxMotorRpm / motorRpmPerMmPerS(machine)},
+         {Limit::KnifeAcceleration, Field::MaxKnifeAcceleration, peak.accelerationMmPerS2,
+          machine.maxKnifeAccelerationMmPerS2, Bounded::Acceleration, machine.maxKnifeAccelerationMmPerS2},
+         {Limit::PulseFrequency, Field::MaxPulseFrequency, peak.pulseFrequencyHz, pulses, Bounded::Speed,
+          pulses / pulsesPerMm(machine)}}};
 }
 
 bool holdsLimits(const CycleNumbers& cycle, const RotaryCutterProgram& program, const Machine& machine)
 {
-    const auto compared = compareCutter(cycle, peaks(cycle, program, machine), machine);
+    const Peaks peak = peaks(cycle, program, machine);
+    const auto compared = compareCutter(cycle, peak, machine);
     return std::none_of(compared.begin(), compared.end(),
-                        [](const CutterComparison& c) { return exceeds(c.actual, c.allowed); });
+                        [&peak](const LimitComparison& c) { return detail::isBroken(c, peak); });
 }
 
 } // namespace
@@ -114,6 +58,7 @@ Peaks peaks(const CycleNumbers& cycle, const RotaryCutterProgram& program, const
     peak.accelerationTimeS =
         rampThere <= rampBack ? cycle.taS + lawPeaks.cvAt * rampThere : cycle.tdS - lawPeaks.cvAt * rampBack;
     const bool accelerationSteps = law.at(0, program.speedLawParameters).g1 > 0;
+    peak.torqueNm = std::numeric_limits<double>::quiet_NaN();
     peak.jerkMmPerS3 = accelerationSteps && change > 0 ? std::numeric_limits<double>::infinity()
                                                        : change * lawPeaks.ca / (ramp * ramp);
     return peak;
@@ -127,25 +72,14 @@ Peaks peaks(const RotaryCutter& cutter)
 std::vector<Refusal> checkLimits(const RotaryCutter& cutter)
 {
     const Peaks peak = peaks(cutter);
-    std::vector<Refusal> broken;
-    for (const CutterComparison& c : compareCutter(cutter.cycle, peak, cutter.machine)) {
-        if (!exceeds(c.actual, c.allowed))
-            continue;
-        Refusal refusal;
-        refusal.limit = c.limit;
-        refusal.field = c.field;
-        refusal.actual = c.actual;
-        refusal.allowed = c.allowed;
-        refusal.unit = info(c.field).unit;
-        if (c.limit != Limit::MachineRate) {
-            const bool isAcceleration = c.limit == Limit::KnifeAcceleration;
-            refusal.timeS = isAcceleration ? peak.accelerationTimeS : peak.speedTimeS;
+    std::vector<Refusal> broken =
+        detail::brokenLimits(compareCutter(cutter.cycle, peak, cutter.machine), cutter.motion, peak);
+    for (Refusal& refusal : broken) {
+        if (refusal.timeS)
             refusal.angleDeg = cutter.angleDegAt(*refusal.timeS);
-        }
-        refusal.brokenDuring = brokenCutterSpans(cutter, c.limit, c.allowed);
-        refusal.nearest = broken.empty() ? detail::nearestFeasible(cutter.program, cutter.machine, refusal)
-                                         : broken.front().nearest;
-        broken.push_back(std::move(refusal));
+        refusal.nearest = &refusal == &broken.front()
+                              ? detail::nearestFeasible(cutter.program, cutter.machine, refusal)
+                              : broken.front().nearest;
     }
     return broken;
 }
@@ -167,7 +101,7 @@ std::optional<FastestRate> fastestRate(const RotaryCutter& cutter)
         if (candidate < fastest.rateBagsPerMin)
             fastest = {candidate, limit};
     };
-    for (const CutterComparison& c : compareCutter(cutter.cycle, peak, cutter.machine)) {
+    for (const LimitComparison& c : compareCutter(cutter.cycle, peak, cutter.machine)) {
         if (c.limit == Limit::MachineRate || !(c.actual > 0))
             continue;
         const double share = c.allowed / c.actual;

@@ -3,23 +3,15 @@
 #pragma once
 
 #include "profile/cutter/rotary_cutter.h"
+#include "profile/model/limit_check.h"
 
 #include <optional>
 #include <vector>
 
 namespace campanel::profile {
 
-// The largest magnitudes within a cycle, by formula, and the times at which they are reached.
-struct Peaks {
-    double speedMmPerS = 0;
-    double speedTimeS = 0;
-    double motorRpm = 0;
-    double pulseFrequencyHz = 0;
-    double accelerationMmPerS2 = 0;
-    double accelerationTimeS = 0;
-    double jerkMmPerS3 = 0; // infinite where the law's acceleration has a step
-};
-
+// Returns the largest magnitudes within a cycle, by formula. The torque is NaN: a knife has no inertia in the
+// machine data.
 [[nodiscard]] Peaks peaks(const CycleNumbers& cycle, const RotaryCutterProgram& program,
                           const Machine& machine);
 [[nodiscard]] Peaks peaks(const RotaryCutter& cutter);

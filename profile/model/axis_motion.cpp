@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Computes peaks from Cv, Ca and Cj of each segment's law. Finds the time spans of an exceeded limit by
-// bisection between the extrema of speed or acceleration.
+// Computes peaks from Cv, Ca and Cj of each segment's law.
 #include "profile/model/axis_motion.h"
-
-#include "profile/model/limit_tolerance.h"
 
 #include <algorithm>
 #include <array>
@@ -13,17 +10,15 @@
 namespace campanel::profile {
 namespace {
 
+using detail::accelerationTurns;
+using detail::Bounded;
+using detail::hasAcceleration;
+using detail::LimitComparison;
+using detail::speedTurns;
+
 constexpr double inf = std::numeric_limits<double>::infinity();
 // The share of the peak below which differences of acceleration or speed are rounding.
 constexpr double stepTolerance = 1e-6;
-// The distance below which two spans are joined.
-constexpr double joinedS = 1e-9;
-
-bool exceedsAllowance(double actual, double limit)
-{
-    return actual > limit + detail::limitTolerance * std::abs(limit);
-}
-
 // Replaces the peak only by a really larger one, so that the first of equal peaks is named.
 void takeLarger(double& peak, double& peakTimeS, double candidate, double timeS)
 {
@@ -33,58 +28,15 @@ void takeLarger(double& peak, double& peakTimeS, double candidate, double timeS)
     }
 }
 
-bool isMoving(const Segment& segment)
-{
-    switch (segment.form) {
-    case SegmentForm::Ramp:
-        return segment.durationS > 0 && segment.startVelocityMmPerS != segment.endVelocityMmPerS;
-    case SegmentForm::Displacement:
-        return segment.durationS > 0 && segment.distanceMm != 0;
-    case SegmentForm::Cubic:
-        return segment.durationS > 0;
-    case SegmentForm::Constant:
-        break;
-    }
-    return false;
-}
-
-// Returns the elapsed time of the extremum of the speed's parabola, when it is inside.
-double vertexS(const Segment& cubic)
-{
-    return -cubic.startAccelerationMmPerS2 / cubic.jerkMmPerS3;
-}
-
-// Returns the times between which the speed is monotone, including the ends.
-std::vector<double> speedTurns(const Segment& s)
-{
-    if (s.form == SegmentForm::Displacement && isMoving(s))
-        return {s.startS, s.startS + s.law->peaks(s.parameters).cvAt * s.durationS, s.endS()};
-    if (s.form == SegmentForm::Cubic && vertexS(s) > 0 && vertexS(s) < s.durationS)
-        return {s.startS, s.startS + vertexS(s), s.endS()};
-    return {s.startS, s.endS()};
-}
-
-// Returns the times between which the acceleration is monotone. A displacement law is symmetric: it has
-// extrema at caAt and at 1 - caAt.
-std::vector<double> accelerationTurns(const Segment& s)
-{
-    if (!isMoving(s) || s.form == SegmentForm::Cubic)
-        return {s.startS, s.endS()};
-    const LawPeaks law = s.law->peaks(s.parameters);
-    if (s.form == SegmentForm::Ramp)
-        return {s.startS, s.startS + (s.isMirrored ? 1 - law.cvAt : law.cvAt) * s.durationS, s.endS()};
-    return {s.startS, s.startS + law.caAt * s.durationS, s.endS() - law.caAt * s.durationS, s.endS()};
-}
-
-void takeSpeeds(AxisPeaks& peaks, const Segment& segment)
+void takeSpeeds(Peaks& peaks, const Segment& segment)
 {
     for (const double timeS : speedTurns(segment))
         takeLarger(peaks.speedMmPerS, peaks.speedTimeS, segment.at(timeS).velocityMmPerS, timeS);
 }
 
-void takeAccelerations(AxisPeaks& peaks, const Segment& s)
+void takeAccelerations(Peaks& peaks, const Segment& s)
 {
-    if (!isMoving(s))
+    if (!hasAcceleration(s))
         return;
     const auto take = [&peaks](double acceleration, double timeS, double jerk) {
         takeLarger(peaks.accelerationMmPerS2, peaks.accelerationTimeS, acceleration, timeS);
@@ -106,7 +58,7 @@ void takeAccelerations(AxisPeaks& peaks, const Segment& s)
     }
 }
 
-bool hasAccelerationStep(const MotionProfile& motion, const AxisPeaks& peaks)
+bool hasAccelerationStep(const MotionProfile& motion, const Peaks& peaks)
 {
     const auto segments = motion.segments();
     const double room = stepTolerance * peaks.accelerationMmPerS2;
@@ -125,15 +77,6 @@ bool hasAccelerationStep(const MotionProfile& motion, const AxisPeaks& peaks)
            std::max(std::abs(first.accelerationMmPerS2), std::abs(last.accelerationMmPerS2)) > room;
 }
 
-struct AxisComparison {
-    Limit limit;
-    Field field; // the machine's limit
-    double actual;
-    double allowed;
-    bool isAcceleration;    // selects one of the two quantities below
-    double allowedInMotion; // the limit as a speed, mm/s, or an acceleration, mm/s^2
-};
-
 double torqueAllowance(const Machine& machine)
 {
     const double left = machine.maxTorqueNm - machine.frictionNm;
@@ -143,87 +86,17 @@ double torqueAllowance(const Machine& machine)
     return left >= 0 ? std::numeric_limits<double>::max() : std::numeric_limits<double>::lowest();
 }
 
-// Compares in the motion's own quantity, like the spans: beside a large friction a small torque would be lost
-// in the tolerance.
-bool isBroken(const AxisComparison& c, const AxisPeaks& peaks)
-{
-    return exceedsAllowance(c.isAcceleration ? peaks.accelerationMmPerS2 : peaks.speedMmPerS,
-                            c.allowedInMotion);
-}
-
-std::array<AxisComparison, 4> compareAxis(const AxisPeaks& peaks, const Machine& m)
+std::array<LimitComparison, 4> compareAxis(const Peaks& peaks, const Machine& m)
 {
     const double pulses = pulseFrequencyLimitHz(m);
-    return {{{Limit::MotorSpeed, Field::MaxMotorRpm, peaks.motorRpm, m.maxMotorRpm, false,
+    return {{{Limit::MotorSpeed, Field::MaxMotorRpm, peaks.motorRpm, m.maxMotorRpm, Bounded::Speed,
               m.maxMotorRpm / axisRpmPerMmPerS(m)},
              {Limit::AxisAcceleration, Field::MaxAcceleration, peaks.accelerationMmPerS2,
-              m.maxAccelerationMmPerS2, true, m.maxAccelerationMmPerS2},
-             {Limit::MotorTorque, Field::MaxTorque, peaks.torqueNm, m.maxTorqueNm, true, torqueAllowance(m)},
-             {Limit::PulseFrequency, Field::MaxPulseFrequency, peaks.pulseFrequencyHz, pulses, false,
+              m.maxAccelerationMmPerS2, Bounded::Acceleration, m.maxAccelerationMmPerS2},
+             {Limit::MotorTorque, Field::MaxTorque, peaks.torqueNm, m.maxTorqueNm, Bounded::Acceleration,
+              torqueAllowance(m)},
+             {Limit::PulseFrequency, Field::MaxPulseFrequency, peaks.pulseFrequencyHz, pulses, Bounded::Speed,
               pulses / axisPulsesPerMm(m)}}};
-}
-
-// Returns the last time from `trueS` towards `falseS` at which the condition holds.
-template <typename Condition> double lastTrueS(double trueS, double falseS, Condition condition)
-{
-    constexpr int halvings = 60;
-    for (int i = 0; i < halvings; ++i) {
-        const double middle = (trueS + falseS) / 2;
-        (condition(middle) ? trueS : falseS) = middle;
-    }
-    return trueS;
-}
-
-// Appends the part of [fromS, toS] above the limit; |quantity| must be monotone there.
-template <typename Quantity>
-void appendBrokenAxisSpan(std::vector<TimeSpan>& spans, double fromS, double toS, double limit,
-                          Quantity quantity)
-{
-    const auto isOver = [&](double timeS) { return exceedsAllowance(std::abs(quantity(timeS)), limit); };
-    const bool startBroken = isOver(fromS);
-    const bool endBroken = isOver(toS);
-    if ((!startBroken && !endBroken) || !(toS > fromS))
-        return;
-    TimeSpan span{fromS, toS};
-    if (!endBroken)
-        span.toS = lastTrueS(fromS, toS, isOver);
-    if (!startBroken)
-        span.fromS = lastTrueS(toS, fromS, isOver);
-    if (!spans.empty() && span.fromS - spans.back().toS <= joinedS)
-        spans.back().toS = span.toS;
-    else
-        spans.push_back(span);
-}
-
-std::vector<TimeSpan> brokenAxisSpans(const MotionProfile& motion, const AxisComparison& comparison)
-{
-    const double allowed = comparison.allowedInMotion;
-    if (allowed < 0)
-        return {{0, motion.durationS()}}; // friction alone
-    std::vector<TimeSpan> spans;
-    for (const Segment& segment : motion.segments()) {
-        const auto quantity = [&](double timeS) {
-            const MotionPoint p = segment.at(timeS);
-            return comparison.isAcceleration ? p.accelerationMmPerS2 : p.velocityMmPerS;
-        };
-        const std::vector<double> turns =
-            comparison.isAcceleration ? accelerationTurns(segment) : speedTurns(segment);
-        for (std::size_t i = 0; i + 1 < turns.size(); ++i) {
-            const double fromS = turns[i];
-            const double toS = turns[i + 1];
-            const double sign = quantity(fromS) > 0 ? 1 : -1;
-            if (quantity(fromS) * quantity(toS) >= 0) {
-                appendBrokenAxisSpan(spans, fromS, toS, allowed, quantity);
-                continue;
-            }
-            // The magnitude has its minimum where the quantity is zero, possibly for some time.
-            const auto hasFirstSign = [&](double timeS) { return sign * quantity(timeS) > 0; };
-            const auto hasLastSign = [&](double timeS) { return sign * quantity(timeS) < 0; };
-            appendBrokenAxisSpan(spans, fromS, lastTrueS(fromS, toS, hasFirstSign), allowed, quantity);
-            appendBrokenAxisSpan(spans, lastTrueS(toS, fromS, hasLastSign), toS, allowed, quantity);
-        }
-    }
-    return spans;
 }
 
 } // namespace
@@ -235,9 +108,9 @@ AxisAllowance axisAllowance(const Machine& machine)
             std::min(machine.maxAccelerationMmPerS2, torqueAllowance(machine))};
 }
 
-AxisPeaks axisPeaks(const MotionProfile& motion, const Machine& machine)
+Peaks axisPeaks(const MotionProfile& motion, const Machine& machine)
 {
-    AxisPeaks peaks;
+    Peaks peaks;
     if (motion.segments().empty())
         return peaks;
     for (const Segment& segment : motion.segments()) {
@@ -252,30 +125,16 @@ AxisPeaks axisPeaks(const MotionProfile& motion, const Machine& machine)
     return peaks;
 }
 
-std::vector<Refusal> checkAxis(const MotionProfile& motion, const AxisPeaks& peaks, const Machine& machine)
+std::vector<Refusal> checkAxis(const MotionProfile& motion, const Peaks& peaks, const Machine& machine)
 {
-    std::vector<Refusal> broken;
-    for (const AxisComparison& c : compareAxis(peaks, machine)) {
-        if (!isBroken(c, peaks))
-            continue;
-        Refusal refusal;
-        refusal.limit = c.limit;
-        refusal.field = c.field;
-        refusal.actual = c.actual;
-        refusal.allowed = c.allowed;
-        refusal.unit = info(c.field).unit;
-        refusal.timeS = c.isAcceleration ? peaks.accelerationTimeS : peaks.speedTimeS;
-        refusal.brokenDuring = brokenAxisSpans(motion, c);
-        broken.push_back(std::move(refusal));
-    }
-    return broken;
+    return detail::brokenLimits(compareAxis(peaks, machine), motion, peaks);
 }
 
-bool isWithinLimits(const AxisPeaks& peaks, const Machine& machine)
+bool isWithinLimits(const Peaks& peaks, const Machine& machine)
 {
     const auto compared = compareAxis(peaks, machine);
     return std::none_of(compared.begin(), compared.end(),
-                        [&peaks](const AxisComparison& c) { return isBroken(c, peaks); });
+                        [&peaks](const LimitComparison& c) { return detail::isBroken(c, peaks); });
 }
 
 } // namespace campanel::profile

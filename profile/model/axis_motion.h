@@ -1,32 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares what a motion demands of an axis with what the axis allows. Used by moves, point cams and the
-// press; the knife has limits.h.
+// Computes what a motion demands of an axis and compares it with what the axis allows. Used by moves, point
+// cams and the press; the knife has cutter/limits.h.
 #pragma once
 
+#include "profile/model/limit_check.h"
 #include "profile/model/machine.h"
-#include "profile/model/motion_profile.h"
-#include "profile/model/refusal.h"
 
 #include <vector>
 
 namespace campanel::profile {
 
-// The largest magnitudes and the times at which they are reached.
-struct AxisPeaks {
-    double speedMmPerS = 0;
-    double speedTimeS = 0;
-    double motorRpm = 0;
-    double pulseFrequencyHz = 0;
-    double accelerationMmPerS2 = 0;
-    double accelerationTimeS = 0;
-    double torqueNm = 0;
-    double jerkMmPerS3 = 0; // infinite where the acceleration has a step, also at the ends
-};
-
 // A solved program other than a rotary cutter: one cycle of motion, its peaks, and the limits it exceeds.
 struct AxisMotion {
     MotionProfile motion;
-    AxisPeaks peaks;
+    Peaks peaks;
     std::vector<Refusal> broken; // exceeded limits of the machine; empty when the axis can execute the motion
     std::vector<double> marksS;  // joints to mark on the plot: stages, knots
 };
@@ -44,14 +31,14 @@ struct AxisAllowance {
 // Computes the peaks from the closed forms of each segment. A motion may repeat when it ends with the speed
 // and acceleration it begins with. Any other motion has no acceleration before and after it: one at its ends
 // counts as a step.
-[[nodiscard]] AxisPeaks axisPeaks(const MotionProfile& motion, const Machine& machine);
+[[nodiscard]] Peaks axisPeaks(const MotionProfile& motion, const Machine& machine);
 
 // Returns every exceeded limit (motor speed, acceleration, torque, pulse frequency) with its peak, the place
 // of the peak and the time spans. Suggestions are missing; each kind of program adds its own.
-[[nodiscard]] std::vector<Refusal> checkAxis(const MotionProfile& motion, const AxisPeaks& peaks,
+[[nodiscard]] std::vector<Refusal> checkAxis(const MotionProfile& motion, const Peaks& peaks,
                                              const Machine& machine);
 
 // Returns true when checkAxis() would find nothing. Cheap.
-[[nodiscard]] bool isWithinLimits(const AxisPeaks& peaks, const Machine& machine);
+[[nodiscard]] bool isWithinLimits(const Peaks& peaks, const Machine& machine);
 
 } // namespace campanel::profile

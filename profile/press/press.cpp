@@ -3,7 +3,7 @@
 #include "profile/press/press.h"
 
 #include "profile/cutter/validate.h"
-#include "profile/model/limit_tolerance.h"
+#include "profile/model/limit_check.h"
 #include "profile/moves/move_time.h"
 #include "profile/press/press_ramp.h"
 

@@ -3,7 +3,7 @@
 // stage exceeds limits. A longer ramp of whole milliseconds can lower the speed over a short distance, so
 // every value of the grid is tried.
 #include "profile/model/grid_search.h"
-#include "profile/model/limit_tolerance.h"
+#include "profile/model/limit_check.h"
 #include "profile/press/press_ramp.h"
 
 #include <algorithm>

@@ -82,7 +82,7 @@ inline bool isBeyondLimits(const MotionPoint& p, const Machine& m, double room)
 inline void verifyAgainstSamples(const AxisMotion& solved, const Machine& machine)
 {
     constexpr int samples = 200;
-    const AxisPeaks& peaks = solved.peaks;
+    const Peaks& peaks = solved.peaks;
     const double duration = solved.motion.durationS();
     for (int i = 0; i <= samples; ++i) {
         const MotionPoint p = solved.motion.at(duration * i / samples);

@@ -30,9 +30,9 @@ MotionProfile mixedMotion()
     return motion;
 }
 
-AxisPeaks sampledPeaks(const MotionProfile& motion)
+Peaks sampledPeaks(const MotionProfile& motion)
 {
-    AxisPeaks seen;
+    Peaks seen;
     constexpr int samples = 100000;
     for (const Segment& segment : motion.segments()) {
         for (int i = 0; i <= samples; ++i) {
@@ -113,8 +113,8 @@ void TestAxisMotion::peaksAgreeWithSampling()
         motion.addDisplacement(0.7, -90, used, defaultParameters(used), 20);
     else
         motion.addRamp(0.7, 500, -200, used, defaultParameters(used), isMirrored);
-    const AxisPeaks peaks = axisPeaks(motion, Machine());
-    const AxisPeaks seen = sampledPeaks(motion);
+    const Peaks peaks = axisPeaks(motion, Machine());
+    const Peaks seen = sampledPeaks(motion);
     QVERIFY(near(peaks.speedMmPerS, seen.speedMmPerS, 1e-8));
     QVERIFY(near(peaks.accelerationMmPerS2, seen.accelerationMmPerS2, 1e-6));
     if (std::isfinite(peaks.jerkMmPerS3))
@@ -128,8 +128,8 @@ void TestAxisMotion::peaksAgreeWithSampling()
 void TestAxisMotion::peaksOfAMixedMotion()
 {
     const MotionProfile motion = mixedMotion();
-    const AxisPeaks peaks = axisPeaks(motion, Machine());
-    const AxisPeaks seen = sampledPeaks(motion);
+    const Peaks peaks = axisPeaks(motion, Machine());
+    const Peaks seen = sampledPeaks(motion);
     QVERIFY(near(peaks.speedMmPerS, seen.speedMmPerS, 1e-9));
     QVERIFY(near(peaks.accelerationMmPerS2, seen.accelerationMmPerS2, 1e-8));
     QCOMPARE(peaks.accelerationMmPerS2, 120 * 10 / std::sqrt(3.0) / 0.25);
@@ -140,7 +140,7 @@ void TestAxisMotion::parabolaTurnsInside()
 {
     MotionProfile motion; // v = -100 - 50 t + 200 t^2 has its minimum at t = 1/8
     motion.addCubic(0.5, -100, -50, 400);
-    const AxisPeaks peaks = axisPeaks(motion, Machine());
+    const Peaks peaks = axisPeaks(motion, Machine());
     QCOMPARE(peaks.speedMmPerS, 103.125);
     QCOMPARE(peaks.speedTimeS, 0.125);
     QCOMPARE(peaks.accelerationMmPerS2, 150.0);
@@ -186,7 +186,7 @@ void TestAxisMotion::unitsOfTheMotor()
 {
     MotionProfile motion;
     motion.addDisplacement(1, 6000, quintic(), {});
-    const AxisPeaks peaks = axisPeaks(motion, Machine()); // 100 mm and 10 000 pulses per revolution
+    const Peaks peaks = axisPeaks(motion, Machine()); // 100 mm and 10 000 pulses per revolution
     QCOMPARE(peaks.speedMmPerS, 11250.0);
     QCOMPARE(peaks.motorRpm, 6750.0);
     QCOMPARE(peaks.pulseFrequencyHz, 1125000.0);
@@ -202,7 +202,7 @@ void TestAxisMotion::nothingMoves()
     motion.addDisplacement(1, 0, *findLaw(LawId::Parabolic), {});
     motion.addRamp(1, 0, 0, *findLaw(LawId::Cubic), {}, false);
     motion.addCubic(1, 0, 0, 0);
-    const AxisPeaks peaks = axisPeaks(motion, Machine());
+    const Peaks peaks = axisPeaks(motion, Machine());
     QCOMPARE(peaks.speedMmPerS, 0.0);
     QCOMPARE(peaks.accelerationMmPerS2, 0.0);
     QCOMPARE(peaks.jerkMmPerS3, 0.0);

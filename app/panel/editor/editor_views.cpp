@@ -177,7 +177,7 @@ QString EditorViews::peaks() const
     if (!m_solution.solved)
         return {};
     const Format format;
-    const profile::AxisPeaks& peaks = m_solution.solved->peaks;
+    const profile::Peaks& peaks = m_solution.solved->peaks;
     // The recipe has no inertia for a knife or a press.
     if (!m_solution.cutter() && m_recipe.kind() != profile::ProgramKind::Press)
         return tr("peak %1 r/min · %2 m/s² · %3 Nm · %4 kHz")

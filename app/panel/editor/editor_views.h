@@ -14,7 +14,7 @@ namespace campanel::panel {
 
 // The demands of a law on the machine; peaks are NaN without a motion.
 struct LawDemand {
-    profile::AxisPeaks peaks;
+    profile::Peaks peaks;
     bool isFeasible = false;
 };
 

@@ -13,7 +13,7 @@ bool Solution::isCloseToLimit() const
     if (!isFeasible())
         return false;
     const profile::Machine& machine = solved->machine;
-    const profile::AxisPeaks& peaks = solved->peaks;
+    const profile::Peaks& peaks = solved->peaks;
     const double speedShare = std::max(peaks.motorRpm / machine.maxMotorRpm,
                                        peaks.pulseFrequencyHz / profile::pulseFrequencyLimitHz(machine));
     // A press always uses the maximum acceleration in its ramps.

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// Compares the peaks of a motion with the limits of a machine, for every kind of program. A kind lists its
+// comparisons.
+#pragma once
+
+#include "profile/model/motion_profile.h"
+#include "profile/model/refusal.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace campanel::profile {
+
+// The largest magnitudes of a motion and the times at which they are reached.
+struct Peaks {
+    double speedMmPerS = 0;
+    double speedTimeS = 0;
+    double motorRpm = 0;
+    double pulseFrequencyHz = 0;
+    double accelerationMmPerS2 = 0;
+    double accelerationTimeS = 0;
+    double torqueNm = 0;    // NaN where no inertia is known
+    double jerkMmPerS3 = 0; // infinite where the acceleration has a step, also at the ends
+};
+
+namespace detail {
+
+// The relative amount by which a value may exceed a limit: the rounding of a value that meets it exactly.
+inline constexpr double limitTolerance = 1e-9;
+
+// The quantity of the motion that a limit bounds; Rate: the cycle as a whole, without a place in it.
+enum class Bounded : std::uint8_t { Rate, Speed, Acceleration };
+
+struct LimitComparison {
+    Limit limit = Limit::MotorSpeed;
+    Field field = Field::MaxMotorRpm; // the machine's limit
+    double actual = 0;
+    double allowed = 0;
+    Bounded bounded = Bounded::Speed;
+    double allowedInMotion = 0; // the limit as a rate, a speed in mm/s or an acceleration in mm/s^2
+};
+
+// Returns true when the peak exceeds the limit. The comparison is in the motion's own quantity, like the
+// spans: beside a large friction a small torque would be lost in the tolerance.
+[[nodiscard]] bool isBroken(const LimitComparison& comparison, const Peaks& peaks);
+
+// Returns every exceeded limit with its peak, the place of the peak and the time spans, in the order of the
+// comparisons. Suggestions are missing; each kind of program adds its own.
+[[nodiscard]] std::vector<Refusal> brokenLimits(std::span<const LimitComparison> comparisons,
+                                                const MotionProfile& motion, const Peaks& peaks);
+
+// Returns the times between which the acceleration of a segment is monotone, including the ends.
+[[nodiscard]] std::vector<double> accelerationTurns(const Segment& segment);
+// Returns the times between which the speed of a segment is monotone, including the ends.
+[[nodiscard]] std::vector<double> speedTurns(const Segment& segment);
+// Returns true when the speed of the segment changes.
+[[nodiscard]] bool hasAcceleration(const Segment& segment);
+
+} // namespace detail
+
+} // namespace campanel::profile
