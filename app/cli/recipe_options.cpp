@@ -85,11 +85,10 @@ QList<program::ChoiceInfo> choiceOptions()
 {
     QList<program::ChoiceInfo> found;
     for (const program::KindInfo& kind : program::kinds()) {
-        for (const program::Choice choice : kind.choices) {
-            const program::ChoiceInfo info = program::choiceInfo(kind.kind, choice);
+        for (const program::ChoiceInfo& info : kind.choices) {
             const auto same =
                 std::ranges::find(found, info.id, [](const program::ChoiceInfo& each) { return each.id; });
-            if (choice == program::Choice::Law)
+            if (info.choice == program::Choice::Law)
                 continue;
             if (same == found.end())
                 found << info;
@@ -248,10 +247,10 @@ Outcome applyChoices(const Invocation& call, program::Recipe& recipe)
         const QString name = fromText(each.id).replace(u'_', u'-');
         if (!call.isSet(name))
             continue;
-        if (std::ranges::find(kind.choices, each.choice) == kind.choices.end())
+        const program::ChoiceInfo info = program::choiceInfo(kind.kind, each.choice);
+        if (info.options.empty())
             return fail(ExitCode::Usage,
                         u"--%1 does not apply to a program of kind %2."_s.arg(name, fromText(kind.key)));
-        const program::ChoiceInfo info = program::choiceInfo(kind.kind, each.choice);
         const std::string key = call.value(name).toStdString();
         const auto found = std::ranges::find(info.options, key, &program::ChoiceOption::key);
         if (found == info.options.end())

@@ -2,12 +2,11 @@
 // Converts a recipe to the registers of a bank, and the header of a bank back to its recipe.
 #pragma once
 
-#include "app/program/axis_bank.h"
+#include "app/program/bank_codec.h"
 #include "app/program/recipe.h"
 #include "app/program/solved_program.h"
 
 #include "modbus/map/bank_header.h"
-#include "profile/cutter/step_table.h"
 
 #include <tl/expected.hpp>
 
@@ -34,7 +33,7 @@ struct ProgramImage {
     std::vector<std::uint16_t> registers; // header and rows, as downloaded
     std::uint32_t crc = 0;                // CRC-32 of the registers
     SolvedProgram solved;
-    std::variant<profile::StepTable, profile::CamTable, profile::IntervalTable, profile::PressTable> table;
+    Table table;
 
     // Returns the solved rotary cutter; the recipe must be one.
     [[nodiscard]] const profile::RotaryCutter& cutter() const { return solved.cutter.value(); }

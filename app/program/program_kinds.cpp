@@ -20,42 +20,6 @@ using profile::ProgramKind;
 using profile::RotaryCutterProgram;
 using profile::SpeedMoveProgram;
 
-constexpr std::array cutterFields{Field::BagLength, Field::Rate,         Field::BaseSpeed, Field::FilmSpeed,
-                                  Field::K1,        Field::K2,           Field::K3,        Field::K4,
-                                  Field::SyncRatio, Field::SlicesPerRamp};
-constexpr std::array cutterMachine{
-    Field::KnifeRadius,     Field::Knives,      Field::PulsesPerMotorRev,    Field::GearNumerator,
-    Field::GearDenominator, Field::MaxMotorRpm, Field::MaxKnifeAcceleration, Field::MaxPulseFrequency,
-    Field::MaxRate};
-constexpr std::array cutterChoices{Choice::Law};
-
-constexpr std::array axisMachine{Field::FeedPerMotorRev, Field::PulsesPerMotorRev, Field::MaxMotorRpm,
-                                 Field::MaxAcceleration, Field::MaxPulseFrequency, Field::MaxTorque,
-                                 Field::Inertia,         Field::Friction};
-constexpr std::array positionFields{Field::Distance, Field::MoveTime, Field::CamPoints};
-constexpr std::array speedFields{Field::StartSpeed, Field::EndSpeed, Field::MoveTime, Field::Distance,
-                                 Field::CamPoints};
-constexpr std::array moveChoices{Choice::Law, Choice::Duration, Choice::Execution};
-
-constexpr std::array camFields{Field::MasterRate, Field::MasterRamp, Field::MasterRatio, Field::MasterScale,
-                               Field::SlaveScale, Field::Phase,      Field::CamPoints};
-constexpr std::array camChoices{Choice::SplineEnds, Choice::MasterRampShape};
-
-constexpr std::array pressFields{
-    Field::ApproachPosition,  Field::ApproachSpeed, Field::ProbeSpeed,  Field::ProbeForce,  Field::ProbeEnd,
-    Field::PressSpeed,        Field::PressPosition, Field::HoldTime,    Field::ReturnSpeed, Field::MaxForce,
-    Field::PositionTolerance, Field::MinStopForce,  Field::MaxStopForce};
-constexpr std::array pressMachine{Field::FeedPerMotorRev, Field::PulsesPerMotorRev, Field::MaxMotorRpm,
-                                  Field::MaxAcceleration, Field::MaxPulseFrequency};
-
-constexpr std::array<KindInfo, 5> kindTable{{
-    {ProgramKind::RotaryCutter, "rotary_cutter", cutterFields, cutterMachine, cutterChoices, "program."},
-    {ProgramKind::PositionMove, "position_move", positionFields, axisMachine, moveChoices, "position_move."},
-    {ProgramKind::SpeedMove, "speed_move", speedFields, axisMachine, moveChoices, "speed_move."},
-    {ProgramKind::PointCam, "point_cam", camFields, axisMachine, camChoices, "point_cam."},
-    {ProgramKind::Press, "press", pressFields, pressMachine, {}, "press."},
-}};
-
 template <typename E> constexpr ChoiceOption option(std::string_view key, E value)
 {
     return {key, static_cast<std::uint16_t>(value)};
@@ -75,6 +39,92 @@ constexpr std::array executions{option("cam_points", Execution::CamPoints),
 constexpr std::array ends{option("natural", SplineEnds::Natural), option("clamped", SplineEnds::Clamped),
                           option("periodic", SplineEnds::Periodic)};
 constexpr std::array shapes{option("trapezoid", RampShape::Trapezoid), option("s_curve", RampShape::SCurve)};
+
+constexpr std::array cutterChoices{ChoiceInfo{Choice::Law, "speed_law", {}}};
+constexpr std::array positionChoices{ChoiceInfo{Choice::Law, "law", {}},
+                                     ChoiceInfo{Choice::Duration, "duration", positionDurations},
+                                     ChoiceInfo{Choice::Execution, "execution", executions}};
+constexpr std::array speedChoices{ChoiceInfo{Choice::Law, "law", {}},
+                                  ChoiceInfo{Choice::Duration, "duration", speedDurations},
+                                  ChoiceInfo{Choice::Execution, "execution", executions}};
+constexpr std::array camChoices{ChoiceInfo{Choice::SplineEnds, "ends", ends},
+                                ChoiceInfo{Choice::MasterRampShape, "master_ramp_shape", shapes}};
+
+constexpr std::array cutterFields{Field::BagLength, Field::Rate,         Field::BaseSpeed, Field::FilmSpeed,
+                                  Field::K1,        Field::K2,           Field::K3,        Field::K4,
+                                  Field::SyncRatio, Field::SlicesPerRamp};
+constexpr std::array cutterMachine{
+    Field::KnifeRadius,     Field::Knives,      Field::PulsesPerMotorRev,    Field::GearNumerator,
+    Field::GearDenominator, Field::MaxMotorRpm, Field::MaxKnifeAcceleration, Field::MaxPulseFrequency,
+    Field::MaxRate};
+
+constexpr std::array axisMachine{Field::FeedPerMotorRev, Field::PulsesPerMotorRev, Field::MaxMotorRpm,
+                                 Field::MaxAcceleration, Field::MaxPulseFrequency, Field::MaxTorque,
+                                 Field::Inertia,         Field::Friction};
+constexpr std::array positionFields{Field::Distance, Field::MoveTime, Field::CamPoints};
+constexpr std::array speedFields{Field::StartSpeed, Field::EndSpeed, Field::MoveTime, Field::Distance,
+                                 Field::CamPoints};
+
+constexpr std::array camFields{Field::MasterRate, Field::MasterRamp, Field::MasterRatio, Field::MasterScale,
+                               Field::SlaveScale, Field::Phase,      Field::CamPoints};
+
+constexpr std::array pressFields{
+    Field::ApproachPosition,  Field::ApproachSpeed, Field::ProbeSpeed,  Field::ProbeForce,  Field::ProbeEnd,
+    Field::PressSpeed,        Field::PressPosition, Field::HoldTime,    Field::ReturnSpeed, Field::MaxForce,
+    Field::PositionTolerance, Field::MinStopForce,  Field::MaxStopForce};
+constexpr std::array pressMachine{Field::FeedPerMotorRev, Field::PulsesPerMotorRev, Field::MaxMotorRpm,
+                                  Field::MaxAcceleration, Field::MaxPulseFrequency};
+
+using modbus::EndBehavior;
+using modbus::TableLayout;
+constexpr std::array stepTable{TableLayout::StepTable};
+constexpr std::array camPoints{TableLayout::CamPoints};
+constexpr std::array camPointsOrIntervals{TableLayout::CamPoints, TableLayout::Intervals};
+constexpr std::array pressStages{TableLayout::PressStages};
+
+template <typename P> Program newProgram()
+{
+    return P{};
+}
+
+void paperCutter(profile::Machine&) {}
+
+// The motor of the servo paper.
+void paperAxis(profile::Machine& machine)
+{
+    machine.pulsesPerMotorRev = 1000;
+    machine.maxMotorRpm = 7200;
+}
+
+void paperPress(profile::Machine& machine)
+{
+    machine.pulsesPerMotorRev = 1000;
+    machine.feedMmPerMotorRev = 10; // 0.01 mm a pulse
+    machine.maxAccelerationMmPerS2 = 2000;
+}
+
+constexpr std::array<KindInfo, 5> kindTable{{
+    {ProgramKind::RotaryCutter, "rotary_cutter", cutterFields, cutterMachine, cutterChoices, "program.",
+     stepTable, EndBehavior::Repeat, "Biscuit 250", newProgram<RotaryCutterProgram>, paperCutter},
+    {ProgramKind::PositionMove, "position_move", positionFields, axisMachine, positionChoices,
+     "position_move.", camPointsOrIntervals, EndBehavior::Stop, "Position move",
+     newProgram<PositionMoveProgram>, paperAxis},
+    {ProgramKind::SpeedMove, "speed_move", speedFields, axisMachine, speedChoices, "speed_move.",
+     camPointsOrIntervals, EndBehavior::HoldSpeed, "Speed move", newProgram<SpeedMoveProgram>, paperAxis},
+    {ProgramKind::PointCam, "point_cam", camFields, axisMachine, camChoices, "point_cam.", camPoints,
+     EndBehavior::Repeat, "Point cam", newProgram<PointCamProgram>, paperAxis},
+    {ProgramKind::Press,
+     "press",
+     pressFields,
+     pressMachine,
+     {},
+     "press.",
+     pressStages,
+     EndBehavior::Repeat,
+     "Press",
+     newProgram<PressProgram>,
+     paperPress},
+}};
 
 // Calls visit(choice, member) for every choice of the program.
 template <typename Visitor> void visitChoices(RotaryCutterProgram& program, Visitor visit)
@@ -127,21 +177,9 @@ const KindInfo* findKind(std::string_view key)
 
 ChoiceInfo choiceInfo(ProgramKind kind, Choice choice)
 {
-    switch (choice) {
-    case Choice::Law:
-        return {choice, kind == ProgramKind::RotaryCutter ? "speed_law" : "law", {}};
-    case Choice::Duration:
-        if (kind == ProgramKind::PositionMove)
-            return {choice, "duration", positionDurations};
-        return {choice, "duration", speedDurations};
-    case Choice::Execution:
-        return {choice, "execution", executions};
-    case Choice::SplineEnds:
-        return {choice, "ends", ends};
-    case Choice::MasterRampShape:
-        return {choice, "master_ramp_shape", shapes};
-    }
-    return {};
+    const auto choices = kindInfo(kind).choices;
+    const auto found = std::ranges::find(choices, choice, &ChoiceInfo::choice);
+    return found == choices.end() ? ChoiceInfo{choice, {}, {}} : *found;
 }
 
 bool isLawOf(ProgramKind kind, const profile::Law& law)

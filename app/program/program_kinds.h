@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of program kinds: key, inputs, data of the machine. Recipe files, registers, the command line and
-// the panel use it, so that a kind is added in one place.
+// The table of program kinds: key, inputs, data of the machine, layouts of its table. Recipe files,
+// registers, the command line and the panel use it, so that a kind is added in one place.
 #pragma once
 
+#include "modbus/map/protocol.h"
 #include "profile/program/programs.h"
 
 #include <cstdint>
@@ -30,8 +31,14 @@ struct KindInfo {
     std::string_view key; // in the recipe file
     std::span<const profile::Field> programFields;
     std::span<const profile::Field> machineFields; // entered by a person
-    std::span<const Choice> choices;
+    std::span<const ChoiceInfo> choices;
     std::string_view registerPrefix; // prefix of its inputs in the bank's header
+    std::span<const modbus::TableLayout> layouts;
+    modbus::EndBehavior end = modbus::EndBehavior::Repeat; // of its table
+    // A new recipe: its name, its inputs, and the data of a machine that differ from the defaults.
+    std::string_view defaultName;
+    profile::Program (*defaultProgram)() = nullptr;
+    void (*adaptMachine)(profile::Machine& machine) = nullptr;
 };
 
 [[nodiscard]] std::span<const KindInfo> kinds();
@@ -39,7 +46,7 @@ struct KindInfo {
 // Returns the kind with this key, or null.
 [[nodiscard]] const KindInfo* findKind(std::string_view key);
 
-// Returns the name and the options of the choice for this kind.
+// Returns the name and the options of the choice for this kind; no options when the kind does not have it.
 [[nodiscard]] ChoiceInfo choiceInfo(profile::ProgramKind kind, Choice choice);
 // Returns true when the law may be chosen for this kind.
 [[nodiscard]] bool isLawOf(profile::ProgramKind kind, const profile::Law& law);

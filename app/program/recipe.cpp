@@ -40,33 +40,11 @@ const modbus::RegisterInfo* registerOf(const KindInfo& kind, std::string_view su
 
 Recipe defaultRecipe(profile::ProgramKind kind)
 {
+    const KindInfo& info = kindInfo(kind);
     Recipe recipe;
-    profile::Machine& machine = recipe.machine;
-    switch (kind) {
-    case profile::ProgramKind::RotaryCutter:
-        return recipe;
-    case profile::ProgramKind::PositionMove:
-        recipe.name = "Position move";
-        recipe.program = profile::PositionMoveProgram{};
-        break;
-    case profile::ProgramKind::SpeedMove:
-        recipe.name = "Speed move";
-        recipe.program = profile::SpeedMoveProgram{};
-        break;
-    case profile::ProgramKind::PointCam:
-        recipe.name = "Point cam";
-        recipe.program = profile::PointCamProgram{};
-        break;
-    case profile::ProgramKind::Press:
-        recipe.name = "Press";
-        recipe.program = profile::PressProgram{};
-        machine.feedMmPerMotorRev = 10; // 0.01 mm a pulse
-        machine.maxAccelerationMmPerS2 = 2000;
-        break;
-    }
-    machine.pulsesPerMotorRev = 1000;
-    if (kind != profile::ProgramKind::Press)
-        machine.maxMotorRpm = 7200; // the motor of the servo paper
+    recipe.name = info.defaultName;
+    recipe.program = info.defaultProgram();
+    info.adaptMachine(recipe.machine);
     return recipe;
 }
 

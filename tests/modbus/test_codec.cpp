@@ -32,8 +32,6 @@ private slots:
     void everyRawValueSurvivesItsPhysicalForm();
     void statusUnknownsAreEmpty();
     void statusKnowns();
-    void bankTripIsIdentical();
-    void bankRefusesWhatDoesNotFit();
     void wireTimes_data();
     void wireTimes();
 };
@@ -189,49 +187,6 @@ void CodecTest::statusKnowns()
     QCOMPARE(status.followingErrorPulses, std::int16_t{-7});
     QCOMPARE(status.axisPositionPulses, -123456);
     QCOMPARE(status.knifeAngleDeg, 90.5);
-}
-
-void CodecTest::bankTripIsIdentical()
-{
-    BankHeader header;
-    header.cycleTicks = 8'000'000;
-    header.cyclePulses = 10'000;
-    header.remainder = 1;
-    header.divisor = 3;
-    header.syncStartDeg = 144.0;
-    header.knifeRadiusMm = 60.001;
-    header.pulsesPerMotorRev = 10007;
-    header.pinned = 3;
-    header.bagLengthMm = 249.999;
-    header.rateBagsPerMin = 60.0001;
-    header.k = {4, 2.5, 1.666667, 1.333333};
-    header.law = 5;
-    header.lawParameters = {0.25, 0};
-    header.rampSlices = 60;
-    header.recipeVersion = 7;
-    header.recipeName = "Biscuit 250";
-    const std::vector<TableRow> rows{{100, 70'000}, {0, 5}, {65535, 0xFFFFFFFF}};
-    const auto bank = encodeBank(header, rows);
-    QVERIFY(bank.has_value());
-    QCOMPARE(bank->size(), std::size_t{bankHeaderRegisters + 9});
-    QVERIFY(decodeRows(*bank) == rows);
-    const BankHeader again = decodeBankHeader(*bank);
-    QCOMPARE(again.rowCount, std::uint16_t{3});
-    QCOMPARE(again.bagLengthMm, 249.999);
-    QCOMPARE(QString::fromStdString(again.recipeName), QString("Biscuit 250"));
-    QVERIFY(*encodeBank(again, rows) == *bank);
-    QVERIFY(decodeRows(std::span(*bank).first(bank->size() - 1)).empty());
-}
-
-void CodecTest::bankRefusesWhatDoesNotFit()
-{
-    BankHeader header;
-    header.gearNumerator = 65536;
-    const auto bank = encodeBank(header, {});
-    QVERIFY(!bank.has_value());
-    QCOMPARE(bank.error().registerName, std::string_view("program.gear_numerator"));
-    QVERIFY(!encodeBank(BankHeader{}, std::vector<TableRow>(rowCapacity + 1u)).has_value());
-    QVERIFY(encodeBank(BankHeader{}, std::vector<TableRow>(rowCapacity)).has_value());
 }
 
 void CodecTest::wireTimes_data()

@@ -40,7 +40,7 @@ public:
         }
         for (const profile::Field field : info.machineFields)
             vary(recipe, field);
-        for (const program::Choice choice : info.choices)
+        for (const program::ChoiceInfo& choice : info.choices)
             choose(recipe, choice);
         if (auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
             cam->knots = knots();
@@ -117,12 +117,11 @@ private:
         program::setValue(recipe, field, profile::snapToGrid(field, value));
     }
 
-    void choose(program::Recipe& recipe, program::Choice choice)
+    void choose(program::Recipe& recipe, const program::ChoiceInfo& info)
     {
-        if (choice != program::Choice::Law) {
-            const auto options = program::choiceInfo(recipe.kind(), choice).options;
-            const auto option = static_cast<std::size_t>(below(static_cast<int>(options.size())));
-            program::setChoice(recipe.program, choice, options[option].code);
+        if (info.choice != program::Choice::Law) {
+            const auto option = static_cast<std::size_t>(below(static_cast<int>(info.options.size())));
+            program::setChoice(recipe.program, info.choice, info.options[option].code);
             return;
         }
         std::vector<const profile::Law*> laws;
@@ -131,13 +130,13 @@ private:
                 laws.push_back(&law);
         }
         const profile::Law& law = *laws[static_cast<std::size_t>(below(static_cast<int>(laws.size())))];
-        program::setChoice(recipe.program, choice, static_cast<std::uint16_t>(law.id));
+        program::setChoice(recipe.program, info.choice, static_cast<std::uint16_t>(law.id));
         profile::LawParameters& values = *program::lawParameters(recipe.program);
         values = profile::defaultParameters(law);
         for (std::size_t i = 0; i < law.parameters.size(); ++i) {
-            const profile::LawParameterInfo& info = law.parameters[i];
-            const double middle = (info.min + info.max) / 2;
-            values[i] = between(middle - (middle - info.min) / 2, middle + (info.max - middle) / 2);
+            const profile::LawParameterInfo& parameter = law.parameters[i];
+            const double middle = (parameter.min + parameter.max) / 2;
+            values[i] = between(middle - (middle - parameter.min) / 2, middle + (parameter.max - middle) / 2);
         }
     }
 

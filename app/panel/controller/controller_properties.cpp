@@ -192,7 +192,7 @@ ActiveProgramValues Controller::active() const
         return values;
     values.isPresent = true;
     values.kind = static_cast<int>(m_program->recipe.kind());
-    values.name = QString::fromStdString(m_program->header.recipeName);
+    values.name = QString::fromStdString(m_program->name);
     values.version = m_program->version;
     values.bagLengthMm = m_program->bagLengthMm;
     values.rateBagsPerMin = m_program->rateBagsPerMin;

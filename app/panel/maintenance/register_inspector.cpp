@@ -125,9 +125,8 @@ void RegisterInspector::noteConnection()
 void RegisterInspector::noteProgram()
 {
     const auto& program = m_machine.program();
-    m_registers.setProgram(program ? program->header.kind : modbus::ProgramKind::None,
-                           program ? static_cast<modbus::TableLayout>(program->header.layout)
-                                   : modbus::TableLayout::None);
+    m_registers.setProgram(program ? program->kind : modbus::ProgramKind::None,
+                           program ? program->layout : modbus::TableLayout::None);
 }
 
 void RegisterInspector::select(int row)

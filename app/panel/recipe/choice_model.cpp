@@ -10,14 +10,13 @@ namespace campanel::panel {
 QList<ChoiceRow> ChoiceRow::rows(const program::Recipe& recipe)
 {
     QList<ChoiceRow> rows;
-    for (const program::Choice choice : program::kindInfo(recipe.kind()).choices) {
-        if (choice == program::Choice::Law)
+    for (const program::ChoiceInfo& info : program::kindInfo(recipe.kind()).choices) {
+        if (info.choice == program::Choice::Law)
             continue;
-        const program::ChoiceInfo info = program::choiceInfo(recipe.kind(), choice);
-        ChoiceRow row{choice, RecipeWords::choiceName(choice), {}, 0};
+        ChoiceRow row{info.choice, RecipeWords::choiceName(info.choice), {}, 0};
         for (const program::ChoiceOption& option : info.options)
             row.options << RecipeWords::optionName(option.key);
-        const auto current = std::ranges::find(info.options, program::choice(recipe.program, choice),
+        const auto current = std::ranges::find(info.options, program::choice(recipe.program, info.choice),
                                                &program::ChoiceOption::code);
         row.option = static_cast<int>(current - info.options.begin());
         rows << row;

@@ -33,7 +33,10 @@ std::shared_ptr<const ControllerProgram> readProgram(const link::ActiveProgram& 
     program->crc = active.crc;
     program->registers = active.header;
     program->knots = active.knots;
-    program->header = modbus::decodeBankHeader(active.header);
+    const modbus::RegisterReader header(active.header, 0);
+    program->kind = static_cast<modbus::ProgramKind>(header.u16("bank.kind"));
+    program->layout = static_cast<modbus::TableLayout>(header.u16("bank.layout"));
+    program->name = header.text("program.recipe_name");
     const auto recipe = program::decodeProgram(active.header, active.knots,
                                                program::withController(profile::Machine(), identity));
     if (!recipe) {
@@ -49,16 +52,16 @@ std::shared_ptr<const ControllerProgram> readProgram(const link::ActiveProgram& 
         return program;
     }
     program->pulsesPerMm = solved->pulsesPerMm;
-    program->version = program->header.recipeVersion;
-    program->bagLengthMm = program->header.bagLengthMm;
+    program->version = recipe->version;
     // The rows of a press are stages: the bank does not contain the duration of a stroke.
-    const std::uint32_t ticks = program->header.cycleTicks;
+    const std::uint32_t ticks = header.u32("bank.cycle_ticks");
     program->cycleSeconds = ticks > 0 ? static_cast<double>(ticks) / identity.timerClockHz : solved->cycleS();
     program->rateBagsPerMin = ticks > 0 ? 60 / program->cycleSeconds : 0;
     if (solved->cutter) {
-        program->syncStartDeg = knifeDegAt(*solved->cutter, program->header.syncStartDeg);
-        program->syncEndDeg = knifeDegAt(*solved->cutter, program->header.syncEndDeg);
-        program->cutDeg = knifeDegAt(*solved->cutter, program->header.cutAngleDeg);
+        program->bagLengthMm = solved->cutter->cycle.bagLengthMm;
+        program->syncStartDeg = knifeDegAt(*solved->cutter, header.physical("bank.sync_start"));
+        program->syncEndDeg = knifeDegAt(*solved->cutter, header.physical("bank.sync_end"));
+        program->cutDeg = knifeDegAt(*solved->cutter, header.physical("bank.cut_angle"));
     }
     program->marksS = solved->marksS;
     program->curves = std::make_shared<const profile::Curves>(program::sampleCurves(*solved, curvePoints));

@@ -8,6 +8,7 @@
 
 #include <limits>
 #include <memory>
+#include <string>
 
 namespace campanel::panel {
 
@@ -19,7 +20,9 @@ struct ControllerProgram {
     std::uint32_t crc = 0;
     std::vector<std::uint16_t> registers; // the header
     std::vector<std::uint16_t> knots;     // only for a point cam
-    modbus::BankHeader header;            // the same decoded
+    modbus::ProgramKind kind = modbus::ProgramKind::None;
+    modbus::TableLayout layout = modbus::TableLayout::None;
+    std::string name;
     program::Recipe recipe;
     double pulsesPerMm = 0;
     // NaN when the header does not describe a cycle.

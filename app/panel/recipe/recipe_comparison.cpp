@@ -64,8 +64,8 @@ QList<DifferenceRow> RecipeComparison::rows(const Recipe& before, const Recipe& 
                     RefusalSentences::valueWithUnit(field, program::value(a, field)),
                     RefusalSentences::valueWithUnit(field, program::value(b, field)));
     }
-    for (const program::Choice choice : kind.choices)
-        compare(RecipeWords::choiceName(choice), choiceText(a, choice), choiceText(b, choice));
+    for (const program::ChoiceInfo& each : kind.choices)
+        compare(RecipeWords::choiceName(each.choice), choiceText(a, each.choice), choiceText(b, each.choice));
     const profile::LawParameters* left = program::lawParameters(a.program);
     const profile::LawParameters* right = program::lawParameters(b.program);
     for (std::size_t i = 0; left && right && i < left->size(); ++i)

@@ -111,8 +111,8 @@ bool sameRecipe(const Recipe& left, const Recipe& right)
     if (left.name != right.name || left.kind() != right.kind())
         return false;
     const program::KindInfo& kind = program::kindInfo(left.kind());
-    const auto sameChoice = [&](program::Choice choice) {
-        return program::choice(left.program, choice) == program::choice(right.program, choice);
+    const auto sameChoice = [&](const program::ChoiceInfo& each) {
+        return program::choice(left.program, each.choice) == program::choice(right.program, each.choice);
     };
     if (!std::ranges::all_of(kind.choices, sameChoice))
         return false;

@@ -59,11 +59,10 @@ void writeLaw(const Recipe& recipe, QJsonObject& object)
 
 void writeChoices(const Recipe& recipe, QJsonObject& object)
 {
-    for (const Choice choice : program::kindInfo(recipe.kind()).choices) {
-        const program::ChoiceInfo info = program::choiceInfo(recipe.kind(), choice);
-        const auto option = std::ranges::find(info.options, program::choice(recipe.program, choice),
+    for (const program::ChoiceInfo& info : program::kindInfo(recipe.kind()).choices) {
+        const auto option = std::ranges::find(info.options, program::choice(recipe.program, info.choice),
                                               &program::ChoiceOption::code);
-        if (choice == Choice::Law)
+        if (info.choice == Choice::Law)
             writeLaw(recipe, object);
         else if (option != info.options.end())
             object[toQString(info.id)] = toQString(option->key);
@@ -118,16 +117,15 @@ void readLaw(ObjectReader& reader, Recipe& recipe, std::optional<FileError>& fai
     parameters.refuseUnknownKeys();
 }
 
-void readChoice(ObjectReader& reader, Recipe& recipe, Choice choice)
+void readChoice(ObjectReader& reader, Recipe& recipe, const program::ChoiceInfo& info)
 {
-    const program::ChoiceInfo info = program::choiceInfo(recipe.kind(), choice);
     const QString id = toQString(info.id);
     if (!reader.has(id))
         return;
     const QString key = reader.text(id);
     const auto found = std::ranges::find(info.options, key.toStdString(), &program::ChoiceOption::key);
     if (found != info.options.end()) {
-        program::setChoice(recipe.program, choice, found->code);
+        program::setChoice(recipe.program, info.choice, found->code);
         return;
     }
     QStringList keys;
@@ -214,8 +212,8 @@ void readProgram(const QJsonObject& object, Recipe& recipe, std::optional<FileEr
             program::setValue(recipe, field,
                               reader.number(idOf(field), isWhole(field), profile::info(field)));
     }
-    for (const Choice choice : kind->choices) {
-        if (choice == Choice::Law)
+    for (const program::ChoiceInfo& choice : kind->choices) {
+        if (choice.choice == Choice::Law)
             readLaw(reader, recipe, failure);
         else
             readChoice(reader, recipe, choice);

@@ -68,9 +68,9 @@ QString lostInput(const Recipe& kept, const Recipe& given)
                 .arg(value(kept, field), 0, 'g', 17)
                 .arg(value(given, field), 0, 'g', 17);
     }
-    for (const Choice each : kind.choices) {
-        if (choice(kept.program, each) != choice(given.program, each))
-            return QString::fromLatin1(choiceInfo(given.kind(), each).id.data());
+    for (const ChoiceInfo& each : kind.choices) {
+        if (choice(kept.program, each.choice) != choice(given.program, each.choice))
+            return QString::fromLatin1(each.id.data());
     }
     const auto* parameters = lawParameters(given.program);
     if (parameters && *lawParameters(kept.program) != *parameters)
@@ -127,7 +127,7 @@ void KindsTest::everyDefaultCanBeDownloaded()
     Recipe recipe = defaultRecipe(kind);
     QCOMPARE(recipe.kind(), kind);
     const auto options = choiceInfo(kind, Choice::Execution).options;
-    const bool isMove = std::ranges::count(kindInfo(kind).choices, Choice::Execution) > 0;
+    const bool isMove = !options.empty();
     for (std::size_t i = 0; i < (isMove ? options.size() : 1); ++i) {
         if (isMove)
             setChoice(recipe.program, Choice::Execution, options[i].code);
@@ -206,9 +206,10 @@ void KindsTest::whatCanBeEnteredIsHeldExactly()
 void KindsTest::everyChoiceIsKept()
 {
     QFETCH(ProgramKind, kind);
-    for (const Choice each : kindInfo(kind).choices) {
+    for (const ChoiceInfo& info : kindInfo(kind).choices) {
+        const Choice each = info.choice;
         std::vector<std::uint16_t> codes;
-        for (const ChoiceOption& option : choiceInfo(kind, each).options)
+        for (const ChoiceOption& option : info.options)
             codes.push_back(option.code);
         if (each == Choice::Law) {
             for (const profile::Law& law : profile::laws()) {

@@ -33,6 +33,7 @@ private slots:
     void refusals_data();
     void refusals();
     void valueWithoutRoomInItsRegister();
+    void rowsBeyondTheBankAreRefused();
     void headersThatCannotBeShown_data();
     void headersThatCannotBeShown();
     void differencesAreByField();
@@ -44,24 +45,25 @@ void ProgramTest::defaultRecipe()
 {
     const auto image = buildProgram(Recipe{});
     QVERIFY2(image.has_value(), image ? "" : describe(image.error()).c_str());
-    const modbus::BankHeader header = modbus::decodeBankHeader(image->registers);
-    QCOMPARE(header.cyclePulses, 10000u);
-    QCOMPARE(header.cycleTicks, 8'000'000u);
-    QCOMPARE(header.divisor, 1u);
-    QCOMPARE(header.remainder, 0u);
-    QCOMPARE(header.pinned, std::uint16_t{3});
-    QCOMPARE(header.bagLengthMm, 250.0);
-    QCOMPARE(header.filmSpeedMmPerS, 250.0);
-    QVERIFY(std::abs(header.baseSpeedMmPerS - 445.371) < 0.01);
-    QVERIFY(std::abs(header.syncStartDeg - 144.0) < 0.011);
-    QVERIFY(std::abs(header.syncEndDeg - 216.0) < 0.011);
-    QVERIFY(std::abs(header.cutAngleDeg - 180.0) < 0.011);
+    const modbus::RegisterReader header(image->registers, 0);
+    QCOMPARE(header.u32("bank.cycle_pulses"), 10000u);
+    QCOMPARE(header.u32("bank.cycle_ticks"), 8'000'000u);
+    QCOMPARE(header.u32("bank.divisor"), 1u);
+    QCOMPARE(header.u32("bank.remainder"), 0u);
+    QCOMPARE(header.u16("program.pinned"), std::uint16_t{3});
+    QCOMPARE(header.physical("program.bag_length"), 250.0);
+    QCOMPARE(header.physical("program.film_speed"), 250.0);
+    QVERIFY(std::abs(header.physical("program.base_speed") - 445.371) < 0.01);
+    QVERIFY(std::abs(header.physical("bank.sync_start") - 144.0) < 0.011);
+    QVERIFY(std::abs(header.physical("bank.sync_end") - 216.0) < 0.011);
+    QVERIFY(std::abs(header.physical("bank.cut_angle") - 180.0) < 0.011);
     QCOMPARE(image->crc, modbus::crc32OfRegisters(image->registers));
-    const auto rows = modbus::decodeRows(image->registers);
-    QCOMPARE(rows.size(), image->stepTable().rows.size());
-    const auto pulses =
-        std::accumulate(rows.begin(), rows.end(), 0u,
-                        [](unsigned sum, const modbus::TableRow& row) { return sum + row.pulses; });
+    const std::size_t rows = header.u16("bank.row_count");
+    QCOMPARE(rows, image->stepTable().rows.size());
+    QCOMPARE(image->registers.size(), modbus::bankHeaderRegisters + modbus::rowRegisters * rows);
+    unsigned pulses = 0;
+    for (std::size_t i = 0; i < rows; ++i)
+        pulses += image->registers[modbus::bankHeaderRegisters + modbus::rowRegisters * i];
     QCOMPARE(pulses, 10000u);
 }
 
@@ -188,6 +190,18 @@ void ProgramTest::valueWithoutRoomInItsRegister()
     QVERIFY(image.error().unstorable.has_value());
     const QString sentence = QString::fromStdString(describe(image.error()));
     QVERIFY2(sentence.contains("program.recipe_version: 65536 is outside 0 .. 65535"), qPrintable(sentence));
+}
+
+void ProgramTest::rowsBeyondTheBankAreRefused()
+{
+    auto image = buildProgram(Recipe{});
+    profile::StepTable table = image->stepTable();
+    table.rows.resize(modbus::rowCapacity, {1, 100});
+    QVERIFY(encodeBank(image->recipe, image->solved, table).has_value());
+    table.rows.push_back({1, 100});
+    const auto bank = encodeBank(image->recipe, image->solved, table);
+    QVERIFY(!bank.has_value());
+    QCOMPARE(bank.error().registerName, std::string_view("bank.row_count"));
 }
 
 void ProgramTest::headersThatCannotBeShown_data()

@@ -110,9 +110,10 @@ void StoreKindsTest::everyChoiceTrips()
 {
     QFETCH(ProgramKind, kind);
     int tried = 0;
-    for (const program::Choice each : program::kindInfo(kind).choices) {
+    for (const program::ChoiceInfo& info : program::kindInfo(kind).choices) {
+        const program::Choice each = info.choice;
         std::vector<std::uint16_t> codes;
-        for (const program::ChoiceOption& option : program::choiceInfo(kind, each).options)
+        for (const program::ChoiceOption& option : info.options)
             codes.push_back(option.code);
         for (const profile::Law& law : profile::laws()) {
             if (each == program::Choice::Law && program::isLawOf(kind, law))

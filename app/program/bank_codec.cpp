@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes and reads by the same tables of fields and choices, so that both directions stay consistent.
-#include "app/program/axis_bank.h"
+#include "app/program/bank_codec.h"
 
 #include "app/program/register_fields.h"
+#include "modbus/map/bank_header.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace campanel::program {
 namespace {
 
-using modbus::EndBehavior;
 using modbus::TableLayout;
-using profile::ProgramKind;
 
 void append32(std::vector<std::uint16_t>& registers, std::uint32_t value)
 {
@@ -56,48 +56,70 @@ private:
     std::optional<modbus::CodecError> m_failure;
 };
 
-EndBehavior endOf(ProgramKind kind)
+TableLayout layoutOf(const Table& table)
 {
-    switch (kind) {
-    case ProgramKind::PositionMove:
-        return EndBehavior::Stop;
-    case ProgramKind::SpeedMove:
-        return EndBehavior::HoldSpeed;
-    default:
-        return EndBehavior::Repeat;
-    }
+    static_assert(std::variant_size_v<Table> == static_cast<std::size_t>(TableLayout::PressStages));
+    return static_cast<TableLayout>(table.index() + 1);
 }
 
-void writeTable(HeaderWriter& header, const Recipe& recipe, const profile::CamTable& table)
+// The figures of a table that only its layout has.
+void writeFigures(HeaderWriter& header, const SolvedProgram& solved, const profile::StepTable& table)
 {
-    header.put("bank.layout", TableLayout::CamPoints);
-    header.put("bank.row_count", static_cast<double>(table.rows.size()));
-    header.put("bank.cycle_ticks", table.cycleTicks);
+    const profile::RotaryCutter& cutter = solved.cutter.value();
+    const double syncStartDeg = cutter.angleDegAt(cutter.cycle.tbS);
+    const double syncEndDeg = cutter.angleDegAt(cutter.cycle.tcS);
+    header.put("bank.cycle_pulses", static_cast<double>(table.pulses.whole));
+    header.put("bank.remainder", static_cast<double>(table.pulses.remainder));
+    header.put("bank.divisor", static_cast<double>(table.pulses.divisor));
+    header.put("bank.carry_row", static_cast<double>(table.carryRow));
+    header.put("bank.sync_start", syncStartDeg);
+    header.put("bank.sync_end", syncEndDeg);
+    // The jaws meet in the middle of the synchronous segment.
+    header.put("bank.cut_angle", (syncStartDeg + syncEndDeg) / 2);
+}
+
+void writeFigures(HeaderWriter& header, const SolvedProgram&, const profile::CamTable& table)
+{
     header.put("bank.advance", static_cast<double>(table.advance.whole));
     header.put("bank.remainder", static_cast<double>(table.advance.remainder));
     header.put("bank.divisor", static_cast<double>(table.advance.divisor));
-    header.put("bank.end_behavior", endOf(recipe.kind()));
+}
+
+void writeFigures(HeaderWriter& header, const SolvedProgram&, const profile::IntervalTable& table)
+{
+    header.put("bank.advance", static_cast<double>(table.advance));
+    header.put("interval.fraction_bits", table.fractionBits);
+    header.put("bank.divisor", 1);
+}
+
+void writeFigures(HeaderWriter& header, const SolvedProgram&, const profile::PressTable&)
+{
+    header.put("bank.divisor", 1);
+}
+
+void writeTable(HeaderWriter& header, const Recipe& recipe, const SolvedProgram& solved, const Table& table)
+{
+    const TableLayout layout = layoutOf(table);
+    header.put("bank.layout", layout);
+    std::visit(
+        [&](const auto& rows) {
+            header.put("bank.row_count", static_cast<double>(rows.rows.size()));
+            header.put("bank.cycle_ticks", rows.cycleTicks);
+            writeFigures(header, solved, rows);
+        },
+        table);
+    if (layout == TableLayout::CamPoints || layout == TableLayout::Intervals)
+        header.put("bank.end_behavior", kindInfo(recipe.kind()).end);
     if (const auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
         header.put("cam.knot_count", static_cast<double>(cam->knots.size()));
 }
 
-void writeTable(HeaderWriter& header, const Recipe& recipe, const profile::IntervalTable& table)
+void appendRows(std::vector<std::uint16_t>& bank, const profile::StepTable& table)
 {
-    header.put("bank.layout", TableLayout::Intervals);
-    header.put("bank.row_count", static_cast<double>(table.rows.size()));
-    header.put("bank.cycle_ticks", table.cycleTicks);
-    header.put("bank.advance", static_cast<double>(table.advance));
-    header.put("interval.fraction_bits", table.fractionBits);
-    header.put("bank.divisor", 1);
-    header.put("bank.end_behavior", endOf(recipe.kind()));
-}
-
-void writeTable(HeaderWriter& header, const Recipe&, const profile::PressTable& table)
-{
-    header.put("bank.layout", TableLayout::PressStages);
-    header.put("bank.row_count", static_cast<double>(table.rows.size()));
-    header.put("bank.cycle_ticks", table.cycleTicks);
-    header.put("bank.divisor", 1);
+    for (const profile::StepRow& row : table.rows) {
+        bank.push_back(row.pulses);
+        append32(bank, row.ticks);
+    }
 }
 
 void appendRows(std::vector<std::uint16_t>& bank, const profile::CamTable& table)
@@ -128,6 +150,43 @@ void appendRows(std::vector<std::uint16_t>& bank, const profile::PressTable& tab
     }
 }
 
+constexpr std::string_view pinnedRegister = "program.pinned";
+
+std::uint16_t pinnedBits(const profile::RotaryCutterProgram& program)
+{
+    unsigned bits = 0;
+    for (std::size_t i = 0; i < pinnableFields.size(); ++i) {
+        if (profile::isPinned(program, pinnableFields[i]))
+            bits |= 1u << i;
+    }
+    return static_cast<std::uint16_t>(bits);
+}
+
+// Returns false unless the bits pin exactly two values.
+bool setPinned(profile::RotaryCutterProgram& program, unsigned bits)
+{
+    std::size_t pinned = 0;
+    for (std::size_t i = 0; i < pinnableFields.size(); ++i) {
+        if ((bits & (1u << i)) != 0 && pinned++ < program.pinned.size())
+            program.pinned[pinned - 1] = pinnableFields[i];
+    }
+    return pinned == program.pinned.size();
+}
+
+// Returns the recipe with all four values of the cycle: the header has the derived ones too.
+Recipe withCycleValues(const Recipe& recipe, const SolvedProgram& solved)
+{
+    Recipe result = recipe;
+    if (solved.cutter) {
+        const profile::CycleNumbers& cycle = solved.cutter->cycle;
+        result.cutter().bagLengthMm = cycle.bagLengthMm;
+        result.cutter().rateBagsPerMin = cycle.rateBagsPerMin;
+        result.cutter().baseSpeedMmPerS = cycle.baseSpeedMmPerS;
+        result.cutter().filmSpeedMmPerS = cycle.filmSpeedMmPerS;
+    }
+    return result;
+}
+
 void writeInputs(HeaderWriter& header, const Recipe& recipe)
 {
     const KindInfo& kind = kindInfo(recipe.kind());
@@ -144,19 +203,26 @@ void writeInputs(HeaderWriter& header, const Recipe& recipe)
         for (std::size_t i = 0; i < parameters->size(); ++i)
             header.put(*registerOf(kind, lawParameterSuffixes[i]), (*parameters)[i]);
     }
+    if (recipe.isCutter())
+        header.put(pinnedRegister, pinnedBits(recipe.cutter()));
     header.put("program.recipe_version", recipe.version);
     header.text("program.recipe_name", recipe.name);
 }
 
 } // namespace
 
-tl::expected<std::vector<std::uint16_t>, modbus::CodecError> encodeAxisBank(const Recipe& recipe,
-                                                                            const AxisTable& table)
+tl::expected<std::vector<std::uint16_t>, modbus::CodecError>
+encodeBank(const Recipe& recipe, const SolvedProgram& solved, const Table& table)
 {
+    const std::size_t rowCount = std::visit([](const auto& rows) { return rows.rows.size(); }, table);
+    const double capacity = modbus::rowSize(layoutOf(table)).capacity;
+    if (static_cast<double>(rowCount) > capacity)
+        return tl::unexpected(
+            modbus::CodecError{"bank.row_count", static_cast<double>(rowCount), 1, capacity, "rows"});
     std::vector<std::uint16_t> bank(modbus::bankHeaderRegisters, 0);
     HeaderWriter header(bank);
-    writeInputs(header, recipe);
-    std::visit([&](const auto& rows) { writeTable(header, recipe, rows); }, table);
+    writeInputs(header, withCycleValues(recipe, solved));
+    writeTable(header, recipe, solved, table);
     if (header.failure())
         return tl::unexpected(*header.failure());
     std::visit([&](const auto& rows) { appendRows(bank, rows); }, table);
@@ -169,8 +235,7 @@ tl::expected<std::vector<std::uint16_t>, modbus::CodecError> encodeAxisBank(cons
     return bank;
 }
 
-void decodeAxisHeader(std::span<const std::uint16_t> header, std::span<const std::uint16_t> knots,
-                      Recipe& recipe)
+bool decodeBank(std::span<const std::uint16_t> header, std::span<const std::uint16_t> knots, Recipe& recipe)
 {
     const KindInfo& kind = kindInfo(recipe.kind());
     const modbus::RegisterReader reader(header, 0);
@@ -196,6 +261,9 @@ void decodeAxisHeader(std::span<const std::uint16_t> header, std::span<const std
             cam->knots.push_back({get32(knots, at) / knotStepsPerDeg,
                                   static_cast<std::int32_t>(get32(knots, at + 2)) / knotStepsPerMm});
     }
+    recipe.version = reader.u16("program.recipe_version");
+    recipe.name = reader.text("program.recipe_name");
+    return !recipe.isCutter() || setPinned(recipe.cutter(), reader.u16(pinnedRegister));
 }
 
 } // namespace campanel::program
