@@ -27,7 +27,7 @@ QJsonObject comparisonRow(const profile::LawComparison& each)
 {
     QJsonObject row{{u"law"_s, fromView(profile::findLaw(each.choice.law)->key)}};
     if (!each.result) {
-        row[u"refusal"_s] = QString::fromStdString(profile::describe(each.result.error()));
+        row[u"refusal"_s] = panel::RefusalSentences::withSuggestions(each.result.error());
         return row;
     }
     const profile::Peaks& peaks = each.result->peaks;

@@ -82,7 +82,7 @@ Outcome runDownload(const Invocation& call)
     recipe->machine = program::withController(recipe->machine, session->identity());
     const auto image = program::buildProgram(*recipe);
     if (!image)
-        return fail(ExitCode::Refused, program::describe(image.error()));
+        return fail(image.error());
 
     Download::Options options;
     options.mode =

@@ -2,6 +2,8 @@
 // The failure of a command: an exit code and one line for stderr.
 #pragma once
 
+#include "app/panel/words/refusal_sentences.h"
+#include "app/program/program_image.h"
 #include "app/store/files/file_error.h"
 #include "modbus/line/link_error.h"
 
@@ -41,6 +43,16 @@ using Outcome = tl::expected<void, Failure>;
     // Counts an invalid option as a usage error, everything else as an error of the line.
     const bool settings = error.kind == modbus::LinkErrorKind::PortSettings;
     return fail(settings ? ExitCode::Usage : ExitCode::Link, modbus::describe(error));
+}
+
+[[nodiscard]] inline tl::unexpected<Failure> fail(const profile::Refusal& refusal)
+{
+    return fail(ExitCode::Refused, panel::RefusalSentences::withSuggestions(refusal));
+}
+
+[[nodiscard]] inline tl::unexpected<Failure> fail(const program::ProgramRefusal& refusal)
+{
+    return fail(ExitCode::Refused, panel::RefusalSentences::program(refusal));
 }
 
 [[nodiscard]] inline tl::unexpected<Failure> fail(const store::FileError& error)

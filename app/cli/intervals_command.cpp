@@ -48,7 +48,7 @@ Outcome runCamMov(const Invocation& call)
     for (const auto mode : {profile::IntervalMode::Published, profile::IntervalMode::Corrected}) {
         const auto row = profile::intervalRow(pulses, values[1], values[2], values[3], mode);
         if (!row)
-            return fail(ExitCode::Refused, profile::describe(row.error()));
+            return fail(row.error());
         const std::vector<double> times = profile::pulseTimesS(row->row, row->fractionBits);
         const QString name = mode == profile::IntervalMode::Published ? u"published"_s : u"corrected"_s;
         object[name] =
@@ -79,7 +79,7 @@ Outcome runIntervals(const Invocation& call)
         return tl::unexpected(recipe.error());
     const auto solved = program::solveProgram(*recipe);
     if (!solved)
-        return fail(ExitCode::Refused, profile::describe(solved.error()));
+        return fail(solved.error());
     bool isNumber = false;
     const double error = call.value(u"speed-error-mm-per-s"_s).toDouble(&isNumber);
     if (!isNumber)
@@ -92,7 +92,7 @@ Outcome runIntervals(const Invocation& call)
         call.isSet(u"published"_s) ? profile::IntervalMode::Published : profile::IntervalMode::Corrected;
     const auto table = profile::compileIntervals(solved->motion, machine, error, mode);
     if (!table)
-        return fail(ExitCode::Refused, profile::describe(table.error()));
+        return fail(table.error());
     std::vector<double> pulses;
     std::vector<double> first;
     std::vector<double> last;

@@ -20,7 +20,7 @@ Outcome runKnots(const Invocation& call)
     if (given == nullptr)
         return fail(ExitCode::Usage, u"Only a point cam has knots. Use --kind point_cam."_s);
     if (const auto wrong = profile::checkKnots(given->knots))
-        return fail(ExitCode::Refused, profile::describe(*wrong));
+        return fail(*wrong);
     const profile::PointCamProgram cam = call.isSet(u"repair"_s) ? profile::repaired(*given) : *given;
     if (call.format() == u"csv")
         return call.deliver(QByteArray::fromStdString(profile::writeKnotsCsv(cam.knots)));

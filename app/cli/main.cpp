@@ -6,6 +6,7 @@
 #include "app/store/files/files.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <algorithm>
 #include <array>
@@ -182,6 +183,7 @@ void preferUtf8()
 int main(int argc, char** argv)
 {
     preferUtf8();
+    QLocale::setDefault(QLocale(QLocale::English)); // the language of the sentences, with a decimal point
     QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(u"campanelctl"_s);
     QCoreApplication::setApplicationVersion(QStringLiteral(CAMPANEL_VERSION));

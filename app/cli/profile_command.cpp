@@ -94,7 +94,7 @@ Outcome runProfile(const Invocation& call)
         return tl::unexpected(recipe.error());
     const auto solved = program::solveProgram(program::quantised(*recipe)); // quantised like the table
     if (!solved)
-        return fail(ExitCode::Refused, profile::describe(solved.error()));
+        return fail(solved.error());
     const program::ProgramRefusal broken{solved->broken, std::nullopt};
     const auto curves = [&] { return program::sampleCurves(*solved, static_cast<std::size_t>(points)); };
 
@@ -104,7 +104,7 @@ Outcome runProfile(const Invocation& call)
     } else {
         QJsonArray limits;
         for (const profile::Refusal& limit : broken.limits)
-            limits.append(QString::fromStdString(profile::describe(limit)));
+            limits.append(panel::RefusalSentences::withSuggestions(limit));
         QJsonObject object{
             {u"name"_s, QString::fromStdString(recipe->name)},
             {u"kind"_s, fromView(program::kindInfo(recipe->kind()).key)},
@@ -125,7 +125,7 @@ Outcome runProfile(const Invocation& call)
     if (const Outcome delivered = call.deliver(text); !delivered)
         return delivered;
     if (!broken.limits.empty())
-        return fail(ExitCode::Refused, program::describe(broken));
+        return fail(broken);
     return {};
 }
 

@@ -86,7 +86,7 @@ Outcome simulateOne(const Invocation& call, const program::Recipe& recipe, const
 {
     const auto image = program::buildProgram(recipe);
     if (!image)
-        return fail(ExitCode::Refused, program::describe(image.error()));
+        return fail(image.error());
     PackingFigures figures(toleranceMm);
     BagRows rows(call, job.bags);
     const double before = cpuS();

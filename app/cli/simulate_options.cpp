@@ -4,6 +4,7 @@
 
 #include "app/cli/invocation.h"
 #include "app/cli/report.h"
+#include "app/panel/words/register_words.h"
 #include "modbus/map/codec.h"
 
 #include <cmath>
@@ -182,7 +183,7 @@ tl::expected<controller::ParameterValue, Failure> parameterOf(const QString& nam
     parameter.registers.resize(info->count);
     modbus::RegisterWriter writer(parameter.registers, info->address);
     if (const auto written = writer.physical(*info, value); !written)
-        return fail(ExitCode::Usage, modbus::describe(written.error()));
+        return fail(ExitCode::Usage, panel::RegisterWords::outOfRange(written.error()));
     return parameter;
 }
 

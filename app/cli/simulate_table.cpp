@@ -77,7 +77,7 @@ tl::expected<program::ProgramImage, Failure> imageAt(program::Recipe recipe, dou
     auto image = program::buildProgram(recipe);
     if (!image)
         return fail(ExitCode::Refused, u"%1 mm at %2 bags/min: "_s.arg(lengthMm).arg(rate) +
-                                           QString::fromStdString(program::describe(image.error())));
+                                           panel::RefusalSentences::program(image.error()));
     return std::move(*image);
 }
 

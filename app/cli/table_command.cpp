@@ -125,7 +125,7 @@ Outcome runTable(const Invocation& call)
         return tl::unexpected(recipe.error());
     const auto image = program::buildProgram(*recipe);
     if (!image)
-        return fail(ExitCode::Refused, program::describe(image.error()));
+        return fail(image.error());
     const TableColumns columns = program::tableColumns(*image);
     if (call.format() == u"csv")
         return call.deliver(QByteArray::fromStdString(program::tableCsv(columns)));

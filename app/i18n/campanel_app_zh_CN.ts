@@ -1587,10 +1587,6 @@
         <translation>峰值 %1 r/min · %2 m/s² · %3 kHz</translation>
     </message>
     <message>
-        <source>The controller cannot store the value %1 (%2 to %3). Enter another value.</source>
-        <translation>控制器不能存储数值 %1（范围 %2 到 %3）。请输入其他值。</translation>
-    </message>
-    <message>
         <source>%1 Nm</source>
         <translation>%1 Nm</translation>
     </message>
@@ -2635,8 +2631,8 @@
         <translation>运动会反向，而区间只能单向。请选择凸轮点。</translation>
     </message>
     <message>
-        <source>With whole pulses, the speed error exceeds %1 mm/s. Use more pulses per revolution.</source>
-        <translation>按整数脉冲，速度误差超过 %1 mm/s。请增加每转脉冲数。</translation>
+        <source>With whole pulses, the speed error is at least %2 mm/s; %1 mm/s is required. Use more pulses per revolution.</source>
+        <translation>按整数脉冲，速度误差至少为 %2 mm/s，而要求为 %1 mm/s。请增加每转脉冲数。</translation>
     </message>
     <message>
         <source>Acceleration would reach %1 at %3 s (%4°); the limit is %2.</source>
@@ -2649,6 +2645,15 @@
     <message>
         <source>Following the master would require %1 at %3 s (%4°); the limit is %2.</source>
         <translation>跟随主轴在 %3 s（%4°）处需要 %1，限值为 %2。</translation>
+    </message>
+    <message>
+        <source>%1, or %2</source>
+        <translation>%1，或%2</translation>
+    </message>
+    <message>
+        <source>%1 Nearest possible value: %2.</source>
+        <comment>%1: whole sentence</comment>
+        <translation>%1最近的可行值：%2。</translation>
     </message>
 </context>
 <context>
@@ -2732,6 +2737,11 @@
     <message>
         <source>Read only: only the controller writes this register.</source>
         <translation>只读：只有控制器写入此寄存器。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be %2; the allowed range is %3 to %4. Enter another value.</source>
+        <comment>%1: register</comment>
+        <translation>%1 不能为 %2；允许范围为 %3 到 %4。请输入其他值。</translation>
     </message>
 </context>
 <context>

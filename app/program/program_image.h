@@ -25,6 +25,7 @@ struct ProgramRefusal {
     std::optional<modbus::CodecError> unstorable;
 };
 
+// Returns the ids and the numbers, for logs.
 [[nodiscard]] std::string describe(const ProgramRefusal& refusal);
 
 // The data of one program, built from the quantised recipe.

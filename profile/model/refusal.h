@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The reason why a program is refused, as a value: the limit, by how much it is exceeded, where in the cycle
-// and what would be accepted. The fields hold everything a translated sentence needs; describe() returns the
-// English one.
+// and what would be accepted. The fields hold everything a translated sentence needs.
 #pragma once
 
 #include "profile/model/fields.h"
@@ -79,7 +78,7 @@ struct Refusal {
     int index = -1;   // knot index from 0, only for the limits of knots
 };
 
-// Returns one or two English sentences: what is wrong, by how much, where, and what to do.
+// Returns the ids and the numbers, for logs.
 [[nodiscard]] std::string describe(const Refusal& refusal);
 
 } // namespace campanel::profile

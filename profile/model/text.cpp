@@ -13,14 +13,6 @@ using Buffer = std::array<char, 352>;
 
 } // namespace
 
-std::string fixedText(double value, int decimals)
-{
-    Buffer buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                   std::chars_format::fixed, decimals);
-    return {buffer.data(), end.ptr};
-}
-
 std::string significantText(double value)
 {
     constexpr int digits = 7;
@@ -36,13 +28,6 @@ std::string concat(std::initializer_list<std::string_view> parts)
     for (const std::string_view part : parts)
         whole.append(part);
     return whole;
-}
-
-std::string withUnit(std::string number, std::string_view unit)
-{
-    if (!unit.empty())
-        number.append(" ").append(unit);
-    return number;
 }
 
 } // namespace campanel::profile::detail

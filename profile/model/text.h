@@ -8,9 +8,7 @@
 
 namespace campanel::profile::detail {
 
-[[nodiscard]] std::string fixedText(double value, int decimals); // "445.4"
-[[nodiscard]] std::string significantText(double value);         // up to 7 significant digits
+[[nodiscard]] std::string significantText(double value); // up to 7 significant digits
 [[nodiscard]] std::string concat(std::initializer_list<std::string_view> parts);
-[[nodiscard]] std::string withUnit(std::string number, std::string_view unit);
 
 } // namespace campanel::profile::detail

@@ -118,7 +118,6 @@ template <typename Program> bool isClearlyFeasible(const Program& program, const
 template <typename Program>
 void verifySuggestions(const Program& program, const Machine& machine, const Refusal& refusal)
 {
-    QVERIFY(!describe(refusal).empty());
     for (const Suggestion& s : refusal.nearest) {
         Program mended = program;
         Machine mendedMachine = machine;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of fields, the sentences of refusals, and the explanations: their evaluated numbers give the
-// result.
+// The table of fields, and the explanations: their evaluated numbers give the result.
 #include "recipes.h"
 
 #include "profile/cam/point_cam.h"
@@ -128,7 +127,6 @@ private slots:
     void everyFieldHasAnOwner();
     void defaultsAreFeasible();
     void valuesGoInAndComeOut();
-    void sentences();
     void explanationsAddUp_data();
     void explanationsAddUp();
 };
@@ -205,37 +203,6 @@ void TestFieldsAndText::valuesGoInAndComeOut()
                 QVERIFY(std::isnan(value(owner, field.field)));
         });
     }
-}
-
-void TestFieldsAndText::sentences()
-{
-    Recipe r = checkRecipe(1100);
-    QCOMPARE(QString::fromStdString(describe(solve(r.program, r.machine).error())),
-             QString("A bag of 1100.0 mm exceeds the knife stroke; with these ratios the maximum is 1077.1 "
-                     "mm. Nearest possible value: Bag length 1077.1 mm."));
-    r = checkRecipe(5);
-    QCOMPARE(
-        QString::fromStdString(describe(solve(r.program, r.machine).error())),
-        QString("Bag length 5 mm must be at least 10.0 mm. Nearest possible value: Bag length 10.0 mm."));
-    r = checkRecipe(250, 601);
-    QVERIFY(QString::fromStdString(describe(solve(r.program, r.machine).error()))
-                .startsWith("Rate 601 bags/min must be at most 600.0 bags/min."));
-    r = checkRecipe();
-    r.machine.timerBits = 8;
-    r.machine.maxPulseFrequencyHz = 20000;
-    QCOMPARE(QString::fromStdString(describe(solve(r.program, r.machine).error())),
-             QString("Timer width 8 bit must be at least 9 bit. Nearest possible value: Timer width 9 bit."));
-    r = checkRecipe(250, 150);
-    r.machine.maxKnifeAccelerationMmPerS2 = 11100;
-    QCOMPARE(
-        QString::fromStdString(describe(checkLimits(*solve(r.program, r.machine)).at(0))),
-        QString(
-            "Knife acceleration 12211 mm/s^2 at 0.130 s (117.0 degrees) is 10.0 % over the limit of 11100 "
-            "mm/s^2. Nearest possible value: Rate 143.0 bags/min, or Bag length 261.6 mm."));
-    r = checkRecipe();
-    r.program.k[1] = 5;
-    QVERIFY(QString::fromStdString(describe(solve(r.program, r.machine).error()))
-                .startsWith("The ratios must descend: k2 = 5 must be below 4."));
 }
 
 void TestFieldsAndText::explanationsAddUp_data()

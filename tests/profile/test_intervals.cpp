@@ -407,8 +407,8 @@ void TestIntervals::refusedErrorNamesOneThatIsKept()
     const auto tight = compileIntervals(motion, machine, error, IntervalMode::Corrected);
     QVERIFY(!tight && tight.error().limit == Limit::SpeedError);
     const std::string text = describe(tight.error());
-    // The value as read from the sentence.
-    const double allowed = std::stod(text.substr(text.find("they can keep ") + 14));
+    // The value as read by a person.
+    const double allowed = std::stod(text.substr(text.find("allowed ") + 8));
     QVERIFY2(allowed > error && allowed <= largest, text.c_str());
     const auto table = compileIntervals(motion, machine, allowed, IntervalMode::Corrected);
     QVERIFY2(table, text.c_str());

@@ -116,7 +116,6 @@ void TestPointCam::refusesBadKnots()
     QCOMPARE(QByteArray::fromStdString(std::string(limitId(motion.error().limit))), limit);
     QCOMPARE(motion.error().index, index);
     QCOMPARE(motion.error().allowed, allowed);
-    QVERIFY(!describe(motion.error()).empty());
 }
 
 void TestPointCam::refusesOtherBadInputs()

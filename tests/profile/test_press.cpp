@@ -209,7 +209,6 @@ void TestPress::wrongOrders()
     QCOMPARE(static_cast<int>(refused.error().limit), limit);
     QCOMPARE(static_cast<int>(refused.error().field), field);
     QCOMPARE(refused.error().allowed, allowed);
-    QVERIFY(!describe(refused.error()).empty());
     for (const Suggestion& suggestion : refused.error().nearest) {
         setValue(program, suggestion.field, suggestion.value);
         QVERIFY(solve(program, Machine{}).has_value());
@@ -369,9 +368,6 @@ void TestPress::tableRefusesWhatItCannotHold()
     QCOMPARE(static_cast<int>(ramp.error().field), static_cast<int>(Field::ApproachSpeed));
     QCOMPARE(ramp.error().actual, 1013.0);
     QCOMPARE(ramp.error().allowed, 1000.0);
-    QCOMPARE(describe(ramp.error()),
-             std::string("Approach speed needs a ramp of 1013 ms at maximum acceleration; the "
-                         "controller allows 1000 ms. Enter a lower speed or a higher acceleration."));
 
     Machine coarse;
     coarse.pulsesPerMotorRev = 10; // 10 mm per pulse

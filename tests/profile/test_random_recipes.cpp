@@ -38,7 +38,6 @@ void verifySuggestions(const Recipe& recipe, const Refusal& refusal)
             QVERIFY2(buildStepTable(*solve(mended.program, mended.machine)).has_value(),
                      describe(refusal).c_str());
     }
-    QVERIFY(!describe(refusal).empty());
 }
 
 void verifyMotion(const RotaryCutter& cutter)

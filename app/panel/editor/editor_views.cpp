@@ -5,6 +5,7 @@
 #include "app/panel/recipe/recipe_edit.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
+#include "app/panel/words/register_words.h"
 #include "profile/cutter/explain.h"
 #include "profile/laws/laws.h"
 
@@ -193,10 +194,7 @@ QString EditorViews::verdict() const
     if (!m_solution.refusals.empty())
         return RefusalSentences::refusal(m_solution.refusals.front());
     if (m_solution.unstorable)
-        return tr("The controller cannot store the value %1 (%2 to %3). Enter another value.")
-            .arg(m_solution.unstorable->value)
-            .arg(m_solution.unstorable->minimum)
-            .arg(m_solution.unstorable->maximum);
+        return RegisterWords::outOfRange(*m_solution.unstorable);
     if (m_solution.isTablePending)
         return tr("Within all limits; building the table …");
     if (!m_recipe.isCutter())

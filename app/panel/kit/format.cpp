@@ -6,6 +6,8 @@
 namespace campanel::panel {
 
 namespace {
+constexpr double withExponentFrom = 1e15;
+
 // Replaces the hyphen of locales by a minus sign, which is as wide as a digit and easier to see.
 QString withMinus(QString text, const QLocale& locale)
 {
@@ -23,6 +25,8 @@ QString Format::number(double value, int decimals) const
 {
     if (!std::isfinite(value))
         return unknownText();
+    if (std::abs(value) >= withExponentFrom)
+        return withMinus(m_locale.toString(value, 'g', QLocale::FloatingPointShortest), m_locale);
     // A rounded negative zero would read as "-0.0".
     const double step = std::pow(10.0, -decimals);
     return withMinus(m_locale.toString(std::abs(value) < step / 2 ? 0.0 : value, 'f', decimals), m_locale);
@@ -31,7 +35,7 @@ QString Format::number(double value, int decimals) const
 QString Format::grouped(double value, int decimals) const
 {
     constexpr double groupedFrom = 10000;
-    if (!std::isfinite(value) || std::abs(value) < groupedFrom)
+    if (!std::isfinite(value) || std::abs(value) < groupedFrom || std::abs(value) >= withExponentFrom)
         return number(value, decimals);
     QLocale locale = m_locale;
     locale.setNumberOptions(QLocale::DefaultNumberOptions);
@@ -41,7 +45,7 @@ QString Format::grouped(double value, int decimals) const
 QString Format::compact(double value, int minimumDecimals, int maximumDecimals) const
 {
     QString text = number(value, maximumDecimals);
-    if (!std::isfinite(value))
+    if (!std::isfinite(value) || std::abs(value) >= withExponentFrom)
         return text;
     for (int decimals = maximumDecimals; decimals > minimumDecimals && text.endsWith(m_locale.zeroDigit());
          --decimals)

@@ -14,7 +14,7 @@ public:
     explicit Format(QLocale locale = QLocale()); // the current language by default
 
     // Formats with exactly `decimals` digits, without group separators, and with a minus sign instead of a
-    // hyphen.
+    // hyphen. From 1e15 on with an exponent.
     [[nodiscard]] QString number(double value, int decimals) const;
     // Formats as number(), with group separators from five digits on: 50,000. For texts that nobody edits.
     [[nodiscard]] QString grouped(double value, int decimals) const;

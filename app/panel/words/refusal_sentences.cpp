@@ -2,6 +2,7 @@
 #include "app/panel/words/refusal_sentences.h"
 
 #include "app/panel/words/recipe_words.h"
+#include "app/panel/words/register_words.h"
 
 #include <cmath>
 
@@ -35,6 +36,27 @@ QString RefusalSentences::suggestion(const profile::Suggestion& suggestion)
 {
     return tr("%1 %2", "%1: name of a field, %2: value with unit")
         .arg(RecipeWords::fieldName(suggestion.field), valueWithUnit(suggestion.field, suggestion.value));
+}
+
+QString RefusalSentences::withSuggestions(const profile::Refusal& refusal)
+{
+    QString values;
+    for (const profile::Suggestion& each : refusal.nearest)
+        values = values.isEmpty() ? suggestion(each) : tr("%1, or %2").arg(values, suggestion(each));
+    const QString sentence = RefusalSentences::refusal(refusal);
+    return values.isEmpty()
+               ? sentence
+               : tr("%1 Nearest possible value: %2.", "%1: whole sentence").arg(sentence, values);
+}
+
+QString RefusalSentences::program(const program::ProgramRefusal& refusal)
+{
+    QStringList sentences;
+    if (refusal.unstorable)
+        sentences << RegisterWords::outOfRange(*refusal.unstorable);
+    for (const profile::Refusal& limit : refusal.limits)
+        sentences << withSuggestions(limit);
+    return sentences.join(u' ');
 }
 
 QString RefusalSentences::withinLimits(const std::optional<profile::FastestRate>& fastest)
@@ -219,8 +241,10 @@ QString RefusalSentences::refusal(const profile::Refusal& refusal)
     case Limit::Reversal:
         return tr("The motion reverses, but intervals run in one direction. Choose cam points.");
     case Limit::SpeedError:
-        return tr("With whole pulses, the speed error exceeds %1 mm/s. Use more pulses per revolution.")
-            .arg(format.compact(refusal.actual, 0, 3));
+        return tr("With whole pulses, the speed error is at least %2 mm/s; %1 mm/s is required. Use more "
+                  "pulses per "
+                  "revolution.")
+            .arg(format.compact(refusal.actual, 0, 9), format.compact(refusal.allowed, 0, 9));
     case Limit::RampTooLong:
         return tr("%1 needs a ramp of %2 ms at maximum acceleration; the controller allows %3 ms. Enter a "
                   "lower speed or a higher acceleration.")

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/panel/kit/format.h"
+#include "app/program/program_image.h"
 #include "profile/cutter/limits.h"
 
 #include <QCoreApplication>
@@ -15,6 +16,10 @@ class RefusalSentences {
 
 public:
     [[nodiscard]] static QString refusal(const profile::Refusal& refusal);
+    // Returns the refusal with its nearest possible values.
+    [[nodiscard]] static QString withSuggestions(const profile::Refusal& refusal);
+    // Returns the same for each exceeded limit, or the value that cannot be stored.
+    [[nodiscard]] static QString program(const program::ProgramRefusal& refusal);
     // Returns the text of a button: "Rate 143.2 bags/min".
     [[nodiscard]] static QString suggestion(const profile::Suggestion& suggestion);
     [[nodiscard]] static QString withinLimits(const std::optional<profile::FastestRate>& fastest);

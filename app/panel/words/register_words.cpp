@@ -72,6 +72,17 @@ QString RegisterWords::value(const modbus::NamedValue& value)
     return value.info->unit.empty() ? number : number + u' ' + QString::fromUtf8(value.info->unit);
 }
 
+QString RegisterWords::outOfRange(const modbus::CodecError& error)
+{
+    constexpr int maxDecimals = 6;
+    const Format format;
+    const QString maximum = format.compact(error.maximum, 0, maxDecimals);
+    return tr("%1 cannot be %2; the allowed range is %3 to %4. Enter another value.", "%1: register")
+        .arg(QString::fromUtf8(error.registerName), format.compact(error.value, 0, maxDecimals),
+             format.compact(error.minimum, 0, maxDecimals),
+             error.unit.empty() ? maximum : maximum + u' ' + QString::fromUtf8(error.unit));
+}
+
 QString RegisterWords::raw(const modbus::NamedValue& value)
 {
     constexpr int digitsOfRegister = 4;

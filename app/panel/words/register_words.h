@@ -26,6 +26,8 @@ public:
     // Returns "0x0320"; empty for a text.
     [[nodiscard]] static QString raw(const modbus::NamedValue& value);
     [[nodiscard]] static QString address(quint16 address);
+    // Returns why a register cannot hold a value.
+    [[nodiscard]] static QString outOfRange(const modbus::CodecError& error);
     // Returns the number of decimals of the scale.
     [[nodiscard]] static int decimals(const modbus::RegisterInfo& info);
     [[nodiscard]] static QString type(const modbus::RegisterInfo& info);

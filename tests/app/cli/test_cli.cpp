@@ -83,8 +83,8 @@ void CliTest::complaints_data()
     row("a block", u"registers --read active --port /dev/null"_s, Usage, u"8468"_s);
     row("ratios do not descend", u"table --k 4,5,2,1.5"_s, Refused, u"descend"_s);
     row("bag too long", u"table --bag-length-mm 1500"_s, Refused, u"stroke"_s);
-    row("bag out of range", u"table --bag-length-mm 5"_s, Refused, u"at least 10.0 mm"_s);
-    row("too fast", u"table --rate 500"_s, Refused, u"over the limit"_s);
+    row("bag out of range", u"table --bag-length-mm 5"_s, Refused, u"the allowed range is 10.0 to"_s);
+    row("too fast", u"table --rate 500"_s, Refused, u"; the limit is"_s);
     row("absent recipe", u"table /nowhere/r.json"_s, File, u"/nowhere/r.json does not exist"_s);
     row("unwritable output", u"table -o /nowhere/t.txt"_s, File, u"/nowhere/t.txt"_s);
     row("absent port", u"status --port /dev/ttyNONE7"_s, Link, u"/dev/ttyNONE7 does not exist"_s);

@@ -33,7 +33,7 @@ private slots:
         row("not a number", u"--stretch nan"_s, Usage, "--stretch");
         row("no parameter", u"--set status.state=1"_s, Usage, "\"status.state\" is not a parameter");
         row("no value", u"--set parameter.anti_cut"_s, Usage, "--set takes a parameter and its value");
-        row("out of range", u"--set parameter.cut_clearance=99"_s, Usage, "0.5 .. 60 mm");
+        row("out of range", u"--set parameter.cut_clearance=99"_s, Usage, "the allowed range is 0.5 to 60 mm");
         row("another kind", u"--kind press"_s, Usage, "rotary cutter");
         row("lengths alone", u"--lengths 100"_s, Usage, "--lengths requires --table");
         row("bad lengths", u"--table --lengths 100,x"_s, Usage, "--lengths takes numbers");

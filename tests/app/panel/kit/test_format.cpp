@@ -39,6 +39,7 @@ void FormatTest::numbers_data()
     QTest::newRow("a minus sign, not a hyphen") << -0.31 << 2 << u"\u22120.31"_s;
     QTest::newRow("no negative zero") << -0.004 << 2 << u"0.00"_s;
     QTest::newRow("just below zero") << -0.006 << 2 << u"\u22120.01"_s;
+    QTest::newRow("very large") << -1e306 << 3 << u"\u22121E+306"_s;
     QTest::newRow("unknown") << std::numeric_limits<double>::quiet_NaN() << 2 << u"--"_s;
     QTest::newRow("not finite") << -std::numeric_limits<double>::infinity() << 2 << u"--"_s;
 }

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sentences for the errors of profile, modbus and program: what is wrong, by how much, and what to do.
+#include "app/panel/words/refusal_sentences.h"
+#include "app/panel/words/register_words.h"
+#include "profile/cutter/limits.h"
+#include "profile/intervals/intervals.h"
+#include "profile/press/press.h"
+#include "tests/profile/recipes.h"
+#include "tests/support/test_program.h"
+
+#include <QRegularExpression>
+#include <QTest>
+
+namespace test_sentences {
+
+using namespace campanel;
+using panel::RefusalSentences;
+using profile::Field;
+using profile::Limit;
+using profile::Refusal;
+
+namespace {
+
+bool isWhole(const QString& text)
+{
+    static const QRegularExpression place(QStringLiteral("%[0-9]"));
+    return text.size() > 20 && !text.front().isLower() && text.endsWith(u'.') && !text.contains(place);
+}
+
+QString sentenceOf(const profile::test::Recipe& recipe)
+{
+    const auto solved = profile::solve(recipe.program, recipe.machine);
+    return RefusalSentences::withSuggestions(solved ? profile::checkLimits(*solved).at(0) : solved.error());
+}
+
+} // namespace
+
+class TestSentences : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyLimitHasASentence()
+    {
+        for (int i = 0; i <= static_cast<int>(Limit::RampTooLong); ++i) {
+            Refusal refusal;
+            refusal.limit = static_cast<Limit>(i);
+            refusal.actual = 2;
+            refusal.allowed = 1;
+            refusal.unit = "mm";
+            refusal.lawParameter = refusal.limit == Limit::LawParameter ? "k" : "speed";
+            refusal.index = 3;
+            for (const bool isTimed : {false, true}) {
+                if (isTimed)
+                    refusal.timeS = 0.5;
+                for (const bool isAtAnAngle : {false, true}) {
+                    refusal.angleDeg = isAtAnAngle ? std::optional(90.0) : std::nullopt;
+                    const QString text = RefusalSentences::refusal(refusal);
+                    QVERIFY2(
+                        isWhole(text),
+                        (std::string(profile::limitId(refusal.limit)) + ": " + text.toStdString()).c_str());
+                }
+            }
+        }
+    }
+
+    void refusalsNameTheNearestValues()
+    {
+        profile::test::Recipe recipe = profile::test::checkRecipe(1100);
+        QCOMPARE(sentenceOf(recipe),
+                 "A bag of 1100.0 mm exceeds the knife stroke; with these ratios the maximum is 1077.1 mm. "
+                 "Nearest possible value: Bag length 1077.1 mm.");
+        QCOMPARE(
+            sentenceOf(profile::test::checkRecipe(5)),
+            "Bag length would be 5.0 mm; the allowed range is 10.0 to 2000.0 mm. Nearest possible value: "
+            "Bag length 10.0 mm.");
+        QVERIFY(sentenceOf(profile::test::checkRecipe(250, 601)).startsWith("Rate would be 601.0 bags/min"));
+        recipe = profile::test::checkRecipe();
+        recipe.machine.timerBits = 8;
+        recipe.machine.maxPulseFrequencyHz = 20000;
+        QVERIFY(sentenceOf(recipe).endsWith("Nearest possible value: Timer width 9 bit."));
+        recipe = profile::test::checkRecipe(250, 150);
+        recipe.machine.maxKnifeAccelerationMmPerS2 = 11100;
+        QCOMPARE(sentenceOf(recipe),
+                 "Knife acceleration would reach 12.21 m/s² at 0.130 s (117°); the limit is 11.10 m/s². "
+                 "Nearest possible value: Rate 143.0 bags/min, or Bag length 261.6 mm.");
+        recipe = profile::test::checkRecipe();
+        recipe.program.k[1] = 5;
+        QVERIFY(sentenceOf(recipe).contains("k2 is 5.00 and must be below 4.00."));
+    }
+
+    void rampsThatAreTooLongNameTheirTime()
+    {
+        profile::Machine slow;
+        slow.maxAccelerationMmPerS2 = 79;
+        QCOMPARE(
+            RefusalSentences::refusal(profile::buildPressTable({}, slow).error()),
+            "Approach speed needs a ramp of 1013 ms at maximum acceleration; the controller allows 1000 ms. "
+            "Enter a lower speed or a higher acceleration.");
+    }
+
+    // The named error, as read by a person, can be kept.
+    void intervalsNameAnErrorThatTheyKeep()
+    {
+        profile::MotionProfile motion;
+        const profile::Law& law = *profile::findLaw(profile::LawId::Quintic);
+        motion.addDisplacement(1, 600, law, profile::defaultParameters(law));
+        const auto compile = [&](double error) {
+            return profile::compileIntervals(motion, {}, error, profile::IntervalMode::Corrected);
+        };
+        const auto tight = compile(0.004);
+        QVERIFY(!tight && tight.error().limit == Limit::SpeedError);
+        const QString text = RefusalSentences::refusal(tight.error());
+        const double named = text.section("at least ", 1).section(u' ', 0, 0).toDouble();
+        QVERIFY2(named > 0.004 && compile(named), qPrintable(text));
+    }
+
+    void valuesWithoutRoomInTheirRegister()
+    {
+        program::Recipe recipe;
+        recipe.version = program::maxVersion + 1;
+        QCOMPARE(
+            RefusalSentences::program(program::buildProgram(recipe).error()),
+            "program.recipe_version cannot be 65536; the allowed range is 0 to 65535. Enter another value.");
+        const auto refused = modbus::toRaw(modbus::registerNamed("parameter.ramp_time"), 5);
+        QCOMPARE(
+            panel::RegisterWords::outOfRange(refused.error()),
+            "parameter.ramp_time cannot be 5; the allowed range is 50 to 10000 ms. Enter another value.");
+    }
+};
+
+CAMPANEL_TEST(TestSentences)
+
+} // namespace test_sentences
+
+#include "test_sentences.moc"
