@@ -4,6 +4,7 @@
 #include "app/cli/invocation.h"
 #include "app/cli/link_session.h"
 #include "app/cli/report.h"
+#include "app/panel/words/doctor_sentences.h"
 #include "modbus/line/line_scan.h"
 
 #include <QJsonArray>
@@ -20,14 +21,25 @@ namespace campanel::cli {
 namespace {
 
 using modbus::LineFinding;
+using panel::DoctorSentences;
 
 QString conditionKey(modbus::LineCondition condition)
 {
-    static const QStringList keys{
-        u"controller"_s, u"wrong_unit"_s,      u"other_map_version"_s, u"other_device"_s,
-        u"garbage"_s,    u"no_bytes"_s,        u"port_absent"_s,       u"port_not_permitted"_s,
-        u"port_busy"_s,  u"port_not_serial"_s, u"port_settings"_s,     u"port_gone"_s};
+    static const QStringList keys{u"controller"_s,   u"wrong_unit"_s,      u"other_map_version"_s,
+                                  u"other_device"_s, u"garbage"_s,         u"no_bytes"_s,
+                                  u"echo_only"_s,    u"port_absent"_s,     u"port_not_permitted"_s,
+                                  u"port_busy"_s,    u"port_not_serial"_s, u"port_settings"_s,
+                                  u"port_gone"_s};
     return keys.value(static_cast<qsizetype>(condition));
+}
+
+// Returns the command for a shell that corrects a finding; empty when there is none.
+QString remedy(const LineFinding& finding)
+{
+    if (!finding.group.empty())
+        return QString::fromStdString(modbus::joinGroupCommand(finding.group));
+    return finding.isLatencyTooLong() ? QString::fromStdString(modbus::lowerLatencyCommand(finding.port))
+                                      : QString();
 }
 
 QJsonObject findingObject(const LineFinding& finding)
@@ -50,7 +62,8 @@ QJsonObject findingObject(const LineFinding& finding)
         {u"holders"_s, holders},
         {u"group"_s, QString::fromStdString(finding.group)},
         {u"latency_timer_ms"_s, finding.latencyTimerMs ? QJsonValue(*finding.latencyTimerMs) : QJsonValue()},
-        {u"sentence"_s, QString::fromStdString(describe(finding))}};
+        {u"sentence"_s, DoctorSentences::finding(finding)},
+        {u"command"_s, remedy(finding)}};
 }
 
 // Shows the progress to a person; scripts do not get it.
@@ -58,22 +71,23 @@ void showProgress(const modbus::ScanProgress& progress)
 {
     if (isatty(STDERR_FILENO) == 0)
         return;
-    const auto seconds = std::chrono::ceil<std::chrono::seconds>(progress.remaining).count();
-    std::fprintf(stderr, "\r%d of %d: %s %u 8%c%u unit %d, max. %lld s left   ", progress.done,
-                 progress.total, progress.port.c_str(), progress.line.baud,
-                 static_cast<char>(progress.line.parity), static_cast<unsigned>(progress.line.stopBits),
-                 progress.unit, static_cast<long long>(seconds));
+    std::fprintf(stderr, "\r%s: %s, %s   ", qPrintable(DoctorSentences::progress(progress)),
+                 progress.port.c_str(), qPrintable(DoctorSentences::settings(progress.line, progress.unit)));
 }
 
 QByteArray findingsText(const std::vector<LineFinding>& findings, const QString& format)
 {
     QJsonArray array;
-    QByteArray text;
+    QString text;
     for (const LineFinding& finding : findings) {
         array.append(findingObject(finding));
-        text += QByteArray::fromStdString(describe(finding)) + '\n';
+        text += u"%1, %2: %3\n"_s.arg(QString::fromStdString(finding.port),
+                                      DoctorSentences::settings(finding.line, finding.unit),
+                                      DoctorSentences::finding(finding));
+        if (const QString command = remedy(finding); !command.isEmpty())
+            text += u"  "_s + command + u'\n';
     }
-    return format == u"json" ? QJsonDocument(array).toJson() : text;
+    return format == u"json" ? QJsonDocument(array).toJson() : text.toUtf8();
 }
 
 } // namespace

@@ -1487,8 +1487,8 @@
         <translation>CamPanel 控制器在站号 %1 应答，与设置的站号不同。请使用此连接，或在控制器上修改站号。</translation>
     </message>
     <message>
-        <source>A CamPanel controller responds with register map version %1; this panel needs version %2. Update the older device.</source>
-        <translation>CamPanel 控制器应答，其寄存器表版本为 %1；本面板需要版本 %2。请升级较旧的一方。</translation>
+        <source>A CamPanel controller responds with register map version %1, not %2. Update the older device.</source>
+        <translation>CamPanel 控制器应答，其寄存器表版本为 %1，而不是 %2。请升级较旧的一方。</translation>
     </message>
     <message>
         <source>The responding device is not a CamPanel controller. Choose another port or unit number.</source>
@@ -1503,8 +1503,8 @@
         <translation>没有收到任何数据。请检查控制器电源和电缆两端；RS-232 的收发线须交叉，RS-485 请检查 A、B 是否接反。</translation>
     </message>
     <message>
-        <source>The adapter echoes the panel&apos;s requests, and no controller responds. Check the controller&apos;s power, both ends of the cable, and A and B.</source>
-        <translation>适配器原样返回面板的请求，没有控制器应答。请检查控制器电源、电缆两端，以及 A、B 是否接反。</translation>
+        <source>The adapter echoes the requests, and no controller responds. Check the controller&apos;s power, both ends of the cable, and A and B.</source>
+        <translation>适配器原样返回请求，没有控制器应答。请检查控制器电源、电缆两端，以及 A、B 是否接反。</translation>
     </message>
     <message>
         <source>%1 The USB adapter delays data by %2 ms: set its latency timer to 1 ms.</source>

@@ -53,9 +53,6 @@ struct LineFinding {
     [[nodiscard]] bool isLatencyTooLong() const { return latencyTimerMs.value_or(0) > longestGoodLatencyMs; }
 };
 
-// Returns what is wrong, and what to do.
-[[nodiscard]] std::string describe(const LineFinding& finding);
-
 struct ScanPlan {
     enum class Depth : std::uint8_t {
         Diagnosis, // the configured port and line, the configured unit and several others

@@ -100,11 +100,6 @@ LineFinding diagnose(const std::string& port, int unit = 1)
     return scan.findings().size() == 1 ? scan.findings().front() : LineFinding{};
 }
 
-QString sentence(const LineFinding& finding)
-{
-    return QString::fromStdString(describe(finding));
-}
-
 } // namespace
 
 class LineScanTest : public QObject {
@@ -118,7 +113,6 @@ private slots:
         QCOMPARE(finding.condition, LineCondition::Controller);
         QVERIFY(finding.isController());
         QCOMPARE(finding.identity->firmwareVersion(), std::string("0.3.0"));
-        QVERIFY(sentence(finding).contains("115200 baud 8N1, unit 1"));
         QCOMPARE(slave.requests(), 1);
         QCOMPARE(slave.writes(), 0);
     }
@@ -178,7 +172,6 @@ private slots:
         NoisyPort echo({}, true);
         const LineFinding finding = diagnose(echo.port());
         QCOMPARE(finding.condition, LineCondition::EchoOnly);
-        QVERIFY(sentence(finding).contains("echoes"));
     }
 
     void garbageAndSilence()
@@ -187,14 +180,12 @@ private slots:
         const LineFinding garbage = diagnose(noisy.port());
         QCOMPARE(garbage.condition, LineCondition::Garbage);
         QVERIFY(garbage.bytesSeen >= 10);
-        QVERIFY(sentence(garbage).contains("baud rate and parity"));
 
         NoisyPort silent({});
         const LineFinding silence = diagnose(silent.port());
         QCOMPARE(silence.condition, LineCondition::NoBytes);
         QCOMPARE(silence.bytesSeen, std::uint64_t{0});
         QVERIFY(silent.bytes() > 0);
-        QVERIFY(sentence(silence).contains("power"));
     }
 
     void noiseAfterAnAnswerDoesNotHideIt()
@@ -211,11 +202,7 @@ private slots:
     {
         QCOMPARE(diagnose("/dev/ttyThatIsNotThere").condition, LineCondition::PortAbsent);
         QCOMPARE(diagnose("/dev/null").condition, LineCondition::PortNotSerial);
-        LineFinding refused;
-        refused.condition = LineCondition::PortNotPermitted;
-        refused.port = "/dev/ttyUSB0";
-        refused.group = "dialout";
-        QVERIFY(sentence(refused).contains("usermod -aG dialout "));
+        QVERIFY(joinGroupCommand("dialout").find("usermod -aG dialout ") != std::string::npos);
     }
 
     void busyPortNamesItsOwner()
@@ -231,13 +218,11 @@ private slots:
         owner.kill();
         owner.waitForFinished();
         QCOMPARE(busy.condition, LineCondition::PortBusy);
-        const QString said = sentence(busy);
         const bool isNamed = std::ranges::any_of(busy.holders, [&](const PortHolder& holder) {
             return holder.processId == owner.processId() || holder.program == "flock" ||
                    holder.program == "sleep" || holder.program == "sh";
         });
-        QVERIFY2(isNamed, qPrintable(said));
-        QVERIFY2(said.contains("(process "), qPrintable(said));
+        QVERIFY(isNamed);
     }
 
     void holdersAndLatencyAreReadFromTheSystemsFolders()
@@ -261,14 +246,6 @@ private slots:
         const auto latency = ftdiLatencyMs(port.toStdString(), root.filePath("sys").toStdString());
         QCOMPARE(latency, std::optional(16));
         QVERIFY(!ftdiLatencyMs("/dev/null", root.filePath("sys").toStdString()));
-
-        LineFinding slow;
-        slow.condition = LineCondition::Controller;
-        slow.port = port.toStdString();
-        slow.latencyTimerMs = 16;
-        QVERIFY(sentence(slow).contains("latency timer is 16 ms"));
-        slow.latencyTimerMs = 1;
-        QVERIFY(!sentence(slow).contains("latency timer"));
     }
 
     void likelyLinesAreAllAndOnce()

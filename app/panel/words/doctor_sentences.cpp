@@ -66,8 +66,8 @@ QString DoctorSentences::finding(const modbus::LineFinding& finding)
                    .arg(finding.unit);
         break;
     case LineCondition::OtherMapVersion:
-        text = tr("A CamPanel controller responds with register map version %1; this panel needs version %2. "
-                  "Update the older device.")
+        text = tr("A CamPanel controller responds with register map version %1, not %2. Update the older "
+                  "device.")
                    .arg(finding.code)
                    .arg(modbus::mapMajor);
         break;
@@ -84,7 +84,7 @@ QString DoctorSentences::finding(const modbus::LineFinding& finding)
                   "cross the transmit and receive wires, on RS-485 check A and B.");
         break;
     case LineCondition::EchoOnly:
-        text = tr("The adapter echoes the panel's requests, and no controller responds. Check the "
+        text = tr("The adapter echoes the requests, and no controller responds. Check the "
                   "controller's power, both ends of the cable, and A and B.");
         break;
     default:

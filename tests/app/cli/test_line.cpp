@@ -51,7 +51,7 @@ private slots:
         ControllerProcess controller;
         const Result result = call({u"doctor"_s, u"--port"_s, controller.port()});
         QVERIFY2(result.code == Ok, result.complaint.constData());
-        QVERIFY2(result.out.contains("115200 baud 8N1, unit 1"), result.out.constData());
+        QVERIFY2(result.out.contains("115200 baud, 8N1, unit 1"), result.out.constData());
     }
 
     void doctorNamesTheWrongUnit()
@@ -64,7 +64,15 @@ private slots:
         const QJsonObject finding = QJsonDocument::fromJson(result.out).array().first().toObject();
         QCOMPARE(finding[u"condition"_s].toString(), u"wrong_unit"_s);
         QCOMPARE(finding[u"unit"_s].toInt(), 2);
-        QVERIFY(finding[u"sentence"_s].toString().contains(u"set the unit number to 2"_s));
+        QVERIFY(finding[u"sentence"_s].toString().contains(u"at unit number 2"_s));
+    }
+
+    void doctorNamesAPortThatDoesNotExist()
+    {
+        const Result result = call({u"doctor"_s, u"--port"_s, u"/dev/ttyNONE7"_s, u"--format"_s, u"json"_s});
+        QCOMPARE(result.code, int{Link});
+        const QJsonObject finding = QJsonDocument::fromJson(result.out).array().first().toObject();
+        QCOMPARE(finding[u"condition"_s].toString(), u"port_absent"_s);
     }
 
     void doctorFindsAControllerByScanning()
@@ -82,7 +90,7 @@ private slots:
         slave.setRegister(0, 0x4711);
         const Result result = call({u"doctor"_s, u"--port"_s, QString::fromStdString(slave.port())});
         QCOMPARE(result.code, int{Link});
-        QVERIFY2(result.out.contains("other than a CamPanel controller"), result.out.constData());
+        QVERIFY2(result.out.contains("not a CamPanel controller"), result.out.constData());
         QCOMPARE(slave.writes(), 0);
     }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sentences for the errors of profile, modbus and program: what is wrong, by how much, and what to do.
+#include "app/panel/words/doctor_sentences.h"
 #include "app/panel/words/refusal_sentences.h"
 #include "app/panel/words/register_words.h"
 #include "profile/cutter/limits.h"
@@ -14,6 +15,8 @@
 namespace test_sentences {
 
 using namespace campanel;
+using modbus::LineCondition;
+using panel::DoctorSentences;
 using panel::RefusalSentences;
 using profile::Field;
 using profile::Limit;
@@ -125,6 +128,33 @@ private slots:
         QCOMPARE(
             panel::RegisterWords::outOfRange(refused.error()),
             "parameter.ramp_time cannot be 5; the allowed range is 50 to 10000 ms. Enter another value.");
+    }
+
+    void findingsOfTheDoctor()
+    {
+        modbus::LineFinding finding;
+        finding.bytesSeen = 10;
+        finding.group = "dialout";
+        finding.detail = "not enough memory";
+        finding.holders = {{1234, "screen"}};
+        const auto sentence = [&finding](LineCondition condition) {
+            finding.condition = condition;
+            return DoctorSentences::finding(finding);
+        };
+        for (int i = 0; i <= static_cast<int>(LineCondition::PortGone); ++i) {
+            QVERIFY2(isWhole(sentence(static_cast<LineCondition>(i))), QByteArray::number(i));
+            QVERIFY(!DoctorSentences::condition(finding.condition).isEmpty());
+        }
+        QVERIFY(sentence(LineCondition::EchoOnly).contains("echoes"));
+        QVERIFY(sentence(LineCondition::Garbage).contains("Check baud rate, parity"));
+        QVERIFY(sentence(LineCondition::NoBytes).contains("power"));
+        QVERIFY(sentence(LineCondition::PortNotPermitted).contains("group \"dialout\""));
+        QVERIFY(sentence(LineCondition::PortBusy).contains("screen (process 1234)"));
+        finding.latencyTimerMs = 16;
+        QVERIFY(sentence(LineCondition::Controller).contains("delays data by 16 ms"));
+        finding.latencyTimerMs = 1;
+        QVERIFY(!sentence(LineCondition::Controller).contains("latency"));
+        QCOMPARE(DoctorSentences::settings({9600, modbus::Parity::Even, 1}, 7), "9600 baud, 8E1, unit 7");
     }
 };
 
