@@ -24,9 +24,8 @@ constexpr qint64 waitBeyondCyclesMs = 5000;
 
 Failure failureOf(const modbus::DownloadError& error)
 {
-    if (error.kind == modbus::DownloadErrorKind::Link)
-        return fail(error.link).value();
-    return {ExitCode::Refused, QString::fromStdString(modbus::describe(error))};
+    return {error.kind == modbus::DownloadErrorKind::Link ? ExitCode::Link : ExitCode::Refused,
+            panel::ConnectionSentences::error(error)};
 }
 
 Outcome transfer(LinkSession& session, Download& download)

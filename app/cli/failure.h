@@ -2,6 +2,7 @@
 // The failure of a command: an exit code and one line for stderr.
 #pragma once
 
+#include "app/panel/words/connection_sentences.h"
 #include "app/panel/words/refusal_sentences.h"
 #include "app/program/program_image.h"
 #include "app/store/files/file_error.h"
@@ -42,7 +43,7 @@ using Outcome = tl::expected<void, Failure>;
 {
     // Counts an invalid option as a usage error, everything else as an error of the line.
     const bool settings = error.kind == modbus::LinkErrorKind::PortSettings;
-    return fail(settings ? ExitCode::Usage : ExitCode::Link, modbus::describe(error));
+    return fail(settings ? ExitCode::Usage : ExitCode::Link, panel::ConnectionSentences::error(error));
 }
 
 [[nodiscard]] inline tl::unexpected<Failure> fail(const profile::Refusal& refusal)

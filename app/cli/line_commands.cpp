@@ -65,7 +65,7 @@ QJsonObject figuresObject(const modbus::LinkFigures& figures)
     const auto wide = [](auto value) { return static_cast<qint64>(value); };
     QJsonObject errors;
     for (std::size_t i = 0; i < modbus::countedErrors.size(); ++i)
-        errors[fromView(modbus::countedErrorKeys[i])] = wide(figures.errors()[i]);
+        errors[fromView(modbus::errorId(modbus::countedErrors[i]))] = wide(figures.errors()[i]);
     QJsonObject object{{u"requests"_s, wide(figures.requests())},
                        {u"answers"_s, wide(figures.answers())},
                        {u"errors"_s, errors},

@@ -99,10 +99,7 @@ Outcome LinkSession::command(modbus::Command code, modbus::CommandArguments argu
     if (!result)
         return fail(result.error());
     if (!result->done())
-        return fail(ExitCode::Refused,
-                    u"The controller refused: "_s +
-                        QString::fromUtf8(
-                            modbus::enumText("Refusal", static_cast<std::uint16_t>(result->reason)).data()));
+        return fail(ExitCode::Refused, panel::ConnectionSentences::refused(code, result->reason));
     return {};
 }
 

@@ -954,8 +954,8 @@
         <translation>端口 %1 无法设置：%2。请选择其他设置。</translation>
     </message>
     <message>
-        <source>Port %1 was removed. Check the adapter; the panel reconnects automatically.</source>
-        <translation>端口 %1 已移除。请检查适配器；面板会自动重新连接。</translation>
+        <source>Port %1 was removed. Plug the adapter in again.</source>
+        <translation>端口 %1 已移除。请重新插上适配器。</translation>
     </message>
     <message>
         <source>No response on %1. Check cable, power, baud rate, parity and unit number.</source>
@@ -978,16 +978,16 @@
         <translation>%1 上的设备不是 CamPanel 控制器。请选择其他端口或站号。</translation>
     </message>
     <message>
-        <source>The controller on %1 has register map version %2, this panel needs version %3. Update the older device.</source>
-        <translation>%1 上控制器的寄存器表版本为 %2，本面板需要版本 %3。请升级较旧的一方。</translation>
+        <source>The controller on %1 has register map version %2, not %3. Update the older device.</source>
+        <translation>%1 上控制器的寄存器表版本为 %2，而不是 %3。请升级较旧的一方。</translation>
     </message>
     <message>
         <source>The controller on %1 reports an impossible value: %2 is %3. Update its firmware.</source>
         <translation>%1 上的控制器报告了不可能的值：%2 为 %3。请升级其固件。</translation>
     </message>
     <message>
-        <source>The controller on %1 lacks registers that this panel needs. Update its firmware.</source>
-        <translation>%1 上的控制器缺少本面板需要的寄存器。请升级其固件。</translation>
+        <source>The controller on %1 lacks required registers. Update its firmware.</source>
+        <translation>%1 上的控制器缺少必需的寄存器。请升级其固件。</translation>
     </message>
     <message>
         <source>The controller did not receive the command. Try again.</source>
@@ -1002,8 +1002,8 @@
         <translation>控制器保存的值与写入值不同。请重试。</translation>
     </message>
     <message>
-        <source>The value is outside the controller&apos;s limits: %1</source>
-        <translation>该值超出控制器的范围：%1</translation>
+        <source>The controller does not allow this access to %1.</source>
+        <translation>控制器不允许这样访问 %1。</translation>
     </message>
     <message>
         <source>Start</source>
@@ -1080,12 +1080,12 @@
         <translation>下载失败，控制器的程序没有改变。%1</translation>
     </message>
     <message>
-        <source>The table needs %1 registers, the controller has %2. Use fewer slices per ramp.</source>
-        <translation>数据表需要 %1 个寄存器，控制器只有 %2 个。请减少斜坡分段数。</translation>
+        <source>The table needs %1 registers, the controller has %2; its program is unchanged. Use fewer slices per ramp.</source>
+        <translation>数据表需要 %1 个寄存器，控制器只有 %2 个，其程序没有改变。请减少斜坡分段数。</translation>
     </message>
     <message>
-        <source>This controller cannot execute this kind of program. Update its firmware.</source>
-        <translation>该控制器不能执行这类程序。请升级其固件。</translation>
+        <source>This controller cannot execute this kind of program; its program is unchanged. Update its firmware.</source>
+        <translation>该控制器不能执行这类程序，其程序没有改变。请升级其固件。</translation>
     </message>
     <message>
         <source>The controller refused the table; its program is unchanged. %1</source>

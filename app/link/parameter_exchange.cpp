@@ -26,8 +26,8 @@ tl::expected<double, modbus::LinkError> exchangeParameter(modbus::RtuClient& cli
     const modbus::RegisterInfo* info = numericRegister(request.name);
     // All other writable registers belong to protocols of their own.
     if (!info || (request.value && !info->name.starts_with("parameter.")))
-        return tl::unexpected(modbus::LinkError{modbus::LinkErrorKind::ValueRefused, client.settings().port,
-                                                request.name, request.name, 0});
+        return tl::unexpected(modbus::LinkError{
+            modbus::LinkErrorKind::ValueRefused, client.settings().port, request.name, {}, 0});
     if (request.value) {
         if (const auto written = client.writeParameter(*info, *request.value); !written)
             return tl::unexpected(written.error());

@@ -12,7 +12,8 @@ namespace campanel::program {
 std::string describe(const ProgramRefusal& refusal)
 {
     if (refusal.unstorable)
-        return modbus::describe(*refusal.unstorable);
+        return std::string(refusal.unstorable->registerName) + ' ' +
+               std::to_string(refusal.unstorable->value);
     std::string text;
     for (const profile::Refusal& limit : refusal.limits)
         text += (text.empty() ? "" : " ") + profile::describe(limit);

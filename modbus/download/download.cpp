@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The steps of a download, and the sentences for its errors.
+// The steps of a download.
 #include "modbus/download/download.h"
 
 #include "modbus/map/codec.h"
@@ -7,27 +7,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
+#include <string_view>
 #include <utility>
 
 namespace campanel::modbus {
 namespace {
-
-std::string hex32(std::uint32_t value)
-{
-    char text[16];
-    std::snprintf(text, sizeof text, "%08X", value);
-    return text;
-}
-
-std::string transferReason(const TransferAnswer& answer)
-{
-    if (answer.result == TransferResult::BadRow)
-        return "row " + std::to_string(answer.detail) + " is outside the range of its pulse timer.";
-    if (answer.result == TransferResult::BadHeader)
-        return "header register " + std::to_string(answer.detail) + " is outside its range.";
-    return std::string(enumText("TransferResult", static_cast<std::uint16_t>(answer.result)));
-}
 
 // The maximum number of starts: the download of another panel would alternate with this one endlessly.
 constexpr int maxBeginnings = 20;
@@ -37,37 +21,22 @@ bool isWithoutSession(TransferResult result)
     return result == TransferResult::NotReceiving || result == TransferResult::WrongSession;
 }
 
-const char* const untouched = " The active program is unchanged.";
-
 } // namespace
 
 std::string describe(const DownloadError& error)
 {
-    switch (error.kind) {
-    case DownloadErrorKind::Link:
-        return describe(error.link);
-    case DownloadErrorKind::ImageTooLong:
-        return "The table needs " + std::to_string(error.actual) + " registers, the controller has " +
-               std::to_string(error.expected) + ". Reduce the slices per ramp." + untouched;
-    case DownloadErrorKind::KindNotSupported:
-        return std::string("The controller cannot execute this kind of program. Update its firmware.") +
-               untouched;
-    case DownloadErrorKind::TransferRefused:
-        return "The controller refused the table: " + transferReason(error.transfer) + untouched;
-    case DownloadErrorKind::ChecksumDiffers:
-        return "The received data differ from the sent data: CRC-32 " + hex32(error.actual) + " instead of " +
-               hex32(error.expected) + ". Download again." + untouched;
-    case DownloadErrorKind::RowsDiffer:
-        return "Register " + std::to_string(error.offset) + " of the table reads back as " +
-               std::to_string(error.actual) + " instead of " + std::to_string(error.expected) +
-               ". Download again." + untouched;
-    case DownloadErrorKind::CommandRefused:
-        return "The controller did not apply the table: " +
-               std::string(enumText("Refusal", static_cast<std::uint16_t>(error.refusal))) + untouched;
-    case DownloadErrorKind::Withdrawn:
-        return std::string("The change was withdrawn before becoming active.") + untouched;
-    }
-    return {};
+    static constexpr std::array<std::string_view, 8> ids{
+        "link",        "image_too_long",  "kind_not_supported", "transfer_refused", "checksum_differs",
+        "rows_differ", "command_refused", "withdrawn"};
+    std::string text(ids[static_cast<std::size_t>(error.kind)]);
+    if (error.kind == DownloadErrorKind::Link)
+        return text.append(": ").append(describe(error.link));
+    for (const std::uint32_t number :
+         {std::uint32_t{static_cast<std::uint16_t>(error.transfer.result)},
+          std::uint32_t{error.transfer.detail}, std::uint32_t{static_cast<std::uint16_t>(error.refusal)},
+          error.offset, error.expected, error.actual})
+        text.append(" ").append(std::to_string(number));
+    return text;
 }
 
 Download::Download(std::vector<std::uint16_t> image, const Identity& controller, Options options)

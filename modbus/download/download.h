@@ -36,7 +36,7 @@ struct DownloadError {
     std::uint32_t actual = 0;
 };
 
-// Returns one or two sentences. The running program is untouched in every case, and they say so.
+// Returns the id and the numbers, for logs. The running program is untouched in every case.
 [[nodiscard]] std::string describe(const DownloadError& error);
 
 class Download {

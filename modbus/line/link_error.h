@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The reason why a request, or opening a port, failed. The fields hold everything a translated sentence
-// needs; describe() is the English one and says what to do.
+// needs.
 #pragma once
 
+#include "modbus/map/codec.h"
+
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -29,7 +32,7 @@ enum class LinkErrorKind : std::uint8_t {
     CommandLost,      // the controller did not receive the command, `code` is its counter
     OutcomeUnknown,   // unknown whether the command was received; `code` is its counter
     ReadBackDiffers,  // a parameter was written but reads back differently
-    ValueRefused,     // outside the register's limits, see `detail`
+    ValueRefused,     // outside the register's limits, see `limits`; without them, not readable or writable
 };
 
 struct LinkError {
@@ -38,9 +41,13 @@ struct LinkError {
     std::string request; // "status" or "start", empty for the port itself
     std::string detail;
     int code = 0;
+    std::optional<CodecError> limits{};
 };
 
-// Returns one or two sentences: what is wrong, where, and what to do.
+// Returns the stable id of a kind, such as "no_answer", for logs and machine-readable output.
+[[nodiscard]] std::string_view errorId(LinkErrorKind kind);
+
+// Returns the id and the fields, for logs.
 [[nodiscard]] std::string describe(const LinkError& error);
 
 // Returns "illegal register address"; "unknown" for codes without a name.

@@ -157,7 +157,7 @@ std::string figuresCsv(const LinkFigures& figures)
     line("requests", std::to_string(figures.requests()));
     line("answers", std::to_string(figures.answers()));
     for (std::size_t i = 0; i < countedErrors.size(); ++i)
-        line(countedErrorKeys[i], std::to_string(figures.errors()[i]));
+        line(errorId(countedErrors[i]), std::to_string(figures.errors()[i]));
     line("retries", std::to_string(figures.retries()));
     line("drains", std::to_string(figures.drains()));
     line("sent_bytes", std::to_string(figures.sentBytes()));
@@ -185,8 +185,8 @@ std::string figuresCsv(const LinkFigures& figures)
 std::string stripCsv(const LinkFigures& figures)
 {
     std::string text = "minute,answers";
-    for (const std::string_view key : countedErrorKeys)
-        text.append(",").append(key);
+    for (const LinkErrorKind kind : countedErrors)
+        text.append(",").append(errorId(kind));
     text += ",latency_p99_ms,latency_max_ms\n";
     for (const MinuteFigures& minute : figures.strip()) {
         text.append(minuteText(minute.minute)).append(",").append(std::to_string(minute.answers));

@@ -23,10 +23,6 @@ inline constexpr std::array countedErrors{LinkErrorKind::NoAnswer,  LinkErrorKin
                                           LinkErrorKind::Exception, LinkErrorKind::PortGone};
 using ErrorCounts = std::array<std::uint32_t, countedErrors.size()>;
 
-// The keys of CSV and JSON, "no_answer", "bad_checksum" ..., in the order of countedErrors.
-inline constexpr std::array<std::string_view, countedErrors.size()> countedErrorKeys{
-    "no_answer", "bad_checksum", "bad_frame", "foreign_answer", "exception", "port_gone"};
-
 // The figures of one minute of the strip.
 struct MinuteFigures {
     std::int64_t minute = -1; // since 1970-01-01 UTC; negative: no exchange

@@ -188,10 +188,7 @@ tl::expected<std::vector<std::uint16_t>, LinkError> RtuClient::readProven(std::u
 {
     const std::string request = "registers from " + std::to_string(address);
     if (count < 1 || count > readbackRegisters)
-        return tl::unexpected(error(LinkErrorKind::ValueRefused, request,
-                                    "1 to " + std::to_string(readbackRegisters) +
-                                        " registers can be read at once, not " + std::to_string(count) +
-                                        "."));
+        return tl::unexpected(error(LinkErrorKind::ValueRefused, request, {}, count));
     static const std::uint16_t questionAddress = registerNamed("readback.tag").address;
     static const std::uint16_t answerAddress = registerNamed("readback_result.tag").address;
     constexpr std::uint16_t echoed = 3;
@@ -284,7 +281,7 @@ tl::expected<TransferAnswer, LinkError> RtuClient::transfer(const TransferFrame&
 {
     const std::string request = "transfer of block " + std::to_string(frame.block);
     if (frame.data.size() > blockRegisters)
-        return tl::unexpected(error(LinkErrorKind::ValueRefused, request, "the block is too long."));
+        return tl::unexpected(error(LinkErrorKind::ValueRefused, request));
     static const std::uint16_t transferAddress = registerNamed("transfer.session").address;
     static const std::uint16_t resultAddress = registerNamed("transfer_result.session").address;
     std::vector<std::uint16_t> written{frame.session, static_cast<std::uint16_t>(frame.operation),
@@ -316,9 +313,12 @@ tl::expected<void, LinkError> RtuClient::writeParameter(const RegisterInfo& info
 {
     const std::string request(info.name);
     const auto raw = toRaw(info, physical);
-    if (!raw || info.access != Access::ReadWrite)
-        return tl::unexpected(error(LinkErrorKind::ValueRefused, request,
-                                    raw ? request + " cannot be written." : describe(raw.error())));
+    if (!raw || info.access != Access::ReadWrite) {
+        LinkError refused = error(LinkErrorKind::ValueRefused, request);
+        if (!raw)
+            refused.limits = raw.error();
+        return tl::unexpected(std::move(refused));
+    }
     std::array<std::uint16_t, 2> registers{};
     RegisterWriter writer{std::span(registers).first(info.count), info.address};
     static_cast<void>(writer.physical(info, physical)); // fits, as checked by toRaw()

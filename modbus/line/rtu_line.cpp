@@ -151,11 +151,11 @@ tl::expected<void, LinkError> RtuLine::open()
     };
     if (std::ranges::find(supportedBauds, line.baud) == supportedBauds.end())
         return refuse("baud rate " + std::to_string(line.baud) +
-                      " is not one of 9600, 19200, 38400, 57600, 115200.");
+                      " is not one of 9600, 19200, 38400, 57600, 115200");
     if (line.stopBits < 1 || line.stopBits > 2)
-        return refuse("there are 1 or 2 stop bits, not " + std::to_string(line.stopBits) + ".");
+        return refuse("there are 1 or 2 stop bits, not " + std::to_string(line.stopBits));
     if (m_settings.unit < 1 || m_settings.unit > lastUnit)
-        return refuse("unit numbers go from 1 to 247, not " + std::to_string(m_settings.unit) + ".");
+        return refuse("unit numbers go from 1 to 247, not " + std::to_string(m_settings.unit));
 
     auto claim = PortClaim::take(m_settings.port);
     if (!claim)
@@ -163,10 +163,10 @@ tl::expected<void, LinkError> RtuLine::open()
     decltype(m_context) context(modbus_new_rtu(m_settings.port.c_str(), static_cast<int>(line.baud),
                                                static_cast<char>(line.parity), 8, line.stopBits));
     if (!context)
-        return refuse("not enough memory.");
+        return refuse("not enough memory");
     modbus_set_error_recovery(context.get(), MODBUS_ERROR_RECOVERY_NONE);
     if (modbus_connect(context.get()) != 0)
-        return refuse(std::string(modbus_strerror(errno)) + ".");
+        return refuse(modbus_strerror(errno));
     // The timer slack. The kernel may delay this thread's wake-ups by 50 us by default, but the silence
     // between frames needs a finer resolution.
     constexpr unsigned long timerSlackNs = 1000;

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <sstream>
 
 namespace campanel::modbus {
 namespace {
@@ -40,20 +39,6 @@ bool hasLimits(const RegisterInfo& info)
 }
 
 } // namespace
-
-std::string describe(const CodecError& error)
-{
-    std::ostringstream out;
-    out.precision(10);
-    out << error.registerName << ": " << error.value;
-    if (!error.unit.empty())
-        out << ' ' << error.unit;
-    out << " is outside " << error.minimum << " .. " << error.maximum;
-    if (!error.unit.empty())
-        out << ' ' << error.unit;
-    out << "; enter a value inside that range.";
-    return out.str();
-}
 
 const RegisterInfo& registerNamed(std::string_view name)
 {

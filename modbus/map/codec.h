@@ -23,8 +23,6 @@ struct CodecError {
     std::string_view unit;
 };
 
-[[nodiscard]] std::string describe(const CodecError& error);
-
 // Returns the row of that name. The name must exist: a missing one is a programming error and ends the
 // program.
 [[nodiscard]] const RegisterInfo& registerNamed(std::string_view name);

@@ -110,7 +110,7 @@ void RtuClientTest::foreignDeviceIsLeftAlone()
     const auto identity = m_client->identify();
     QVERIFY(!identity.has_value());
     QCOMPARE(identity.error().kind, LinkErrorKind::NotCamPanel);
-    QVERIFY(QString::fromStdString(describe(identity.error())).contains("0x1234"));
+    QCOMPARE(identity.error().code, 0x1234);
     m_slave->script({Fault::Exception2});
     QCOMPARE(m_client->identify().error().kind, LinkErrorKind::NotCamPanel);
     m_slave->script({Fault::Busy}); // does not identify the device
@@ -124,7 +124,7 @@ void RtuClientTest::otherMapMajorIsRefused()
     const auto identity = m_client->identify();
     QVERIFY(!identity.has_value());
     QCOMPARE(identity.error().kind, LinkErrorKind::WrongMapMajor);
-    QVERIFY(QString::fromStdString(describe(identity.error())).contains("Update the panel"));
+    QCOMPARE(identity.error().code, mapMajor + 1);
     QCOMPARE(m_slave->writes(), 0);
 }
 
@@ -150,8 +150,8 @@ void RtuClientTest::impossibleIdentityIsRefused()
     const auto identity = m_client->identify();
     QVERIFY(!identity.has_value());
     QCOMPARE(identity.error().kind, LinkErrorKind::WrongIdentity);
-    const QString sentence = QString::fromStdString(describe(identity.error()));
-    QVERIFY2(sentence.contains(name + " is " + QByteArray::number(value) + '.'), qPrintable(sentence));
+    QCOMPARE(QByteArray::fromStdString(identity.error().detail), name);
+    QCOMPARE(identity.error().code, int{value});
     QCOMPARE(m_slave->writes(), 0);
 }
 
@@ -191,7 +191,6 @@ void RtuClientTest::doubtfulStatus()
     QVERIFY(!doubtful.has_value());
     QCOMPARE(static_cast<int>(doubtful.error().kind), kind);
     QVERIFY(!portIsLost(doubtful.error()));
-    QVERIFY(describe(doubtful.error()).size() > 20);
     QVERIFY(m_client->exchangeStatus(2, 0).has_value());
 }
 
@@ -428,10 +427,12 @@ void RtuClientTest::parameterOutsideItsLimitsIsNotSent()
     const auto refused = m_client->writeParameter(registerNamed("parameter.ramp_time"), 5);
     QVERIFY(!refused.has_value());
     QCOMPARE(refused.error().kind, LinkErrorKind::ValueRefused);
-    QVERIFY(QString::fromStdString(describe(refused.error())).contains("50 ms .. 10000") ||
-            QString::fromStdString(describe(refused.error())).contains("50 .. 10000 ms"));
-    QCOMPARE(m_client->writeParameter(registerNamed("status.state"), 1).error().kind,
-             LinkErrorKind::ValueRefused);
+    QVERIFY(refused.error().limits.has_value());
+    QCOMPARE(refused.error().limits->minimum, 50.0);
+    QCOMPARE(refused.error().limits->maximum, 10000.0);
+    const auto fixed = m_client->writeParameter(registerNamed("status.state"), 1);
+    QCOMPARE(fixed.error().kind, LinkErrorKind::ValueRefused);
+    QVERIFY(!fixed.error().limits);
     QCOMPARE(m_slave->requests(), 0);
 }
 
@@ -466,8 +467,6 @@ void RtuClientTest::portsThatCannotBeOpened()
     QCOMPARE(kindOf(folder + "/file"), LinkErrorKind::PortNotSerial);
     QCOMPARE(kindOf(folder), LinkErrorKind::PortNotSerial);
     QCOMPARE(kindOf("/dev/null"), LinkErrorKind::PortNotSerial);
-    const LinkError notPermitted{LinkErrorKind::PortNotPermitted, "/dev/ttyUSB0", {}, "dialout", 0};
-    QVERIFY(QString::fromStdString(describe(notPermitted)).contains("group 'dialout'"));
 }
 
 void RtuClientTest::busyPort()

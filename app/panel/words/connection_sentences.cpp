@@ -2,6 +2,7 @@
 #include "app/panel/words/connection_sentences.h"
 
 #include "app/panel/words/controller_sentences.h"
+#include "app/panel/words/register_words.h"
 
 namespace campanel::panel {
 
@@ -84,7 +85,7 @@ QString ConnectionSentences::error(const modbus::LinkError& error)
         return tr("Port %1 cannot be set up: %2. Choose other settings.").arg(port, detail);
     case LinkErrorKind::PortGone:
     case LinkErrorKind::NotOpen:
-        return tr("Port %1 was removed. Check the adapter; the panel reconnects automatically.").arg(port);
+        return tr("Port %1 was removed. Plug the adapter in again.").arg(port);
     case LinkErrorKind::NoAnswer:
         return tr("No response on %1. Check cable, power, baud rate, parity and unit number.").arg(port);
     case LinkErrorKind::BadChecksum:
@@ -102,8 +103,7 @@ QString ConnectionSentences::error(const modbus::LinkError& error)
         return tr("The device on %1 is not a CamPanel controller. Choose another port or unit number.")
             .arg(port);
     case LinkErrorKind::WrongMapMajor:
-        return tr("The controller on %1 has register map version %2, this panel needs version %3. Update the "
-                  "older device.")
+        return tr("The controller on %1 has register map version %2, not %3. Update the older device.")
             .arg(port)
             .arg(error.code)
             .arg(modbus::mapMajor);
@@ -112,8 +112,7 @@ QString ConnectionSentences::error(const modbus::LinkError& error)
             .arg(port, detail)
             .arg(error.code);
     case LinkErrorKind::RangeNotReadable:
-        return tr("The controller on %1 lacks registers that this panel needs. Update its firmware.")
-            .arg(port);
+        return tr("The controller on %1 lacks required registers. Update its firmware.").arg(port);
     case LinkErrorKind::CommandLost:
         return tr("The controller did not receive the command. Try again.");
     case LinkErrorKind::OutcomeUnknown:
@@ -122,7 +121,9 @@ QString ConnectionSentences::error(const modbus::LinkError& error)
     case LinkErrorKind::ReadBackDiffers:
         return tr("The controller stored a different value. Try again.");
     case LinkErrorKind::ValueRefused:
-        return tr("The value is outside the controller's limits: %1").arg(detail);
+        return error.limits ? RegisterWords::outOfRange(*error.limits)
+                            : tr("The controller does not allow this access to %1.")
+                                  .arg(QString::fromStdString(error.request));
     }
     return {};
 }
@@ -153,6 +154,12 @@ QString ConnectionSentences::commandName(modbus::Command command)
     return tr("Command");
 }
 
+QString ConnectionSentences::refused(modbus::Command command, modbus::Refusal reason)
+{
+    return tr("%1 was refused. %2", "%1: command, %2: whole sentence")
+        .arg(commandName(command), ControllerSentences::refusal(reason));
+}
+
 QString ConnectionSentences::command(const link::CommandOutcome& outcome)
 {
     const QString name = commandName(outcome.command);
@@ -161,8 +168,7 @@ QString ConnectionSentences::command(const link::CommandOutcome& outcome)
     case CommandEnd::Withdrawn: // the user already knows
         return {};
     case CommandEnd::Refused:
-        return tr("%1 was refused. %2", "%1: command, %2: whole sentence")
-            .arg(name, ControllerSentences::refusal(outcome.reason));
+        return refused(outcome.command, outcome.reason);
     case CommandEnd::NotSent:
         return tr("%1 was not sent: there is no connection to the controller.").arg(name);
     case CommandEnd::NotReceived:
@@ -212,10 +218,10 @@ QString ConnectionSentences::download(const link::DownloadReport& report)
     case link::DownloadStage::Failed:
         break;
     }
-    return report.error ? downloadError(*report.error) : QString();
+    return report.error ? error(*report.error) : QString();
 }
 
-QString ConnectionSentences::downloadError(const modbus::DownloadError& error)
+QString ConnectionSentences::error(const modbus::DownloadError& error)
 {
     using modbus::DownloadErrorKind;
     switch (error.kind) {
@@ -223,11 +229,13 @@ QString ConnectionSentences::downloadError(const modbus::DownloadError& error)
         return tr("Download failed; the controller's program is unchanged. %1", "%1: whole sentence")
             .arg(ConnectionSentences::error(error.link));
     case DownloadErrorKind::ImageTooLong:
-        return tr("The table needs %1 registers, the controller has %2. Use fewer slices per ramp.")
+        return tr("The table needs %1 registers, the controller has %2; its program is unchanged. Use fewer "
+                  "slices per ramp.")
             .arg(error.actual)
             .arg(error.expected);
     case DownloadErrorKind::KindNotSupported:
-        return tr("This controller cannot execute this kind of program. Update its firmware.");
+        return tr("This controller cannot execute this kind of program; its program is unchanged. Update its "
+                  "firmware.");
     case DownloadErrorKind::TransferRefused:
         return tr("The controller refused the table; its program is unchanged. %1", "%1: whole sentence")
             .arg(ControllerSentences::transferResult(error.transfer));

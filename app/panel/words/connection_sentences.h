@@ -16,6 +16,9 @@ public:
     // Describes the connection. `lostAt`: the time when the connection was lost.
     [[nodiscard]] static QString connection(const link::LinkReport& report, const QDateTime& lostAt);
     [[nodiscard]] static QString error(const modbus::LinkError& error);
+    // Says in every case that the controller's program is unchanged.
+    [[nodiscard]] static QString error(const modbus::DownloadError& error);
+    [[nodiscard]] static QString refused(modbus::Command command, modbus::Refusal reason);
     // Returns an empty text when the command was executed.
     [[nodiscard]] static QString command(const link::CommandOutcome& outcome);
     // Returns an empty text when the value was written; `what` begins the sentence.
@@ -26,7 +29,6 @@ private:
     [[nodiscard]] static QString lost(const link::LinkReport& report, const QString& since);
     [[nodiscard]] static QString simulator(const link::LinkReport& report);
     [[nodiscard]] static QString commandName(modbus::Command command);
-    [[nodiscard]] static QString downloadError(const modbus::DownloadError& error);
 };
 
 } // namespace campanel::panel

@@ -351,7 +351,7 @@ void CliTest::lifeWithAController()
     QVERIFY(fresh[u"bag_length_mm"_s].isNull());
     const Result tooEarly = call(QStringList{u"start"_s} + port);
     QCOMPARE(tooEarly.code, int{Refused});
-    QVERIFY2(tooEarly.complaint.contains("download one first"), tooEarly.complaint.constData());
+    QVERIFY2(tooEarly.complaint.contains("Download a recipe first"), tooEarly.complaint.constData());
 
     const Result loaded =
         call(QStringList{u"download"_s, u"--rate"_s, u"120"_s, u"--verify"_s} + port + json);
@@ -391,7 +391,7 @@ void CliTest::otherDevices_data()
     QTest::addColumn<int>("value");
     QTest::addColumn<QString>("words");
     QTest::newRow("another device") << 0 << 0x1234 << u"not a CamPanel controller"_s;
-    QTest::newRow("a later map") << 1 << 2 << u"Update the panel's software"_s;
+    QTest::newRow("a later map") << 1 << 2 << u"Update the older device"_s;
 }
 
 void CliTest::otherDevices()
@@ -418,7 +418,7 @@ void CliTest::busyPort()
     QVERIFY(owner.open().has_value());
     const Result result = call({u"status"_s, u"--port"_s, QString::fromStdString(device.port())});
     QCOMPARE(result.code, int{Link});
-    QVERIFY2(result.complaint.contains("in use by another program"), result.complaint.constData());
+    QVERIFY2(result.complaint.contains("Another program is using port"), result.complaint.constData());
 }
 
 CAMPANEL_TEST(CliTest)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sentences for the errors of profile, modbus and program: what is wrong, by how much, and what to do.
+#include "app/panel/words/connection_sentences.h"
 #include "app/panel/words/doctor_sentences.h"
 #include "app/panel/words/refusal_sentences.h"
 #include "app/panel/words/register_words.h"
@@ -16,6 +17,7 @@ namespace test_sentences {
 
 using namespace campanel;
 using modbus::LineCondition;
+using panel::ConnectionSentences;
 using panel::DoctorSentences;
 using panel::RefusalSentences;
 using profile::Field;
@@ -128,6 +130,39 @@ private slots:
         QCOMPARE(
             panel::RegisterWords::outOfRange(refused.error()),
             "parameter.ramp_time cannot be 5; the allowed range is 50 to 10000 ms. Enter another value.");
+    }
+
+    void linkErrors()
+    {
+        modbus::LinkError error{modbus::LinkErrorKind::PortAbsent, "/dev/ttyUSB0", "status", "dialout", 7};
+        for (int i = 0; i <= static_cast<int>(modbus::LinkErrorKind::ValueRefused); ++i) {
+            error.kind = static_cast<modbus::LinkErrorKind>(i);
+            QVERIFY2(isWhole(ConnectionSentences::error(error)), std::string(errorId(error.kind)).c_str());
+        }
+        error.kind = modbus::LinkErrorKind::PortNotPermitted;
+        QVERIFY(ConnectionSentences::error(error).contains("group \"dialout\""));
+        error.kind = modbus::LinkErrorKind::WrongIdentity;
+        QVERIFY(ConnectionSentences::error(error).contains("dialout is 7."));
+        error.kind = modbus::LinkErrorKind::ValueRefused;
+        error.limits = modbus::toRaw(modbus::registerNamed("parameter.ramp_time"), 5).error();
+        QVERIFY(ConnectionSentences::error(error).contains("50 to 10000 ms"));
+    }
+
+    void failedDownloadsSayThatTheProgramIsUnchanged()
+    {
+        modbus::DownloadError error;
+        error.transfer.result = modbus::TransferResult::BadRow;
+        error.transfer.detail = 17;
+        error.refusal = modbus::Refusal::NotStandstill;
+        for (int i = 0; i <= static_cast<int>(modbus::DownloadErrorKind::Withdrawn); ++i) {
+            error.kind = static_cast<modbus::DownloadErrorKind>(i);
+            const QString text = ConnectionSentences::error(error);
+            QVERIFY2(isWhole(text) && text.contains("unchanged"), qPrintable(text));
+        }
+        error.kind = modbus::DownloadErrorKind::TransferRefused;
+        QVERIFY(ConnectionSentences::error(error).contains("Row 17 of the table"));
+        error.kind = modbus::DownloadErrorKind::CommandRefused;
+        QVERIFY(ConnectionSentences::error(error).contains("standstill"));
     }
 
     void findingsOfTheDoctor()
