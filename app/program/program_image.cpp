@@ -96,28 +96,6 @@ tl::expected<ProgramImage, ProgramRefusal> buildProgram(const Recipe& given)
     return image;
 }
 
-std::string describe(const DecodeError& error)
-{
-    const std::string code = std::to_string(error.code);
-    switch (error.kind) {
-    case DecodeErrorKind::Layout:
-        return "The controller's program has layout " + code +
-               ", which this version does not know. Update the panel's software.";
-    case DecodeErrorKind::Kind:
-        return "The controller runs a program of kind " + code +
-               ", which this version cannot show. Update the panel's software.";
-    case DecodeErrorKind::Pinned:
-        return "The controller's program has unknown pinned values (" + code + "). Download a recipe again.";
-    case DecodeErrorKind::Law:
-        return "The controller's program uses law " + code +
-               ", which this version does not know. Update the panel's software.";
-    case DecodeErrorKind::Choice:
-        return "The controller's program has a choice with number " + code +
-               ", which this version does not know. Update the panel's software.";
-    }
-    return {};
-}
-
 namespace {
 
 tl::unexpected<DecodeError> unknown(DecodeErrorKind kind, int code)

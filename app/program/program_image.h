@@ -53,8 +53,6 @@ struct DecodeError {
     int code = 0;
 };
 
-[[nodiscard]] std::string describe(const DecodeError& error);
-
 // Returns the recipe stored beside the table: the controller's active program. `knots`: the registers of
 // modbus::knotSpan(), for a point cam. `limits` supplies the data that is not in the bank (limits of the
 // drive, timer, table size). The derived cycle values are those of the header.

@@ -40,8 +40,8 @@ std::shared_ptr<const ControllerProgram> readProgram(const link::ActiveProgram& 
     const auto recipe = program::decodeProgram(active.header, active.knots,
                                                program::withController(profile::Machine(), identity));
     if (!recipe) {
-        qCWarning(motionLog) << "active program:"
-                             << QString::fromStdString(program::describe(recipe.error()));
+        qCWarning(motionLog, "active program: unknown value %d (error %d)", recipe.error().code,
+                  static_cast<int>(recipe.error().kind));
         return program;
     }
     program->recipe = *recipe;

@@ -137,7 +137,7 @@ void KindsTest::everyDefaultCanBeDownloaded()
         QVERIFY2(verdict.result == CTL_TRANSFER_RESULT_ACCEPTED,
                  qPrintable(QStringLiteral("%1, detail %2").arg(verdict.result).arg(verdict.detail)));
         const auto kept = shown(*image);
-        QVERIFY2(kept, kept ? "" : describe(kept.error()).c_str());
+        QVERIFY2(kept, kept ? "" : QByteArray::number(kept.error().code));
         QCOMPARE(lostInput(*kept, image->recipe), QString());
         QVERIFY(image->solved.cycleS() > 0);
     }
@@ -168,7 +168,7 @@ void KindsTest::randomRecipesTripIdentically()
             qPrintable(
                 QStringLiteral("recipe %1: %2, detail %3").arg(i).arg(verdict.result).arg(verdict.detail)));
         const auto kept = shown(*image);
-        QVERIFY2(kept, kept ? "" : describe(kept.error()).c_str());
+        QVERIFY2(kept, kept ? "" : QByteArray::number(kept.error().code));
         const QString lost = lostInput(*kept, image->recipe);
         QVERIFY2(lost.isEmpty(), qPrintable(QStringLiteral("recipe %1: %2").arg(i).arg(lost)));
         Recipe wanted = *kept;
@@ -371,8 +371,7 @@ void KindsTest::headersThatCannotBeShown()
     const auto result = shown(*image);
     QVERIFY(!result);
     QCOMPARE(static_cast<int>(result.error().kind), error);
-    const QString sentence = QString::fromStdString(describe(result.error()));
-    QVERIFY2(sentence.contains(QString::number(value)), qPrintable(sentence));
+    QCOMPARE(result.error().code, value);
 }
 
 // A header with any contents is displayed or refused, without further effects.
@@ -393,12 +392,10 @@ void KindsTest::damagedHeadersDoNoHarm()
         const auto kept = shown(image);
         if (!kept) {
             ++refused;
-            QVERIFY(!describe(kept.error()).empty());
             continue;
         }
         // Either a motion or a refusal.
-        const auto solved = solveProgram(*kept);
-        QVERIFY(solved || !profile::describe(solved.error()).empty());
+        static_cast<void>(solveProgram(*kept));
     }
     QVERIFY(refused > 0 && refused < 5000);
 }
