@@ -138,27 +138,6 @@ private:
     char m_decimalSign = 0; // unknown yet
 };
 
-std::string_view expectedText(CsvExpectation expected)
-{
-    switch (expected) {
-    case CsvExpectation::Header:
-        return "the header master_deg,slave_mm";
-    case CsvExpectation::TwoValues:
-        return "two values, with the separator of the header";
-    case CsvExpectation::Number:
-        return "a number";
-    case CsvExpectation::DecimalPoint:
-        return "a decimal point, as in the numbers before";
-    case CsvExpectation::DecimalComma:
-        return "a decimal comma, as in the numbers before";
-    case CsvExpectation::Knots:
-        return "a line for each knot";
-    case CsvExpectation::Utf8:
-        break;
-    }
-    return {};
-}
-
 void appendNumber(std::string& text, double value)
 {
     std::array<char, 352> buffer{}; // the longest double in fixed notation and its sign
@@ -168,16 +147,6 @@ void appendNumber(std::string& text, double value)
 }
 
 } // namespace
-
-std::string describe(const CsvError& error)
-{
-    if (error.expected == CsvExpectation::Utf8)
-        return "The file is not text in UTF-8. Save it as CSV in UTF-8.";
-    return detail::concat(
-        {"Line ", std::to_string(error.line), ": found ",
-         error.found.empty() ? std::string("nothing") : detail::concat({"\"", error.found, "\""}),
-         ", expected ", expectedText(error.expected), "."});
-}
 
 tl::expected<std::vector<Knot>, CsvError> readKnotsCsv(std::string_view text)
 {

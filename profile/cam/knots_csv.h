@@ -32,9 +32,6 @@ struct CsvError {
     bool operator==(const CsvError&) const = default;
 };
 
-// Returns one English sentence.
-[[nodiscard]] std::string describe(const CsvError& error);
-
 // Reads a header line, then one line per knot: "master_deg,slave_mm" in degrees and mm. With a semicolon as
 // separator the decimal sign may be a comma, the same one throughout. Lines end with LF or CRLF. Empty lines,
 // spaces around values and a UTF-8 byte order mark are ignored. checkKnots() decides if the knots form a

@@ -53,7 +53,7 @@ void TestKnotsCsv::reads()
 {
     QFETCH(QByteArray, text);
     const auto knots = readKnotsCsv(text.toStdString());
-    QVERIFY2(knots.has_value(), knots ? "" : describe(knots.error()).c_str());
+    QVERIFY2(knots.has_value(), knots ? "" : knots.error().found.c_str());
     QCOMPARE(knots->size(), std::size_t{3});
     QVERIFY(knots->at(0) == (Knot{0, 0}));
     QVERIFY(knots->at(1) == (Knot{90.5, -20.25}));
@@ -105,8 +105,6 @@ void TestKnotsCsv::refuses()
     QCOMPARE(knots.error().line, line);
     QCOMPARE(static_cast<int>(knots.error().expected), static_cast<int>(expected));
     QCOMPARE(QByteArray::fromStdString(knots.error().found), found);
-    const QByteArray sentence = QByteArray::fromStdString(describe(knots.error()));
-    QVERIFY2(sentence.startsWith("Line " + QByteArray::number(line) + ": found "), sentence.constData());
 }
 
 void TestKnotsCsv::refusesWhatIsNotUtf8()
@@ -123,8 +121,6 @@ void TestKnotsCsv::refusesWhatIsNotUtf8()
         const auto knots = readKnotsCsv(bytes);
         QVERIFY(!knots.has_value());
         QVERIFY(knots.error() == (CsvError{1, CsvExpectation::Utf8, {}}));
-        QCOMPARE(QByteArray::fromStdString(describe(knots.error())),
-                 QByteArray("The file is not text in UTF-8. Save it as CSV in UTF-8."));
     }
 }
 
@@ -134,9 +130,6 @@ void TestKnotsCsv::writes()
     QCOMPARE(
         QByteArray::fromStdString(writeKnotsCsv(knots)),
         QByteArray("master_deg,slave_mm\n0,0\n90.5,-20.25\n0.30000000000000004,0.0000001\n360,1234567\n"));
-    const CsvError error{7, CsvExpectation::Number, "x"};
-    QCOMPARE(QByteArray::fromStdString(describe(error)),
-             QByteArray("Line 7: found \"x\", expected a number."));
 }
 
 void TestKnotsCsv::readsWhatItWrote()
