@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 #include <utility>
 
 namespace campanel::modbus {
@@ -22,22 +21,6 @@ bool isWithoutSession(TransferResult result)
 }
 
 } // namespace
-
-std::string describe(const DownloadError& error)
-{
-    static constexpr std::array<std::string_view, 8> ids{
-        "link",        "image_too_long",  "kind_not_supported", "transfer_refused", "checksum_differs",
-        "rows_differ", "command_refused", "withdrawn"};
-    std::string text(ids[static_cast<std::size_t>(error.kind)]);
-    if (error.kind == DownloadErrorKind::Link)
-        return text.append(": ").append(describe(error.link));
-    for (const std::uint32_t number :
-         {std::uint32_t{static_cast<std::uint16_t>(error.transfer.result)},
-          std::uint32_t{error.transfer.detail}, std::uint32_t{static_cast<std::uint16_t>(error.refusal)},
-          error.offset, error.expected, error.actual})
-        text.append(" ").append(std::to_string(number));
-    return text;
-}
 
 Download::Download(std::vector<std::uint16_t> image, const Identity& controller, Options options)
     : m_image(std::move(image))

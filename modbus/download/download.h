@@ -26,6 +26,7 @@ enum class DownloadErrorKind : std::uint8_t {
     Withdrawn,        // the armed change was cancelled or discarded before it became active
 };
 
+// The running program is untouched in every case.
 struct DownloadError {
     DownloadErrorKind kind = DownloadErrorKind::Link;
     LinkError link;
@@ -35,9 +36,6 @@ struct DownloadError {
     std::uint32_t expected = 0;
     std::uint32_t actual = 0;
 };
-
-// Returns the id and the numbers, for logs. The running program is untouched in every case.
-[[nodiscard]] std::string describe(const DownloadError& error);
 
 class Download {
 public:

@@ -141,10 +141,11 @@ void PanelMaster::endDownload(const modbus::DownloadError* error)
         if (m_truth.activeCrc() != m_download->crc())
             m_tally.find(m_tally.wrong, "a download said that it is active, and is not");
     } else {
-        ++m_tally.work["downloads ended: " + modbus::describe(*error)];
+        ++m_tally.work["downloads ended: error " + std::to_string(static_cast<int>(error->kind))];
         // Withdrawn by the soak's own command or, after arming, by a restart; nothing else may cause it.
         if (error->kind != modbus::DownloadErrorKind::Withdrawn)
-            m_tally.find(m_tally.hangs, "a download did not survive: " + modbus::describe(*error));
+            m_tally.find(m_tally.hangs, "a download did not survive: error " +
+                                            std::to_string(static_cast<int>(error->kind)));
         m_truth.notApplied(); // all mean that the active program is unchanged
     }
     m_download.reset();

@@ -143,7 +143,8 @@ void ControllerTest::downloadBecomesActive()
 {
     const auto image = program::buildProgram(program::Recipe{});
     QVERIFY(image.has_value());
-    QVERIFY2(download(image->registers, ApplyMode::WhenStopped), describe(m_failure).c_str());
+    QVERIFY2(download(image->registers, ApplyMode::WhenStopped),
+             QByteArray::number(static_cast<int>(m_failure.kind)));
     const auto now = status();
     QCOMPARE(now->activeCrc, image->crc);
     QCOMPARE(now->generation, 1u);
@@ -159,13 +160,14 @@ void ControllerTest::changeWhileRunning()
     program::Recipe recipe;
     recipe.cutter().rateBagsPerMin = 120;
     QVERIFY2(download(program::buildProgram(recipe)->registers, ApplyMode::WhenStopped),
-             describe(m_failure).c_str());
+             QByteArray::number(static_cast<int>(m_failure.kind)));
     const auto started = m_client->command(Command::Start);
     QVERIFY(started.has_value() && started->done());
     QVERIFY(waitFor(State::Running));
     recipe.cutter().bagLengthMm = 260;
     const auto image = program::buildProgram(recipe);
-    QVERIFY2(download(image->registers, ApplyMode::NextCycle), describe(m_failure).c_str());
+    QVERIFY2(download(image->registers, ApplyMode::NextCycle),
+             QByteArray::number(static_cast<int>(m_failure.kind)));
     const auto now = status();
     QCOMPARE(now->generation, 2u);
     QCOMPARE(now->activeCrc, image->crc);
