@@ -229,6 +229,22 @@
         <source>All data of this panel in one file: recipes with their versions, machine data, users, alarms, audit trail, bags, trends, settings.</source>
         <translation>本面板的全部数据合为一个文件：配方及其版本、机器数据、用户、报警、审计记录、袋记录、趋势、设置。</translation>
     </message>
+    <message>
+        <source>Restore a backup</source>
+        <translation>恢复备份</translation>
+    </message>
+    <message>
+        <source>Checking …</source>
+        <translation>正在检查…</translation>
+    </message>
+    <message>
+        <source>Check and restore</source>
+        <translation>检查并恢复</translation>
+    </message>
+    <message>
+        <source>There is no backup on a USB stick or on this panel. Plug a stick in; the panel finds it automatically.</source>
+        <translation>U 盘和本面板上都没有备份。请插入 U 盘，面板会自动找到。</translation>
+    </message>
 </context>
 <context>
     <name>BagCard</name>
@@ -1015,12 +1031,8 @@ And %2 more.</source>
 <context>
     <name>KnotFilesSheet</name>
     <message>
-        <source>Searching …</source>
-        <translation>正在查找…</translation>
-    </message>
-    <message>
-        <source>There is no CSV file on a USB stick or in %1. Plug a stick in and search again.</source>
-        <translation>U 盘和 %1 中都没有 CSV 文件。请插入 U 盘后重新查找。</translation>
+        <source>There is no CSV file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.</source>
+        <translation>U 盘和 %1 中都没有 CSV 文件。请插入 U 盘，面板会自动找到。</translation>
     </message>
     <message>
         <source>Choose the location of the new file.</source>
@@ -1804,29 +1816,6 @@ And %2 more.</source>
     </message>
 </context>
 <context>
-    <name>RecipeImportSheet</name>
-    <message>
-        <source>Import a recipe</source>
-        <translation>导入配方</translation>
-    </message>
-    <message>
-        <source>Searching …</source>
-        <translation>正在查找…</translation>
-    </message>
-    <message>
-        <source>Choose a file to view its content.</source>
-        <translation>请选择文件以查看其内容。</translation>
-    </message>
-    <message>
-        <source>There is no recipe file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.</source>
-        <translation>U 盘和 %1 中都没有配方文件。请插入 U 盘，面板会自动找到。</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>导入</translation>
-    </message>
-</context>
-<context>
     <name>RecipeRow</name>
     <message>
         <source>v%1 · %2</source>
@@ -1951,6 +1940,18 @@ And %2 more.</source>
         <source>Discard edits</source>
         <translation>放弃修改</translation>
     </message>
+    <message>
+        <source>Import a recipe</source>
+        <translation>导入配方</translation>
+    </message>
+    <message>
+        <source>There is no recipe file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.</source>
+        <translation>U 盘和 %1 中都没有配方文件。请插入 U 盘，面板会自动找到。</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>导入</translation>
+    </message>
 </context>
 <context>
     <name>RegistersSection</name>
@@ -1984,30 +1985,7 @@ And %2 more.</source>
     </message>
 </context>
 <context>
-    <name>ReportFilesSheet</name>
-    <message>
-        <source>Searching …</source>
-        <translation>正在查找…</translation>
-    </message>
-    <message>
-        <source>Choose the location of the new files.</source>
-        <translation>请选择新文件的位置。</translation>
-    </message>
-    <message>
-        <source>Write file</source>
-        <translation>写入文件</translation>
-    </message>
-</context>
-<context>
-    <name>RestoreSheet</name>
-    <message>
-        <source>Restore a backup</source>
-        <translation>恢复备份</translation>
-    </message>
-    <message>
-        <source>Checking …</source>
-        <translation>正在检查…</translation>
-    </message>
+    <name>OfferSheet</name>
     <message>
         <source>Searching …</source>
         <translation>正在查找…</translation>
@@ -2016,13 +1994,16 @@ And %2 more.</source>
         <source>Choose a file to view its content.</source>
         <translation>请选择文件以查看其内容。</translation>
     </message>
+</context>
+<context>
+    <name>ReportFilesSheet</name>
     <message>
-        <source>Check and restore</source>
-        <translation>检查并恢复</translation>
+        <source>Choose the location of the new files.</source>
+        <translation>请选择新文件的位置。</translation>
     </message>
     <message>
-        <source>There is no backup on a USB stick or on this panel. Plug a stick in; the panel finds it automatically.</source>
-        <translation>U 盘和本面板上都没有备份。请插入 U 盘，面板会自动找到。</translation>
+        <source>Write file</source>
+        <translation>写入文件</translation>
     </message>
 </context>
 <context>

@@ -241,7 +241,19 @@ Page {
     }
     Component {
         id: importSheet
-        RecipeImportSheet {}
+        OfferSheet {
+            id: imports
+            title: qsTr("Import a recipe")
+            exchange: Recipes.files
+            offers: Recipes.files.files
+            emptyText: qsTr("There is no recipe file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.").arg(Recipes.files.ownFolder)
+            actionText: qsTr("Import")
+            Component.onCompleted: Recipes.files.look()
+            onAccepted: row => {
+                Recipes.files.take(row)
+                imports.closed()
+            }
+        }
     }
     Component {
         id: exportSheet

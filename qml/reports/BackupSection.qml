@@ -106,7 +106,16 @@ ServiceSection {
     }
     Component {
         id: restoreSheet
-        RestoreSheet {}
+        OfferSheet {
+            title: qsTr("Restore a backup")
+            exchange: Backup
+            offers: Backup.found
+            emptyText: qsTr("There is no backup on a USB stick or on this panel. Plug a stick in; the panel finds it automatically.")
+            workText: qsTr("Checking …")
+            actionText: qsTr("Check and restore")
+            Component.onCompleted: Backup.look()
+            onAccepted: row => Backup.check(row)
+        }
     }
     Component {
         id: restoreQuestion

@@ -63,7 +63,7 @@ public:
             m_finger.tap(u"nav_alarms"_s);
             if (!m_panel.alarms().history()->watched())
                 m_finger.tap(u"alarmsHistory"_s);
-            awaitData([this] { return m_panel.alarms().history()->count() > 0; });
+            awaitData([this] { return m_panel.alarms().history()->rows()->count() > 0; });
         });
     }
 

@@ -275,9 +275,9 @@ private slots:
         panel.tap("recipeImport");
         QTRY_COMPARE_WITH_TIMEOUT(panel.panel().recipes().files()->files()->count(), 1, timeoutMs);
         panel.finger().settle();
-        panel.tap("recipeFile0");
+        panel.tap("offer0");
         QVERIFY2(panel.texts().contains(QStringLiteral("broken.json is damaged")), qPrintable(panel.texts()));
-        panel.tap("recipeTake"); // has no effect
+        panel.tap("offerGo"); // has no effect
         panel.finger().settle();
         panel.tap("sheetClose");
         QCOMPARE(panel.panel().recipes().total(), 1);

@@ -96,9 +96,9 @@ QList<Scene> backupScenes()
                  stage.tap(u"backupRestore"_s);
                  waitUntilIdle(stage);
              }},
-            restoring("restore", {u"backupFile0"_s}),
-            restoring("restore-foreign", {u"backupFile1"_s}),
-            restoring("restore-question", {u"backupFile0"_s, u"backupCheck"_s})};
+            restoring("restore", {u"offer0"_s}),
+            restoring("restore-foreign", {u"offer1"_s}),
+            restoring("restore-question", {u"offer0"_s, u"offerGo"_s})};
 }
 
 } // namespace campanel::looks

@@ -147,8 +147,8 @@ QList<Scene> recipeScenes()
             versions("recipes-versions", QStringLiteral("candidate0")),
             page("recipes-compare", {QStringLiteral("recipeCompare"), QStringLiteral("candidate1")}),
             page("recipes-remove", {QStringLiteral("recipe1"), QStringLiteral("recipeRemove")}),
-            importing("recipes-import", QStringLiteral("recipeFile0")),
-            importing("recipes-import-bad", QStringLiteral("recipeFile1"))};
+            importing("recipes-import", QStringLiteral("offer0")),
+            importing("recipes-import-bad", QStringLiteral("offer1"))};
 }
 
 } // namespace campanel::looks

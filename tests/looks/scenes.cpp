@@ -164,7 +164,7 @@ Scene reportPlaces(const char* name)
                 for (const char* tapped : {"nav_maintenance", "serviceLine", "service1", "figuresExport"})
                     stage.tap(QString::fromLatin1(tapped));
                 stage.waitFor(files);
-                stage.tap(QStringLiteral("place0"));
+                stage.tap(QStringLiteral("offer0"));
             }};
 }
 

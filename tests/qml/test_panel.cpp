@@ -210,12 +210,12 @@ private slots:
         tap("knotsButton");
         tap("knotFilesButton");
         m_stage->waitFor(files);
-        QVERIFY(!m_stage->find(QStringLiteral("knotFilesGo"))->isEnabled());
+        QVERIFY(!m_stage->find(QStringLiteral("offerGo"))->isEnabled());
         tap("offer0");
         QVERIFY2(textOf("offerDetail").startsWith(QStringLiteral("6 knots")),
                  qPrintable(textOf("offerDetail")));
         QCOMPARE(editor().knots()->count(), 5);
-        tap("knotFilesGo");
+        tap("offerGo");
         QCOMPARE(editor().knots()->count(), 6);
         QVERIFY2(m_stage->find(QStringLiteral("knotList")), "back among the knots");
         tap("knotFilesButton");
@@ -223,7 +223,7 @@ private slots:
         tap("knotsExport");
         m_stage->waitFor(files);
         tap("offer0");
-        tap("knotFilesGo");
+        tap("offerGo");
         m_stage->waitFor(files);
         const QString written = stick.filePath(editor().recipeName() + QStringLiteral(".csv"));
         QCOMPARE(textOf("offerDetail"), QStringLiteral("Written: ") + written);

@@ -54,8 +54,8 @@ class TestPanelBackup : public test::PanelTest {
         tap("backupMake");
         waitForBackup();
         m_stage->waitFor(*backup().places());
-        tap("place0");
-        tap("reportWrite");
+        tap("offer0");
+        tap("offerGo");
         m_stage->waitFor(*backup().places());
         QCOMPARE(onStick(u"*.zip"_s).size(), 1);
         tap("sheetClose");
@@ -81,7 +81,7 @@ private slots:
         tap("backupMake");
         QVERIFY2(textOf("backupMessage").startsWith(u"The database could not be opened"_s),
                  qPrintable(textOf("backupMessage")));
-        QVERIFY(!isOn("place0"));
+        QVERIFY(!isOn("offer0"));
         emit records.store().opened({});
     }
 
@@ -99,8 +99,8 @@ private slots:
         m_stage->settle();
         tap("backupRestore");
         waitForBackup();
-        tap("backupFile0");
-        tap("backupCheck");
+        tap("offer0");
+        tap("offerGo");
         waitForBackup();
         QVERIFY2(m_stage->complaints().isEmpty(), qPrintable(m_stage->complaints().join(u'\n')));
         QVERIFY2(textOf("question").contains(u"bags, trends and settings"), qPrintable(textOf("question")));
@@ -171,10 +171,10 @@ private slots:
         file.close();
         tap("backupRestore");
         waitForBackup();
-        tap("backupFile0");
-        tap("backupCheck");
+        tap("offer0");
+        tap("offerGo");
         waitForBackup();
-        QVERIFY2(textOf("backupDetail").contains(u"is damaged"), qPrintable(textOf("backupDetail")));
+        QVERIFY2(textOf("offerDetail").contains(u"is damaged"), qPrintable(textOf("offerDetail")));
         QVERIFY(!isOn("confirm_restore"));
     }
 
@@ -186,11 +186,11 @@ private slots:
         m_stage->lookAtClock();
         tap("backupRestore");
         waitForBackup();
-        tap("backupFile0");
-        tap("backupCheck");
+        tap("offer0");
+        tap("offerGo");
         waitForBackup();
-        QVERIFY2(textOf("backupDetail").startsWith(u"The machine is moving."),
-                 qPrintable(textOf("backupDetail")));
+        QVERIFY2(textOf("offerDetail").startsWith(u"The machine is moving."),
+                 qPrintable(textOf("offerDetail")));
     }
 
     void theReportIsAPdf_data()
@@ -209,8 +209,8 @@ private slots:
         m_stage->link().show(looks::DemoLink::Situation::Running);
         tap("reportMake");
         m_stage->waitFor(*m_stage->panel().service().files());
-        tap("place0");
-        tap("reportWrite");
+        tap("offer0");
+        tap("offerGo");
         m_stage->waitFor(*m_stage->panel().service().files());
         QVERIFY2(m_stage->complaints().isEmpty(), qPrintable(m_stage->complaints().join(u'\n')));
         QCOMPARE(onStick(u"*.pdf"_s).size(), 1);

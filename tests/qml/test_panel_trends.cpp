@@ -135,8 +135,8 @@ private slots:
         tap("trendExport");
         m_stage->waitForTrends();
         m_stage->waitFor(files);
-        tap("place0");
-        tap("reportWrite");
+        tap("offer0");
+        tap("offerGo");
         m_stage->waitFor(files);
         QVERIFY2(!files.failed(), qPrintable(files.message()));
         QFile bags(stick.filePath(QStringLiteral("bags.csv")));
