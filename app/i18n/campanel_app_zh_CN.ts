@@ -4106,14 +4106,14 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>无法使用 · %1 · %2</translation>
     </message>
     <message>
-        <source>Line %1: %2 Correct the file and search again.</source>
+        <source>Line %1: %2 Correct the file; the panel reads it again automatically.</source>
         <comment>%2: whole sentence</comment>
-        <translation>第 %1 行：%2请更正文件后重新查找。</translation>
+        <translation>第 %1 行：%2请更正文件，面板会自动重新读取。</translation>
     </message>
     <message>
-        <source>%1 Correct the file and search again.</source>
+        <source>%1 Correct the file; the panel reads it again automatically.</source>
         <comment>%1: whole sentence</comment>
-        <translation>%1请更正文件后重新查找。</translation>
+        <translation>%1请更正文件，面板会自动重新读取。</translation>
     </message>
     <message>
         <source>%1 knots, slave %2 to %3 mm, will replace the recipe&apos;s knots. Undo restores the old knots.</source>
@@ -4899,9 +4899,9 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>无法使用 · %1 · %2</translation>
     </message>
     <message>
-        <source>%1 Correct the file and search again.</source>
+        <source>%1 Correct the file; the panel reads it again automatically.</source>
         <comment>%1: whole sentence</comment>
-        <translation>%1请更正文件后重新查找。</translation>
+        <translation>%1请更正文件，面板会自动重新读取。</translation>
     </message>
 </context>
 <context>

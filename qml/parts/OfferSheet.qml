@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files or places on a USB stick or in the panel's own folder: a list, the consequence of the selected one below it, and the
-// key that acts on it. Searches again while nothing is selected, to find a stick when it is plugged in.
+// key that acts on it. Searches again until something usable is selected, to find a stick when it is plugged in.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -27,12 +27,15 @@ Sheet {
 
     signal accepted(int row)
 
-    readonly property string hint: sheet.exchange.busy ? qsTr("Searching …") : sheet.offers.count > 0 ? sheet.chooseText : sheet.emptyText
+    onCountChanged: sheet.chosen = -1 // the rows have moved
+
+    readonly property int count: sheet.offers.count
+    readonly property string hint: sheet.exchange.busy ? qsTr("Searching …") : sheet.count > 0 ? sheet.chooseText : sheet.emptyText
 
     Timer {
         interval: Theme.lookAgainTime
         repeat: true
-        running: sheet.chosen < 0 && !sheet.exchange.busy
+        running: (sheet.chosen < 0 || !sheet.chosenUsable) && !sheet.exchange.busy
         onTriggered: sheet.exchange.refresh()
     }
     ListView {
@@ -54,11 +57,19 @@ Sheet {
             text: title
             noteColor: usable || holds ? Theme.color.secondaryInk : Theme.color.fault
             holds: sheet.chosen === index
+            onHoldsChanged: show()
+            onDetailChanged: show()
+            onUsableChanged: show()
             onClicked: {
                 sheet.chosen = index
+                sheet.works = false
+            }
+
+            function show(): void {
+                if (!holds)
+                    return
                 sheet.chosenDetail = detail
                 sheet.chosenUsable = usable
-                sheet.works = false
             }
         }
     }

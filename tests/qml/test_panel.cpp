@@ -233,6 +233,35 @@ private slots:
         QCOMPARE(editor().knots()->count(), 5);
     }
 
+    void aCorrectedFileIsReadAgain()
+    {
+        const QTemporaryDir stick;
+        const QString path = stick.filePath(QStringLiteral("cam.csv"));
+        const auto write = [&path](const QByteArray& knots) {
+            QFile file(path);
+            return file.open(QIODevice::WriteOnly) && file.write("master_deg,slave_mm\n" + knots) > 0;
+        };
+        QVERIFY(write("0,0\n60,3\n50,9\n200,8\n300,1\n360,0\n"));
+        editor().newProgram(4);
+        panel::KnotFiles& files = *editor().knotFiles();
+        files.setLooker([path = stick.path()](const QString&) {
+            const QList<campanel::store::Place> places{{path, QStringLiteral("STICK"), false}};
+            return panel::KnotFiles::Found{places, campanel::store::offeredKnots(places)};
+        });
+        tap("nav_motion");
+        tap("knotsButton");
+        tap("knotFilesButton");
+        m_stage->waitFor(files);
+        tap("offer0");
+        QVERIFY(textOf("offerDetail").startsWith(QStringLiteral("Line 4")));
+        QVERIFY(!m_stage->find(QStringLiteral("offerGo"))->isEnabled());
+        QVERIFY(write("0,0\n60,3\n120,9\n200,8\n300,1\n360,0\n"));
+        QTRY_VERIFY(m_stage->find(QStringLiteral("offerGo"))->isEnabled());
+        QVERIFY(textOf("offerDetail").startsWith(QStringLiteral("6 knots")));
+        tap("offerGo");
+        QCOMPARE(editor().knots()->count(), 6);
+    }
+
     void aLawThatBreaksALimitCanBeHeldButNotChosen()
     {
         editor().rate()->set(390);

@@ -69,11 +69,13 @@ OfferRow KnotFiles::fileRow(const store::KnotsOffer& offer) const
                                 .arg(date, offer.placeName)
                           : tr("cannot be used · %1 · %2", "date, place").arg(date, offer.placeName);
     if (offer.refusal) {
-        row.detail = tr("Line %1: %2 Correct the file and search again.", "%2: whole sentence")
-                         .arg(offer.refusedLine)
-                         .arg(RefusalSentences::refusal(*offer.refusal));
+        row.detail =
+            tr("Line %1: %2 Correct the file; the panel reads it again automatically.", "%2: whole sentence")
+                .arg(offer.refusedLine)
+                .arg(RefusalSentences::refusal(*offer.refusal));
     } else if (!row.usable) {
-        row.detail = tr("%1 Correct the file and search again.", "%1: whole sentence").arg(offer.problem);
+        row.detail = tr("%1 Correct the file; the panel reads it again automatically.", "%1: whole sentence")
+                         .arg(offer.problem);
     } else {
         const auto [lowest, highest] = std::ranges::minmax(offer.knots, {}, &profile::Knot::slaveMm);
         row.detail =

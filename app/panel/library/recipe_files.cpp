@@ -40,7 +40,7 @@ OfferRow RecipeFiles::row(const store::RecipeOffer& offer) const
         row.detail = m_consequence(*offer.recipe);
     } else {
         row.note = tr("cannot be used · %1 · %2", "date, place").arg(date, offer.placeName);
-        row.detail = tr("%1 Correct the file and search again.", "%1: whole sentence")
+        row.detail = tr("%1 Correct the file; the panel reads it again automatically.", "%1: whole sentence")
                          .arg(store::FileErrorText::describe(offer.recipe.error()));
     }
     return row;

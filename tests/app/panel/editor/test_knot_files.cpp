@@ -110,7 +110,8 @@ private slots:
         look(rig);
         const OfferRow row = rig.editor.knotFiles()->files()->rows().value(0);
         QVERIFY(!row.usable);
-        QVERIFY2(row.detail.contains(words) && row.detail.endsWith(u"Correct the file and search again."_s),
+        QVERIFY2(row.detail.contains(words) &&
+                     row.detail.endsWith(u"Correct the file; the panel reads it again automatically."_s),
                  qPrintable(row.detail));
         for (const int index : {-1, 0, 1})
             rig.editor.knotFiles()->take(index);
