@@ -11,6 +11,25 @@
 namespace campanel::program {
 namespace {
 
+// profile and modbus know nothing of each other: each has the words of its own side, with the same codes.
+template <typename A, typename B> constexpr bool hasSameCodes(A a, B b)
+{
+    return static_cast<unsigned>(a) == static_cast<unsigned>(b);
+}
+static_assert(hasSameCodes(profile::ProgramKind::RotaryCutter, modbus::ProgramKind::RotaryCutter));
+static_assert(hasSameCodes(profile::ProgramKind::PositionMove, modbus::ProgramKind::PositionMove));
+static_assert(hasSameCodes(profile::ProgramKind::SpeedMove, modbus::ProgramKind::SpeedMove));
+static_assert(hasSameCodes(profile::ProgramKind::PointCam, modbus::ProgramKind::PointCam));
+static_assert(hasSameCodes(profile::ProgramKind::Press, modbus::ProgramKind::Press));
+static_assert(hasSameCodes(profile::MoveDuration::GivenTime, modbus::MoveDuration::GivenTime));
+static_assert(hasSameCodes(profile::MoveDuration::Fastest, modbus::MoveDuration::Fastest));
+static_assert(hasSameCodes(profile::MoveDuration::OverDistance, modbus::MoveDuration::OverDistance));
+static_assert(hasSameCodes(profile::SplineEnds::Natural, modbus::SplineEnds::Natural));
+static_assert(hasSameCodes(profile::SplineEnds::Clamped, modbus::SplineEnds::Clamped));
+static_assert(hasSameCodes(profile::SplineEnds::Periodic, modbus::SplineEnds::Periodic));
+static_assert(hasSameCodes(profile::RampShape::Trapezoid, modbus::RampShape::Trapezoid));
+static_assert(hasSameCodes(profile::RampShape::SCurve, modbus::RampShape::SCurve));
+
 using profile::Field;
 using profile::PointCamProgram;
 using profile::PositionMoveProgram;

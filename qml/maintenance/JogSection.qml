@@ -12,7 +12,7 @@ ServiceSection {
     id: section
 
     readonly property Jog jog: Service.jog
-    readonly property bool cutter: Controller.active.kind === 1 && !isNaN(Controller.live.knifeAngleDeg)    // Editor.Kind.RotaryCutter
+    readonly property bool cutter: Controller.active.kind === Editor.Kind.RotaryCutter && !isNaN(Controller.live.knifeAngleDeg)
     readonly property bool covered: section.page !== null && section.page.covered
     readonly property bool inFront: Window.active
 

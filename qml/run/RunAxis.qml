@@ -13,7 +13,7 @@ Item {
     readonly property int gap: Theme.size.gap
     property real bottomInset
     signal explainRequested(var quantities)
-    readonly property bool isCam: Controller.active.kind === 4    // Editor.Kind.PointCam
+    readonly property bool isCam: Controller.active.kind === Editor.Kind.PointCam
     readonly property real upper: Math.round((height - gap) * (isCam ? 0.4 : 0.28))
     readonly property real start: isCam ? dial.width + gap : 0
     readonly property real cell: isCam ? (width - start - gap) / 2 : (width - 2 * gap) / 3

@@ -8,10 +8,10 @@ import CamPanel.Panel
 Page {
     id: page
 
-    // The views by Machine.activeKind: no program, cutter (of a controller without film and marks), position move, speed
+    // The views by Controller.active.kind: no program, cutter (of a controller without film and marks), position move, speed
     // move, point cam, press.
     readonly property list<string> views: ["RunEmpty.qml", "RunCutter.qml", "RunAxis.qml", "RunAxis.qml", "RunAxis.qml", "RunPress.qml"]
-    readonly property string view: Controller.active.kind === 1 && Controller.packing.present ? "RunPacking.qml" : page.views[Controller.active.kind]
+    readonly property string view: Controller.active.kind === Editor.Kind.RotaryCutter && Controller.packing.present ? "RunPacking.qml" : page.views[Controller.active.kind]
 
     Loader {
         id: loader

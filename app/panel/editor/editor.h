@@ -12,6 +12,7 @@
 #include "app/panel/recipe/solution.h"
 #include "app/panel/recipe/table_model.h"
 #include "app/store/recipes/last_recipe.h"
+#include "profile/program/programs.h"
 
 #include <QObject>
 #include <QPointF>
@@ -74,7 +75,13 @@ class Editor : public QObject {
     Q_PROPERTY(QString notice READ notice NOTIFY noticeChanged FINAL)
 
 public:
-    enum class Kind { RotaryCutter = 1, PositionMove, SpeedMove, PointCam, Press };
+    enum class Kind {
+        RotaryCutter = static_cast<int>(profile::ProgramKind::RotaryCutter),
+        PositionMove = static_cast<int>(profile::ProgramKind::PositionMove),
+        SpeedMove = static_cast<int>(profile::ProgramKind::SpeedMove),
+        PointCam = static_cast<int>(profile::ProgramKind::PointCam),
+        Press = static_cast<int>(profile::ProgramKind::Press),
+    };
     Q_ENUM(Kind)
     enum class Severity { Good, Warning, Bad };
     Q_ENUM(Severity)
