@@ -42,6 +42,8 @@ private slots:
     void flashFailureIsReported();
     void savingWhileRunning();
     void maxCamThroughFlash();
+    void slotsOfOtherVersions_data();
+    void slotsOfOtherVersions();
 };
 
 void TestFlash::blankFlash()
@@ -162,6 +164,60 @@ void TestFlash::flashFailureIsReported()
     flash.bytesUntilPowerCut = 10;
     QCOMPARE(saveNumber(rig, 2), CTL_REFUSAL_FLASH_FAILED);
     QCOMPARE(rig.statusWide(CTL_REG_STATUS_SAVED_CRC), saved);
+}
+
+// A slot as another version wrote it: its magic, and its number of parameters where it has one.
+void TestFlash::slotsOfOtherVersions_data()
+{
+    QTest::addColumn<int>("lastOfMagic");
+    QTest::addColumn<bool>("hasCount");
+    QTest::addColumn<int>("parameters");
+    QTest::newRow("map 1.1") << int{'2'} << false << 10;
+    QTest::newRow("map 1.2") << int{'3'} << false << 38;
+    QTest::newRow("an older one") << int{'4'} << true << 12;
+    QTest::newRow("a newer one") << int{'4'} << true << int{CTL_GROUP_PARAMETER} + 3;
+}
+
+void TestFlash::slotsOfOtherVersions()
+{
+    QFETCH(int, lastOfMagic);
+    QFETCH(bool, hasCount);
+    QFETCH(int, parameters);
+    MemoryFlash flash;
+    {
+        Rig rig({}, &flash);
+        rig.setParameter(CTL_REG_PARAMETER_RAMP_TIME, 1234);
+        QCOMPARE(saveNumber(rig, 1), CTL_REFUSAL_NONE);
+    }
+    auto& bytes = flash.contents[0];
+    Registers slot;
+    for (std::size_t i = 0; i + 1 < bytes.size() - 4; i += 2)
+        slot.push_back(static_cast<std::uint16_t>(bytes[i] << 8 | bytes[i + 1]));
+    constexpr int head = 7;
+    constexpr int now = CTL_GROUP_PARAMETER;
+    slot[1] = static_cast<std::uint16_t>('M' << 8 | lastOfMagic);
+    slot[head - 1] = static_cast<std::uint16_t>(parameters);
+    const auto end = slot.begin() + head + now;
+    if (parameters < now)
+        slot.erase(slot.begin() + head + parameters, end);
+    else
+        slot.insert(end, static_cast<std::size_t>(parameters - now), std::uint16_t{7});
+    if (!hasCount)
+        slot.erase(slot.begin() + head - 1);
+    const std::uint32_t crc = crc32(slot);
+    slot.push_back(static_cast<std::uint16_t>(crc >> 16));
+    slot.push_back(static_cast<std::uint16_t>(crc & 0xFFFFu));
+    bytes.clear();
+    for (const std::uint16_t each : slot) {
+        bytes.push_back(static_cast<std::uint8_t>(each >> 8));
+        bytes.push_back(static_cast<std::uint8_t>(each & 0xFFu));
+    }
+    Rig rig({}, &flash);
+    QCOMPARE(rig.statusWide(CTL_REG_STATUS_ACTIVE_CRC), crc32(bankNumber(1).registers()));
+    QCOMPARE(rig.status(CTL_REG_PARAMETER_RAMP_TIME), 1234);
+    QCOMPARE(saveNumber(rig, 2), CTL_REFUSAL_NONE);
+    Rig after({}, &flash);
+    QCOMPARE(after.statusWide(CTL_REG_STATUS_ACTIVE_CRC), crc32(bankNumber(2).registers()));
 }
 
 void TestFlash::savingWhileRunning()

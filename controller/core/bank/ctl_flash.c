@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* A slot, high byte first: magic, sequence, generation (32 bits each), the parameters, the bank's registers,
- * CRC-32 of all before it. */
+/* A slot, high byte first: magic, sequence, generation (32 bits each), the number of parameters, these, the
+ * bank's registers, CRC-32 of all before it. Slots of older versions have no number. */
 #include "bank/ctl_flash.h"
 
 #include "bank/ctl_check.h"
@@ -10,15 +10,19 @@
 
 #include <string.h>
 
-#define MAGIC 0x43414D33u     /* "CAM3" */
-#define OLD_MAGIC 0x43414D32u /* "CAM2": fewer parameters */
+#define MAGIC 0x43414D34u            /* "CAM4" */
+#define MAGIC_OF_MAP_1_2 0x43414D33u /* "CAM3" */
+#define MAGIC_OF_MAP_1_1 0x43414D32u /* "CAM2" */
+#define PARAMETERS_OF_MAP_1_2 38u
+#define PARAMETERS_OF_MAP_1_1 10u
+#define MOST_PARAMETERS 256u
 #define BLANK 0xFFFFFFFFu
 #define FIXED_REGISTERS 6u
 #define HEAD_REGISTERS (FIXED_REGISTERS + CTL_GROUP_PARAMETER)
 #define PARAMETER_BYTES (CTL_GROUP_PARAMETER * sizeof(uint16_t))
 #define CHUNK_REGISTERS 32u
 
-_Static_assert(CTL_OLD_PARAMETER_REGISTERS <= CTL_GROUP_PARAMETER, "an older slot has fewer parameters");
+_Static_assert(CTL_GROUP_PARAMETER <= MOST_PARAMETERS, "a slot holds all parameters");
 
 typedef struct {
     const ctl_port* port;
@@ -66,18 +70,44 @@ static slot_stream open_slot(const ctl_board* board, uint32_t slot)
     return stream;
 }
 
+/* Reads how many parameters follow; 0 when this is no slot. */
+static uint32_t read_parameter_count(slot_stream* stream, uint32_t magic)
+{
+    uint16_t count = 0;
+    switch (magic) {
+    case MAGIC:
+        read_some(stream, &count, 1);
+        return count <= MOST_PARAMETERS ? count : 0;
+    case MAGIC_OF_MAP_1_2:
+        return PARAMETERS_OF_MAP_1_2;
+    case MAGIC_OF_MAP_1_1:
+        return PARAMETERS_OF_MAP_1_1;
+    default:
+        return 0;
+    }
+}
+
+/* Parameters that an older slot does not hold keep their defaults; those of a newer version are left out. */
+static void read_parameters(slot_stream* stream, uint32_t count, uint16_t* parameter)
+{
+    const uint32_t known = count < CTL_GROUP_PARAMETER ? count : CTL_GROUP_PARAMETER;
+    read_some(stream, parameter, known);
+    for (uint32_t i = known; i < count; ++i) {
+        uint16_t unknown = 0;
+        read_some(stream, &unknown, 1);
+    }
+}
+
 /* Reads a slot into `head` and `bank`; false when its contents are not whole. */
 static bool read_slot(const ctl_board* board, uint32_t slot, uint16_t* head, ctl_bank* bank)
 {
     slot_stream stream = open_slot(board, slot);
     read_some(&stream, head, FIXED_REGISTERS);
-    const uint32_t magic = ctl_get32(head);
-    if (!stream.ok || (magic != MAGIC && magic != OLD_MAGIC))
+    const uint32_t count = read_parameter_count(&stream, ctl_get32(head));
+    if (!stream.ok || count == 0)
         return false;
-    /* Parameters that an older slot does not hold keep their defaults. */
     memcpy(&head[FIXED_REGISTERS], board->parameter, PARAMETER_BYTES);
-    read_some(&stream, &head[FIXED_REGISTERS],
-              magic == MAGIC ? CTL_GROUP_PARAMETER : CTL_OLD_PARAMETER_REGISTERS);
+    read_parameters(&stream, count, &head[FIXED_REGISTERS]);
     read_some(&stream, bank->registers, CTL_BANK_HEADER_REGISTERS);
     if (!stream.ok || ctl_bank_length(bank) > CTL_BANK_REGISTERS)
         return false;
@@ -119,15 +149,17 @@ bool ctl_flash_save(ctl_flash* flash, const ctl_board* board, const ctl_banks* b
 {
     const uint32_t slot = flash->any_valid ? flash->newest ^ 1u : 0u;
     const ctl_bank* bank = ctl_active_bank(banks);
-    uint16_t head[HEAD_REGISTERS];
+    const uint16_t count = CTL_GROUP_PARAMETER;
+    uint16_t head[FIXED_REGISTERS];
     ctl_put32(head, MAGIC);
     ctl_put32(&head[2], flash->sequence + 1);
     ctl_put32(&head[4], banks->generation);
-    memcpy(&head[FIXED_REGISTERS], board->parameter, PARAMETER_BYTES);
 
     slot_stream stream = open_slot(board, slot);
     stream.ok = board->port.flash_erase(board->port.context, slot);
-    write_some(&stream, head, HEAD_REGISTERS);
+    write_some(&stream, head, FIXED_REGISTERS);
+    write_some(&stream, &count, 1);
+    write_some(&stream, board->parameter, CTL_GROUP_PARAMETER);
     write_some(&stream, bank->registers, ctl_bank_length(bank));
     uint16_t crc[2];
     ctl_put32(crc, ~stream.crc);

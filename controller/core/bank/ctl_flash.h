@@ -12,9 +12,6 @@
 extern "C" {
 #endif
 
-/* Up to map 1.1 there were ten parameters; a flash of then holds those. */
-#define CTL_OLD_PARAMETER_REGISTERS 10u
-
 typedef struct {
     bool any_valid;
     bool slot_invalid;  /* at power-up a slot that is not blank had a wrong CRC-32 */
