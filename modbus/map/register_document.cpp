@@ -159,6 +159,7 @@ void printCHeader(std::ostream& out)
         out << "\n";
         for (const EnumValue& value : info.values)
             define(upperSnake(info.name) + "_" + upperSnake(value.name), std::to_string(value.value) + "u");
+        define(upperSnake(info.name) + "_LAST", std::to_string(info.values.back().value) + "u");
     }
     out << "\n#endif\n";
 }

@@ -58,7 +58,7 @@ static uint16_t begin(ctl_transfer* transfer, ctl_bank* shadow, const uint16_t* 
         return CTL_TRANSFER_RESULT_WRONG_SESSION;
     if (request[DATA + 2] != CTL_MAP_MAJOR)
         return CTL_TRANSFER_RESULT_WRONG_MAP_VERSION;
-    if (kind > CTL_PROGRAM_KIND_PRESS || (CTL_PROGRAM_KINDS & 1u << kind) == 0)
+    if (kind > CTL_PROGRAM_KIND_LAST || (CTL_PROGRAM_KINDS & 1u << kind) == 0)
         return CTL_TRANSFER_RESULT_KIND_NOT_SUPPORTED;
     if (length <= CTL_BANK_HEADER_REGISTERS || length > CTL_BANK_REGISTERS)
         return CTL_TRANSFER_RESULT_BAD_LENGTH;

@@ -70,7 +70,7 @@ static const kind_info kinds[] = {
 static const kind_info* kind_of(const ctl_bank* bank)
 {
     const uint32_t kind = ctl_bank_kind(bank);
-    return &kinds[kind <= CTL_PROGRAM_KIND_PRESS ? kind : CTL_PROGRAM_KIND_NONE];
+    return &kinds[kind <= CTL_PROGRAM_KIND_LAST ? kind : CTL_PROGRAM_KIND_NONE];
 }
 
 static uint32_t wide(const ctl_bank* bank, uint32_t offset)
@@ -222,7 +222,7 @@ uint32_t ctl_bank_bad_header(const ctl_bank* bank, uint32_t length)
     if (layout == NULL)
         return CTL_OFFSET_BANK_LAYOUT;
     const uint32_t kind = ctl_bank_kind(bank);
-    if (kind > CTL_PROGRAM_KIND_PRESS || (layout->kinds & CTL_PROGRAM_KINDS & 1u << kind) == 0)
+    if (kind > CTL_PROGRAM_KIND_LAST || (layout->kinds & CTL_PROGRAM_KINDS & 1u << kind) == 0)
         return CTL_OFFSET_BANK_KIND;
     const uint32_t rows = ctl_bank_row_count(bank);
     if (rows < layout->fewest_rows || rows > layout->most_rows || ctl_bank_length(bank) != length)

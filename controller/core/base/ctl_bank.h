@@ -23,10 +23,8 @@ typedef struct {
     uint16_t detail; /* row, or offset in the header, that was refused */
 } ctl_verdict;
 
-/* Bit n set: program kind n can be executed. */
-#define CTL_PROGRAM_KINDS                                                                                    \
-    (1u << CTL_PROGRAM_KIND_ROTARY_CUTTER | 1u << CTL_PROGRAM_KIND_POSITION_MOVE |                           \
-     1u << CTL_PROGRAM_KIND_SPEED_MOVE | 1u << CTL_PROGRAM_KIND_POINT_CAM | 1u << CTL_PROGRAM_KIND_PRESS)
+/* Bit n set: program kind n can be executed. All kinds of the register map can. */
+#define CTL_PROGRAM_KINDS ((2u << CTL_PROGRAM_KIND_LAST) - 2u)
 
 uint16_t ctl_bank_kind(const ctl_bank* bank);   /* CTL_PROGRAM_KIND_... */
 uint16_t ctl_bank_layout(const ctl_bank* bank); /* CTL_TABLE_LAYOUT_... */
