@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The complete panel: settings, machine, editor, alarms, service, the QML engine and its window, in the
+// The complete panel: settings, machine, editor, alarms, maintenance, the QML engine and its window, in the
 // language of the settings.
 #pragma once
 
@@ -13,7 +13,7 @@
 #include "app/panel/editor/editor.h"
 #include "app/panel/explain/explanations.h"
 #include "app/panel/library/recipes.h"
-#include "app/panel/maintenance/service.h"
+#include "app/panel/maintenance/maintenance.h"
 #include "app/panel/records/database_service.h"
 #include "app/panel/reports/backup.h"
 #include "app/panel/reports/commissioning.h"
@@ -54,7 +54,7 @@ public:
     [[nodiscard]] panel::DatabaseService& records() { return m_records; }
     [[nodiscard]] panel::Alarms& alarms() { return m_alarms; }
     [[nodiscard]] panel::Recipes& recipes() { return m_recipes; }
-    [[nodiscard]] panel::Service& service() { return m_service; }
+    [[nodiscard]] panel::Maintenance& maintenance() { return m_maintenance; }
     [[nodiscard]] panel::Trends& trends() { return m_trends; }
     [[nodiscard]] panel::Access& access() { return m_access; }
     [[nodiscard]] panel::AuditTrail& trail() { return m_trail; }
@@ -90,7 +90,7 @@ private:
     panel::DatabaseService m_records;
     panel::Alarms m_alarms;
     panel::Recipes m_recipes;
-    panel::Service m_service;
+    panel::Maintenance m_maintenance;
     panel::Trends m_trends;
     panel::Access m_access;
     panel::AuditTrail m_trail;

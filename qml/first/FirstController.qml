@@ -9,7 +9,7 @@ import CamPanel.Panel
 FirstStep {
     id: step
 
-    readonly property LinkDoctor doctor: Service.doctor
+    readonly property LinkDoctor doctor: Maintenance.doctor
 
     Column {
         width: parent.width

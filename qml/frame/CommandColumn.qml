@@ -11,7 +11,7 @@ Item {
 
     signal startRefused()
 
-    readonly property bool homes: Service.homing.offered
+    readonly property bool homes: Maintenance.homing.offered
     readonly property bool wiping: Display.wipeSeconds > 0   // cleaning must not start anything
     readonly property bool between: Controller.faulted || homes
 
@@ -34,9 +34,9 @@ Item {
         enabled: !column.wiping
         small: true
         glyph: column.homes ? Theme.icon.home : Theme.icon.resetFault
-        text: column.homes ? Service.homing.keyText : qsTr("Reset")
+        text: column.homes ? Maintenance.homing.keyText : qsTr("Reset")
         baseColor: column.homes ? Theme.color.touch : Theme.color.fault
-        onClicked: column.homes ? Service.homing.home() : Controller.resetFault()
+        onClicked: column.homes ? Maintenance.homing.home() : Controller.resetFault()
     }
     CommandKey {
         id: stopKey

@@ -18,7 +18,7 @@ Rectangle {
         recipes: "../Library/RecipesPage.qml",
         trends: "../Trends/TrendsPage.qml",
         alarms: "../Alarms/AlarmsPage.qml",
-        maintenance: "../Maintenance/ServicePage.qml",
+        maintenance: "../Maintenance/MaintenancePage.qml",
         settings: "../Settings/SettingsPage.qml"
     })
     readonly property list<string> pageNames: Object.keys(sources)

@@ -2082,7 +2082,7 @@ And %2 more.</source>
     </message>
 </context>
 <context>
-    <name>ServicePage</name>
+    <name>MaintenancePage</name>
     <message>
         <source>Diagnostics</source>
         <translation>通信诊断</translation>

@@ -7,10 +7,10 @@ import CamPanel.Controls
 import CamPanel.Parts
 import CamPanel.Panel
 
-ServiceSection {
+MaintenanceSection {
     id: section
 
-    readonly property LinkDoctor doctor: Service.doctor
+    readonly property LinkDoctor doctor: Maintenance.doctor
 
     IconLabel {
         id: mark

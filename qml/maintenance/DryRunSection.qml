@@ -9,10 +9,10 @@ import CamPanel.Parts
 import CamPanel.Panel
 import CamPanel.Plot
 
-ServiceSection {
+MaintenanceSection {
     id: section
 
-    readonly property DryRun run: Service.dryRun
+    readonly property DryRun run: Maintenance.dryRun
     readonly property real dialSide: Math.min(Math.round(section.width * 0.3), section.height - keys.height - film.height - caption.height - 2 * Theme.size.spacing)
 
     onShownChanged: shown => {

@@ -8,10 +8,10 @@ import CamPanel.Parts
 import CamPanel.Panel
 import CamPanel.Plot
 
-ServiceSection {
+MaintenanceSection {
     id: section
 
-    readonly property LineFigures figures: Service.figures
+    readonly property LineFigures figures: Maintenance.figures
 
     onShownChanged: shown => section.figures.watched = shown
 

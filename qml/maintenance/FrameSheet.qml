@@ -9,7 +9,7 @@ import CamPanel.Panel
 Sheet {
     id: sheet
 
-    readonly property FrameList frames: Service.frames
+    readonly property FrameList frames: Maintenance.frames
     readonly property var lines: frames.detailLines
 
     title: frames.detailTitle

@@ -7,10 +7,10 @@ import CamPanel.Controls
 import CamPanel.Parts
 import CamPanel.Panel
 
-ServiceSection {
+MaintenanceSection {
     id: section
 
-    readonly property FrameList frames: Service.frames
+    readonly property FrameList frames: Maintenance.frames
 
     onShownChanged: shown => section.frames.watched = shown
 

@@ -7,10 +7,10 @@ import CamPanel.Controls
 import CamPanel.Parts
 import CamPanel.Panel
 
-ServiceSection {
+MaintenanceSection {
     id: section
 
-    readonly property Homing homing: Service.homing
+    readonly property Homing homing: Maintenance.homing
     readonly property bool good: section.homing.place === Homing.Place.Homed || section.homing.place === Homing.Place.NotNeeded
 
     onShownChanged: shown => {

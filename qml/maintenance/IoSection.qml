@@ -7,10 +7,10 @@ import CamPanel.Controls
 import CamPanel.Parts
 import CamPanel.Panel
 
-ServiceSection {
+MaintenanceSection {
     id: section
 
-    readonly property IoList io: Service.io
+    readonly property IoList io: Maintenance.io
 
     onShownChanged: shown => section.io.watched = shown
 

@@ -8,10 +8,10 @@ import CamPanel.Controls
 import CamPanel.Parts
 import CamPanel.Panel
 
-ServiceSection {
+MaintenanceSection {
     id: section
 
-    readonly property Jog jog: Service.jog
+    readonly property Jog jog: Maintenance.jog
     readonly property bool cutter: Controller.active.kind === Editor.Kind.RotaryCutter && !isNaN(Controller.live.knifeAngleDeg)
     readonly property bool covered: section.page !== null && section.page.covered
     readonly property bool inFront: Window.active

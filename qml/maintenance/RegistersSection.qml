@@ -7,10 +7,10 @@ import CamPanel.Controls
 import CamPanel.Parts
 import CamPanel.Panel
 
-ServiceSection {
+MaintenanceSection {
     id: section
 
-    readonly property RegisterInspector inspector: Service.inspector
+    readonly property RegisterInspector inspector: Maintenance.inspector
     readonly property int rowPitch: Theme.size.touch + Theme.size.outline
 
     function showRows(): void {

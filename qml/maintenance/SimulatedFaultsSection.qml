@@ -7,10 +7,10 @@ import CamPanel.Controls
 import CamPanel.Parts
 import CamPanel.Panel
 
-ServiceSection {
+MaintenanceSection {
     id: section
 
-    readonly property SimulatedFaults faults: Service.simulatedFaults
+    readonly property SimulatedFaults faults: Maintenance.simulatedFaults
 
     ListView {
         id: list

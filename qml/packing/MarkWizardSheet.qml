@@ -10,7 +10,7 @@ import CamPanel.Panel
 Item {
     id: sheet
 
-    readonly property MarkWizard wizard: Service.packing.wizard
+    readonly property MarkWizard wizard: Maintenance.packing.wizard
     readonly property int step: wizard.step
     readonly property bool waits: step === MarkWizard.Step.Cutting || step === MarkWizard.Step.Watch
     readonly property bool ended: step === MarkWizard.Step.Done || step === MarkWizard.Step.Failed

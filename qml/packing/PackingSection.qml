@@ -8,10 +8,10 @@ import CamPanel.Controls
 import CamPanel.Parts
 import CamPanel.Panel
 
-ServiceSection {
+MaintenanceSection {
     id: section
 
-    readonly property PackingSetup setup: Service.packing
+    readonly property PackingSetup setup: Maintenance.packing
     readonly property PackingFields fields: section.setup.fields
 
     onShownChanged: shown => {

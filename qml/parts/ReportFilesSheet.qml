@@ -6,7 +6,7 @@ import CamPanel.Panel
 OfferSheet {
     id: sheet
 
-    property ReportFiles files: Service.files
+    property ReportFiles files: Maintenance.files
 
     exchange: files
     offers: files.places

@@ -8,7 +8,7 @@ import CamPanel.Controls
 import CamPanel.Parts
 import CamPanel.Panel
 
-ServiceSection {
+MaintenanceSection {
     id: section
 
     readonly property real keyWidth: Math.max(backupRow.naturalKeyWidth, restoreRow.naturalKeyWidth, reportRow.naturalKeyWidth, bundleRow.naturalKeyWidth)

@@ -6,7 +6,7 @@
 
 #include "app/shell/memory.h"
 #include "modbus/line/rtu_line.h"
-#include "tests/looks/stage.h"
+#include "tests/looks/test_window.h"
 
 #include <QCoreApplication>
 
@@ -48,19 +48,19 @@ Figures measureMemory()
 {
     shell::keepMemoryFlat();
     qputenv("QT_QPA_UPDATE_IDLE_TIME", "0");
-    looks::Stage stage({QStringLiteral("en"), QStringLiteral("light"), QSize(1024, 600)});
-    if (!stage.isReady())
+    looks::TestWindow window({QStringLiteral("en"), QStringLiteral("light"), QSize(1024, 600)});
+    if (!window.isReady())
         throw std::runtime_error("the panel's window cannot be loaded");
     link::StatusSample sample;
-    const auto known = QObject::connect(&stage.link(), &link::Link::statusReceived, &stage.window(),
+    const auto known = QObject::connect(&window.link(), &link::Link::statusReceived, &window.window(),
                                         [&](const StatusBatch& batch) {
                                             if (!batch.samples.isEmpty())
                                                 sample = batch.samples.last();
                                         });
-    stage.link().show(looks::DemoLink::Situation::Fresh);
-    stage.link().show(looks::DemoLink::Situation::Running);
+    window.link().show(looks::DemoLink::Situation::Fresh);
+    window.link().show(looks::DemoLink::Situation::Running);
     QObject::disconnect(known);
-    stage.settle();
+    window.settle();
 
     constexpr double bagMm = 250;
     std::mt19937 random(1);
@@ -78,14 +78,14 @@ Figures measureMemory()
         for (int i = 0; i < statusPerS; ++i) {
             status.masterAngleDeg = 360.0 * i / statusPerS;
             status.actualFrequencyHz = static_cast<std::int32_t>(10'000 * std::abs(std::sin(i)));
-            sample.receivedAt = stage.link().now() + i * 12'820us;
+            sample.receivedAt = window.link().now() + i * 12'820us;
             batch.samples.append(sample);
             record(line, second * statusPerS + i, at);
         }
         at += 1s;
-        stage.link().advance(1s);
-        emit stage.link().statusReceived(batch);
-        stage.settle();
+        window.link().advance(1s);
+        emit window.link().statusReceived(batch);
+        window.settle();
         if (second == secondsPerHour)
             afterFirstHourMb = residentMb(QCoreApplication::applicationPid());
     }

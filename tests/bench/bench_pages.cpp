@@ -5,7 +5,7 @@
 
 #include "app/store/database/database.h"
 #include "tests/looks/demo_link.h"
-#include "tests/looks/finger.h"
+#include "tests/looks/touch_driver.h"
 #include "tests/support/alarm_fill.h"
 
 #include <QElapsedTimer>
@@ -37,7 +37,7 @@ public:
             throw std::runtime_error("the panel's window cannot be loaded");
         m_panel.window().show();
         m_panel.open();
-        m_finger.settle();
+        m_touch.settle();
     }
 
     // Opens Run first.
@@ -48,7 +48,7 @@ public:
         const auto connection =
             QObject::connect(&m_panel.trends(), &panel::Trends::shownChanged, [&] { isShown = true; });
         const double ms = timedMs([&] {
-            m_finger.tap(u"nav_trends"_s);
+            m_touch.tap(u"nav_trends"_s);
             awaitData([&] { return isShown; });
         });
         QObject::disconnect(connection);
@@ -60,9 +60,9 @@ public:
     {
         leave();
         return timedMs([&] {
-            m_finger.tap(u"nav_alarms"_s);
+            m_touch.tap(u"nav_alarms"_s);
             if (!m_panel.alarms().history()->watched())
-                m_finger.tap(u"alarmsHistory"_s);
+                m_touch.tap(u"alarmsHistory"_s);
             awaitData([this] { return m_panel.alarms().history()->rows()->count() > 0; });
         });
     }
@@ -70,8 +70,8 @@ public:
 private:
     void leave()
     {
-        m_finger.tap(u"nav_run"_s);
-        m_finger.settle();
+        m_touch.tap(u"nav_run"_s);
+        m_touch.settle();
     }
 
     double timedMs(const std::function<void()>& open)
@@ -79,9 +79,9 @@ private:
         QElapsedTimer timer;
         timer.start();
         open();
-        (void)m_finger.grab();
-        if (!m_finger.complaints().isEmpty())
-            throw std::runtime_error(m_finger.complaints().constFirst().toStdString());
+        (void)m_touch.grab();
+        if (!m_touch.complaints().isEmpty())
+            throw std::runtime_error(m_touch.complaints().constFirst().toStdString());
         return static_cast<double>(timer.nsecsElapsed()) / 1e6;
     }
 
@@ -100,7 +100,7 @@ private:
 
     looks::DemoLink m_link{nullptr};
     shell::Panel m_panel;
-    looks::Finger m_finger{m_panel};
+    looks::TouchDriver m_touch{m_panel};
 };
 
 Figures figuresOf(const std::string& page, double firstMs, const std::vector<double>& againMs)

@@ -2,7 +2,7 @@
 // The time from an edited field to its frame: the real Motion page at 1024x600 on the software renderer.
 #include "bench_report.h"
 
-#include "tests/looks/stage.h"
+#include "tests/looks/test_window.h"
 
 #include <QElapsedTimer>
 #include <QEventLoop>
@@ -21,15 +21,15 @@ Figures measurePlots()
 {
     // The offscreen platform would wait 5 ms before each frame.
     qputenv("QT_QPA_UPDATE_IDLE_TIME", "0");
-    looks::Stage stage({QStringLiteral("en"), QStringLiteral("light"), QSize(1024, 600)});
-    if (!stage.isReady())
+    looks::TestWindow window({QStringLiteral("en"), QStringLiteral("light"), QSize(1024, 600)});
+    if (!window.isReady())
         throw std::runtime_error("the panel's window cannot be loaded");
-    stage.tap(QStringLiteral("nav_motion"));
-    stage.settle();
+    window.tap(QStringLiteral("nav_motion"));
+    window.settle();
 
-    panel::EditorField& bagLength = *stage.panel().editor().bagLength();
+    panel::EditorField& bagLength = *window.panel().editor().bagLength();
     QEventLoop untilShown;
-    QObject::connect(&stage.window(), &QQuickWindow::frameSwapped, &untilShown, &QEventLoop::quit);
+    QObject::connect(&window.window(), &QQuickWindow::frameSwapped, &untilShown, &QEventLoop::quit);
     std::vector<double> frameMs;
     for (int edit = 0; edit < warmUp + edits; ++edit) {
         QElapsedTimer timer;

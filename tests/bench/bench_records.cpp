@@ -4,7 +4,7 @@
 #include "bench_pages.h"
 
 #include "app/panel/controller/controller.h"
-#include "app/panel/maintenance/service.h"
+#include "app/panel/maintenance/maintenance.h"
 #include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/trends/trends.h"
@@ -82,8 +82,8 @@ struct Panel {
         : settings(folder + u"/settings.ini"_s, nullptr)
         , machine(link, settings, nullptr)
         , records(folder, nullptr)
-        , service(machine, settings, folder, nullptr)
-        , trends(machine, settings, records, *service.files(), folder, nullptr)
+        , maintenance(machine, settings, folder, nullptr)
+        , trends(machine, settings, records, *maintenance.files(), folder, nullptr)
         , wallMs(nowMs)
     {
         trends.setWallClock([this] { return wallMs; });
@@ -93,7 +93,7 @@ struct Panel {
     panel::Settings settings;
     panel::Controller machine;
     panel::DatabaseService records;
-    panel::Service service;
+    panel::Maintenance maintenance;
     panel::Trends trends;
     qint64 wallMs;
 

@@ -7,7 +7,7 @@
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/library/recipes.h"
-#include "app/panel/maintenance/service.h"
+#include "app/panel/maintenance/maintenance.h"
 #include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "tests/support/test_program.h"
@@ -48,9 +48,9 @@ static int downloadingPanel(int argc, char** argv)
     Editor editor(machine, folder, nullptr);
     panel::DatabaseService records(folder, nullptr);
     panel::Recipes recipes(machine, editor, records, folder, nullptr);
-    panel::Service service(machine, settings, folder, nullptr);
+    panel::Maintenance maintenance(machine, settings, folder, nullptr);
     panel::Access access(records, machine, settings, nullptr);
-    panel::AuditTrail trail(records, {machine, editor, settings, service, access}, nullptr);
+    panel::AuditTrail trail(records, {machine, editor, settings, maintenance, access}, nullptr);
 
     QObject::connect(&recipes, &panel::Recipes::noted, &trail, &panel::AuditTrail::note);
     QObject::connect(&recipes, &panel::Recipes::noted,

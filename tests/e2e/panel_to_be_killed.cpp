@@ -5,7 +5,7 @@
 #include "app/link/threaded_link.h"
 #include "app/shell/fonts.h"
 #include "app/shell/termination_signals.h"
-#include "tests/looks/finger.h"
+#include "tests/looks/touch_driver.h"
 #include "tests/support/test_program.h"
 
 #include <QGuiApplication>
@@ -33,8 +33,8 @@ static int panelToBeKilled(int argc, char** argv)
     if (!panel.load({1024, 600}))
         return 1;
     panel.window().show();
-    looks::Finger finger(panel);
-    finger.settle();
+    looks::TouchDriver touch(panel);
+    touch.settle();
     panel.open();
 
     QString key = arguments.value(3);
@@ -42,7 +42,7 @@ static int panelToBeKilled(int argc, char** argv)
     QTimer timer;
     QObject::connect(&timer, &QTimer::timeout, &panel, [&] {
         if (!key.isEmpty() && panel.machine().connection() == panel::Controller::Connection::Connected)
-            finger.tap(std::exchange(key, QString()));
+            touch.tap(std::exchange(key, QString()));
         const QByteArray now = "page " + panel.window().property("page").toString().toLatin1() + " state " +
                                QByteArray::number(static_cast<int>(panel.machine().state())) + '\n';
         if (now == told)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The complete panel on the real link, in a window operated by a Finger; it records every status from the
-// line.
+// The complete panel on the real link, in a window operated by a TouchDriver; it records every status from
+// the line.
 #pragma once
 
 #include "app/link/threaded_link.h"
-#include "tests/looks/finger.h"
+#include "tests/looks/touch_driver.h"
 
 #include <QTemporaryDir>
 
@@ -29,38 +29,38 @@ public:
                          });
         if (!m_panel.load({1024, 600}))
             qFatal("the window cannot be loaded");
-        m_finger.theme()->setProperty("animated", false);
+        m_touch.theme()->setProperty("animated", false);
         m_panel.window().show();
-        m_finger.settle();
+        m_touch.settle();
         m_panel.open();
     }
 
     [[nodiscard]] panel::Controller& machine() { return m_panel.machine(); }
     [[nodiscard]] panel::Editor& editor() { return m_panel.editor(); }
-    [[nodiscard]] panel::Service& service() { return m_panel.service(); }
+    [[nodiscard]] panel::Maintenance& maintenance() { return m_panel.maintenance(); }
     [[nodiscard]] panel::Settings& settings() { return m_panel.settings(); }
     [[nodiscard]] shell::Panel& panel() { return m_panel; }
     [[nodiscard]] QString folder() const { return m_folder.path(); }
-    [[nodiscard]] looks::Finger& finger() { return m_finger; }
+    [[nodiscard]] looks::TouchDriver& touchDriver() { return m_touch; }
     [[nodiscard]] const std::vector<modbus::StatusBlock>& statuses() const { return m_statuses; }
 
-    void tap(const char* name) { m_finger.tap(QString::fromLatin1(name)); }
+    void tap(const char* name) { m_touch.tap(QString::fromLatin1(name)); }
     // Taps digits on the open keypad.
     void tapDigits(const QString& digits)
     {
         for (const QChar digit : digits) {
-            QQuickItem* keypad = m_finger.find(QStringLiteral("keypad"));
+            QQuickItem* keypad = m_touch.find(QStringLiteral("keypad"));
             QQuickItem* key = keypad ? keyWith(*keypad, digit) : nullptr;
             if (key)
-                m_finger.tap(*key);
+                m_touch.tap(*key);
             else
                 m_missing += digit;
         }
     }
     // Returns the items that were missing from the screen when they were needed.
-    [[nodiscard]] QStringList complaints() const { return m_finger.complaints() + m_missing; }
+    [[nodiscard]] QStringList complaints() const { return m_touch.complaints() + m_missing; }
     // Returns every text on the screen.
-    [[nodiscard]] QString texts() { return textsBelow(m_finger.root()); }
+    [[nodiscard]] QString texts() { return textsBelow(m_touch.root()); }
 
 private:
     static QQuickItem* keyWith(QQuickItem& below, QChar digit)
@@ -86,7 +86,7 @@ private:
     QTemporaryDir m_folder;
     link::ThreadedLink m_link{nullptr};
     shell::Panel m_panel{m_link, {m_folder.filePath(QStringLiteral("settings.ini")), m_folder.path()}};
-    looks::Finger m_finger{m_panel};
+    looks::TouchDriver m_touch{m_panel};
     std::vector<modbus::StatusBlock> m_statuses;
     QStringList m_missing;
 };

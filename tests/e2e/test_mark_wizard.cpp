@@ -4,7 +4,7 @@
 #include "app/link/threaded_link.h"
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
-#include "app/panel/maintenance/service.h"
+#include "app/panel/maintenance/maintenance.h"
 #include "app/panel/settings/settings.h"
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
@@ -79,7 +79,7 @@ struct Panel {
     panel::Settings settings{folder.filePath(QStringLiteral("settings.ini")), nullptr};
     Controller machine{link, settings, nullptr};
     Editor editor{machine, folder.path(), nullptr};
-    panel::Service service{machine, settings, folder.path(), nullptr};
+    panel::Maintenance maintenance{machine, settings, folder.path(), nullptr};
     QList<link::RulerOutcome> rulers;
     bool isRulerAsked = false;
 };
@@ -96,8 +96,8 @@ private slots:
         panel.run();
         if (QTest::currentTestFailed())
             return;
-        MarkWizard& wizard = *panel.service.packing()->wizard();
-        panel::PackingFields& fields = *panel.service.packing()->fields();
+        MarkWizard& wizard = *panel.maintenance.packing()->wizard();
+        panel::PackingFields& fields = *panel.maintenance.packing()->fields();
         wizard.restart();
         QTRY_VERIFY2_WITH_TIMEOUT(wizard.canGoOn(), qPrintable(wizard.blockedReason()), timeoutMs);
         QCOMPARE(fields.value("parameter.mark_distance"), 900.0);
@@ -138,7 +138,7 @@ private slots:
         panel.run();
         if (QTest::currentTestFailed())
             return;
-        panel::PackingSetup& setup = *panel.service.packing();
+        panel::PackingSetup& setup = *panel.maintenance.packing();
         setup.open();
         QTRY_VERIFY_WITH_TIMEOUT(std::isfinite(setup.fields()->value("parameter.length_limit")), timeoutMs);
         setup.fields()->setOn(0, false);

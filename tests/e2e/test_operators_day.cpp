@@ -46,7 +46,7 @@ void enter(PanelWindow& panel, const char* field, const QString& digits)
 void waitForRecipes(PanelWindow& panel, int total)
 {
     QTRY_COMPARE_WITH_TIMEOUT(panel.panel().recipes().total(), total, timeoutMs);
-    panel.finger().settle();
+    panel.touchDriver().settle();
 }
 
 void download(PanelWindow& panel)
@@ -56,7 +56,7 @@ void download(PanelWindow& panel)
     panel.tap("downloadStart");
     QTRY_COMPARE_WITH_TIMEOUT(panel.editor().programDownload()->state(), ProgramDownload::State::Applied,
                               timeoutMs);
-    panel.finger().settle();
+    panel.touchDriver().settle();
 }
 
 } // namespace
@@ -74,7 +74,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
         waitForRecipes(panel, 1);
         panel.settings().beginFirstStart();
-        panel.finger().settle();
+        panel.touchDriver().settle();
         panel.tap("firstLanguage_zh_CN");
         QVERIFY2(panel.texts().contains(QStringLiteral("首次启动")), qPrintable(panel.texts()));
         panel.tap("firstLanguage_en");
@@ -88,7 +88,7 @@ private slots:
         typePin(panel, QStringLiteral("258036"));
         typePin(panel, QStringLiteral("258036"));
         QTRY_VERIFY_WITH_TIMEOUT(panel.panel().access().protectedByPins(), timeoutMs);
-        panel.finger().settle();
+        panel.touchDriver().settle();
         panel.tap("firstNext");
 
         enter(panel, "first_knifeRadius", QStringLiteral("62"));
@@ -97,7 +97,7 @@ private slots:
         typeText(panel, QStringLiteral("rusk large"));
         panel.tap("textAccept");
         QTRY_COMPARE_WITH_TIMEOUT(panel.editor().recipeName(), QStringLiteral("rusk large"), timeoutMs);
-        panel.finger().settle();
+        panel.touchDriver().settle();
         enter(panel, "first_bagLength", QStringLiteral("260"));
         panel.tap("firstNext");
         QVERIFY(!panel.settings().firstStart());
@@ -119,7 +119,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
         waitForRecipes(panel, 1);
         panel.settings().beginFirstStart();
-        panel.finger().settle();
+        panel.touchDriver().settle();
         int touches = 0;
         const auto touch = [&](const char* name) {
             panel.tap(name);
@@ -140,12 +140,12 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(panel.editor().programDownload()->state(), ProgramDownload::State::Applied,
                                   timeoutMs);
         QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
-        panel.finger().settle();
-        QVERIFY2(!panel.finger().find("sheetPanel"), qPrintable(panel.texts()));
+        panel.touchDriver().settle();
+        QVERIFY2(!panel.touchDriver().find("sheetPanel"), qPrintable(panel.texts()));
         QVERIFY2(!panel.texts().contains(refusal), qPrintable(panel.texts()));
         QVERIFY2(panel.texts().contains(QStringLiteral("Press Start to run this recipe.")),
                  qPrintable(panel.texts()));
-        QVERIFY(panel.finger().find("middleKey")); // Home, which the controller accepts now
+        QVERIFY(panel.touchDriver().find("middleKey")); // Home, which the controller accepts now
         touch("startKey");
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Running, timeoutMs);
         QTRY_VERIFY_WITH_TIMEOUT(panel.machine().bags().count > 0, timeoutMs);
@@ -213,7 +213,7 @@ private slots:
         controller.kill();
         QTRY_COMPARE_WITH_TIMEOUT(panel.panel().alarms().unacknowledged(), 1, timeoutMs);
         panel.tap("nav_alarms");
-        panel.finger().settle();
+        panel.touchDriver().settle();
         QVERIFY2(panel.texts().contains(QStringLiteral("Connection lost")), qPrintable(panel.texts()));
         panel.tap("liveAlarm0");
         panel.tap("alarmAcknowledge");
@@ -221,7 +221,7 @@ private slots:
         QVERIFY2(panel.texts().contains(QStringLiteral("Connection lost")), qPrintable(panel.texts()));
         controller.start();
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().connection(), Controller::Connection::Connected, timeoutMs);
-        panel.finger().settle();
+        panel.touchDriver().settle();
         QTRY_VERIFY2_WITH_TIMEOUT(!panel.texts().contains(QStringLiteral("Connection lost")),
                                   qPrintable(panel.texts()), timeoutMs);
         panel.tap("alarmsHistory");
@@ -246,15 +246,15 @@ private slots:
         typePin(panel, QStringLiteral("1379"));
         QTRY_VERIFY_WITH_TIMEOUT(access.waits(), timeoutMs);
         QVERIFY(!access.loggedIn());
-        panel.finger().settle();
+        panel.touchDriver().settle();
         panel.tap("stopKey"); // never needs a login
         QTRY_VERIFY_WITH_TIMEOUT(!access.waits(), timeoutMs);
-        panel.finger().settle();
+        panel.touchDriver().settle();
         QTRY_VERIFY_WITH_TIMEOUT(!panel.texts().contains(QStringLiteral("Locked after")), timeoutMs);
         typePin(panel, QStringLiteral("258036"));
         QTRY_VERIFY2_WITH_TIMEOUT(access.loggedIn(),
                                   qPrintable(panel.complaints().join(u'|') + panel.texts()), timeoutMs);
-        panel.finger().settle();
+        panel.touchDriver().settle();
         const double before = panel.editor().baseSpeed()->value();
         enter(panel, "field_baseSpeed", QStringLiteral("500"));
         QVERIFY(before != panel.editor().baseSpeed()->value());
@@ -274,11 +274,11 @@ private slots:
         panel.tap("nav_recipes");
         panel.tap("recipeImport");
         QTRY_COMPARE_WITH_TIMEOUT(panel.panel().recipes().files()->files()->count(), 1, timeoutMs);
-        panel.finger().settle();
+        panel.touchDriver().settle();
         panel.tap("offer0");
         QVERIFY2(panel.texts().contains(QStringLiteral("broken.json is damaged")), qPrintable(panel.texts()));
         panel.tap("offerGo"); // has no effect
-        panel.finger().settle();
+        panel.touchDriver().settle();
         panel.tap("sheetClose");
         QCOMPARE(panel.panel().recipes().total(), 1);
         QVERIFY(panel.panel().recipes().message().isEmpty());
@@ -295,7 +295,7 @@ private slots:
         panel.tap("field_rate");
         panel.tapDigits(QStringLiteral("4"));
         panel.settings().setLanguage(QStringLiteral("zh_CN")); // by another person, in another way
-        panel.finger().settle();
+        panel.touchDriver().settle();
         panel.tapDigits(QStringLiteral("5"));
         panel.tap("keypadAccept");
         QCOMPARE(panel.editor().rate()->value(), 45.0);

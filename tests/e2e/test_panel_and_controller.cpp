@@ -111,8 +111,8 @@ private:
         panel.tap("downloadStart");
         QTRY_COMPARE_WITH_TIMEOUT(panel.editor().programDownload()->state(), ProgramDownload::State::Applied,
                                   timeoutMs);
-        panel.finger().settle();
-        QVERIFY(!panel.finger().find("sheetPanel"));
+        panel.touchDriver().settle();
+        QVERIFY(!panel.touchDriver().find("sheetPanel"));
     }
     static void runLength(PanelWindow& panel);
     static void changeWhileItRuns(PanelWindow& panel);

@@ -18,7 +18,7 @@ bool compareOne(const QDir& captured, const QDir& baselines, const QString& name
 {
     const QImage found(captured.filePath(name));
     if (found.isNull()) {
-        std::fprintf(stderr, "campanel-looks: %s shows a scene or look that there is not; delete it.\n",
+        std::fprintf(stderr, "campanel-looks: %s shows an unknown screen or variant; delete it.\n",
                      qPrintable(name));
         return false;
     }
@@ -56,7 +56,7 @@ int compareWithBaselines(const QString& folder, const QString& baselines, bool i
     }
     for (const QString& name : names)
         QFile::remove(QDir(folder).filePath(name)); // from an earlier run
-    if (!captureThose(folder, allLooks(), allScenes(),
+    if (!captureThose(folder, allVariants(), allScreens(),
                       [&](const QString& name) { return names.contains(name); }))
         return EXIT_FAILURE;
     const QDir captured(folder);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes each scene in each look; see capture.h.
+// Writes each screen in each variant; see capture.h.
 #include "tests/looks/capture.h"
 
 #include <QDir>
@@ -12,35 +12,36 @@ namespace {
 
 constexpr int minFile = 0; // quality for Qt's PNG writer
 
-// Captures one look into the folder. Returns false after an error.
-bool captureLook(const QDir& target, const Look& look, const QList<Scene>& scenes)
+// Captures one variant into the folder. Returns false after an error.
+bool captureVariant(const QDir& target, const Variant& variant, const QList<Screen>& screens)
 {
-    Stage stage(look);
-    if (!stage.isReady())
+    TestWindow window(variant);
+    if (!window.isReady())
         return false;
-    for (const Scene& scene : scenes) {
-        enterScene(stage, scene);
-        const QString path = target.filePath(pictureName(scene, look));
-        if (!stage.grab().convertToFormat(QImage::Format_RGB888).save(path, "PNG", minFile)) {
+    for (const Screen& screen : screens) {
+        enterScreen(window, screen);
+        const QString path = target.filePath(pictureName(screen, variant));
+        if (!window.grab().convertToFormat(QImage::Format_RGB888).save(path, "PNG", minFile)) {
             std::fprintf(stderr,
                          "campanel-looks: %s cannot be written; is the disk full or the folder read-only?\n",
                          qPrintable(path));
             return false;
         }
     }
-    for (const QString& complaint : stage.complaints())
-        std::fprintf(stderr, "campanel-looks: %s: %s\n", qPrintable(look.name()), qPrintable(complaint));
-    return stage.complaints().isEmpty();
+    for (const QString& complaint : window.complaints())
+        std::fprintf(stderr, "campanel-looks: %s: %s\n", qPrintable(variant.name()), qPrintable(complaint));
+    return window.complaints().isEmpty();
 }
 
 } // namespace
 
-QString pictureName(const Scene& scene, const Look& look)
+QString pictureName(const Screen& screen, const Variant& variant)
 {
-    return QStringLiteral("%1-%2.png").arg(scene.name, look.name());
+    return QStringLiteral("%1-%2.png").arg(screen.name, variant.name());
 }
 
-std::optional<int> captureThose(const QString& folder, const QList<Look>& looks, const QList<Scene>& scenes,
+std::optional<int> captureThose(const QString& folder, const QList<Variant>& variants,
+                                const QList<Screen>& screens,
                                 const std::function<bool(const QString& name)>& isWanted)
 {
     const QDir target(folder);
@@ -50,21 +51,21 @@ std::optional<int> captureThose(const QString& folder, const QList<Look>& looks,
         return std::nullopt;
     }
     int written = 0;
-    for (const Look& look : looks) {
-        QList<Scene> wanted = scenes;
-        wanted.removeIf([&](const Scene& scene) { return !isWanted(pictureName(scene, look)); });
+    for (const Variant& variant : variants) {
+        QList<Screen> wanted = screens;
+        wanted.removeIf([&](const Screen& screen) { return !isWanted(pictureName(screen, variant)); });
         if (wanted.isEmpty())
             continue;
-        if (!captureLook(target, look, wanted))
+        if (!captureVariant(target, variant, wanted))
             return std::nullopt;
         written += static_cast<int>(wanted.size());
     }
     return written;
 }
 
-int capture(const QString& folder, const QList<Look>& looks, const QList<Scene>& scenes)
+int capture(const QString& folder, const QList<Variant>& variants, const QList<Screen>& screens)
 {
-    const auto written = captureThose(folder, looks, scenes, [](const QString&) { return true; });
+    const auto written = captureThose(folder, variants, screens, [](const QString&) { return true; });
     if (!written)
         return EXIT_FAILURE;
     std::printf("%d pictures in %s\n", *written, qPrintable(QDir(folder).absolutePath()));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanel-looks: every page and dialog of the panel in every look, checked, captured, or compared with
+// campanel-looks: every page and dialog of the panel in every variant, checked, captured, or compared with
 // approved pictures.
 #include "app/shell/fonts.h"
 #include "app/shell/qml_modules.h"
 #include "tests/looks/baselines.h"
 #include "tests/looks/capture.h"
-#include "tests/looks/look_checks.h"
+#include "tests/looks/variant_checks.h"
 
 #include <QCommandLineParser>
 #include <QGuiApplication>
@@ -18,7 +18,7 @@ namespace {
 using namespace campanel;
 
 constexpr int usageError = 2;
-const QString defaultLook = QStringLiteral("light-en-1024x600");
+const QString defaultVariant = QStringLiteral("light-en-1024x600");
 
 [[noreturn]] void refuse(const QString& sentence)
 {
@@ -77,28 +77,28 @@ int main(int argc, char* argv[])
         {compare, QStringLiteral("Of --capture: only the pictures in that folder; fails when one differs."),
          QStringLiteral("folder")},
         {update, QStringLiteral("Of --compare: replace the pictures in that folder.")},
-        {QStringLiteral("looks"),
+        {QStringLiteral("variants"),
          QStringLiteral(
              "Theme, language, size and gloves, such as \"dark-*\" or \"light-en-*,*-gloves\" (%1). "
              "\"*\" is each of the 54; \"usual\" is 18 of them.")
-             .arg(defaultLook),
-         QStringLiteral("patterns"), defaultLook},
-        {QStringLiteral("scenes"), QStringLiteral("Only these, such as \"run*,motion\"."),
+             .arg(defaultVariant),
+         QStringLiteral("patterns"), defaultVariant},
+        {QStringLiteral("screens"), QStringLiteral("Only these, such as \"run*,motion\"."),
          QStringLiteral("patterns"), QStringLiteral("*")},
     });
     parser.process(application);
     refuseWithout(parser, compare, capture);
     refuseWithout(parser, update, compare);
-    const auto looks = selected(parser, QStringLiteral("looks"), defaultLook, &looks::looksNamed);
-    const auto scenes =
-        selected(parser, QStringLiteral("scenes"), QStringLiteral("run"), &looks::scenesNamed);
+    const auto variants = selected(parser, QStringLiteral("variants"), defaultVariant, &looks::variantsNamed);
+    const auto screens =
+        selected(parser, QStringLiteral("screens"), QStringLiteral("run"), &looks::screensNamed);
 
     shell::applyFonts();
     if (!hasFonts())
         return EXIT_FAILURE;
     if (!parser.isSet(capture))
-        return looks::checkLooks(looks, scenes);
+        return looks::checkVariants(variants, screens);
     if (!parser.isSet(compare))
-        return looks::capture(parser.value(capture), looks, scenes);
+        return looks::capture(parser.value(capture), variants, screens);
     return looks::compareWithBaselines(parser.value(capture), parser.value(compare), parser.isSet(update));
 }

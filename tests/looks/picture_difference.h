@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The visible difference between two pictures of the same scene. Rounding of glyphs and lines is ignored; a
+// The visible difference between two pictures of the same screen. Rounding of glyphs and lines is ignored; a
 // changed word, color or place counts.
 #pragma once
 

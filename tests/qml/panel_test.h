@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel in a window on the demonstration link, operated by a Finger, new for each test.
+// The panel in a window on the demonstration link, operated by a TouchDriver, new for each test.
 #pragma once
 
 #include "app/shell/fonts.h"
-#include "tests/looks/stage.h"
+#include "tests/looks/test_window.h"
 
 #include <QTest>
 
@@ -15,23 +15,23 @@ class PanelTest : public QObject {
     Q_OBJECT
 
 protected:
-    std::unique_ptr<looks::Stage> m_stage;
+    std::unique_ptr<looks::TestWindow> m_window;
 
-    auto& editor() { return m_stage->panel().editor(); }
-    void tap(const char* name) { m_stage->tap(QString::fromLatin1(name)); }
+    auto& editor() { return m_window->panel().editor(); }
+    void tap(const char* name) { m_window->tap(QString::fromLatin1(name)); }
     QString textOf(const char* name)
     {
-        const QQuickItem* item = m_stage->find(QString::fromLatin1(name));
+        const QQuickItem* item = m_window->find(QString::fromLatin1(name));
         return item ? item->property("text").toString() : QString();
     }
     void show(looks::DemoLink::Kind kind)
     {
-        m_stage->link().show(looks::DemoLink::Situation::Running, kind);
-        m_stage->settle();
+        m_window->link().show(looks::DemoLink::Situation::Running, kind);
+        m_window->settle();
     }
     QPoint centerOf(const QString& name)
     {
-        const QQuickItem* item = m_stage->find(name);
+        const QQuickItem* item = m_window->find(name);
         return item ? item->mapToScene(item->boundingRect().center()).toPoint() : QPoint();
     }
 
@@ -39,14 +39,14 @@ private slots:
     void initTestCase() { shell::applyFonts(); }
     void init()
     {
-        m_stage = std::make_unique<looks::Stage>(
-            looks::Look{QStringLiteral("en"), QStringLiteral("light"), QSize(1024, 600)});
-        QVERIFY(m_stage->isReady());
+        m_window = std::make_unique<looks::TestWindow>(
+            looks::Variant{QStringLiteral("en"), QStringLiteral("light"), QSize(1024, 600)});
+        QVERIFY(m_window->isReady());
     }
     void cleanup()
     {
-        QCOMPARE(m_stage->complaints(), QStringList());
-        m_stage.reset();
+        QCOMPARE(m_window->complaints(), QStringList());
+        m_window.reset();
     }
 };
 

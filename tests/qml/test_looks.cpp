@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The looks of the panel: colors of high contrast, keys for gloves, explained numbers, longer texts, and the
-// comparison of pictures.
+// The variants of the panel: colors of high contrast, keys for gloves, explained numbers, longer texts, and
+// the comparison of pictures.
 #include "panel_test.h"
 #include "tests/looks/contrast.h"
 #include "tests/looks/picture_difference.h"
-#include "tests/looks/scenes.h"
+#include "tests/looks/screens.h"
 #include "tests/support/test_program.h"
 
 #include <QPainter>
@@ -22,24 +22,24 @@ class TestLooks : public test::PanelTest {
     Q_OBJECT
 
 private:
-    // Returns the looks named by patterns with commas or spaces between them.
+    // Returns the variants named by patterns with commas or spaces between them.
     static QSet<QString> namesOf(QString patterns)
     {
         QSet<QString> names;
-        for (const looks::Look& look : looks::looksNamed(patterns.replace(u' ', u',')))
-            names += look.name();
+        for (const looks::Variant& variant : looks::variantsNamed(patterns.replace(u' ', u',')))
+            names += variant.name();
         return names;
     }
     static QSet<QString> namesOf(const char* patterns) { return namesOf(QString::fromLatin1(patterns)); }
 
-    QObject* part(const char* name) { return m_stage->theme()->property(name).value<QObject*>(); }
+    QObject* part(const char* name) { return m_window->theme()->property(name).value<QObject*>(); }
 
 private slots:
     // The plots paint their texts and curves themselves, invisible to the self-test: this checks their
     // colors.
     void highContrastHoldsForEveryColorThatIsReadOrFollowed()
     {
-        m_stage->panel().settings().setTheme(QStringLiteral("contrast"));
+        m_window->panel().settings().setTheme(QStringLiteral("contrast"));
         const QObject* colors = part("color");
         for (const char* behind : {"ground", "surface", "inset", "touchTint"}) {
             const auto below = colors->property(behind).value<QColor>();
@@ -62,54 +62,54 @@ private slots:
     {
         const double touch = part("size")->property("touch").toDouble();
         const double command = part("size")->property("commandKey").toDouble();
-        const double stop = m_stage->find(QStringLiteral("stopKey"))->width();
+        const double stop = m_window->find(QStringLiteral("stopKey"))->width();
         tap("nav_settings");
         tap("glovesOn");
-        QVERIFY(m_stage->panel().settings().gloves());
+        QVERIFY(m_window->panel().settings().gloves());
         QVERIFY(std::abs(part("size")->property("touch").toDouble() / touch - 1.25) < 0.01);
         QVERIFY(std::abs(part("size")->property("commandKey").toDouble() / command - 1.25) < 0.01);
-        QVERIFY(std::abs(m_stage->find(QStringLiteral("stopKey"))->width() / stop - 1.25) < 0.01);
+        QVERIFY(std::abs(m_window->find(QStringLiteral("stopKey"))->width() / stop - 1.25) < 0.01);
         tap("glovesOff");
         QCOMPARE(part("size")->property("touch").toDouble(), touch);
     }
 
     void lastPagesAreBehindMoreWhereGlovesNeedTheRoom()
     {
-        QVERIFY(!m_stage->find(QStringLiteral("nav_more")));
-        m_stage->panel().settings().setGloves(true);
-        m_stage->settle();
-        QVERIFY(!m_stage->find(QStringLiteral("nav_maintenance")));
+        QVERIFY(!m_window->find(QStringLiteral("nav_more")));
+        m_window->panel().settings().setGloves(true);
+        m_window->settle();
+        QVERIFY(!m_window->find(QStringLiteral("nav_maintenance")));
         tap("nav_more");
         tap("choice_maintenance");
-        QCOMPARE(m_stage->frame()->property("page").toString(), "maintenance");
-        QVERIFY(!m_stage->find(QStringLiteral("choice_maintenance"))); // the chooser is gone
-        QVERIFY(m_stage->find(QStringLiteral("nav_more"))->property("checked").toBool());
+        QCOMPARE(m_window->frame()->property("page").toString(), "maintenance");
+        QVERIFY(!m_window->find(QStringLiteral("choice_maintenance"))); // the chooser is gone
+        QVERIFY(m_window->find(QStringLiteral("nav_more"))->property("checked").toBool());
         tap("nav_motion");
-        QCOMPARE(m_stage->frame()->property("page").toString(), "motion");
+        QCOMPARE(m_window->frame()->property("page").toString(), "motion");
     }
 
     void groupsOfServiceAreBehindOneKeyWhereGlovesNeedTheRoom()
     {
         tap("nav_maintenance");
-        tap("serviceMachine");
-        m_stage->panel().settings().setGloves(true);
-        m_stage->settle();
-        QVERIFY(!m_stage->find(QStringLiteral("servicePanel")));
-        tap("serviceGroup");
+        tap("maintenanceMachine");
+        m_window->panel().settings().setGloves(true);
+        m_window->settle();
+        QVERIFY(!m_window->find(QStringLiteral("maintenancePanel")));
+        tap("maintenanceGroup");
         tap("choice_2");
-        QVERIFY(m_stage->find(QStringLiteral("serviceBackup")));
-        m_stage->panel().settings().setGloves(false);
-        m_stage->settle();
-        QVERIFY(m_stage->find(QStringLiteral("servicePanel")));
-        QVERIFY(!m_stage->find(QStringLiteral("serviceGroup")));
+        QVERIFY(m_window->find(QStringLiteral("maintenanceBackup")));
+        m_window->panel().settings().setGloves(false);
+        m_window->settle();
+        QVERIFY(m_window->find(QStringLiteral("maintenancePanel")));
+        QVERIFY(!m_window->find(QStringLiteral("maintenanceGroup")));
     }
 
     void heldNumbersSayHowTheyComeAbout()
     {
-        m_stage->hold(QStringLiteral("packingRate"));
+        m_window->hold(QStringLiteral("packingRate"));
         const QString text = textOf("explanationText");
         QVERIFY2(text.contains(QStringLiteral("rate of the program × master speed")), qPrintable(text));
-        const auto& machine = m_stage->panel().machine();
+        const auto& machine = m_window->panel().machine();
         const QString sum = QStringLiteral("= %1 × %2 %\n= %3 bags/min");
         QVERIFY2(text.contains(sum.arg(machine.active().rateBagsPerMin, 0, 'f', 1)
                                    .arg(machine.live().masterSpeedPercent, 0, 'f', 0)
@@ -117,7 +117,7 @@ private slots:
                  qPrintable(text));
         tap("sheetClose");
         tap("nav_motion");
-        m_stage->hold(QStringLiteral("verdictNumbers"));
+        m_window->hold(QStringLiteral("verdictNumbers"));
         QVERIFY2(textOf("explanationText").contains(QStringLiteral("rounded down")),
                  qPrintable(textOf("explanationText")));
     }
@@ -135,8 +135,8 @@ private slots:
         QFETCH(QString, language);
         QFETCH(double, rate);
         QFETCH(QString, unit);
-        m_stage->panel().settings().overrideLanguage(language);
-        m_stage->settle();
+        m_window->panel().settings().overrideLanguage(language);
+        m_window->settle();
         editor().rate()->set(rate);
         tap("nav_motion");
         QVERIFY2(editor().verdict().contains(unit), qPrintable(editor().verdict()));
@@ -149,11 +149,11 @@ private slots:
     void timesOfAnswersSayHowTheyComeAbout()
     {
         tap("nav_maintenance");
-        tap("serviceLine");
-        tap("service1");
-        m_stage->hold(QStringLiteral("figuresTimes"));
-        const auto& latency = m_stage->panel().service().figures()->report()->figures.latency();
-        const auto told = m_stage->panel().explanations().of(panel::Explanations::Answers99);
+        tap("maintenanceLine");
+        tap("maintenance1");
+        m_window->hold(QStringLiteral("figuresTimes"));
+        const auto& latency = m_window->panel().maintenance().figures()->report()->figures.latency();
+        const auto told = m_window->panel().explanations().of(panel::Explanations::Answers99);
         QCOMPARE(told.value.toDouble(),
                  std::round(static_cast<double>(latency.percentile(0.99).count()) / 100.0) / 10);
         const auto rank = static_cast<qulonglong>(std::ceil(0.99 * static_cast<double>(latency.count())));
@@ -163,16 +163,16 @@ private slots:
         QVERIFY2(textOf("explanationText").contains(QStringLiteral("at 50 % of their number")),
                  qPrintable(textOf("explanationText")));
         tap("sheetClose");
-        m_stage->hold(QStringLiteral("figuresExchanges"));
+        m_window->hold(QStringLiteral("figuresExchanges"));
         QVERIFY2(textOf("explanationText").contains(QStringLiteral(" s / ")),
                  qPrintable(textOf("explanationText")));
     }
 
     void unknownNumbersAreExplainedWithoutNumbers()
     {
-        m_stage->link().show(looks::DemoLink::Situation::Empty);
-        m_stage->settle();
-        const panel::Explanations& explanations = m_stage->panel().explanations();
+        m_window->link().show(looks::DemoLink::Situation::Empty);
+        m_window->settle();
+        const panel::Explanations& explanations = m_window->panel().explanations();
         for (int quantity = panel::Explanations::Rate; quantity <= panel::Explanations::AnswerAllowance;
              ++quantity) {
             if (quantity >= panel::Explanations::FastestRate &&
@@ -200,21 +200,21 @@ private slots:
         constexpr qsizetype usualInEachSize = 6;
         QCOMPARE(namesOf("usual").size(), 3 * usualInEachSize);
         QCOMPARE(namesOf("usual,light-zh_CN-1024x600-gloves").size(), 3 * usualInEachSize + 1);
-        QCOMPARE(looks::scenesNamed(QStringLiteral("run,motion")).size(), 2);
+        QCOMPARE(looks::screensNamed(QStringLiteral("run,motion")).size(), 2);
     }
 
     void everyLanguageAndSizeIsInASelfTest()
     {
         const QSet<QString> tested = namesOf(CAMPANEL_SELF_TESTS);
-        for (const looks::Look& look : looks::looksNamed(QStringLiteral("*"))) {
-            const looks::Look plain{look.language, QStringLiteral("light"), look.size};
-            QVERIFY2(look.isLong() || tested.contains(plain.name()), qPrintable(plain.name()));
+        for (const looks::Variant& variant : looks::variantsNamed(QStringLiteral("*"))) {
+            const looks::Variant plain{variant.language, QStringLiteral("light"), variant.size};
+            QVERIFY2(variant.isLong() || tested.contains(plain.name()), qPrintable(plain.name()));
         }
     }
 
     void everyLookIsInOneTest()
     {
-        const QStringList tests = QStringLiteral(CAMPANEL_EVERY_LOOK_TESTS).split(u' ');
+        const QStringList tests = QStringLiteral(CAMPANEL_EVERY_VARIANT_TESTS).split(u' ');
         for (const QString& name : namesOf("*")) {
             const auto times = std::ranges::count_if(
                 tests, [&name](const QString& test) { return namesOf(test).contains(name); });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The options of campanel-looks: a pattern that matches nothing is refused; without patterns it takes one
-// look.
+// variant.
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
 
@@ -19,16 +19,16 @@ private slots:
     {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("sentence");
-        QTest::addRow("a pattern that matches no look")
-            << QStringList{QStringLiteral("--looks"), QStringLiteral("light-en-*,light-fr-*")}
+        QTest::addRow("a pattern that matches no variant")
+            << QStringList{QStringLiteral("--variants"), QStringLiteral("light-en-*,light-fr-*")}
             << QStringLiteral(
-                   "campanel-looks: --looks \"light-fr-*\" matches none of the looks. An example is "
+                   "campanel-looks: --variants \"light-fr-*\" matches none of the variants. An example is "
                    "light-en-1024x600.\n");
         QTest::addRow("a pattern that matches no page")
             << QStringList{QStringLiteral("--capture"), QStringLiteral("pictures"),
-                           QStringLiteral("--scenes"), QStringLiteral("walk")}
+                           QStringLiteral("--screens"), QStringLiteral("walk")}
             << QStringLiteral(
-                   "campanel-looks: --scenes \"walk\" matches none of the scenes. An example is run.\n");
+                   "campanel-looks: --screens \"walk\" matches none of the screens. An example is run.\n");
         QTest::addRow("pictures to compare with, but no folder")
             << QStringList{QStringLiteral("--compare"), QStringLiteral("pictures")}
             << QStringLiteral("campanel-looks: --compare needs --capture FOLDER.\n");
@@ -49,12 +49,13 @@ private slots:
     {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("told");
-        const QStringList onePage{QStringLiteral("--scenes"), QStringLiteral("run")};
-        QTest::newRow("one look") << onePage << QStringLiteral("1 pages and dialogs in 1 looks: 0 faults\n");
-        QTest::newRow("two looks") << onePage +
-                                          QStringList{QStringLiteral("--looks"),
-                                                      QStringLiteral("light-en-800x480,light-zh_CN-800x480")}
-                                   << QStringLiteral("1 pages and dialogs in 2 looks: 0 faults\n");
+        const QStringList onePage{QStringLiteral("--screens"), QStringLiteral("run")};
+        QTest::newRow("one variant") << onePage
+                                     << QStringLiteral("1 pages and dialogs in 1 variants: 0 faults\n");
+        QTest::newRow("two variants")
+            << onePage + QStringList{QStringLiteral("--variants"),
+                                     QStringLiteral("light-en-800x480,light-zh_CN-800x480")}
+            << QStringLiteral("1 pages and dialogs in 2 variants: 0 faults\n");
     }
     void looksAtOneLookUnlessTold()
     {
@@ -72,7 +73,7 @@ private slots:
         const QTemporaryDir folder;
         QProcess looks;
         looks.start(campanel::test::programPath("campanel-looks"),
-                    {QStringLiteral("--capture"), folder.path(), QStringLiteral("--scenes"),
+                    {QStringLiteral("--capture"), folder.path(), QStringLiteral("--screens"),
                      QStringLiteral("run,motion")});
         QVERIFY(looks.waitForFinished());
         QCOMPARE(looks.exitCode(), 0);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole panel in a window, operated by a Finger, on the demonstration link: keypad, pins, handles,
+// The whole panel in a window, operated by a TouchDriver, on the demonstration link: keypad, pins, handles,
 // navigation, Stop, language.
 #include "panel_test.h"
 
-#include "tests/looks/scene_checks.h"
+#include "tests/looks/screen_checks.h"
 #include "tests/support/test_program.h"
 
 #include <QFile>
@@ -30,10 +30,10 @@ class TestPanel : public campanel::test::PanelTest {
 private slots:
     void paleTextIsFound()
     {
-        const campanel::looks::SceneLimits anySize;
-        QCOMPARE(checkScene(m_stage->root(), anySize, m_stage->grab()), QStringList());
-        m_stage->find(QStringLiteral("stateText"))->setProperty("color", QColor(0x98, 0x98, 0x98));
-        const QStringList faults = checkScene(m_stage->root(), anySize, m_stage->grab());
+        const campanel::looks::ScreenLimits anySize;
+        QCOMPARE(checkScreen(m_window->root(), anySize, m_window->grab()), QStringList());
+        m_window->find(QStringLiteral("stateText"))->setProperty("color", QColor(0x98, 0x98, 0x98));
+        const QStringList faults = checkScreen(m_window->root(), anySize, m_window->grab());
         QCOMPARE(faults.size(), 1);
         QCOMPARE(
             faults.constFirst(),
@@ -44,20 +44,20 @@ private slots:
     {
         tap("nav_motion");
         tap("field_bagLength");
-        m_stage->type(QStringLiteral("262.5"));
+        m_window->type(QStringLiteral("262.5"));
         QCOMPARE(textOf("keypadText"), QStringLiteral("262.5"));
         tap("keypadAccept");
         QCOMPARE(editor().bagLength()->value(), 262.5);
-        QVERIFY(!m_stage->find(QStringLiteral("keypad")));
+        QVERIFY(!m_window->find(QStringLiteral("keypad")));
     }
 
     void keypadRefusesWithTheLimit()
     {
         tap("nav_motion");
         tap("field_bagLength");
-        m_stage->type(QStringLiteral("99999"));
+        m_window->type(QStringLiteral("99999"));
         QVERIFY2(textOf("keypadHint").contains(QStringLiteral("2000")), qPrintable(textOf("keypadHint")));
-        QVERIFY(!m_stage->find(QStringLiteral("keypadAccept"))->isEnabled());
+        QVERIFY(!m_window->find(QStringLiteral("keypadAccept"))->isEnabled());
         tap("keypadCancel");
         QCOMPARE(editor().bagLength()->value(), 250.0);
     }
@@ -74,9 +74,9 @@ private slots:
     {
         QFETCH(QStringList, way);
         for (const QString& name : way)
-            m_stage->tap(name);
+            m_window->tap(name);
         const auto rectOf = [this](const QString& name) {
-            const QQuickItem* item = m_stage->find(name);
+            const QQuickItem* item = m_window->find(name);
             return item->mapRectToScene(item->boundingRect());
         };
         const QRectF keypad = rectOf(QStringLiteral("keypad"));
@@ -90,7 +90,7 @@ private slots:
         tap("nav_motion");
         QVERIFY(editor().filmSpeed()->derived());
         tap("field_filmSpeed");
-        m_stage->type(QStringLiteral("300"));
+        m_window->type(QStringLiteral("300"));
         tap("keypadAccept");
         QVERIFY(editor().filmSpeed()->pinned());
         QCOMPARE(editor().filmSpeed()->value(), 300.0);
@@ -103,10 +103,10 @@ private slots:
     void holdingADerivedValueExplainsIt()
     {
         tap("nav_motion");
-        m_stage->hold(QStringLiteral("field_baseSpeed"));
-        QVERIFY(m_stage->find(QStringLiteral("sheetPanel")));
+        m_window->hold(QStringLiteral("field_baseSpeed"));
+        QVERIFY(m_window->find(QStringLiteral("sheetPanel")));
         tap("sheetClose");
-        QVERIFY(!m_stage->find(QStringLiteral("sheetPanel")));
+        QVERIFY(!m_window->find(QStringLiteral("sheetPanel")));
     }
 
     void aHandleMovesItsRatio()
@@ -115,13 +115,13 @@ private slots:
         const double before = editor().k2()->value();
         const double first = editor().k1()->value();
         const QPoint handle = centerOf(QStringLiteral("handle1"));
-        QTest::mousePress(&m_stage->window(), Qt::LeftButton, {}, handle);
-        QTest::mouseMove(&m_stage->window(), handle - QPoint(15, 0));
-        QTest::mouseMove(&m_stage->window(), handle - QPoint(30, 0));
-        QTest::mouseRelease(&m_stage->window(), Qt::LeftButton, {}, handle - QPoint(30, 0));
+        QTest::mousePress(&m_window->window(), Qt::LeftButton, {}, handle);
+        QTest::mouseMove(&m_window->window(), handle - QPoint(15, 0));
+        QTest::mouseMove(&m_window->window(), handle - QPoint(30, 0));
+        QTest::mouseRelease(&m_window->window(), Qt::LeftButton, {}, handle - QPoint(30, 0));
         QVERIFY2(editor().k2()->value() > before, "an earlier end of the ramp is a larger k");
         QCOMPARE(editor().k1()->value(), first);
-        m_stage->settle();
+        m_window->settle();
         QVERIFY((centerOf(QStringLiteral("handle1")) - handle).manhattanLength() > 20);
         tap("undo");
         QCOMPARE(editor().k2()->value(), before);
@@ -148,8 +148,8 @@ private slots:
         tap("kindButton");
         tap(qPrintable(QStringLiteral("choice_%1").arg(kind)));
         QCOMPARE(static_cast<int>(editor().kind()), kind);
-        QVERIFY2(!m_stage->find(QStringLiteral("sheetPanel")), "the choice closes its sheet");
-        QVERIFY2(m_stage->find(shown), qPrintable(shown));
+        QVERIFY2(!m_window->find(QStringLiteral("sheetPanel")), "the choice closes its sheet");
+        QVERIFY2(m_window->find(shown), qPrintable(shown));
         QVERIFY(editor().feasible());
         tap("undo");
         QCOMPARE(static_cast<int>(editor().kind()), before);
@@ -161,10 +161,10 @@ private slots:
         tap("nav_motion");
         const QList<double> before = knots(&panel::KnotRow::slaveText);
         const QPoint handle = centerOf(QStringLiteral("handle1"));
-        QTest::mousePress(&m_stage->window(), Qt::LeftButton, {}, handle);
-        QTest::mouseMove(&m_stage->window(), handle - QPoint(0, 8));
-        QTest::mouseMove(&m_stage->window(), handle - QPoint(0, 16));
-        QTest::mouseRelease(&m_stage->window(), Qt::LeftButton, {}, handle - QPoint(0, 16));
+        QTest::mousePress(&m_window->window(), Qt::LeftButton, {}, handle);
+        QTest::mouseMove(&m_window->window(), handle - QPoint(0, 8));
+        QTest::mouseMove(&m_window->window(), handle - QPoint(0, 16));
+        QTest::mouseRelease(&m_window->window(), Qt::LeftButton, {}, handle - QPoint(0, 16));
         const QList<double> after = knots(&panel::KnotRow::slaveText);
         QVERIFY2(after[1] > before[1] + 1, "a finger that goes up lifts the knot");
         QCOMPARE(after[2], before[2]);
@@ -184,13 +184,13 @@ private slots:
         QCOMPARE(knots(&panel::KnotRow::masterText)[2], 135.0);
         tap("knotRemove");
         QCOMPARE(editor().knots()->count(), 5);
-        QVERIFY(!m_stage->find(QStringLiteral("knotRemove"))->isEnabled());
-        QVERIFY2(!m_stage->find(QStringLiteral("knotRepair"))->isEnabled(), "nothing is broken yet");
+        QVERIFY(!m_window->find(QStringLiteral("knotRemove"))->isEnabled());
+        QVERIFY2(!m_window->find(QStringLiteral("knotRepair"))->isEnabled(), "nothing is broken yet");
         editor().setChoice(0, 0); // natural ends: speed jumps at the wrap
-        m_stage->settle();
+        m_window->settle();
         QVERIFY(editor().knots()->wrapText().contains(QStringLiteral("jumps")));
         tap("knotRepair");
-        QVERIFY(!m_stage->find(QStringLiteral("knotRepair"))->isEnabled());
+        QVERIFY(!m_window->find(QStringLiteral("knotRepair"))->isEnabled());
     }
 
     void knotsComeFromAFileAndGoIntoOne()
@@ -209,22 +209,22 @@ private slots:
         tap("nav_motion");
         tap("knotsButton");
         tap("knotFilesButton");
-        m_stage->waitFor(files);
-        QVERIFY(!m_stage->find(QStringLiteral("offerGo"))->isEnabled());
+        m_window->waitFor(files);
+        QVERIFY(!m_window->find(QStringLiteral("offerGo"))->isEnabled());
         tap("offer0");
         QVERIFY2(textOf("offerDetail").startsWith(QStringLiteral("6 knots")),
                  qPrintable(textOf("offerDetail")));
         QCOMPARE(editor().knots()->count(), 5);
         tap("offerGo");
         QCOMPARE(editor().knots()->count(), 6);
-        QVERIFY2(m_stage->find(QStringLiteral("knotList")), "back among the knots");
+        QVERIFY2(m_window->find(QStringLiteral("knotList")), "back among the knots");
         tap("knotFilesButton");
-        m_stage->waitFor(files);
+        m_window->waitFor(files);
         tap("knotsExport");
-        m_stage->waitFor(files);
+        m_window->waitFor(files);
         tap("offer0");
         tap("offerGo");
-        m_stage->waitFor(files);
+        m_window->waitFor(files);
         const QString written = stick.filePath(editor().recipeName() + QStringLiteral(".csv"));
         QCOMPARE(textOf("offerDetail"), QStringLiteral("Written: ") + written);
         QVERIFY(QFile::exists(written));
@@ -251,12 +251,12 @@ private slots:
         tap("nav_motion");
         tap("knotsButton");
         tap("knotFilesButton");
-        m_stage->waitFor(files);
+        m_window->waitFor(files);
         tap("offer0");
         QVERIFY(textOf("offerDetail").startsWith(QStringLiteral("Line 4")));
-        QVERIFY(!m_stage->find(QStringLiteral("offerGo"))->isEnabled());
+        QVERIFY(!m_window->find(QStringLiteral("offerGo"))->isEnabled());
         QVERIFY(write("0,0\n60,3\n120,9\n200,8\n300,1\n360,0\n"));
-        QTRY_VERIFY(m_stage->find(QStringLiteral("offerGo"))->isEnabled());
+        QTRY_VERIFY(m_window->find(QStringLiteral("offerGo"))->isEnabled());
         QVERIFY(textOf("offerDetail").startsWith(QStringLiteral("6 knots")));
         tap("offerGo");
         QCOMPARE(editor().knots()->count(), 6);
@@ -276,14 +276,14 @@ private slots:
         const QString before = editor().lawName();
         tap(qPrintable(QStringLiteral("law_") + lawId));
         QCOMPARE(editor().lawName(), before);
-        m_stage->hold(QStringLiteral("law_") + lawId);
+        m_window->hold(QStringLiteral("law_") + lawId);
         QVERIFY(!editor().overlayName().isEmpty());
         QCOMPARE(editor().lawName(), before);
     }
 
     void theRecipeOfTheControllerIsNamedWhenItIsAnother()
     {
-        QVERIFY(!m_stage->find(QStringLiteral("activeTitle")));
+        QVERIFY(!m_window->find(QStringLiteral("activeTitle")));
         show(Kind::Press);
         QCOMPARE(textOf("activeTitle"), QStringLiteral("in the controller: Bearing 6204 · v1"));
     }
@@ -295,9 +295,9 @@ private slots:
         QCOMPARE(textOf("directionText"), QStringLiteral("runs forward"));
         tap("directionBackward");
         QCOMPARE(textOf("directionText"), QStringLiteral("Changing to reverse …"));
-        m_stage->link().show(campanel::looks::DemoLink::Situation::Lost, Kind::PointCam);
-        m_stage->settle();
-        QVERIFY(!m_stage->find(QStringLiteral("directionChoice"))->isEnabled());
+        m_window->link().show(campanel::looks::DemoLink::Situation::Lost, Kind::PointCam);
+        m_window->settle();
+        QVERIFY(!m_window->find(QStringLiteral("directionChoice"))->isEnabled());
         QCOMPARE(textOf("directionText"), QStringLiteral("There is no connection to the controller."));
     }
 
@@ -306,9 +306,9 @@ private slots:
         editor().newProgram(2);
         tap("nav_motion");
         tap("lawButton");
-        m_stage->hold(QStringLiteral("law_cubic"));
+        m_window->hold(QStringLiteral("law_cubic"));
         QCOMPARE(editor().overlayName(), QStringLiteral("Cubic (paper)"));
-        m_stage->hold(QStringLiteral("law_cubic"));
+        m_window->hold(QStringLiteral("law_cubic"));
         QCOMPARE(editor().overlayName(), QString());
     }
 
@@ -318,17 +318,17 @@ private slots:
         QCOMPARE(textOf("pressForce"), QStringLiteral("3,900"));
         QCOMPARE(textOf("pressPosition"), QStringLiteral("100.00"));
         QCOMPARE(textOf("goodStrokes"), QStringLiteral("23 / 24"));
-        QVERIFY(m_stage->find(QStringLiteral("stage3"))->property("current").toBool());
-        QVERIFY(!m_stage->find(QStringLiteral("stage2"))->property("current").toBool());
-        QVERIFY(m_stage->find(QStringLiteral("stroke0"))->property("good").toBool());
-        const QQuickItem* bad = m_stage->find(QStringLiteral("stroke3"));
+        QVERIFY(m_window->find(QStringLiteral("stage3"))->property("current").toBool());
+        QVERIFY(!m_window->find(QStringLiteral("stage2"))->property("current").toBool());
+        QVERIFY(m_window->find(QStringLiteral("stroke0"))->property("good").toBool());
+        const QQuickItem* bad = m_window->find(QStringLiteral("stroke3"));
         QVERIFY(!bad->property("good").toBool());
         QCOMPARE(bad->property("resultText").toString(), QStringLiteral("Force too low"));
         const auto curve =
-            m_stage->find(QStringLiteral("forcePlot"))->property("curve").value<QList<QPointF>>();
+            m_window->find(QStringLiteral("forcePlot"))->property("curve").value<QList<QPointF>>();
         QVERIFY(curve.size() > 100);
         QVERIFY2(std::abs(curve.constLast().x() - 100) < 0.1, "it stands in its hold");
-        QVERIFY(!m_stage->find(QStringLiteral("axisSpeed")));
+        QVERIFY(!m_window->find(QStringLiteral("axisSpeed")));
     }
 
     void runShowsWhatEachKindHas_data()
@@ -350,9 +350,9 @@ private slots:
         QFETCH(QStringList, hidden);
         show(static_cast<Kind>(kind));
         for (const QString& name : shown)
-            QVERIFY2(m_stage->find(name), qPrintable(name));
+            QVERIFY2(m_window->find(name), qPrintable(name));
         for (const QString& name : hidden)
-            QVERIFY2(!m_stage->find(name), qPrintable(name));
+            QVERIFY2(!m_window->find(name), qPrintable(name));
     }
 
     void stopIsReachedOverDialogsAndKeypad_data()
@@ -369,29 +369,29 @@ private slots:
     {
         QFETCH(QStringList, way);
         for (const QString& name : way)
-            m_stage->tap(name);
-        const qsizetype before = m_stage->link().stopRequests();
+            m_window->tap(name);
+        const qsizetype before = m_window->link().stopRequests();
         tap("stopKey");
-        QCOMPARE(m_stage->link().stopRequests(), before + 1);
+        QCOMPARE(m_window->link().stopRequests(), before + 1);
     }
 
     void languageChangesAtOnce()
     {
         QCOMPARE(textOf("stopKey"), QStringLiteral("Stop"));
-        m_stage->panel().settings().setLanguage(QStringLiteral("zh_CN"));
-        m_stage->settle();
+        m_window->panel().settings().setLanguage(QStringLiteral("zh_CN"));
+        m_window->settle();
         QCOMPARE(textOf("stopKey"), QString::fromUtf8("停止"));
         QCOMPARE(textOf("stateText"), QString::fromUtf8("运行"));
-        m_stage->panel().settings().setLanguage(QStringLiteral("en"));
-        m_stage->settle();
+        m_window->panel().settings().setLanguage(QStringLiteral("en"));
+        m_window->settle();
         QCOMPARE(textOf("stateText"), QStringLiteral("Running"));
     }
 
     void onlyTheRunPageIsMadeAtStart()
     {
-        QVERIFY(!m_stage->root().findChild<QObject*>(QStringLiteral("motionPlot")));
+        QVERIFY(!m_window->root().findChild<QObject*>(QStringLiteral("motionPlot")));
         tap("nav_motion");
-        QVERIFY(m_stage->find(QStringLiteral("motionPlot")));
+        QVERIFY(m_window->find(QStringLiteral("motionPlot")));
     }
 
     void whatIsRefusedIsSeenWhereverTheFingerWas_data()
@@ -411,57 +411,57 @@ private slots:
     {
         QFETCH(QStringList, way);
         QFETCH(bool, isFirstStart);
-        m_stage->link().show(campanel::looks::DemoLink::Situation::Empty);
+        m_window->link().show(campanel::looks::DemoLink::Situation::Empty);
         if (isFirstStart)
-            m_stage->panel().settings().beginFirstStart();
-        m_stage->settle();
+            m_window->panel().settings().beginFirstStart();
+        m_window->settle();
         for (const QString& name : way)
-            m_stage->tap(name);
+            m_window->tap(name);
         QCOMPARE(textOf("banner"), QStringLiteral("The controller has no program. Download a recipe first."));
-        const QQuickItem* banner = m_stage->find(QStringLiteral("banner"));
+        const QQuickItem* banner = m_window->find(QStringLiteral("banner"));
         const QRectF notice = banner->mapRectToScene(banner->boundingRect());
         for (const char* name : {"nextStep", "downloadStart", "firstNext", "keypadAccept"}) {
-            if (const QQuickItem* wanted = m_stage->find(QString::fromLatin1(name)))
+            if (const QQuickItem* wanted = m_window->find(QString::fromLatin1(name)))
                 QVERIFY2(!notice.intersects(wanted->mapRectToScene(wanted->boundingRect())), name);
         }
         tap("bannerButton"); // nothing is above it
-        QVERIFY(!m_stage->find(QStringLiteral("banner")));
+        QVERIFY(!m_window->find(QStringLiteral("banner")));
     }
 
     void whatStoodOnThePageDoesNotCoverASheet()
     {
-        m_stage->link().show(campanel::looks::DemoLink::Situation::Empty);
-        m_stage->settle();
+        m_window->link().show(campanel::looks::DemoLink::Situation::Empty);
+        m_window->settle();
         for (const char* name : {"nav_motion", "startKey", "nextStep"})
             tap(name);
-        QVERIFY(!m_stage->find(QStringLiteral("banner")));
+        QVERIFY(!m_window->find(QStringLiteral("banner")));
         tap("startKey");
-        QVERIFY(m_stage->find(QStringLiteral("banner")));
+        QVERIFY(m_window->find(QStringLiteral("banner")));
         tap("bannerButton");
         tap("downloadCancel");
-        QVERIFY(!m_stage->find(QStringLiteral("banner")));
+        QVERIFY(!m_window->find(QStringLiteral("banner")));
     }
 
     void homeIsOfferedWhenTheControllerTakesIt()
     {
-        m_stage->link().show(campanel::looks::DemoLink::Situation::Empty);
-        m_stage->settle();
-        QVERIFY(!m_stage->find(QStringLiteral("middleKey")));
-        m_stage->link().show(campanel::looks::DemoLink::Situation::Fresh);
-        m_stage->settle();
+        m_window->link().show(campanel::looks::DemoLink::Situation::Empty);
+        m_window->settle();
+        QVERIFY(!m_window->find(QStringLiteral("middleKey")));
+        m_window->link().show(campanel::looks::DemoLink::Situation::Fresh);
+        m_window->settle();
         QCOMPARE(textOf("middleKey"), QStringLiteral("Home"));
-        m_stage->link().show(campanel::looks::DemoLink::Situation::Running);
-        m_stage->settle();
-        QVERIFY(!m_stage->find(QStringLiteral("middleKey")));
-        m_stage->link().show(campanel::looks::DemoLink::Situation::Fault);
-        m_stage->settle();
+        m_window->link().show(campanel::looks::DemoLink::Situation::Running);
+        m_window->settle();
+        QVERIFY(!m_window->find(QStringLiteral("middleKey")));
+        m_window->link().show(campanel::looks::DemoLink::Situation::Fault);
+        m_window->settle();
         QCOMPARE(textOf("middleKey"), QStringLiteral("Reset"));
     }
 
     void startRefusedSaysWhy()
     {
         tap("startKey");
-        const QQuickItem* banner = m_stage->find(QStringLiteral("banner"));
+        const QQuickItem* banner = m_window->find(QStringLiteral("banner"));
         QVERIFY(banner);
         QVERIFY(!banner->property("text").toString().isEmpty());
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Users and logins by touch: the first PIN, the restrictions, a wrong PIN, the logout.
 #include "panel_test.h"
-#include "tests/looks/scene_lists.h"
+#include "tests/looks/screen_lists.h"
 #include "tests/support/test_program.h"
 
 #include <QCoreApplication>
@@ -14,12 +14,12 @@ using namespace Qt::StringLiterals;
 class TestPanelAccess : public campanel::test::PanelTest {
     Q_OBJECT
 
-    auto& access() { return m_stage->panel().access(); }
+    auto& access() { return m_window->panel().access(); }
     void enter(const char* name)
     {
-        for (const auto& scene : campanel::looks::allScenes()) {
-            if (scene.name == QLatin1String(name))
-                campanel::looks::enterScene(*m_stage, scene);
+        for (const auto& screen : campanel::looks::allScreens()) {
+            if (screen.name == QLatin1String(name))
+                campanel::looks::enterScreen(*m_window, screen);
         }
     }
     void typePin(const char* pin)
@@ -29,9 +29,9 @@ class TestPanelAccess : public campanel::test::PanelTest {
         tap("pinAccept");
         while (access().busy())
             QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
-        m_stage->settle();
+        m_window->settle();
     }
-    bool isOn(const char* name) { return m_stage->find(QString::fromLatin1(name)) != nullptr; }
+    bool isOn(const char* name) { return m_window->find(QString::fromLatin1(name)) != nullptr; }
 
 private slots:
     void theFirstUserIsAddedByTaps()
@@ -52,7 +52,7 @@ private slots:
         typePin("258036");
         QTRY_VERIFY(access().protectedByPins());
         QTRY_COMPARE(access().userName(), u"Service"_s);
-        m_stage->settle();
+        m_window->settle();
         QVERIFY(!isOn("pinAccept"));
         QCOMPARE(textOf("userName"), u"Service"_s);
         QVERIFY(textOf("usersNow").startsWith(u"Service"));
@@ -70,17 +70,17 @@ private slots:
         QVERIFY(isOn("login_Li Wei"));
         QVERIFY(isOn("login_Anna"));
         QVERIFY(!isOn("login_Tom")); // an operator lacks the level too
-        QVERIFY(!m_stage->find(u"pinAccept"_s)->isEnabled());
-        const qsizetype stops = m_stage->link().stopRequests();
+        QVERIFY(!m_window->find(u"pinAccept"_s)->isEnabled());
+        const qsizetype stops = m_window->link().stopRequests();
         tap("stopKey");
-        QCOMPARE(m_stage->link().stopRequests(), stops + 1);
+        QCOMPARE(m_window->link().stopRequests(), stops + 1);
         tap("login_Li Wei");
         typePin("1111");
         QVERIFY(!access().loggedIn());
         QVERIFY2(textOf("pinHint").contains(u"Locked"), qPrintable(textOf("pinHint")));
-        QVERIFY(!m_stage->find(u"pinAccept"_s)->isEnabled());
+        QVERIFY(!m_window->find(u"pinAccept"_s)->isEnabled());
         tap("pin2");
-        QVERIFY(!m_stage->find(u"pinAccept"_s)->isEnabled());
+        QVERIFY(!m_window->find(u"pinAccept"_s)->isEnabled());
         tap("pinBackspace");
         QTRY_VERIFY(!textOf("pinHint").contains(u"Locked"));
         typePin("258036");
@@ -101,10 +101,10 @@ private slots:
         tap("pin5");
         tap("pin8");
         tap("pin0");
-        QVERIFY(!m_stage->find(u"pinAccept"_s)->isEnabled());
-        const qsizetype stops = m_stage->link().stopRequests();
+        QVERIFY(!m_window->find(u"pinAccept"_s)->isEnabled());
+        const qsizetype stops = m_window->link().stopRequests();
         tap("stopKey");
-        QCOMPARE(m_stage->link().stopRequests(), stops + 1);
+        QCOMPARE(m_window->link().stopRequests(), stops + 1);
         tap("pinCancel");
         QVERIFY(!isOn("keypadAccept"));
     }
@@ -133,10 +133,10 @@ private slots:
         tap("nav_motion");
         tap("lawButton");
         const QString before = editor().lawName();
-        auto* list = m_stage->find(u"lawList"_s);
+        auto* list = m_window->find(u"lawList"_s);
         QVERIFY(list);
         editor().setLaw(u"harmonic"_s);
-        m_stage->settle();
+        m_window->settle();
         QCOMPARE(editor().lawName(), before);
         QVERIFY(isOn("loginUsers"));
         tap("pinCancel");
@@ -149,13 +149,13 @@ private slots:
         QCOMPARE(access().userName(), u"Anna"_s);
         tap("user_Anna");
         QVERIFY(isOn("userRemove"));
-        m_stage->link().advance(std::chrono::minutes(5));
-        m_stage->lookAtClock();
+        m_window->link().advance(std::chrono::minutes(5));
+        m_window->lookAtClock();
         access().lookAtClock();
-        m_stage->settle();
+        m_window->settle();
         QVERIFY(!access().loggedIn());
         QVERIFY(!isOn("userRemove"));
-        QCOMPARE(m_stage->frame()->property("page").toString(), "run");
+        QCOMPARE(m_window->frame()->property("page").toString(), "run");
         QCOMPARE(textOf("userLevel"), u"Operator"_s);
     }
 
@@ -166,7 +166,7 @@ private slots:
         tap("userRemove");
         while (access().busy())
             QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
-        m_stage->settle();
+        m_window->settle();
         QVERIFY(!isOn("user_Li Wei"));
         QVERIFY(isOn("user_Tom"));
     }
@@ -178,9 +178,9 @@ private slots:
                  qPrintable(textOf("auditChain")));
         tap("auditArea");
         tap("choice_parameter");
-        QTRY_VERIFY(!m_stage->panel().audit().busy());
-        m_stage->settle();
-        QCOMPARE(m_stage->panel().audit().rows()->count(), 2);
+        QTRY_VERIFY(!m_window->panel().audit().busy());
+        m_window->settle();
+        QCOMPARE(m_window->panel().audit().rows()->count(), 2);
         tap("audit1");
         QCOMPARE(textOf("auditDetail3"), u"900"_s);
         QCOMPARE(textOf("auditDetail5"), u"903.02"_s);

@@ -11,13 +11,13 @@ namespace panel = campanel::panel;
 class TestPanelAlarms : public campanel::test::PanelTest {
     Q_OBJECT
 
-    panel::Alarms& alarms() { return m_stage->panel().alarms(); }
+    panel::Alarms& alarms() { return m_window->panel().alarms(); }
     void show(Situation situation)
     {
-        m_stage->link().show(situation);
-        m_stage->settle();
+        m_window->link().show(situation);
+        m_window->settle();
     }
-    bool isShown(const char* name) { return m_stage->find(QString::fromLatin1(name)) != nullptr; }
+    bool isShown(const char* name) { return m_window->find(QString::fromLatin1(name)) != nullptr; }
 
 private slots:
     void quietPanelSaysSo()
@@ -33,7 +33,7 @@ private slots:
 
     void fromTheFaultToTheHistory()
     {
-        m_stage->panel().records().open();
+        m_window->panel().records().open();
         show(Situation::Fault);
         QCOMPARE(textOf("navCalls"), QStringLiteral("1"));
         QCOMPARE(textOf("urgentAlarm"), QStringLiteral("Following error too large"));
@@ -96,18 +96,18 @@ private slots:
         QFETCH(QString, language);
         QFETCH(QSize, size);
         QFETCH(QString, page);
-        m_stage = std::make_unique<campanel::looks::Stage>(
-            campanel::looks::Look{language, QStringLiteral("light"), size});
+        m_window = std::make_unique<campanel::looks::TestWindow>(
+            campanel::looks::Variant{language, QStringLiteral("light"), size});
         show(Situation::ManyAlarms);
-        m_stage->tap(page);
-        const QQuickItem* text = m_stage->find(QStringLiteral("bannerText"));
+        m_window->tap(page);
+        const QQuickItem* text = m_window->find(QStringLiteral("bannerText"));
         QVERIFY(text);
         const QString told = text->property("text").toString();
         QVERIFY2(told.section(u'\n', 1).contains(QStringLiteral("13")), qPrintable(told));
         QVERIFY2(!text->property("truncated").toBool(), qPrintable(told));
         QVERIFY(text->property("contentHeight").toDouble() <= text->height() + 1);
         QVERIFY(text->property("contentWidth").toDouble() <= text->width() + 1);
-        const QQuickItem* banner = m_stage->find(QStringLiteral("banner"));
+        const QQuickItem* banner = m_window->find(QStringLiteral("banner"));
         const QRectF frame = banner->mapRectToScene(banner->boundingRect());
         QVERIFY(frame.contains(text->mapRectToScene(text->boundingRect())));
         QVERIFY(QRectF(QPointF(), QSizeF(size)).contains(frame));
@@ -118,16 +118,16 @@ private slots:
     void alarmUnderAFingerTakesNoKeyAway()
     {
         tap("nav_alarms");
-        const double place = m_stage->find(QStringLiteral("alarmsShelved"))->mapToScene({}).x();
-        m_stage->touch(QStringLiteral("alarmsShelved"));
+        const double place = m_window->find(QStringLiteral("alarmsShelved"))->mapToScene({}).x();
+        m_window->touch(QStringLiteral("alarmsShelved"));
         show(Situation::Fault);
         QCOMPARE(alarms().active(), 1);
-        m_stage->lift();
-        m_stage->settle();
+        m_window->lift();
+        m_window->settle();
         QVERIFY(textOf("alarmsEmpty").startsWith(QStringLiteral("No alarm is shelved.")));
         tap("alarmsLive");
         QVERIFY(isShown("alarmsAcknowledgeAll"));
-        QCOMPARE(m_stage->find(QStringLiteral("alarmsShelved"))->mapToScene({}).x(), place);
+        QCOMPARE(m_window->find(QStringLiteral("alarmsShelved"))->mapToScene({}).x(), place);
     }
 
     void warningIsShelvedAndTakenBack()
@@ -162,8 +162,8 @@ private slots:
         show(Situation::Fault);
         tap("nav_alarms");
         tap("liveAlarm0");
-        m_stage->panel().settings().setLanguage(QStringLiteral("zh_CN"));
-        m_stage->settle();
+        m_window->panel().settings().setLanguage(QStringLiteral("zh_CN"));
+        m_window->settle();
         QCOMPARE(textOf("alarmAction"), QStringLiteral("请检查是否卡阻，然后复位故障并回零。"));
         QCOMPARE(textOf("urgentAlarm"), QStringLiteral("跟随误差过大"));
     }

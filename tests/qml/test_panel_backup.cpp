@@ -20,30 +20,30 @@ class TestPanelBackup : public test::PanelTest {
 
     QTemporaryDir m_stick;
 
-    auto& backup() { return m_stage->panel().backup(); }
-    bool isOn(const char* name) { return m_stage->find(QString::fromLatin1(name)) != nullptr; }
+    auto& backup() { return m_window->panel().backup(); }
+    bool isOn(const char* name) { return m_window->find(QString::fromLatin1(name)) != nullptr; }
     void waitForBackup()
     {
-        m_stage->waitUntil(backup(), &panel::Backup::changed,
-                           [](const panel::Backup& each) { return !each.busy(); });
+        m_window->waitUntil(backup(), &panel::Backup::changed,
+                            [](const panel::Backup& each) { return !each.busy(); });
     }
     void openSection()
     {
         for (const QString& old : onStick(u"*"_s))
             QFile::remove(m_stick.filePath(old));
-        const auto look = [this](const QString&) {
+        const auto variant = [this](const QString&) {
             return QList<store::Place>{{m_stick.path(), u"STICK"_s, false, true}};
         };
-        backup().setLooker(look);
-        m_stage->panel().service().files()->setLooker(look);
-        m_stage->link().show(looks::DemoLink::Situation::Stopped);
-        m_stage->lookAtClock();
-        m_stage->panel().access().open();
-        m_stage->panel().trail().open();
-        m_stage->panel().trends().open();
+        backup().setLooker(variant);
+        m_window->panel().maintenance().files()->setLooker(variant);
+        m_window->link().show(looks::DemoLink::Situation::Stopped);
+        m_window->lookAtClock();
+        m_window->panel().access().open();
+        m_window->panel().trail().open();
+        m_window->panel().trends().open();
         tap("nav_maintenance");
-        tap("servicePanel");
-        tap("serviceBackup");
+        tap("maintenancePanel");
+        tap("maintenanceBackup");
     }
     QStringList onStick(const QString& pattern)
     {
@@ -53,10 +53,10 @@ class TestPanelBackup : public test::PanelTest {
     {
         tap("backupMake");
         waitForBackup();
-        m_stage->waitFor(*backup().places());
+        m_window->waitFor(*backup().places());
         tap("offer0");
         tap("offerGo");
-        m_stage->waitFor(*backup().places());
+        m_window->waitFor(*backup().places());
         QCOMPARE(onStick(u"*.zip"_s).size(), 1);
         tap("sheetClose");
     }
@@ -73,7 +73,7 @@ private slots:
     void aDatabaseThatCannotBeOpenedIsNotBackedUp()
     {
         openSection();
-        auto& records = m_stage->panel().records();
+        auto& records = m_window->panel().records();
         store::StoreThread::Report report;
         report.error = store::StoreError{store::StoreError::Kind::ReadOnly, u"/data"_s, {}};
         emit records.store().opened(report);
@@ -88,23 +88,23 @@ private slots:
     void thereAndBack()
     {
         openSection();
-        m_stage->panel().settings().setTheme(u"dark"_s);
+        m_window->panel().settings().setTheme(u"dark"_s);
         const QString recipe = editor().recipeName();
         makeBackup();
         // Everything changes: recipe, a user, a setting.
-        m_stage->panel().settings().setTheme(u"light"_s);
+        m_window->panel().settings().setTheme(u"light"_s);
         editor().setRecipeName(u"Another"_s);
-        m_stage->panel().access().addUser(u"Anna"_s, panel::Access::Service, u"258036"_s);
-        QTRY_VERIFY(m_stage->panel().access().loggedIn());
-        m_stage->settle();
+        m_window->panel().access().addUser(u"Anna"_s, panel::Access::Service, u"258036"_s);
+        QTRY_VERIFY(m_window->panel().access().loggedIn());
+        m_window->settle();
         tap("backupRestore");
         waitForBackup();
         tap("offer0");
         tap("offerGo");
         waitForBackup();
-        QVERIFY2(m_stage->complaints().isEmpty(), qPrintable(m_stage->complaints().join(u'\n')));
+        QVERIFY2(m_window->complaints().isEmpty(), qPrintable(m_window->complaints().join(u'\n')));
         QVERIFY2(textOf("question").contains(u"bags, trends and settings"), qPrintable(textOf("question")));
-        QSignalSpy restart(&m_stage->panel(), &shell::Panel::restartWanted);
+        QSignalSpy restart(&m_window->panel(), &shell::Panel::restartWanted);
         tap("confirm_restore");
         QTRY_COMPARE(restart.count(), 1);
         const QString folder = QFileInfo(backup().ownFolder()).path();
@@ -137,7 +137,7 @@ private slots:
     // Like main(): the end of one panel's window does not end the next one's event loop.
     void anotherPanelTakesItsPlace()
     {
-        m_stage.reset();
+        m_window.reset();
         const QTemporaryDir folder;
         for (int round = 0; round < 3; ++round) {
             constexpr int restartCode = 1000;
@@ -155,7 +155,7 @@ private slots:
                 [&next] { emit next.backup().restartWanted(); }, Qt::SingleShotConnection);
             QCOMPARE(QGuiApplication::exec(), restartCode);
         }
-        m_stage = std::make_unique<looks::Stage>(looks::Look{u"en"_s, u"light"_s, QSize(1024, 600)});
+        m_window = std::make_unique<looks::TestWindow>(looks::Variant{u"en"_s, u"light"_s, QSize(1024, 600)});
     }
 
     void aDamagedFileIsRefused()
@@ -182,8 +182,8 @@ private slots:
     {
         openSection();
         makeBackup();
-        m_stage->link().show(looks::DemoLink::Situation::Running);
-        m_stage->lookAtClock();
+        m_window->link().show(looks::DemoLink::Situation::Running);
+        m_window->lookAtClock();
         tap("backupRestore");
         waitForBackup();
         tap("offer0");
@@ -203,16 +203,16 @@ private slots:
     void theReportIsAPdf()
     {
         QFETCH(QString, language);
-        m_stage->panel().settings().overrideLanguage(language);
-        m_stage->settle();
+        m_window->panel().settings().overrideLanguage(language);
+        m_window->settle();
         openSection();
-        m_stage->link().show(looks::DemoLink::Situation::Running);
+        m_window->link().show(looks::DemoLink::Situation::Running);
         tap("reportMake");
-        m_stage->waitFor(*m_stage->panel().service().files());
+        m_window->waitFor(*m_window->panel().maintenance().files());
         tap("offer0");
         tap("offerGo");
-        m_stage->waitFor(*m_stage->panel().service().files());
-        QVERIFY2(m_stage->complaints().isEmpty(), qPrintable(m_stage->complaints().join(u'\n')));
+        m_window->waitFor(*m_window->panel().maintenance().files());
+        QVERIFY2(m_window->complaints().isEmpty(), qPrintable(m_window->complaints().join(u'\n')));
         QCOMPARE(onStick(u"*.pdf"_s).size(), 1);
         QFile file(m_stick.filePath(onStick(u"*.pdf"_s).first()));
         QVERIFY(file.open(QIODevice::ReadOnly));

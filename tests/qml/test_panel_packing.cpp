@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The section of Service for packing machines by touch: a value, a switch, the wizard to its end.
 #include "panel_test.h"
-#include "tests/looks/scenes.h"
+#include "tests/looks/screens.h"
 #include "tests/support/test_program.h"
 
 #include <cmath>
@@ -13,12 +13,12 @@ using Step = campanel::panel::MarkWizard::Step;
 class TestPanelPacking : public campanel::test::PanelTest {
     Q_OBJECT
 
-    auto& packing() { return *m_stage->panel().service().packing(); }
+    auto& packing() { return *m_window->panel().maintenance().packing(); }
     void enter(const char* name)
     {
-        for (const auto& scene : campanel::looks::allScenes()) {
-            if (scene.name == QLatin1String(name))
-                campanel::looks::enterScene(*m_stage, scene);
+        for (const auto& screen : campanel::looks::allScreens()) {
+            if (screen.name == QLatin1String(name))
+                campanel::looks::enterScreen(*m_window, screen);
         }
     }
 
@@ -28,17 +28,17 @@ private slots:
         enter("packing");
         QVERIFY2(textOf("packingTeachText").startsWith(QStringLiteral("The mark distance is 250.31 mm")),
                  qPrintable(textOf("packingTeachText")));
-        QVERIFY(!m_stage->find(QStringLiteral("packingSave"))->isEnabled());
+        QVERIFY(!m_window->find(QStringLiteral("packingSave"))->isEnabled());
     }
 
     void aNumberIsEntered()
     {
         enter("packing-keypad");
-        QVERIFY(m_stage->find(QStringLiteral("keypad")));
+        QVERIFY(m_window->find(QStringLiteral("keypad")));
         tap("keypadDefault");
         tap("keypadAccept");
-        m_stage->settle();
-        QVERIFY(!m_stage->find(QStringLiteral("keypad")));
+        m_window->settle();
+        QVERIFY(!m_window->find(QStringLiteral("keypad")));
         QCOMPARE(textOf("packingText"),
                  QStringLiteral("Phase gain: correction of slip: 0.25, read back from the controller."));
         QVERIFY(packing().fields()->unsaved());
@@ -50,10 +50,10 @@ private slots:
     {
         enter("packing");
         tap("packing0off");
-        m_stage->settle();
+        m_window->settle();
         QCOMPARE(packing().fields()->value("parameter.mark_tracking"), 0.0);
         tap("packing0on");
-        m_stage->settle();
+        m_window->settle();
         QCOMPARE(packing().fields()->value("parameter.mark_tracking"), 1.0);
     }
 
@@ -61,9 +61,9 @@ private slots:
     {
         enter("packing-suggested");
         tap("packingTake1");
-        m_stage->settle();
+        m_window->settle();
         QCOMPARE(packing().fields()->value("parameter.phase_gain"), 0.1);
-        QVERIFY(!m_stage->find(QStringLiteral("packingTake1")));
+        QVERIFY(!m_window->find(QStringLiteral("packingTake1")));
     }
 
     void measurementsAreEnteredAndWritten()
@@ -73,13 +73,13 @@ private slots:
         tap("wizardEnter");
         tap("keypadDefault");
         tap("keypadAccept");
-        QVERIFY(!m_stage->find(QStringLiteral("keypad")));
+        QVERIFY(!m_window->find(QStringLiteral("keypad")));
         QCOMPARE(packing().wizard()->measuredText(), QStringLiteral("−3.10 · −2.90 · −3.05 · 0.00"));
         tap("wizardDrop");
         tap("wizardNext");
         QCOMPARE(packing().fields()->value("parameter.mark_distance"), 900.0);
         tap("wizardNext");
-        m_stage->settle();
+        m_window->settle();
         QCOMPARE(packing().wizard()->step(), Step::Watch);
         QVERIFY(std::abs(packing().fields()->value("parameter.mark_distance") - 903.017) < 1e-6);
     }
@@ -88,7 +88,7 @@ private slots:
     {
         enter("packing-wizard-confirm");
         tap("wizardCancel");
-        QVERIFY(!m_stage->find(QStringLiteral("wizardText")));
+        QVERIFY(!m_window->find(QStringLiteral("wizardText")));
         QCOMPARE(packing().fields()->value("parameter.mark_distance"), 900.0);
         tap("packingWizard");
         QCOMPARE(packing().wizard()->step(), Step::Explain);

@@ -2,7 +2,7 @@
 // The page Trends by touch: opened, span selected, moved away and back, a time selected, curves selected,
 // exported to a stick.
 #include "panel_test.h"
-#include "tests/looks/scenes.h"
+#include "tests/looks/screens.h"
 #include "tests/support/test_program.h"
 
 #include <QFile>
@@ -17,22 +17,22 @@ using campanel::panel::Trends;
 class TestPanelTrends : public campanel::test::PanelTest {
     Q_OBJECT
 
-    Trends& trends() { return m_stage->panel().trends(); }
+    Trends& trends() { return m_window->panel().trends(); }
     void enter(const char* name)
     {
-        for (const auto& scene : campanel::looks::allScenes()) {
-            if (scene.name == QLatin1String(name))
-                campanel::looks::enterScene(*m_stage, scene);
+        for (const auto& screen : campanel::looks::allScreens()) {
+            if (screen.name == QLatin1String(name))
+                campanel::looks::enterScreen(*m_window, screen);
         }
     }
     void drag(int byPx)
     {
         const QPoint from = centerOf(QStringLiteral("trendPlot"));
-        QTest::mousePress(&m_stage->window(), Qt::LeftButton, {}, from);
+        QTest::mousePress(&m_window->window(), Qt::LeftButton, {}, from);
         for (int step = 1; step <= 4; ++step)
-            QTest::mouseMove(&m_stage->window(), from + QPoint(byPx * step / 4, 0));
-        QTest::mouseRelease(&m_stage->window(), Qt::LeftButton, {}, from + QPoint(byPx, 0));
-        m_stage->waitForTrends();
+            QTest::mouseMove(&m_window->window(), from + QPoint(byPx * step / 4, 0));
+        QTest::mouseRelease(&m_window->window(), Qt::LeftButton, {}, from + QPoint(byPx, 0));
+        m_window->waitForTrends();
     }
 
 private slots:
@@ -41,7 +41,7 @@ private slots:
         enter("trends-empty");
         QVERIFY2(textOf("trendEmpty").contains(QStringLiteral("Press Start")),
                  qPrintable(textOf("trendEmpty")));
-        QVERIFY(!m_stage->find(QStringLiteral("trendExport"))->isEnabled());
+        QVERIFY(!m_window->find(QStringLiteral("trendExport"))->isEnabled());
     }
 
     void spanIsChosenByOneTap()
@@ -52,7 +52,7 @@ private slots:
                  qPrintable(textOf("trendFigures0")));
         tap("span7d");
         QCOMPARE(trends().spanMs(), 7 * 86400e3);
-        m_stage->waitForTrends();
+        m_window->waitForTrends();
         QVERIFY(!textOf("trendFigures0").startsWith(QStringLiteral("n 531 ")));
         tap("trendShorter");
         QCOMPARE(trends().spanMs(), 3.5 * 86400e3);
@@ -64,7 +64,7 @@ private slots:
     {
         enter("trends");
         const double now = trends().toMs();
-        QVERIFY(!m_stage->find(QStringLiteral("trendNow"))->isEnabled());
+        QVERIFY(!m_window->find(QStringLiteral("trendNow"))->isEnabled());
         drag(200);
         QVERIFY(!trends().live());
         QVERIFY2(trends().toMs() < now - 60'000, qPrintable(QString::number(now - trends().toMs())));
@@ -89,8 +89,8 @@ private slots:
     void aHeldHeadingSaysHowItsFiguresComeAbout()
     {
         enter("trends");
-        m_stage->hold(QStringLiteral("trendFigures0"));
-        const QQuickItem* sheet = m_stage->find(QStringLiteral("sheetPanel"));
+        m_window->hold(QStringLiteral("trendFigures0"));
+        const QQuickItem* sheet = m_window->find(QStringLiteral("sheetPanel"));
         QVERIFY(sheet);
         const QString text = textOf("explanationText"); // the mean, which comes first
         QVERIFY2(text.contains(QStringLiteral("sum of the values / n")), qPrintable(text));
@@ -99,17 +99,17 @@ private slots:
         QVERIFY2(text.endsWith(QStringLiteral("= %1 mm").arg(found.value(QStringLiteral("mean")).toDouble(),
                                                              0, 'f', 2)),
                  qPrintable(text));
-        QCOMPARE(m_stage->panel().explanations().ofTrend(0).size(), 4);
-        QCOMPARE(m_stage->panel().explanations().ofTrend(1).size(), 3); // marks have no tolerance
-        QVERIFY(m_stage->panel().explanations().ofTrend(2).isEmpty());
+        QCOMPARE(m_window->panel().explanations().ofTrend(0).size(), 4);
+        QCOMPARE(m_window->panel().explanations().ofTrend(1).size(), 3); // marks have no tolerance
+        QVERIFY(m_window->panel().explanations().ofTrend(2).isEmpty());
         tap("sheetClose");
         QVERIFY(trends().live());
         enter("trends-cursor");
-        m_stage->hold(QStringLiteral("trendFigures1"));
+        m_window->hold(QStringLiteral("trendFigures1"));
         QVERIFY2(textOf("explanationText").contains(QStringLiteral("covers 2 s")),
                  qPrintable(textOf("explanationText")));
         enter("trends-nothing-here");
-        QVERIFY(m_stage->panel().explanations().ofTrend(0).isEmpty());
+        QVERIFY(m_window->panel().explanations().ofTrend(0).isEmpty());
     }
 
     void curvesAreChosen()
@@ -120,24 +120,24 @@ private slots:
         tap("curve1");
         tap("sheetClose");
         QCOMPARE(trends().chosen(), QList<int>({Trends::MarkError, Trends::Rate}));
-        QVERIFY(m_stage->find(QStringLiteral("trendFigures1")));
-        QVERIFY(!m_stage->find(QStringLiteral("trendFigures2")));
+        QVERIFY(m_window->find(QStringLiteral("trendFigures1")));
+        QVERIFY(!m_window->find(QStringLiteral("trendFigures2")));
     }
 
     void whatIsShownIsExported()
     {
         const QTemporaryDir stick;
         enter("trends");
-        auto& files = *m_stage->panel().service().files();
+        auto& files = *m_window->panel().maintenance().files();
         files.setLooker([&](const QString&) {
             return QList<campanel::store::Place>{{stick.path(), QStringLiteral("stick"), false}};
         });
         tap("trendExport");
-        m_stage->waitForTrends();
-        m_stage->waitFor(files);
+        m_window->waitForTrends();
+        m_window->waitFor(files);
         tap("offer0");
         tap("offerGo");
-        m_stage->waitFor(files);
+        m_window->waitFor(files);
         QVERIFY2(!files.failed(), qPrintable(files.message()));
         QFile bags(stick.filePath(QStringLiteral("bags.csv")));
         QVERIFY(bags.open(QIODevice::ReadOnly));

@@ -16,14 +16,14 @@ class TestPacking : public campanel::test::PanelTest {
 
     void enter(Situation situation)
     {
-        m_stage->link().show(situation);
-        m_stage->lookAtClock();
-        m_stage->settle();
+        m_window->link().show(situation);
+        m_window->lookAtClock();
+        m_window->settle();
         tap("nav_run");
     }
     FilmPicture& picture()
     {
-        auto* item = qobject_cast<FilmPicture*>(m_stage->find(QStringLiteral("filmPicture")));
+        auto* item = qobject_cast<FilmPicture*>(m_window->find(QStringLiteral("filmPicture")));
         if (!item)
             qFatal("there is no picture of the film");
         return *item;
@@ -46,7 +46,7 @@ private slots:
         QVERIFY(textOf("bagFigures").startsWith(QStringLiteral("mean 250.0")));
         QCOMPARE(textOf("bagsWithin"), QStringLiteral("60 of 60 within"));
         QCOMPARE(textOf("lastSkip"), QStringLiteral("Last: Product missing"));
-        QVERIFY(!m_stage->find(QStringLiteral("packingGate")));
+        QVERIFY(!m_window->find(QStringLiteral("packingGate")));
     }
 
     void aWaitingKnifeSaysWhy()
@@ -64,7 +64,7 @@ private slots:
         QCOMPARE(textOf("markState"), QStringLiteral("Searching for marks"));
         QCOMPARE(countOf("marks"), 0);
         QVERIFY(textOf("banner").startsWith(QStringLiteral("The controller lost the marks")));
-        QVERIFY(!m_stage->find(QStringLiteral("markError")));
+        QVERIFY(!m_window->find(QStringLiteral("markError")));
     }
 
     void theNumbersBehindItOpen_data()
@@ -77,35 +77,35 @@ private slots:
     {
         QFETCH(QString, card);
         enter(Situation::Running);
-        m_stage->tap(card);
-        QVERIFY(m_stage->find(QStringLiteral("sheetPanel")));
-        QVERIFY(m_stage->find(QStringLiteral("sheetMarkError")));
+        m_window->tap(card);
+        QVERIFY(m_window->find(QStringLiteral("sheetPanel")));
+        QVERIFY(m_window->find(QStringLiteral("sheetMarkError")));
         tap("sheetClose");
-        QVERIFY(!m_stage->find(QStringLiteral("sheetPanel")));
+        QVERIFY(!m_window->find(QStringLiteral("sheetPanel")));
     }
 
     void anOldControllerHasThePageAsBefore()
     {
-        m_stage->link().setOld(true);
-        m_stage->link().show(Situation::Stopped);
+        m_window->link().setOld(true);
+        m_window->link().show(Situation::Stopped);
         enter(Situation::Running);
-        QVERIFY(!m_stage->find(QStringLiteral("filmPicture")));
-        QVERIFY(m_stage->find(QStringLiteral("knifeDial")));
-        QCOMPARE(m_stage->panel().machine().bags().series.size(), 60);
-        m_stage->link().setOld(false);
-        m_stage->link().show(Situation::Stopped);
+        QVERIFY(!m_window->find(QStringLiteral("filmPicture")));
+        QVERIFY(m_window->find(QStringLiteral("knifeDial")));
+        QCOMPARE(m_window->panel().machine().bags().series.size(), 60);
+        m_window->link().setOld(false);
+        m_window->link().show(Situation::Stopped);
         enter(Situation::Running);
-        QVERIFY(m_stage->find(QStringLiteral("filmPicture")));
-        QCOMPARE(m_stage->panel().machine().bags().series.size(), 60);
+        QVERIFY(m_window->find(QStringLiteral("filmPicture")));
+        QCOMPARE(m_window->panel().machine().bags().series.size(), 60);
     }
 
     void thePictureMovesWhileItIsSeen()
     {
-        m_stage->theme()->setProperty("animated", true);
+        m_window->theme()->setProperty("animated", true);
         enter(Situation::Running);
         QTRY_VERIFY(picture().isMoving());
         tap("nav_motion");
-        QVERIFY(!m_stage->find(QStringLiteral("filmPicture")));
+        QVERIFY(!m_window->find(QStringLiteral("filmPicture")));
         enter(Situation::Lost);
         QVERIFY(picture().property("stale").toBool());
         QVERIFY(!picture().isMoving());
@@ -116,17 +116,17 @@ private slots:
         tap("nav_settings");
         tap("section2");
         tap("bagTolerance");
-        m_stage->type(QStringLiteral("9"));
+        m_window->type(QStringLiteral("9"));
         QVERIFY2(textOf("keypadHint").contains(QStringLiteral("is 5 mm")), qPrintable(textOf("keypadHint")));
         tap("keypadCancel");
-        QVERIFY(!m_stage->find(QStringLiteral("keypad")));
+        QVERIFY(!m_window->find(QStringLiteral("keypad")));
         tap("bagTolerance");
-        m_stage->type(QStringLiteral("0.05"));
+        m_window->type(QStringLiteral("0.05"));
         tap("keypadAccept");
-        QCOMPARE(m_stage->panel().settings().bagToleranceMm(), 0.05);
+        QCOMPARE(m_window->panel().settings().bagToleranceMm(), 0.05);
         enter(Situation::Running);
         QCOMPARE(textOf("toleranceText"), QStringLiteral("±0.05 mm"));
-        QVERIFY(m_stage->panel().machine().bags().within < 60);
+        QVERIFY(m_window->panel().machine().bags().within < 60);
     }
 };
 

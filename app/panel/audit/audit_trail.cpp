@@ -4,7 +4,7 @@
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/kit/format.h"
-#include "app/panel/maintenance/service.h"
+#include "app/panel/maintenance/maintenance.h"
 #include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "app/program/differences.h"
@@ -233,14 +233,14 @@ void AuditTrail::noteSending(const link::CommandRequest& request)
 // command.
 void AuditTrail::watchManual()
 {
-    connect(m_watched.service.jog(), &Jog::begun, this, [this](int direction, double position) {
+    connect(m_watched.maintenance.jog(), &Jog::begun, this, [this](int direction, double position) {
         noteManual(direction > 0 ? u"command.jog_forward"_s : u"command.jog_reverse"_s, pulsesText(position),
                    {}, u"done"_s);
     });
-    connect(m_watched.service.jog(), &Jog::ended, this, [this](int, Jog::End end, double position) {
+    connect(m_watched.maintenance.jog(), &Jog::ended, this, [this](int, Jog::End end, double position) {
         noteManual(u"command.jog_end"_s, {}, pulsesText(position), outcomeKey(end));
     });
-    connect(m_watched.service.homing(), &Homing::ended, this,
+    connect(m_watched.maintenance.homing(), &Homing::ended, this,
             [this](Homing::Result result) { noteManual(u"command.home_end"_s, {}, {}, outcomeKey(result)); });
 }
 
@@ -260,7 +260,7 @@ void AuditTrail::watchParameters()
 {
     connect(&m_watched.machine, &Controller::parameterWriting, this, &AuditTrail::noteWriting);
     connect(&m_watched.machine, &Controller::parameterWritten, this, &AuditTrail::noteWritten);
-    connect(m_watched.service.packing()->wizard(), &MarkWizard::changed, this, &AuditTrail::noteWizard);
+    connect(m_watched.maintenance.packing()->wizard(), &MarkWizard::changed, this, &AuditTrail::noteWizard);
 }
 
 // Reads the value just before the new one is written: an earlier reading may be outdated. The writes of one
@@ -298,7 +298,7 @@ void AuditTrail::noteWritten(const link::ParameterOutcome& outcome)
 
 void AuditTrail::noteWizard()
 {
-    const MarkWizard& wizard = *m_watched.service.packing()->wizard();
+    const MarkWizard& wizard = *m_watched.maintenance.packing()->wizard();
     const int step = static_cast<int>(wizard.step());
     if (step == m_wizardStep)
         return;
@@ -428,7 +428,7 @@ void AuditTrail::noteSettings()
 
 void AuditTrail::watchSimulation()
 {
-    SimulatedFaults& faults = *m_watched.service.simulatedFaults();
+    SimulatedFaults& faults = *m_watched.maintenance.simulatedFaults();
     connect(&faults, &SimulatedFaults::changed, this, [this, &faults] {
         const QString now = faults.rulesInForce().join(u"; "_s);
         if (now == m_faults)

@@ -26,7 +26,7 @@ class Editor;
 class Controller;
 class MarkWizard;
 class DatabaseService;
-class Service;
+class Maintenance;
 class Settings;
 
 class AuditTrail : public QObject {
@@ -38,7 +38,7 @@ public:
         Controller& machine;
         Editor& editor;
         Settings& settings;
-        Service& service;
+        Maintenance& maintenance;
         Access& access;
     };
 

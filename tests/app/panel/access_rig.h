@@ -14,8 +14,8 @@ namespace campanel::test {
 struct AccessRig : PanelRig {
     qint64 wallMs = 1'790'000'000'000;
     panel::Access access{records, machine, settings, nullptr};
-    panel::AuditTrail trail{records, {machine, editor, settings, service, access}, nullptr};
-    panel::Audit audit{records, trail, *service.files(), nullptr};
+    panel::AuditTrail trail{records, {machine, editor, settings, maintenance, access}, nullptr};
+    panel::Audit audit{records, trail, *maintenance.files(), nullptr};
 
     AccessRig()
     {

@@ -5,7 +5,7 @@
 #include "app/panel/alarms/alarms.h"
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
-#include "app/panel/maintenance/service.h"
+#include "app/panel/maintenance/maintenance.h"
 #include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/trends/trends.h"
@@ -24,13 +24,13 @@ struct PanelRig {
     panel::Editor editor{machine, folder.path(), nullptr};
     panel::DatabaseService records{folder.path(), nullptr};
     panel::Alarms alarms{machine, editor, records, settings, nullptr};
-    panel::Service service{machine, settings, folder.path(), nullptr};
-    panel::Trends trends{machine, settings, records, *service.files(), folder.path(), nullptr};
+    panel::Maintenance maintenance{machine, settings, folder.path(), nullptr};
+    panel::Trends trends{machine, settings, records, *maintenance.files(), folder.path(), nullptr};
 
     PanelRig()
     {
         machine.setClock([this] { return now; });
-        service.dryRun()->follow(editor);
+        maintenance.dryRun()->follow(editor);
     }
 
     void connectIdle()

@@ -174,9 +174,9 @@ private slots:
         rig.addAnnaAndBo();
         const auto parameters = rig.link.parameters.size();
         QVERIFY(!rig.machine.parameter("parameter.mark_distance").write(905, {}));
-        rig.service.packing()->fields()->write("parameter.mark_distance", 905);
+        rig.maintenance.packing()->fields()->write("parameter.mark_distance", 905);
         QCOMPARE(rig.link.parameters.size(), parameters);
-        rig.service.simulatedFaults()->setLevel(0, panel::SimulatedFaults::Often);
+        rig.maintenance.simulatedFaults()->setLevel(0, panel::SimulatedFaults::Often);
         QVERIFY(rig.link.faults.isEmpty());
         rig.settings.setSimulated(!rig.settings.simulated());
         QVERIFY(!rig.settings.connectionDirty());
@@ -197,7 +197,7 @@ private slots:
         AccessRig rig;
         rig.connectIdle();
         rig.addAnnaAndBo();
-        auto& inspector = *rig.service.inspector();
+        auto& inspector = *rig.maintenance.inspector();
         inspector.setGroup(u"parameter"_s);
         inspector.select(0);
         QVERIFY(inspector.canWrite());

@@ -72,13 +72,13 @@ private slots:
         rig.logIn(u"Bo"_s, u"1470"_s);
         rig.link.parameters.clear();
         const std::string name = "parameter.mark_distance";
-        rig.service.packing()->fields()->write(name.c_str(), 903.02);
+        rig.maintenance.packing()->fields()->write(name.c_str(), 903.02);
         QCOMPARE(rig.link.parameters.size(), 2); // read first, then written
         QVERIFY(!rig.link.parameters[0].value);
         QCOMPARE(rig.link.parameters[1].value, 903.02);
         emit rig.link.parameterEnded({rig.link.parameters[0].id, name, link::ParameterEnd::Done, 900.0, {}});
         emit rig.link.parameterEnded({rig.link.parameters[1].id, name, link::ParameterEnd::Done, 903.0, {}});
-        rig.service.packing()->fields()->write(name.c_str(), 905);
+        rig.maintenance.packing()->fields()->write(name.c_str(), 905);
         emit rig.link.parameterEnded({rig.link.parameters[2].id, name, link::ParameterEnd::NotSent, {}, {}});
         emit rig.link.parameterEnded({rig.link.parameters[3].id, name, link::ParameterEnd::NotSent, {}, {}});
         const auto entries = rig.entries();
@@ -273,7 +273,7 @@ private slots:
         rig.trail.note(noted);
         rig.settle();
         const QString folder = rig.folder.path();
-        panel::ReportFiles& files = *rig.service.files();
+        panel::ReportFiles& files = *rig.maintenance.files();
         files.setLooker([folder](const QString&) {
             return QList<store::Place>{{folder, u"stick"_s, false}};
         });

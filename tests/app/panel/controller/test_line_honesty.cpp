@@ -333,7 +333,7 @@ void TestLineHonesty::proofIsOfOneProgram()
 void TestLineHonesty::faultsAreThoseThatTheControllerTook()
 {
     PanelRig rig;
-    SimulatedFaults& faults = *rig.service.simulatedFaults();
+    SimulatedFaults& faults = *rig.maintenance.simulatedFaults();
     const auto level = [&](int row) { return faults.rows()->row(row).level; };
     QVERIFY(faults.rows()->count() >= 8);
     faults.setLevel(0, SimulatedFaults::Often);
@@ -361,7 +361,7 @@ void TestLineHonesty::faultsAreThoseThatTheControllerTook()
 void TestLineHonesty::faultsEndWithTheirController()
 {
     PanelRig rig;
-    SimulatedFaults& faults = *rig.service.simulatedFaults();
+    SimulatedFaults& faults = *rig.maintenance.simulatedFaults();
     faults.setLevel(2, SimulatedFaults::Often);
     emit rig.link.faultsSimulated({});
     link::LinkReport report;

@@ -428,7 +428,7 @@ private slots:
         PanelRig rig;
         rig.connectRunning();
         QQmlEngine engine;
-        panel::attachToEngine(engine, rig.alarms, rig.machine, rig.editor, rig.records, rig.service,
+        panel::attachToEngine(engine, rig.alarms, rig.machine, rig.editor, rig.records, rig.maintenance,
                               rig.settings, rig.trends);
         QQmlComponent component(&engine);
         component.setData(

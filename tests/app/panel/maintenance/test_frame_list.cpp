@@ -76,7 +76,7 @@ private slots:
     void framesAreToldInWords()
     {
         PanelRig rig;
-        FrameList& frames = *rig.service.frames();
+        FrameList& frames = *rig.maintenance.frames();
         frames.setWatched(true);
         QVERIFY(rig.link.areFramesWatched);
         emit rig.link.framesRecorded(
@@ -117,7 +117,7 @@ private slots:
     void framesNeverGrow()
     {
         PanelRig rig;
-        FrameList& frames = *rig.service.frames();
+        FrameList& frames = *rig.maintenance.frames();
         frames.setWatched(true);
         quint64 number = 0;
         for (int batch = 0; batch < 100; ++batch) {
@@ -141,7 +141,7 @@ private slots:
     void aPauseHoldsTheFrames()
     {
         PanelRig rig;
-        FrameList& frames = *rig.service.frames();
+        FrameList& frames = *rig.maintenance.frames();
         frames.setWatched(true);
         emit rig.link.framesRecorded({statusQuestion(1)});
         frames.setPaused(true);
@@ -159,11 +159,11 @@ private slots:
     void framesAreWrittenAsText()
     {
         PanelRig rig;
-        FrameList& frames = *rig.service.frames();
+        FrameList& frames = *rig.maintenance.frames();
         frames.setWatched(true);
         emit rig.link.framesRecorded({statusQuestion(1), rampWrite(2)});
         frames.setFilter(FrameList::Filter::Writes);
-        panel::ReportFiles& files = *rig.service.files();
+        panel::ReportFiles& files = *rig.maintenance.files();
         files.setLooker([](const QString& folder) { return store::exchangePlaces(folder).last(1); });
         frames.exportText();
         QTRY_VERIFY(!files.busy());

@@ -72,7 +72,7 @@ private slots:
     {
         PanelRig rig;
         rig.connectIdle();
-        Jog& jog = *rig.service.jog();
+        Jog& jog = *rig.maintenance.jog();
         QVERIFY(jog.possible());
         jog.press(1);
         QCOMPARE(jog.held(), 1);
@@ -102,7 +102,7 @@ private slots:
         QFETCH(int, what);
         PanelRig rig;
         rig.connectIdle();
-        Jog& jog = *rig.service.jog();
+        Jog& jog = *rig.maintenance.jog();
         jog.press(1);
         become(rig, State::Jogging);
         QCOMPARE(jog.held(), 1);
@@ -141,7 +141,7 @@ private slots:
     void doesNotBeginWhileItIsBlockedAndSaysWhy()
     {
         PanelRig rig;
-        Jog& jog = *rig.service.jog();
+        Jog& jog = *rig.maintenance.jog();
         jog.press(1);
         QVERIFY(rig.link.jogs.isEmpty());
         QCOMPARE(jog.text(), QStringLiteral("There is no connection to the controller."));
@@ -167,7 +167,7 @@ private slots:
         AccessRig rig;
         rig.addAnnaAndBo();
         rig.connectIdle();
-        Jog& jog = *rig.service.jog();
+        Jog& jog = *rig.maintenance.jog();
         jog.press(1);
         QCOMPARE(jog.held(), 0);
         QVERIFY(rig.link.jogs.isEmpty());
@@ -215,7 +215,7 @@ private slots:
         rig.connectIdle();
         rig.link.activate(rig.image(), rig.now);
         become(rig, State::Ready, notHomed);
-        Homing& homing = *rig.service.homing();
+        Homing& homing = *rig.maintenance.homing();
         QCOMPARE(homing.place(), Homing::Place::NotHomed);
         QVERIFY(homing.possible());
         homing.home();
@@ -240,7 +240,7 @@ private slots:
         rig.connectIdle();
         rig.link.activate(rig.image(), rig.now);
         become(rig, State::Ready, notHomed);
-        Homing& homing = *rig.service.homing();
+        Homing& homing = *rig.maintenance.homing();
         QVERIFY(!homing.moves());
         QVERIFY(
             homing.explanation().startsWith(QStringLiteral("No motion: the present ram position becomes")));
@@ -255,7 +255,7 @@ private slots:
     {
         PanelRig rig;
         rig.connectIdle();
-        Homing& homing = *rig.service.homing();
+        Homing& homing = *rig.maintenance.homing();
         QVERIFY(!homing.possible());
         homing.home();
         QVERIFY(rig.link.requests.isEmpty());
@@ -265,7 +265,7 @@ private slots:
     {
         PanelRig rig;
         rig.connectIdle();
-        panel::AxisSpeed& speed = *rig.service.jog()->speed();
+        panel::AxisSpeed& speed = *rig.maintenance.jog()->speed();
         QCOMPARE(speed.text(), QStringLiteral("--"));
         speed.read();
         QCOMPARE(rig.link.parameters.last().name, std::string("parameter.jog_frequency"));
@@ -283,7 +283,7 @@ private slots:
     void inputsAndOutputsAreWhatTheControllerTells()
     {
         PanelRig rig;
-        IoList& io = *rig.service.io();
+        IoList& io = *rig.maintenance.io();
         io.setWatched(true);
         QVERIFY(io.rows()->rows().isEmpty());
         QVERIFY(io.stale());
@@ -310,7 +310,7 @@ private slots:
         rig.connectIdle();
         rig.link.status.faultBits = 0x7F;
         become(rig, State::Fault, 0x1FF);
-        IoList& io = *rig.service.io();
+        IoList& io = *rig.maintenance.io();
         io.setWatched(true);
         const auto lit = std::ranges::count_if(
             io.rows()->rows(), [](const IoList::Row& row) { return row.lamp == IoList::Lamp::Bad; });
@@ -320,7 +320,7 @@ private slots:
     void aTurnOfTheMasterIsOneBag()
     {
         PanelRig rig;
-        DryRun& run = *rig.service.dryRun();
+        DryRun& run = *rig.maintenance.dryRun();
         QVERIFY(run.available() && run.cutter());
         const double bagMm = run.bagLengthMm();
         QCOMPARE(bagMm, 250.0);
@@ -337,7 +337,7 @@ private slots:
     void theCutIsAtTheKnife()
     {
         PanelRig rig;
-        DryRun& run = *rig.service.dryRun();
+        DryRun& run = *rig.maintenance.dryRun();
         run.turn(run.cutMasterDeg());
         QVERIFY(run.synchronous());
         QVERIFY(std::ranges::any_of(run.cuts(), [](QPointF cut) { return std::abs(cut.x()) < 1e-9; }));
@@ -353,7 +353,7 @@ private slots:
     void aFingerTurnsItRoundTheCenter()
     {
         PanelRig rig;
-        DryRun& run = *rig.service.dryRun();
+        DryRun& run = *rig.maintenance.dryRun();
         run.setPlaying(true);
         run.grab(0, -50); // at the top
         QVERIFY(!run.playing());
@@ -373,7 +373,7 @@ private slots:
     void itPlaysUntilTheRecipeCannotMove()
     {
         PanelRig rig;
-        DryRun& run = *rig.service.dryRun();
+        DryRun& run = *rig.maintenance.dryRun();
         run.setPlaying(true);
         QTRY_VERIFY(run.masterDeg() > 2);
         rig.editor.newProgram(static_cast<int>(profile::ProgramKind::PointCam));

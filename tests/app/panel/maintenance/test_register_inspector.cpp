@@ -23,12 +23,12 @@ struct InspectorRig : PanelRig {
     InspectorRig()
     {
         connectIdle();
-        service.inspector()->setGroup(QStringLiteral("parameter"));
-        service.inspector()->setVisibleRows(0, 2);
-        service.inspector()->setWatched(true);
+        maintenance.inspector()->setGroup(QStringLiteral("parameter"));
+        maintenance.inspector()->setVisibleRows(0, 2);
+        maintenance.inspector()->setWatched(true);
     }
 
-    [[nodiscard]] panel::RegisterInspector& inspector() { return *service.inspector(); }
+    [[nodiscard]] panel::RegisterInspector& inspector() { return *maintenance.inspector(); }
     [[nodiscard]] RegisterModel& registers() { return *inspector().registers(); }
     void answer(std::vector<std::uint16_t> values)
     {
@@ -93,7 +93,7 @@ private slots:
     void registersAreFoundByName()
     {
         PanelRig rig;
-        panel::RegisterInspector& inspector = *rig.service.inspector();
+        panel::RegisterInspector& inspector = *rig.maintenance.inspector();
         inspector.setNameFilter(QStringLiteral("CRC"));
         QVERIFY(inspector.registers()->count() > 2);
         for (int i = 0; i < inspector.registers()->count(); ++i)
@@ -105,18 +105,18 @@ private slots:
     void registersFollowTheProgram()
     {
         PanelRig rig;
-        rig.service.inspector()->setNameFilter(QStringLiteral("bag_length"));
-        QCOMPARE(rig.service.inspector()->registers()->count(), 0);
+        rig.maintenance.inspector()->setNameFilter(QStringLiteral("bag_length"));
+        QCOMPARE(rig.maintenance.inspector()->registers()->count(), 0);
         rig.connectRunning(); // a cutter
-        QCOMPARE(rig.service.inspector()->registers()->count(), 2);
-        QCOMPARE(rig.service.inspector()->registers()->rowAt(1)->address, quint16{0x4000 + 23});
+        QCOMPARE(rig.maintenance.inspector()->registers()->count(), 2);
+        QCOMPARE(rig.maintenance.inspector()->registers()->rowAt(1)->address, quint16{0x4000 + 23});
     }
 
     void everyRegisterSaysWhetherItCanBeWritten()
     {
         PanelRig rig;
         rig.connectRunning();
-        panel::RegisterInspector& inspector = *rig.service.inspector();
+        panel::RegisterInspector& inspector = *rig.maintenance.inspector();
         int writable = 0;
         for (int i = 0; i < inspector.registers()->count(); ++i) {
             inspector.select(i);
@@ -164,9 +164,9 @@ private slots:
         emit rig.link.parameterEnded(
             {rig.link.parameters[0].id, "parameter.master_direction", link::ParameterEnd::Done, 0.0, {}});
         QCOMPARE(rig.machine.direction()->way(), panel::MasterDirection::Way::Forward);
-        rig.service.inspector()->setNameFilter(QStringLiteral("master_direction"));
-        rig.service.inspector()->select(0);
-        rig.service.inspector()->value()->set(1);
+        rig.maintenance.inspector()->setNameFilter(QStringLiteral("master_direction"));
+        rig.maintenance.inspector()->select(0);
+        rig.maintenance.inspector()->value()->set(1);
         emit rig.link.parameterEnded(
             {rig.link.parameters[1].id, "parameter.master_direction", link::ParameterEnd::Done, 1.0, {}});
         QCOMPARE(rig.machine.direction()->way(), panel::MasterDirection::Way::Backward);

@@ -32,7 +32,7 @@ struct PackingRig : test::PanelRig {
         tell();
     }
 
-    [[nodiscard]] PackingSetup& setup() { return *service.packing(); }
+    [[nodiscard]] PackingSetup& setup() { return *maintenance.packing(); }
     [[nodiscard]] PackingFields& fields() { return *setup().fields(); }
     [[nodiscard]] MarkWizard& wizard() { return *setup().wizard(); }
 

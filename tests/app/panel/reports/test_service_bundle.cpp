@@ -28,13 +28,13 @@ namespace {
 constexpr qint64 maxBytes = 50'000'000;
 
 struct BundleRig : AccessRig {
-    ServiceBundle bundle{{machine, editor, records, *service.figures(), *service.files()}, nullptr};
+    ServiceBundle bundle{{machine, editor, records, *maintenance.figures(), *maintenance.files()}, nullptr};
 
     BundleRig()
     {
         bundle.setWallClock([this] { return QDateTime::fromMSecsSinceEpoch(wallMs, QTimeZone::utc()); });
         const QString stick = folder.filePath(u"stick"_s);
-        service.files()->setLooker([stick](const QString&) {
+        maintenance.files()->setLooker([stick](const QString&) {
             return QList<store::Place>{{stick, u"stick"_s, false}};
         });
         QDir().mkpath(stick);
@@ -46,7 +46,7 @@ struct BundleRig : AccessRig {
         QSignalSpy offered(&bundle, &ServiceBundle::offered);
         bundle.make();
         emit link.figuresReported({});
-        panel::ReportFiles& files = *service.files();
+        panel::ReportFiles& files = *maintenance.files();
         if (!QTest::qWaitFor(
                 [&] { return offered.count() == 1 && !files.busy() && files.places()->count() == 1; }))
             qFatal("the bundle was not offered");

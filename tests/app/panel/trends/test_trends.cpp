@@ -227,7 +227,7 @@ private slots:
         QTemporaryDir folder;
         {
             Rig rig;
-            Trends trends(rig.machine, rig.settings, rig.records, *rig.service.files(), folder.path(),
+            Trends trends(rig.machine, rig.settings, rig.records, *rig.maintenance.files(), folder.path(),
                           nullptr);
             trends.setWallClock([&] { return rig.wallMs; });
             trends.open();
@@ -236,7 +236,8 @@ private slots:
             rig.passBag(0.1);
         } // without a write in between
         Rig rig;
-        Trends trends(rig.machine, rig.settings, rig.records, *rig.service.files(), folder.path(), nullptr);
+        Trends trends(rig.machine, rig.settings, rig.records, *rig.maintenance.files(), folder.path(),
+                      nullptr);
         trends.setWallClock([&] { return startMs + 10'000; });
         trends.open();
         trends.setWatched(true);
@@ -258,7 +259,7 @@ private slots:
         QVERIFY(ready.wait());
         QVERIFY(!rig.trends.exporting());
         const QString folder = rig.folder.filePath(QStringLiteral("out"));
-        panel::ReportFiles& files = *rig.service.files();
+        panel::ReportFiles& files = *rig.maintenance.files();
         QTRY_VERIFY(!files.busy());
         files.setLooker([&](const QString&) {
             QDir().mkpath(folder);

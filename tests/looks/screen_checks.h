@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the screen contents computed from the scene: texts clipped, cut off, overlapping or too pale, and
+// Checks the screen contents computed from the screen: texts clipped, cut off, overlapping or too pale, and
 // touch targets too small.
 #pragma once
 
@@ -12,7 +12,7 @@ class QQuickItem;
 
 namespace campanel::looks {
 
-struct SceneLimits {
+struct ScreenLimits {
     double touchPx = 0; // 12 mm, in glove mode 15 mm
     double letterPx =
         0; // 12 mm, for the letter keys of the keyboards: ten of 15 mm are wider than a 7 inch screen
@@ -21,7 +21,7 @@ struct SceneLimits {
 };
 
 // Returns one sentence for each fault below `root`, only for the uppermost layer (keypad, else dialog, else
-// page). `picture` is the drawn scene; texts are compared with the pixels behind them.
-[[nodiscard]] QStringList checkScene(QQuickItem& root, const SceneLimits& limits, const QImage& picture);
+// page). `picture` is the drawn screen; texts are compared with the pixels behind them.
+[[nodiscard]] QStringList checkScreen(QQuickItem& root, const ScreenLimits& limits, const QImage& picture);
 
 } // namespace campanel::looks

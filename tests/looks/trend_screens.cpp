@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/looks/scene_lists.h"
+#include "tests/looks/screen_lists.h"
 
 #include "app/store/logs/bag_log.h"
-#include "tests/looks/stage.h"
+#include "tests/looks/test_window.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,7 +85,7 @@ QList<store::Bag> demoBags()
     return bags;
 }
 
-// Deletes the recorded trends, which depend on earlier scenes.
+// Deletes the recorded trends, which depend on earlier screens.
 tl::expected<void, store::StoreError> deleteTrends(store::Database& database)
 {
     for (const char* table : {"bag", "program", "trend_second", "trend_minute", "trend_hour"}) {
@@ -102,7 +102,7 @@ tl::expected<void, store::StoreError> fill(store::Database& database)
     store::BagLog bags(database);
     const QList<store::Bag> wanted = demoBags();
     const auto found = bags.countBetween(wanted.first().timeMs, nowMs(), wanted.size());
-    if (found == wanted.size()) // by an earlier scene
+    if (found == wanted.size()) // by an earlier screen
         return {};
     if (const auto cleared = deleteTrends(database); !cleared)
         return cleared;
@@ -113,9 +113,9 @@ tl::expected<void, store::StoreError> fill(store::Database& database)
 
 using Change = tl::expected<void, store::StoreError> (*)(store::Database&);
 
-void change(Stage& stage, Change change)
+void change(TestWindow& window, Change change)
 {
-    panel::Trends& trends = stage.panel().trends();
+    panel::Trends& trends = window.panel().trends();
     bool isDone = false;
     trends.store().run(
         &trends,
@@ -124,17 +124,17 @@ void change(Stage& stage, Change change)
         },
         [&](bool done) { isDone = done; });
     trends.refresh();
-    stage.waitForTrends();
+    window.waitForTrends();
     if (!isDone)
         qWarning("the demonstration's trends cannot be written");
 }
 
 // Opens the page with these quantities over the last ten minutes.
-void openPage(Stage& stage,
+void openPage(TestWindow& window,
               const QList<int>& quantities = {panel::Trends::Deviation, panel::Trends::MarkError})
 {
-    panel::Trends& trends = stage.panel().trends();
-    stage.tap(QStringLiteral("nav_run"));
+    panel::Trends& trends = window.panel().trends();
+    window.tap(QStringLiteral("nav_run"));
     trends.open();
     for (const int quantity : quantities) {
         if (!trends.chosen().contains(quantity))
@@ -146,84 +146,84 @@ void openPage(Stage& stage,
     }
     trends.showSpan(600'000);
     trends.showNow();
-    stage.tap(QStringLiteral("nav_trends"));
-    if (QQuickItem* card = stage.find(QStringLiteral("trendCard")))
+    window.tap(QStringLiteral("nav_trends"));
+    if (QQuickItem* card = window.find(QStringLiteral("trendCard")))
         card->setProperty("cursor", std::nan(""));
-    stage.waitForTrends();
+    window.waitForTrends();
 }
 
-void openFilled(Stage& stage,
+void openFilled(TestWindow& window,
                 const QList<int>& quantities = {panel::Trends::Deviation, panel::Trends::MarkError})
 {
-    openPage(stage, quantities);
-    change(stage, fill);
+    openPage(window, quantities);
+    change(window, fill);
 }
 
-void tapAll(Stage& stage, std::initializer_list<const char*> names)
+void tapAll(TestWindow& window, std::initializer_list<const char*> names)
 {
     for (const char* name : names) {
-        stage.tap(QString::fromLatin1(name));
-        stage.waitForTrends();
+        window.tap(QString::fromLatin1(name));
+        window.waitForTrends();
     }
 }
 
 } // namespace
 
-QList<Scene> trendScenes()
+QList<Screen> trendScreens()
 {
     return {{QStringLiteral("trends-empty"),
-             [](Stage& stage) {
-                 openPage(stage);
-                 change(stage, deleteTrends);
+             [](TestWindow& window) {
+                 openPage(window);
+                 change(window, deleteTrends);
              }},
-            {QStringLiteral("trends"), [](Stage& stage) { openFilled(stage); }},
+            {QStringLiteral("trends"), [](TestWindow& window) { openFilled(window); }},
             {QStringLiteral("trends-explained"),
-             [](Stage& stage) {
-                 openFilled(stage);
-                 stage.hold(QStringLiteral("trendFigures0"));
+             [](TestWindow& window) {
+                 openFilled(window);
+                 window.hold(QStringLiteral("trendFigures0"));
              }},
             {QStringLiteral("trends-cursor-explained"),
-             [](Stage& stage) {
-                 openFilled(stage);
-                 tapAll(stage, {"trendPlot"});
-                 stage.hold(QStringLiteral("trendFigures0"));
+             [](TestWindow& window) {
+                 openFilled(window);
+                 tapAll(window, {"trendPlot"});
+                 window.hold(QStringLiteral("trendFigures0"));
              }},
             {QStringLiteral("trends-three"),
-             [](Stage& stage) {
-                 openFilled(stage, {panel::Trends::BagLength, panel::Trends::FollowingError,
-                                    panel::Trends::Latency});
+             [](TestWindow& window) {
+                 openFilled(window, {panel::Trends::BagLength, panel::Trends::FollowingError,
+                                     panel::Trends::Latency});
              }},
             {QStringLiteral("trends-cursor"),
-             [](Stage& stage) {
-                 openFilled(stage);
-                 tapAll(stage, {"trendPlot"});
+             [](TestWindow& window) {
+                 openFilled(window);
+                 tapAll(window, {"trendPlot"});
              }},
             {QStringLiteral("trends-week"),
-             [](Stage& stage) {
-                 openFilled(stage, {panel::Trends::Deviation});
-                 tapAll(stage, {"span7d"});
+             [](TestWindow& window) {
+                 openFilled(window, {panel::Trends::Deviation});
+                 tapAll(window, {"span7d"});
              }},
             {QStringLiteral("trends-nothing-here"),
-             [](Stage& stage) {
-                 openFilled(stage);
-                 const double now = stage.panel().trends().toMs();
-                 stage.panel().trends().showWindow(now - 40 * 86400e3, now - 39 * 86400e3);
-                 stage.waitForTrends();
+             [](TestWindow& window) {
+                 openFilled(window);
+                 const double now = window.panel().trends().toMs();
+                 window.panel().trends().showWindow(now - 40 * 86400e3, now - 39 * 86400e3);
+                 window.waitForTrends();
              }},
             {QStringLiteral("trends-curves"),
-             [](Stage& stage) {
-                 openFilled(stage);
-                 tapAll(stage, {"trendCurves"});
+             [](TestWindow& window) {
+                 openFilled(window);
+                 tapAll(window, {"trendCurves"});
              }},
-            {QStringLiteral("trends-export"), [](Stage& stage) {
-                 panel::ReportFiles& files = *stage.panel().service().files();
+            {QStringLiteral("trends-export"), [](TestWindow& window) {
+                 panel::ReportFiles& files = *window.panel().maintenance().files();
                  files.setLooker([](const QString&) {
                      return QList<store::Place>{
                          {QStringLiteral("/media/panel/KINGSTON"), QStringLiteral("KINGSTON"), false}};
                  });
-                 openFilled(stage);
-                 tapAll(stage, {"trendExport"});
-                 stage.waitFor(files);
+                 openFilled(window);
+                 tapAll(window, {"trendExport"});
+                 window.waitFor(files);
              }}};
 }
 

@@ -14,24 +14,24 @@ Page {
     property int group
     property var chosen: [0, 0, 0]         // the key of each group's section
     readonly property var line: [
-        { key: 0, name: "service0", text: qsTr("Diagnostics"), source: "DoctorSection.qml" },
-        { key: 1, name: "service1", text: qsTr("Statistics"), source: "FiguresSection.qml" },
-        { key: 2, name: "service2", text: qsTr("Registers"), source: "RegistersSection.qml" },
-        { key: 3, name: "service3", text: qsTr("Frames"), source: "FramesSection.qml" }
+        { key: 0, name: "maintenance0", text: qsTr("Diagnostics"), source: "DoctorSection.qml" },
+        { key: 1, name: "maintenance1", text: qsTr("Statistics"), source: "FiguresSection.qml" },
+        { key: 2, name: "maintenance2", text: qsTr("Registers"), source: "RegistersSection.qml" },
+        { key: 3, name: "maintenance3", text: qsTr("Frames"), source: "FramesSection.qml" }
     ]
-    readonly property var simulatedLine: page.line.concat([{ key: 4, name: "service4", text: qsTr("Faults"), source: "SimulatedFaultsSection.qml" }])
+    readonly property var simulatedLine: page.line.concat([{ key: 4, name: "maintenance4", text: qsTr("Faults"), source: "SimulatedFaultsSection.qml" }])
     readonly property var machine: [
-        { key: 0, name: "serviceJog", text: qsTr("Jog"), source: "JogSection.qml" },
-        { key: 1, name: "serviceHoming", text: qsTr("Homing"), source: "HomingSection.qml" },
-        { key: 2, name: "serviceIo", text: qsTr("I/O"), source: "IoSection.qml" },
-        { key: 3, name: "servicePacking", text: qsTr("Packing"), source: "../Packing/PackingSection.qml" },
-        { key: 4, name: "serviceDryRun", text: qsTr("Dry run"), source: "DryRunSection.qml" }
+        { key: 0, name: "maintenanceJog", text: qsTr("Jog"), source: "JogSection.qml" },
+        { key: 1, name: "maintenanceHoming", text: qsTr("Homing"), source: "HomingSection.qml" },
+        { key: 2, name: "maintenanceIo", text: qsTr("I/O"), source: "IoSection.qml" },
+        { key: 3, name: "maintenancePacking", text: qsTr("Packing"), source: "../Packing/PackingSection.qml" },
+        { key: 4, name: "maintenanceDryRun", text: qsTr("Dry run"), source: "DryRunSection.qml" }
     ]
-    readonly property var memory: [{ key: 0, name: "serviceBackup", text: qsTr("Backup"), source: "../Reports/BackupSection.qml" }]
+    readonly property var memory: [{ key: 0, name: "maintenanceBackup", text: qsTr("Backup"), source: "../Reports/BackupSection.qml" }]
     readonly property var groups: [
-        { key: 0, name: "serviceLine", text: "", glyph: Theme.icon.serialPort },
-        { key: 1, name: "serviceMachine", text: "", glyph: Theme.icon.machine },
-        { key: 2, name: "servicePanel", text: "", glyph: Theme.icon.save }
+        { key: 0, name: "maintenanceLine", text: "", glyph: Theme.icon.serialPort },
+        { key: 1, name: "maintenanceMachine", text: "", glyph: Theme.icon.machine },
+        { key: 2, name: "maintenancePanel", text: "", glyph: Theme.icon.save }
     ]
     // With keys for gloves they do not fit beside the longest group: one key then opens the choice of groups.
     readonly property bool oneGroupKey: width < (groups.length + machine.length) * Theme.size.touch + Theme.size.spacing
@@ -50,7 +50,7 @@ Page {
     }
     Button {
         id: groupKey
-        objectName: "serviceGroup"
+        objectName: "maintenanceGroup"
         visible: page.oneGroupKey
         anchors { left: parent.left; top: parent.top }
         width: Theme.size.touch
@@ -70,7 +70,7 @@ Page {
         Loader {
             anchors { fill: parent; margins: Theme.size.padding }
             source: page.shown.source
-            onLoaded: (item as ServiceSection).page = page
+            onLoaded: (item as MaintenanceSection).page = page
         }
     }
     Component {

@@ -22,7 +22,7 @@ class QQmlEngine;
 
 namespace campanel::panel {
 
-class Service : public QObject {
+class Maintenance : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -41,9 +41,9 @@ class Service : public QObject {
 
 public:
     // Machine and settings must outlive the object. Reports are stored in a folder below `folder`.
-    Service(Controller& machine, Settings& settings, const QString& folder, QObject* parent);
+    Maintenance(Controller& machine, Settings& settings, const QString& folder, QObject* parent);
 
-    static Service* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
+    static Maintenance* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     [[nodiscard]] LinkDoctor* doctor() { return &m_doctor; }
     [[nodiscard]] LineFigures* figures() { return &m_figures; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A panel on the demonstration link; see stage.h.
-#include "tests/looks/stage.h"
+#include "tests/looks/test_window.h"
 
 #include "app/panel/settings/network_info.h"
 
@@ -12,35 +12,35 @@ namespace {
 
 const QString longLanguage = QStringLiteral("long");
 
-std::unique_ptr<LongTexts> longTextsFor(const Look& look)
+std::unique_ptr<LongTexts> longTextsFor(const Variant& variant)
 {
-    return look.isLong() ? std::make_unique<LongTexts>() : nullptr;
+    return variant.isLong() ? std::make_unique<LongTexts>() : nullptr;
 }
 
 } // namespace
 
-bool Look::isLong() const
+bool Variant::isLong() const
 {
     return language == longLanguage;
 }
 
-QString Look::name() const
+QString Variant::name() const
 {
     const QString plain =
         QStringLiteral("%1-%2-%3x%4").arg(theme, language).arg(size.width()).arg(size.height());
     return gloves ? plain + QStringLiteral("-gloves") : plain;
 }
 
-Stage::Stage(const Look& look)
-    : Finger(m_panel)
-    , m_longTexts(longTextsFor(look))
+TestWindow::TestWindow(const Variant& variant)
+    : TouchDriver(m_panel)
+    , m_longTexts(longTextsFor(variant))
     , m_panel(m_link, {m_folder.filePath(QStringLiteral("settings.ini")), m_folder.path()})
 {
     panel::NetworkInfo::fix({QDateTime(QDate(2026, 1, 15), QTime(14, 7), QTimeZone::utc()),
                              {QStringLiteral("eth0: 192.168.1.20, fe80::2e0:4cff:fe68:1")}});
-    m_panel.settings().overrideLanguage(look.isLong() ? QStringLiteral("en") : look.language);
-    m_panel.settings().overrideTheme(look.theme);
-    m_panel.settings().overrideGloves(look.gloves);
+    m_panel.settings().overrideLanguage(variant.isLong() ? QStringLiteral("en") : variant.language);
+    m_panel.settings().overrideTheme(variant.theme);
+    m_panel.settings().overrideGloves(variant.gloves);
     const auto wallClock = [] { return QDateTime(QDate(2026, 1, 15), QTime(14, 6, 58)); };
     m_panel.machine().setWallClock(wallClock);
     m_panel.recipes().setWallClock(wallClock);
@@ -51,7 +51,7 @@ Stage::Stage(const Look& look)
     m_panel.alarms().setWallClock(wallClock);
     m_panel.alarms().setPaceMs(0);
     lookAtClock();
-    m_isReady = m_panel.load(look.size);
+    m_isReady = m_panel.load(variant.size);
     if (!m_isReady)
         return;
     theme()->setProperty("animated", false);
@@ -65,41 +65,41 @@ Stage::Stage(const Look& look)
               [](const panel::Recipes& recipes) { return recipes.ready(); });
 }
 
-void Stage::tap(const QString& name)
+void TestWindow::tap(const QString& name)
 {
-    const QStringList groups{QStringLiteral("serviceLine"), QStringLiteral("serviceMachine"),
-                             QStringLiteral("servicePanel")};
+    const QStringList groups{QStringLiteral("maintenanceLine"), QStringLiteral("maintenanceMachine"),
+                             QStringLiteral("maintenancePanel")};
     if (groups.contains(name) && !find(name)) {
-        Finger::tap(QStringLiteral("serviceGroup"));
-        Finger::tap(QStringLiteral("choice_%1").arg(groups.indexOf(name)));
+        TouchDriver::tap(QStringLiteral("maintenanceGroup"));
+        TouchDriver::tap(QStringLiteral("choice_%1").arg(groups.indexOf(name)));
         return;
     }
     const QString navigation = QStringLiteral("nav_");
     if (!name.startsWith(navigation) || find(name)) {
-        Finger::tap(name);
+        TouchDriver::tap(name);
         return;
     }
-    Finger::tap(QStringLiteral("nav_more"));
-    Finger::tap(QStringLiteral("choice_") + name.mid(navigation.size()));
+    TouchDriver::tap(QStringLiteral("nav_more"));
+    TouchDriver::tap(QStringLiteral("choice_") + name.mid(navigation.size()));
 }
 
-void Stage::lookAtClock()
+void TestWindow::lookAtClock()
 {
     m_panel.machine().setClock([this] { return m_link.now(); });
-    m_panel.service().frames()->setTimeOfDay(m_link.now(), QDateTime(QDate(2026, 1, 15), QTime(14, 7)));
+    m_panel.maintenance().frames()->setTimeOfDay(m_link.now(), QDateTime(QDate(2026, 1, 15), QTime(14, 7)));
 }
 
-template <typename Files> void Stage::waitUntilIdle(Files& files)
+template <typename Files> void TestWindow::waitUntilIdle(Files& files)
 {
     waitUntil(files, &Files::changed, [](const Files& each) { return !each.busy(); });
 }
 
-void Stage::waitFor(panel::KnotFiles& files)
+void TestWindow::waitFor(panel::KnotFiles& files)
 {
     waitUntilIdle(files);
 }
 
-void Stage::waitForTrends()
+void TestWindow::waitForTrends()
 {
     // Requests are answered in order; the second round is for requests that waited for the first answer.
     for (int round = 0; round < 2; ++round) {
@@ -111,12 +111,12 @@ void Stage::waitForTrends()
     settle();
 }
 
-void Stage::waitFor(panel::ReportFiles& files)
+void TestWindow::waitFor(panel::ReportFiles& files)
 {
     waitUntilIdle(files);
 }
 
-void Stage::waitFor(panel::RecipeFiles& files)
+void TestWindow::waitFor(panel::RecipeFiles& files)
 {
     waitUntilIdle(files);
 }

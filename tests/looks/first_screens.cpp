@@ -1,37 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/looks/scene_lists.h"
+#include "tests/looks/screen_lists.h"
 
-#include "tests/looks/stage.h"
+#include "tests/looks/test_window.h"
 
 namespace campanel::looks {
 
 namespace {
 
 // Advances by this number of steps, then taps.
-Scene step(const char* name, int steps, const QStringList& tapped = {})
+Screen step(const char* name, int steps, const QStringList& tapped = {})
 {
-    return {QString::fromLatin1(name), [steps, tapped](Stage& stage) {
-                stage.link().show(DemoLink::Situation::Empty);
-                stage.lookAtClock();
-                stage.panel().settings().beginFirstStart();
-                stage.settle();
+    return {QString::fromLatin1(name), [steps, tapped](TestWindow& window) {
+                window.link().show(DemoLink::Situation::Empty);
+                window.lookAtClock();
+                window.panel().settings().beginFirstStart();
+                window.settle();
                 for (int i = 0; i < steps; ++i)
-                    stage.tap(QStringLiteral("firstNext"));
+                    window.tap(QStringLiteral("firstNext"));
                 for (const QString& each : tapped)
-                    stage.tap(each);
+                    window.tap(each);
             }};
 }
 
 } // namespace
 
-QList<Scene> firstScenes()
+QList<Screen> firstScreens()
 {
     return {step("first-language", 0),
             step("first-controller", 1),
             {QStringLiteral("first-controller-searching"),
-             [](Stage& stage) {
-                 step("", 1, {QStringLiteral("firstSearch")}).enter(stage);
-                 stage.settle();
+             [](TestWindow& window) {
+                 step("", 1, {QStringLiteral("firstSearch")}).enter(window);
+                 window.settle();
              }},
             step("first-pin", 2),
             step("first-pin-user", 2, {QStringLiteral("firstSetPin")}),

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A panel on the demonstration link, operated by a Finger. For captures and the self-test.
+// A panel on the demonstration link, operated by a TouchDriver. For captures and the self-test.
 #pragma once
 
 #include "tests/looks/demo_link.h"
-#include "tests/looks/finger.h"
 #include "tests/looks/long_texts.h"
+#include "tests/looks/touch_driver.h"
 
 #include <QEventLoop>
 #include <QTemporaryDir>
@@ -12,7 +12,7 @@
 
 namespace campanel::looks {
 
-struct Look {
+struct Variant {
     QString language; // from Settings.languages, or "long": longer English texts, see long_texts.h
     QString theme;
     QSize size;
@@ -22,16 +22,16 @@ struct Look {
     [[nodiscard]] QString name() const; // "light-en-1024x600", "light-en-1024x600-gloves"
 };
 
-class Stage : public Finger {
+class TestWindow : public TouchDriver {
 public:
-    explicit Stage(const Look& look);
+    explicit TestWindow(const Variant& variant);
 
     // Returns false when the window could not be loaded.
     [[nodiscard]] bool isReady() const { return m_isReady; }
     [[nodiscard]] DemoLink& link() { return m_link; }
     [[nodiscard]] shell::Panel& panel() { return m_panel; }
 
-    using Finger::tap;
+    using TouchDriver::tap;
     // Taps an item, also one behind a menu. A page without a key in the navigation, as in glove mode on a
     // small screen, is behind the key More. A group of Service without a key is behind the key for all
     // groups.

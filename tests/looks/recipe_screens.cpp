@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/looks/scene_lists.h"
+#include "tests/looks/screen_lists.h"
 
-#include "tests/looks/stage.h"
+#include "tests/looks/test_window.h"
 
 #include <array>
 
@@ -46,26 +46,26 @@ tl::expected<void, store::StoreError> saveAll(store::Database& database)
 }
 
 // Opens the page with a library, then taps.
-void openLibrary(Stage& stage, const QStringList& tapped = {})
+void openLibrary(TestWindow& window, const QStringList& tapped = {})
 {
-    Recipes& recipes = stage.panel().recipes();
+    Recipes& recipes = window.panel().recipes();
     recipes.setSearch({});
     recipes.dismissMessage();
     if (recipes.total() < keptNames) {
-        stage.panel().records().store().run(&recipes, &saveAll,
-                                            [&recipes](const auto& /*saved*/) { recipes.reload(); });
-        stage.waitUntil(recipes, &Recipes::listChanged,
-                        [](const Recipes& each) { return each.total() >= keptNames; });
+        window.panel().records().store().run(&recipes, &saveAll,
+                                             [&recipes](const auto& /*saved*/) { recipes.reload(); });
+        window.waitUntil(recipes, &Recipes::listChanged,
+                         [](const Recipes& each) { return each.total() >= keptNames; });
     }
-    stage.tap(QStringLiteral("nav_recipes"));
-    stage.tap(QStringLiteral("recipe0"));
+    window.tap(QStringLiteral("nav_recipes"));
+    window.tap(QStringLiteral("recipe0"));
     for (const QString& name : tapped)
-        stage.tap(name);
+        window.tap(name);
 }
 
-Scene page(const char* name, const QStringList& tapped = {})
+Screen page(const char* name, const QStringList& tapped = {})
 {
-    return {QString::fromLatin1(name), [tapped](Stage& stage) { openLibrary(stage, tapped); }};
+    return {QString::fromLatin1(name), [tapped](TestWindow& window) { openLibrary(window, tapped); }};
 }
 
 // Returns one usable file and one unusable file.
@@ -84,64 +84,64 @@ QList<store::RecipeOffer> recipesOnStick(const QString& /*ownFolder*/)
         {error.path, place, QDateTime(QDate(2026, 1, 2), QTime(16, 40)), tl::unexpected(error)}};
 }
 
-Scene importing(const char* name, const QString& tapped)
+Screen importing(const char* name, const QString& tapped)
 {
-    return {QString::fromLatin1(name), [tapped](Stage& stage) {
-                panel::RecipeFiles& files = *stage.panel().recipes().files();
+    return {QString::fromLatin1(name), [tapped](TestWindow& window) {
+                panel::RecipeFiles& files = *window.panel().recipes().files();
                 files.setLooker(&recipesOnStick);
-                openLibrary(stage, {QStringLiteral("recipeImport")});
-                stage.waitFor(files);
-                stage.tap(tapped);
+                openLibrary(window, {QStringLiteral("recipeImport")});
+                window.waitFor(files);
+                window.tap(tapped);
             }};
 }
 
 // Opens a dialog with rows from the database.
-Scene versions(const char* name, const QString& tapped)
+Screen versions(const char* name, const QString& tapped)
 {
-    return {QString::fromLatin1(name), [tapped](Stage& stage) {
-                openLibrary(stage);
-                const auto& rows = stage.panel().recipes().list()->rows();
+    return {QString::fromLatin1(name), [tapped](TestWindow& window) {
+                openLibrary(window);
+                const auto& rows = window.panel().recipes().list()->rows();
                 const auto row =
                     std::ranges::find(rows, QStringLiteral("Chocolate bar 120"), &panel::RecipeRow::name);
-                stage.panel().recipes().choose(static_cast<int>(row - rows.begin()));
-                panel::OfferModel& candidates = *stage.panel().recipes().candidates();
-                stage.tap(QStringLiteral("recipeVersions"));
-                stage.waitUntil(candidates, &panel::OfferModel::countChanged,
-                                [](const panel::OfferModel& model) { return model.count() == 3; });
-                stage.tap(tapped);
+                window.panel().recipes().choose(static_cast<int>(row - rows.begin()));
+                panel::OfferModel& candidates = *window.panel().recipes().candidates();
+                window.tap(QStringLiteral("recipeVersions"));
+                window.waitUntil(candidates, &panel::OfferModel::countChanged,
+                                 [](const panel::OfferModel& model) { return model.count() == 3; });
+                window.tap(tapped);
             }};
 }
 
 } // namespace
 
-QList<Scene> recipeScenes()
+QList<Screen> recipeScreens()
 {
     return {page("recipes"),
             {QStringLiteral("recipes-nothing-found"),
-             [](Stage& stage) {
-                 openLibrary(stage);
-                 stage.panel().recipes().setSearch(QStringLiteral("pretzel"));
+             [](TestWindow& window) {
+                 openLibrary(window);
+                 window.panel().recipes().setSearch(QStringLiteral("pretzel"));
              }},
             {QStringLiteral("recipes-edited"),
-             [](Stage& stage) {
-                 stage.panel().editor().bagLength()->set(240);
-                 openLibrary(stage);
+             [](TestWindow& window) {
+                 window.panel().editor().bagLength()->set(240);
+                 openLibrary(window);
              }},
             {QStringLiteral("recipes-unsaved"),
-             [](Stage& stage) {
-                 stage.panel().editor().bagLength()->set(240);
-                 openLibrary(stage, {QStringLiteral("recipe1"), QStringLiteral("recipeOpen")});
+             [](TestWindow& window) {
+                 window.panel().editor().bagLength()->set(240);
+                 openLibrary(window, {QStringLiteral("recipe1"), QStringLiteral("recipeOpen")});
              }},
             page("recipes-new-kind", {QStringLiteral("recipeNew")}),
             page("recipes-name", {QStringLiteral("recipeRename")}),
             page("recipes-name-signs", {QStringLiteral("recipeCopy"), QStringLiteral("textSigns")}),
             {QStringLiteral("recipes-name-pinyin"),
-             [](Stage& stage) {
-                 openLibrary(stage, {QStringLiteral("recipeRename")});
+             [](TestWindow& window) {
+                 openLibrary(window, {QStringLiteral("recipeRename")});
                  if (QLocale().language() != QLocale::Chinese)
-                     stage.tap(QStringLiteral("textChinese"));
+                     window.tap(QStringLiteral("textChinese"));
                  for (const QChar letter : QStringLiteral("binggan"))
-                     stage.tap(QStringLiteral("key_") + letter);
+                     window.tap(QStringLiteral("key_") + letter);
              }},
             page("recipes-search", {QStringLiteral("recipeSearch"), QStringLiteral("textCapital")}),
             versions("recipes-versions", QStringLiteral("candidate0")),

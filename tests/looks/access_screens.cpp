@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/looks/scene_lists.h"
+#include "tests/looks/screen_lists.h"
 
 #include "app/store/database/setup_marker.h"
 #include "app/store/logs/audit_log.h"
@@ -34,11 +34,11 @@ void waitUntil(const std::function<bool()>& isSo)
 }
 
 // Runs the job and waits for it and all earlier ones.
-void inStore(Stage& stage, const std::function<void(store::Database&)>& job)
+void inStore(TestWindow& window, const std::function<void(store::Database&)>& job)
 {
     bool isDone = false;
-    stage.panel().records().store().run(
-        &stage.panel().records(),
+    window.panel().records().store().run(
+        &window.panel().records(),
         [job](store::Database& database) {
             job(database);
             return true;
@@ -55,51 +55,51 @@ void deleteUsersAndAudit(store::Database& database)
         QFile::remove(database.path() + suffix);
 }
 
-void emptyStore(Stage& stage)
+void emptyStore(TestWindow& window)
 {
     // What an earlier tap still writes must be in the store before it is emptied.
-    inStore(stage, [](store::Database&) {});
-    inStore(stage, deleteUsersAndAudit);
+    inStore(window, [](store::Database&) {});
+    inStore(window, deleteUsersAndAudit);
 }
 
-void reloadUsers(Stage& stage)
+void reloadUsers(TestWindow& window)
 {
-    stage.panel().access().open();
-    inStore(stage, [](store::Database&) {});
-    stage.settle();
+    window.panel().access().open();
+    inStore(window, [](store::Database&) {});
+    window.settle();
 }
 
-void addUsers(Stage& stage)
+void addUsers(TestWindow& window)
 {
     // The hash of scenePin with libsodium's minimum effort: the normal effort takes a noticeable time, by
     // design.
     static const QString hash =
         u"$argon2id$v=19$m=8,t=1,p=1$8yYBaYPM+R3w4b3kUB7MRw$mLOp+RvpUsfFLzUtbAH1lgnGr+Nf4v9EsIee/4j4IB8"_s;
-    emptyStore(stage);
-    inStore(stage, [](store::Database& database) {
+    emptyStore(window);
+    inStore(window, [](store::Database& database) {
         (void)store::addUser(database, anna, UserLevel::Service, hash);
         (void)store::addUser(database, liWei, UserLevel::Technician, hash);
         (void)store::addUser(database, u"Tom"_s, UserLevel::Operator, hash);
     });
-    reloadUsers(stage);
+    reloadUsers(window);
 }
 
-int idOf(Stage& stage, const QString& name)
+int idOf(TestWindow& window, const QString& name)
 {
-    for (const QVariant& user : stage.panel().access().users()) {
+    for (const QVariant& user : window.panel().access().users()) {
         if (user.toMap().value(u"name"_s).toString() == name)
             return user.toMap().value(u"id"_s).toInt();
     }
     return 0;
 }
 
-void logIn(Stage& stage, const QString& name, const QString& pin)
+void logIn(TestWindow& window, const QString& name, const QString& pin)
 {
-    panel::Access& access = stage.panel().access();
-    access.choose(idOf(stage, name));
+    panel::Access& access = window.panel().access();
+    access.choose(idOf(window, name));
     access.login(pin);
     waitUntil([&access] { return !access.busy(); });
-    stage.settle();
+    window.settle();
 }
 
 void addRows(store::Database& database)
@@ -146,78 +146,78 @@ void addRows(store::Database& database)
         (void)store::appendAudit(database, row);
 }
 
-void openTrail(Stage& stage)
+void openTrail(TestWindow& window)
 {
-    stage.tap(u"nav_settings"_s);
-    stage.tap(u"sectionUsers"_s);
-    stage.tap(u"auditButton"_s);
-    panel::Audit& audit = stage.panel().audit();
+    window.tap(u"nav_settings"_s);
+    window.tap(u"sectionUsers"_s);
+    window.tap(u"auditButton"_s);
+    panel::Audit& audit = window.panel().audit();
     waitUntil([&audit] { return !audit.busy() && !audit.checking(); });
-    stage.settle();
+    window.settle();
 }
 
-void openUsers(Stage& stage, const QStringList& taps)
+void openUsers(TestWindow& window, const QStringList& taps)
 {
-    stage.tap(u"nav_settings"_s);
-    stage.tap(u"sectionUsers"_s);
+    window.tap(u"nav_settings"_s);
+    window.tap(u"sectionUsers"_s);
     for (const QString& tapped : taps)
-        stage.tap(tapped);
+        window.tap(tapped);
 }
 
 // Opens the users, with Anna logged in, then taps.
-Scene users(const char* name, const QStringList& taps)
+Screen users(const char* name, const QStringList& taps)
 {
-    return {QString::fromLatin1(name), [taps](Stage& stage) {
-                addUsers(stage);
-                logIn(stage, anna, QString::fromLatin1(scenePin));
-                openUsers(stage, taps);
+    return {QString::fromLatin1(name), [taps](TestWindow& window) {
+                addUsers(window);
+                logIn(window, anna, QString::fromLatin1(screenPin));
+                openUsers(window, taps);
             }};
 }
 
-Scene trail(const char* name, const QStringList& taps, const QString& tamper = {})
+Screen trail(const char* name, const QStringList& taps, const QString& tamper = {})
 {
-    return {QString::fromLatin1(name), [taps, tamper](Stage& stage) {
-                emptyStore(stage);
-                inStore(stage, addRows);
+    return {QString::fromLatin1(name), [taps, tamper](TestWindow& window) {
+                emptyStore(window);
+                inStore(window, addRows);
                 if (!tamper.isEmpty())
-                    inStore(stage, [tamper](store::Database& database) { (void)database.execute(tamper); });
-                openTrail(stage);
+                    inStore(window, [tamper](store::Database& database) { (void)database.execute(tamper); });
+                openTrail(window);
                 for (const QString& tapped : taps)
-                    stage.tap(tapped);
+                    window.tap(tapped);
             }};
 }
 
 // Requests an action for technicians, then taps.
-Scene login(const char* name, const QStringList& taps, int wrongPins = 0)
+Screen login(const char* name, const QStringList& taps, int wrongPins = 0)
 {
-    return {QString::fromLatin1(name), [taps, wrongPins](Stage& stage) {
-                addUsers(stage);
-                stage.panel().access().setWallClock([] { return timeMs(0); });
-                stage.tap(u"nav_motion"_s);
-                stage.tap(u"field_baseSpeed"_s);
-                stage.tap(u"login_Li Wei"_s);
+    return {QString::fromLatin1(name), [taps, wrongPins](TestWindow& window) {
+                addUsers(window);
+                window.panel().access().setWallClock([] { return timeMs(0); });
+                window.tap(u"nav_motion"_s);
+                window.tap(u"field_baseSpeed"_s);
+                window.tap(u"login_Li Wei"_s);
                 for (int i = 0; i < wrongPins; ++i)
-                    logIn(stage, liWei, u"1111"_s);
+                    logIn(window, liWei, u"1111"_s);
                 for (const QString& tapped : taps)
-                    stage.tap(tapped);
+                    window.tap(tapped);
             }};
 }
 
 } // namespace
 
-void forgetUsers(Stage& stage)
+void forgetUsers(TestWindow& window)
 {
-    if (!stage.panel().access().protectedByPins())
+    if (!window.panel().access().protectedByPins())
         return;
-    stage.panel().access().logOut();
-    inStore(stage, deleteUsersAndAudit);
-    reloadUsers(stage);
+    window.panel().access().logOut();
+    inStore(window, deleteUsersAndAudit);
+    reloadUsers(window);
 }
 
-QList<Scene> accessScenes()
+QList<Screen> accessScreens()
 {
-    return {{u"users-none"_s, [](Stage& stage) { openUsers(stage, {}); }},
-            {u"user-first"_s, [](Stage& stage) { openUsers(stage, {u"userAdd"_s}); }},
+    return {{u"users-none"_s, [](TestWindow& window) { openUsers(window, {}); }},
+            {u"user-first"_s, [](TestWindow& window) { openUsers(window, {u"userAdd"_s}); }},
             users("users", {}),
             users("user", {u"user_Li Wei"_s}),
             users("user-remove", {u"user_Li Wei"_s, u"userRemove"_s}),
@@ -232,38 +232,38 @@ QList<Scene> accessScenes()
             login("login-wait", {}, 1),
             // Removes the users: nobody can log in.
             {u"login-locked"_s,
-             [](Stage& stage) {
-                 emptyStore(stage);
-                 inStore(stage, [](store::Database& database) {
+             [](TestWindow& window) {
+                 emptyStore(window);
+                 inStore(window, [](store::Database& database) {
                      (void)store::writeSetupMarker(database.path(), store::SetUp::WithPins);
                  });
                  QLoggingCategory::setFilterRules(u"campanel.store=false"_s); // the loss is intended
-                 reloadUsers(stage);
+                 reloadUsers(window);
                  QLoggingCategory::setFilterRules({});
-                 stage.panel().records().dismissNotice();
-                 stage.tap(u"nav_motion"_s);
-                 stage.tap(u"field_baseSpeed"_s);
+                 window.panel().records().dismissNotice();
+                 window.tap(u"nav_motion"_s);
+                 window.tap(u"field_baseSpeed"_s);
              }},
             {u"login-short-pin"_s,
-             [](Stage& stage) {
-                 addUsers(stage);
-                 logIn(stage, anna, QString::fromLatin1(scenePin));
-                 emit stage.panel().access().newPinWanted(idOf(stage, anna));
-                 stage.settle();
+             [](TestWindow& window) {
+                 addUsers(window);
+                 logIn(window, anna, QString::fromLatin1(screenPin));
+                 emit window.panel().access().newPinWanted(idOf(window, anna));
+                 window.settle();
              }},
             {u"users-logged-out"_s,
-             [](Stage& stage) {
-                 addUsers(stage);
-                 openUsers(stage, {});
+             [](TestWindow& window) {
+                 addUsers(window);
+                 openUsers(window, {});
              }},
             trail("audit", {}),
             trail("audit-who", {u"auditWho"_s}),
             trail("audit-what", {u"auditArea"_s}),
             trail("audit-detail", {u"audit2"_s}),
             trail("audit-broken", {}, u"UPDATE audit SET after = '930' WHERE sequence = 4"_s),
-            {u"audit-empty"_s, [](Stage& stage) {
-                 emptyStore(stage);
-                 openTrail(stage);
+            {u"audit-empty"_s, [](TestWindow& window) {
+                 emptyStore(window);
+                 openTrail(window);
              }}};
 }
 

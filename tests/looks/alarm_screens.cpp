@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/looks/scene_lists.h"
+#include "tests/looks/screen_lists.h"
 
 #include <QEventLoop>
 
@@ -37,9 +37,9 @@ QList<AlarmRow> demoLog()
 }
 
 // Waits for the first page.
-void waitForHistory(Stage& stage)
+void waitForHistory(TestWindow& window)
 {
-    panel::AlarmHistory& history = *stage.panel().alarms().history();
+    panel::AlarmHistory& history = *window.panel().alarms().history();
     QEventLoop untilRead;
     QObject::connect(&history, &panel::AlarmHistory::changed, &untilRead, [&] {
         if (!history.loading())
@@ -47,15 +47,15 @@ void waitForHistory(Stage& stage)
     });
     if (history.loading())
         untilRead.exec();
-    stage.settle();
+    window.settle();
 }
 
-void openHistory(Stage& stage, const QList<AlarmRow>& rows)
+void openHistory(TestWindow& window, const QList<AlarmRow>& rows)
 {
     store::AlarmChanges changes;
     changes.rows = rows;
-    stage.panel().records().open();
-    stage.panel().records().store().run(
+    window.panel().records().open();
+    window.panel().records().store().run(
         nullptr,
         [changes](store::Database& database) {
             const auto emptied = database.execute(QStringLiteral("DELETE FROM alarm"));
@@ -63,74 +63,74 @@ void openHistory(Stage& stage, const QList<AlarmRow>& rows)
                            : tl::expected<void, store::StoreError>(tl::unexpected(emptied.error()));
         },
         [](const tl::expected<void, store::StoreError>&) {});
-    stage.tap(alarmsPage);
-    stage.tap(QStringLiteral("alarmsLive")); // read when it becomes visible
-    stage.tap(QStringLiteral("alarmsHistory"));
-    waitForHistory(stage);
+    window.tap(alarmsPage);
+    window.tap(QStringLiteral("alarmsLive")); // read when it becomes visible
+    window.tap(QStringLiteral("alarmsHistory"));
+    waitForHistory(window);
 }
 
 // Shows a fault, and an earlier lost connection: acknowledged, returned, not acknowledged.
-void showTrouble(Stage& stage)
+void showTrouble(TestWindow& window)
 {
-    stage.link().show(Situation::MarksLost);
-    stage.settle();
-    stage.panel().alarms().acknowledgeAll();
-    stage.link().show(Situation::Lost);
-    stage.settle();
-    stage.link().show(Situation::Fault);
-    stage.lookAtClock();
-    stage.settle();
-    stage.tap(alarmsPage);
-    stage.tap(QStringLiteral("alarmsLive"));
+    window.link().show(Situation::MarksLost);
+    window.settle();
+    window.panel().alarms().acknowledgeAll();
+    window.link().show(Situation::Lost);
+    window.settle();
+    window.link().show(Situation::Fault);
+    window.lookAtClock();
+    window.settle();
+    window.tap(alarmsPage);
+    window.tap(QStringLiteral("alarmsLive"));
 }
 
-Scene trouble(const char* name, const QStringList& names)
+Screen trouble(const char* name, const QStringList& names)
 {
-    return {QString::fromLatin1(name), [names](Stage& stage) {
-                showTrouble(stage);
+    return {QString::fromLatin1(name), [names](TestWindow& window) {
+                showTrouble(window);
                 for (const QString& tapped : names)
-                    stage.tap(tapped);
+                    window.tap(tapped);
             }};
 }
 
 // Shows a lost connection, which may be shelved.
-Scene lost(const char* name, const QStringList& names)
+Screen lost(const char* name, const QStringList& names)
 {
-    return {QString::fromLatin1(name), [names](Stage& stage) {
-                stage.link().show(Situation::Lost);
-                stage.lookAtClock();
-                stage.settle();
+    return {QString::fromLatin1(name), [names](TestWindow& window) {
+                window.link().show(Situation::Lost);
+                window.lookAtClock();
+                window.settle();
                 for (const QString& tapped : names)
-                    stage.tap(tapped);
+                    window.tap(tapped);
             }};
 }
 
 } // namespace
 
-QList<Scene> alarmScenes()
+QList<Screen> alarmScreens()
 {
     const QString first = QStringLiteral("liveAlarm0");
     const QString live = QStringLiteral("alarmsLive");
     const QString shelved = QStringLiteral("alarmsShelved");
     return {{QStringLiteral("alarms-none"),
-             [=](Stage& stage) {
-                 stage.tap(alarmsPage);
-                 stage.tap(live);
+             [=](TestWindow& window) {
+                 window.tap(alarmsPage);
+                 window.tap(live);
              }},
             trouble("alarms", {}),
             trouble("alarms-fault", {first}),
             lost("alarms-lost", {alarmsPage, live, first}),
-            {QStringLiteral("alarms-history"), [](Stage& stage) { openHistory(stage, demoLog()); }},
+            {QStringLiteral("alarms-history"), [](TestWindow& window) { openHistory(window, demoLog()); }},
             {QStringLiteral("alarms-history-one"),
-             [](Stage& stage) {
-                 openHistory(stage, demoLog());
-                 stage.tap(QStringLiteral("pastAlarm3"));
+             [](TestWindow& window) {
+                 openHistory(window, demoLog());
+                 window.tap(QStringLiteral("pastAlarm3"));
              }},
-            {QStringLiteral("alarms-history-empty"), [](Stage& stage) { openHistory(stage, {}); }},
+            {QStringLiteral("alarms-history-empty"), [](TestWindow& window) { openHistory(window, {}); }},
             {QStringLiteral("alarms-shelved-none"),
-             [=](Stage& stage) {
-                 stage.tap(alarmsPage);
-                 stage.tap(shelved);
+             [=](TestWindow& window) {
+                 window.tap(alarmsPage);
+                 window.tap(shelved);
              }},
             lost("alarms-shelved", {alarmsPage, live, first, QStringLiteral("alarmShelve8"), shelved}),
             lost("alarms-shelved-one", {alarmsPage, live, first, QStringLiteral("alarmShelve8"), first})};

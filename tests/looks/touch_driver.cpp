@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mouse and key events for a panel's window; see finger.h.
-#include "tests/looks/finger.h"
+#include "tests/looks/touch_driver.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -39,22 +39,22 @@ void sendMouse(QQuickWindow& window, QEvent::Type type, const QPointF& at)
 
 } // namespace
 
-QObject* Finger::theme()
+QObject* TouchDriver::theme()
 {
     return window().property("theme").value<QObject*>();
 }
 
-QObject* Finger::frame()
+QObject* TouchDriver::frame()
 {
     return window().property("frame").value<QObject*>();
 }
 
-QQuickItem* Finger::find(const QString& name)
+QQuickItem* TouchDriver::find(const QString& name)
 {
     return visibleItem(root(), name);
 }
 
-void Finger::press(const QString& name, int holdMs)
+void TouchDriver::press(const QString& name, int holdMs)
 {
     QQuickItem* item = find(name);
     if (!item) {
@@ -64,7 +64,7 @@ void Finger::press(const QString& name, int holdMs)
     press(*item, holdMs);
 }
 
-void Finger::press(QQuickItem& item, int holdMs)
+void TouchDriver::press(QQuickItem& item, int holdMs)
 {
     const QPointF at = item.mapToScene(item.boundingRect().center());
     sendMouse(window(), QEvent::MouseButtonPress, at);
@@ -78,17 +78,17 @@ void Finger::press(QQuickItem& item, int holdMs)
     settle();
 }
 
-void Finger::tap(const QString& name)
+void TouchDriver::tap(const QString& name)
 {
     press(name, 0);
 }
 
-void Finger::tap(QQuickItem& item)
+void TouchDriver::tap(QQuickItem& item)
 {
     press(item, 0);
 }
 
-void Finger::hold(const QString& name)
+void TouchDriver::hold(const QString& name)
 {
     QStyleHints& hints = *QGuiApplication::styleHints(); // for keys; other items use the theme's
     const int usualMs = hints.mousePressAndHoldInterval();
@@ -100,7 +100,7 @@ void Finger::hold(const QString& name)
     theme()->setProperty("longPressTime", usualTime);
 }
 
-void Finger::touch(const QString& name)
+void TouchDriver::touch(const QString& name)
 {
     QQuickItem* item = find(name);
     if (!item) {
@@ -111,18 +111,18 @@ void Finger::touch(const QString& name)
     sendMouse(window(), QEvent::MouseButtonPress, m_place);
 }
 
-void Finger::slide(const QPointF& to)
+void TouchDriver::slide(const QPointF& to)
 {
     m_place = to;
     sendMouse(window(), QEvent::MouseMove, m_place);
 }
 
-void Finger::lift()
+void TouchDriver::lift()
 {
     sendMouse(window(), QEvent::MouseButtonRelease, m_place);
 }
 
-void Finger::type(const QString& keys)
+void TouchDriver::type(const QString& keys)
 {
     for (const QChar key : keys) {
         QKeyEvent event(QEvent::KeyPress, 0, Qt::NoModifier, QString(key));
@@ -131,13 +131,13 @@ void Finger::type(const QString& keys)
     settle();
 }
 
-void Finger::closeDialogs()
+void TouchDriver::closeDialogs()
 {
     QMetaObject::invokeMethod(frame(), "closeAll");
     settle();
 }
 
-void Finger::settle()
+void TouchDriver::settle()
 {
     constexpr int rounds = 4; // loaders, then their bindings, then layout
     for (int i = 0; i < rounds; ++i) {
@@ -150,7 +150,7 @@ void Finger::settle()
     QCoreApplication::sendEvent(&window(), &frame);
 }
 
-QImage Finger::grab()
+QImage TouchDriver::grab()
 {
     return window().grabWindow();
 }

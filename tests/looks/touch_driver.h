@@ -11,10 +11,10 @@
 
 namespace campanel::looks {
 
-class Finger {
+class TouchDriver {
 public:
     // The panel must outlive the object and be loaded before any call.
-    explicit Finger(shell::Panel& panel)
+    explicit TouchDriver(shell::Panel& panel)
         : m_panel(panel)
     {
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/looks/scene_lists.h"
+#include "tests/looks/screen_lists.h"
 
-#include "tests/looks/stage.h"
+#include "tests/looks/test_window.h"
 
 #include <array>
 #include <cmath>
@@ -46,22 +46,22 @@ Packer following()
     return packer;
 }
 
-void showValues(Stage& stage, double bags = 12480)
+void showValues(TestWindow& window, double bags = 12480)
 {
-    stage.link().show(DemoLink::Situation::Running);
-    stage.lookAtClock();
+    window.link().show(DemoLink::Situation::Running);
+    window.lookAtClock();
     for (const modbus::RegisterInfo& info : modbus::registers()) {
         if (info.name.starts_with("parameter."))
-            stage.link().exchange({0, std::string(info.name), info.defaultValue});
+            window.link().exchange({0, std::string(info.name), info.defaultValue});
     }
     Packer packer = following();
     packer.set("packer.bag_number", bags);
-    packer.tell(stage.link());
-    stage.settle();
+    packer.tell(window.link());
+    window.settle();
 }
 
 // Shows marks that vary with the film's slip and the sensor's scatter, always the same.
-void showSuggestions(Stage& stage)
+void showSuggestions(TestWindow& window)
 {
     constexpr std::array errorsUm{60, -40, 20, 90, -70, 10, -30, 80, -20, -50, 40};
     Packer packer = following();
@@ -69,27 +69,27 @@ void showSuggestions(Stage& stage)
         packer.set("packer.marks", mark);
         packer.set("packer.last_mark", errorsUm[static_cast<std::size_t>(mark) % errorsUm.size()] / 1000.0);
         packer.set("packer.mark_pitch", 250.3);
-        packer.tell(stage.link());
+        packer.tell(window.link());
     }
 }
 
-void openSection(Stage& stage)
+void openSection(TestWindow& window)
 {
-    stage.tap(QStringLiteral("nav_maintenance"));
-    stage.tap(QStringLiteral("serviceMachine"));
-    stage.tap(QStringLiteral("servicePacking"));
-    showValues(stage);
+    window.tap(QStringLiteral("nav_maintenance"));
+    window.tap(QStringLiteral("maintenanceMachine"));
+    window.tap(QStringLiteral("maintenancePacking"));
+    showValues(window);
 }
 
-void openWizard(Stage& stage, Step step)
+void openWizard(TestWindow& window, Step step)
 {
-    openSection(stage);
-    stage.tap(QStringLiteral("packingWizard"));
-    panel::MarkWizard& wizard = *stage.panel().service().packing()->wizard();
+    openSection(window);
+    window.tap(QStringLiteral("packingWizard"));
+    panel::MarkWizard& wizard = *window.panel().maintenance().packing()->wizard();
     double bags = 12480;
     if (step != Step::Explain) {
         wizard.goOn();
-        showValues(stage, bags += step == Step::Cutting ? 2 : panel::MarkWizard::bagsToCut);
+        showValues(window, bags += step == Step::Cutting ? 2 : panel::MarkWizard::bagsToCut);
     }
     if (step == Step::Explain || step == Step::Cutting)
         return;
@@ -97,43 +97,43 @@ void openWizard(Stage& stage, Step step)
         wizard.addMeasurement(measuredMm);
     if (step == Step::Confirm)
         wizard.goOn();
-    stage.settle();
+    window.settle();
 }
 
-Scene wizardAt(const char* name, Step step)
+Screen wizardAt(const char* name, Step step)
 {
-    return {QString::fromLatin1(name), [step](Stage& stage) { openWizard(stage, step); }};
+    return {QString::fromLatin1(name), [step](TestWindow& window) { openWizard(window, step); }};
 }
 
 } // namespace
 
-QList<Scene> packingScenes()
+QList<Screen> packingScreens()
 {
     return {{QStringLiteral("packing-unknown"),
-             [](Stage& stage) {
-                 stage.link().show(DemoLink::Situation::Empty);
-                 stage.lookAtClock();
-                 for (const char* name : {"nav_maintenance", "serviceMachine", "servicePacking"})
-                     stage.tap(QString::fromLatin1(name));
+             [](TestWindow& window) {
+                 window.link().show(DemoLink::Situation::Empty);
+                 window.lookAtClock();
+                 for (const char* name : {"nav_maintenance", "maintenanceMachine", "maintenancePacking"})
+                     window.tap(QString::fromLatin1(name));
              }},
             {QStringLiteral("packing"), openSection},
             {QStringLiteral("packing-suggested"),
-             [](Stage& stage) {
-                 openSection(stage);
-                 showSuggestions(stage);
+             [](TestWindow& window) {
+                 openSection(window);
+                 showSuggestions(window);
              }},
             {QStringLiteral("packing-keypad"),
-             [](Stage& stage) {
-                 openSection(stage);
-                 stage.tap(QStringLiteral("packing1"));
+             [](TestWindow& window) {
+                 openSection(window);
+                 window.tap(QStringLiteral("packing1"));
              }},
             wizardAt("packing-wizard", Step::Explain),
             wizardAt("packing-wizard-cutting", Step::Cutting),
             wizardAt("packing-wizard-measure", Step::Measure),
             {QStringLiteral("packing-wizard-keypad"),
-             [](Stage& stage) {
-                 openWizard(stage, Step::Measure);
-                 stage.tap(QStringLiteral("wizardEnter"));
+             [](TestWindow& window) {
+                 openWizard(window, Step::Measure);
+                 window.tap(QStringLiteral("wizardEnter"));
              }},
             wizardAt("packing-wizard-confirm", Step::Confirm)};
 }

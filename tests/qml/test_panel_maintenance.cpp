@@ -2,7 +2,7 @@
 // The machine's sections of Service by touch: a held jog key, the events that release it, and the dial of the
 // dry run.
 #include "panel_test.h"
-#include "tests/looks/scenes.h"
+#include "tests/looks/screens.h"
 #include "tests/support/test_program.h"
 
 #include <cmath>
@@ -12,22 +12,22 @@ namespace test_panel_service {
 using campanel::link::JogDirection;
 using Situation = campanel::looks::DemoLink::Situation;
 
-class TestPanelService : public campanel::test::PanelTest {
+class TestPanelMaintenance : public campanel::test::PanelTest {
     Q_OBJECT
 
-    auto& jog() { return *m_stage->panel().service().jog(); }
-    auto& link() { return m_stage->link(); }
+    auto& jog() { return *m_window->panel().maintenance().jog(); }
+    auto& link() { return m_window->link(); }
     void enter(const char* name)
     {
-        for (const auto& scene : campanel::looks::allScenes()) {
-            if (scene.name == QLatin1String(name))
-                campanel::looks::enterScene(*m_stage, scene);
+        for (const auto& screen : campanel::looks::allScreens()) {
+            if (screen.name == QLatin1String(name))
+                campanel::looks::enterScreen(*m_window, screen);
         }
     }
     void touch(const char* name)
     {
-        m_stage->touch(QString::fromLatin1(name));
-        m_stage->settle();
+        m_window->touch(QString::fromLatin1(name));
+        m_window->settle();
     }
 
 private slots:
@@ -37,11 +37,11 @@ private slots:
         QCOMPARE(link().jog(), JogDirection::None);
         touch("jogForward");
         QCOMPARE(link().jog(), JogDirection::Forward);
-        m_stage->lift();
+        m_window->lift();
         QCOMPARE(link().jog(), JogDirection::None);
         touch("jogReverse");
         QCOMPARE(link().jog(), JogDirection::Reverse);
-        m_stage->lift();
+        m_window->lift();
         QCOMPARE(link().jog(), JogDirection::None);
     }
 
@@ -50,11 +50,11 @@ private slots:
         enter("jog");
         const QPointF on = centerOf(QStringLiteral("jogForward"));
         touch("jogForward");
-        m_stage->slide(on - QPointF(0, 400));
+        m_window->slide(on - QPointF(0, 400));
         QCOMPARE(link().jog(), JogDirection::None);
-        m_stage->slide(on);
+        m_window->slide(on);
         QCOMPARE(link().jog(), JogDirection::None);
-        m_stage->lift();
+        m_window->lift();
     }
 
     void whatTakesTheKeysAwayLetsGo_data()
@@ -74,42 +74,42 @@ private slots:
         touch("jogForward");
         QCOMPARE(link().jog(), JogDirection::Forward);
         if (what == 0)
-            QMetaObject::invokeMethod(m_stage->frame(), "openPage", Q_ARG(QString, QStringLiteral("run")));
+            QMetaObject::invokeMethod(m_window->frame(), "openPage", Q_ARG(QString, QStringLiteral("run")));
         else if (what == 1)
-            QMetaObject::invokeMethod(m_stage->find(QStringLiteral("serviceHoming")), "clicked");
+            QMetaObject::invokeMethod(m_window->find(QStringLiteral("maintenanceHoming")), "clicked");
         else if (what == 2)
-            QMetaObject::invokeMethod(m_stage->find(QStringLiteral("jogSpeed")), "clicked");
+            QMetaObject::invokeMethod(m_window->find(QStringLiteral("jogSpeed")), "clicked");
         else if (what == 3)
-            emit m_stage->panel().access().loginRequested(campanel::panel::Access::Technician);
+            emit m_window->panel().access().loginRequested(campanel::panel::Access::Technician);
         else
-            m_stage->panel().machine().stop();
-        m_stage->settle();
+            m_window->panel().machine().stop();
+        m_window->settle();
         QCOMPARE(link().jog(), JogDirection::None);
         QCOMPARE(jog().held(), 0);
-        m_stage->lift();
-        m_stage->closeDialogs();
+        m_window->lift();
+        m_window->closeDialogs();
     }
 
     void windowThatIsNotInFrontLetsGo()
     {
         enter("jog");
-        m_stage->window().show();
-        m_stage->window().requestActivate();
-        QVERIFY(QTest::qWaitForWindowActive(&m_stage->window()));
+        m_window->window().show();
+        m_window->window().requestActivate();
+        QVERIFY(QTest::qWaitForWindowActive(&m_window->window()));
         touch("jogForward");
         QCOMPARE(link().jog(), JogDirection::Forward);
         QQuickWindow other;
         other.show();
         other.requestActivate();
         QTRY_COMPARE(link().jog(), JogDirection::None);
-        m_stage->lift();
+        m_window->lift();
     }
 
     void aRunningMachineDoesNotJogAndThePageSaysWhy()
     {
         enter("jog-blocked");
         touch("jogForward");
-        m_stage->lift();
+        m_window->lift();
         QCOMPARE(link().jog(), JogDirection::None);
         QCOMPARE(textOf("jogText"), QStringLiteral("The machine is running. Stop it first."));
     }
@@ -117,23 +117,23 @@ private slots:
     void theDialIsTurned()
     {
         enter("dry-run");
-        auto& run = *m_stage->panel().service().dryRun();
+        auto& run = *m_window->panel().maintenance().dryRun();
         tap("dryRunStart");
         QCOMPARE(run.masterDeg(), 0.0);
         tap("dryRunOn");
         tap("dryRunOn");
         tap("dryRunBack");
         QVERIFY(std::abs(run.masterDeg() - 1) < 1e-9);
-        QQuickItem* dial = m_stage->find(QStringLiteral("dryRunDial"));
+        QQuickItem* dial = m_window->find(QStringLiteral("dryRunDial"));
         QVERIFY(dial);
         const QPointF center = dial->mapToScene(dial->boundingRect().center());
         const double radius = dial->width() / 3;
         touch("dryRunDial"); // its center, or any place
-        m_stage->slide(center + QPointF(0, -radius));
+        m_window->slide(center + QPointF(0, -radius));
         const double before = run.masterDeg();
-        m_stage->slide(center + QPointF(radius, 0));
+        m_window->slide(center + QPointF(radius, 0));
         QVERIFY(std::abs(std::remainder(run.masterDeg() - before - 90, 360)) < 1.0);
-        m_stage->lift();
+        m_window->lift();
         tap("dryRunPlay");
         QVERIFY(run.playing());
         tap("nav_run");
@@ -141,8 +141,8 @@ private slots:
     }
 };
 
-CAMPANEL_TEST(TestPanelService)
+CAMPANEL_TEST(TestPanelMaintenance)
 
 } // namespace test_panel_service
 
-#include "test_panel_service.moc"
+#include "test_panel_maintenance.moc"

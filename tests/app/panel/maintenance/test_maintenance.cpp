@@ -48,7 +48,7 @@ link::ScanReport found()
 
 } // namespace
 
-class TestService : public QObject {
+class TestMaintenance : public QObject {
     Q_OBJECT
 
 private slots:
@@ -72,9 +72,9 @@ private slots:
         rig.connectIdle();
         rig.link.status.state = static_cast<modbus::State>(state);
         rig.link.sendStatus(rig.now);
-        QCOMPARE(rig.service.doctor()->blockedReason().isEmpty(), begins);
-        rig.service.doctor()->search();
-        rig.service.doctor()->diagnose();
+        QCOMPARE(rig.maintenance.doctor()->blockedReason().isEmpty(), begins);
+        rig.maintenance.doctor()->search();
+        rig.maintenance.doctor()->diagnose();
         QCOMPARE(rig.link.scans.size(), begins ? 2 : 0);
     }
 
@@ -84,14 +84,14 @@ private slots:
         rig.connectIdle();
         link::DownloadReport report;
         emit rig.link.downloadReported(report);
-        QVERIFY(!rig.service.doctor()->canBegin());
+        QVERIFY(!rig.maintenance.doctor()->canBegin());
         report.isInterrupted = true; // waits for the doctor's result
         emit rig.link.downloadReported(report);
-        QVERIFY(rig.service.doctor()->canBegin());
+        QVERIFY(rig.maintenance.doctor()->canBegin());
         report = {};
         report.stage = link::DownloadStage::Active;
         emit rig.link.downloadReported(report);
-        QVERIFY(rig.service.doctor()->canBegin());
+        QVERIFY(rig.maintenance.doctor()->canBegin());
     }
 
     void aStopEndsTheSearch()
@@ -105,13 +105,13 @@ private slots:
         report.pendingStop = modbus::Command::StopNow;
         emit rig.link.reported(report);
         QCOMPARE(rig.link.scanCancels, 1);
-        QVERIFY(!rig.service.doctor()->canBegin());
+        QVERIFY(!rig.maintenance.doctor()->canBegin());
     }
 
     void searchSaysHowFarItIs()
     {
         PanelRig rig;
-        panel::LinkDoctor& doctor = *rig.service.doctor();
+        panel::LinkDoctor& doctor = *rig.maintenance.doctor();
         doctor.search();
         QCOMPARE(rig.link.scans, QList<Depth>{Depth::Search});
         link::ScanReport report;
@@ -138,7 +138,7 @@ private slots:
     {
         PanelRig rig;
         rig.machine.open();
-        panel::LinkDoctor& doctor = *rig.service.doctor();
+        panel::LinkDoctor& doctor = *rig.maintenance.doctor();
         emit rig.link.scanReported(found());
         QVERIFY(doctor.canTake());
         QCOMPARE(doctor.foundText(), "/dev/ttyUSB1, 19200 baud, 8E2, unit 7");
@@ -165,8 +165,8 @@ private slots:
             link::ScanReport report;
             report.findings = {finding(static_cast<LineCondition>(i))};
             emit rig.link.scanReported(report);
-            titles << rig.service.doctor()->findings()->row(0).title;
-            sentences << rig.service.doctor()->findings()->row(0).detail;
+            titles << rig.maintenance.doctor()->findings()->row(0).title;
+            sentences << rig.maintenance.doctor()->findings()->row(0).detail;
             QVERIFY2(sentences.last().endsWith(u'.'), qPrintable(titles.last()));
         }
         QCOMPARE(QSet<QString>(sentences.begin(), sentences.end()).size(), sentences.size());
@@ -180,7 +180,7 @@ private slots:
             link::ScanReport report;
             report.findings = {finding};
             emit rig.link.scanReported(report);
-            return rig.service.doctor()->findings()->row(0).detail;
+            return rig.maintenance.doctor()->findings()->row(0).detail;
         };
         auto busy = finding(LineCondition::PortBusy);
         busy.holders = {{812, "screen"}};
@@ -196,7 +196,7 @@ private slots:
     void figuresComeWhileWatched()
     {
         PanelRig rig;
-        panel::LineFigures& figures = *rig.service.figures();
+        panel::LineFigures& figures = *rig.maintenance.figures();
         figures.setWatched(true);
         QVERIFY(rig.link.areFiguresWatched);
         QCOMPARE(figures.times()->rows().first().value, "--");
@@ -234,9 +234,9 @@ private slots:
         link::FiguresReport report;
         report.figures.noteRequest(20, false);
         emit rig.link.figuresReported(report);
-        panel::ReportFiles& files = *rig.service.files();
+        panel::ReportFiles& files = *rig.maintenance.files();
         files.setLooker([](const QString& folder) { return store::exchangePlaces(folder).last(1); });
-        rig.service.figures()->exportCsv();
+        rig.maintenance.figures()->exportCsv();
         QTRY_VERIFY(!files.busy());
         files.write(0);
         QTRY_VERIFY(!files.busy());
@@ -251,12 +251,12 @@ private slots:
     void aPlaceThatCannotBeWrittenIsSaid()
     {
         PanelRig rig;
-        panel::ReportFiles& files = *rig.service.files();
+        panel::ReportFiles& files = *rig.maintenance.files();
         const QString nowhere = rig.folder.filePath(QStringLiteral("nowhere"));
         files.setLooker([nowhere](const QString&) {
             return QList<store::Place>{{nowhere, QStringLiteral("NOWHERE"), false}};
         });
-        rig.service.figures()->exportCsv();
+        rig.maintenance.figures()->exportCsv();
         QTRY_VERIFY(!files.busy());
         files.write(0);
         QTRY_VERIFY(!files.busy());
@@ -265,8 +265,8 @@ private slots:
     }
 };
 
-CAMPANEL_TEST(TestService)
+CAMPANEL_TEST(TestMaintenance)
 
 } // namespace test_service
 
-#include "test_service.moc"
+#include "test_maintenance.moc"

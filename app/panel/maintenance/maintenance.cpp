@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/panel/maintenance/service.h"
+#include "app/panel/maintenance/maintenance.h"
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/kit/engine_instances.h"
@@ -10,7 +10,7 @@
 
 namespace campanel::panel {
 
-Service::Service(Controller& machine, Settings& settings, const QString& folder, QObject* parent)
+Maintenance::Maintenance(Controller& machine, Settings& settings, const QString& folder, QObject* parent)
     : QObject(parent)
     , m_files(QDir(folder).filePath(QStringLiteral("reports")), this)
     , m_doctor(machine, settings, this)
@@ -25,15 +25,15 @@ Service::Service(Controller& machine, Settings& settings, const QString& folder,
     , m_dryRun(this)
 {
     connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
-            &Service::retranslate);
+            &Maintenance::retranslate);
 }
 
-Service* Service::create(QQmlEngine* qmlEngine, QJSEngine*)
+Maintenance* Maintenance::create(QQmlEngine* qmlEngine, QJSEngine*)
 {
-    return attachedInstance<Service>(qmlEngine);
+    return attachedInstance<Maintenance>(qmlEngine);
 }
 
-void Service::retranslate()
+void Maintenance::retranslate()
 {
     m_doctor.retranslate();
     m_simulatedFaults.retranslate();

@@ -24,13 +24,13 @@ constexpr int timeoutMs = 20'000;
 
 QString rampTime(PanelWindow& panel)
 {
-    const panel::RegisterModel& registers = *panel.service().inspector()->registers();
+    const panel::RegisterModel& registers = *panel.maintenance().inspector()->registers();
     return registers.data(registers.index(2), panel::RegisterModel::ValueRole).toString();
 }
 
 } // namespace
 
-class TestServiceAndController : public QObject {
+class TestMaintenanceAndController : public QObject {
     Q_OBJECT
 
 private slots:
@@ -41,26 +41,26 @@ private slots:
         ControllerProcess controller;
         PanelWindow panel(controller.port());
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
-        for (const char* name :
-             {"nav_maintenance", "serviceLine", "service2", "registerGroup", "choice_parameter", "register2"})
+        for (const char* name : {"nav_maintenance", "maintenanceLine", "maintenance2", "registerGroup",
+                                 "choice_parameter", "register2"})
             panel.tap(name);
         QTRY_COMPARE_WITH_TIMEOUT(rampTime(panel), "800 ms", timeoutMs);
         panel.tap("registerWrite");
         panel.tapDigits(QStringLiteral("900"));
         panel.tap("keypadAccept");
-        QTRY_COMPARE_WITH_TIMEOUT(panel.service().inspector()->selectedText(),
+        QTRY_COMPARE_WITH_TIMEOUT(panel.maintenance().inspector()->selectedText(),
                                   "Written and read back from the controller: 900 ms.", timeoutMs);
         QTRY_COMPARE_WITH_TIMEOUT(rampTime(panel), "900 ms", timeoutMs);
 
-        panel.tap("service1");
-        const panel::LineFigures& figures = *panel.service().figures();
+        panel.tap("maintenance1");
+        const panel::LineFigures& figures = *panel.maintenance().figures();
         QTRY_VERIFY_WITH_TIMEOUT(!figures.stripAnswers().isEmpty(), timeoutMs);
         QVERIFY(figures.stripAnswers().last() > 0);
-        QVERIFY(panel.service().figures()->times()->rows()[2].value.endsWith(" ms"));
+        QVERIFY(panel.maintenance().figures()->times()->rows()[2].value.endsWith(" ms"));
 
-        panel.tap("service3");
+        panel.tap("maintenance3");
         panel.tap("framesWrites");
-        panel::FrameList& frames = *panel.service().frames();
+        panel::FrameList& frames = *panel.maintenance().frames();
         QTRY_VERIFY_WITH_TIMEOUT(frames.count() >= 2, timeoutMs);
         QCOMPARE(frames.data(frames.index(0), panel::FrameList::WordsRole).toString(),
                  "Write parameter.ramp_time = 900 ms");
@@ -73,23 +73,24 @@ private slots:
         ControllerProcess controller;
         PanelWindow panel(controller.port());
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
-        for (const char* name : {"nav_maintenance", "serviceMachine", "serviceJog"})
+        for (const char* name : {"nav_maintenance", "maintenanceMachine", "maintenanceJog"})
             panel.tap(name);
-        panel::Jog& jog = *panel.service().jog();
+        panel::Jog& jog = *panel.maintenance().jog();
         QTRY_COMPARE_WITH_TIMEOUT(jog.speed()->frequencyHz(), 1000.0, timeoutMs);
-        panel.finger().touch(QStringLiteral("jogForward"));
+        panel.touchDriver().touch(QStringLiteral("jogForward"));
         QTRY_VERIFY_WITH_TIMEOUT(jog.positionPulses() > 500, timeoutMs); // longer than the validity of a key
         QCOMPARE(panel.machine().state(), Controller::State::Jogging);
-        panel.finger().lift();
+        panel.touchDriver().lift();
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
         const double stoodAt = jog.positionPulses();
 
         // The page disappears under the finger.
-        panel.finger().touch(QStringLiteral("jogReverse"));
+        panel.touchDriver().touch(QStringLiteral("jogReverse"));
         QTRY_VERIFY_WITH_TIMEOUT(jog.positionPulses() < stoodAt - 300, timeoutMs);
-        QMetaObject::invokeMethod(panel.finger().frame(), "openPage", Q_ARG(QString, QStringLiteral("run")));
+        QMetaObject::invokeMethod(panel.touchDriver().frame(), "openPage",
+                                  Q_ARG(QString, QStringLiteral("run")));
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
-        panel.finger().lift();
+        panel.touchDriver().lift();
         QCOMPARE(panel.complaints(), QStringList());
     }
 
@@ -98,9 +99,9 @@ private slots:
         ControllerProcess controller;
         PanelWindow panel(controller.port());
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
-        for (const char* name : {"nav_maintenance", "serviceLine", "service0", "doctorDiagnose"})
+        for (const char* name : {"nav_maintenance", "maintenanceLine", "maintenance0", "doctorDiagnose"})
             panel.tap(name);
-        const panel::LinkDoctor& doctor = *panel.service().doctor();
+        const panel::LinkDoctor& doctor = *panel.maintenance().doctor();
         QTRY_VERIFY_WITH_TIMEOUT(doctor.resultText().startsWith("The connection in use works"), timeoutMs);
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().connection(), Controller::Connection::Connected, timeoutMs);
 
@@ -118,8 +119,8 @@ private slots:
     }
 };
 
-CAMPANEL_TEST(TestServiceAndController)
+CAMPANEL_TEST(TestMaintenanceAndController)
 
 } // namespace test_service_and_controller
 
-#include "test_service_and_controller.moc"
+#include "test_maintenance_and_controller.moc"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks the screen contents; see scene_checks.h.
-#include "tests/looks/scene_checks.h"
+#include "tests/looks/screen_checks.h"
 
 #include <QImage>
 #include <QQuickItem>
@@ -15,7 +15,7 @@ constexpr double overlapPx = 2.0;   // font boxes are larger than the ink
 
 struct PaintedText {
     QString text;
-    QRectF rect; // painted area, in scene coordinates
+    QRectF rect; // painted area, in screen coordinates
 };
 
 bool isText(const QQuickItem& item)
@@ -87,7 +87,7 @@ bool isLetterKey(const QQuickItem& item)
 
 class Checker {
 public:
-    Checker(const SceneLimits& limits, const QImage& picture)
+    Checker(const ScreenLimits& limits, const QImage& picture)
         : m_limits(limits)
         , m_picture(picture)
     {
@@ -182,7 +182,7 @@ private:
                             .arg(limit);
     }
 
-    SceneLimits m_limits;
+    ScreenLimits m_limits;
     const QImage& m_picture;
     QList<PaintedText> m_texts;
     QStringList m_faults;
@@ -201,7 +201,7 @@ QQuickItem* childNamed(QQuickItem& below, const QString& name)
 
 } // namespace
 
-QStringList checkScene(QQuickItem& root, const SceneLimits& limits, const QImage& picture)
+QStringList checkScreen(QQuickItem& root, const ScreenLimits& limits, const QImage& picture)
 {
     QQuickItem* layer = &root;
     for (const char* host : {"firstStart", "sheetHost", "keypadLoader", "loginLoader"}) {

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/looks/screen_lists.h"
+
+#include "tests/looks/test_window.h"
+
+namespace campanel::looks {
+
+namespace {
+
+using Situation = DemoLink::Situation;
+using Kind = DemoLink::Kind;
+
+void openMachineSection(TestWindow& window, const char* section, Situation situation,
+                        Kind kind = Kind::RotaryCutter)
+{
+    window.link().show(situation, kind);
+    window.lookAtClock();
+    for (const char* name : {"nav_maintenance", "maintenanceMachine", section})
+        window.tap(QString::fromLatin1(name));
+}
+
+Screen screen(const char* name, const char* section, Situation situation, Kind kind = Kind::RotaryCutter)
+{
+    return {QString::fromLatin1(name), [section, situation, kind](TestWindow& window) {
+                openMachineSection(window, section, situation, kind);
+            }};
+}
+
+// Opens a section with values from before the line was lost.
+Screen oldValues(const char* name, const char* section)
+{
+    return {QString::fromLatin1(name), [section](TestWindow& window) {
+                openMachineSection(window, section, Situation::Running);
+                window.link().show(Situation::Lost);
+                window.lookAtClock();
+            }};
+}
+
+void tell(TestWindow& window, modbus::State state, std::uint16_t warningBits = 0)
+{
+    modbus::StatusBlock status = *window.panel().machine().status();
+    status.state = state;
+    status.warningBits = warningBits;
+    emit window.link().statusReceived({{{window.link().now(), status}}, 0});
+    window.settle();
+}
+
+// Opens the dry run of a new recipe of this kind, turned by this angle.
+Screen dryRun(const char* name, Kind kind, double turnedDeg)
+{
+    return {QString::fromLatin1(name), [kind, turnedDeg](TestWindow& window) {
+                openMachineSection(window, "maintenanceDryRun", Situation::Stopped);
+                window.panel().editor().newProgram(static_cast<int>(kind));
+                panel::DryRun& run = *window.panel().maintenance().dryRun();
+                run.toStart();
+                run.turn(turnedDeg);
+            }};
+}
+
+} // namespace
+
+QList<Screen> maintenanceScreens()
+{
+    constexpr auto notHomed =
+        static_cast<std::uint16_t>(1U << static_cast<unsigned>(modbus::WarningBit::NotHomed));
+    return {screen("jog", "maintenanceJog", Situation::Stopped),
+            {QStringLiteral("jog-held"),
+             [](TestWindow& window) {
+                 openMachineSection(window, "maintenanceJog", Situation::Stopped);
+                 window.panel().maintenance().jog()->press(1);
+                 tell(window, modbus::State::Jogging);
+             }},
+            screen("jog-press", "maintenanceJog", Situation::Stopped, Kind::Press),
+            screen("jog-blocked", "maintenanceJog", Situation::Running),
+            screen("jog-empty", "maintenanceJog", Situation::Empty),
+            oldValues("jog-lost", "maintenanceJog"),
+            {QStringLiteral("jog-speed"),
+             [](TestWindow& window) {
+                 openMachineSection(window, "maintenanceJog", Situation::Stopped);
+                 window.tap(QStringLiteral("jogSpeed"));
+             }},
+            screen("homing", "maintenanceHoming", Situation::Stopped),
+            {QStringLiteral("homing-needed"),
+             [=](TestWindow& window) {
+                 openMachineSection(window, "maintenanceHoming", Situation::Stopped);
+                 tell(window, modbus::State::Ready, notHomed);
+             }},
+            {QStringLiteral("homing-under-way"),
+             [=](TestWindow& window) {
+                 openMachineSection(window, "maintenanceHoming", Situation::Stopped);
+                 tell(window, modbus::State::Homing, notHomed);
+             }},
+            {QStringLiteral("homing-failed"),
+             [=](TestWindow& window) {
+                 openMachineSection(window, "maintenanceHoming", Situation::Stopped);
+                 tell(window, modbus::State::Homing, notHomed);
+                 tell(window, modbus::State::Fault, notHomed);
+             }},
+            screen("homing-press", "maintenanceHoming", Situation::Stopped, Kind::Press),
+            screen("homing-move", "maintenanceHoming", Situation::Stopped, Kind::PositionMove),
+            screen("homing-empty", "maintenanceHoming", Situation::Empty),
+            screen("io", "maintenanceIo", Situation::Running),
+            screen("io-fault", "maintenanceIo", Situation::Fault),
+            screen("io-press", "maintenanceIo", Situation::Stopped, Kind::Press),
+            oldValues("io-lost", "maintenanceIo"),
+            screen("io-empty", "maintenanceIo", Situation::Absent),
+            dryRun("dry-run", Kind::RotaryCutter, 200),
+            dryRun("dry-run-apart", Kind::RotaryCutter, 62.5),
+            dryRun("dry-run-cam", Kind::PointCam, 135),
+            dryRun("dry-run-press", Kind::Press, 180),
+            dryRun("dry-run-move", Kind::PositionMove, 90)};
+}
+
+} // namespace campanel::looks

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The screens of each part of the panel, for allScenes().
+#pragma once
+
+#include "tests/looks/screens.h"
+
+namespace campanel::looks {
+
+[[nodiscard]] QList<Screen> accessScreens();
+
+// Removes the users of another screen, so that nothing is restricted.
+void forgetUsers(TestWindow& window);
+
+// The PIN of all users in the screens.
+inline constexpr auto screenPin = "258036";
+[[nodiscard]] QList<Screen> alarmScreens();
+[[nodiscard]] QList<Screen> backupScreens();
+[[nodiscard]] QList<Screen> firstScreens();
+[[nodiscard]] QList<Screen> packingScreens();
+[[nodiscard]] QList<Screen> recipeScreens();
+[[nodiscard]] QList<Screen> maintenanceScreens();
+[[nodiscard]] QList<Screen> trendScreens();
+
+} // namespace campanel::looks

@@ -1,0 +1,501 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every page and dialog of the panel; see screens.h.
+#include "tests/looks/screens.h"
+
+#include "tests/looks/screen_lists.h"
+
+#include <QDir>
+#include <QFile>
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <array>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::looks {
+namespace {
+
+using Situation = DemoLink::Situation;
+using Kind = DemoLink::Kind;
+
+// Taps each name in turn; the navigation is "nav_run" (Run), "nav_motion" (Motion), "nav_settings"
+// (Settings), "nav_maintenance" (Service), "nav_alarms" (Alarms).
+Screen taps(const char* name, const QStringList& names)
+{
+    return {QString::fromLatin1(name), [names](TestWindow& window) {
+                for (const QString& tapped : names)
+                    window.tap(tapped);
+            }};
+}
+
+// Opens the explanation of an item by a held finger.
+Screen held(const char* name, const QString& page, const QString& item)
+{
+    return {QString::fromLatin1(name), [page, item](TestWindow& window) {
+                window.tap(page);
+                window.hold(item);
+            }};
+}
+
+// Opens the pages behind the key More, if the screen has one; else a page as it is.
+Screen morePages(const char* name)
+{
+    return {QString::fromLatin1(name), [](TestWindow& window) {
+                window.tap(window.find(QStringLiteral("nav_more")) ? QStringLiteral("nav_more")
+                                                                   : QStringLiteral("nav_run"));
+            }};
+}
+
+Screen situation(const char* name, Situation situation, const QString& page)
+{
+    return {QString::fromLatin1(name), [situation, page](TestWindow& window) {
+                window.link().show(situation);
+                window.lookAtClock();
+                window.tap(page);
+            }};
+}
+
+Screen running(const char* name, Kind kind, Situation situation = Situation::Running)
+{
+    return {QString::fromLatin1(name), [kind, situation](TestWindow& window) {
+                window.link().show(situation, kind);
+                window.lookAtClock();
+                window.tap(QStringLiteral("nav_run"));
+            }};
+}
+
+// Opens Motion with a new program of this kind, also active in the controller, then taps.
+Screen editing(const char* name, Kind kind, const QStringList& names = {})
+{
+    return {QString::fromLatin1(name), [kind, names](TestWindow& window) {
+                window.link().show(Situation::Running, kind);
+                window.lookAtClock();
+                window.panel().editor().newProgram(static_cast<int>(kind));
+                window.tap(QStringLiteral("nav_motion"));
+                for (const QString& tapped : names)
+                    window.tap(tapped);
+            }};
+}
+
+Screen edited(const char* name, double bagLengthMm, const QStringList& names)
+{
+    return {QString::fromLatin1(name), [bagLengthMm, names](TestWindow& window) {
+                window.panel().editor().bagLength()->set(bagLengthMm);
+                for (const QString& tapped : names)
+                    window.tap(tapped);
+            }};
+}
+
+// Returns two files on a simulated stick with their dates, and the panel's own folder.
+panel::KnotFiles::Found knotsOnStick(const QString&)
+{
+    panel::KnotFiles::Found found;
+    const QString path = QStringLiteral("/media/panel/KINGSTON");
+    found.places = {{path, QStringLiteral("KINGSTON"), false},
+                    {QStringLiteral("/media/panel/OLD"), QStringLiteral("OLD"), true}};
+    store::KnotsOffer good;
+    good.path = path + QStringLiteral("/pusher-slow.csv");
+    good.placeName = QStringLiteral("KINGSTON");
+    good.changed = QDateTime(QDate(2026, 1, 15), QTime(13, 52));
+    const auto cam = program::defaultRecipe(Kind::PointCam);
+    good.knots = std::get<profile::PointCamProgram>(cam.program).knots;
+    store::KnotsOffer bad = good;
+    bad.path = path + QStringLiteral("/pusher-new.csv");
+    bad.changed = QDateTime(QDate(2026, 1, 14), QTime(9, 5));
+    bad.knots[2].masterDeg = bad.knots[1].masterDeg - 5;
+    bad.refusal = profile::checkKnots(bad.knots);
+    bad.refusedLine = 4;
+    found.offers = {good, bad};
+    return found;
+}
+
+// Opens the sheet of knot files after the search, then taps.
+Screen knotFiles(const char* name, const QStringList& names)
+{
+    return {QString::fromLatin1(name), [names](TestWindow& window) {
+                window.link().show(Situation::Running, Kind::PointCam);
+                panel::Editor& editor = window.panel().editor();
+                editor.newProgram(static_cast<int>(Kind::PointCam));
+                editor.knotFiles()->setLooker(&knotsOnStick);
+                for (const char* tapped : {"nav_motion", "knotsButton", "knotFilesButton"})
+                    window.tap(QString::fromLatin1(tapped));
+                for (const QString& tapped : names) {
+                    window.waitFor(*editor.knotFiles());
+                    window.tap(tapped);
+                }
+            }};
+}
+
+// Opens a section of Service with the controller at standstill, then taps.
+Screen maintenance(const char* name, const QStringList& names, Situation situation = Situation::Stopped)
+{
+    return {QString::fromLatin1(name), [names, situation](TestWindow& window) {
+                window.link().show(situation);
+                window.lookAtClock();
+                window.tap(QStringLiteral("nav_maintenance"));
+                window.tap(QStringLiteral("maintenanceLine"));
+                for (const QString& tapped : names)
+                    window.tap(tapped);
+            }};
+}
+
+Screen searched(const char* name, bool isFound)
+{
+    return {
+        QString::fromLatin1(name), [isFound](TestWindow& window) {
+            window.link().show(Situation::Absent);
+            for (const char* tapped : {"nav_maintenance", "maintenanceLine", "maintenance0", "doctorSearch"})
+                window.tap(QString::fromLatin1(tapped));
+            window.link().endScan(isFound);
+        }};
+}
+
+// Opens the places for reports after the search.
+Screen reportPlaces(const char* name)
+{
+    return {
+        QString::fromLatin1(name), [](TestWindow& window) {
+            panel::ReportFiles& files = *window.panel().maintenance().files();
+            files.setLooker([](const QString& folder) {
+                return QList<store::Place>{
+                    {QStringLiteral("/media/panel/KINGSTON"), QStringLiteral("KINGSTON"), false},
+                    {QStringLiteral("/media/panel/OLD"), QStringLiteral("OLD"), true},
+                    {folder.section(u'/', -1), QStringLiteral("reports"), false}};
+            });
+            for (const char* tapped : {"nav_maintenance", "maintenanceLine", "maintenance1", "figuresExport"})
+                window.tap(QString::fromLatin1(tapped));
+            window.waitFor(files);
+            window.tap(QStringLiteral("offer0"));
+        }};
+}
+
+} // namespace
+
+const QList<Screen>& allScreens()
+{
+    const QString run = QStringLiteral("nav_run");
+    const QString motion = QStringLiteral("nav_motion");
+    const QString settings = QStringLiteral("nav_settings");
+    const QString length = QStringLiteral("field_bagLength");
+    static const QList<Screen> screens{
+        taps("run", {run}),
+        taps("motion", {motion}),
+        taps("keypad", {motion, length}),
+        {QStringLiteral("keypad-refusal"),
+         [=](TestWindow& window) {
+             window.tap(motion);
+             window.tap(length);
+             window.type(QStringLiteral("99999"));
+         }},
+        taps("keypad-ratios", {motion, QStringLiteral("ratios")}),
+        {QStringLiteral("explanation"),
+         [=](TestWindow& window) {
+             window.tap(motion);
+             window.hold(QStringLiteral("field_baseSpeed"));
+         }},
+        held("explanation-bags", run, QStringLiteral("bagNumbers")),
+        held("explanation-rate", run, QStringLiteral("packingRate")),
+        held("explanation-verdict", motion, QStringLiteral("verdictNumbers")),
+        morePages("more-pages"),
+        taps("laws", {motion, QStringLiteral("lawButton")}),
+        {QStringLiteral("laws-limits"),
+         [=](TestWindow& window) {
+             window.panel().editor().rate()->set(390);
+             window.tap(motion);
+             window.tap(QStringLiteral("lawButton"));
+         }},
+        taps("tools", {motion, QStringLiteral("more")}),
+        taps("table", {motion, QStringLiteral("more"), QStringLiteral("tableButton")}),
+        edited("motion-edited", 320, {motion}),
+        edited("download", 320, {motion, QStringLiteral("nextStep")}),
+        edited("downloading", 320, {motion, QStringLiteral("nextStep"), QStringLiteral("downloadStart")}),
+        {QStringLiteral("motion-refused"),
+         [=](TestWindow& window) {
+             window.panel().editor().bagLength()->set(1500);
+             window.tap(motion);
+         }},
+        {QStringLiteral("motion-limits"),
+         [=](TestWindow& window) {
+             window.panel().editor().rate()->set(390);
+             window.tap(motion);
+         }},
+        taps("settings-display", {settings, QStringLiteral("section0")}),
+        taps("settings-connection", {settings, QStringLiteral("section1")}),
+        {QStringLiteral("settings-serial"),
+         [=](TestWindow& window) {
+             window.panel().settings().setSimulated(false);
+             window.tap(settings);
+             window.tap(QStringLiteral("section1"));
+         }},
+        {QStringLiteral("ports"),
+         [=](TestWindow& window) {
+             window.panel().settings().setSimulated(false);
+             window.tap(settings);
+             window.tap(QStringLiteral("section1"));
+             window.tap(QStringLiteral("portButton"));
+         }},
+        taps("settings-machine", {settings, QStringLiteral("section2")}),
+        taps("keypad-machine",
+             {settings, QStringLiteral("section2"), QStringLiteral("field_maxAcceleration")}),
+        {QStringLiteral("settings-system"),
+         [=](TestWindow& window) {
+             const QString folder =
+                 QFileInfo(window.panel().backup().ownFolder()).dir().filePath(u"backlight"_s);
+             QDir().mkpath(folder + u"/screen"_s);
+             for (const QString& name : {u"brightness"_s, u"max_brightness"_s}) {
+                 QFile file(folder + u"/screen/"_s + name);
+                 if (!file.open(QIODevice::WriteOnly) || file.write("100") < 0)
+                     qWarning("the demonstration's backlight cannot be written");
+             }
+             window.panel().display().setBacklight(panel::Backlight::find(folder));
+             window.tap(settings);
+             window.tap(QStringLiteral("section0"));
+             window.tap(QStringLiteral("sectionSystem"));
+         }},
+        {QStringLiteral("settings-system-plain"),
+         [=](TestWindow& window) {
+             window.panel().display().setBacklight({});
+             window.tap(settings);
+             window.tap(QStringLiteral("section0"));
+             window.tap(QStringLiteral("sectionSystem"));
+         }},
+        taps("wipe", {settings, QStringLiteral("section0"), QStringLiteral("sectionSystem"),
+                      QStringLiteral("wipeScreen")}),
+        taps("settings-about", {settings, QStringLiteral("section3")}),
+        situation("run-stopped", Situation::Stopped, run),
+        situation("run-empty", Situation::Empty, run),
+        situation("run-fault", Situation::Fault, run),
+        situation("run-many-alarms", Situation::ManyAlarms, run),
+        situation("motion-many-alarms", Situation::ManyAlarms, motion),
+        situation("run-product-across", Situation::ProductAcross, run),
+        situation("run-marks-lost", Situation::MarksLost, run),
+        {QStringLiteral("run-old-controller"),
+         [=](TestWindow& window) {
+             window.link().setOld(true);
+             window.link().show(Situation::Stopped);
+             window.link().show(Situation::Running);
+             window.lookAtClock();
+             window.tap(run);
+         }},
+        taps("run-film", {run, QStringLiteral("filmCard")}),
+        taps("bag-tolerance", {settings, QStringLiteral("section2"), QStringLiteral("bagTolerance")}),
+        situation("run-lost", Situation::Lost, run),
+        situation("motion-fault", Situation::Fault, motion),
+        {QStringLiteral("download-start-refused"),
+         [=](TestWindow& window) {
+             window.link().show(Situation::Empty);
+             window.lookAtClock();
+             for (const char* name : {"nav_motion", "nextStep", "startKey"})
+                 window.tap(QString::fromLatin1(name));
+         }},
+        running("run-position", Kind::PositionMove),
+        running("run-speed", Kind::SpeedMove),
+        running("run-cam", Kind::PointCam),
+        running("run-cam-stopped", Kind::PointCam, Situation::Stopped),
+        {QStringLiteral("run-cam-lost"),
+         [=](TestWindow& window) {
+             window.link().show(Situation::Running, Kind::PointCam);
+             window.link().show(Situation::Lost, Kind::PointCam);
+             window.lookAtClock();
+             window.tap(run);
+         }},
+        {QStringLiteral("run-press-lost"),
+         [=](TestWindow& window) {
+             window.link().show(Situation::Running, Kind::Press);
+             window.link().show(Situation::Lost, Kind::Press);
+             window.lookAtClock();
+             window.tap(run);
+         }},
+        {QStringLiteral("run-stop-waits"),
+         [=](TestWindow& window) {
+             window.link().show(Situation::Lost);
+             window.link().showWaitingStop();
+             window.lookAtClock();
+             window.tap(run);
+         }},
+        situation("motion-lost", Situation::Lost, motion),
+        taps("proof",
+             {motion, QStringLiteral("more"), QStringLiteral("proofButton"), QStringLiteral("proofCompare")}),
+        {QStringLiteral("proof-lost"),
+         [=](TestWindow& window) {
+             window.link().show(Situation::Lost);
+             window.lookAtClock();
+             for (const char* name : {"nav_motion", "more", "proofButton"})
+                 window.tap(QString::fromLatin1(name));
+         }},
+        {QStringLiteral("faults"),
+         [=](TestWindow& window) {
+             window.link().setSimulated(true);
+             for (const char* name :
+                  {"nav_maintenance", "maintenanceLine", "maintenance4", "fault0often", "fault1sometimes"})
+                 window.tap(QString::fromLatin1(name));
+         }},
+        running("run-press", Kind::Press),
+        running("run-press-stopped", Kind::Press, Situation::Stopped),
+        running("run-press-fresh", Kind::Press, Situation::Fresh),
+        running("run-press-fault", Kind::Press, Situation::Fault),
+        running("run-position-fresh", Kind::PositionMove, Situation::Fresh),
+        editing("motion-position", Kind::PositionMove),
+        editing("motion-speed", Kind::SpeedMove),
+        editing("motion-cam", Kind::PointCam),
+        editing("motion-press", Kind::Press),
+        editing("knots", Kind::PointCam, {QStringLiteral("knotsButton")}),
+        knotFiles("knots-import", {QStringLiteral("offer0")}),
+        knotFiles("knots-import-refused", {QStringLiteral("offer1")}),
+        knotFiles("knots-export", {QStringLiteral("knotsExport"), QStringLiteral("offer0")}),
+        editing("choice", Kind::SpeedMove, {QStringLiteral("choice0")}),
+        editing("kinds", Kind::PositionMove, {QStringLiteral("more"), QStringLiteral("kindButton")}),
+        editing("tools-cam", Kind::PointCam, {QStringLiteral("more")}),
+        editing("table-press", Kind::Press, {QStringLiteral("more"), QStringLiteral("tableButton")}),
+        {QStringLiteral("laws-move"),
+         [=](TestWindow& window) {
+             window.panel().editor().newProgram(static_cast<int>(Kind::PositionMove));
+             window.panel().editor().compareLaw(QStringLiteral("modified_sine"));
+             window.tap(motion);
+             window.tap(QStringLiteral("lawButton"));
+         }},
+        {QStringLiteral("motion-compared"),
+         [=](TestWindow& window) {
+             window.panel().editor().newProgram(static_cast<int>(Kind::PositionMove));
+             window.panel().editor().compareLaw(QStringLiteral("modified_sine"));
+             window.tap(motion);
+         }},
+        maintenance("doctor", {QStringLiteral("maintenance0")}),
+        maintenance("doctor-blocked", {QStringLiteral("maintenance0")}, Situation::Running),
+        maintenance("doctor-searching", {QStringLiteral("maintenance0"), QStringLiteral("doctorSearch")}),
+        searched("doctor-found", true),
+        searched("doctor-not-found", false),
+        maintenance("figures", {QStringLiteral("maintenance1")}),
+        {QStringLiteral("figures-explained"),
+         [=](TestWindow& window) {
+             window.link().show(Situation::Stopped);
+             for (const char* name : {"nav_maintenance", "maintenanceLine", "maintenance1"})
+                 window.tap(QString::fromLatin1(name));
+             window.hold(QStringLiteral("figuresTimes"));
+         }},
+        reportPlaces("figures-export"),
+        maintenance("registers", {QStringLiteral("maintenance2")}, Situation::Running),
+        maintenance("registers-group", {QStringLiteral("maintenance2"), QStringLiteral("registerGroup")}),
+        maintenance("registers-name", {QStringLiteral("maintenance2"), QStringLiteral("registerName"),
+                                       QStringLiteral("key_p"), QStringLiteral("key_a")}),
+        maintenance("registers-parameter", {QStringLiteral("maintenance2"), QStringLiteral("registerGroup"),
+                                            QStringLiteral("choice_parameter"), QStringLiteral("register1")}),
+        maintenance("registers-write", {QStringLiteral("maintenance2"), QStringLiteral("registerGroup"),
+                                        QStringLiteral("choice_parameter"), QStringLiteral("register1"),
+                                        QStringLiteral("registerWrite")}),
+        maintenance("frames", {QStringLiteral("maintenance3"), QStringLiteral("framesAll")},
+                    Situation::Running),
+        maintenance("frames-errors", {QStringLiteral("maintenance3"), QStringLiteral("framesErrors")}),
+        maintenance("frames-one", {QStringLiteral("maintenance3"), QStringLiteral("framesAll"),
+                                   QStringLiteral("frameList")}),
+        {QStringLiteral("motion-all-curves"),
+         [=](TestWindow& window) {
+             for (const char* name : {"nav_motion", "more", "positionSwitch", "jerkSwitch", "sheetClose"})
+                 window.tap(QString::fromLatin1(name));
+         }},
+    };
+    static const QList<Screen> all = screens + packingScreens() + recipeScreens() + trendScreens() +
+                                     alarmScreens() + accessScreens() + firstScreens() + backupScreens() +
+                                     maintenanceScreens();
+    return all;
+}
+
+namespace {
+
+constexpr std::array variantSizes{QSize(800, 480), QSize(1024, 600), QSize(1280, 800)};
+
+QStringList usualVariants()
+{
+    QStringList names;
+    for (const QSize size : variantSizes) {
+        // Colors change no layout except for the bold name of the theme. So dark and high contrast need only
+        // one language at each size, in turn, and gloves and longer texts only one theme.
+        const bool isMiddle = size.width() == 1024;
+        const QString light = u"light"_s;
+        const QString english = u"en"_s;
+        const QString chinese = u"zh_CN"_s;
+        for (const Variant& variant : {Variant{english, light, size}, Variant{chinese, light, size},
+                                       Variant{isMiddle ? chinese : english, u"dark"_s, size},
+                                       Variant{isMiddle ? english : chinese, u"contrast"_s, size},
+                                       Variant{u"long"_s, light, size}, Variant{english, light, size, true}})
+            names += variant.name();
+    }
+    return names;
+}
+
+bool isNamed(const QStringList& patterns, const QString& name)
+{
+    return std::ranges::any_of(patterns, [&name](const QString& pattern) {
+        return QRegularExpression::fromWildcard(pattern).match(name).hasMatch();
+    });
+}
+
+} // namespace
+
+QList<Variant> allVariants()
+{
+    QList<Variant> variants;
+    for (const QSize size : variantSizes) {
+        for (const char* theme : {"light", "dark", "contrast"}) {
+            for (const char* language : {"en", "zh_CN", "long"}) {
+                for (const bool gloves : {false, true})
+                    variants.append(
+                        {QString::fromLatin1(language), QString::fromLatin1(theme), size, gloves});
+            }
+        }
+    }
+    return variants;
+}
+
+QList<Variant> variantsNamed(const QString& patterns)
+{
+    QStringList each = patterns.split(u',');
+    if (each.removeAll(u"usual"_s) > 0)
+        each += usualVariants();
+    QList<Variant> variants = allVariants();
+    variants.removeIf([&each](const Variant& variant) { return !isNamed(each, variant.name()); });
+    return variants;
+}
+
+QList<Screen> screensNamed(const QString& patterns)
+{
+    QList<Screen> screens = allScreens();
+    screens.removeIf(
+        [each = patterns.split(u',')](const Screen& screen) { return !isNamed(each, screen.name); });
+    return screens;
+}
+
+void enterScreen(TestWindow& window, const Screen& screen)
+{
+    auto& editor = window.panel().editor();
+    panel::Display& display = window.panel().display();
+    while (display.wipeSeconds() > 0) // no taps during cleaning
+        display.tick();
+    window.closeDialogs();
+    window.panel().settings().endFirstStart();
+    forgetUsers(window);
+    editor.cancelDownload();
+    editor.compareLaw({});
+    while (editor.canUndo())
+        editor.undo();
+    window.panel().settings().setSimulated(true);
+    window.panel().maintenance().doctor()->cancel();
+    window.panel().maintenance().inspector()->setGroup({});
+    window.panel().maintenance().inspector()->setNameFilter({});
+    window.panel().maintenance().jog()->letGo();
+    window.link().setSimulated(false);
+    if (window.link().setOld(false))
+        window.link().show(Situation::Empty);
+    window.link().show(Situation::Running);
+    window.panel().machine().dismissMessage();
+    window.settle();
+    while (window.panel().alarms().shelved()->count() > 0)
+        window.panel().alarms().unshelve(0);
+    window.panel().alarms().acknowledgeAll();
+    window.lookAtClock();
+    screen.enter(window);
+    window.settle();
+}
+
+} // namespace campanel::looks

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// Loads pages and dialogs in each variant and fails on any warning, clipped text, small target or unreachable
+// Stop.
+#pragma once
+
+#include "tests/looks/screens.h"
+
+namespace campanel::looks {
+
+// Returns the exit code for main().
+[[nodiscard]] int checkVariants(const QList<Variant>& variants, const QList<Screen>& screens);
+
+} // namespace campanel::looks
