@@ -77,9 +77,9 @@ void LinkWorker::startSimulator()
         m_report.portName = port;
         stepAfter(0ms);
     });
-    connect(m_simulator.get(), &SimulatedController::notFound, this, [this](const QString& lookedFor) {
+    connect(m_simulator.get(), &SimulatedController::notFound, this, [this](const QString& searched) {
         m_report.simulator = SimulatorState::NotFound;
-        m_report.simulatorDetail = lookedFor;
+        m_report.simulatorDetail = searched;
         report(LinkState::PortProblem);
     });
     connect(m_simulator.get(), &SimulatedController::ended, this, [this](const QString& lastWords) {

@@ -41,7 +41,7 @@ public:
 signals:
     // Emitted after the start, and when its port was unplugged and is back, possibly under another name.
     void serving(const QString& port);
-    void notFound(const QString& lookedFor);
+    void notFound(const QString& searched);
     // Emitted before the restart a moment later. `lastWords` is its standard error output.
     void ended(const QString& lastWords);
     void faultsAnswered(const campanel::link::FaultsOutcome& outcome);

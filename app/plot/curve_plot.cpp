@@ -125,12 +125,12 @@ void CurvePlot::rebuildPanels()
 
 void CurvePlot::placePanels()
 {
-    const PlotStyle look = style();
+    const PlotStyle plotStyle = style();
     const QFontMetricsF axisMetrics(m_style.axisFont);
     const QFontMetricsF titleMetrics(m_style.titleFont);
     m_labelWidth = std::max(m_labelWidth, axisMetrics.horizontalAdvance(QStringLiteral("0000")) + labelGap);
     for (const PlotPanel& panel : m_panels) {
-        m_labelWidth = std::max(m_labelWidth, std::ceil(panel.labelWidth(look)));
+        m_labelWidth = std::max(m_labelWidth, std::ceil(panel.labelWidth(plotStyle)));
     }
     const bool titled =
         std::any_of(m_titles.cbegin(), m_titles.cend(), [](const QString& t) { return !t.isEmpty(); });

@@ -55,17 +55,17 @@ void CurvePlot::print(QPainter& painter)
 
 void CurvePlot::paintStatic(QPainter& painter) const
 {
-    const PlotStyle look = style();
+    const PlotStyle plotStyle = style();
     paintTints(painter);
     for (const PlotPanel& panel : m_panels) {
-        panel.paintGrid(painter, look);
+        panel.paintGrid(painter, plotStyle);
     }
     paintMarkers(painter);
     for (const PlotPanel& panel : m_panels) {
-        panel.paintCurves(painter, look, colorOf(panel.quantity()), m_timeMap);
+        panel.paintCurves(painter, plotStyle, colorOf(panel.quantity()), m_timeMap);
     }
     paintTitles(painter);
-    paintTimeLabels(painter, look);
+    paintTimeLabels(painter, plotStyle);
 }
 
 void CurvePlot::paintTints(QPainter& painter) const
@@ -127,7 +127,7 @@ void CurvePlot::paintTitles(QPainter& painter) const
     }
 }
 
-void CurvePlot::paintTimeLabels(QPainter& painter, const PlotStyle& look) const
+void CurvePlot::paintTimeLabels(QPainter& painter, const PlotStyle& plotStyle) const
 {
     if (!m_curveSet && !m_overlaySet && std::isnan(m_timeMaximum)) {
         return;
@@ -142,8 +142,8 @@ void CurvePlot::paintTimeLabels(QPainter& painter, const PlotStyle& look) const
     labels.move(m_plotArea.bottomLeft());
     labels.setLength(m_plotArea.width());
     QPalette palette;
-    palette.setColor(QPalette::Text, look.secondaryInk);
-    painter.setFont(look.axisFont);
+    palette.setColor(QPalette::Text, plotStyle.secondaryInk);
+    painter.setFont(plotStyle.axisFont);
     labels.draw(&painter, palette);
 }
 
@@ -194,19 +194,19 @@ void CurvePlot::paintCursor(QPainter& painter) const
 
 PlotStyle CurvePlot::style() const
 {
-    PlotStyle look;
-    look.grid = m_style.gridColor;
-    look.surface = m_style.surfaceColor;
-    look.secondaryInk = m_style.secondaryInkColor;
-    look.overlay = m_style.overlayColor;
-    look.limit = m_style.limitColor;
-    look.violation = m_style.violationColor;
-    look.lineWidth = m_style.lineWidth;
-    look.overlayLineWidth = m_style.overlayLineWidth;
-    look.axisFont = m_style.axisFont;
-    look.locale = m_style.locale;
-    look.limitLabel = m_limitLabel;
-    return look;
+    PlotStyle plotStyle;
+    plotStyle.grid = m_style.gridColor;
+    plotStyle.surface = m_style.surfaceColor;
+    plotStyle.secondaryInk = m_style.secondaryInkColor;
+    plotStyle.overlay = m_style.overlayColor;
+    plotStyle.limit = m_style.limitColor;
+    plotStyle.violation = m_style.violationColor;
+    plotStyle.lineWidth = m_style.lineWidth;
+    plotStyle.overlayLineWidth = m_style.overlayLineWidth;
+    plotStyle.axisFont = m_style.axisFont;
+    plotStyle.locale = m_style.locale;
+    plotStyle.limitLabel = m_limitLabel;
+    return plotStyle;
 }
 
 QColor CurvePlot::colorOf(Quantity quantity) const

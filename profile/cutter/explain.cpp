@@ -123,27 +123,27 @@ Explanation explainPinned(const RotaryCutter& cutter, Field field)
 
 } // namespace
 
-Explanation explain(const RotaryCutter& cutter, Quantity quantity)
+Explanation explain(const RotaryCutter& cutter, CutterQuantity quantity)
 {
     const auto pinnedOr = [&](Field field, Explanation (*derived)(const RotaryCutter&)) {
         return isPinned(cutter.program, field) ? explainPinned(cutter, field) : derived(cutter);
     };
     switch (quantity) {
-    case Quantity::BagLength:
+    case CutterQuantity::BagLength:
         return pinnedOr(Field::BagLength, explainBagLength);
-    case Quantity::Rate:
+    case CutterQuantity::Rate:
         return pinnedOr(Field::Rate, explainRate);
-    case Quantity::BaseSpeed:
+    case CutterQuantity::BaseSpeed:
         return pinnedOr(Field::BaseSpeed, explainBaseSpeed);
-    case Quantity::FilmSpeed:
+    case CutterQuantity::FilmSpeed:
         return pinnedOr(Field::FilmSpeed, explainFilmSpeed);
-    case Quantity::Weight:
+    case CutterQuantity::Weight:
         return explainWeight(cutter);
-    case Quantity::PeakMotorRpm:
+    case CutterQuantity::PeakMotorRpm:
         return explainRpm(cutter);
-    case Quantity::PeakAcceleration:
+    case CutterQuantity::PeakAcceleration:
         return explainAcceleration(cutter);
-    case Quantity::PeakFrequency:
+    case CutterQuantity::PeakFrequency:
         return explainFrequency(cutter);
     }
     return {};

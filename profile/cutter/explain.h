@@ -10,7 +10,7 @@
 
 namespace campanel::profile {
 
-enum class Quantity : std::uint8_t {
+enum class CutterQuantity : std::uint8_t {
     BagLength,
     Rate,
     BaseSpeed,
@@ -29,6 +29,6 @@ struct Explanation {
 };
 
 // Returns the explanation of a quantity. For a pinned quantity, formula and numbers are the value itself.
-[[nodiscard]] Explanation explain(const RotaryCutter& cutter, Quantity quantity);
+[[nodiscard]] Explanation explain(const RotaryCutter& cutter, CutterQuantity quantity);
 
 } // namespace campanel::profile

@@ -170,13 +170,13 @@ std::optional<IntervalLines::Tried> IntervalLines::tightest(std::size_t lineCoun
 {
     constexpr double precision = 1.015;
     constexpr double firstStep = 1.2;
-    const double smallestHz = 1e-7 * m_curve.fastestHz();
+    const double minHz = 1e-7 * m_curve.fastestHz();
     double high = guessHz;
     double step = firstStep;
     auto best = within(high, lineCount, style, shiftHz);
     double low = high;
     if (best) {
-        while (high > smallestHz) {
+        while (high > minHz) {
             low = high / step;
             auto better = within(low, lineCount, style, shiftHz);
             if (!better)
@@ -195,7 +195,7 @@ std::optional<IntervalLines::Tried> IntervalLines::tightest(std::size_t lineCoun
             best = within(high, lineCount, style, shiftHz);
         }
     }
-    while (high > smallestHz && high > precision * low) {
+    while (high > minHz && high > precision * low) {
         const double middle = std::sqrt(high * low);
         if (auto better = within(middle, lineCount, style, shiftHz)) {
             best = std::move(better);

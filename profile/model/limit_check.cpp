@@ -35,8 +35,9 @@ template <typename Condition> double lastTrueS(double trueS, double falseS, Cond
 }
 
 // Appends the part of [fromS, toS] above the limit; |quantity| must be monotone there.
-template <typename Quantity>
-void appendBrokenSpan(std::vector<TimeSpan>& spans, double fromS, double toS, double limit, Quantity quantity)
+template <typename CutterQuantity>
+void appendBrokenSpan(std::vector<TimeSpan>& spans, double fromS, double toS, double limit,
+                      CutterQuantity quantity)
 {
     const auto isOver = [&](double timeS) { return exceeds(std::abs(quantity(timeS)), limit); };
     const bool startBroken = isOver(fromS);

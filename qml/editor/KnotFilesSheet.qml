@@ -20,7 +20,7 @@ OfferSheet {
     emptyText: qsTr("There is no CSV file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.").arg(Editor.knotFiles.ownFolder)
     actionText: exports ? qsTr("Write file") : qsTr("Import")
     headHeight: way.height + Theme.size.spacing
-    Component.onCompleted: Editor.knotFiles.look()
+    Component.onCompleted: Editor.knotFiles.scan()
     onAccepted: row => {
         if (sheet.exports) {
             Editor.knotFiles.write(row)
@@ -39,7 +39,7 @@ OfferSheet {
         onChosen: key => {
             sheet.exports = key
             sheet.chosen = -1
-            Editor.knotFiles.look()
+            Editor.knotFiles.scan()
         }
     }
 }

@@ -23,7 +23,7 @@ Sheet {
     }
 
     title: sheet.versions ? qsTr("Versions of %1").arg(Recipes.chosenName) : qsTr("Compare %1").arg(Recipes.chosenName)
-    Component.onCompleted: sheet.versions ? Recipes.lookAtVersions() : Recipes.lookAtOthers()
+    Component.onCompleted: sheet.versions ? Recipes.listVersions() : Recipes.listOthers()
 
     ListView {
         id: list

@@ -248,7 +248,7 @@ Page {
             offers: Recipes.files.files
             emptyText: qsTr("There is no recipe file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.").arg(Recipes.files.ownFolder)
             actionText: qsTr("Import")
-            Component.onCompleted: Recipes.files.look()
+            Component.onCompleted: Recipes.files.scan()
             onAccepted: row => {
                 Recipes.files.take(row)
                 imports.closed()

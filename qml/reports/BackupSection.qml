@@ -113,7 +113,7 @@ MaintenanceSection {
             emptyText: qsTr("There is no backup on a USB stick or on this panel. Plug a stick in; the panel finds it automatically.")
             workText: qsTr("Checking …")
             actionText: qsTr("Check and restore")
-            Component.onCompleted: Backup.look()
+            Component.onCompleted: Backup.scan()
             onAccepted: row => Backup.check(row)
         }
     }

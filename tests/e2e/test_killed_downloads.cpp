@@ -77,7 +77,7 @@ class TestKilledDownloads : public QObject {
             take(line);
     }
 
-    void lookAtController(bool mustRun)
+    void checkController(bool mustRun)
     {
         link::ThreadedLink link(nullptr);
         const QTemporaryDir folder;
@@ -103,7 +103,7 @@ class TestKilledDownloads : public QObject {
         m_begun << crc;
     }
 
-    void lookAtDatabase()
+    void checkDatabase()
     {
         auto opened = store::Database::open(m_folder.path());
         QVERIFY2(opened, opened ? "" : qPrintable(store::StoreErrorText::describe(opened.error())));
@@ -129,9 +129,9 @@ private slots:
             const int lifeMs = isFirst ? 3000 : random.bounded(longestMs);
             runAndKill(lifeMs);
             if (!QTest::currentTestFailed())
-                lookAtController(!isFirst);
+                checkController(!isFirst);
             if (!QTest::currentTestFailed())
-                lookAtDatabase();
+                checkDatabase();
             if (QTest::currentTestFailed()) {
                 qWarning("kill %d of seed %u, after %d ms", i, seed, lifeMs);
                 return;

@@ -116,7 +116,7 @@ private:
     }
     static void runLength(PanelWindow& panel);
     static void changeWhileItRuns(PanelWindow& panel);
-    static void lookFromOutsideAndAgain(const QString& port);
+    static void readFromOutsideAndAgain(const QString& port);
 };
 
 void TestPanelAndController::theMainJob()
@@ -133,7 +133,7 @@ void TestPanelAndController::theMainJob()
         if (QTest::currentTestFailed())
             return;
     }
-    lookFromOutsideAndAgain(controller.port());
+    readFromOutsideAndAgain(controller.port());
 }
 
 void TestPanelAndController::runLength(PanelWindow& panel)
@@ -202,7 +202,7 @@ void TestPanelAndController::changeWhileItRuns(PanelWindow& panel)
 }
 
 // The first panel is gone, with all its knowledge.
-void TestPanelAndController::lookFromOutsideAndAgain(const QString& port)
+void TestPanelAndController::readFromOutsideAndAgain(const QString& port)
 {
     const QJsonObject outside = statusFromOutside(port);
     QCOMPARE(outside["generation"].toInt(), 2);

@@ -78,7 +78,7 @@ void showTrouble(TestWindow& window)
     window.link().show(Situation::Lost);
     window.settle();
     window.link().show(Situation::Fault);
-    window.lookAtClock();
+    window.checkClock();
     window.settle();
     window.tap(alarmsPage);
     window.tap(QStringLiteral("alarmsLive"));
@@ -98,7 +98,7 @@ Screen lost(const char* name, const QStringList& names)
 {
     return {QString::fromLatin1(name), [names](TestWindow& window) {
                 window.link().show(Situation::Lost);
-                window.lookAtClock();
+                window.checkClock();
                 window.settle();
                 for (const QString& tapped : names)
                     window.tap(tapped);

@@ -16,7 +16,7 @@ void openBackup(TestWindow& window)
 {
     window.panel().trends().open(); // required for a backup
     window.link().show(DemoLink::Situation::Stopped);
-    window.lookAtClock();
+    window.checkClock();
     for (const char* tapped : {"nav_maintenance", "maintenancePanel", "maintenanceBackup"})
         window.tap(QString::fromLatin1(tapped));
 }
@@ -33,7 +33,7 @@ void fillStick(TestWindow& window)
     panel::Backup& backup = window.panel().backup();
     const QString folder = QFileInfo(backup.ownFolder()).dir().filePath(u"stick"_s);
     QDir().mkpath(folder);
-    backup.setLooker([folder](const QString&) {
+    backup.setScanner([folder](const QString&) {
         return QList<store::Place>{{folder, u"KINGSTON"_s, false}};
     });
     QFile other(folder + u"/photos.zip"_s);
@@ -70,7 +70,7 @@ QList<Screen> backupScreens()
     return {{u"backup"_s, &openBackup},
             {u"backup-places"_s,
              [](TestWindow& window) {
-                 window.panel().backup().setLooker([](const QString&) {
+                 window.panel().backup().setScanner([](const QString&) {
                      return QList<store::Place>{{u"/media/panel/KINGSTON"_s, u"KINGSTON"_s, false}};
                  });
                  openBackup(window);
@@ -80,7 +80,7 @@ QList<Screen> backupScreens()
              }},
             {u"bundle-places"_s,
              [](TestWindow& window) {
-                 window.panel().maintenance().files()->setLooker([](const QString&) {
+                 window.panel().maintenance().files()->setScanner([](const QString&) {
                      return QList<store::Place>{{u"/media/panel/KINGSTON"_s, u"KINGSTON"_s, false}};
                  });
                  openBackup(window);
@@ -91,7 +91,7 @@ QList<Screen> backupScreens()
              }},
             {u"restore-none"_s,
              [](TestWindow& window) {
-                 window.panel().backup().setLooker([](const QString&) { return QList<store::Place>(); });
+                 window.panel().backup().setScanner([](const QString&) { return QList<store::Place>(); });
                  openBackup(window);
                  window.tap(u"backupRestore"_s);
                  waitUntilIdle(window);

@@ -12,7 +12,7 @@ Screen step(const char* name, int steps, const QStringList& tapped = {})
 {
     return {QString::fromLatin1(name), [steps, tapped](TestWindow& window) {
                 window.link().show(DemoLink::Situation::Empty);
-                window.lookAtClock();
+                window.checkClock();
                 window.panel().settings().beginFirstStart();
                 window.settle();
                 for (int i = 0; i < steps; ++i)

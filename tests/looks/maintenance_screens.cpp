@@ -14,7 +14,7 @@ void openMachineSection(TestWindow& window, const char* section, Situation situa
                         Kind kind = Kind::RotaryCutter)
 {
     window.link().show(situation, kind);
-    window.lookAtClock();
+    window.checkClock();
     for (const char* name : {"nav_maintenance", "maintenanceMachine", section})
         window.tap(QString::fromLatin1(name));
 }
@@ -32,7 +32,7 @@ Screen oldValues(const char* name, const char* section)
     return {QString::fromLatin1(name), [section](TestWindow& window) {
                 openMachineSection(window, section, Situation::Running);
                 window.link().show(Situation::Lost);
-                window.lookAtClock();
+                window.checkClock();
             }};
 }
 

@@ -49,7 +49,7 @@ Packer following()
 void showValues(TestWindow& window, double bags = 12480)
 {
     window.link().show(DemoLink::Situation::Running);
-    window.lookAtClock();
+    window.checkClock();
     for (const modbus::RegisterInfo& info : modbus::registers()) {
         if (info.name.starts_with("parameter."))
             window.link().exchange({0, std::string(info.name), info.defaultValue});
@@ -112,7 +112,7 @@ QList<Screen> packingScreens()
     return {{QStringLiteral("packing-unknown"),
              [](TestWindow& window) {
                  window.link().show(DemoLink::Situation::Empty);
-                 window.lookAtClock();
+                 window.checkClock();
                  for (const char* name : {"nav_maintenance", "maintenanceMachine", "maintenancePacking"})
                      window.tap(QString::fromLatin1(name));
              }},

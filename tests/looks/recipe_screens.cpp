@@ -88,7 +88,7 @@ Screen importing(const char* name, const QString& tapped)
 {
     return {QString::fromLatin1(name), [tapped](TestWindow& window) {
                 panel::RecipeFiles& files = *window.panel().recipes().files();
-                files.setLooker(&recipesOnStick);
+                files.setScanner(&recipesOnStick);
                 openLibrary(window, {QStringLiteral("recipeImport")});
                 window.waitFor(files);
                 window.tap(tapped);

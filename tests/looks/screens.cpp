@@ -51,7 +51,7 @@ Screen situation(const char* name, Situation situation, const QString& page)
 {
     return {QString::fromLatin1(name), [situation, page](TestWindow& window) {
                 window.link().show(situation);
-                window.lookAtClock();
+                window.checkClock();
                 window.tap(page);
             }};
 }
@@ -60,7 +60,7 @@ Screen running(const char* name, Kind kind, Situation situation = Situation::Run
 {
     return {QString::fromLatin1(name), [kind, situation](TestWindow& window) {
                 window.link().show(situation, kind);
-                window.lookAtClock();
+                window.checkClock();
                 window.tap(QStringLiteral("nav_run"));
             }};
 }
@@ -70,7 +70,7 @@ Screen editing(const char* name, Kind kind, const QStringList& names = {})
 {
     return {QString::fromLatin1(name), [kind, names](TestWindow& window) {
                 window.link().show(Situation::Running, kind);
-                window.lookAtClock();
+                window.checkClock();
                 window.panel().editor().newProgram(static_cast<int>(kind));
                 window.tap(QStringLiteral("nav_motion"));
                 for (const QString& tapped : names)
@@ -117,7 +117,7 @@ Screen knotFiles(const char* name, const QStringList& names)
                 window.link().show(Situation::Running, Kind::PointCam);
                 panel::Editor& editor = window.panel().editor();
                 editor.newProgram(static_cast<int>(Kind::PointCam));
-                editor.knotFiles()->setLooker(&knotsOnStick);
+                editor.knotFiles()->setScanner(&knotsOnStick);
                 for (const char* tapped : {"nav_motion", "knotsButton", "knotFilesButton"})
                     window.tap(QString::fromLatin1(tapped));
                 for (const QString& tapped : names) {
@@ -132,7 +132,7 @@ Screen maintenance(const char* name, const QStringList& names, Situation situati
 {
     return {QString::fromLatin1(name), [names, situation](TestWindow& window) {
                 window.link().show(situation);
-                window.lookAtClock();
+                window.checkClock();
                 window.tap(QStringLiteral("nav_maintenance"));
                 window.tap(QStringLiteral("maintenanceLine"));
                 for (const QString& tapped : names)
@@ -157,7 +157,7 @@ Screen reportPlaces(const char* name)
     return {
         QString::fromLatin1(name), [](TestWindow& window) {
             panel::ReportFiles& files = *window.panel().maintenance().files();
-            files.setLooker([](const QString& folder) {
+            files.setScanner([](const QString& folder) {
                 return QList<store::Place>{
                     {QStringLiteral("/media/panel/KINGSTON"), QStringLiteral("KINGSTON"), false},
                     {QStringLiteral("/media/panel/OLD"), QStringLiteral("OLD"), true},
@@ -275,7 +275,7 @@ const QList<Screen>& allScreens()
              window.link().setOld(true);
              window.link().show(Situation::Stopped);
              window.link().show(Situation::Running);
-             window.lookAtClock();
+             window.checkClock();
              window.tap(run);
          }},
         taps("run-film", {run, QStringLiteral("filmCard")}),
@@ -285,7 +285,7 @@ const QList<Screen>& allScreens()
         {QStringLiteral("download-start-refused"),
          [=](TestWindow& window) {
              window.link().show(Situation::Empty);
-             window.lookAtClock();
+             window.checkClock();
              for (const char* name : {"nav_motion", "nextStep", "startKey"})
                  window.tap(QString::fromLatin1(name));
          }},
@@ -297,21 +297,21 @@ const QList<Screen>& allScreens()
          [=](TestWindow& window) {
              window.link().show(Situation::Running, Kind::PointCam);
              window.link().show(Situation::Lost, Kind::PointCam);
-             window.lookAtClock();
+             window.checkClock();
              window.tap(run);
          }},
         {QStringLiteral("run-press-lost"),
          [=](TestWindow& window) {
              window.link().show(Situation::Running, Kind::Press);
              window.link().show(Situation::Lost, Kind::Press);
-             window.lookAtClock();
+             window.checkClock();
              window.tap(run);
          }},
         {QStringLiteral("run-stop-waits"),
          [=](TestWindow& window) {
              window.link().show(Situation::Lost);
              window.link().showWaitingStop();
-             window.lookAtClock();
+             window.checkClock();
              window.tap(run);
          }},
         situation("motion-lost", Situation::Lost, motion),
@@ -320,7 +320,7 @@ const QList<Screen>& allScreens()
         {QStringLiteral("proof-lost"),
          [=](TestWindow& window) {
              window.link().show(Situation::Lost);
-             window.lookAtClock();
+             window.checkClock();
              for (const char* name : {"nav_motion", "more", "proofButton"})
                  window.tap(QString::fromLatin1(name));
          }},
@@ -493,7 +493,7 @@ void enterScreen(TestWindow& window, const Screen& screen)
     while (window.panel().alarms().shelved()->count() > 0)
         window.panel().alarms().unshelve(0);
     window.panel().alarms().acknowledgeAll();
-    window.lookAtClock();
+    window.checkClock();
     screen.enter(window);
     window.settle();
 }

@@ -50,7 +50,7 @@ TestWindow::TestWindow(const Variant& variant)
     m_panel.commissioning().setWallClock(wallClock);
     m_panel.alarms().setWallClock(wallClock);
     m_panel.alarms().setPaceMs(0);
-    lookAtClock();
+    checkClock();
     m_isReady = m_panel.load(variant.size);
     if (!m_isReady)
         return;
@@ -83,7 +83,7 @@ void TestWindow::tap(const QString& name)
     TouchDriver::tap(QStringLiteral("choice_") + name.mid(navigation.size()));
 }
 
-void TestWindow::lookAtClock()
+void TestWindow::checkClock()
 {
     m_panel.machine().setClock([this] { return m_link.now(); });
     m_panel.maintenance().frames()->setTimeOfDay(m_link.now(), QDateTime(QDate(2026, 1, 15), QTime(14, 7)));

@@ -37,7 +37,7 @@ public:
     // groups.
     void tap(const QString& name);
     // Updates the age of the machine's data, as its timer does every tenth of a real second.
-    void lookAtClock();
+    void checkClock();
     // Waits until the search has ended.
     void waitFor(panel::KnotFiles& files);
     void waitFor(panel::ReportFiles& files);

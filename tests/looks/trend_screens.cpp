@@ -217,7 +217,7 @@ QList<Screen> trendScreens()
              }},
             {QStringLiteral("trends-export"), [](TestWindow& window) {
                  panel::ReportFiles& files = *window.panel().maintenance().files();
-                 files.setLooker([](const QString&) {
+                 files.setScanner([](const QString&) {
                      return QList<store::Place>{
                          {QStringLiteral("/media/panel/KINGSTON"), QStringLiteral("KINGSTON"), false}};
                  });

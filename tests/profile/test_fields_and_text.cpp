@@ -231,15 +231,15 @@ void TestFieldsAndText::explanationsAddUp()
     const auto cutter = solve(r.program, r.machine);
     QVERIFY(cutter.has_value());
     const Peaks peak = peaks(*cutter);
-    const std::array<std::pair<Quantity, double>, 8> expected{
-        {{Quantity::BagLength, c.bagLengthMm},
-         {Quantity::Rate, c.rateBagsPerMin},
-         {Quantity::BaseSpeed, c.baseSpeedMmPerS},
-         {Quantity::FilmSpeed, c.filmSpeedMmPerS},
-         {Quantity::Weight, c.weightS},
-         {Quantity::PeakMotorRpm, peak.motorRpm},
-         {Quantity::PeakAcceleration, peak.accelerationMmPerS2},
-         {Quantity::PeakFrequency, peak.pulseFrequencyHz}}};
+    const std::array<std::pair<CutterQuantity, double>, 8> expected{
+        {{CutterQuantity::BagLength, c.bagLengthMm},
+         {CutterQuantity::Rate, c.rateBagsPerMin},
+         {CutterQuantity::BaseSpeed, c.baseSpeedMmPerS},
+         {CutterQuantity::FilmSpeed, c.filmSpeedMmPerS},
+         {CutterQuantity::Weight, c.weightS},
+         {CutterQuantity::PeakMotorRpm, peak.motorRpm},
+         {CutterQuantity::PeakAcceleration, peak.accelerationMmPerS2},
+         {CutterQuantity::PeakFrequency, peak.pulseFrequencyHz}}};
     for (const auto& [quantity, result] : expected) {
         const Explanation e = explain(*cutter, quantity);
         QVERIFY(!e.formula.empty() && !e.unit.empty());

@@ -202,7 +202,7 @@ private slots:
         file.close();
         editor().newProgram(4);
         panel::KnotFiles& files = *editor().knotFiles();
-        files.setLooker([path = stick.path()](const QString&) {
+        files.setScanner([path = stick.path()](const QString&) {
             const QList<campanel::store::Place> places{{path, QStringLiteral("STICK"), false}};
             return panel::KnotFiles::Found{places, campanel::store::offeredKnots(places)};
         });
@@ -244,7 +244,7 @@ private slots:
         QVERIFY(write("0,0\n60,3\n50,9\n200,8\n300,1\n360,0\n"));
         editor().newProgram(4);
         panel::KnotFiles& files = *editor().knotFiles();
-        files.setLooker([path = stick.path()](const QString&) {
+        files.setScanner([path = stick.path()](const QString&) {
             const QList<campanel::store::Place> places{{path, QStringLiteral("STICK"), false}};
             return panel::KnotFiles::Found{places, campanel::store::offeredKnots(places)};
         });

@@ -150,8 +150,8 @@ private slots:
         tap("user_Anna");
         QVERIFY(isOn("userRemove"));
         m_window->link().advance(std::chrono::minutes(5));
-        m_window->lookAtClock();
-        access().lookAtClock();
+        m_window->checkClock();
+        access().checkClock();
         m_window->settle();
         QVERIFY(!access().loggedIn());
         QVERIFY(!isOn("userRemove"));

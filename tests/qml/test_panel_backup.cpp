@@ -31,13 +31,13 @@ class TestPanelBackup : public test::PanelTest {
     {
         for (const QString& old : onStick(u"*"_s))
             QFile::remove(m_stick.filePath(old));
-        const auto variant = [this](const QString&) {
+        const auto scanner = [this](const QString&) {
             return QList<store::Place>{{m_stick.path(), u"STICK"_s, false, true}};
         };
-        backup().setLooker(variant);
-        m_window->panel().maintenance().files()->setLooker(variant);
+        backup().setScanner(scanner);
+        m_window->panel().maintenance().files()->setScanner(scanner);
         m_window->link().show(looks::DemoLink::Situation::Stopped);
-        m_window->lookAtClock();
+        m_window->checkClock();
         m_window->panel().access().open();
         m_window->panel().trail().open();
         m_window->panel().trends().open();
@@ -183,7 +183,7 @@ private slots:
         openSection();
         makeBackup();
         m_window->link().show(looks::DemoLink::Situation::Running);
-        m_window->lookAtClock();
+        m_window->checkClock();
         tap("backupRestore");
         waitForBackup();
         tap("offer0");

@@ -139,7 +139,7 @@ private slots:
         now += std::chrono::seconds(41);
         m_window->panel().machine().setClock([&] { return now; });
         QCOMPARE(textOf("ageText"), QStringLiteral("42 s ago"));
-        m_window->lookAtClock();
+        m_window->checkClock();
     }
 
     void aWaitingStopIsShownAndWithdrawn()

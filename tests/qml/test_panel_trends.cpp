@@ -129,7 +129,7 @@ private slots:
         const QTemporaryDir stick;
         enter("trends");
         auto& files = *m_window->panel().maintenance().files();
-        files.setLooker([&](const QString&) {
+        files.setScanner([&](const QString&) {
             return QList<campanel::store::Place>{{stick.path(), QStringLiteral("stick"), false}};
         });
         tap("trendExport");

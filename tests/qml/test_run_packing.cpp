@@ -17,7 +17,7 @@ class TestPacking : public campanel::test::PanelTest {
     void enter(Situation situation)
     {
         m_window->link().show(situation);
-        m_window->lookAtClock();
+        m_window->checkClock();
         m_window->settle();
         tap("nav_run");
     }

@@ -37,7 +37,7 @@ Access::Access(DatabaseService& records, Controller& machine, Settings& settings
     connect(&machine.accessCheck(), &AccessCheck::refused, this,
             [this](panel::Level needed) { emit loginRequested(static_cast<int>(needed)); });
     connect(&settings, &Settings::accessChanged, this, &Access::update);
-    connect(&m_idleTimer, &QTimer::timeout, this, &Access::lookAtClock);
+    connect(&m_idleTimer, &QTimer::timeout, this, &Access::checkClock);
     m_idleTimer.setInterval(idlePeriod);
     connect(&m_waitTimer, &QTimer::timeout, this, [this] {
         if (!waits())
@@ -238,7 +238,7 @@ void Access::logOut()
     leave(u"user.logout"_s);
 }
 
-void Access::lookAtClock()
+void Access::checkClock()
 {
     if (!m_user || m_machine.now() - m_touchedAt < std::chrono::minutes(m_settings.autoLogoutMinutes()))
         return;

@@ -84,7 +84,7 @@ public:
     // Sets a clock for tests. The idle time of the panel uses the Machine's clock.
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
     // Logs out a user who has been idle for too long; runs once a second.
-    void lookAtClock();
+    void checkClock();
 
     // Returns true when the person at the panel has that level; otherwise emits loginRequested().
     Q_INVOKABLE bool ask(int level);

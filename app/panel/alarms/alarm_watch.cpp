@@ -162,7 +162,7 @@ void AlarmWatch::noteStored()
         emit cleared(*kind, AlarmRow::End::Returned);
 }
 
-void AlarmWatch::look()
+void AlarmWatch::check()
 {
     const bool areKept = m_settings.areKept();
     if (areKept == m_areSettingsKept)

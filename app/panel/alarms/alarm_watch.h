@@ -32,7 +32,7 @@ public:
     // Ends the database alarm after a successful write.
     void noteStored();
     // Checks the sources that have no signal of their own.
-    void look();
+    void check();
 
 signals:
     void raised(const campanel::panel::AlarmKind& kind, const QString& detail);

@@ -23,7 +23,7 @@ namespace {
 constexpr auto publishDelay = 100ms;
 constexpr auto writeDelay = 300ms;
 constexpr auto writeAgainDelay = 5s; // after a failure
-constexpr auto alarmLookPeriod = 10s;
+constexpr auto alarmCheckPeriod = 10s;
 constexpr qint64 msPerHour = 3'600'000;
 
 Alarms::Severity severityOf(const AlarmKind* kind)
@@ -45,15 +45,15 @@ Alarms::Alarms(Controller& machine, Editor& editor, DatabaseService& records, Se
     , m_history(records, this)
     , m_publishTimer(this)
     , m_writeTimer(this)
-    , m_lookTimer(this)
+    , m_checkTimer(this)
 {
     m_publishTimer.setSingleShot(true);
     m_publishTimer.setInterval(publishDelay);
     m_writeTimer.setSingleShot(true);
     connect(&m_publishTimer, &QTimer::timeout, this, &Alarms::publish);
     connect(&m_writeTimer, &QTimer::timeout, this, &Alarms::write);
-    connect(&m_lookTimer, &QTimer::timeout, this, &Alarms::look);
-    m_lookTimer.start(alarmLookPeriod);
+    connect(&m_checkTimer, &QTimer::timeout, this, &Alarms::check);
+    m_checkTimer.start(alarmCheckPeriod);
     connect(&m_watch, &AlarmWatch::raised, this, &Alarms::raise);
     connect(&m_watch, &AlarmWatch::cleared, this, &Alarms::clear);
     m_watch.begin();
@@ -253,9 +253,9 @@ void Alarms::unshelve(int row)
     publish();
 }
 
-void Alarms::look()
+void Alarms::check()
 {
-    m_watch.look();
+    m_watch.check();
     m_history.setToday(today());
     if (m_book.endShelves(now().utcMs))
         noteChange();

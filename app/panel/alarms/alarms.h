@@ -88,7 +88,7 @@ public:
     Q_INVOKABLE void unshelveShown();
     Q_INVOKABLE void unshelve(int row);
     // Ends expired shelves; runs every ten seconds.
-    void look();
+    void check();
 
 signals:
     void changed();
@@ -119,7 +119,7 @@ private:
     AlarmDetail m_detail{this};
     QTimer m_publishTimer;
     QTimer m_writeTimer;
-    QTimer m_lookTimer;
+    QTimer m_checkTimer;
     bool m_isBegun = false; // the end of the log is known
     bool m_isWriting = false;
     bool m_hasWriteFailed = false; // result of the last write

@@ -28,17 +28,17 @@ profile::LawId lawOf(const program::Recipe& recipe)
     return static_cast<profile::LawId>(program::choice(recipe.program, program::Choice::Law));
 }
 
-profile::Quantity quantityOf(Field field)
+profile::CutterQuantity quantityOf(Field field)
 {
     switch (field) {
     case Field::BagLength:
-        return profile::Quantity::BagLength;
+        return profile::CutterQuantity::BagLength;
     case Field::Rate:
-        return profile::Quantity::Rate;
+        return profile::CutterQuantity::Rate;
     case Field::BaseSpeed:
-        return profile::Quantity::BaseSpeed;
+        return profile::CutterQuantity::BaseSpeed;
     default:
-        return profile::Quantity::FilmSpeed;
+        return profile::CutterQuantity::FilmSpeed;
     }
 }
 

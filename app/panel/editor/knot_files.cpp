@@ -12,7 +12,7 @@ namespace campanel::panel {
 
 namespace {
 
-KnotFiles::Found lookAtDisks(const QString& ownFolder)
+KnotFiles::Found scanDisks(const QString& ownFolder)
 {
     KnotFiles::Found found;
     found.places = store::exchangePlaces(ownFolder);
@@ -24,7 +24,7 @@ KnotFiles::Found lookAtDisks(const QString& ownFolder)
 
 KnotFiles::KnotFiles(const QString& ownFolder, QObject* parent)
     : FileExchange(ownFolder, parent)
-    , m_looker(&lookAtDisks)
+    , m_scanner(&scanDisks)
 {
 }
 
@@ -36,8 +36,8 @@ void KnotFiles::show(const std::vector<profile::Knot>& knots, const QString& rec
 
 std::function<FileExchange::Apply()> KnotFiles::searcher()
 {
-    return [this, look = m_looker, folder = ownFolder(), name = m_recipeName]() -> Apply {
-        const Found found = look(folder);
+    return [this, scan = m_scanner, folder = ownFolder(), name = m_recipeName]() -> Apply {
+        const Found found = scan(folder);
         QStringList paths;
         for (const store::Place& place : found.places)
             paths << store::exportPath(name, place);

@@ -22,12 +22,12 @@ public:
         QList<store::KnotsOffer> offers;
     };
     // Searches for places and files; called in another thread.
-    using Looker = std::function<Found(const QString& ownFolder)>;
+    using Scanner = std::function<Found(const QString& ownFolder)>;
 
     KnotFiles(const QString& ownFolder, QObject* parent);
 
     // Replaces the search of this computer's disks, for tests and captures.
-    void setLooker(Looker looker) { m_looker = std::move(looker); }
+    void setScanner(Scanner scanner) { m_scanner = std::move(scanner); }
     // Sets the knots to write and the name of their recipe.
     void show(const std::vector<profile::Knot>& knots, const QString& recipeName);
 
@@ -47,7 +47,7 @@ private:
     void showFound(const Found& found, const QStringList& exportPaths);
     [[nodiscard]] OfferRow fileRow(const store::KnotsOffer& offer) const;
 
-    Looker m_looker;
+    Scanner m_scanner;
     OfferModel m_files{this};
     OfferModel m_places{this};
     Found m_found;

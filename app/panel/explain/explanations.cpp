@@ -60,7 +60,7 @@ Explanations* Explanations::create(QQmlEngine* qmlEngine, QJSEngine*)
 
 Explanation Explanations::of(int quantity) const
 {
-    const auto wanted = static_cast<Quantity>(quantity);
+    const auto wanted = static_cast<Topic>(quantity);
     switch (wanted) {
     case Rate:
         return rate();
@@ -123,7 +123,7 @@ Explanation Explanations::rate() const
     return told;
 }
 
-Explanation Explanations::bags(Quantity quantity) const
+Explanation Explanations::bags(Topic quantity) const
 {
     const Format format;
     const auto series = m_machine.bags().series;
@@ -182,7 +182,7 @@ Explanation Explanations::bags(Quantity quantity) const
     return told;
 }
 
-Explanation Explanations::packing(Quantity quantity) const
+Explanation Explanations::packing(Topic quantity) const
 {
     const Format format;
     const PackingLine& line = *m_machine.packing();
@@ -291,13 +291,13 @@ Explanation Explanations::fastestRate() const
     return told;
 }
 
-Explanation Explanations::peak(Quantity quantity) const
+Explanation Explanations::peak(Topic quantity) const
 {
     const Format format;
     Explanation told;
     told.value = Format::unknownText();
     const auto cutter = cutterOf(m_editor.recipe());
-    const auto take = [&](const QString& title, profile::Quantity which) {
+    const auto take = [&](const QString& title, profile::CutterQuantity which) {
         told.title = title;
         if (!cutter)
             return;
@@ -308,13 +308,13 @@ Explanation Explanations::peak(Quantity quantity) const
         told.unit = RecipeWords::unit(explained.unit);
     };
     if (quantity == PeakMotorSpeed) {
-        take(tr("Peak motor speed"), profile::Quantity::PeakMotorRpm);
+        take(tr("Peak motor speed"), profile::CutterQuantity::PeakMotorRpm);
         told.meaning = tr("Motor speed at the maximum knife speed.");
     } else if (quantity == PeakAcceleration) {
-        take(tr("Peak knife acceleration"), profile::Quantity::PeakAcceleration);
+        take(tr("Peak knife acceleration"), profile::CutterQuantity::PeakAcceleration);
         told.meaning = tr("Acceleration at the fastest change of the knife speed.");
     } else {
-        take(tr("Peak pulse frequency"), profile::Quantity::PeakFrequency);
+        take(tr("Peak pulse frequency"), profile::CutterQuantity::PeakFrequency);
         told.meaning = tr("Output frequency of the controller at the maximum knife speed.");
     }
     return told;

@@ -26,7 +26,7 @@ class Explanations : public QObject {
     QML_SINGLETON
 
 public:
-    enum Quantity {
+    enum Topic {
         Rate,
         BagMean,
         BagScatter,
@@ -47,7 +47,7 @@ public:
         AnswersLongest,
         AnswerAllowance
     };
-    Q_ENUM(Quantity)
+    Q_ENUM(Topic)
 
     struct Sources {
         Controller& machine;
@@ -61,7 +61,7 @@ public:
 
     static Explanations* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
-    // Explains a value of Quantity. Packing line and press use the controller's values; FastestRate and the
+    // Explains a value of Topic. Packing line and press use the controller's values; FastestRate and the
     // peaks use the recipe in the editor.
     [[nodiscard]] Q_INVOKABLE campanel::panel::Explanation of(int quantity) const;
     // Returns the explainable quantities of the recipe's verdict: the known ones of FastestRate and the
@@ -76,14 +76,14 @@ public:
 
 private:
     [[nodiscard]] Explanation rate() const;
-    [[nodiscard]] Explanation bags(Quantity quantity) const;
-    [[nodiscard]] Explanation packing(Quantity quantity) const;
+    [[nodiscard]] Explanation bags(Topic quantity) const;
+    [[nodiscard]] Explanation packing(Topic quantity) const;
     [[nodiscard]] Explanation followingError() const;
     [[nodiscard]] Explanation goodStrokes() const;
     [[nodiscard]] Explanation fastestRate() const;
-    [[nodiscard]] Explanation peak(Quantity quantity) const;
+    [[nodiscard]] Explanation peak(Topic quantity) const;
     [[nodiscard]] Explanation wireShare() const;
-    [[nodiscard]] Explanation answers(Quantity quantity) const;
+    [[nodiscard]] Explanation answers(Topic quantity) const;
     [[nodiscard]] Explanation answerAllowance() const;
     [[nodiscard]] static QString trendUnit(int quantity); // for a Trends.Quantity
 

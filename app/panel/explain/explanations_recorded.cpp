@@ -53,7 +53,7 @@ Explanation Explanations::wireShare() const
     return told;
 }
 
-Explanation Explanations::answers(Quantity quantity) const
+Explanation Explanations::answers(Topic quantity) const
 {
     const Format format;
     const auto& report = m_figures.report();

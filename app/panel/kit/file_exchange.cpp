@@ -15,7 +15,7 @@ FileExchange::~FileExchange()
     m_pool.waitForDone();
 }
 
-void FileExchange::look()
+void FileExchange::scan()
 {
     tell({}, false);
     search();

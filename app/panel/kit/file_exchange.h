@@ -29,7 +29,7 @@ class FileExchange : public QObject {
 
 public:
     // Searches for places; called in another thread.
-    using Looker = std::function<QList<store::Place>(const QString& ownFolder)>;
+    using Scanner = std::function<QList<store::Place>(const QString& ownFolder)>;
 
     [[nodiscard]] QString ownFolder() const { return m_ownFolder; }
     [[nodiscard]] bool busy() const { return m_jobs > 0; }
@@ -37,7 +37,7 @@ public:
     [[nodiscard]] bool failed() const { return m_failed; }
 
     // Searches and clears the message.
-    Q_INVOKABLE void look();
+    Q_INVOKABLE void scan();
     // Searches again without clearing the message, for a sheet that waits for a stick.
     Q_INVOKABLE void refresh();
 
@@ -66,7 +66,7 @@ protected:
             });
         });
     }
-    // Searches as look(), without clearing the message.
+    // Searches as scan(), without clearing the message.
     void search();
     void begin();
     void end();

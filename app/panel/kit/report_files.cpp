@@ -31,20 +31,20 @@ Written writeAll(const QList<ReportFile>& files, const store::Place& place)
 
 ReportFiles::ReportFiles(const QString& ownFolder, QObject* parent)
     : FileExchange(ownFolder, parent)
-    , m_looker(&store::exchangePlaces)
+    , m_scanner(&store::exchangePlaces)
 {
 }
 
 void ReportFiles::offer(QList<ReportFile> files)
 {
     m_files = std::move(files);
-    look();
+    scan();
 }
 
 std::function<FileExchange::Apply()> ReportFiles::searcher()
 {
-    return [this, look = m_looker, folder = ownFolder()]() -> Apply {
-        return [this, found = look(folder)] {
+    return [this, scan = m_scanner, folder = ownFolder()]() -> Apply {
+        return [this, found = scan(folder)] {
             m_found = found;
             m_places.setRows(placeRows(found, [this](qsizetype place) {
                 return tr("New files will be written to %1.").arg(m_found[place].path);

@@ -26,7 +26,7 @@ public:
     ReportFiles(const QString& ownFolder, QObject* parent);
 
     // Replaces the search of this computer's disks, for tests and captures.
-    void setLooker(Looker looker) { m_looker = std::move(looker); }
+    void setScanner(Scanner scanner) { m_scanner = std::move(scanner); }
     // Sets the files to write; clears the last message and searches for places.
     void offer(QList<ReportFile> files);
 
@@ -42,7 +42,7 @@ signals:
 private:
     [[nodiscard]] std::function<Apply()> searcher() override;
 
-    Looker m_looker;
+    Scanner m_scanner;
     OfferModel m_places{this};
     QList<store::Place> m_found;
     QList<ReportFile> m_files;

@@ -11,14 +11,14 @@ namespace campanel::panel {
 RecipeFiles::RecipeFiles(const QString& ownFolder, Consequence consequence, QObject* parent)
     : FileExchange(ownFolder, parent)
     , m_consequence(std::move(consequence))
-    , m_looker([](const QString& folder) { return store::offeredRecipes(store::exchangePlaces(folder)); })
+    , m_scanner([](const QString& folder) { return store::offeredRecipes(store::exchangePlaces(folder)); })
 {
 }
 
 std::function<FileExchange::Apply()> RecipeFiles::searcher()
 {
-    return [this, look = m_looker, folder = ownFolder()]() -> Apply {
-        return [this, found = look(folder)] {
+    return [this, scan = m_scanner, folder = ownFolder()]() -> Apply {
+        return [this, found = scan(folder)] {
             m_found = found;
             QList<OfferRow> rows;
             for (const store::RecipeOffer& offer : m_found)

@@ -15,14 +15,14 @@ class RecipeFiles : public campanel::panel::FileExchange {
 
 public:
     // Searches for files; called in another thread.
-    using Looker = std::function<QList<store::RecipeOffer>(const QString& ownFolder)>;
+    using Scanner = std::function<QList<store::RecipeOffer>(const QString& ownFolder)>;
     // Returns the consequence of importing the recipe, a whole sentence.
     using Consequence = std::function<QString(const program::Recipe& recipe)>;
 
     RecipeFiles(const QString& ownFolder, Consequence consequence, QObject* parent);
 
     // Replaces the search of this computer's disks, for tests and captures.
-    void setLooker(Looker looker) { m_looker = std::move(looker); }
+    void setScanner(Scanner scanner) { m_scanner = std::move(scanner); }
 
     [[nodiscard]] OfferModel* files() { return &m_files; }
 
@@ -37,7 +37,7 @@ private:
     [[nodiscard]] OfferRow row(const store::RecipeOffer& offer) const;
 
     Consequence m_consequence;
-    Looker m_looker;
+    Scanner m_scanner;
     OfferModel m_files{this};
     QList<store::RecipeOffer> m_found;
 };

@@ -123,8 +123,8 @@ public:
     Q_INVOKABLE void dismissMessage();
 
     // Fills the candidates with the versions of the chosen recipe, or with the other recipes.
-    Q_INVOKABLE void lookAtVersions();
-    Q_INVOKABLE void lookAtOthers();
+    Q_INVOKABLE void listVersions();
+    Q_INVOKABLE void listOthers();
     // Compares a candidate: a version with the previous or the newest one, another recipe with the chosen
     // one.
     Q_INVOKABLE void compareVersion(int row, bool withNewest);

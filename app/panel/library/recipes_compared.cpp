@@ -36,7 +36,7 @@ void Recipes::compare(const Recipe& before, const Recipe& after)
     emit comparisonChanged();
 }
 
-void Recipes::lookAtVersions()
+void Recipes::listVersions()
 {
     clearComparison();
     m_candidates.setRows({});
@@ -59,7 +59,7 @@ void Recipes::lookAtVersions()
         });
 }
 
-void Recipes::lookAtOthers()
+void Recipes::listOthers()
 {
     clearComparison();
     m_compared.clear();

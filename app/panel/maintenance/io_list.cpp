@@ -17,7 +17,7 @@ namespace campanel::panel {
 namespace {
 
 // The minimum time of a lamp for a short event, so that it can be seen.
-constexpr auto lampLookPeriod = 300ms;
+constexpr auto lampPeriod = 300ms;
 
 using modbus::FaultBit;
 using modbus::WarningBit;
@@ -43,12 +43,12 @@ IoList::IoList(Controller& machine, QObject* parent)
     , m_machine(machine)
     , m_timer(this)
 {
-    m_timer.setInterval(lampLookPeriod);
-    connect(&m_timer, &QTimer::timeout, this, &IoList::look);
+    m_timer.setInterval(lampPeriod);
+    connect(&m_timer, &QTimer::timeout, this, &IoList::refresh);
     for (const auto told : {&Controller::freshChanged, &Controller::connectionChanged})
         connect(&machine, told, this, [this] {
             if (watched())
-                look();
+                refresh();
         });
 }
 
@@ -58,14 +58,14 @@ void IoList::setWatched(bool isWatched)
         return;
     if (isWatched) {
         m_timer.start();
-        look();
+        refresh();
     } else {
         m_timer.stop();
     }
     emit watchedChanged();
 }
 
-void IoList::look()
+void IoList::refresh()
 {
     QList<Row> rows;
     const auto& status = m_machine.status();

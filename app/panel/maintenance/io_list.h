@@ -62,14 +62,14 @@ public:
     [[nodiscard]] bool stale() const { return m_isStale; }
     [[nodiscard]] Rows* rows() { return &m_rows; }
 
-    void retranslate() { look(); }
+    void retranslate() { refresh(); }
 
 signals:
     void watchedChanged();
     void staleChanged();
 
 private:
-    void look();
+    void refresh();
     void addAxis(QList<Row>& rows, const modbus::StatusBlock& status) const;
     void addLine(QList<Row>& rows);
     void addBits(QList<Row>& rows, const modbus::StatusBlock& status) const;

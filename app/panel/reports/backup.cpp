@@ -55,7 +55,7 @@ Backup::Backup(const Parts& parts, const QString& folder, QObject* parent)
     , m_parts(parts)
     , m_folder(folder)
     , m_places(ownFolder(), this)
-    , m_looker(&store::exchangePlaces)
+    , m_scanner(&store::exchangePlaces)
     , m_wallClock([] { return QDateTime::currentDateTime(); })
 {
     connect(&m_places, &ReportFiles::written, this, [this](const QStringList& paths, const QString& problem) {
@@ -78,10 +78,10 @@ Backup* Backup::create(QQmlEngine* qmlEngine, QJSEngine*)
     return attachedInstance<Backup>(qmlEngine);
 }
 
-void Backup::setLooker(Looker looker)
+void Backup::setScanner(Scanner scanner)
 {
-    m_looker = looker;
-    m_places.setLooker(std::move(looker));
+    m_scanner = scanner;
+    m_places.setScanner(std::move(scanner));
 }
 
 bool Backup::require()
@@ -162,9 +162,9 @@ void Backup::make()
 
 std::function<FileExchange::Apply()> Backup::searcher()
 {
-    return [this, look = m_looker, folder = ownFolder()]() -> Apply {
+    return [this, scan = m_scanner, folder = ownFolder()]() -> Apply {
         QList<Found> found;
-        for (const store::Place& place : look(folder)) {
+        for (const store::Place& place : scan(folder)) {
             for (const QFileInfo& file : store::filesIn(place, suffix, maxFound))
                 found << Found{file.filePath(), place.name, store::readManifest(file.filePath())};
         }

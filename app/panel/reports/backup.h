@@ -61,7 +61,7 @@ public:
     static Backup* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     // Replaces the search of this computer's disks, for tests and captures.
-    void setLooker(Looker looker);
+    void setScanner(Scanner scanner);
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
 
     // Reads the present data and offers it to `places`; then emits offered().
@@ -114,7 +114,7 @@ private:
     Parts m_parts;
     QString m_folder;
     ReportFiles m_places;
-    Looker m_looker;
+    Scanner m_scanner;
     WallClock m_wallClock;
     OfferModel m_found{this};
     QList<Found> m_files;

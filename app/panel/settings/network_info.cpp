@@ -42,9 +42,9 @@ QStringList networksNow()
 NetworkInfo::NetworkInfo(QObject* parent)
     : QObject(parent)
 {
-    m_timer.callOnTimeout(this, &NetworkInfo::look);
+    m_timer.callOnTimeout(this, &NetworkInfo::refresh);
     m_timer.start(1s);
-    look();
+    refresh();
 }
 
 void NetworkInfo::fix(const Fixed& facts)
@@ -52,7 +52,7 @@ void NetworkInfo::fix(const Fixed& facts)
     fixedFacts() = facts;
 }
 
-void NetworkInfo::look()
+void NetworkInfo::refresh()
 {
     m_now = fixedFacts() ? fixedFacts()->now : QDateTime::currentDateTime();
     m_networks = fixedFacts() ? fixedFacts()->networks : networksNow();

@@ -40,7 +40,7 @@ signals:
     void changed();
 
 private:
-    void look();
+    void refresh();
 
     QDateTime m_now;
     QStringList m_networks;

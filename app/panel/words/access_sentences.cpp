@@ -81,17 +81,17 @@ QString AccessSentences::locked(const store::StoreError& reason)
 
 int AccessSentences::minPinDigits(Level level)
 {
-    return level == Level::Service ? store::minServicePinDigits : store::fewestPinDigits;
+    return level == Level::Service ? store::minServicePinDigits : store::minPinDigits;
 }
 
 QString AccessSentences::pinRefusal(const QString& pin, Level level)
 {
-    if (!hasOnlyDigits(pin) || pin.size() < minPinDigits(level) || pin.size() > store::mostPinDigits)
+    if (!hasOnlyDigits(pin) || pin.size() < minPinDigits(level) || pin.size() > store::maxPinDigits)
         return level == Level::Service
                    ? tr("A PIN of the level Service has %1 to %2 digits.")
                          .arg(minPinDigits(level))
-                         .arg(store::mostPinDigits)
-                   : tr("A PIN has %1 to %2 digits.").arg(minPinDigits(level)).arg(store::mostPinDigits);
+                         .arg(store::maxPinDigits)
+                   : tr("A PIN has %1 to %2 digits.").arg(minPinDigits(level)).arg(store::maxPinDigits);
     if (std::ranges::count(pin, pin[0]) == pin.size())
         return tr("A PIN of equal digits is easy to guess. Choose another PIN.");
     if (isRow(pin))

@@ -267,7 +267,7 @@ void ChainCheck::end(Fault fault, qint64 sequence)
     m_brokenSequence = sequence;
 }
 
-void ChainCheck::look(const AuditRow& row)
+void ChainCheck::check(const AuditRow& row)
 {
     if (row.sequence != m_next)
         end(row.sequence > m_next ? Fault::Missing : Fault::Altered, std::min(row.sequence, m_next));
@@ -297,7 +297,7 @@ tl::expected<void, StoreError> ChainCheck::advance(Database& database, int rows)
     const auto known = anchor(database);
     int seen = 0;
     for (; !m_isOver && found->next(); ++seen) {
-        look(auditRowOf(*found));
+        check(auditRowOf(*found));
         if (!m_isOver && known && known->sequence == m_next - 1 && known->hash != m_previous)
             end(Fault::Altered, known->sequence);
     }

@@ -87,7 +87,7 @@ public:
 
 private:
     [[nodiscard]] tl::expected<void, StoreError> begin(Database& database);
-    void look(const AuditRow& row);
+    void check(const AuditRow& row);
     void end(Fault fault, qint64 sequence);
 
     bool m_isBegun = false;

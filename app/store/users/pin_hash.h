@@ -9,9 +9,9 @@
 
 namespace campanel::store {
 
-inline constexpr int fewestPinDigits = 4;
+inline constexpr int minPinDigits = 4;
 inline constexpr int minServicePinDigits = 6; // for the level Service
-inline constexpr int mostPinDigits = 8;
+inline constexpr int maxPinDigits = 8;
 
 // Takes 128 MiB and up to half a second on a small panel: not for the GUI thread. Returns nothing when the
 // memory is not available.

@@ -52,7 +52,7 @@ class TestKilled : public QObject {
         }
     }
 
-    void look()
+    void check()
     {
         auto opened = store::Database::open(m_folder.path());
         QVERIFY2(opened, opened ? "" : qPrintable(store::StoreErrorText::describe(opened.error())));
@@ -94,7 +94,7 @@ private slots:
             const int lifeMs = random.bounded(longestMs);
             runAndKill(lifeMs);
             if (!QTest::currentTestFailed())
-                look();
+                check();
             if (QTest::currentTestFailed()) {
                 qWarning("kill %d of seed %u, after %d ms", i, seed, lifeMs);
                 return;

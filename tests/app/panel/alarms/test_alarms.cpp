@@ -272,10 +272,10 @@ private slots:
         QVERIFY(rig.logged()[0].isShelved);
         QVERIFY(rig.logged()[1].isShelved);
         rig.pass(59min);
-        rig.alarms->look();
+        rig.alarms->check();
         QCOMPARE(rig.alarms->shelved()->count(), 1);
         rig.pass(1min);
-        rig.alarms->look();
+        rig.alarms->check();
         QCOMPARE(rig.live(), Lines{"W-03 active calls"});
         QCOMPARE(rig.alarms->shelved()->count(), 0);
     }
@@ -309,7 +309,7 @@ private slots:
         rig.alarms->shelveShown(8);
         rig.day = rig.day.addDays(-400); // the clock was set: otherwise the shelf would last for more than a
                                          // year
-        rig.alarms->look();
+        rig.alarms->check();
         QCOMPARE(rig.live(), Lines{"W-03 active calls"});
     }
 

@@ -274,7 +274,7 @@ private slots:
         rig.settle();
         const QString folder = rig.folder.path();
         panel::ReportFiles& files = *rig.maintenance.files();
-        files.setLooker([folder](const QString&) {
+        files.setScanner([folder](const QString&) {
             return QList<store::Place>{{folder, u"stick"_s, false}};
         });
         rig.audit.exportCsv();

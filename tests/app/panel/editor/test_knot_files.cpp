@@ -26,7 +26,7 @@ struct Disks {
     void plugInto(PanelRig& rig) const
     {
         const store::Place place{stick.path(), u"STICK"_s, isStickReadOnly};
-        rig.editor.knotFiles()->setLooker([place](const QString& own) {
+        rig.editor.knotFiles()->setScanner([place](const QString& own) {
             QList<store::Place> places{place};
             for (const store::Place& each : store::exchangePlaces(own)) {
                 if (each.path == own)
@@ -47,9 +47,9 @@ struct Disks {
 class TestKnotFiles : public QObject {
     Q_OBJECT
 
-    static void look(PanelRig& rig)
+    static void scan(PanelRig& rig)
     {
-        rig.editor.knotFiles()->look();
+        rig.editor.knotFiles()->scan();
         QVERIFY(rig.editor.knotFiles()->busy());
         QTRY_VERIFY_WITH_TIMEOUT(!rig.editor.knotFiles()->busy(), timeoutMs);
     }
@@ -68,7 +68,7 @@ private slots:
         const Disks disks;
         disks.plugInto(rig);
         disks.put(u"cam.csv"_s, "master_deg;slave_mm\n0;0\n60;3,5\n120;9\n200;8\n300;-1,25\n360;0\n");
-        look(rig);
+        scan(rig);
         const QList<OfferRow>& files = rig.editor.knotFiles()->files()->rows();
         QCOMPARE(files.size(), 1);
         QCOMPARE(files[0].title, u"cam.csv"_s);
@@ -107,7 +107,7 @@ private slots:
         const Disks disks;
         disks.plugInto(rig);
         disks.put(u"cam.csv"_s, text);
-        look(rig);
+        scan(rig);
         const OfferRow row = rig.editor.knotFiles()->files()->rows().value(0);
         QVERIFY(!row.usable);
         QVERIFY2(row.detail.contains(words) &&
@@ -125,7 +125,7 @@ private slots:
         rig.editor.setRecipeName(u"Pusher 3/4"_s);
         const Disks disks;
         disks.plugInto(rig);
-        look(rig);
+        scan(rig);
         KnotFiles& files = *rig.editor.knotFiles();
         QCOMPARE(files.files()->count(), 0);
         QCOMPARE(files.places()->count(), 2);
@@ -144,7 +144,7 @@ private slots:
         QVERIFY(*store::readKnots(expected) == *read); // the first one is unchanged
         write(rig, 1);
         QVERIFY2(files.message().contains(files.ownFolder()), qPrintable(files.message()));
-        look(rig);
+        scan(rig);
         QVERIFY(files.message().isEmpty());
     }
 
@@ -155,7 +155,7 @@ private slots:
         Disks disks;
         disks.isStickReadOnly = true;
         disks.plugInto(rig);
-        look(rig);
+        scan(rig);
         KnotFiles& files = *rig.editor.knotFiles();
         QVERIFY(!files.places()->rows()[0].usable);
         QVERIFY2(files.places()->rows()[0].detail.contains(u"is read-only"_s),
@@ -164,7 +164,7 @@ private slots:
         QVERIFY(!files.busy());
         disks.isStickReadOnly = false;
         disks.plugInto(rig);
-        look(rig);
+        scan(rig);
         QVERIFY(disks.stick.remove()); // unplugged after the search
         write(rig, 0);
         QVERIFY(files.failed());

@@ -224,7 +224,7 @@ private slots:
             QTRY_VERIFY(!rig.editor.edited());
         }
         QTRY_COMPARE(rig.names(), QStringList{QStringLiteral("Biscuit 250 v3")});
-        rig.recipes.lookAtVersions();
+        rig.recipes.listVersions();
         QTRY_COMPARE(rig.recipes.candidates()->count(), 3);
         rig.recipes.compareVersion(1, false); // version 2 with version 1
         QCOMPARE(rig.recipes.beforeTitle(), QStringLiteral("Version 1"));
@@ -299,7 +299,7 @@ private slots:
         good.machine.knifeRadiusMm = 99;
         write("good.json", store::toJson(good));
         write("bad.json", "{\"format\": \"something else\"}");
-        rig.recipes.files()->look();
+        rig.recipes.files()->scan();
         QTRY_COMPARE(rig.recipes.files()->files()->count(), 2);
         int usable = -1;
         for (int row = 0; row < 2; ++row) {
@@ -322,7 +322,7 @@ private slots:
     {
         RecipesRig rig;
         rig.create(QStringLiteral("Rusk 310"));
-        rig.recipes.exports()->setLooker([](const QString& folder) {
+        rig.recipes.exports()->setScanner([](const QString& folder) {
             return QList<store::Place>{{folder, QStringLiteral("STICK"), false, true}};
         });
         QDir(rig.folder.path()).mkpath(QStringLiteral("recipes"));

@@ -164,7 +164,7 @@ private slots:
         emit rig.link.framesRecorded({statusQuestion(1), rampWrite(2)});
         frames.setFilter(FrameList::Filter::Writes);
         panel::ReportFiles& files = *rig.maintenance.files();
-        files.setLooker([](const QString& folder) { return store::exchangePlaces(folder).last(1); });
+        files.setScanner([](const QString& folder) { return store::exchangePlaces(folder).last(1); });
         frames.exportText();
         QTRY_VERIFY(!files.busy());
         files.write(0);

@@ -235,7 +235,7 @@ private slots:
         report.figures.noteRequest(20, false);
         emit rig.link.figuresReported(report);
         panel::ReportFiles& files = *rig.maintenance.files();
-        files.setLooker([](const QString& folder) { return store::exchangePlaces(folder).last(1); });
+        files.setScanner([](const QString& folder) { return store::exchangePlaces(folder).last(1); });
         rig.maintenance.figures()->exportCsv();
         QTRY_VERIFY(!files.busy());
         files.write(0);
@@ -253,7 +253,7 @@ private slots:
         PanelRig rig;
         panel::ReportFiles& files = *rig.maintenance.files();
         const QString nowhere = rig.folder.filePath(QStringLiteral("nowhere"));
-        files.setLooker([nowhere](const QString&) {
+        files.setScanner([nowhere](const QString&) {
             return QList<store::Place>{{nowhere, QStringLiteral("NOWHERE"), false}};
         });
         rig.maintenance.figures()->exportCsv();

@@ -34,7 +34,7 @@ struct BundleRig : AccessRig {
     {
         bundle.setWallClock([this] { return QDateTime::fromMSecsSinceEpoch(wallMs, QTimeZone::utc()); });
         const QString stick = folder.filePath(u"stick"_s);
-        maintenance.files()->setLooker([stick](const QString&) {
+        maintenance.files()->setScanner([stick](const QString&) {
             return QList<store::Place>{{stick, u"stick"_s, false}};
         });
         QDir().mkpath(stick);

@@ -47,7 +47,7 @@ struct Rig : PanelRig {
         }
     }
     // Updates at the end of the second, so that its bags are in the window.
-    void look()
+    void showPage()
     {
         wallMs += 1;
         trends.showNow();
@@ -107,7 +107,7 @@ private slots:
         rig.passBag(9); // begun under another program
         for (const double deviation : {0.1, -0.3, 0.05})
             rig.passBag(deviation);
-        rig.look();
+        rig.showPage();
         QCOMPARE(rig.trends.content(), Trends::Shown);
         QCOMPARE(rig.statistic(0, "count"), 3.0); // deviation
         QVERIFY(std::abs(rig.statistic(0, "mean") + 0.05) < 1e-9);
@@ -142,7 +142,7 @@ private slots:
         QCOMPARE(rig.trends.chosen(), QList<int>({Trends::FollowingError, Trends::Rate, Trends::Latency}));
         rig.show();
         rig.passBag(0);
-        rig.look();
+        rig.showPage();
         QCOMPARE(rig.statistic(0, "high"), std::round(40 / rig.machine.program()->pulsesPerMm * 1000) / 1000);
         QCOMPARE(rig.statistic(1, "high"), 60.0);
         QCOMPARE(rig.statistic(2, "mean"), 8.0);
@@ -150,7 +150,7 @@ private slots:
         rig.link.status.state = modbus::State::Ready;
         const double before = rig.statistic(0, "count");
         rig.passBag(0);
-        rig.look();
+        rig.showPage();
         QCOMPARE(rig.statistic(0, "count"), before);
         QCOMPARE(rig.statistic(1, "low"), 0.0);
     }
@@ -166,7 +166,7 @@ private slots:
         rig.wallMs += 60'000;
         for (int i = 0; i < 4; ++i)
             rig.passBag(0.2);
-        rig.look();
+        rig.showPage();
         const QList<QPointF> means = rig.means(0);
         int gaps = 0;
         for (const QPointF& point : means)
@@ -252,7 +252,7 @@ private slots:
         rig.show();
         rig.passBag(0);
         rig.passBag(0.125);
-        rig.look();
+        rig.showPage();
         QSignalSpy ready(&rig.trends, &Trends::exportReady);
         rig.trends.exportCsv();
         QVERIFY(rig.trends.exporting());
@@ -261,11 +261,11 @@ private slots:
         const QString folder = rig.folder.filePath(QStringLiteral("out"));
         panel::ReportFiles& files = *rig.maintenance.files();
         QTRY_VERIFY(!files.busy());
-        files.setLooker([&](const QString&) {
+        files.setScanner([&](const QString&) {
             QDir().mkpath(folder);
             return QList<store::Place>{{folder, QStringLiteral("out"), false}};
         });
-        files.look();
+        files.scan();
         QTRY_VERIFY(!files.busy());
         files.write(0);
         QTRY_VERIFY(!files.busy());
@@ -303,12 +303,12 @@ private slots:
         for (int round = 0; round < 40 && told.isEmpty(); ++round) {
             for (int i = 0; i < 100; ++i)
                 rig.passBag(0.1);
-            rig.look();
+            rig.showPage();
         }
         QVERIFY(rig.records.notice().contains(QStringLiteral("full")));
         for (int i = 0; i < 300; ++i)
             rig.passBag(0.1);
-        rig.look();
+        rig.showPage();
         QCOMPARE(told.size(), 1);
     }
 
@@ -323,7 +323,7 @@ private slots:
         QTRY_VERIFY(rig.records.notice().contains(QStringLiteral("damaged")));
         rig.passBag(0);
         rig.passBag(0.1);
-        rig.look();
+        rig.showPage();
         QCOMPARE(rig.statistic(0, "count"), 1.0);
     }
 };
