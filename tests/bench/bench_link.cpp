@@ -2,6 +2,7 @@
 // Status exchanges and table downloads with the real controller program and the time of real wires.
 #include "bench_report.h"
 
+#include "app/panel/words/connection_sentences.h"
 #include "app/program/program_image.h"
 #include "modbus/download/download.h"
 #include "modbus/line/wire_time.h"
@@ -24,7 +25,7 @@ double secondsSince(Clock::time_point start)
 template <typename T, typename E> T valueOrThrow(tl::expected<T, E> outcome)
 {
     if (!outcome)
-        throw std::runtime_error(describe(outcome.error()));
+        throw std::runtime_error(panel::ConnectionSentences::error(outcome.error()).toStdString());
     return std::move(*outcome);
 }
 

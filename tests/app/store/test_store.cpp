@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recipe files: data is read back, errors are named, good files are kept.
+#include "app/store/files/files.h"
 #include "app/store/recipes/last_recipe.h"
 #include "app/store/recipes/recipe_file.h"
 
