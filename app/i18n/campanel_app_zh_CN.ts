@@ -1374,6 +1374,10 @@
         <translation>薄膜或进料的速度将超过控制器的限值。请降低速率。</translation>
     </message>
     <message>
+        <source>The speed of an axis would change too abruptly. Stop the machine, then download; or raise the largest speed steps under Maintenance.</source>
+        <translation>轴的速度突变过大。请先停机再下载，或在“维护”中增大最大速度阶跃。</translation>
+    </message>
+    <message>
         <source>Another device on the line writes parts of commands. Check the connected devices.</source>
         <translation>线路上有另一设备分段写入命令。请检查所连接的设备。</translation>
     </message>

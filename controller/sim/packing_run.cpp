@@ -201,7 +201,7 @@ private:
         bag.number = ++m_result.bags;
         bag.timeS = static_cast<double>(m_controller.nowUs() - m_startUs) / usPerS;
         bag.lengthMm = *cut.lengthUm / umPerMm;
-        bag.lengths = ctl_packer_lengths_in_bag(&m_core.packer);
+        bag.lengths = packer.last_cut.bags;
         bag.deviationMm = bag.lengthMm - bag.lengths * m_setMm;
         bag.markErrorMm = cut.markErrorMm;
         bag.flags = record[3];

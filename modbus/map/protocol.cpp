@@ -202,6 +202,9 @@ constexpr std::array refusals{
           "gives."),
     entry(Refusal::CommandIncomplete, "CommandIncomplete",
           "Counter and code of a command come in one frame. Write them together."),
+    entry(Refusal::StepTooLarge, "StepTooLarge",
+          "Even at the smallest share of full speed an axis would change its speed by more than its largest "
+          "step; the program is changed at standstill."),
 };
 
 constexpr std::array transferOperations{
@@ -302,6 +305,8 @@ constexpr std::array bagBits{
     entry(BagBit::MarkMissed, "MarkMissed", "That mark was not seen but reckoned."),
     entry(BagBit::ProductAcross, "ProductAcross", "Longer by the cuts skipped for a product across."),
     entry(BagBit::Empty, "Empty", "Cut without a product."),
+    entry(BagBit::ChangeOver, "ChangeOver",
+          "The program was changed in it; its set length lies between theirs."),
 };
 
 constexpr std::array<EnumInfo, 25> infos{{

@@ -15,7 +15,7 @@ inline constexpr std::uint16_t deviceType = 0xCA3D;
 // The major version of the register map. A panel refuses a controller with another one; a higher minor
 // version only adds registers.
 inline constexpr std::uint16_t mapMajor = 1;
-inline constexpr std::uint16_t mapMinor = 2;
+inline constexpr std::uint16_t mapMinor = 3;
 
 enum class State : std::uint16_t { Idle = 0, Ready, Running, Stopping, Jogging, Homing, Fault };
 
@@ -106,6 +106,7 @@ enum class Refusal : std::uint16_t {
     EyeTooNear,
     FeedTooFast,
     CommandIncomplete,
+    StepTooLarge,
 };
 
 enum class TransferOperation : std::uint16_t { None = 0, Begin, Block, Seal };
@@ -158,7 +159,13 @@ enum class GateState : std::uint16_t { Running = 0, Slowing, Standing, Gaining }
 enum class SkipCause : std::uint16_t { None = 0, ProductAcross, ProductTooLong, NoProduct };
 
 // The bits of a record of packer.bags; the upper byte is the number of bag lengths in it.
-enum class BagBit : std::uint16_t { Tracked = 0, MarkMissed = 1, ProductAcross = 2, Empty = 3 };
+enum class BagBit : std::uint16_t {
+    Tracked = 0,
+    MarkMissed = 1,
+    ProductAcross = 2,
+    Empty = 3,
+    ChangeOver = 4
+};
 
 // The bits of exchange.jog; both set means neither.
 enum class JogBit : std::uint16_t { Forward = 0, Reverse = 1 };

@@ -86,6 +86,13 @@ constexpr std::array registerTable{
     rw32("parameter.eye_distance", 0x00A4,
          "infeed between the product eye and where products are laid on the film", 20, 10000, 1000, 0.001,
          "mm"),
+    // A change of program while running; see controller/core/motion/README.md.
+    rw32("parameter.knife_step", 0x00A6, "largest step of the speed of the main axis", 10, 1000000, 2600, 1.0,
+         "Hz"),
+    rw32("parameter.film_step", 0x00A8, "largest step of the speed of the film motor", 10, 1000000, 1300, 1.0,
+         "Hz"),
+    rw32("parameter.infeed_step", 0x00AA, "largest step of the speed of the infeed motor", 10, 1000000, 800,
+         1.0, "Hz"),
 
     // Status block: the answer to the periodic FC23 exchange. 40 registers, so that 9600 baud still carries 8
     // a second.

@@ -51,8 +51,7 @@ std::vector<double> bagsOf(Rig& rig, std::uint64_t timeUs)
         rig.controller().step();
         const auto& cut = rig.controller().cut();
         if (cut && cut->lengthUm)
-            deviations.push_back(*cut->lengthUm / 1000.0 -
-                                 250.0 * ctl_packer_lengths_in_bag(&rig.core().packer));
+            deviations.push_back(*cut->lengthUm / 1000.0 - 250.0 * rig.core().packer.last_cut.bags);
     }
     return deviations;
 }
@@ -217,8 +216,9 @@ void TestPackingLine::changesOfLengthCutNoProduct()
         const BankImage other = cutter(change % 2 != 0 ? 190'000 : 250'000);
         rig.download(other.registers(), change);
         QCOMPARE(rig.apply(other.registers(), CTL_APPLY_MODE_NEXT_CYCLE, change), CTL_REFUSAL_NONE);
-        for (std::uint64_t us = 0; us < 25 * cycleUs; us += 250) {
+        for (std::uint64_t us = 0; us < 25 * cycleUs || rig.core().banks.generation == change; us += 250) {
             rig.controller().step();
+            QVERIFY(us < 300 * cycleUs);
             if (!rig.controller().cut())
                 continue;
             ++cuts;
@@ -249,7 +249,7 @@ void TestPackingLine::filmWaitsForAProduct()
             continue;
         ++cuts;
         empty += rig.controller().cut()->products.empty() ? 1u : 0u;
-        QCOMPARE(ctl_packer_lengths_in_bag(&rig.core().packer), 1u);
+        QCOMPARE(rig.core().packer.last_cut.bags, 1u);
     }
     QVERIFY(packer.empty > 40);
     QCOMPARE(empty, 0u);
@@ -287,7 +287,7 @@ void TestPackingLine::otherLengthAtTheBoundary()
     const ctl_packer& packer = rig.core().packer;
     std::int64_t before = ctl_feed_position(&packer.film);
     const double perSlice = 300.0 / 0.015 * fine * 250.0 / static_cast<double>(cycleUs);
-    for (std::uint64_t us = 0; us < 3 * cycleUs; us += 250) {
+    for (std::uint64_t us = 0; us < 20 * cycleUs; us += 250) {
         rig.controller().step();
         const std::int64_t now = ctl_feed_position(&packer.film);
         QVERIFY(now >= before && static_cast<double>(now - before) < 1.25 * perSlice);

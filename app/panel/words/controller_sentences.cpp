@@ -103,6 +103,9 @@ QString ControllerSentences::refusal(Refusal reason)
         return tr("Film or infeed would exceed the controller's speed limit. Lower the rate.");
     case Refusal::CommandIncomplete:
         return tr("Another device on the line writes parts of commands. Check the connected devices.");
+    case Refusal::StepTooLarge:
+        return tr("The speed of an axis would change too abruptly. Stop the machine, then download; or raise "
+                  "the largest speed steps under Maintenance.");
     }
     return tr("The controller reports reason %1, which this panel does not know. Update the panel.")
         .arg(static_cast<int>(reason));

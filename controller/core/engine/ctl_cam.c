@@ -100,6 +100,14 @@ ctl_verdict ctl_cam_check(const ctl_bank* bank, const ctl_config* config)
     return ctl_refuse(CTL_TRANSFER_RESULT_ACCEPTED, 0);
 }
 
+int64_t ctl_cam_boundary_hz(const ctl_bank* bank, const ctl_config* config, bool end)
+{
+    const uint32_t intervals = ctl_bank_row_count(bank) - 1u;
+    const int64_t slope = row_at(bank, end ? intervals : 0u).slope;
+    return slope * (int64_t)intervals / UNITS_PER_PULSE * (int64_t)config->timer_clock_hz /
+           (int64_t)ctl_bank_cycle_ticks(bank);
+}
+
 static void take_bank(ctl_cam* cam, const ctl_bank* bank)
 {
     cam->bank = bank;

@@ -35,6 +35,9 @@ typedef struct {
 /* Checks what ctl_bank_check() leaves to the engine: the rest of the header, every row, their end. */
 ctl_verdict ctl_cam_check(const ctl_bank* bank, const ctl_config* config);
 
+/* Pulse frequency at full speed at the end of a cycle, or at its beginning. */
+int64_t ctl_cam_boundary_hz(const ctl_bank* bank, const ctl_config* config, bool end);
+
 /* Stand between two cycles of `bank` with no fraction owed. */
 void ctl_cam_reset(ctl_cam* cam, const ctl_bank* bank, const ctl_config* config);
 /* Between two cycles: go on with another bank; what is owed is kept. */

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "engine/ctl_ramp.h"
 
-/* Shares of the S-curve are in 1 / 2^31. */
-#define SHARE_BITS 31u
+#define SHARE_BITS CTL_RAMP_SHARE_BITS
 #define WHOLE ((uint64_t)1 << SHARE_BITS)
 
 void ctl_ramp_reset(ctl_ramp* ramp, uint32_t full)
@@ -173,4 +172,68 @@ uint32_t ctl_ramp_land(ctl_ramp* ramp, uint32_t ticks, uint64_t remaining, uint3
     ramp->speed = 0;
     ramp->rest = 0;
     return (uint32_t)remaining;
+}
+
+bool ctl_ramp_can_approach(const ctl_ramp* ramp, uint64_t remaining, uint32_t end)
+{
+    if (ramp->speed <= end)
+        return true;
+    if (ramp->s_curve)
+        return s_travel(ramp, ramp->speed) - s_travel(ramp, end) <= remaining;
+    const uint64_t squares = (uint64_t)ramp->speed * ramp->speed - (uint64_t)end * end;
+    return squares <= 2u * (uint64_t)ramp->full * remaining;
+}
+
+/* Gains speed while that may still be braked, goes on evenly to where the braking to `end` begins, brakes. */
+static uint32_t approach_s(ctl_ramp* ramp, uint32_t ticks, uint64_t remaining, uint32_t end)
+{
+    const uint32_t end_way = s_travel(ramp, end);
+    uint32_t travelled = 0;
+    const uint32_t rising = ramp->full - ramp->speed < ticks ? ramp->full - ramp->speed : ticks;
+    ctl_ramp faster = *ramp;
+    const uint32_t gained = travel(&faster, ramp->speed + rising, rising);
+    if (faster.speed <= end || gained + (uint64_t)s_travel(&faster, faster.speed) - end_way < remaining) {
+        *ramp = faster;
+        travelled = gained;
+        ticks -= rising;
+    }
+    const uint64_t braking = ramp->speed > end ? s_travel(ramp, ramp->speed) - end_way : 0;
+    if (remaining > travelled + braking)
+        travelled += cruise(ramp, &ticks, remaining - travelled - braking);
+    if (ramp->speed > end) {
+        const uint32_t falling = ramp->speed - end < ticks ? ramp->speed - end : ticks;
+        travelled += travel(ramp, ramp->speed - falling, falling);
+        ticks -= falling;
+    }
+    return travelled + cruise(ramp, &ticks, UINT64_MAX);
+}
+
+uint32_t ctl_ramp_approach(ctl_ramp* ramp, uint32_t ticks, uint64_t remaining, uint32_t end)
+{
+    if (ramp->s_curve)
+        return approach_s(ramp, ticks, remaining, end);
+    /* Speed from which the ramp comes down to `end` exactly there: v = sqrt(end^2 + 2 a d). */
+    const uint32_t curve = ctl_square_root((uint64_t)end * end + 2u * (uint64_t)ramp->full * remaining);
+    const uint32_t limit = curve < end + ticks ? end : curve - ticks;
+    const uint32_t faster = ramp->full - ramp->speed < ticks ? ramp->full : ramp->speed + ticks;
+    return travel(ramp, faster < limit ? faster : limit, ticks);
+}
+
+uint64_t ctl_ramp_whole_share(const ctl_ramp* ramp)
+{
+    return ramp->s_curve ? s_share(ramp) : ((uint64_t)ramp->speed << SHARE_BITS) / ramp->full;
+}
+
+uint32_t ctl_ramp_speed_of(const ctl_ramp* ramp, uint64_t share)
+{
+    if (share >= WHOLE)
+        return ramp->full;
+    if (!ramp->s_curve)
+        return (uint32_t)(share * ramp->full >> SHARE_BITS);
+    /* Of 2 x^2 below the middle, of 1 - 2 (1 - x)^2 above it. */
+    const bool low = share <= WHOLE / 2u;
+    const uint64_t half = (low ? share : WHOLE - share) / 2u;
+    const uint64_t part = ctl_square_root(half << SHARE_BITS) + (low ? 0u : 1u);
+    const uint32_t from_end = (uint32_t)(part * ramp->full >> SHARE_BITS) + (low ? 0u : 1u);
+    return low ? from_end : ramp->full - from_end;
 }

@@ -32,12 +32,22 @@ uint32_t ctl_ramp_down(ctl_ramp* ramp, uint32_t ticks);
 /* Runs on so that it stands still exactly after `remaining` master ticks; does not speed up beyond `limit`.
  * Has landed when it returns `remaining`. Needs ctl_ramp_can_land(). */
 uint32_t ctl_ramp_land(ctl_ramp* ramp, uint32_t ticks, uint64_t remaining, uint32_t limit);
+/* Runs on so that its speed is at most `end` after `remaining` master ticks; until then it
+ * speeds up as far as that allows. Needs ctl_ramp_can_approach(). */
+uint32_t ctl_ramp_approach(ctl_ramp* ramp, uint32_t ticks, uint64_t remaining, uint32_t end);
+/* The ramp is short enough to slow down to `end` within `remaining` master ticks. */
+bool ctl_ramp_can_approach(const ctl_ramp* ramp, uint64_t remaining, uint32_t end);
 /* The ramp is short enough to stand still within `remaining` master ticks. */
 bool ctl_ramp_can_land(const ctl_ramp* ramp, uint64_t remaining);
 /* Speed, 0..full, of a linear ramp that goes up while the master travels `way` ticks more. */
 uint32_t ctl_ramp_speed_after(const ctl_ramp* ramp, uint32_t way);
 /* The share of `value` that the present speed is of full speed, rounded down; value below 2^32. */
 uint32_t ctl_ramp_share(const ctl_ramp* ramp, uint32_t value);
+
+/* The share of full speed in 1 / 2^31, and the largest speed with at most that share. */
+uint64_t ctl_ramp_whole_share(const ctl_ramp* ramp);
+uint32_t ctl_ramp_speed_of(const ctl_ramp* ramp, uint64_t share);
+#define CTL_RAMP_SHARE_BITS 31u
 
 /* Largest root with root * root <= square. */
 uint32_t ctl_square_root(uint64_t square);

@@ -153,14 +153,28 @@ bool ctl_table_too_fast(const ctl_table* table)
     return table->layout == CTL_TABLE_LAYOUT_CAM_POINTS && ctl_cam_too_fast(&table->cam, table->config);
 }
 
+static int64_t row_hz(ctl_row row, const ctl_config* config)
+{
+    return (int64_t)((uint64_t)row.pulses * config->timer_clock_hz / row.ticks);
+}
+
+int64_t ctl_table_boundary_hz(const ctl_bank* bank, const ctl_config* config, bool end)
+{
+    switch (ctl_bank_layout(bank)) {
+    case CTL_TABLE_LAYOUT_STEP_TABLE:
+        return row_hz(ctl_step_row(bank, end ? ctl_bank_row_count(bank) - 1u : 0u), config);
+    case CTL_TABLE_LAYOUT_CAM_POINTS:
+        return ctl_cam_boundary_hz(bank, config, end);
+    default:
+        return 0;
+    }
+}
+
 int64_t ctl_table_hz(const ctl_table* table, const ctl_ramp* ramp)
 {
     switch (table->layout) {
-    case CTL_TABLE_LAYOUT_STEP_TABLE: {
-        const ctl_row row = table->step.current;
-        const uint64_t full_speed_hz = (uint64_t)row.pulses * table->config->timer_clock_hz / row.ticks;
-        return ctl_ramp_share(ramp, (uint32_t)full_speed_hz);
-    }
+    case CTL_TABLE_LAYOUT_STEP_TABLE:
+        return ctl_ramp_share(ramp, (uint32_t)row_hz(table->step.current, table->config));
     case CTL_TABLE_LAYOUT_CAM_POINTS:
         return ctl_cam_hz(&table->cam, table->config);
     case CTL_TABLE_LAYOUT_INTERVALS: {

@@ -50,6 +50,8 @@ int64_t ctl_table_pass(ctl_table* table, uint32_t ticks);
 bool ctl_table_settled(const ctl_table* table);
 /* The master runs so fast that the output stage cannot follow. */
 bool ctl_table_too_fast(const ctl_table* table);
+/* Pulse frequency at full speed of a bank that repeats: where a cycle ends, or where one begins. */
+int64_t ctl_table_boundary_hz(const ctl_bank* bank, const ctl_config* config, bool end);
 /* Pulse frequency now, with the master at the speed of `ramp`. */
 int64_t ctl_table_hz(const ctl_table* table, const ctl_ramp* ramp);
 

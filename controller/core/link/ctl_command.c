@@ -30,6 +30,9 @@ static uint16_t apply_staged(ctl_core* core, const uint16_t* request)
         return CTL_REFUSAL_NOT_STANDSTILL;
     if (!ctl_bank_same_machine(ctl_active_bank(&core->banks), ctl_staged_bank(&core->banks)))
         return CTL_REFUSAL_MACHINE_DATA_DIFFERS;
+    const uint16_t refusal = ctl_motion_change_refusal(&core->motion);
+    if (refusal != CTL_REFUSAL_NONE)
+        return refusal;
     transfer->state = CTL_STAGED_STATE_ARMED;
     return CTL_REFUSAL_NONE;
 }

@@ -72,6 +72,15 @@ void ctl_motion_change_program(ctl_motion* motion)
         motion->state = CTL_STATE_READY;
 }
 
+uint16_t ctl_motion_change_refusal(const ctl_motion* motion)
+{
+    const ctl_bank* staged = ctl_staged_bank(motion->banks);
+    const ctl_change_plan plan = ctl_change_between(
+        motion->board, motion->packer, ctl_active_bank(motion->banks), staged, motion->direction);
+    const uint16_t line_refusal = ctl_packer_refusal(motion->packer, staged);
+    return line_refusal != CTL_REFUSAL_NONE ? line_refusal : ctl_change_refusal(&plan);
+}
+
 static bool repeats(const ctl_motion* motion)
 {
     return ctl_bank_at_end(ctl_active_bank(motion->banks)) == CTL_END_BEHAVIOR_REPEAT;
@@ -93,7 +102,7 @@ void ctl_motion_stand(ctl_motion* motion)
 
 /* Step tables ramp by the parameter. Others may have their master's ramp in the bank; where they have none,
  * full speed comes at once at the start of a cycle, and the parameter serves all other changes of speed. */
-static void begin_master_ramp(ctl_motion* motion)
+void ctl_motion_set_ramp(ctl_motion* motion)
 {
     const ctl_bank* bank = ctl_active_bank(motion->banks);
     const uint32_t bank_ms = ctl_bank_master_ramp_ms(bank);
@@ -104,9 +113,15 @@ static void begin_master_ramp(ctl_motion* motion)
         ctl_ramp_reset_s(&motion->ramp, full);
     else
         ctl_ramp_reset(&motion->ramp, full);
-    if (bank_ms == 0 && ctl_bank_layout(bank) != CTL_TABLE_LAYOUT_STEP_TABLE &&
+}
+
+static void begin_master_ramp(ctl_motion* motion)
+{
+    const ctl_bank* bank = ctl_active_bank(motion->banks);
+    ctl_motion_set_ramp(motion);
+    if (ctl_bank_master_ramp_ms(bank) == 0 && ctl_bank_layout(bank) != CTL_TABLE_LAYOUT_STEP_TABLE &&
         ctl_table_between_cycles(&motion->table))
-        motion->ramp.speed = full;
+        motion->ramp.speed = motion->ramp.full;
 }
 
 int32_t ctl_motion_wanted_direction(const ctl_motion* motion)
@@ -125,6 +140,7 @@ void ctl_motion_run(ctl_motion* motion)
     ctl_packer_run(motion->packer, ctl_active_bank(motion->banks));
     motion->manual = false;
     motion->start_after_home = false;
+    motion->change_planned = false;
     motion->state = CTL_STATE_RUNNING;
     if (ctl_motion_is_press(motion))
         ctl_motion_begin_stroke(motion);
@@ -232,6 +248,15 @@ uint16_t ctl_motion_stop_now(ctl_motion* motion)
     return CTL_REFUSAL_NONE;
 }
 
+uint32_t ctl_motion_to_boundary(const ctl_motion* motion)
+{
+    const uint32_t cycle = ctl_bank_cycle_ticks(motion->table.bank);
+    const bool packs = ctl_packer_active(motion->packer);
+    const uint32_t position =
+        packs ? ctl_packer_position(motion->packer) : ctl_table_position(&motion->table);
+    return motion->direction > 0 || ctl_table_between_cycles(&motion->table) ? cycle - position : position;
+}
+
 uint16_t ctl_motion_stop_at_cycle_end(ctl_motion* motion)
 {
     if (motion->state == CTL_STATE_STOPPING)
@@ -251,11 +276,7 @@ uint16_t ctl_motion_stop_at_cycle_end(ctl_motion* motion)
         return CTL_REFUSAL_NONE;
     }
     const uint32_t cycle = ctl_bank_cycle_ticks(motion->table.bank);
-    const bool packs = ctl_packer_active(motion->packer);
-    const uint32_t position =
-        packs ? ctl_packer_position(motion->packer) : ctl_table_position(&motion->table);
-    motion->stop_remaining =
-        motion->direction > 0 || ctl_table_between_cycles(&motion->table) ? cycle - position : position;
+    motion->stop_remaining = ctl_motion_to_boundary(motion);
     while (!ctl_ramp_can_land(&motion->ramp, motion->stop_remaining))
         motion->stop_remaining += cycle;
     /* Stopped soon after a start, it may gain some speed, so that the end of the cycle is not hours away. */

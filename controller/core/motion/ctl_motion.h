@@ -9,6 +9,7 @@
 #include "engine/ctl_press.h"
 #include "engine/ctl_ramp.h"
 #include "engine/ctl_table.h"
+#include "motion/ctl_change.h"
 #include "motion/ctl_heartbeat.h"
 #include "packer/ctl_packer.h"
 
@@ -54,6 +55,11 @@ typedef struct {
     uint32_t cycle_count;    /* cycles completed since power-up; strokes of a press however they ended */
     uint64_t stop_remaining; /* master ticks to the boundary where the motion ends */
     uint32_t stop_limit;     /* ramp speed that a stopping master does not exceed */
+    bool change_planned;     /* running with an armed program: */
+    bool change_opens;       /* the knife is to stand open for it */
+    uint32_t change_speed;   /* the ramp's speed with which it may take over */
+    uint64_t change_ticks;   /* master ticks to the boundary where it does */
+    ctl_change_plan change;
     uint32_t manual_hz;
     int32_t manual_direction; /* 1 or -1 */
     uint64_t manual_rest;     /* of a pulse, in 1 / timer clock */
@@ -77,6 +83,8 @@ uint16_t ctl_motion_stop_at_cycle_end(ctl_motion* motion);
 uint16_t ctl_motion_stop_now(ctl_motion* motion);
 uint16_t ctl_motion_home(ctl_motion* motion);
 uint16_t ctl_motion_reset_fault(ctl_motion* motion);
+/* Running: returns CTL_REFUSAL_..., the reason why the staged program cannot take over. */
+uint16_t ctl_motion_change_refusal(const ctl_motion* motion);
 /* Stops what moves by itself: nobody watches. */
 void ctl_motion_stop_unattended(ctl_motion* motion);
 
@@ -102,6 +110,10 @@ bool ctl_motion_is_press(const ctl_motion* motion);
 void ctl_motion_take_top(ctl_motion* motion);
 /* A press: the largest force is reached, so that nothing may move it down. */
 bool ctl_motion_force_forbids(const ctl_motion* motion);
+/* The ramp of the active bank, at standstill. */
+void ctl_motion_set_ramp(ctl_motion* motion);
+/* Master ticks to the next boundary of its cycle, not 0. */
+uint32_t ctl_motion_to_boundary(const ctl_motion* motion);
 void ctl_motion_begin_stroke(ctl_motion* motion);
 void ctl_motion_slice_stroke(ctl_motion* motion, uint32_t ticks);
 void ctl_motion_run(ctl_motion* motion);

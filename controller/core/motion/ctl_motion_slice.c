@@ -13,22 +13,57 @@ void ctl_motion_emit(ctl_motion* motion, int64_t pulses)
     motion->board->port.pulses(motion->board->port.context, (int32_t)pulses);
 }
 
-/* Between the last pulse of one cycle and the first of the next an armed program takes over. */
-static void take_over_armed(ctl_motion* motion)
+/* Running, an armed program takes over at the end of a cycle. */
+static bool changes(const ctl_motion* motion)
 {
-    if (motion->transfer->state != CTL_STAGED_STATE_ARMED || motion->state != CTL_STATE_RUNNING)
-        return;
+    return motion->transfer->state == CTL_STAGED_STATE_ARMED && motion->state == CTL_STATE_RUNNING &&
+           ctl_bank_at_end(ctl_active_bank(motion->banks)) == CTL_END_BEHAVIOR_REPEAT;
+}
+
+/* Finds the boundary that can be met slowly enough, no correction of the film going on over it. */
+static void plan_change(ctl_motion* motion, uint32_t slice)
+{
+    const uint32_t cycle = ctl_bank_cycle_ticks(motion->table.bank);
+    motion->change = ctl_change_between(motion->board, motion->packer, ctl_active_bank(motion->banks),
+                                        ctl_staged_bank(motion->banks), motion->direction);
+    motion->change_speed = ctl_ramp_speed_of(&motion->ramp, motion->change.share);
+    /* The slice that meets the boundary may begin faster by twice what the ramp loses in it. */
+    if (motion->change_speed < motion->ramp.full && motion->change_speed > 3u * slice)
+        motion->change_speed -= 2u * slice;
+    motion->change_ticks = ctl_motion_to_boundary(motion);
+    if (ctl_packer_correcting(motion->packer))
+        motion->change_ticks += cycle;
+    while (!ctl_ramp_can_approach(&motion->ramp, motion->change_ticks, motion->change_speed))
+        motion->change_ticks += cycle;
+    motion->change_planned = true;
+    motion->change_opens = false;
+}
+
+/* Between the last pulse of one cycle and the first of the next the armed program takes over. `ticks` of the
+ * master that are left of this slice go on with the same speed of the film. */
+static void take_over_armed(ctl_motion* motion, uint32_t* ticks)
+{
+    const uint64_t share = ctl_ramp_whole_share(&motion->ramp);
     ctl_transfer_apply(motion->transfer, motion->banks);
     ctl_table_change_bank(&motion->table, ctl_active_bank(motion->banks));
     ctl_packer_change_bank(motion->packer, ctl_active_bank(motion->banks));
+    ctl_motion_set_ramp(motion);
+    motion->ramp.speed = ctl_ramp_speed_of(&motion->ramp, ctl_change_share_behind(&motion->change, share));
+    motion->change_planned = false;
+    *ticks = (uint32_t)ctl_change_share_behind(&motion->change, *ticks);
 }
 
-static void cross_boundary(ctl_motion* motion)
+/* At a boundary: takes over, or runs on as slowly to the next one. */
+static void pass_boundary(ctl_motion* motion, uint32_t* ticks)
 {
-    ctl_table* table = &motion->table;
-    if (!ctl_packer_active(motion->packer))
-        take_over_armed(motion);
-    ctl_table_begin_cycle(table, motion->direction);
+    if (ctl_table_between_cycles(&motion->table) &&
+        ctl_motion_may_change(motion, ctl_staged_bank(motion->banks))) {
+        take_over_armed(motion, ticks);
+        return;
+    }
+    motion->change_opens =
+        motion->change_opens || ctl_packer_must_open(motion->packer, ctl_staged_bank(motion->banks));
+    motion->change_ticks += ctl_bank_cycle_ticks(motion->table.bank);
 }
 
 /* A cycle was completed; false when the table ends with it. */
@@ -49,7 +84,7 @@ static void run_table(ctl_motion* motion, uint32_t ticks)
     ctl_table* table = &motion->table;
     while (ticks != 0) {
         if (ctl_table_between_cycles(table))
-            cross_boundary(motion);
+            ctl_table_begin_cycle(table, motion->direction);
         const bool held = ctl_table_holding(table);
         uint32_t used = ticks;
         ctl_motion_emit(motion, ctl_table_advance(table, motion->direction, &used));
@@ -60,22 +95,33 @@ static void run_table(ctl_motion* motion, uint32_t ticks)
     }
 }
 
-/* The master moves on: film, infeed and knife of a packing machine, otherwise the table at once. */
-static void travel(ctl_motion* motion, uint32_t ticks)
+/* The master moves on by *ticks, of a packing machine at most to the end of its cycle: film and infeed with
+ * it, then the table; *ticks becomes what was used. */
+static void move_on(ctl_motion* motion, uint32_t* ticks)
 {
     if (!ctl_packer_active(motion->packer)) {
-        run_table(motion, ticks);
+        if (motion->change_planned && *ticks > motion->change_ticks)
+            *ticks = (uint32_t)motion->change_ticks;
+        run_table(motion, *ticks);
         return;
     }
+    const bool changes_next =
+        motion->change_planned && motion->change_ticks <= ctl_motion_to_boundary(motion);
+    const ctl_drive drive = {&motion->ramp, motion->state == CTL_STATE_RUNNING, changes_next,
+                             motion->change_planned && motion->change_opens};
+    run_table(motion, ctl_packer_advance(motion->packer, &drive, ticks));
+}
+
+static void travel(ctl_motion* motion, uint32_t ticks)
+{
     while (ticks != 0) {
-        if (motion->transfer->state == CTL_STAGED_STATE_ARMED && ctl_packer_position(motion->packer) == 0 &&
-            ctl_table_between_cycles(&motion->table) &&
-            ctl_motion_may_change(motion, ctl_staged_bank(motion->banks)))
-            take_over_armed(motion);
-        const ctl_drive drive = {&motion->ramp, motion->state == CTL_STATE_RUNNING};
+        if (motion->change_planned && motion->change_ticks == 0)
+            pass_boundary(motion, &ticks);
         uint32_t used = ticks;
-        run_table(motion, ctl_packer_advance(motion->packer, &drive, &used));
+        move_on(motion, &used);
         ticks -= used;
+        if (motion->change_planned)
+            motion->change_ticks -= used;
     }
 }
 
@@ -90,6 +136,13 @@ static int64_t manual_pulses(ctl_motion* motion, uint32_t ticks)
 static void slice_running(ctl_motion* motion, uint32_t ticks)
 {
     const int32_t wanted = ctl_motion_wanted_direction(motion);
+    motion->change_planned = motion->change_planned && changes(motion) && wanted == motion->direction;
+    if (wanted == motion->direction && changes(motion)) {
+        if (!motion->change_planned)
+            plan_change(motion, ticks);
+        travel(motion, ctl_ramp_approach(&motion->ramp, ticks, motion->change_ticks, motion->change_speed));
+        return;
+    }
     if (wanted == motion->direction) {
         travel(motion, ctl_ramp_up(&motion->ramp, ticks));
         return;
@@ -101,6 +154,7 @@ static void slice_running(ctl_motion* motion, uint32_t ticks)
 
 static void slice_stopping(ctl_motion* motion, uint32_t ticks)
 {
+    motion->change_planned = false;
     switch (motion->stop) {
     case CTL_STOP_NOW:
         travel(motion, ctl_ramp_down(&motion->ramp, ticks));

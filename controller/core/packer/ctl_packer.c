@@ -251,6 +251,7 @@ static void begin_cycle(ctl_packer* packer, const ctl_bank* bank)
     packer->master = 0;
     packer->planned = false;
     packer->cut_before = false;
+    packer->changed = false;
     packer->skips_in_row = 0;
     packer->broken_off = false;
     ctl_gate_reset(&packer->film_gate, packer->cycle, packer->engage, packer->release);
@@ -297,9 +298,13 @@ void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank)
     const int64_t film = ctl_feed_position(&packer->film);
     read_bank(packer, bank);
     packer->planned = false;
+    packer->changed = true;
     packer->limited_in_row = 0;
+    const bool is_open = packer->knife_gate.state == CTL_GATE_STATE_STANDING;
     ctl_gate_reset(&packer->film_gate, packer->cycle, packer->engage, packer->release);
     ctl_gate_reset(&packer->knife_gate, packer->cycle, packer->engage, packer->release);
+    if (is_open)
+        ctl_gate_stand(&packer->knife_gate);
     ctl_feed_reset(&packer->film, packer->cycle, film, ctl_packer_cycle_length(packer));
     ctl_feed_reset(&packer->infeed, packer->cycle, ctl_feed_position(&packer->infeed), packer->flight);
     plan_first_cut(packer);
@@ -323,17 +328,49 @@ void ctl_packer_follow_marks(ctl_packer* packer)
     }
 }
 
+/* Film added to each bag while the marks are not followed. */
+static int64_t trim(const ctl_packer* packer)
+{
+    const int64_t trim_um = (int16_t)parameter(packer, CTL_REG_PARAMETER_LENGTH_TRIM);
+    return ctl_packer_tracks(packer) ? 0 : ctl_packer_film(packer, trim_um);
+}
+
 int64_t ctl_packer_cycle_length(const ctl_packer* packer)
 {
-    const int64_t trim = (int16_t)parameter(packer, CTL_REG_PARAMETER_LENGTH_TRIM);
-    return packer->bag + (ctl_packer_tracks(packer) ? 0 : ctl_packer_film(packer, trim));
+    return packer->bag + trim(packer);
 }
 
 static bool in_step(const ctl_packer* packer)
 {
-    return packer->film_gate.state == CTL_GATE_STATE_RUNNING &&
-           packer->knife_gate.state == CTL_GATE_STATE_RUNNING && packer->master == packer->film.phase &&
-           packer->film.phase == packer->knife_gate.phase;
+    return packer->film_gate.state == CTL_GATE_STATE_RUNNING && packer->master == packer->film.phase &&
+           packer->film.phase == packer->knife_gate.phase &&
+           (packer->knife_gate.state == CTL_GATE_STATE_RUNNING ||
+            packer->knife_gate.state == CTL_GATE_STATE_STANDING);
+}
+
+ctl_line_speed ctl_packer_full_speed(const ctl_packer* packer, const ctl_bank* bank)
+{
+    const int64_t film = ctl_packer_film(packer, bag_um(bank)) + trim(packer);
+    const uint64_t flight =
+        (uint64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PULSES) * CTL_FINE;
+    const ctl_line_speed speed = {(int64_t)full_speed_hz(packer, bank, (uint64_t)film),
+                                  (int64_t)full_speed_hz(packer, bank, flight)};
+    return speed;
+}
+
+bool ctl_packer_correcting(const ctl_packer* packer)
+{
+    return packer->bank != NULL && (packer->film.span != 0 || packer->infeed.span != 0);
+}
+
+bool ctl_packer_must_open(const ctl_packer* packer, const ctl_bank* bank)
+{
+    if (packer->bank == NULL || parameter(packer, CTL_REG_PARAMETER_ANTI_CUT) == 0)
+        return false;
+    const int64_t clearance = ctl_packer_film(packer, parameter(packer, CTL_REG_PARAMETER_CUT_CLEARANCE));
+    const int64_t cut =
+        first_cut(ctl_feed_position(&packer->film), bank, ctl_packer_film(packer, bag_um(bank)));
+    return ctl_products_across(&packer->products, cut, clearance);
 }
 
 bool ctl_packer_may_change(const ctl_packer* packer, const ctl_bank* bank, bool standstill)
@@ -342,12 +379,11 @@ bool ctl_packer_may_change(const ctl_packer* packer, const ctl_bank* bank, bool 
         return true;
     if (!in_step(packer))
         return false;
-    if (parameter(packer, CTL_REG_PARAMETER_ANTI_CUT) == 0 || standstill)
+    if (standstill)
         return true;
-    const int64_t clearance = ctl_packer_film(packer, parameter(packer, CTL_REG_PARAMETER_CUT_CLEARANCE));
-    const int64_t cut =
-        first_cut(ctl_feed_position(&packer->film), bank, ctl_packer_film(packer, bag_um(bank)));
-    return !ctl_products_across(&packer->products, cut, clearance);
+    /* A correction across the boundary would end there with a step of the film's or the infeed's speed. */
+    return !ctl_packer_correcting(packer) &&
+           (packer->knife_gate.state == CTL_GATE_STATE_STANDING || !ctl_packer_must_open(packer, bank));
 }
 
 uint32_t ctl_packer_position(const ctl_packer* packer)

@@ -37,13 +37,18 @@ typedef struct {
     bool tracked;
     bool seen;
     bool had_products;
-    uint32_t bags; /* bag lengths since the cut before */
+    bool changed;    /* the program was changed since the cut before */
+    uint32_t bags;   /* bag lengths since then */
+    int64_t command; /* of the film motor when it was due, 1/256 pulse */
+    int64_t set_um;  /* length that the bag before it was to have */
 } ctl_last_cut;
 
 /* The master that drives the line. */
 typedef struct {
     const ctl_ramp* ramp;
     bool running; /* otherwise it is stopping */
+    bool changes; /* at the end of its cycle the program is changed */
+    bool opens;   /* the knife is to stand open for that */
 } ctl_drive;
 
 typedef struct {
@@ -70,6 +75,7 @@ typedef struct {
     int64_t film_actual; /* last measured, 1/256 pulse */
     int64_t infeed_actual;
     bool planned; /* the cut of the film's next cycle */
+    bool changed; /* the program, since the last cut */
     ctl_cut next;
     int64_t lag; /* at full speed: film position at a cut minus the command that was meant for it */
     int64_t phase_correction;
@@ -97,9 +103,20 @@ void ctl_packer_break_off(ctl_packer* packer);
 /* At the boundary of a cycle another program of the same machine became active. */
 void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank);
 bool ctl_packer_active(const ctl_packer* packer);
-/* Infeed, film and knife are in the same phase, so that a program may be changed at the boundary, and with
- * `bank` no product lies under its first cut, which the knife could not leave out any more. */
+/* Infeed, film and knife are in the same phase, so that a program may be changed at the boundary: the knife
+ * may stand open there, and must when a product lies under the first cut of `bank`. */
 bool ctl_packer_may_change(const ctl_packer* packer, const ctl_bank* bank, bool standstill);
+/* Pulses a second of film and infeed at full speed of `bank`. */
+typedef struct {
+    int64_t film;
+    int64_t infeed;
+} ctl_line_speed;
+ctl_line_speed ctl_packer_full_speed(const ctl_packer* packer, const ctl_bank* bank);
+/* Running: a product lies under the first cut of `bank`, so that it may take over only while the knife stands
+ * open. */
+bool ctl_packer_must_open(const ctl_packer* packer, const ctl_bank* bank);
+/* A correction of the film or the infeed is under way. */
+bool ctl_packer_correcting(const ctl_packer* packer);
 /* Ticks from the start of the master's cycle. */
 uint32_t ctl_packer_position(const ctl_packer* packer);
 /* The master moves on by *ticks, at most to the end of its cycle; returns the knife's ticks, *ticks becomes
@@ -115,8 +132,8 @@ void ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um);
 
 /* Begins to measure the distance of so many marks; returns CTL_REFUSAL_... */
 uint16_t ctl_packer_teach(ctl_packer* packer, const ctl_bank* bank, uint16_t marks);
-/* Bag lengths in the last bag measured. */
-uint32_t ctl_packer_lengths_in_bag(const ctl_packer* packer);
+/* The length that the last bag measured was to have, of a program with bags of `bag_um`. */
+int64_t ctl_packer_set_um(const ctl_packer* packer, uint32_t bag_um);
 /* Lengths on the film in micrometres, and back. */
 int64_t ctl_packer_um(const ctl_packer* packer, int64_t film);
 int64_t ctl_packer_film(const ctl_packer* packer, int64_t um);

@@ -17,6 +17,11 @@ static int64_t limited(int64_t value, int64_t limit)
     return value < -limit ? -limit : value;
 }
 
+static uint32_t bag_um(const ctl_packer* packer)
+{
+    return ctl_get32(&packer->bank->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH]);
+}
+
 static int64_t film_um(const ctl_packer* packer, uint32_t address)
 {
     return ctl_packer_film(packer, ctl_parameter16(packer->board, address));
@@ -54,7 +59,7 @@ static void raise_alarm(ctl_packer* packer, uint32_t bit)
 
 /* Returns the shift of the film by which the next cut, `wanted` away from its mark, meets it, within limits.
  */
-static int64_t allowed_shift(ctl_packer* packer, const ctl_mark* mark, int64_t wanted)
+static int64_t allowed_shift(ctl_packer* packer, const ctl_drive* drive, const ctl_mark* mark, int64_t wanted)
 {
     int64_t phase_limit = film_um(packer, CTL_REG_PARAMETER_PHASE_LIMIT);
     packer->length_correction = limited(mark->pitch - packer->bag, ctl_packer_length_limit(packer));
@@ -63,7 +68,7 @@ static int64_t allowed_shift(ctl_packer* packer, const ctl_mark* mark, int64_t w
         packer->marks.state = CTL_MARK_STATE_TRACKING;
     const bool aligning = packer->marks.state == CTL_MARK_STATE_ALIGNING;
     if (aligning)
-        phase_limit = packer->bag / ALIGNING_SHARE;
+        phase_limit = packer->bag / (drive->changes ? 2 * ALIGNING_SHARE : ALIGNING_SHARE);
     packer->phase_correction = limited(phase, phase_limit);
     const int64_t shift = packer->length_correction + packer->phase_correction;
     if (shift == wanted || aligning) {
@@ -93,12 +98,13 @@ static void plan_cut(ctl_packer* packer, const ctl_drive* drive)
     packer->phase_correction = 0;
     packer->length_correction = 0;
     if (mark != NULL)
-        shift = allowed_shift(packer, mark, mark->at - packer->next.lag - even);
+        shift = allowed_shift(packer, drive, mark, mark->at - packer->next.lag - even);
     packer->next.command = even + shift;
     packer->next.tracked = mark != NULL && packer->marks.state == CTL_MARK_STATE_TRACKING;
     packer->next.seen = mark != NULL && mark->seen;
-    if (shift != 0)
-        ctl_feed_correct(&packer->film, shift, packer->cycle - packer->release + (uint64_t)packer->engage);
+    const uint64_t before_end = packer->cycle - packer->release;
+    if (shift != 0) /* over before a change of program: its half of the way has half the room */
+        ctl_feed_correct(&packer->film, shift, before_end + (drive->changes ? 0u : packer->engage));
 }
 
 static void count_skip(ctl_packer* packer)
@@ -113,9 +119,13 @@ static void count_skip(ctl_packer* packer)
         raise_alarm(packer, CTL_WARNING_BIT_TOO_MANY_SKIPS);
 }
 
-/* A product lies where the knife would close next if it set off now. */
-static bool knife_must_wait(ctl_packer* packer)
+/* A product lies where the knife would close next if it set off now; or a change of program needs it open. */
+static bool knife_must_wait(ctl_packer* packer, const ctl_drive* drive)
 {
+    if (drive->opens) {
+        count_skip(packer);
+        return true;
+    }
     if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_ANTI_CUT) == 0)
         return false;
     int64_t clearance = film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE);
@@ -149,7 +159,7 @@ static bool film_must_wait(ctl_packer* packer)
         !ctl_products_missing(&packer->products, packer->number + 1, packer->infeed_actual))
         return false;
     packer->empty += 1;
-    packer->saved_um += ctl_get32(&packer->bank->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH]);
+    packer->saved_um += bag_um(packer);
     packer->last_skip = CTL_SKIP_CAUSE_NO_PRODUCT;
     return true;
 }
@@ -162,7 +172,7 @@ static uint32_t move_film(ctl_packer* packer, const ctl_drive* drive, uint32_t t
         if (packer->film.phase >= packer->release && !packer->planned)
             plan_cut(packer, drive);
         if (ctl_gate_asks(&packer->knife_gate))
-            ctl_gate_answer(&packer->knife_gate, knife_must_wait(packer));
+            ctl_gate_answer(&packer->knife_gate, knife_must_wait(packer, drive));
         uint32_t part = ctl_gate_piece(&packer->knife_gate);
         const uint32_t end = packer->film.phase < packer->release ? packer->release : packer->cycle;
         if (part > end - packer->film.phase)
@@ -276,6 +286,11 @@ void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp)
     last->seen = packer->next.seen;
     last->had_products = ctl_products_cut(&packer->products, film) != 0;
     last->bags = 1u + packer->skips_in_row;
+    last->changed = packer->changed && packer->cut_before;
+    last->set_um = last->changed ? ctl_packer_um(packer, packer->next.command - last->command)
+                                 : (int64_t)last->bags * bag_um(packer);
+    last->command = packer->next.command;
+    packer->changed = false;
     packer->skips_in_row = 0;
     packer->skips_in_run = 0;
     packer->cut_before = true;
@@ -286,8 +301,6 @@ void ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um)
     if (packer->bank == NULL)
         return;
     const ctl_last_cut* last = &packer->last_cut;
-    const int64_t set_um =
-        (int64_t)last->bags * ctl_get32(&packer->bank->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH]);
     uint32_t flags = (last->bags < 255u ? last->bags : 255u) << 8;
     if (last->tracked)
         flags |= 1u << CTL_BAG_BIT_TRACKED;
@@ -297,15 +310,17 @@ void ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um)
         flags |= 1u << CTL_BAG_BIT_PRODUCT_ACROSS;
     if (!last->had_products)
         flags |= 1u << CTL_BAG_BIT_EMPTY;
+    if (last->changed)
+        flags |= 1u << CTL_BAG_BIT_CHANGE_OVER;
     packer->bags += 1;
     uint16_t* record = &packer->records[CTL_BAG_REGISTERS * (packer->bags % CTL_BAG_RECORDS)];
-    record[0] = ctl_saturated16((int64_t)length_um - set_um);
+    record[0] = ctl_saturated16((int64_t)length_um - last->set_um);
     record[1] = ctl_saturated16(ctl_packer_um(packer, last->error));
     record[2] = ctl_saturated16(ctl_packer_um(packer, last->pitch - (int64_t)last->bags * packer->bag));
     record[3] = (uint16_t)flags;
 }
 
-uint32_t ctl_packer_lengths_in_bag(const ctl_packer* packer)
+int64_t ctl_packer_set_um(const ctl_packer* packer, uint32_t bag_um)
 {
-    return packer->bank == NULL || packer->last_cut.bags == 0 ? 1u : packer->last_cut.bags;
+    return packer->bank == NULL || packer->last_cut.bags == 0 ? (int64_t)bag_um : packer->last_cut.set_um;
 }

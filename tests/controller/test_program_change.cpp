@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: Apache-2.0
+// The change of program while the machine runs: no axis steps further than it may, and nothing is lost.
+#include "rig.h"
+
+#include "motion/ctl_change.h"
+#include "tests/support/test_program.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <random>
+#include <vector>
+
+namespace test_program_change {
+
+using namespace campanel::test;
+using campanel::controller::MachineOptions;
+
+namespace {
+
+constexpr double clockHz = 8e6;
+constexpr std::uint64_t second = 1'000'000;
+constexpr std::size_t window = 4; // slices in which a speed is measured
+
+MachineOptions calm()
+{
+    MachineOptions options;
+    options.film.slipMm = 0.0;
+    options.film.stretch = 0.0;
+    options.film.markNoiseMm = 0.0;
+    options.products.scatterMm = 0.0;
+    options.products.laySlipMm = 0.0;
+    options.products.eyeNoiseMm = 0.0;
+    options.products.lengthScatterMm = 0.0;
+    options.products.lengthMm = 40.0;
+    return options;
+}
+
+// Returns a cutter's table: base speed in the first and last two tenths, sealing speed in the middle.
+BankImage cutter(std::uint32_t bagUm, double bagsPerMin)
+{
+    constexpr std::uint32_t pulses = 10000;
+    const auto cycle = static_cast<std::uint32_t>(std::lround(clockHz * 60.0 / bagsPerMin));
+    BankImage bank = camBank(pulses, 1, cycle);
+    bank.bagLengthUm = bagUm;
+    // Film and knife tip go together for a fifth of the cycle; the rest of the turn is spread over the
+    // others.
+    const double sealing = std::min(0.8, 0.2 * bagUm / 1000.0 / (2.0 * M_PI * 60.0));
+    const std::size_t rows = bank.rows.size();
+    double sum = 0.0;
+    std::int64_t given = 0;
+    for (std::size_t i = 0; i < rows; ++i) {
+        const bool isWindow = i >= rows * 4 / 10 && i < rows * 6 / 10;
+        sum += isWindow ? sealing / (0.2 * static_cast<double>(rows))
+                        : (1.0 - sealing) / (0.8 * static_cast<double>(rows));
+        const std::int64_t upTo = std::lround(sum * pulses);
+        bank.rows[i].pulses = static_cast<std::uint16_t>(upTo - given);
+        given = upTo;
+    }
+    return bank;
+}
+
+struct Axes {
+    double knife = 0.0;
+    double film = 0.0;
+    double infeed = 0.0;
+};
+
+Axes operator+(const Axes& a, const Axes& b)
+{
+    return {a.knife + b.knife, a.film + b.film, a.infeed + b.infeed};
+}
+
+Axes operator-(const Axes& a, const Axes& b)
+{
+    return {a.knife - b.knife, a.film - b.film, a.infeed - b.infeed};
+}
+
+// Returns where the axes are commanded to, in pulses; finer than whole ones.
+Axes positions(Rig& rig)
+{
+    const ctl_motion& motion = rig.core().motion;
+    const ctl_step& step = motion.table.step;
+    const double part = ctl_step_between_cycles(&step)
+                            ? 0.0
+                            : static_cast<double>(step.current.pulses) * step.row_ticks / step.current.ticks -
+                                  step.row_pulses;
+    return {static_cast<double>(motion.commanded) + part,
+            static_cast<double>(ctl_feed_position(&rig.core().packer.film)) / CTL_FINE,
+            static_cast<double>(ctl_feed_position(&rig.core().packer.infeed)) / CTL_FINE};
+}
+
+struct Change {
+    Axes step; // largest steps of the speeds at the boundary, Hz
+    double timeS = 0.0;
+    double share = 1.0; // smallest share of full speed
+};
+
+// Of these speeds: positions are in 1/256 pulse, and the master moves by whole ticks.
+constexpr double resolutionHz = 60.0;
+
+// Runs the rig until the armed program has taken over and runs at full speed. The boundary lies inside
+// of a slice; the speeds on both sides are those next to it.
+Change follow(Rig& rig)
+{
+    const std::uint32_t generation = rig.core().banks.generation;
+    const std::uint64_t beganUs = rig.controller().nowUs();
+    Change change;
+    std::array<Axes, 6 * window> at{};
+    const auto step = [&] {
+        rig.controller().step();
+        std::rotate(at.begin(), at.begin() + 1, at.end());
+        at.back() = positions(rig);
+        change.share = std::min(change.share, static_cast<double>(rig.core().motion.ramp.speed) /
+                                                  rig.core().motion.ramp.full);
+    };
+    while (rig.core().banks.generation == generation) {
+        step();
+        if (rig.controller().nowUs() - beganUs > 120 * second)
+            return change;
+    }
+    for (std::size_t i = 0; i < 2 * window; ++i)
+        step();
+    // Travel in the windows next to the slice of the boundary, with the ramp's part of the way to it.
+    const std::size_t last = at.size() - 1 - 2 * window; // the end of that slice
+    const auto travel = [&](std::size_t end) { return at[end] - at[end - window]; };
+    const Axes before = travel(last - 1) + (travel(last - 1) - travel(last - 1 - window));
+    const Axes behind = travel(last + window) - (travel(last + 2 * window) - travel(last + window));
+    const double hz = 1e6 / 250.0 / window;
+    change.step = {std::abs(behind.knife - before.knife) * hz, std::abs(behind.film - before.film) * hz,
+                   std::abs(behind.infeed - before.infeed) * hz};
+    while (rig.core().motion.ramp.speed < rig.core().motion.ramp.full)
+        step();
+    change.timeS = static_cast<double>(rig.controller().nowUs() - beganUs) / 1e6;
+    return change;
+}
+
+void setLimit(Rig& rig, std::uint16_t address, std::uint32_t hz)
+{
+    QCOMPARE(
+        rig.write(address, {static_cast<std::uint16_t>(hz >> 16), static_cast<std::uint16_t>(hz & 0xFFFFu)}),
+        0);
+}
+
+void arm(Rig& rig, const BankImage& bank, std::uint16_t session)
+{
+    QCOMPARE(rig.download(bank.registers(), session), CTL_TRANSFER_RESULT_ACCEPTED);
+    QCOMPARE(rig.apply(bank.registers(), CTL_APPLY_MODE_NEXT_CYCLE, session), CTL_REFUSAL_NONE);
+}
+
+} // namespace
+
+class TestProgramChange : public QObject {
+    Q_OBJECT
+
+private slots:
+    void rampApproachesASpeed();
+    void sameLengthOnlyRamps();
+    void randomPairsKeepTheirSteps();
+};
+
+void TestProgramChange::rampApproachesASpeed()
+{
+    std::mt19937_64 random(1);
+    for (int i = 0; i < 2000; ++i) {
+        const auto pick = [&](std::uint32_t low, std::uint32_t high) {
+            return std::uniform_int_distribution<std::uint32_t>(low, high)(random);
+        };
+        ctl_ramp ramp;
+        if (i % 2 == 0)
+            ctl_ramp_reset(&ramp, pick(400'000, 8'000'000));
+        else
+            ctl_ramp_reset_s(&ramp, pick(400'000, 8'000'000));
+        ramp.speed = pick(0, ramp.full);
+        // Not below the smallest share of a change, of the S-curve 2 x^2.
+        const std::uint32_t end = pick(ramp.full / (ramp.s_curve ? 60 : 1000), ramp.full);
+        std::uint64_t remaining = pick(1, 20'000'000);
+        while (!ctl_ramp_can_approach(&ramp, remaining, end))
+            remaining += 1'000'000;
+        std::uint32_t fastest = 0;
+        while (remaining != 0) {
+            const std::uint32_t speed = ramp.speed;
+            const std::uint32_t travelled = ctl_ramp_approach(&ramp, 2000, remaining, end);
+            // Up or down by one per tick at most, and a little for the rounding of the root.
+            QVERIFY2(ramp.speed <= speed + 2000 && ramp.speed + 2250 >= speed,
+                     qPrintable(QStringLiteral("%1: %2 to %3 of %4, %5 to %6 (end %7)")
+                                    .arg(i)
+                                    .arg(speed)
+                                    .arg(ramp.speed)
+                                    .arg(ramp.full)
+                                    .arg(remaining)
+                                    .arg(travelled)
+                                    .arg(end)));
+            fastest = std::max(fastest, ramp.speed);
+            if (travelled >= remaining)
+                break;
+            remaining -= travelled;
+        }
+        QVERIFY2(
+            ramp.speed <= end + 2 * 2000,
+            qPrintable(
+                QStringLiteral("%1: %2 instead of %3 of %4").arg(i).arg(ramp.speed).arg(end).arg(ramp.full)));
+        QVERIFY(fastest <= ramp.full);
+    }
+}
+
+// 60 to 120 bags a minute of the same length: film and knife keep their speed, only the ramp follows.
+void TestProgramChange::sameLengthOnlyRamps()
+{
+    Rig rig(calm());
+    setLimit(rig, CTL_REG_PARAMETER_INFEED_STEP, 100);
+    rig.install(cutter(250'000, 60));
+    rig.start();
+    rig.run(10 * second);
+    arm(rig, cutter(250'000, 120), 2);
+    const Change change = follow(rig);
+    QVERIFY2(std::abs(change.share - 0.5) < 0.01, qPrintable(QString::number(change.share)));
+    QVERIFY2(
+        change.step.film < 40 && change.step.knife < 40 && change.step.infeed < 40,
+        qPrintable(
+            QStringLiteral("%1 %2 %3").arg(change.step.film).arg(change.step.knife).arg(change.step.infeed)));
+}
+
+void TestProgramChange::randomPairsKeepTheirSteps()
+{
+    constexpr int pairs = 200;
+    int waiting = 0;
+    std::mt19937_64 random(19);
+    std::vector<double> times;
+    Axes largest;
+    for (int i = 0; i < pairs; ++i) {
+        const auto pick = [&](double low, double high) {
+            return std::uniform_real_distribution<double>(low, high)(random);
+        };
+        const auto any = [&] {
+            const double lengthMm = pick(100, 460);
+            return cutter(static_cast<std::uint32_t>(lengthMm * 1000),
+                          pick(30, std::min(350.0, 60.0 * 700.0 / lengthMm)));
+        };
+        Rig rig(calm());
+        const std::array<std::uint32_t, 3> limits{static_cast<std::uint32_t>(pick(300, 5000)),
+                                                  static_cast<std::uint32_t>(pick(300, 3000)),
+                                                  static_cast<std::uint32_t>(pick(300, 3000))};
+        setLimit(rig, CTL_REG_PARAMETER_KNIFE_STEP, limits[0]);
+        setLimit(rig, CTL_REG_PARAMETER_FILM_STEP, limits[1]);
+        setLimit(rig, CTL_REG_PARAMETER_INFEED_STEP, limits[2]);
+        rig.install(any());
+        rig.start();
+        rig.run(10 * second);
+        QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
+        arm(rig, any(), 2);
+        const Change change = follow(rig);
+        if (rig.core().banks.generation == 1u) {
+            // A product of the old spacing lies under the first cut at every boundary.
+            QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
+            ++waiting;
+            continue;
+        }
+        const auto bound = [](std::uint32_t limit) { return 1.01 * limit + resolutionHz; };
+        const QByteArray where = QByteArray::number(i) + ": " + QByteArray::number(change.step.knife) + " " +
+                                 QByteArray::number(change.step.film) + " " +
+                                 QByteArray::number(change.step.infeed) + " share " +
+                                 QByteArray::number(change.share);
+        QVERIFY2(change.step.knife <= bound(limits[0]), where);
+        QVERIFY2(change.step.film <= bound(0), where);
+        QVERIFY2(change.step.infeed <= bound(limits[2]), where);
+        largest = {std::max(largest.knife, change.step.knife / limits[0]),
+                   std::max(largest.film, change.step.film),
+                   std::max(largest.infeed, change.step.infeed / limits[2])};
+        times.push_back(change.timeS);
+    }
+    std::ranges::sort(times);
+    std::printf(
+        "%d pairs: largest step of the knife %.3f and of the infeed %.3f of its limit, of the film %.1f Hz; "
+        "time median %.2f s, largest %.2f s; %d pairs wait\n",
+        pairs, largest.knife, largest.infeed, largest.film, times[times.size() / 2], times.back(), waiting);
+}
+
+CAMPANEL_TEST(TestProgramChange)
+
+} // namespace test_program_change
+
+#include "test_program_change.moc"
