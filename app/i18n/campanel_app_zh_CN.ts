@@ -1150,6 +1150,26 @@
 <context>
     <name>ControllerSentences</name>
     <message>
+        <source>The machine keeps running; the new recipe starts with the next cycle.</source>
+        <translation>机器继续运行，新配方从下一周期开始。</translation>
+    </message>
+    <message>
+        <source>The film keeps its speed; %1 bags/min after %2 s.</source>
+        <translation>薄膜速度不变；%2 秒后达到 %1 袋/分。</translation>
+    </message>
+    <message>
+        <source>The master keeps its speed; full speed after %1 s.</source>
+        <translation>主轴速度不变；%1 秒后达到全速。</translation>
+    </message>
+    <message>
+        <source>Slows down to %1 % (bags: %2, %3 s), then %4 bags/min.</source>
+        <translation>先降速至 %1 %（%2 袋，%3 秒），然后 %4 袋/分。</translation>
+    </message>
+    <message>
+        <source>Slows down to %1 % (cycles: %2, %3 s), then full speed.</source>
+        <translation>先降速至 %1 %（%2 个周期，%3 秒），然后全速。</translation>
+    </message>
+    <message>
         <source>No program</source>
         <translation>无程序</translation>
     </message>
@@ -3394,10 +3414,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>控制器中已有此程序。</translation>
     </message>
     <message>
-        <source>The machine keeps running; the new recipe starts with the next cycle.</source>
-        <translation>机器继续运行，新配方从下一周期开始。</translation>
-    </message>
-    <message>
         <source>The new recipe is used from the next start.</source>
         <translation>新配方从下次启动起使用。</translation>
     </message>
@@ -4624,6 +4640,18 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 </context>
 <context>
     <name>campanel::panel::PackingFields</name>
+    <message>
+        <source>Knife: max. speed step at a change</source>
+        <translation>刀轴：换程序时最大速度阶跃</translation>
+    </message>
+    <message>
+        <source>Film: max. speed step at a change</source>
+        <translation>薄膜：换程序时最大速度阶跃</translation>
+    </message>
+    <message>
+        <source>Infeed: max. speed step at a change</source>
+        <translation>进料：换程序时最大速度阶跃</translation>
+    </message>
     <message>
         <source>Mark tracking</source>
         <translation>色标跟踪</translation>

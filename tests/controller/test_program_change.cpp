@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+#include <cstdlib>
 #include <random>
 #include <vector>
 
@@ -97,6 +97,7 @@ struct Change {
     Axes step; // largest steps of the speeds at the boundary, Hz
     double timeS = 0.0;
     double share = 1.0; // smallest share of full speed
+    bool isThroughProduct = false;
 };
 
 // Of these speeds: positions are in 1/256 pulse, and the master moves by whole ticks.
@@ -114,6 +115,8 @@ Change follow(Rig& rig)
         rig.controller().step();
         std::rotate(at.begin(), at.begin() + 1, at.end());
         at.back() = positions(rig);
+        change.isThroughProduct =
+            change.isThroughProduct || (rig.controller().cut() && rig.controller().cut()->throughProduct);
         change.share = std::min(change.share, static_cast<double>(rig.core().motion.ramp.speed) /
                                                   rig.core().motion.ramp.full);
     };
@@ -224,13 +227,43 @@ void TestProgramChange::sameLengthOnlyRamps()
             QStringLiteral("%1 %2 %3").arg(change.step.film).arg(change.step.knife).arg(change.step.infeed)));
 }
 
+// Runs on for some bags, stops at the end of a cycle: no phase and no pulse is lost, every bag has its
+// length.
+QString wrongAfter(Rig& rig, std::uint32_t bagUm)
+{
+    const ctl_packer& packer = rig.core().packer;
+    for (int bags = 0; bags < 12;) {
+        rig.controller().step();
+        const auto& cut = rig.controller().cut();
+        if (!cut)
+            continue;
+        ++bags;
+        if (cut->throughProduct)
+            return QStringLiteral("a cut through a product");
+        // The first one lies in both programs; the cuts are moved onto the new marks by a tenth of a bag.
+        const double deviationUm = static_cast<double>(rig.core().bags.length_um) -
+                                   static_cast<double>(ctl_packer_set_um(&packer, bagUm));
+        if (packer.marks.state == CTL_MARK_STATE_TRACKING && packer.last_cut.tracked && bags > 6 &&
+            std::abs(deviationUm) > 100)
+            return QStringLiteral("bag %1 is off by %2 um").arg(bags).arg(deviationUm);
+    }
+    rig.command(CTL_COMMAND_STOP_AT_CYCLE_END);
+    if (!rig.runUntilState(CTL_STATE_READY))
+        return QStringLiteral("no stop");
+    if (packer.master != 0 || packer.film.phase != 0 || packer.knife_gate.phase != 0)
+        return QStringLiteral("a phase is lost");
+    if (rig.commanded() != std::int64_t{10'000} * rig.core().motion.cycle_count)
+        return QStringLiteral("a pulse is lost");
+    return {};
+}
+
 void TestProgramChange::randomPairsKeepTheirSteps()
 {
-    constexpr int pairs = 200;
-    int waiting = 0;
+    const int pairs = std::max(15, qEnvironmentVariableIntValue("CAMPANEL_RANDOM_CASES"));
     std::mt19937_64 random(19);
     std::vector<double> times;
-    Axes largest;
+    Axes largest; // steps over their limits; of the film in Hz
+    int broken = 0;
     for (int i = 0; i < pairs; ++i) {
         const auto pick = [&](double low, double high) {
             return std::uniform_real_distribution<double>(low, high)(random);
@@ -250,33 +283,28 @@ void TestProgramChange::randomPairsKeepTheirSteps()
         rig.install(any());
         rig.start();
         rig.run(10 * second);
-        QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
-        arm(rig, any(), 2);
+        const BankImage next = any();
+        arm(rig, next, 2);
         const Change change = follow(rig);
-        if (rig.core().banks.generation == 1u) {
-            // A product of the old spacing lies under the first cut at every boundary.
-            QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
-            ++waiting;
-            continue;
-        }
-        const auto bound = [](std::uint32_t limit) { return 1.01 * limit + resolutionHz; };
-        const QByteArray where = QByteArray::number(i) + ": " + QByteArray::number(change.step.knife) + " " +
-                                 QByteArray::number(change.step.film) + " " +
-                                 QByteArray::number(change.step.infeed) + " share " +
-                                 QByteArray::number(change.share);
-        QVERIFY2(change.step.knife <= bound(limits[0]), where);
-        QVERIFY2(change.step.film <= bound(0), where);
-        QVERIFY2(change.step.infeed <= bound(limits[2]), where);
+        QCOMPARE(rig.core().banks.generation, 2u);
+        QVERIFY2(!change.isThroughProduct, QByteArray::number(i));
+        const bool isKept = change.step.knife <= 1.01 * limits[0] + resolutionHz &&
+                            change.step.film <= resolutionHz &&
+                            change.step.infeed <= 1.01 * limits[2] + resolutionHz;
+        broken += isKept ? 0 : 1;
         largest = {std::max(largest.knife, change.step.knife / limits[0]),
                    std::max(largest.film, change.step.film),
                    std::max(largest.infeed, change.step.infeed / limits[2])};
         times.push_back(change.timeS);
+        const QString wrong = wrongAfter(rig, next.bagLengthUm);
+        QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("pair %1: %2").arg(i).arg(wrong)));
     }
     std::ranges::sort(times);
-    std::printf(
-        "%d pairs: largest step of the knife %.3f and of the infeed %.3f of its limit, of the film %.1f Hz; "
-        "time median %.2f s, largest %.2f s; %d pairs wait\n",
-        pairs, largest.knife, largest.infeed, largest.film, times[times.size() / 2], times.back(), waiting);
+    qInfo("%d pairs, %d beyond a limit: largest step of the knife %.3f and of the infeed %.3f of its limit, "
+          "of the "
+          "film %.1f Hz; time median %.2f s, largest %.2f s",
+          pairs, broken, largest.knife, largest.infeed, largest.film, times[times.size() / 2], times.back());
+    QCOMPARE(broken, 0);
 }
 
 CAMPANEL_TEST(TestProgramChange)

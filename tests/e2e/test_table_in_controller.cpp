@@ -2,9 +2,11 @@
 // A recipe's table as executed by the controller: downloaded frame by frame, then 10^6 cycles of its engine.
 // The counts are compared with K Z / N as an exact fraction, computed here. Tables of intervals pass the
 // controller's check and its engine.
+#include "app/program/program_change.h"
 #include "app/program/program_image.h"
 #include "base/ctl_words.h"
 #include "engine/ctl_interval.h"
+#include "motion/ctl_change.h"
 #include "profile/intervals/intervals.h"
 #include "profile/laws/laws.h"
 #include "rig.h"
@@ -93,10 +95,44 @@ std::unique_ptr<ctl_bank> bankOf(const profile::IntervalTable& table)
 
 } // namespace
 
+std::unique_ptr<ctl_bank> bankOf(const program::ProgramImage& image)
+{
+    auto bank = std::make_unique<ctl_bank>();
+    std::ranges::copy(image.registers, bank->registers);
+    return bank;
+}
+
+// Returns a feasible recipe of this kind with random values.
+program::ProgramImage randomProgram(profile::ProgramKind kind, std::mt19937_64& random)
+{
+    const auto pick = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    while (true) {
+        program::Recipe recipe = program::defaultRecipe(kind);
+        if (recipe.isCutter()) {
+            recipe.cutter().bagLengthMm = pick(100, 460);
+            recipe.cutter().rateBagsPerMin = pick(20, 380);
+        } else {
+            auto& cam = std::get<profile::PointCamProgram>(recipe.program);
+            cam.ends = profile::SplineEnds::Natural; // the speed at its ends is not zero
+            for (profile::Knot& knot : cam.knots)
+                knot.slaveMm += pick(-5, 5);
+            cam.knots.back().slaveMm = cam.knots.front().slaveMm + 20;
+            cam.masterRateRevPerMin = pick(2, 60) * (random() % 2 == 0 ? 1 : -1);
+            cam.masterRampS = pick(0.1, 3);
+        }
+        if (auto image = program::buildProgram(recipe))
+            return *image;
+    }
+}
+
 class TestTableInController : public QObject {
     Q_OBJECT
 
 private slots:
+    void changeIsPredicted_data();
+    void changeIsPredicted();
     void aMillionCyclesWithoutDrift_data();
     void aMillionCyclesWithoutDrift();
     void slicesDoNotChangeTheCycle_data();
@@ -257,6 +293,58 @@ void TestTableInController::intervalsAreAccepted()
     }
     qInfo("%d of %d compiled", accepted, cases);
     QVERIFY(accepted > cases / 2);
+}
+
+void TestTableInController::changeIsPredicted_data()
+{
+    QTest::addColumn<int>("kind");
+    QTest::newRow("cutter") << static_cast<int>(profile::ProgramKind::RotaryCutter);
+    QTest::newRow("point cam") << static_cast<int>(profile::ProgramKind::PointCam);
+}
+
+// The panel's formula and the core's say the same share for a thousand pairs.
+void TestTableInController::changeIsPredicted()
+{
+    QFETCH(int, kind);
+    std::mt19937_64 random(7);
+    Rig rig;
+    std::vector<program::ProgramImage> programs;
+    for (int i = 0; i < 46; ++i)
+        programs.push_back(randomProgram(static_cast<profile::ProgramKind>(kind), random));
+    install(rig, programs.front());
+    rig.start();
+    const ctl_board& board = rig.core().board;
+    const program::ChangeParameters parameters{
+        .knifeStepHz = ctl_parameter32(&board, CTL_REG_PARAMETER_KNIFE_STEP) * 1.0,
+        .filmStepHz = ctl_parameter32(&board, CTL_REG_PARAMETER_FILM_STEP) * 1.0,
+        .infeedStepHz = ctl_parameter32(&board, CTL_REG_PARAMETER_INFEED_STEP) * 1.0,
+        .filmPulsesPerMm = 10'000.0 / 150.0,
+        .flightPulses = 20'000.0,
+        .rampS = 0.8};
+    int slowing = 0;
+    int pairs = 0;
+    for (const program::ProgramImage& from : programs) {
+        for (std::size_t i = 0; i < 22; ++i) {
+            const program::ProgramImage& to = programs[i];
+            const auto predicted =
+                program::programChange(from.recipe, from.solved, to.recipe, to.solved, parameters);
+            const ctl_change_plan plan =
+                ctl_change_between(&board, &rig.core().packer, bankOf(from).get(), bankOf(to).get(),
+                                   ctl_bank_direction(bankOf(from).get()));
+            const double share = std::ldexp(static_cast<double>(plan.share), -31);
+            QCOMPARE(predicted.has_value(), ctl_change_refusal(&plan) == CTL_REFUSAL_NONE);
+            if (!predicted)
+                continue;
+            // The first row of a step table has its pulses rounded to whole ones.
+            QVERIFY2(
+                std::abs(predicted->shareBefore - share) < 0.02 * share + 0.001,
+                qPrintable(
+                    QStringLiteral("%1: %2, the core %3").arg(pairs).arg(predicted->shareBefore).arg(share)));
+            slowing += share < 0.99 ? 1 : 0;
+            ++pairs;
+        }
+    }
+    QVERIFY2(pairs > 1000 && slowing > 500, qPrintable(QStringLiteral("%1 of %2").arg(slowing).arg(pairs)));
 }
 
 CAMPANEL_TEST(TestTableInController)

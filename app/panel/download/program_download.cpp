@@ -17,8 +17,10 @@ ProgramDownload::ProgramDownload(Controller& machine, QObject* parent)
     , m_machine(machine)
     , m_differences(this)
     , m_proof(machine, this)
+    , m_forecast(machine, this)
 {
     connect(&machine.link(), &link::Link::downloadReported, this, &ProgramDownload::takeReport);
+    connect(&m_forecast, &ChangeForecast::changed, this, &ProgramDownload::update);
     connect(&machine, &Controller::programChanged, this, &ProgramDownload::update);
     connect(&machine, &Controller::savedChanged, this, &ProgramDownload::update);
     connect(&machine, &Controller::commandsChanged, this, &ProgramDownload::update);
@@ -78,13 +80,14 @@ QString ProgramDownload::blockedReason() const
     const Controller::State state = m_machine.state();
     if (state != Controller::State::Idle && state != Controller::State::Ready && changesMachineData())
         return tr("Program type and machine data can only be changed at standstill. Stop the machine first.");
-    return {};
+    return m_forecast.refusal();
 }
 
 void ProgramDownload::update()
 {
     compare();
     m_proof.update();
+    m_forecast.update(m_differs ? m_offer.get() : nullptr);
     m_canRetry = false;
     if (isUnderWay()) {
         m_state = m_report.stage == DownloadStage::Armed     ? State::Armed
@@ -109,9 +112,9 @@ QString ProgramDownload::text() const
     case State::NothingToDo:
         return tr("The controller already has this program.");
     case State::Ready:
-        return m_machine.state() == Controller::State::Running
-                   ? tr("The machine keeps running; the new recipe starts with the next cycle.")
-                   : tr("The new recipe is used from the next start.");
+        if (m_machine.state() != Controller::State::Running)
+            return tr("The new recipe is used from the next start.");
+        return m_forecast.text();
     case State::Blocked:
         return blockedReason();
     case State::Transferring:

@@ -2,6 +2,7 @@
 // The download of the edited recipe to the controller: differences, permission and progress.
 #pragma once
 
+#include "app/panel/download/change_forecast.h"
 #include "app/panel/download/program_proof.h"
 #include "app/panel/kit/difference_model.h"
 #include "app/panel/recipe/solution.h"
@@ -74,6 +75,7 @@ private:
     std::shared_ptr<const program::ProgramImage> m_offer;
     DifferenceModel m_differences;
     ProgramProof m_proof;
+    ChangeForecast m_forecast;
     bool m_differs = false;
     State m_state = State::Blocked;
     bool m_canRetry = false;

@@ -64,6 +64,12 @@ constexpr std::array listed{
            QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Film motor: film per revolution"), false},
     Listed{"parameter.film_pulses",
            QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Film motor: pulses per revolution"), false},
+    Listed{"parameter.knife_step",
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Knife: max. speed step at a change"), false},
+    Listed{"parameter.film_step",
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Film: max. speed step at a change"), false},
+    Listed{"parameter.infeed_step",
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Infeed: max. speed step at a change"), false},
 };
 
 } // namespace

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/words/controller_sentences.h"
 
+#include "app/panel/kit/format.h"
 #include "app/panel/words/alarm_catalogue.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace campanel::panel {
 
@@ -109,6 +113,25 @@ QString ControllerSentences::refusal(Refusal reason)
     }
     return tr("The controller reports reason %1, which this panel does not know. Update the panel.")
         .arg(static_cast<int>(reason));
+}
+
+QString ControllerSentences::programChange(const program::ProgramChange& change, double rateBagsPerMin)
+{
+    constexpr double noSlower = 0.995;
+    const Format format;
+    const QString rate = format.number(rateBagsPerMin, 1);
+    const QString time = format.number(change.timeS, 1);
+    const bool hasBags = rateBagsPerMin > 0;
+    if (change.shareBefore >= noSlower && change.shareBehind >= noSlower)
+        return tr("The machine keeps running; the new recipe starts with the next cycle.");
+    if (change.shareBefore >= noSlower)
+        return hasBags ? tr("The film keeps its speed; %1 bags/min after %2 s.").arg(rate, time)
+                       : tr("The master keeps its speed; full speed after %1 s.").arg(time);
+    const QString percent = format.number(100 * change.shareBefore, change.shareBefore < 0.1 ? 1 : 0);
+    const QString count = QString::number(std::max(1L, std::lround(change.cycles)));
+    return hasBags
+               ? tr("Slows down to %1 % (bags: %2, %3 s), then %4 bags/min.").arg(percent, count, time, rate)
+               : tr("Slows down to %1 % (cycles: %2, %3 s), then full speed.").arg(percent, count, time);
 }
 
 QString ControllerSentences::pressStage(modbus::PressStage stage)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/link/link_values.h"
+#include "app/program/program_change.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -17,6 +18,8 @@ public:
     // Returns two sentences of the alarm catalogue for each alarm: description and action. Faults come first.
     [[nodiscard]] static QStringList alarms(const modbus::StatusBlock& status);
     [[nodiscard]] static QString refusal(modbus::Refusal reason);
+    // Returns what a running machine does at a change of program; rate 0: the program has no bags.
+    [[nodiscard]] static QString programChange(const program::ProgramChange& change, double rateBagsPerMin);
     [[nodiscard]] static QString pressStage(modbus::PressStage stage);
     [[nodiscard]] static QString strokeResult(modbus::StrokeResult result);
     [[nodiscard]] static QString markState(modbus::MarkState state);

@@ -6,23 +6,29 @@
 
 #define WHOLE ((uint64_t)1 << CTL_RAMP_SHARE_BITS)
 
-/* Film or master that a cycle takes; the speed in this goes on over the boundary. */
-static uint64_t reference(const ctl_bank* bank)
+static uint32_t bag_um(const ctl_bank* bank)
 {
-    switch (ctl_bank_kind(bank)) {
-    case CTL_PROGRAM_KIND_ROTARY_CUTTER:
-        return ctl_get32(&bank->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH]);
-    case CTL_PROGRAM_KIND_POINT_CAM:
-        return ctl_get32(&bank->registers[CTL_OFFSET_POINT_CAM_MASTER_RATIO]);
-    default:
-        return 1;
-    }
+    return ctl_get32(&bank->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH]);
 }
 
+static uint64_t master_rate(const ctl_bank* bank)
+{
+    const int16_t rate = (int16_t)bank->registers[CTL_OFFSET_POINT_CAM_MASTER_RATE];
+    return (uint64_t)(rate < 0 ? -rate : rate);
+}
+
+/* The film's speed goes on over the boundary, the master's of a point cam, otherwise the cycles a second. */
 static void set_ratio(ctl_change_plan* plan, const ctl_bank* from, const ctl_bank* to)
 {
-    uint64_t numerator = reference(from) * ctl_bank_cycle_ticks(to);
-    uint64_t denominator = reference(to) * ctl_bank_cycle_ticks(from);
+    uint64_t numerator = ctl_bank_cycle_ticks(to);
+    uint64_t denominator = ctl_bank_cycle_ticks(from);
+    if (ctl_bank_kind(from) == CTL_PROGRAM_KIND_ROTARY_CUTTER) {
+        numerator *= bag_um(from);
+        denominator *= bag_um(to);
+    } else if (ctl_bank_kind(from) == CTL_PROGRAM_KIND_POINT_CAM) {
+        numerator = master_rate(from);
+        denominator = master_rate(to);
+    }
     while (numerator > INT32_MAX || denominator > INT32_MAX) {
         numerator >>= 1;
         denominator >>= 1;

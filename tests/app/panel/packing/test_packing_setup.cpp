@@ -156,6 +156,35 @@ private slots:
         QVERIFY(!rig.setup().canTeach());
     }
 
+    // 250 to 300 mm at 60 a minute: the infeed slows from 20 to 16.7 kHz, of which 800 Hz may be one step.
+    void aChangeOfTheRunningProgramIsForecast()
+    {
+        PackingRig rig;
+        rig.editor.bagLength()->set(300);
+        panel::ProgramDownload& download = *rig.editor.programDownload();
+        QCOMPARE(download.text(), "The machine keeps running; the new recipe starts with the next cycle.");
+        rig.answerParameters();
+        QCOMPARE(download.text(), "Slows down to 24 % (bags: 1, 1.2 s), then 60.0 bags/min.");
+        rig.editor.bagLength()->set(250);
+        rig.editor.rate()->set(120);
+        QCOMPARE(download.text(), "The film keeps its speed; 120.0 bags/min after 0.4 s.");
+        QVERIFY(download.canDownload());
+
+        // A step that no share of full speed keeps.
+        rig.machine.parameter("parameter.infeed_step").write(10, {});
+        rig.answerParameters();
+        rig.editor.rate()->set(60);
+        rig.editor.bagLength()->set(460);
+        QCOMPARE(download.text(), "Slows down to 0.1 % (bags: 1, 1.6 s), then 60.0 bags/min.");
+        rig.machine.parameter("parameter.flight_pulses").write(10e6, {});
+        rig.answerParameters();
+        QVERIFY(!download.canDownload());
+        QVERIFY2(download.text().startsWith("The speed of an axis would change too abruptly."),
+                 qPrintable(download.text()));
+        rig.setState(modbus::State::Ready);
+        QVERIFY(download.canDownload());
+    }
+
     void valuesAreReadOnceAndWrittenWithProof()
     {
         PackingRig rig;

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/download/change_forecast.h"
+
+#include "app/panel/controller/controller.h"
+#include "app/panel/words/controller_sentences.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace campanel::panel {
+
+namespace {
+
+// In the order of the enum.
+constexpr std::array names{"parameter.knife_step",      "parameter.film_step",     "parameter.infeed_step",
+                           "parameter.film_pulses",     "parameter.film_feed",     "parameter.flight_pulses",
+                           "parameter.length_trim",     "parameter.mark_tracking", "parameter.ramp_time",
+                           "parameter.master_direction"};
+enum class Index {
+    KnifeStep,
+    FilmStep,
+    InfeedStep,
+    FilmPulses,
+    FilmFeed,
+    FlightPulses,
+    LengthTrim,
+    MarkTracking,
+    RampTime,
+    Direction,
+};
+
+} // namespace
+
+ChangeForecast::ChangeForecast(Controller& machine, QObject* parent)
+    : QObject(parent)
+    , m_machine(machine)
+{
+    for (const char* name : names) {
+        m_parameters.push_back(&machine.parameter(name));
+        connect(m_parameters.back(), &Parameter::changed, this, &ChangeForecast::changed);
+    }
+}
+
+std::optional<program::ChangeParameters> ChangeForecast::parameters() const
+{
+    if (!std::ranges::all_of(m_parameters, [](const Parameter* each) { return each->value().has_value(); }))
+        return std::nullopt;
+    using enum Index;
+    const auto value = [this](Index index) {
+        return m_parameters[static_cast<std::size_t>(index)]->value().value();
+    };
+    const bool hasFilm = m_machine.packing()->present();
+    return program::ChangeParameters{
+        .knifeStepHz = value(KnifeStep),
+        .filmStepHz = value(FilmStep),
+        .infeedStepHz = value(InfeedStep),
+        .filmPulsesPerMm = hasFilm ? value(FilmPulses) / value(FilmFeed) : 0.0,
+        .flightPulses = value(FlightPulses),
+        .lengthTrimMm = value(MarkTracking) != 0 ? 0.0 : value(LengthTrim),
+        .rampS = value(RampTime) / 1000,
+        .isReversed = value(Direction) != 0,
+    };
+}
+
+void ChangeForecast::update(const program::ProgramImage* wanted)
+{
+    m_isKnown = false;
+    const auto& active = m_machine.program();
+    if (wanted == nullptr || !active || m_machine.state() != Controller::State::Running ||
+        !program::changesWhileRunning(active->recipe, wanted->recipe))
+        return;
+    for (Parameter* parameter : m_parameters)
+        parameter->readIfUncertain();
+    const auto known = parameters();
+    const auto solved = program::solveProgram(active->recipe);
+    if (!known || !solved)
+        return;
+    m_isKnown = true;
+    m_change = program::programChange(active->recipe, *solved, wanted->recipe, wanted->solved, *known);
+    m_rateBagsPerMin = wanted->recipe.isCutter() ? wanted->cutter().cycle.rateBagsPerMin : 0.0;
+}
+
+QString ChangeForecast::text() const
+{
+    return ControllerSentences::programChange(m_isKnown && m_change ? *m_change : program::ProgramChange{},
+                                              m_rateBagsPerMin);
+}
+
+QString ChangeForecast::refusal() const
+{
+    return m_isKnown && !m_change ? ControllerSentences::refusal(modbus::Refusal::StepTooLarge) : QString();
+}
+
+} // namespace campanel::panel

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// The forecast of a change of program while the machine runs: from the two programs and the parameters of the
+// controller, by the controller's own formula.
+#pragma once
+
+#include "app/panel/controller/parameter.h"
+#include "app/program/program_change.h"
+#include "app/program/program_image.h"
+
+#include <QObject>
+
+#include <optional>
+#include <vector>
+
+namespace campanel::panel {
+
+class Controller;
+
+class ChangeForecast final : public QObject {
+    Q_OBJECT
+
+public:
+    ChangeForecast(Controller& machine, QObject* parent);
+
+    // Forecasts the change from the active program to this one; null: there is none. Reads the parameters
+    // that are unknown. There is no forecast at standstill, before the parameters are known, and for a
+    // controller that does not have them.
+    void update(const program::ProgramImage* wanted);
+
+    // Returns what the running machine will do, without a forecast that it changes with the next cycle.
+    [[nodiscard]] QString text() const;
+    // Returns the reason why the running machine cannot change; empty when it can or without a forecast.
+    [[nodiscard]] QString refusal() const;
+
+signals:
+    void changed();
+
+private:
+    [[nodiscard]] std::optional<program::ChangeParameters> parameters() const;
+
+    Controller& m_machine;
+    std::vector<Parameter*> m_parameters;
+    bool m_isKnown = false;
+    std::optional<program::ProgramChange> m_change; // known and empty: the steps cannot be kept
+    double m_rateBagsPerMin = 0;                    // of the wanted program; 0: it has no bags
+};
+
+} // namespace campanel::panel

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The change of program of a running machine, predicted with the controller's own formula: the film's speed
+// goes on over the boundary, and the machine slows down before it as far as the largest steps of the axes
+// demand; see controller/core/motion/README.md.
+#pragma once
+
+#include "app/program/recipe.h"
+#include "app/program/solved_program.h"
+
+#include <optional>
+
+namespace campanel::program {
+
+// The parameters of the controller that the change depends on.
+struct ChangeParameters {
+    double knifeStepHz = 0;
+    double filmStepHz = 0;
+    double infeedStepHz = 0;
+    double filmPulsesPerMm = 0; // 0: the machine has no packing line
+    double flightPulses = 0;    // of the infeed motor per product
+    double lengthTrimMm = 0;    // 0 while the marks are followed
+    double rampS = 0;           // of a program without its own ramp
+    bool isReversed = false;    // the master of a point cam
+};
+
+struct ProgramChange {
+    double shareBefore = 1; // of full speed at the boundary, 0..1
+    double shareBehind = 1; // of the new program's full speed
+    double timeS = 0;       // from full speed to full speed, without waiting for the boundary
+    double cycles = 0;      // completed in that time
+};
+
+// Returns true when a running machine can change from one program to the other: both repeat.
+[[nodiscard]] bool changesWhileRunning(const Recipe& from, const Recipe& to);
+
+// Returns the change between two programs of the same kind and machine; nothing when not even the smallest
+// share of full speed, 1/2048, keeps the steps.
+[[nodiscard]] std::optional<ProgramChange> programChange(const Recipe& from, const SolvedProgram& solvedFrom,
+                                                         const Recipe& to, const SolvedProgram& solvedTo,
+                                                         const ChangeParameters& parameters);
+
+} // namespace campanel::program
