@@ -103,6 +103,7 @@ std::optional<double> Spread::largest() const
 void PackingFigures::add(const PackedBag& bag)
 {
     m_throughProduct += bag.throughProduct ? 1u : 0u;
+    m_scrap += has(bag, BagBit::StartUp) ? 1u : 0u;
     m_phaseLost += has(bag, BagBit::Tracked) && std::abs(bag.markErrorMm) > lostPhaseMm ? 1u : 0u;
     if (!bag.isSettled)
         return;
@@ -130,6 +131,7 @@ QJsonObject PackingFigures::object(const PackingResult& result, double cpuS) con
     };
     return {{u"bags"_s, static_cast<qint64>(result.bags)},
             {u"bags_before_settled"_s, static_cast<qint64>(result.bags - m_length.count())},
+            {u"bags_start_up_scrap"_s, static_cast<qint64>(m_scrap)},
             {u"simulated_s"_s, result.timeS},
             {u"cpu_s"_s, cpuS},
             {u"times_real"_s, cpuS > 0 ? QJsonValue(std::round(result.timeS / cpuS)) : QJsonValue()},

@@ -51,6 +51,7 @@ private:
     std::uint32_t m_firstOutside = 0; // bag number
     std::uint32_t m_lastOutside = 0;
     std::uint32_t m_throughProduct = 0;
+    std::uint32_t m_scrap = 0;
     std::uint32_t m_phaseLost = 0;
 };
 

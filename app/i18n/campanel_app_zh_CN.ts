@@ -3567,6 +3567,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>最近若干袋（%1 个）中在 ±%2 mm 以内的袋数。公差在“设置”的“机器”中设定。</translation>
     </message>
     <message>
+        <source>Start-up scrap and bags of a change of program are left out: %1.</source>
+        <translation>不计开机废袋和换程序时的袋：%1。</translation>
+    </message>
+    <message>
         <source>bags with a deviation within the tolerance</source>
         <translation>偏差在公差内的袋数</translation>
     </message>

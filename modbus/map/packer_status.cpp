@@ -67,7 +67,8 @@ std::vector<BagRecord> bagsOf(std::span<const std::uint16_t> ring, std::uint32_t
         const std::uint16_t flags = record[3];
         bags.push_back({number, signedUm(record[0]), signedUm(record[1]), signedUm(record[2]), flags >> 8,
                         hasBit(flags, BagBit::Tracked), hasBit(flags, BagBit::MarkMissed),
-                        hasBit(flags, BagBit::ProductAcross), hasBit(flags, BagBit::Empty)});
+                        hasBit(flags, BagBit::ProductAcross), hasBit(flags, BagBit::Empty),
+                        hasBit(flags, BagBit::ChangeOver), hasBit(flags, BagBit::StartUp)});
     }
     return bags;
 }

@@ -27,6 +27,8 @@ struct BagRecord {
     bool isMarkMissed = false;     // the mark was not detected but calculated
     bool isProductAcross = false;  // longer because of a product at the cut
     bool isEmpty = false;
+    bool isChangeOver = false; // begun under one program, cut under another
+    bool isStartUp = false;    // start-up scrap: made before the film was in register
 
     bool operator==(const BagRecord&) const = default;
 };

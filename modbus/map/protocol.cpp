@@ -307,6 +307,10 @@ constexpr std::array bagBits{
     entry(BagBit::Empty, "Empty", "Cut without a product."),
     entry(BagBit::ChangeOver, "ChangeOver",
           "The program was changed in it; its set length lies between theirs."),
+    entry(
+        BagBit::StartUp, "StartUp",
+        "Start-up scrap: one of its cuts was made before the film was in register, after power-up, a jog or "
+        "for another length."),
 };
 
 constexpr std::array<EnumInfo, 25> infos{{

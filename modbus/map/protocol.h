@@ -164,7 +164,8 @@ enum class BagBit : std::uint16_t {
     MarkMissed = 1,
     ProductAcross = 2,
     Empty = 3,
-    ChangeOver = 4
+    ChangeOver = 4,
+    StartUp = 5
 };
 
 // The bits of exchange.jog; both set means neither.

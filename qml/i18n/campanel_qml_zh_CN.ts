@@ -296,6 +296,10 @@
         <translation>±%1 mm</translation>
     </message>
     <message>
+        <source>%1 of %2 within, scrap: %3</source>
+        <translation>%2 袋中 %1 袋合格，废袋 %3</translation>
+    </message>
+    <message>
         <source>%1 of %2 within</source>
         <translation>%2 袋中 %1 袋合格</translation>
     </message>

@@ -96,7 +96,8 @@ Card {
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 3
-        text: qsTr("%1 of %2 within").arg(Controller.bags.within).arg(card.deviations.length)
+        text: Controller.bags.scrap === 0 ? qsTr("%1 of %2 within").arg(Controller.bags.within).arg(card.deviations.length)
+            : qsTr("%1 of %2 within, scrap: %3").arg(Controller.bags.within).arg(card.deviations.length).arg(Controller.bags.scrap)
         color: !Controller.fresh ? Theme.color.disabledInk : Controller.bags.within < card.deviations.length ? Theme.color.fault : Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }

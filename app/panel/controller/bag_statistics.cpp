@@ -28,6 +28,11 @@ void BagStatistics::note(const modbus::BagRecord& bag, double setLengthMm)
     m_lengths = std::max(1, bag.lengths);
     m_lengthMm = m_lengths * setLengthMm + bag.deviationMm;
     m_isRecorded = true;
+    if (bag.isStartUp || bag.isChangeOver) {
+        m_isNextOfTwoLengths = false;
+        ++m_scrap;
+        return;
+    }
     count(std::isfinite(setLengthMm) ? bag.deviationMm : unknown, setLengthMm);
 }
 
@@ -52,6 +57,7 @@ void BagStatistics::count(double deviationMm, double setLengthMm)
 void BagStatistics::restart()
 {
     m_isNextOfTwoLengths = true;
+    m_scrap = 0;
     m_deviationsMm.clear();
 }
 

@@ -20,11 +20,13 @@ public:
     // something changed.
     bool note(std::uint32_t bagCount, std::optional<double> lengthMm, std::optional<double> deviationMm);
     // Adds one record of a controller that records its bags. A bag of several lengths counts by its deviation
-    // from that many lengths. `setLengthMm` is that of one bag; when it is NaN, the bag does not count.
+    // from that many lengths. Start-up scrap and bags of two programs are left out and counted as such.
+    // `setLengthMm` is that of one bag; when it is NaN, the bag does not count.
     void note(const modbus::BagRecord& bag, double setLengthMm);
     // Sets the last bag's length before its first record. Returns true when something changed.
     bool noteLength(std::optional<double> lengthMm);
-    // Restarts with another set length. The next bag was begun under the old length and does not count.
+    // Restarts with another set length, and counts what is left out anew. The next bag was begun under the
+    // old length and does not count.
     void restart();
 
     [[nodiscard]] double lengthMm() const { return m_lengthMm; }
@@ -38,6 +40,8 @@ public:
     [[nodiscard]] double meanDeviationMm() const;
     [[nodiscard]] double scatterMm() const; // standard deviation; NaN below two bags
     [[nodiscard]] int countWithin(double toleranceMm) const;
+    // Returns the bags left out since the last restart.
+    [[nodiscard]] int scrap() const { return m_scrap; }
     [[nodiscard]] const QList<double>& deviationsMm() const { return m_deviationsMm; }
 
 private:
@@ -49,7 +53,8 @@ private:
     int m_lengths = 1;
     double m_setLengthMm = unknown; // set length of the counted bags
     bool m_isNextOfTwoLengths = false;
-    bool m_isRecorded = false;    // m_lengthMm comes from a record
+    bool m_isRecorded = false; // m_lengthMm comes from a record
+    int m_scrap = 0;
     QList<double> m_deviationsMm; // oldest first
 };
 

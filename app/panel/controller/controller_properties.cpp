@@ -182,6 +182,7 @@ BagValues Controller::bags() const
             m_bags.scatterMm(),
             m_bags.deviationsMm(),
             m_bags.countWithin(toleranceMm),
+            m_bags.scrap(),
             toleranceMm};
 }
 

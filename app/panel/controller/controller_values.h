@@ -57,6 +57,7 @@ struct BagValues {
     Q_PROPERTY(double scatterMm MEMBER scatterMm FINAL)
     Q_PROPERTY(QList<double> series MEMBER series FINAL)
     Q_PROPERTY(int within MEMBER within FINAL)
+    Q_PROPERTY(int scrap MEMBER scrap FINAL)
     Q_PROPERTY(double toleranceMm MEMBER toleranceMm FINAL)
 
 public:
@@ -69,6 +70,7 @@ public:
     double scatterMm = unknown;
     QList<double> series; // deviations, mm
     int within = 0;       // bags of the series within the tolerance
+    int scrap = 0;        // bags left out of the series: start-up scrap, and of two programs
     double toleranceMm = unknown;
 };
 

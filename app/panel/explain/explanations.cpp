@@ -164,6 +164,9 @@ Explanation Explanations::bags(Topic quantity) const
         told.meaning =
             tr("Number of the last bags (%1) within ±%2 mm. Set the tolerance in Settings, Machine.")
                 .arg(count, format.number(tolerance, 2));
+        if (m_machine.bags().scrap > 0)
+            told.meaning += u' ' + tr("Start-up scrap and bags of a change of program are left out: %1.")
+                                       .arg(m_machine.bags().scrap);
         told.formula = tr("bags with a deviation within the tolerance");
         break;
     default: {

@@ -91,6 +91,10 @@ void TrendRecorder::noteBag(const modbus::StatusBlock& status)
 
 void TrendRecorder::takeBag(const modbus::BagRecord& record)
 {
+    if (record.isStartUp || record.isChangeOver) { // rejected by the machine
+        m_isNextOfTwoPrograms = false;
+        return;
+    }
     store::Bag bag;
     bag.setLengthMm = m_machine.active().bagLengthMm;
     bag.lengths = std::max(1, record.lengths);

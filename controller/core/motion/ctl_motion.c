@@ -137,7 +137,7 @@ void ctl_motion_run(ctl_motion* motion)
 {
     begin_master_ramp(motion);
     motion->direction = ctl_motion_wanted_direction(motion);
-    ctl_packer_run(motion->packer, ctl_active_bank(motion->banks));
+    ctl_packer_run(motion->packer, ctl_active_bank(motion->banks), &motion->ramp);
     motion->manual = false;
     motion->start_after_home = false;
     motion->change_planned = false;

@@ -107,8 +107,13 @@ static void move_on(ctl_motion* motion, uint32_t* ticks)
     }
     const bool changes_next =
         motion->change_planned && motion->change_ticks <= ctl_motion_to_boundary(motion);
-    const ctl_drive drive = {&motion->ramp, motion->state == CTL_STATE_RUNNING, changes_next,
-                             motion->change_planned && motion->change_opens};
+    const ctl_drive drive = {
+        .ramp = &motion->ramp,
+        .running = motion->state == CTL_STATE_RUNNING,
+        .stop_ticks = motion->stop == CTL_STOP_AT_BOUNDARY ? motion->stop_remaining : 0,
+        .changes = changes_next,
+        .opens = motion->change_planned && motion->change_opens,
+    };
     run_table(motion, ctl_packer_advance(motion->packer, &drive, ticks));
 }
 

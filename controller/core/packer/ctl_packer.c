@@ -252,6 +252,7 @@ static void begin_cycle(ctl_packer* packer, const ctl_bank* bank)
     packer->planned = false;
     packer->cut_before = false;
     packer->changed = false;
+    packer->in_register = false;
     packer->skips_in_row = 0;
     packer->broken_off = false;
     ctl_gate_reset(&packer->film_gate, packer->cycle, packer->engage, packer->release);
@@ -268,7 +269,20 @@ static void begin_cycle(ctl_packer* packer, const ctl_bank* bank)
     ctl_products_set(&packer->products, &settings, packer->infeed_actual);
 }
 
-void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank)
+/* The next cut was planned for another speed than that of the run that begins: at standstill the film can be
+ * shifted at once, up to the sealing window. */
+static void plan_for_start(ctl_packer* packer, const ctl_ramp* ramp)
+{
+    const uint32_t phase = packer->film.phase;
+    if (phase >= packer->engage || packer->knife_gate.state != CTL_GATE_STATE_RUNNING)
+        return;
+    const int64_t lag = ctl_packer_lag(packer, ctl_ramp_speed_after(ramp, packer->cut - phase), ramp);
+    ctl_feed_correct(&packer->film, packer->next.lag - lag, packer->engage - phase);
+    packer->next.command += packer->next.lag - lag;
+    packer->next.lag = lag;
+}
+
+void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ramp)
 {
     if (!has_film(packer, bank)) {
         packer->bank = NULL;
@@ -284,6 +298,7 @@ void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank)
     if (packer->marks.state == CTL_MARK_STATE_TRACKING && ended_by_limits)
         packer->marks.state = CTL_MARK_STATE_ALIGNING;
     ctl_packer_follow_marks(packer);
+    plan_for_start(packer, ramp);
     if (packer->film.phase == 0 && packer->knife_gate.state == CTL_GATE_STATE_RUNNING &&
         packer->knife_gate.phase == 0)
         ctl_packer_ask_first_cut(packer);
@@ -308,8 +323,10 @@ void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank)
     ctl_feed_reset(&packer->film, packer->cycle, film, ctl_packer_cycle_length(packer));
     ctl_feed_reset(&packer->infeed, packer->cycle, ctl_feed_position(&packer->infeed), packer->flight);
     plan_first_cut(packer);
-    if (bag_before != packer->bag)
+    if (bag_before != packer->bag) {
         packer->marks.state = CTL_MARK_STATE_OFF;
+        packer->in_register = false;
+    }
     const ctl_product_settings settings = product_settings(packer);
     ctl_products_set(&packer->products, &settings, packer->infeed_actual);
     ctl_packer_follow_marks(packer);

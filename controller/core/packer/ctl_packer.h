@@ -38,6 +38,7 @@ typedef struct {
     bool seen;
     bool had_products;
     bool changed;    /* the program was changed since the cut before */
+    bool scrap;      /* that or this one was not in register */
     uint32_t bags;   /* bag lengths since then */
     int64_t command; /* of the film motor when it was due, 1/256 pulse */
     int64_t set_um;  /* length that the bag before it was to have */
@@ -46,9 +47,10 @@ typedef struct {
 /* The master that drives the line. */
 typedef struct {
     const ctl_ramp* ramp;
-    bool running; /* otherwise it is stopping */
-    bool changes; /* at the end of its cycle the program is changed */
-    bool opens;   /* the knife is to stand open for that */
+    bool running;        /* otherwise it is stopping */
+    uint64_t stop_ticks; /* of the master until it stands, when it stops at a boundary */
+    bool changes;        /* at the end of its cycle the program is changed */
+    bool opens;          /* the knife is to stand open for that */
 } ctl_drive;
 
 typedef struct {
@@ -56,6 +58,7 @@ typedef struct {
     const ctl_bank* bank; /* NULL: the machine has no film axis or the program no knife */
     bool broken_off;      /* jogged, homed or in fault: the next run begins a new cycle */
     bool cut_before;      /* last_cut is the one before the next */
+    bool in_register;     /* a cut has followed its mark since the film was in doubt */
     uint32_t cycle;       /* ticks */
     uint32_t engage;
     uint32_t release;
@@ -97,8 +100,9 @@ typedef struct {
 void ctl_packer_init(ctl_packer* packer, const ctl_board* board);
 /* Returns CTL_REFUSAL_..., the reason why the active program `bank` cannot be run with these parameters. */
 uint16_t ctl_packer_refusal(const ctl_packer* packer, const ctl_bank* bank);
-/* Prepares a run of the active program `bank`: what was broken off begins anew, the alarms are taken back. */
-void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank);
+/* Prepares a run of the active program `bank` with this ramp: what was broken off begins anew, the alarms are
+ * taken back, the next cut is made where it belongs at the speed of the ramp. */
+void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ramp);
 void ctl_packer_break_off(ctl_packer* packer);
 /* At the boundary of a cycle another program of the same machine became active. */
 void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank);
@@ -144,6 +148,8 @@ void ctl_packer_registers(const ctl_packer* packer, uint16_t* registers);
 bool ctl_packer_tracks(const ctl_packer* packer);
 /* The film's cycle begins and the knife stands open: its first cut was not asked about yet. */
 void ctl_packer_ask_first_cut(ctl_packer* packer);
+/* The lag of the film at a cut at this speed of the ramp. */
+int64_t ctl_packer_lag(const ctl_packer* packer, uint32_t speed, const ctl_ramp* ramp);
 /* Search, follow or leave the marks as the parameters say now. */
 void ctl_packer_follow_marks(ctl_packer* packer);
 /* Film of a cycle without its correction, and what a correction of the length may change of it. */

@@ -36,13 +36,22 @@ static int64_t uncorrected(const ctl_packer* packer)
            (int64_t)((uint64_t)next * packer->cut / packer->cycle);
 }
 
+int64_t ctl_packer_lag(const ctl_packer* packer, uint32_t speed, const ctl_ramp* ramp)
+{
+    return packer->lag * (int64_t)speed / (int64_t)ramp->full;
+}
+
 /* Drives lag in proportion to the speed, and not all by the same time. */
 static int64_t lag_at_next_cut(const ctl_packer* packer, const ctl_drive* drive)
 {
     const ctl_ramp* ramp = drive->ramp;
     const uint32_t way = packer->cycle - packer->film.phase + packer->cut;
-    const uint32_t speed = drive->running ? ctl_ramp_speed_after(ramp, way) : ramp->speed;
-    return packer->lag * (int64_t)speed / (int64_t)ramp->full;
+    if (drive->running)
+        return ctl_packer_lag(packer, ctl_ramp_speed_after(ramp, way), ramp);
+    if (drive->stop_ticks <= way) /* a cut of the next run, which sees to its lag */
+        return 0;
+    const uint32_t slower = ctl_square_root(2u * (uint64_t)ramp->full * (drive->stop_ticks - way));
+    return ctl_packer_lag(packer, slower < ramp->speed ? slower : ramp->speed, ramp);
 }
 
 static void learn_lag(ctl_packer* packer, int64_t lag, const ctl_ramp* ramp)
@@ -291,6 +300,9 @@ void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp)
                                  : (int64_t)last->bags * bag_um(packer);
     last->command = packer->next.command;
     packer->changed = false;
+    const bool was_in_register = packer->in_register;
+    packer->in_register = was_in_register || packer->next.tracked || !ctl_packer_tracks(packer);
+    last->scrap = !was_in_register || !packer->in_register;
     packer->skips_in_row = 0;
     packer->skips_in_run = 0;
     packer->cut_before = true;
@@ -310,6 +322,8 @@ void ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um)
         flags |= 1u << CTL_BAG_BIT_PRODUCT_ACROSS;
     if (!last->had_products)
         flags |= 1u << CTL_BAG_BIT_EMPTY;
+    if (last->scrap)
+        flags |= 1u << CTL_BAG_BIT_START_UP;
     if (last->changed)
         flags |= 1u << CTL_BAG_BIT_CHANGE_OVER;
     packer->bags += 1;
