@@ -7,12 +7,15 @@
 #include "base/ctl_words.h"
 #include "engine/ctl_interval.h"
 #include "motion/ctl_change.h"
+#include "profile/cutter/limits.h"
 #include "profile/intervals/intervals.h"
 #include "profile/laws/laws.h"
 #include "rig.h"
 #include "tests/support/test_program.h"
 
+#include <QFile>
 #include <QTest>
+#include <QTextStream>
 
 #include <algorithm>
 #include <cmath>
@@ -133,6 +136,8 @@ class TestTableInController : public QObject {
 private slots:
     void changeIsPredicted_data();
     void changeIsPredicted();
+    void changesOfTheDocuments_data();
+    void changesOfTheDocuments();
     void aMillionCyclesWithoutDrift_data();
     void aMillionCyclesWithoutDrift();
     void slicesDoNotChangeTheCycle_data();
@@ -345,6 +350,77 @@ void TestTableInController::changeIsPredicted()
         }
     }
     QVERIFY2(pairs > 1000 && slowing > 500, qPrintable(QStringLiteral("%1 of %2").arg(slowing).arg(pairs)));
+}
+
+void TestTableInController::changesOfTheDocuments_data()
+{
+    QTest::addColumn<double>("fromMm");
+    QTest::addColumn<double>("fromRate"); // 0: the fastest
+    QTest::addColumn<double>("toMm");
+    QTest::addColumn<double>("toRate");
+    QTest::newRow("250-faster") << 250.0 << 60.0 << 250.0 << 120.0;
+    QTest::newRow("250-to-460") << 250.0 << 0.0 << 460.0 << 0.0;
+    QTest::newRow("460-to-100") << 460.0 << 0.0 << 100.0 << 0.0;
+}
+
+// The changes of docs/change-of-program.md: the speed of the film has no step. With CAMPANEL_SPEEDS the
+// speeds are written into that folder, for docs/draw_changes.py.
+void TestTableInController::changesOfTheDocuments()
+{
+    QFETCH(double, fromMm);
+    QFETCH(double, fromRate);
+    QFETCH(double, toMm);
+    QFETCH(double, toRate);
+    const auto programOf = [](double lengthMm, double rate) {
+        program::Recipe recipe = recipeOf({.bagLengthMm = lengthMm});
+        const auto slow = program::solveProgram(recipe);
+        const double fastest = profile::fastestRate(*slow->cutter)->rateBagsPerMin;
+        recipe.cutter().rateBagsPerMin = std::floor(rate > 0 ? rate : std::min(300.0, fastest));
+        return *program::buildProgram(recipe);
+    };
+    const program::ProgramImage from = programOf(fromMm, fromRate);
+    const program::ProgramImage to = programOf(toMm, toRate);
+    controller::MachineOptions options;
+    options.products.missing = 1.0; // their spacing on the film belongs to the bags before
+    Rig rig(options);
+    rig.setParameter(CTL_REG_PARAMETER_MARK_TRACKING, 0);
+    install(rig, from);
+    rig.start();
+    rig.run(10'000'000);
+    QCOMPARE(rig.download(to.registers, 2), CTL_TRANSFER_RESULT_ACCEPTED);
+    QCOMPARE(rig.apply(to.registers, CTL_APPLY_MODE_NEXT_CYCLE, 2), CTL_REFUSAL_NONE);
+
+    QFile file(qEnvironmentVariable("CAMPANEL_SPEEDS") + u'/' + QLatin1String(QTest::currentDataTag()) +
+               u".csv");
+    QTextStream out(&file);
+    if (qEnvironmentVariableIsSet("CAMPANEL_SPEEDS"))
+        QVERIFY2(file.open(QIODevice::WriteOnly), qPrintable(file.errorString()));
+    out << "time_s,film_mm_per_s,knife_mm_per_s\n";
+    constexpr std::uint64_t periodUs = 2'000;
+    constexpr double perS = 1e6 / periodUs;
+    const double filmMm = 150.0 / 10'000 / CTL_FINE;
+    const double knifeMm = 2 * M_PI * 60.0 / 10'000;
+    std::int64_t film = ctl_feed_position(&rig.core().packer.film);
+    std::int64_t knife = rig.core().motion.commanded;
+    double before = 0.0;
+    double largest = 0.0;
+    for (int i = 1; i <= 2000; ++i) {
+        rig.run(periodUs);
+        const std::int64_t filmNow = ctl_feed_position(&rig.core().packer.film);
+        const std::int64_t knifeNow = rig.core().motion.commanded;
+        const double speed = static_cast<double>(filmNow - film) * filmMm * perS;
+        if (i > 1)
+            largest = std::max(largest, std::abs(speed - before));
+        before = speed;
+        out << i / perS << ',' << speed << ',' << static_cast<double>(knifeNow - knife) * knifeMm * perS
+            << '\n';
+        film = filmNow;
+        knife = knifeNow;
+    }
+    QCOMPARE(rig.core().banks.generation, 2u);
+    QCOMPARE(rig.core().motion.ramp.speed, rig.core().motion.ramp.full);
+    // The ramp of 0.8 s alone changes 1500 mm/s by 3.8 mm/s in 2 ms.
+    QVERIFY2(largest < 6.0, qPrintable(QString::number(largest)));
 }
 
 CAMPANEL_TEST(TestTableInController)

@@ -24,8 +24,7 @@ typedef struct {
     uint32_t denominator;
 } ctl_change_plan;
 
-/* Computes what a change from the active bank `from` to `to` needs while the master runs in this direction.
- */
+/* Computes the change from the active bank `from` to `to`, the master running in this direction. */
 ctl_change_plan ctl_change_between(const ctl_board* board, const ctl_packer* packer, const ctl_bank* from,
                                    const ctl_bank* to, int32_t direction);
 /* Returns CTL_REFUSAL_..., the reason why that cannot be done without a standstill. */
