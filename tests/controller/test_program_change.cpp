@@ -3,6 +3,7 @@
 #include "rig.h"
 
 #include "motion/ctl_change.h"
+#include "support/cam_image.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -162,6 +163,13 @@ class TestProgramChange : public QObject {
 private slots:
     void rampApproachesASpeed();
     void sameLengthOnlyRamps();
+    void stopInTheMiddleTakesOverAtStandstill_data();
+    void stopInTheMiddleTakesOverAtStandstill();
+    void cancelInTheMiddleSpeedsUpAgain();
+    void lostHeartbeatInTheMiddle();
+    void impossibleStepIsRefused();
+    void knifeStandsOpenOverAProduct();
+    void pointCamsKeepTheStepOfTheirAxis();
     void randomPairsKeepTheirSteps();
 };
 
@@ -255,6 +263,141 @@ QString wrongAfter(Rig& rig, std::uint32_t bagUm)
     if (rig.commanded() != std::int64_t{10'000} * rig.core().motion.cycle_count)
         return QStringLiteral("a pulse is lost");
     return {};
+}
+
+// Returns a running rig whose change to 100 mm has just begun to slow down.
+struct SlowingRig : Rig {
+    SlowingRig()
+        : Rig(calm())
+    {
+        install(cutter(250'000, 200));
+        start();
+        run(10 * second);
+        arm(*this, cutter(100'000, 200), 2);
+        while (core().motion.ramp.speed > core().motion.ramp.full * 9 / 10)
+            controller().step();
+    }
+};
+
+void TestProgramChange::stopInTheMiddleTakesOverAtStandstill_data()
+{
+    QTest::addColumn<int>("code");
+    QTest::newRow("at cycle end") << int{CTL_COMMAND_STOP_AT_CYCLE_END};
+    QTest::newRow("at once") << int{CTL_COMMAND_STOP_NOW};
+}
+
+void TestProgramChange::stopInTheMiddleTakesOverAtStandstill()
+{
+    QFETCH(int, code);
+    SlowingRig rig;
+    QCOMPARE(rig.core().banks.generation, 1u);
+    QCOMPARE(rig.command(static_cast<std::uint16_t>(code)), CTL_REFUSAL_NONE);
+    QVERIFY(rig.runUntilState(CTL_STATE_READY));
+    const bool isAtBoundary = code == CTL_COMMAND_STOP_AT_CYCLE_END;
+    QCOMPARE(rig.core().banks.generation, isAtBoundary ? 2u : 1u);
+    QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
+    rig.run(10 * second);
+    QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
+    QCOMPARE(rig.core().banks.generation, 2u);
+    QCOMPARE(rig.core().motion.ramp.speed, rig.core().motion.ramp.full);
+}
+
+void TestProgramChange::cancelInTheMiddleSpeedsUpAgain()
+{
+    SlowingRig rig;
+    // A second download waits until the first one is over.
+    QCOMPARE(rig.download(cutter(300'000, 100).registers(), 3), CTL_TRANSFER_RESULT_STATE_REFUSES);
+    QCOMPARE(rig.command(CTL_COMMAND_CANCEL_APPLY), CTL_REFUSAL_NONE);
+    rig.run(2 * second);
+    QCOMPARE(rig.core().banks.generation, 1u);
+    QCOMPARE(rig.core().motion.ramp.speed, rig.core().motion.ramp.full);
+    arm(rig, cutter(300'000, 100), 3);
+    rig.run(10 * second);
+    QCOMPARE(rig.core().banks.generation, 2u);
+    QCOMPARE(rig.core().banks.active_crc, crc32(cutter(300'000, 100).registers()));
+}
+
+// The line breaks: by its parameter the machine stops at the end of a cycle, with the new program.
+void TestProgramChange::lostHeartbeatInTheMiddle()
+{
+    Rig rig(calm());
+    rig.install(cutter(250'000, 60));
+    rig.start();
+    rig.heartbeat();
+    rig.setParameter(CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT, 300);
+    rig.setParameter(CTL_REG_PARAMETER_HEARTBEAT_LOST_ACTION, CTL_HEARTBEAT_LOST_ACTION_STOP_AT_CYCLE_END);
+    for (int i = 0; i < 100; ++i) {
+        rig.heartbeat();
+        rig.run(100'000);
+    }
+    arm(rig, cutter(100'000, 200), 2);
+    QVERIFY(rig.runUntilState(CTL_STATE_READY));
+    QCOMPARE(rig.core().packer.master, 0u);
+    QCOMPARE(rig.core().banks.generation, 2u);
+}
+
+void TestProgramChange::impossibleStepIsRefused()
+{
+    Rig rig(calm());
+    setLimit(rig, CTL_REG_PARAMETER_KNIFE_STEP, 10);
+    setLimit(rig, CTL_REG_PARAMETER_INFEED_STEP, 10);
+    rig.install(cutter(460'000, 90));
+    rig.start();
+    rig.run(10 * second);
+    const Registers image = cutter(100'000, 300).registers();
+    QCOMPARE(rig.download(image, 2), CTL_TRANSFER_RESULT_ACCEPTED);
+    QCOMPARE(rig.apply(image, CTL_APPLY_MODE_NEXT_CYCLE, 2), CTL_REFUSAL_STEP_TOO_LARGE);
+    rig.run(5 * second);
+    QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
+    QCOMPARE(rig.core().banks.generation, 1u);
+    // At standstill it is a change like any other.
+    rig.command(CTL_COMMAND_STOP_AT_CYCLE_END);
+    QVERIFY(rig.runUntilState(CTL_STATE_READY));
+    QCOMPARE(rig.apply(image, CTL_APPLY_MODE_NEXT_CYCLE, 2), CTL_REFUSAL_NONE);
+    QCOMPARE(rig.core().banks.generation, 2u);
+}
+
+// Products 100 mm apart lie under every first cut of 400 mm, 200 mm behind the boundary.
+void TestProgramChange::knifeStandsOpenOverAProduct()
+{
+    Rig rig(calm());
+    rig.setParameter(CTL_REG_PARAMETER_SKIP_LIMIT, 100);
+    rig.install(cutter(100'000, 120));
+    rig.start();
+    rig.run(20 * second);
+    const std::uint32_t skipped = rig.core().packer.skipped;
+    arm(rig, cutter(400'000, 60), 2);
+    const Change change = follow(rig);
+    QCOMPARE(rig.core().banks.generation, 2u);
+    QVERIFY(!change.isThroughProduct);
+    QVERIFY(rig.core().packer.skipped > skipped);
+    const QString wrong = wrongAfter(rig, 400'000);
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
+}
+
+// The axis passes the boundary with another slope; its master keeps its speed.
+void TestProgramChange::pointCamsKeepTheStepOfTheirAxis()
+{
+    const CamImage one = sineCam(3000.0, 300.0, 100, 2'400'000);
+    const CamImage other = sineCam(3000.0, -300.0, 64, 2'400'000);
+    std::array<std::int64_t, 2> jolts{};
+    for (const bool isGentle : {false, true}) {
+        Rig rig;
+        setLimit(rig, CTL_REG_PARAMETER_KNIFE_STEP, isGentle ? 200 : 1'000'000);
+        rig.install(one.registers());
+        rig.start();
+        rig.run(second);
+        const Registers image = other.registers();
+        QCOMPARE(rig.download(image, 2), CTL_TRANSFER_RESULT_ACCEPTED);
+        QCOMPARE(rig.apply(image, CTL_APPLY_MODE_NEXT_CYCLE, 2), CTL_REFUSAL_NONE);
+        jolts[isGentle ? 1 : 0] = rig.maxJolt(4 * second);
+        QCOMPARE(rig.core().banks.generation, 2u);
+        rig.command(CTL_COMMAND_STOP_AT_CYCLE_END);
+        QVERIFY(rig.runUntilState(CTL_STATE_READY));
+        QCOMPARE(rig.commanded(), std::int64_t{3000} * rig.core().motion.cycle_count);
+    }
+    // Pulses a slice: a step of thousands of Hz is two pulses more, one of 200 Hz is lost in the rounding.
+    QVERIFY2(jolts[1] < jolts[0], qPrintable(QStringLiteral("%1 and %2").arg(jolts[0]).arg(jolts[1])));
 }
 
 void TestProgramChange::randomPairsKeepTheirSteps()

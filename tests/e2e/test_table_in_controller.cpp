@@ -390,8 +390,8 @@ void TestTableInController::changesOfTheDocuments()
     QCOMPARE(rig.download(to.registers, 2), CTL_TRANSFER_RESULT_ACCEPTED);
     QCOMPARE(rig.apply(to.registers, CTL_APPLY_MODE_NEXT_CYCLE, 2), CTL_REFUSAL_NONE);
 
-    QFile file(qEnvironmentVariable("CAMPANEL_SPEEDS") + u'/' + QLatin1String(QTest::currentDataTag()) +
-               u".csv");
+    QFile file(QStringLiteral("%1/%2.csv")
+                   .arg(qEnvironmentVariable("CAMPANEL_SPEEDS"), QLatin1String(QTest::currentDataTag())));
     QTextStream out(&file);
     if (qEnvironmentVariableIsSet("CAMPANEL_SPEEDS"))
         QVERIFY2(file.open(QIODevice::WriteOnly), qPrintable(file.errorString()));
