@@ -559,6 +559,10 @@
 <context>
     <name>AuditWords</name>
     <message>
+        <source>hold to start</source>
+        <translation>按住启动</translation>
+    </message>
+    <message>
         <source>All</source>
         <translation>全部</translation>
     </message>

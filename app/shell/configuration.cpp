@@ -178,6 +178,7 @@ const std::vector<Key>& keys()
         {"access.auto_logout_minutes",
          oneOf(Settings::possibleLogouts(), standard(&StandardSettings::autoLogoutMinutes))},
         {"access.operators_log_in", truth(standard(&StandardSettings::operatorsLogIn))},
+        {"access.hold_to_start", oneOf(Settings::possibleHolds(), standard(&StandardSettings::holdToStart))},
         {"log.rules", takeLogRules},
         {"kiosk.screen", takeScreen},
     };

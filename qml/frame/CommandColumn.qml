@@ -23,8 +23,16 @@ Item {
         glyph: Theme.icon.start
         text: qsTr("Start")
         ready: Controller.canStart && !column.wiping
-        note: Controller.connection === Controller.Connection.Connected ? "" : qsTr("no connection")
-        onClicked: if (ready) Controller.start(); else if (!column.wiping) column.startRefused()
+        note: Controller.connection !== Controller.Connection.Connected ? qsTr("no connection")
+            : holdMs === 0 ? "" : tooShort ? qsTr("hold longer") : qsTr("hold")
+        holdMs: ready && Settings.startIsHeld ? 500 : 0
+        onHeld: Controller.start()
+        onClicked: {
+            if (ready && holdMs === 0)
+                Controller.start()
+            else if (!ready && !acted && !column.wiping)
+                column.startRefused()
+        }
     }
     CommandKey {
         id: middle

@@ -328,6 +328,14 @@ And %2 more.</source>
 <context>
     <name>CommandColumn</name>
     <message>
+        <source>hold</source>
+        <translation>按住</translation>
+    </message>
+    <message>
+        <source>hold longer</source>
+        <translation>请按住更久</translation>
+    </message>
+    <message>
         <source>Start</source>
         <translation>启动</translation>
     </message>
@@ -484,6 +492,38 @@ And %2 more.</source>
 </context>
 <context>
     <name>DisplaySection</name>
+    <message>
+        <source>Start key</source>
+        <translation>启动键</translation>
+    </message>
+    <message>
+        <source>tap</source>
+        <translation>点按</translation>
+    </message>
+    <message>
+        <source>hold</source>
+        <translation>按住</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>hold with a real controller</source>
+        <translation>连接真实控制器时需按住</translation>
+    </message>
+    <message>
+        <source>Hold for 0.5 s</source>
+        <translation>按住 0.5 秒</translation>
+    </message>
+    <message>
+        <source>an accidental touch does not start the machine</source>
+        <translation>误触不会启动机器</translation>
+    </message>
+    <message>
+        <source>One touch</source>
+        <translation>一触即启动</translation>
+    </message>
     <message>
         <source>Screen, clock, network</source>
         <translation>屏幕、时钟、网络</translation>

@@ -82,10 +82,26 @@ SettingsSection {
             onChosen: key => Settings.theme = key
         }
         Item { width: 1; height: Theme.size.spacing }
-        Button {
-            objectName: "sectionSystem"
-            text: qsTr("Screen, clock, network")
-            onClicked: (section.page as SettingsPage).openSystem()
+        Row {
+            width: parent.width
+            spacing: Theme.size.spacing
+            Button {
+                id: system
+                objectName: "sectionSystem"
+                text: qsTr("Screen, clock, network")
+                onClicked: (section.page as SettingsPage).openSystem()
+            }
+            SettingRow {
+                objectName: "holdToStart"
+                width: parent.width - system.width - parent.spacing
+                height: system.height
+                label: qsTr("Start key")
+                value: Settings.startIsHeld ? qsTr("hold") : qsTr("tap")
+                onClicked: {
+                    if (Access.ask(Access.Technician))
+                        section.page.sheetRequested(holdPicker)
+                }
+            }
         }
         Label {
             visible: parent.y + y + implicitHeight <= section.height // only if there is space
@@ -93,6 +109,21 @@ SettingsSection {
             wrapMode: Text.WordWrap
             text: qsTr("Use light in a bright hall, dark in the night shift, high contrast for a dirty screen. Glove mode enlarges all keys by a quarter; numbers and units follow the language.")
             color: Theme.color.secondaryInk
+        }
+    }
+
+    Component {
+        id: holdPicker
+        ListPicker {
+            title: qsTr("Start key")
+            choices: [{ key: "auto", text: qsTr("Automatic"), note: qsTr("hold with a real controller") },
+                { key: "on", text: qsTr("Hold for 0.5 s"), note: qsTr("an accidental touch does not start the machine") },
+                { key: "off", text: qsTr("One touch"), note: "" }]
+            current: Settings.holdToStart
+            onChosen: key => {
+                Settings.holdToStart = key
+                closed()
+            }
         }
     }
 }

@@ -45,6 +45,14 @@ public:
     [[nodiscard]] const std::vector<modbus::StatusBlock>& statuses() const { return m_statuses; }
 
     void tap(const char* name) { m_touch.tap(QString::fromLatin1(name)); }
+    // Holds the Start key until it acts: with a real controller a tap does not.
+    void start()
+    {
+        const QString key = QStringLiteral("startKey");
+        m_touch.touch(key);
+        QTest::qWait(600);
+        m_touch.lift();
+    }
     // Taps digits on the open keypad.
     void tapDigits(const QString& digits)
     {

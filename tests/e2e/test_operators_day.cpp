@@ -147,6 +147,10 @@ private slots:
                  qPrintable(panel.texts()));
         QVERIFY(panel.touchDriver().find("middleKey")); // Home, which the controller accepts now
         touch("startKey");
+        QTest::qWait(200);
+        QCOMPARE(panel.machine().state(), Controller::State::Ready); // a tap is too short
+        QVERIFY2(panel.texts().contains(QStringLiteral("hold longer")), qPrintable(panel.texts()));
+        panel.start();
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Running, timeoutMs);
         QTRY_VERIFY_WITH_TIMEOUT(panel.machine().bags().count > 0, timeoutMs);
         QVERIFY2(touches <= 12, qPrintable(QString::number(touches)));
@@ -189,7 +193,7 @@ private slots:
         download(panel);
         panel.tap("nav_run");
         QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
-        panel.tap("startKey");
+        panel.start();
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Running, timeoutMs);
         panel.tap("nav_motion");
         enter(panel, "field_bagLength", QStringLiteral("250"));

@@ -146,7 +146,7 @@ void TestPanelAndController::runLength(PanelWindow& panel)
 
     panel.tap("nav_run");
     QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
-    panel.tap("startKey");
+    panel.start();
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Running, timeoutMs);
     const double angle = panel.machine().live().knifeAngleDeg;
     QVERIFY(!std::isnan(angle));
@@ -240,7 +240,7 @@ void TestPanelAndController::theMasterIsTurnedRound()
         panel.tap("nav_run");
         QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
         QVERIFY2(panel.texts().contains("starts forward"), qPrintable(panel.texts()));
-        panel.tap("startKey");
+        panel.start();
         QTRY_VERIFY_WITH_TIMEOUT(panel.texts().contains("runs forward"), timeoutMs);
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().live().masterSpeedPercent, 100.0, timeoutMs);
         bool hasTurned = false;
@@ -310,7 +310,7 @@ void TestPanelAndController::badPorts()
     PanelWindow panel(port);
     QTRY_VERIFY2_WITH_TIMEOUT(panel.texts().contains(words), qPrintable(panel.texts()), timeoutMs);
     QCOMPARE(panel.machine().connection(), connection);
-    panel.tap("startKey");
+    panel.start();
     QVERIFY2(panel.texts().contains("There is no connection to the controller."), qPrintable(panel.texts()));
 }
 

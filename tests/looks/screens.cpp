@@ -236,6 +236,7 @@ const QList<Screen>& allScreens()
              window.tap(QStringLiteral("portButton"));
          }},
         taps("settings-machine", {settings, QStringLiteral("section2")}),
+        taps("settings-start-key", {settings, QStringLiteral("section0"), QStringLiteral("holdToStart")}),
         taps("keypad-machine",
              {settings, QStringLiteral("section2"), QStringLiteral("field_maxAcceleration")}),
         {QStringLiteral("settings-system"),
@@ -264,6 +265,13 @@ const QList<Screen>& allScreens()
                       QStringLiteral("wipeScreen")}),
         taps("settings-about", {settings, QStringLiteral("section3")}),
         situation("run-stopped", Situation::Stopped, run),
+        {QStringLiteral("run-hold-to-start"),
+         [run](TestWindow& window) {
+             window.link().show(Situation::Stopped);
+             window.panel().settings().setHoldToStart(QStringLiteral("on"));
+             window.tap(run);
+             window.settle();
+         }},
         situation("run-empty", Situation::Empty, run),
         situation("run-fault", Situation::Fault, run),
         situation("run-many-alarms", Situation::ManyAlarms, run),
@@ -480,6 +488,7 @@ void enterScreen(TestWindow& window, const Screen& screen)
     while (editor.canUndo())
         editor.undo();
     window.panel().settings().setSimulated(true);
+    window.panel().settings().setHoldToStart(QStringLiteral("auto"));
     window.panel().maintenance().doctor()->cancel();
     window.panel().maintenance().inspector()->setGroup({});
     window.panel().maintenance().inspector()->setNameFilter({});

@@ -458,6 +458,56 @@ private slots:
         QCOMPARE(textOf("middleKey"), QStringLiteral("Reset"));
     }
 
+    // Half a second under a filling ring; the machine starts once, while the finger is still there.
+    void startIsHeld()
+    {
+        const QString key = QStringLiteral("startKey");
+        m_window->link().show(campanel::looks::DemoLink::Situation::Stopped);
+        m_window->settle();
+        m_window->panel().settings().setHoldToStart(QStringLiteral("on"));
+        int starts = 0;
+        QObject::connect(&m_window->link(), &campanel::link::Link::commandEnded, m_window->root().window(),
+                         [&](const campanel::link::CommandOutcome& outcome) {
+                             starts += outcome.command == campanel::modbus::Command::Start ? 1 : 0;
+                         });
+        tap("startKey"); // too short
+        QTest::qWait(600);
+        QCOMPARE(starts, 0);
+        QVERIFY(!m_window->find(QStringLiteral("banner")));
+
+        m_window->touch(key); // the finger leaves the key
+        QTRY_VERIFY(m_window->find(QStringLiteral("holdRing")));
+        m_window->slide({10, 300});
+        QTest::qWait(600);
+        m_window->lift();
+        QCOMPARE(starts, 0);
+        QVERIFY(!m_window->find(QStringLiteral("holdRing")));
+
+        m_window->touch(key);
+        QTest::qWait(300);
+        QCOMPARE(starts, 0);
+        QTRY_COMPARE(starts, 1);
+        QVERIFY(!m_window->find(QStringLiteral("holdRing")));
+        QTest::qWait(600);
+        m_window->lift();
+        QCOMPARE(starts, 1);
+        QVERIFY(!m_window->find(QStringLiteral("banner")));
+    }
+
+    void aTapStartsWithoutHolding()
+    {
+        m_window->link().show(campanel::looks::DemoLink::Situation::Stopped);
+        m_window->settle();
+        QVERIFY(!m_window->panel().settings().startIsHeld()); // the simulated controller
+        int starts = 0;
+        QObject::connect(&m_window->link(), &campanel::link::Link::commandEnded, m_window->root().window(),
+                         [&](const campanel::link::CommandOutcome& outcome) {
+                             starts += outcome.command == campanel::modbus::Command::Start ? 1 : 0;
+                         });
+        tap("startKey");
+        QTRY_COMPARE(starts, 1);
+    }
+
     void startRefusedSaysWhy()
     {
         tap("startKey");

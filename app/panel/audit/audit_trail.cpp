@@ -11,6 +11,7 @@
 
 #include <QLocale>
 
+#include <array>
 #include <cmath>
 
 using namespace Qt::StringLiterals;
@@ -105,6 +106,34 @@ QString connectionText(const ConnectionChoice& choice)
         .arg(choice.stopBits)
         .arg(choice.unit);
 }
+
+struct AuditedSetting {
+    const char* object;
+    void (Settings::*changed)();
+    QString (*text)(const Settings& settings);
+};
+
+QString truthText(bool value)
+{
+    return value ? u"1"_s : u"0"_s;
+}
+
+constexpr std::array auditedSettings{
+    AuditedSetting{"language", &Settings::languageChanged, [](const Settings& s) { return s.language(); }},
+    AuditedSetting{"theme", &Settings::themeChanged, [](const Settings& s) { return s.theme(); }},
+    AuditedSetting{"gloves", &Settings::glovesChanged,
+                   [](const Settings& s) { return truthText(s.gloves()); }},
+    AuditedSetting{"bag_tolerance_mm", &Settings::bagToleranceChanged,
+                   [](const Settings& s) { return numberText(s.bagToleranceMm()); }},
+    AuditedSetting{"connection", &Settings::connectionApplied,
+                   [](const Settings& s) { return connectionText(s.connection()); }},
+    AuditedSetting{"auto_logout_minutes", &Settings::accessChanged,
+                   [](const Settings& s) { return QString::number(s.autoLogoutMinutes()); }},
+    AuditedSetting{"operators_log_in", &Settings::accessChanged,
+                   [](const Settings& s) { return truthText(s.operatorsLogIn()); }},
+    AuditedSetting{"hold_to_start", &Settings::holdToStartChanged,
+                   [](const Settings& s) { return s.holdToStart(); }},
+};
 
 QString outcomeKey(Jog::End end)
 {
@@ -385,45 +414,24 @@ void AuditTrail::proveDownload(bool isLast)
 
 void AuditTrail::watchSettings()
 {
-    m_settings = settingsNow();
-    for (const auto changed :
-         {&Settings::languageChanged, &Settings::themeChanged, &Settings::glovesChanged,
-          &Settings::bagToleranceChanged, &Settings::connectionApplied, &Settings::accessChanged})
-        connect(&m_watched.settings, changed, this, &AuditTrail::noteSettings);
-}
-
-AuditTrail::SettingsSeen AuditTrail::settingsNow() const
-{
-    const Settings& settings = m_watched.settings;
-    return {settings.language(),
-            settings.theme(),
-            settings.gloves() ? u"1"_s : u"0"_s,
-            numberText(settings.bagToleranceMm()),
-            connectionText(settings.connection()),
-            QString::number(settings.autoLogoutMinutes()),
-            settings.operatorsLogIn() ? u"1"_s : u"0"_s};
-}
-
-void AuditTrail::noteSetting(const QString& object, QString& seen, const QString& now)
-{
-    if (seen == now)
-        return;
-    store::AuditEntry changed = entry(u"setting.change"_s, object);
-    changed.before = std::exchange(seen, now);
-    changed.after = now;
-    append(changed);
+    for (const AuditedSetting& setting : auditedSettings) {
+        m_settings << setting.text(m_watched.settings);
+        connect(&m_watched.settings, setting.changed, this, &AuditTrail::noteSettings, Qt::UniqueConnection);
+    }
 }
 
 void AuditTrail::noteSettings()
 {
-    const SettingsSeen now = settingsNow();
-    noteSetting(u"language"_s, m_settings.language, now.language);
-    noteSetting(u"theme"_s, m_settings.theme, now.theme);
-    noteSetting(u"gloves"_s, m_settings.gloves, now.gloves);
-    noteSetting(u"bag_tolerance_mm"_s, m_settings.tolerance, now.tolerance);
-    noteSetting(u"connection"_s, m_settings.connection, now.connection);
-    noteSetting(u"auto_logout_minutes"_s, m_settings.autoLogout, now.autoLogout);
-    noteSetting(u"operators_log_in"_s, m_settings.operatorsLogIn, now.operatorsLogIn);
+    for (std::size_t i = 0; i < auditedSettings.size(); ++i) {
+        QString& seen = m_settings[static_cast<qsizetype>(i)];
+        const QString now = auditedSettings[i].text(m_watched.settings);
+        if (seen == now)
+            continue;
+        store::AuditEntry changed = entry(u"setting.change"_s, QLatin1String(auditedSettings[i].object));
+        changed.before = std::exchange(seen, now);
+        changed.after = now;
+        append(changed);
+    }
 }
 
 void AuditTrail::watchSimulation()

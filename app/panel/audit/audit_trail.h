@@ -59,15 +59,6 @@ private:
         QList<store::AuditEntry> entries; // the first one is the program, the others its values
         std::uint32_t crc = 0;
     };
-    struct SettingsSeen {
-        QString language;
-        QString theme;
-        QString gloves;
-        QString tolerance;
-        QString connection;
-        QString autoLogout;
-        QString operatorsLogIn;
-    };
 
     [[nodiscard]] store::AuditEntry entry(const QString& what, const QString& object) const;
     void append(const store::AuditEntry& entry);
@@ -83,9 +74,7 @@ private:
     void beginDownload(const program::ProgramImage& image);
     void endDownload(const link::DownloadReport& report);
     void proveDownload(bool isLast);
-    void noteSetting(const QString& object, QString& seen, const QString& now);
     void noteSettings();
-    [[nodiscard]] SettingsSeen settingsNow() const;
     void noteWizard();
     void watchManual();
     void noteManual(const QString& what, const QString& before, const QString& after, const QString& outcome);
@@ -99,7 +88,7 @@ private:
     bool m_isDownloadProven = false; // proven by the link; the status with its generation may still be
                                      // pending
     QTimer m_proofTimer;
-    SettingsSeen m_settings;
+    QStringList m_settings; // texts of the audited ones
     QString m_faults;
     int m_wizardStep = 0;
 };

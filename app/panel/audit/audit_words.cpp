@@ -84,6 +84,7 @@ constexpr std::array objectWords{
     Word{"connection", QT_TRANSLATE_NOOP("AuditWords", "connection")},
     Word{"auto_logout_minutes", QT_TRANSLATE_NOOP("AuditWords", "minutes until logout")},
     Word{"operators_log_in", QT_TRANSLATE_NOOP("AuditWords", "operator login required")},
+    Word{"hold_to_start", QT_TRANSLATE_NOOP("AuditWords", "hold to start")},
     Word{"simulated_faults", QT_TRANSLATE_NOOP("AuditWords", "simulated faults")},
 };
 

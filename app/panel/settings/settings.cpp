@@ -31,6 +31,7 @@ const QString firstStartKey = u"first_start"_s;
 const QString firstStartBegun = u"begun"_s;
 const QString firstStartDone = u"done"_s;
 const QString operatorsLogInKey = u"access/operators_log_in"_s;
+const QString holdToStartKey = u"access/hold_to_start"_s;
 const QString simulatedKey = u"connection/simulated"_s;
 const QString portKey = u"connection/port"_s;
 const QString baudKey = u"connection/baud"_s;
@@ -112,6 +113,7 @@ Settings::Settings(const QString& storage, QObject* parent, const StandardSettin
     m_language = chosen(m_file.value(languageKey), languages(),
                         chosen(standard.language, languages(), systemLanguage));
     m_theme = chosen(m_file.value(themeKey), themes(), standard.theme);
+    m_holdToStart = chosen(m_file.value(holdToStartKey), possibleHolds(), standard.holdToStart);
     const double stored = m_file.value(bagToleranceKey).toDouble();
     if (stored >= minToleranceMm && stored <= maxToleranceMm)
         m_bagToleranceMm = stored;
@@ -127,6 +129,7 @@ Settings::Settings(const QString& storage, QObject* parent, const StandardSettin
     connect(this, &Settings::languageChanged, this, &Settings::noticeChanged, Qt::QueuedConnection);
     connect(this, &Settings::languageChanged, this, &Settings::updateValues, Qt::QueuedConnection);
     connect(this, &Settings::bagToleranceChanged, this, &Settings::updateValues);
+    connect(this, &Settings::connectionApplied, this, &Settings::holdToStartChanged);
     connect(this, &Settings::connectionChanged, this, &Settings::updateValues);
     connect(&m_bagTolerance, &Value::setRequested, this, &Settings::setBagToleranceMm);
     connect(&m_unitNumber, &Value::setRequested, this,
@@ -172,6 +175,7 @@ QStringList Settings::fileKeys()
                        autoLogoutKey,
                        firstStartKey,
                        operatorsLogInKey,
+                       holdToStartKey,
                        u"display/brightness"_s,
                        u"display/dark_after_minutes"_s} +
            connectionKeys;
@@ -315,6 +319,25 @@ void Settings::setOperatorsLogIn(bool logIn)
     m_operatorsLogIn = logIn;
     m_file.set(operatorsLogInKey, textOf(logIn));
     emit accessChanged();
+}
+
+QStringList Settings::possibleHolds()
+{
+    return {u"auto"_s, u"on"_s, u"off"_s};
+}
+
+void Settings::setHoldToStart(const QString& hold)
+{
+    if (hold == m_holdToStart || !possibleHolds().contains(hold) || !require(Level::Technician))
+        return;
+    m_holdToStart = hold;
+    m_file.set(holdToStartKey, hold);
+    emit holdToStartChanged();
+}
+
+bool Settings::startIsHeld() const
+{
+    return m_holdToStart == u"on"_s || (m_holdToStart == u"auto"_s && !m_applied.simulated);
 }
 
 void Settings::edit(ConnectionChoice choice)

@@ -40,6 +40,7 @@ struct StandardSettings {
     double bagToleranceMm = 0.5;
     int autoLogoutMinutes = 5;
     bool operatorsLogIn = false;
+    QString holdToStart = QStringLiteral("auto");
 };
 
 class Settings : public QObject {
@@ -76,6 +77,9 @@ class Settings : public QObject {
     Q_PROPERTY(QList<int> autoLogoutChoices READ autoLogoutChoices CONSTANT FINAL)
     // True when operating needs a login; viewing and Stop never do.
     Q_PROPERTY(bool operatorsLogIn READ operatorsLogIn WRITE setOperatorsLogIn NOTIFY accessChanged FINAL)
+    // "on", "off" or "auto": on with a real controller.
+    Q_PROPERTY(QString holdToStart READ holdToStart WRITE setHoldToStart NOTIFY holdToStartChanged FINAL)
+    Q_PROPERTY(bool startIsHeld READ startIsHeld NOTIFY holdToStartChanged FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* ports READ ports CONSTANT FINAL)
     // True on a new panel: language, controller, PINs, machine and a first recipe must be set.
     Q_PROPERTY(bool firstStart READ firstStart NOTIFY firstStartChanged FINAL)
@@ -92,6 +96,7 @@ public:
     [[nodiscard]] static QStringList possibleLanguages();
     [[nodiscard]] static QStringList possibleThemes();
     [[nodiscard]] static QList<int> possibleLogouts();
+    [[nodiscard]] static QStringList possibleHolds();
     static constexpr double minToleranceMm = 0.05;
     static constexpr double maxToleranceMm = 5;
 
@@ -145,8 +150,12 @@ public:
     [[nodiscard]] QList<int> autoLogoutChoices() const { return possibleLogouts(); }
     [[nodiscard]] bool operatorsLogIn() const { return m_operatorsLogIn; }
     void setOperatorsLogIn(bool logIn);
-    // Sets the access check before changes: connection and tolerance need a technician, login settings the
-    // level Service, language and appearance nobody.
+    [[nodiscard]] QString holdToStart() const { return m_holdToStart; }
+    void setHoldToStart(const QString& hold);
+    // Returns true when Start acts only after it has been held.
+    [[nodiscard]] bool startIsHeld() const;
+    // Sets the access check before changes: connection, tolerance and hold to start need a technician, login
+    // settings the level Service, language and appearance nobody.
     void guardBy(AccessCheck& accessCheck) { m_access = &accessCheck; }
 
     [[nodiscard]] bool firstStart() const { return m_isFirstStart; }
@@ -180,6 +189,7 @@ signals:
     void connectionChanged();
     void connectionApplied();
     void accessChanged();
+    void holdToStartChanged();
     void firstStartChanged();
     void noticeChanged();
 
@@ -199,6 +209,7 @@ private:
     Value m_unitNumber;
     int m_autoLogoutMinutes;
     bool m_operatorsLogIn;
+    QString m_holdToStart;
     bool m_isNoticed;
     bool m_isFirstStart = false;
     QPointer<AccessCheck> m_access;

@@ -108,6 +108,7 @@ tolerance_mm = 2
 [access]
 auto_logout_minutes = 30
 operators_log_in = true
+hold_to_start = "on"
 [log]
 rules = ["campanel.link.debug=true", "campanel.*=false"]
 [kiosk]
@@ -124,6 +125,7 @@ screen = "linuxfb"
         QCOMPARE(standard.bagToleranceMm, 2.0);
         QCOMPARE(standard.autoLogoutMinutes, 30);
         QVERIFY(standard.operatorsLogIn);
+        QCOMPARE(standard.holdToStart, u"on"_s);
         QCOMPARE(read.values.windowSize, QSize(1280, 800));
         QVERIFY(read.values.isFullScreen);
         QCOMPARE(read.values.logRules, (QStringList{u"campanel.link.debug=true"_s, u"campanel.*=false"_s}));

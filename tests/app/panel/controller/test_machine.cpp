@@ -405,6 +405,7 @@ private slots:
         rig.settings.setBagToleranceMm(1.5);
         rig.settings.setAutoLogoutMinutes(30);
         rig.settings.setOperatorsLogIn(true);
+        rig.settings.setHoldToStart("on");
         rig.settings.beginFirstStart();
         rig.settings.applyConnection();
         panel::Display display(rig.machine, rig.settings, nullptr);
