@@ -1405,6 +1405,10 @@
         <source>Another device on the line writes parts of commands. Check the connected devices.</source>
         <translation>线路上有另一设备分段写入命令。请检查所连接的设备。</translation>
     </message>
+    <message>
+        <source>The lead of cam switch %1 is longer than a cycle. Shorten it under Maintenance, or lower the rate.</source>
+        <translation>凸轮开关 %1 的提前时间超过一个周期。请在“维护”中缩短提前时间，或降低速率。</translation>
+    </message>
 </context>
 <context>
     <name>DifferencesText</name>

@@ -3,6 +3,7 @@
 
 #include "link/ctl_function.h"
 #include "link/ctl_map.h"
+#include "packer/ctl_reject.h"
 
 #include <string.h>
 
@@ -33,6 +34,7 @@ void ctl_init(ctl_core* core, const ctl_config* config, const ctl_port* port, ui
     ctl_flash_load(&core->flash, &core->board, &core->banks, core->written.parameter);
     ctl_packer_init(&core->packer, &core->board);
     ctl_motion_init(&core->motion);
+    ctl_io_init(&core->io, &core->board);
 }
 
 /* One slice of so many timer ticks: every part in its turn, and what one of them wants of another. */
@@ -47,6 +49,7 @@ static void slice(ctl_core* core, uint32_t ticks)
         (void)ctl_motion_stop_at_cycle_end(motion);
     if (core->banks.has_active && motion->state != CTL_STATE_FAULT && !ctl_banks_check(&core->banks))
         ctl_motion_fault(motion, CTL_FAULT_BIT_ACTIVE_TABLE_DAMAGED);
+    ctl_io_slice(&core->io, motion);
 }
 
 void ctl_tick(ctl_core* core, uint64_t now_us)
@@ -91,7 +94,9 @@ size_t ctl_take_answer(ctl_core* core, uint8_t* bytes)
 
 void ctl_on_cut(ctl_core* core, int64_t film)
 {
+    const bool first = !core->packer.cut_before;
     ctl_packer_on_cut(&core->packer, film, &core->motion.ramp);
+    ctl_switches_bag(&core->io.switches, ctl_packer_rejects(&core->packer, first));
 }
 
 void ctl_on_bag_cut(ctl_core* core, uint32_t length_um)

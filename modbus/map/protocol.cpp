@@ -205,6 +205,22 @@ constexpr std::array refusals{
     entry(Refusal::StepTooLarge, "StepTooLarge",
           "Even at the smallest share of full speed an axis would change its speed by more than its largest "
           "step; the program is changed at standstill."),
+    entry(Refusal::Switch1LeadTooLong, "Switch1LeadTooLong",
+          "The lead of cam switch 1 is longer than a cycle at the program's full speed."),
+    entry(Refusal::Switch2LeadTooLong, "Switch2LeadTooLong",
+          "The lead of cam switch 2 is longer than a cycle at the program's full speed."),
+    entry(Refusal::Switch3LeadTooLong, "Switch3LeadTooLong",
+          "The lead of cam switch 3 is longer than a cycle at the program's full speed."),
+    entry(Refusal::Switch4LeadTooLong, "Switch4LeadTooLong",
+          "The lead of cam switch 4 is longer than a cycle at the program's full speed."),
+    entry(Refusal::Switch5LeadTooLong, "Switch5LeadTooLong",
+          "The lead of cam switch 5 is longer than a cycle at the program's full speed."),
+    entry(Refusal::Switch6LeadTooLong, "Switch6LeadTooLong",
+          "The lead of cam switch 6 is longer than a cycle at the program's full speed."),
+    entry(Refusal::Switch7LeadTooLong, "Switch7LeadTooLong",
+          "The lead of cam switch 7 is longer than a cycle at the program's full speed."),
+    entry(Refusal::Switch8LeadTooLong, "Switch8LeadTooLong",
+          "The lead of cam switch 8 is longer than a cycle at the program's full speed."),
 };
 
 constexpr std::array transferOperations{
@@ -278,6 +294,25 @@ constexpr std::array heartbeatLostActions{
     entry(HeartbeatLostAction::StopAtCycleEnd, "StopAtCycleEnd", "Warn and stop at the end of the cycle."),
 };
 
+constexpr std::array switchModes{
+    entry(SwitchMode::Off, "Off", "Never on."),
+    entry(SwitchMode::Cycles, "Cycles", "On from the on angle to the off angle of every n-th cycle."),
+    entry(SwitchMode::RejectedBags, "RejectedBags",
+          "The same, once for each bag to reject: on when the bag cut last is one. The on angle, less the "
+          "lead, must be behind the cut."),
+};
+
+constexpr std::array outputBits{
+    entry(OutputBit::Switch1, "Switch1", "Cam switch 1."),
+    entry(OutputBit::Switch2, "Switch2", "Cam switch 2."),
+    entry(OutputBit::Switch3, "Switch3", "Cam switch 3."),
+    entry(OutputBit::Switch4, "Switch4", "Cam switch 4."),
+    entry(OutputBit::Switch5, "Switch5", "Cam switch 5."),
+    entry(OutputBit::Switch6, "Switch6", "Cam switch 6."),
+    entry(OutputBit::Switch7, "Switch7", "Cam switch 7."),
+    entry(OutputBit::Switch8, "Switch8", "Cam switch 8."),
+};
+
 constexpr std::array markStates{
     entry(MarkState::Off, "Off", "The marks are not followed, or nothing runs yet."),
     entry(MarkState::Searching, "Searching", "Waiting for two marks one bag length apart."),
@@ -313,7 +348,7 @@ constexpr std::array bagBits{
         "for another length."),
 };
 
-constexpr std::array<EnumInfo, 25> infos{{
+constexpr std::array<EnumInfo, 27> infos{{
     {"State", states},
     {"ProgramKind", programKinds},
     {"StagedState", stagedStates},
@@ -339,6 +374,8 @@ constexpr std::array<EnumInfo, 25> infos{{
     {"GateState", gateStates},
     {"SkipCause", skipCauses},
     {"BagBit", bagBits},
+    {"SwitchMode", switchModes},
+    {"OutputBit", outputBits},
 }};
 
 } // namespace

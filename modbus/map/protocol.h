@@ -107,6 +107,15 @@ enum class Refusal : std::uint16_t {
     FeedTooFast,
     CommandIncomplete,
     StepTooLarge,
+    // The lead of a cam switch; the number of the switch is part of the reason.
+    Switch1LeadTooLong,
+    Switch2LeadTooLong,
+    Switch3LeadTooLong,
+    Switch4LeadTooLong,
+    Switch5LeadTooLong,
+    Switch6LeadTooLong,
+    Switch7LeadTooLong,
+    Switch8LeadTooLong,
 };
 
 enum class TransferOperation : std::uint16_t { None = 0, Begin, Block, Seal };
@@ -172,6 +181,22 @@ enum class BagBit : std::uint16_t {
 enum class JogBit : std::uint16_t { Forward = 0, Reverse = 1 };
 
 enum class HeartbeatLostAction : std::uint16_t { RunOn = 0, StopAtCycleEnd = 1 };
+
+// The mode of a cam switch.
+enum class SwitchMode : std::uint16_t { Off = 0, Cycles = 1, RejectedBags = 2 };
+inline constexpr int switchCount = 8;
+
+// The bits of the output pins.
+enum class OutputBit : std::uint16_t {
+    Switch1 = 0,
+    Switch2,
+    Switch3,
+    Switch4,
+    Switch5,
+    Switch6,
+    Switch7,
+    Switch8
+};
 
 struct EnumValue {
     std::string_view name; // as in the enum class

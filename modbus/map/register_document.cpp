@@ -137,6 +137,7 @@ void printCHeader(std::ostream& out)
     define("VIEW_CUTS", std::to_string(viewCuts) + "u");
     define("VIEW_MARKS", std::to_string(viewMarks) + "u");
     define("VIEW_PRODUCTS", std::to_string(viewProducts) + "u");
+    define("SWITCH_COUNT", std::to_string(switchCount) + "u");
     out << "\n/* Addresses, and of writable registers the limits in raw units. */\n";
     for (const RegisterInfo& row : registers()) {
         define("REG_" + upperSnake(row.name), hexAddress(row.address) + "u");

@@ -14,6 +14,20 @@ using namespace rows;
 
 constexpr double max32 = 4294967295.0;
 
+// The registers of one cam switch. A macro, because a name must be a literal.
+#define CAMPANEL_CAM_SWITCH(number, address)                                                                 \
+    rw16("parameter.switch" number "_mode", address, "cam switch " number ": when it is on", "SwitchMode",   \
+         0, 2, 0),                                                                                           \
+        rw16("parameter.switch" number "_on_angle", (address) + 1,                                           \
+             "where it switches on, in the cycle of a cutter's film or of a point cam's master", {}, 0,      \
+             359.99, 0, 0.01, "deg"),                                                                        \
+        rw16("parameter.switch" number "_off_angle", (address) + 2,                                          \
+             "where it switches off; the on angle itself: never on", {}, 0, 359.99, 0, 0.01, "deg"),         \
+        rw16("parameter.switch" number "_lead", (address) + 3,                                               \
+             "it switches that much earlier, at the present speed", {}, 0, 100, 0, 0.1, "ms"),               \
+        rw16("parameter.switch" number "_every", (address) + 4, "it is on in every n-th cycle only", {}, 1,  \
+             1000, 1)
+
 constexpr std::array registerTable{
     ro16("identity.device_type", 0x0000, "0xCA3D on every CamPanel controller"),
     ro16("identity.map_major", 0x0001,
@@ -93,6 +107,16 @@ constexpr std::array registerTable{
          "Hz"),
     rw32("parameter.infeed_step", 0x00AA, "largest step of the speed of the infeed motor", 10, 1000000, 800,
          1.0, "Hz"),
+
+    // Outputs that switch with the cycle; see controller/core/motion/README.md.
+    CAMPANEL_CAM_SWITCH("1", 0x00AC),
+    CAMPANEL_CAM_SWITCH("2", 0x00B1),
+    CAMPANEL_CAM_SWITCH("3", 0x00B6),
+    CAMPANEL_CAM_SWITCH("4", 0x00BB),
+    CAMPANEL_CAM_SWITCH("5", 0x00C0),
+    CAMPANEL_CAM_SWITCH("6", 0x00C5),
+    CAMPANEL_CAM_SWITCH("7", 0x00CA),
+    CAMPANEL_CAM_SWITCH("8", 0x00CF),
 
     // Status block: the answer to the periodic FC23 exchange. 40 registers, so that 9600 baud still carries 8
     // a second.
@@ -233,6 +257,8 @@ constexpr std::array registerTable{
     block("active", activeBankBase, bankRegisters, Access::ReadOnly, "the bank being executed; layout below"),
     block("staged", stagedBankBase, bankRegisters, Access::ReadOnly, "the shadow bank; layout below"),
 };
+
+#undef CAMPANEL_CAM_SWITCH
 
 static_assert(isConsistent(registerTable));
 

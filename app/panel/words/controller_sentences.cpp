@@ -110,6 +110,17 @@ QString ControllerSentences::refusal(Refusal reason)
     case Refusal::StepTooLarge:
         return tr("The speed of an axis would change too abruptly. Stop the machine, then download; or raise "
                   "the largest speed steps under Maintenance.");
+    case Refusal::Switch1LeadTooLong:
+    case Refusal::Switch2LeadTooLong:
+    case Refusal::Switch3LeadTooLong:
+    case Refusal::Switch4LeadTooLong:
+    case Refusal::Switch5LeadTooLong:
+    case Refusal::Switch6LeadTooLong:
+    case Refusal::Switch7LeadTooLong:
+    case Refusal::Switch8LeadTooLong:
+        return tr("The lead of cam switch %1 is longer than a cycle. Shorten it under Maintenance, or lower "
+                  "the rate.")
+            .arg(1 + static_cast<int>(reason) - static_cast<int>(Refusal::Switch1LeadTooLong));
     }
     return tr("The controller reports reason %1, which this panel does not know. Update the panel.")
         .arg(static_cast<int>(reason));

@@ -37,6 +37,9 @@ typedef struct {
      * whether it covers the eye from now on. */
     bool (*eye)(void* context, int64_t* infeed_at_edge, bool* covered);
 
+    /* The output pins from now on, bits CTL_OUTPUT_BIT_...; NULL on a machine without. */
+    void (*outputs)(void* context, uint16_t levels);
+
     /* Flash that keeps its bytes over power loss; slot 0 or 1, erased bytes read 0xFF. False: it failed. */
     bool (*flash_read)(void* context, uint32_t slot, uint32_t offset, uint8_t* bytes, uint32_t size);
     bool (*flash_erase)(void* context, uint32_t slot);

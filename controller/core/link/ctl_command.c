@@ -10,6 +10,15 @@ enum { COUNTER = 0, CODE = 1, ARGUMENT0 = 2, ARGUMENT1 = 3, ARGUMENT2 = 4 };
 _Static_assert(CTL_GROUP_COMMAND == ARGUMENT2 + 2, "the wide argument ends the group");
 _Static_assert(CTL_GROUP_RESULT == 4u, "ctl_command() fills the group");
 
+/* A switch with too long a lead would be on in the wrong cycle. */
+static uint16_t start(ctl_core* core)
+{
+    const bool ready = core->motion.state == CTL_STATE_READY;
+    const uint16_t refusal =
+        ready ? ctl_switches_refusal(&core->board, ctl_active_bank(&core->banks)) : CTL_REFUSAL_NONE;
+    return refusal != CTL_REFUSAL_NONE ? refusal : ctl_motion_start(&core->motion);
+}
+
 static uint16_t apply_staged(ctl_core* core, const uint16_t* request)
 {
     ctl_transfer* transfer = &core->transfer;
@@ -30,7 +39,9 @@ static uint16_t apply_staged(ctl_core* core, const uint16_t* request)
         return CTL_REFUSAL_NOT_STANDSTILL;
     if (!ctl_bank_same_machine(ctl_active_bank(&core->banks), ctl_staged_bank(&core->banks)))
         return CTL_REFUSAL_MACHINE_DATA_DIFFERS;
-    const uint16_t refusal = ctl_motion_change_refusal(&core->motion);
+    uint16_t refusal = ctl_switches_refusal(&core->board, ctl_staged_bank(&core->banks));
+    if (refusal == CTL_REFUSAL_NONE)
+        refusal = ctl_motion_change_refusal(&core->motion);
     if (refusal != CTL_REFUSAL_NONE)
         return refusal;
     transfer->state = CTL_STAGED_STATE_ARMED;
@@ -69,7 +80,7 @@ static uint16_t carry_out(ctl_core* core, const uint16_t* request)
 {
     switch (request[CODE]) {
     case CTL_COMMAND_START:
-        return ctl_motion_start(&core->motion);
+        return start(core);
     case CTL_COMMAND_STOP_AT_CYCLE_END:
         return ctl_motion_stop_at_cycle_end(&core->motion);
     case CTL_COMMAND_STOP_NOW:

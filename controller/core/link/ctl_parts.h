@@ -5,6 +5,7 @@
 
 #include "bank/ctl_flash.h"
 #include "link/ctl_rtu.h"
+#include "motion/ctl_io.h"
 #include "motion/ctl_motion.h"
 
 /* Writable registers as the panel left them, each group at its address in the map. */
@@ -39,6 +40,7 @@ typedef struct ctl_core {
     ctl_flash flash;
     ctl_motion motion;
     ctl_heartbeat heartbeat;
+    ctl_io io;
     ctl_bags bags;
     ctl_packer packer;
     ctl_clock clock;
