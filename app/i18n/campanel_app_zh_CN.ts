@@ -181,6 +181,18 @@
         <translation>请降低主轴速度，然后复位故障。</translation>
     </message>
     <message>
+        <source>Drive alarm</source>
+        <translation>驱动器报警</translation>
+    </message>
+    <message>
+        <source>The drive of the axis reports an alarm.</source>
+        <translation>轴的驱动器发出报警。</translation>
+    </message>
+    <message>
+        <source>Read the code on the drive and remove its cause, then reset the fault.</source>
+        <translation>请查看驱动器上的代码并排除原因，然后复位故障。</translation>
+    </message>
+    <message>
         <source>Unknown fault</source>
         <translation>未知故障</translation>
     </message>
@@ -239,6 +251,18 @@
     <message>
         <source>No action required: the panel sets the clock when it connects.</source>
         <translation>无需处理：面板连接时会自动设定时钟。</translation>
+    </message>
+    <message>
+        <source>Emergency stop pressed</source>
+        <translation>急停已按下</translation>
+    </message>
+    <message>
+        <source>The emergency stop of the machine is pressed.</source>
+        <translation>机器的急停按钮已按下。</translation>
+    </message>
+    <message>
+        <source>Make sure that the machine is safe, then release the emergency stop.</source>
+        <translation>请确认机器安全，然后释放急停按钮。</translation>
     </message>
     <message>
         <source>Unknown warning</source>

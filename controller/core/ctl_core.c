@@ -42,6 +42,9 @@ static void slice(ctl_core* core, uint32_t ticks)
 {
     ctl_motion* motion = &core->motion;
     const uint16_t keys = core->written.exchange[CTL_REG_EXCHANGE_JOG - CTL_REG_EXCHANGE_TAG];
+    ctl_io_begin(&core->io, motion);
+    if (ctl_io_drive_alarm(&core->io) && (motion->fault & 1u << CTL_FAULT_BIT_DRIVE_ALARM) == 0)
+        ctl_motion_fault(motion, CTL_FAULT_BIT_DRIVE_ALARM);
     if (ctl_heartbeat_slice(&core->heartbeat, &core->board, keys))
         ctl_motion_stop_unattended(motion);
     ctl_motion_slice(motion, ticks);

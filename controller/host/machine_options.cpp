@@ -23,6 +23,12 @@ template <auto Member> double& press(MachineOptions& options)
     return options.press.*Member;
 }
 
+template <auto Member> double& drive(MachineOptions& options)
+{
+    return options.drive.*Member;
+}
+
+using Drive = DriveOptions;
 using Film = FilmOptions;
 using Products = ProductOptions;
 using Press = PressOptions;
@@ -78,6 +84,11 @@ constexpr std::array optionTable{
                   press<&Press::screwErrorMm>},
     MachineOption{"press-drift", "MM", "standard deviation of heat's move of the ram from stroke to stroke",
                   0, 1, press<&Press::driftMm>},
+    MachineOption{"drive-inertia", "KGM2", "inertia at the shaft of the main drive, for its torque", 0, 100,
+                  drive<&Drive::inertiaKgM2>},
+    MachineOption{"drive-friction", "NM", "friction there", 0, 1000, drive<&Drive::frictionNm>},
+    MachineOption{"drive-rated-torque", "NM", "rated torque there", 0.001, 1000,
+                  drive<&Drive::ratedTorqueNm>},
 };
 
 // Returns the shortest form.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace campanel::controller {
@@ -15,6 +16,15 @@ namespace {
 
 constexpr double fullCircle = 36000.0;  // bank angles in 0.01 degrees
 constexpr double sameRevolution = 1e-6; // pulses
+// The sizes of what the pins see.
+constexpr double indexMarkShare = 0.01; // of a revolution
+constexpr double printedMarkMm = 5.0;
+constexpr double slowestPulses = 1.0; // per second; slower ones have no friction
+
+constexpr std::uint16_t pinBit(unsigned number)
+{
+    return static_cast<std::uint16_t>(1u << number);
+}
 
 double wide(const ctl_bank& bank, unsigned offset)
 {
@@ -47,6 +57,8 @@ double pulsesAtAngle(const ctl_bank& bank, double angle)
 
 Machine::Machine(const MachineOptions& options)
     : m_options(options)
+    , m_inputs(options.inputs)
+    , m_outputs(pinBit(CTL_OUTPUT_BIT_DRIVE_ENABLE))
     , m_main(options.servoBandwidthHz)
     , m_filmMotor(options.feedBandwidthHz)
     , m_infeedMotor(options.feedBandwidthHz)
@@ -54,6 +66,56 @@ Machine::Machine(const MachineOptions& options)
     , m_infeed(options.products, options.seed)
 {
     m_mark = -m_revolution * options.startAngleDegrees / 360.0;
+    switchDrives();
+}
+
+void Machine::setDriveOn(bool on)
+{
+    m_hasPower = on;
+    switchDrives();
+}
+
+void Machine::setOutputs(std::uint16_t levels)
+{
+    m_outputs = levels;
+    switchDrives();
+}
+
+void Machine::setInput(unsigned number, bool isOn)
+{
+    m_inputs = static_cast<std::uint16_t>(isOn ? m_inputs | pinBit(number) : m_inputs & ~pinBit(number));
+    switchDrives();
+}
+
+void Machine::switchDrives()
+{
+    const bool isEnabled = (m_outputs & pinBit(CTL_OUTPUT_BIT_DRIVE_ENABLE)) != 0;
+    m_main.setDriveOn(isEnabled && m_hasPower && (m_inputs & pinBit(CTL_INPUT_BIT_DRIVE_ALARM)) == 0);
+    m_filmMotor.setDriveOn(isEnabled);
+    m_infeedMotor.setDriveOn(isEnabled);
+}
+
+std::uint16_t Machine::inputs() const
+{
+    const double turns = (m_main.position() - m_mark) / m_revolution;
+    unsigned levels = m_inputs;
+    if (!m_ram && turns - std::floor(turns) < indexMarkShare)
+        levels |= pinBit(CTL_INPUT_BIT_INDEX_MARK);
+    if (m_hasKnife && rollMm(m_filmMotor.position()) - m_markMm < printedMarkMm)
+        levels |= pinBit(CTL_INPUT_BIT_MARK_SENSOR);
+    if (m_hasKnife && m_isEyeCovered)
+        levels |= pinBit(CTL_INPUT_BIT_PRODUCT_EYE);
+    return static_cast<std::uint16_t>(levels);
+}
+
+std::int32_t Machine::torqueTenthPercent() const
+{
+    const DriveOptions& drive = m_options.drive;
+    const double radiansPerPulse = 2.0 * std::numbers::pi / m_revolution;
+    const double friction =
+        std::abs(m_main.speed()) < slowestPulses ? 0.0 : std::copysign(drive.frictionNm, m_main.speed());
+    const double torqueNm = drive.inertiaKgM2 * m_main.acceleration() * radiansPerPulse + friction;
+    return static_cast<std::int32_t>(std::lround(1000.0 * torqueNm / drive.ratedTorqueNm));
 }
 
 void Machine::setProgram(const ctl_bank& bank)
@@ -198,6 +260,7 @@ std::optional<std::int64_t> Machine::takeMark()
     double rollMm = 0.0;
     if (!m_film.takeMark(rollMm))
         return std::nullopt;
+    m_markMm = rollMm;
     return std::llround(rollMm / m_options.filmFeedMm * m_options.filmPulses * CTL_FINE);
 }
 
@@ -206,6 +269,7 @@ std::optional<Machine::Edge> Machine::takeEdge()
     const auto edge = m_infeed.takeEdge();
     if (!edge)
         return std::nullopt;
+    m_isEyeCovered = edge->covered;
     return Edge{std::llround(edge->position * m_options.flightPulses * CTL_FINE), edge->covered};
 }
 

@@ -19,6 +19,13 @@ namespace campanel::controller {
 
 inline constexpr double umPerMm = 1000.0;
 
+// The torque of the main drive is inertia x acceleration + friction, against its direction.
+struct DriveOptions {
+    double inertiaKgM2 = 0.002; // at the shaft with the index mark
+    double frictionNm = 0.25;
+    double ratedTorqueNm = 2.4;
+};
+
 struct MachineOptions {
     std::uint64_t seed = 1;
     FilmOptions film;
@@ -30,6 +37,8 @@ struct MachineOptions {
     double filmPulses = 10'000.0;
     double flightPulses = 20'000.0; // infeed motor, per product
     PressOptions press;
+    DriveOptions drive;
+    std::uint16_t inputs = 0; // bits of InputBit that are on at power-up
 };
 
 // The result of a cut, as measured with a ruler.
@@ -51,7 +60,13 @@ public:
     void command(std::int64_t pulses) { m_main.command(pulses); }
     void commandFilm(std::int64_t pulses) { m_filmMotor.command(pulses); }
     void commandInfeed(std::int64_t pulses) { m_infeedMotor.command(pulses); }
-    void setDriveOn(bool on) { m_main.setDriveOn(on); }
+    // Cuts the power of the main drive.
+    void setDriveOn(bool on);
+    // Sets the output pins; the drives follow only while they are enabled.
+    void setOutputs(std::uint16_t levels);
+    // Sets an input pin that no movement sets: drive alarm, emergency stop, limit switches. A drive with an
+    // alarm does not follow; the others have no effect.
+    void setInput(unsigned bit, bool isOn);
 
     // Advances by one time step.
     void advance(double stepS);
@@ -63,6 +78,10 @@ public:
     [[nodiscard]] std::int64_t encoder() const;
     [[nodiscard]] std::int64_t scale() const;
     [[nodiscard]] std::int32_t forceN() const { return m_ram ? m_ram->forceN() : 0; }
+    // Returns the levels of all input pins.
+    [[nodiscard]] std::uint16_t inputs() const;
+    // Returns the torque of the main drive in 0.1 % of its rated torque.
+    [[nodiscard]] std::int32_t torqueTenthPercent() const;
     // Return the encoders in 1/256 pulse.
     [[nodiscard]] std::int64_t filmEncoder() const;
     [[nodiscard]] std::int64_t infeedEncoder() const;
@@ -81,6 +100,7 @@ public:
     [[nodiscard]] std::optional<BagCut> takeCut();
 
 private:
+    void switchDrives();
     void turnBy(double revolution);
     void setKnife(const ctl_bank& bank);
     void setPress(const ctl_bank& bank);
@@ -90,6 +110,11 @@ private:
     [[nodiscard]] double rollMm(double pulses) const;
 
     MachineOptions m_options;
+    std::uint16_t m_inputs = 0;
+    std::uint16_t m_outputs = 0;
+    bool m_hasPower = true;
+    bool m_isEyeCovered = false;
+    double m_markMm = -1e9; // position of the roll at the last mark that the sensor detected
     Servo m_main;
     Servo m_filmMotor;
     Servo m_infeedMotor;

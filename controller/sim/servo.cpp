@@ -24,6 +24,12 @@ void Servo::setDriveOn(bool on)
     m_driveOn = on;
 }
 
+double Servo::acceleration() const
+{
+    const double w = m_angularBandwidth;
+    return m_driveOn ? w * w * (m_target - m_position) - 2.0 * w * m_speed : 0.0;
+}
+
 void Servo::advance(double stepS)
 {
     m_before = m_position;

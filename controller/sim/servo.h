@@ -18,6 +18,9 @@ public:
     void advance(double stepS);
 
     [[nodiscard]] double position() const { return m_position; }
+    // Return the speed and the acceleration at the end of the last step, per second.
+    [[nodiscard]] double speed() const { return m_speed; }
+    [[nodiscard]] double acceleration() const;
     // Returns the position before the last step.
     [[nodiscard]] double positionBefore() const { return m_before; }
 

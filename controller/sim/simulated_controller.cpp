@@ -65,6 +65,9 @@ SimulatedController::SimulatedController(const ctl_config& config, const Machine
     port.index = takeIndex;
     port.scale = [](void* context) { return machineOf(context).scale(); };
     port.force = [](void* context) { return machineOf(context).forceN(); };
+    port.inputs = [](void* context) { return machineOf(context).inputs(); };
+    port.outputs = [](void* context, std::uint16_t levels) { machineOf(context).setOutputs(levels); };
+    port.torque = [](void* context) { return machineOf(context).torqueTenthPercent(); };
     port.flash_read = [](void* context, std::uint32_t slot, std::uint32_t offset, std::uint8_t* bytes,
                          std::uint32_t size) {
         return static_cast<SimulatedController*>(context)->m_flash.read(slot, offset, {bytes, size});

@@ -263,6 +263,7 @@ constexpr std::array faultBits{
           "The press did not feel the work piece where it should be."),
     entry(FaultBit::MasterTooFast, "MasterTooFast",
           "The cam asked for more pulses in one update than the output stage gives."),
+    entry(FaultBit::DriveAlarm, "DriveAlarm", "The drive reported an alarm by its output."),
 };
 
 constexpr std::array warningBits{
@@ -282,6 +283,8 @@ constexpr std::array warningBits{
           "The run was ended: a product with its clearance is longer than the bag."),
     entry(WarningBit::TooManySkips, "TooManySkips",
           "The run was ended: parameter.skip_limit cuts in a row were skipped for a product across."),
+    entry(WarningBit::EmergencyStop, "EmergencyStop",
+          "The emergency stop is pressed, or was within the last two seconds. No function depends on it."),
 };
 
 constexpr std::array jogBits{
@@ -302,6 +305,30 @@ constexpr std::array switchModes{
           "lead, must be behind the cut."),
 };
 
+constexpr std::array driveEnables{
+    entry(DriveEnable::Off, "Off", "The drives are never enabled."),
+    entry(DriveEnable::On, "On", "Always."),
+    entry(DriveEnable::WhileRunning, "WhileRunning",
+          "While an axis moves by the controller, and half a second longer."),
+};
+
+constexpr std::array ioBits{
+    entry(IoBit::Inputs, "Inputs", "io.inputs."),
+    entry(IoBit::Outputs, "Outputs", "io.outputs."),
+    entry(IoBit::Infeed, "Infeed", "Position and following error of the infeed."),
+    entry(IoBit::Torque, "Torque", "io.torque."),
+};
+
+constexpr std::array inputBits{
+    entry(InputBit::DriveAlarm, "DriveAlarm", "The drive reports an alarm: a fault at once."),
+    entry(InputBit::EmergencyStop, "EmergencyStop", "The emergency stop is pressed. Only reported."),
+    entry(InputBit::LimitForward, "LimitForward", "Forward limit switch reached. Only reported."),
+    entry(InputBit::LimitReverse, "LimitReverse", "Reverse limit switch reached. Only reported."),
+    entry(InputBit::IndexMark, "IndexMark", "The axis stands on its index mark."),
+    entry(InputBit::MarkSensor, "MarkSensor", "A printed mark is under its sensor."),
+    entry(InputBit::ProductEye, "ProductEye", "A product covers the eye."),
+};
+
 constexpr std::array outputBits{
     entry(OutputBit::Switch1, "Switch1", "Cam switch 1."),
     entry(OutputBit::Switch2, "Switch2", "Cam switch 2."),
@@ -311,6 +338,7 @@ constexpr std::array outputBits{
     entry(OutputBit::Switch6, "Switch6", "Cam switch 6."),
     entry(OutputBit::Switch7, "Switch7", "Cam switch 7."),
     entry(OutputBit::Switch8, "Switch8", "Cam switch 8."),
+    entry(OutputBit::DriveEnable, "DriveEnable", "Enables the drives; see parameter.drive_enable."),
 };
 
 constexpr std::array markStates{
@@ -348,7 +376,7 @@ constexpr std::array bagBits{
         "for another length."),
 };
 
-constexpr std::array<EnumInfo, 27> infos{{
+constexpr std::array<EnumInfo, 30> infos{{
     {"State", states},
     {"ProgramKind", programKinds},
     {"StagedState", stagedStates},
@@ -376,6 +404,9 @@ constexpr std::array<EnumInfo, 27> infos{{
     {"BagBit", bagBits},
     {"SwitchMode", switchModes},
     {"OutputBit", outputBits},
+    {"DriveEnable", driveEnables},
+    {"IoBit", ioBits},
+    {"InputBit", inputBits},
 }};
 
 } // namespace

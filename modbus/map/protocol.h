@@ -144,7 +144,8 @@ enum class FaultBit : std::uint16_t {
     ForceLimit = 3,
     TouchedTooEarly = 4,
     NeverTouched = 5,
-    MasterTooFast = 6
+    MasterTooFast = 6,
+    DriveAlarm = 7
 };
 
 // The bits of status.warning.
@@ -158,7 +159,8 @@ enum class WarningBit : std::uint16_t {
     MarkPitchWrong = 5,
     CorrectionAtLimit = 6,
     ProductTooLong = 7,
-    TooManySkips = 8
+    TooManySkips = 8,
+    EmergencyStop = 9
 };
 
 enum class MarkState : std::uint16_t { Off = 0, Searching, Aligning, Tracking };
@@ -186,6 +188,22 @@ enum class HeartbeatLostAction : std::uint16_t { RunOn = 0, StopAtCycleEnd = 1 }
 enum class SwitchMode : std::uint16_t { Off = 0, Cycles = 1, RejectedBags = 2 };
 inline constexpr int switchCount = 8;
 
+enum class DriveEnable : std::uint16_t { Off = 0, On = 1, WhileRunning = 2 };
+
+// The bits of io.available.
+enum class IoBit : std::uint16_t { Inputs = 0, Outputs = 1, Infeed = 2, Torque = 3 };
+
+// The bits of the input pins.
+enum class InputBit : std::uint16_t {
+    DriveAlarm = 0,
+    EmergencyStop,
+    LimitForward,
+    LimitReverse,
+    IndexMark,
+    MarkSensor,
+    ProductEye
+};
+
 // The bits of the output pins.
 enum class OutputBit : std::uint16_t {
     Switch1 = 0,
@@ -195,7 +213,8 @@ enum class OutputBit : std::uint16_t {
     Switch5,
     Switch6,
     Switch7,
-    Switch8
+    Switch8,
+    DriveEnable
 };
 
 struct EnumValue {

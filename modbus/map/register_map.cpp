@@ -117,6 +117,8 @@ constexpr std::array registerTable{
     CAMPANEL_CAM_SWITCH("6", 0x00C5),
     CAMPANEL_CAM_SWITCH("7", 0x00CA),
     CAMPANEL_CAM_SWITCH("8", 0x00CF),
+    rw16("parameter.drive_enable", 0x00D4, "when the drives are enabled by their output", "DriveEnable", 0, 2,
+         1),
 
     // Status block: the answer to the periodic FC23 exchange. 40 registers, so that 9600 baud still carries 8
     // a second.
@@ -214,6 +216,15 @@ constexpr std::array registerTable{
                  "the marks on the film, the same way; an odd one was not seen but reckoned")),
     cutter(block("packer.seen_products", 0x0198, 2 * viewProducts, Access::ReadOnly,
                  "the products on the film: leading and trailing edge, the same way")),
+
+    // The pins, and what only some drives give. Read while somebody looks at it.
+    ro16("io.available", 0x01B0, "what this machine has of the following", "IoBit"),
+    ro16("io.inputs", 0x01B1, "levels of the inputs now", "InputBit"),
+    ro16("io.outputs", 0x01B2, "levels of the outputs now", "OutputBit"),
+    roI16("io.torque", 0x01B3, "torque that the drive of the axis reports, of its rated torque", 0.1, "%"),
+    roScaled32("io.infeed_position", 0x01B4, "infeed motor's position, lower 32 bits", 0.001, "mm"),
+    roI16("io.infeed_following_error", 0x01B6, "infeed motor: commanded minus actual, saturating", 0.001,
+          "mm"),
 
     rw16("exchange.tag", 0x0200, "any value that differs from the last one; comes back as status.tag"),
     rw16("exchange.heartbeat", 0x0201, "must advance; jog dies 200 ms after it last did"),

@@ -187,6 +187,7 @@ void TestFlash::slotsOfOtherVersions()
     {
         Rig rig({}, &flash);
         rig.setParameter(CTL_REG_PARAMETER_RAMP_TIME, 1234);
+        rig.setParameter(CTL_REG_PARAMETER_SWITCH8_LEAD, 77);
         QCOMPARE(saveNumber(rig, 1), CTL_REFUSAL_NONE);
     }
     auto& bytes = flash.contents[0];
@@ -215,6 +216,8 @@ void TestFlash::slotsOfOtherVersions()
     Rig rig({}, &flash);
     QCOMPARE(rig.statusWide(CTL_REG_STATUS_ACTIVE_CRC), crc32(bankNumber(1).registers()));
     QCOMPARE(rig.status(CTL_REG_PARAMETER_RAMP_TIME), 1234);
+    QCOMPARE(rig.status(CTL_REG_PARAMETER_SWITCH8_LEAD), parameters < now ? 0 : 77);
+    QCOMPARE(rig.status(CTL_REG_PARAMETER_DRIVE_ENABLE), CTL_DRIVE_ENABLE_ON);
     QCOMPARE(saveNumber(rig, 2), CTL_REFUSAL_NONE);
     Rig after({}, &flash);
     QCOMPARE(after.statusWide(CTL_REG_STATUS_ACTIVE_CRC), crc32(bankNumber(2).registers()));

@@ -44,6 +44,10 @@ constexpr std::array kinds{
               QT_TRANSLATE_NOOP("AlarmCatalogue",
                                 "The axis cannot follow the master: the pulse frequency is too high."),
               QT_TRANSLATE_NOOP("AlarmCatalogue", "Lower the master speed, then reset the fault.")},
+    AlarmKind{"C-08", fault, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Drive alarm"),
+              QT_TRANSLATE_NOOP("AlarmCatalogue", "The drive of the axis reports an alarm."),
+              QT_TRANSLATE_NOOP("AlarmCatalogue",
+                                "Read the code on the drive and remove its cause, then reset the fault.")},
     AlarmKind{
         "C-99", fault, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Unknown fault"),
         QT_TRANSLATE_NOOP("AlarmCatalogue", "The controller reports a fault that this panel does not know."),
@@ -64,6 +68,10 @@ constexpr std::array kinds{
               QT_TRANSLATE_NOOP("AlarmCatalogue", "The controller has had no time of day since power-on."),
               QT_TRANSLATE_NOOP("AlarmCatalogue",
                                 "No action required: the panel sets the clock when it connects.")},
+    AlarmKind{"W-05", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Emergency stop pressed"),
+              QT_TRANSLATE_NOOP("AlarmCatalogue", "The emergency stop of the machine is pressed."),
+              QT_TRANSLATE_NOOP("AlarmCatalogue",
+                                "Make sure that the machine is safe, then release the emergency stop.")},
     AlarmKind{"W-99", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Unknown warning"),
               QT_TRANSLATE_NOOP("AlarmCatalogue",
                                 "The controller reports a warning that this panel does not know."),
@@ -227,6 +235,8 @@ const AlarmKind& AlarmCatalogue::of(modbus::FaultBit bit)
         return known("C-06");
     case FaultBit::MasterTooFast:
         return known("C-07");
+    case FaultBit::DriveAlarm:
+        return known("C-08");
     }
     return unknownFault();
 }
@@ -253,6 +263,8 @@ const AlarmKind& AlarmCatalogue::of(modbus::WarningBit bit)
         return known("M-04");
     case WarningBit::TooManySkips:
         return known("M-05");
+    case WarningBit::EmergencyStop:
+        return known("W-05");
     }
     return unknownWarning();
 }

@@ -39,9 +39,9 @@ QString ControllerSentences::state(State state)
 QStringList ControllerSentences::alarms(const modbus::StatusBlock& status)
 {
     QStringList texts;
-    for (const FaultBit bit :
-         {FaultBit::FollowingError, FaultBit::ActiveTableDamaged, FaultBit::DriveNotFollowing,
-          FaultBit::ForceLimit, FaultBit::TouchedTooEarly, FaultBit::NeverTouched, FaultBit::MasterTooFast}) {
+    for (const FaultBit bit : {FaultBit::FollowingError, FaultBit::ActiveTableDamaged,
+                               FaultBit::DriveNotFollowing, FaultBit::ForceLimit, FaultBit::TouchedTooEarly,
+                               FaultBit::NeverTouched, FaultBit::MasterTooFast, FaultBit::DriveAlarm}) {
         if (status.has(bit))
             texts << AlarmCatalogue::of(bit).sentence();
     }
@@ -49,7 +49,7 @@ QStringList ControllerSentences::alarms(const modbus::StatusBlock& status)
     for (const WarningBit bit :
          {WarningBit::HeartbeatLost, WarningBit::FlashSlotInvalid, WarningBit::MarksLost,
           WarningBit::MarkPitchWrong, WarningBit::CorrectionAtLimit, WarningBit::ProductTooLong,
-          WarningBit::TooManySkips}) {
+          WarningBit::TooManySkips, WarningBit::EmergencyStop}) {
         if (status.has(bit))
             texts << AlarmCatalogue::of(bit).sentence();
     }

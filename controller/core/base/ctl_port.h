@@ -37,8 +37,14 @@ typedef struct {
      * whether it covers the eye from now on. */
     bool (*eye)(void* context, int64_t* infeed_at_edge, bool* covered);
 
+    /* Levels of the input pins now, bits CTL_INPUT_BIT_..., 1: what the bit says; NULL on a machine without.
+     */
+    uint16_t (*inputs)(void* context);
     /* The output pins from now on, bits CTL_OUTPUT_BIT_...; NULL on a machine without. */
     void (*outputs)(void* context, uint16_t levels);
+
+    /* Torque of the axis, 0.1 % of the drive's rated torque; NULL when the drive does not give it. */
+    int32_t (*torque)(void* context);
 
     /* Flash that keeps its bytes over power loss; slot 0 or 1, erased bytes read 0xFF. False: it failed. */
     bool (*flash_read)(void* context, uint32_t slot, uint32_t offset, uint8_t* bytes, uint32_t size);

@@ -88,7 +88,9 @@ static uint16_t carry_out(ctl_core* core, const uint16_t* request)
     case CTL_COMMAND_HOME:
         return ctl_motion_home(&core->motion);
     case CTL_COMMAND_RESET_FAULT:
-        return ctl_motion_reset_fault(&core->motion);
+        return ctl_io_drive_alarm(&core->io) && core->motion.state == CTL_STATE_FAULT
+                   ? CTL_REFUSAL_FAULT_PERSISTS
+                   : ctl_motion_reset_fault(&core->motion);
     case CTL_COMMAND_APPLY_STAGED:
         return apply_staged(core, request);
     case CTL_COMMAND_CANCEL_APPLY:

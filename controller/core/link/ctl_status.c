@@ -41,6 +41,8 @@ uint16_t ctl_warnings(const ctl_core* core)
         bits |= 1u << CTL_WARNING_BIT_FLASH_SLOT_INVALID;
     if (!core->clock.set)
         bits |= 1u << CTL_WARNING_BIT_CLOCK_NOT_SET;
+    if (ctl_io_emergency_stop(&core->io, &core->board))
+        bits |= 1u << CTL_WARNING_BIT_EMERGENCY_STOP;
     bits |= core->packer.alarms;
     return (uint16_t)bits;
 }

@@ -1,20 +1,69 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "motion/ctl_io.h"
 
+#include "base/ctl_words.h"
+
 #include <stddef.h>
 #include <string.h>
 
+#define US_PER_MS 1000u
+#define ENABLE_HOLD_US (500u * US_PER_MS) /* the drive still follows when the last pulse has left */
+#define STOP_HOLD_US (2000u * US_PER_MS)
+#define INPUT(name) (1u << CTL_INPUT_BIT_##name)
+
 static void put_outputs(ctl_io* io, const ctl_board* board, uint16_t levels)
 {
-    io->outputs = levels;
-    if (board->port.outputs != NULL)
+    if (levels != io->outputs && board->port.outputs != NULL)
         board->port.outputs(board->port.context, levels);
+    io->outputs = levels;
 }
 
 void ctl_io_init(ctl_io* io, const ctl_board* board)
 {
     memset(io, 0, sizeof *io);
-    put_outputs(io, board, 0);
+    if (board->port.outputs != NULL)
+        board->port.outputs(board->port.context, 0);
+}
+
+static bool drives_enabled(ctl_io* io, const ctl_motion* motion)
+{
+    const ctl_board* board = motion->board;
+    if (!ctl_motion_standstill(motion)) {
+        io->has_moved = true;
+        io->moved_us = board->now_us;
+    }
+    switch (ctl_parameter16(board, CTL_REG_PARAMETER_DRIVE_ENABLE)) {
+    case CTL_DRIVE_ENABLE_ON:
+        return true;
+    case CTL_DRIVE_ENABLE_WHILE_RUNNING:
+        return io->has_moved && board->now_us - io->moved_us < ENABLE_HOLD_US;
+    default:
+        return false;
+    }
+}
+
+void ctl_io_begin(ctl_io* io, const ctl_motion* motion)
+{
+    const ctl_board* board = motion->board;
+    if (board->port.inputs != NULL)
+        io->inputs = board->port.inputs(board->port.context);
+    if ((io->inputs & INPUT(EMERGENCY_STOP)) != 0) {
+        io->was_stopped = true;
+        io->stopped_us = board->now_us;
+    }
+    const uint32_t enable = 1u << CTL_OUTPUT_BIT_DRIVE_ENABLE;
+    const uint32_t others = io->outputs & ~enable;
+    put_outputs(io, board, (uint16_t)(others | (drives_enabled(io, motion) ? enable : 0u)));
+}
+
+bool ctl_io_drive_alarm(const ctl_io* io)
+{
+    return (io->inputs & INPUT(DRIVE_ALARM)) != 0;
+}
+
+bool ctl_io_emergency_stop(const ctl_io* io, const ctl_board* board)
+{
+    return io->was_stopped && board->now_us - io->stopped_us < STOP_HOLD_US;
 }
 
 /* The cycle of a cutter's film, of any other program's master. Film that waits for a product has no speed. */
@@ -37,7 +86,46 @@ void ctl_io_slice(ctl_io* io, const ctl_motion* motion)
 {
     const bool follows = ctl_motion_in_cycle(motion) && ctl_switches_serve(ctl_active_bank(motion->banks));
     const ctl_switch_cycle cycle = follows ? switch_cycle(motion) : (ctl_switch_cycle){0};
-    const uint16_t levels = ctl_switches_slice(&io->switches, motion->board, follows ? &cycle : NULL);
-    if (levels != io->outputs)
-        put_outputs(io, motion->board, levels);
+    const uint32_t switches = ctl_switches_slice(&io->switches, motion->board, follows ? &cycle : NULL);
+    const uint32_t enable = io->outputs & 1u << CTL_OUTPUT_BIT_DRIVE_ENABLE;
+    put_outputs(io, motion->board, (uint16_t)(enable | switches));
+}
+
+static int64_t infeed_um(const ctl_board* board, int64_t fine)
+{
+    const int64_t pitch_um = ctl_parameter32(board, CTL_REG_PARAMETER_FLIGHT_PITCH);
+    const int64_t flight = (int64_t)ctl_parameter32(board, CTL_REG_PARAMETER_FLIGHT_PULSES) * CTL_FINE;
+    return fine / flight * pitch_um + fine % flight * pitch_um / flight;
+}
+
+static void put(uint16_t* registers, uint32_t address, uint16_t value)
+{
+    registers[address - CTL_REG_IO_AVAILABLE] = value;
+}
+
+void ctl_io_registers(const ctl_io* io, const ctl_motion* motion, uint16_t* registers)
+{
+    const ctl_board* board = motion->board;
+    const ctl_packer* packer = motion->packer;
+    uint32_t available = 0;
+    memset(registers, 0, CTL_GROUP_IO * sizeof registers[0]);
+    if (board->port.inputs != NULL)
+        available |= 1u << CTL_IO_BIT_INPUTS;
+    if (board->port.outputs != NULL)
+        available |= 1u << CTL_IO_BIT_OUTPUTS;
+    put(registers, CTL_REG_IO_INPUTS, io->inputs);
+    put(registers, CTL_REG_IO_OUTPUTS, io->outputs);
+    if (board->port.torque != NULL) {
+        available |= 1u << CTL_IO_BIT_TORQUE;
+        put(registers, CTL_REG_IO_TORQUE, ctl_saturated16(board->port.torque(board->port.context)));
+    }
+    if (ctl_packer_active(packer)) {
+        available |= 1u << CTL_IO_BIT_INFEED;
+        const int64_t position = infeed_um(board, packer->infeed_actual);
+        const int64_t error = infeed_um(board, packer->infeed_sent * CTL_FINE - packer->infeed_actual);
+        ctl_put32(&registers[CTL_REG_IO_INFEED_POSITION - CTL_REG_IO_AVAILABLE],
+                  (uint32_t)((uint64_t)position & 0xFFFFFFFFu));
+        put(registers, CTL_REG_IO_INFEED_FOLLOWING_ERROR, ctl_saturated16(error));
+    }
+    put(registers, CTL_REG_IO_AVAILABLE, (uint16_t)available);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* The pins of the machine beside its axes. */
+/* The pins of the machine beside its axes: inputs, drive enable, cam switches. Limit switches and emergency
+ * stop are reported only; what stops the machine safely is wired without the controller. */
 #ifndef CTL_IO_H
 #define CTL_IO_H
 
@@ -11,13 +12,25 @@ extern "C" {
 #endif
 
 typedef struct {
+    uint16_t inputs;  /* bits CTL_INPUT_BIT_..., as the slice began */
     uint16_t outputs; /* bits CTL_OUTPUT_BIT_..., as they are now */
+    bool has_moved;   /* since power-up */
+    uint64_t moved_us;
+    bool was_stopped; /* the emergency stop was pressed since power-up */
+    uint64_t stopped_us;
     ctl_switches switches;
 } ctl_io;
 
 void ctl_io_init(ctl_io* io, const ctl_board* board);
+/* Begins a slice: reads the inputs, enables the drives. */
+void ctl_io_begin(ctl_io* io, const ctl_motion* motion);
 /* Ends a slice: the cam switches follow what has moved. */
 void ctl_io_slice(ctl_io* io, const ctl_motion* motion);
+bool ctl_io_drive_alarm(const ctl_io* io);
+/* Pressed now or just before: a contact that bounces is one warning. */
+bool ctl_io_emergency_stop(const ctl_io* io, const ctl_board* board);
+/* The registers of the group `io`. */
+void ctl_io_registers(const ctl_io* io, const ctl_motion* motion, uint16_t* registers);
 
 #ifdef __cplusplus
 }

@@ -308,13 +308,13 @@ private slots:
     {
         PanelRig rig;
         rig.connectIdle();
-        rig.link.status.faultBits = 0x7F;
-        become(rig, State::Fault, 0x1FF);
+        rig.link.status.faultBits = 0xFF;
+        become(rig, State::Fault, 0x3FF);
         IoList& io = *rig.maintenance.io();
         io.setWatched(true);
         const auto lit = std::ranges::count_if(
             io.rows()->rows(), [](const IoList::Row& row) { return row.lamp == IoList::Lamp::Bad; });
-        QCOMPARE(lit, 7 + 9);
+        QCOMPARE(lit, 8 + 10);
     }
 
     void aTurnOfTheMasterIsOneBag()

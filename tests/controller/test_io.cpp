@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pins beside the axes: drive alarm, drive enable, inputs that are reported only, their registers, torque
+// and infeed.
+#include "rig.h"
+#include "support/cam_image.h"
+#include "tests/support/test_program.h"
+
+#include <QTest>
+
+#include <cmath>
+
+namespace test_io {
+
+using namespace campanel::test;
+namespace controller = campanel::controller;
+
+namespace {
+
+constexpr std::uint64_t second = 1'000'000;
+constexpr unsigned enablePin = 1u << CTL_OUTPUT_BIT_DRIVE_ENABLE;
+constexpr unsigned stopWarning = 1u << CTL_WARNING_BIT_EMERGENCY_STOP;
+
+controller::Machine& machineOf(Rig& rig)
+{
+    return rig.controller().machine();
+}
+
+std::uint16_t pins(Rig& rig, unsigned address)
+{
+    return rig.status(static_cast<std::uint16_t>(address));
+}
+
+} // namespace
+
+class TestIo : public QObject {
+    Q_OBJECT
+
+private slots:
+    void driveAlarmIsAFaultAtOnce_data();
+    void driveAlarmIsAFaultAtOnce();
+    void otherInputsStopNothing();
+    void bouncingEmergencyStopIsOneWarning();
+    void drivesAreEnabledAsSet();
+    void noPulseIsLostToTheEnable();
+    void pinsFollowTheMachine();
+    void missingPinsAreNotAvailable();
+    void infeed();
+    void torque();
+};
+
+void TestIo::driveAlarmIsAFaultAtOnce_data()
+{
+    QTest::addColumn<unsigned>("state");
+    QTest::newRow("running") << CTL_STATE_RUNNING;
+    QTest::newRow("stopping") << CTL_STATE_STOPPING;
+    QTest::newRow("homing") << CTL_STATE_HOMING;
+    QTest::newRow("jogging") << CTL_STATE_JOGGING;
+    QTest::newRow("standstill") << CTL_STATE_READY;
+}
+
+void TestIo::driveAlarmIsAFaultAtOnce()
+{
+    QFETCH(unsigned, state);
+    Rig rig;
+    rig.install(camBank(10000, 1, 1'600'000));
+    rig.write(CTL_REG_PARAMETER_FOLLOWING_ERROR_LIMIT, {0, 600}); // a following error would be close behind
+    if (state == CTL_STATE_JOGGING) {
+        rig.heartbeat(1u << CTL_JOG_BIT_FORWARD);
+        rig.run(100'000);
+    } else if (state != CTL_STATE_READY) {
+        QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
+        rig.run(100'000);
+        if (state != CTL_STATE_HOMING)
+            QVERIFY(rig.runUntilState(CTL_STATE_RUNNING));
+        if (state != CTL_STATE_HOMING)
+            rig.run(second);
+        if (state == CTL_STATE_STOPPING)
+            QCOMPARE(rig.command(CTL_COMMAND_STOP_NOW), CTL_REFUSAL_NONE);
+    }
+    QCOMPARE(rig.core().motion.state, state);
+    machineOf(rig).setInput(CTL_INPUT_BIT_DRIVE_ALARM, true);
+    const std::int64_t stopped = rig.core().motion.commanded;
+    rig.controller().step();
+    QCOMPARE(rig.core().motion.state, CTL_STATE_FAULT);
+    rig.run(second);
+    QCOMPARE(rig.core().motion.commanded, stopped);
+    QCOMPARE(rig.status(CTL_REG_STATUS_FAULT), 1u << CTL_FAULT_BIT_DRIVE_ALARM);
+    QCOMPARE(rig.command(CTL_COMMAND_RESET_FAULT), CTL_REFUSAL_FAULT_PERSISTS);
+    QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_IN_FAULT);
+    machineOf(rig).setInput(CTL_INPUT_BIT_DRIVE_ALARM, false);
+    rig.run(1000);
+    QCOMPARE(rig.core().motion.state, CTL_STATE_FAULT);
+    rig.heartbeat();
+    QCOMPARE(rig.command(CTL_COMMAND_RESET_FAULT), CTL_REFUSAL_NONE);
+    QCOMPARE(rig.command(CTL_COMMAND_RESET_FAULT), CTL_REFUSAL_NO_FAULT);
+    rig.write(CTL_REG_PARAMETER_FOLLOWING_ERROR_LIMIT, {0, 3000});
+    rig.start();
+    rig.run(second);
+    QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
+}
+
+// Limit switches and emergency stop are on from power-up.
+void TestIo::otherInputsStopNothing()
+{
+    controller::MachineOptions options;
+    options.inputs = 1u << CTL_INPUT_BIT_EMERGENCY_STOP | 1u << CTL_INPUT_BIT_LIMIT_FORWARD |
+                     1u << CTL_INPUT_BIT_LIMIT_REVERSE;
+    Rig without;
+    Rig with(options);
+    for (Rig* rig : {&without, &with}) {
+        rig->install(camBank(10000, 1, 1'600'000));
+        rig->start();
+        rig->run(10 * second);
+    }
+    QCOMPARE(with.core().motion.state, CTL_STATE_RUNNING);
+    QCOMPARE(with.core().motion.commanded, without.core().motion.commanded);
+    QCOMPARE(with.core().motion.fault, 0);
+    QCOMPARE(pins(with, CTL_REG_IO_INPUTS) & options.inputs, options.inputs);
+    QCOMPARE(pins(without, CTL_REG_IO_INPUTS) & options.inputs, 0);
+}
+
+void TestIo::bouncingEmergencyStopIsOneWarning()
+{
+    Rig rig;
+    rig.install(camBank(10000, 1, 1'600'000));
+    rig.start();
+    QVERIFY((rig.status(CTL_REG_STATUS_WARNING) & stopWarning) == 0);
+    int changes = 0;
+    unsigned before = 0;
+    for (int i = 0; i < 400; ++i) { // 20 s, and 10 s of quiet
+        machineOf(rig).setInput(CTL_INPUT_BIT_EMERGENCY_STOP, i < 280 && (i * 7) % 5 < 2);
+        rig.run(50'000);
+        rig.heartbeat();
+        const unsigned now = rig.status(CTL_REG_STATUS_WARNING) & stopWarning;
+        changes += std::exchange(before, now) != now ? 1 : 0;
+    }
+    QCOMPARE(changes, 2); // it came and went
+    QCOMPARE(before, 0u);
+    QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
+}
+
+void TestIo::drivesAreEnabledAsSet()
+{
+    Rig rig;
+    rig.install(camBank(10000, 1, 1'600'000));
+    QVERIFY((pins(rig, CTL_REG_IO_OUTPUTS) & enablePin) != 0); // always, unless set otherwise
+    rig.setParameter(CTL_REG_PARAMETER_DRIVE_ENABLE, CTL_DRIVE_ENABLE_WHILE_RUNNING);
+    rig.run(1000);
+    QVERIFY((pins(rig, CTL_REG_IO_OUTPUTS) & enablePin) == 0);
+    rig.heartbeat(1u << CTL_JOG_BIT_FORWARD);
+    QVERIFY((pins(rig, CTL_REG_IO_OUTPUTS) & enablePin) != 0);
+    QVERIFY(rig.runUntilState(CTL_STATE_READY, second)); // the heartbeat is over
+    rig.run(400'000);
+    QVERIFY((pins(rig, CTL_REG_IO_OUTPUTS) & enablePin) != 0);
+    rig.run(110'000);
+    QVERIFY((pins(rig, CTL_REG_IO_OUTPUTS) & enablePin) == 0);
+    rig.heartbeat();
+    rig.start();
+    rig.run(10 * second);
+    QVERIFY((pins(rig, CTL_REG_IO_OUTPUTS) & enablePin) != 0);
+    // Never: nothing follows.
+    rig.setParameter(CTL_REG_PARAMETER_DRIVE_ENABLE, CTL_DRIVE_ENABLE_OFF);
+    QVERIFY(rig.runUntilState(CTL_STATE_FAULT, 2 * second));
+    QCOMPARE(rig.core().motion.fault, 1u << CTL_FAULT_BIT_FOLLOWING_ERROR);
+    QVERIFY((pins(rig, CTL_REG_IO_OUTPUTS) & enablePin) == 0);
+}
+
+// A drive that is enabled only while it moves is where one is that always was.
+void TestIo::noPulseIsLostToTheEnable()
+{
+    Rig always;
+    Rig sometimes;
+    for (Rig* rig : {&always, &sometimes}) {
+        rig->install(camBank(10000, 1, 1'600'000));
+        rig->setParameter(CTL_REG_PARAMETER_DRIVE_ENABLE,
+                          rig == &always ? CTL_DRIVE_ENABLE_ON : CTL_DRIVE_ENABLE_WHILE_RUNNING);
+        for (int i = 0; i < 3; ++i) {
+            rig->start();
+            rig->run(3 * second);
+            rig->command(i == 0 ? CTL_COMMAND_STOP_NOW : CTL_COMMAND_STOP_AT_CYCLE_END);
+            QVERIFY(rig->runUntilState(CTL_STATE_READY));
+            rig->run(2 * second);
+        }
+    }
+    QVERIFY((sometimes.core().io.outputs & enablePin) == 0);
+    QCOMPARE(sometimes.core().motion.commanded, always.core().motion.commanded);
+    QCOMPARE(sometimes.core().motion.actual, always.core().motion.actual);
+}
+
+// The pins of index mark, mark sensor and product eye change once a cycle.
+void TestIo::pinsFollowTheMachine()
+{
+    controller::MachineOptions options;
+    options.products.scatterMm = 0.0;
+    Rig rig(options);
+    rig.install(camBank(10000, 1, 1'600'000));
+    rig.start();
+    rig.run(5 * second);
+    const std::uint32_t cycles = rig.core().motion.cycle_count;
+    std::array<int, 3> edges{};
+    unsigned before = rig.core().io.inputs;
+    for (const std::uint64_t endUs = rig.controller().nowUs() + 10 * second;
+         rig.controller().nowUs() < endUs;) {
+        rig.controller().step();
+        const unsigned rising = rig.core().io.inputs & ~std::exchange(before, rig.core().io.inputs);
+        for (unsigned i = 0; i < 3; ++i)
+            edges[i] += (rising & 1u << (CTL_INPUT_BIT_INDEX_MARK + i)) != 0 ? 1 : 0;
+    }
+    const int passed = static_cast<int>(rig.core().motion.cycle_count - cycles);
+    QVERIFY(passed >= 49);
+    for (const int each : edges)
+        QVERIFY2(std::abs(each - passed) <= 1, qPrintable(QString::number(each)));
+    QCOMPARE(pins(rig, CTL_REG_IO_AVAILABLE), (2u << CTL_IO_BIT_LAST) - 1u);
+}
+
+void TestIo::missingPinsAreNotAvailable()
+{
+    Rig rig;
+    ctl_port& port = rig.core().board.port;
+    port.inputs = nullptr;
+    port.torque = nullptr;
+    rig.install(sineCam(0.0, 1000.0, 200, 1'600'000).registers());
+    rig.start();
+    rig.run(second);
+    QCOMPARE(pins(rig, CTL_REG_IO_AVAILABLE), 1u << CTL_IO_BIT_OUTPUTS);
+    QCOMPARE(rig.read(CTL_REG_IO_TORQUE, 4), (Registers{0, 0, 0, 0}));
+    port.outputs = nullptr;
+    rig.run(second);
+    QCOMPARE(pins(rig, CTL_REG_IO_AVAILABLE), 0);
+    QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
+}
+
+void TestIo::infeed()
+{
+    Rig rig;
+    rig.install(camBank(10000, 1, 1'600'000));
+    rig.start();
+    rig.run(10 * second);
+    // 500 mm and 20 000 pulses a product, 2.5 m/s; the motor lags by 1 / (60 Hz pi).
+    const auto error = static_cast<std::int16_t>(pins(rig, CTL_REG_IO_INFEED_FOLLOWING_ERROR));
+    QVERIFY2(std::abs(error - 2500.0 * 1000.0 / (60.0 * std::numbers::pi)) < 700.0,
+             qPrintable(QString::number(error)));
+    QCOMPARE(rig.command(CTL_COMMAND_STOP_NOW), CTL_REFUSAL_NONE);
+    QVERIFY(rig.runUntilState(CTL_STATE_READY));
+    rig.run(second);
+    QVERIFY(std::abs(static_cast<std::int16_t>(pins(rig, CTL_REG_IO_INFEED_FOLLOWING_ERROR))) <= 25);
+    const double expected =
+        static_cast<double>(machineOf(rig).infeedEncoder()) / 256.0 / 20'000.0 * 500'000.0;
+    QVERIFY(expected > 20e6);
+    QVERIFY(std::abs(rig.signedWide(CTL_REG_IO_INFEED_POSITION) - expected) < 2.0);
+}
+
+// Friction at constant speed; inertia x acceleration of a sine, without friction where it turns.
+void TestIo::torque()
+{
+    controller::MachineOptions options;
+    options.drive = {0.002, 0.24, 2.4};
+    Rig even(options);
+    even.install(sineCam(40'000.0, 0.0, 200, 8'000'000).registers());
+    QCOMPARE(static_cast<std::int16_t>(pins(even, CTL_REG_IO_TORQUE)), 0);
+    even.start();
+    even.run(3 * second);
+    double sum = 0.0;
+    for (int i = 0; i < 4000; ++i) {
+        even.controller().step();
+        sum += machineOf(even).torqueTenthPercent();
+    }
+    QVERIFY2(std::abs(sum / 4000.0 - 100.0) < 5.0, qPrintable(QString::number(sum / 4000.0)));
+
+    options.drive.frictionNm = 0.0;
+    Rig sine(options);
+    constexpr double swing = 2000.0; // pulses; 5 Hz
+    sine.install(sineCam(0.0, swing, 400, 1'600'000).registers());
+    sine.start();
+    sine.run(3 * second);
+    double square = 0.0;
+    for (int i = 0; i < 8000; ++i) {
+        sine.controller().step();
+        square += std::pow(machineOf(sine).torqueTenthPercent(), 2.0);
+    }
+    const double turn = 2.0 * std::numbers::pi;
+    const double acceleration = swing * std::pow(turn * 5.0, 2.0) * turn / 10'000.0; // rad/s^2
+    const double expected = 1000.0 * 0.002 * acceleration / 2.4 / std::numbers::sqrt2;
+    const double measured = std::sqrt(square / 8000.0);
+    QVERIFY2(std::abs(measured / expected - 1.0) < 0.03, qPrintable(QString::number(measured / expected)));
+}
+
+CAMPANEL_TEST(TestIo)
+
+} // namespace test_io
+
+#include "test_io.moc"
