@@ -2,6 +2,7 @@
 #include "options.h"
 
 #include "file_flash.h"
+#include "input_pins.h"
 #include "machine_options.h"
 
 #include <charconv>
@@ -32,6 +33,7 @@ printed is that port's path. Ends on SIGTERM or SIGINT.
   --state DIR          where its flash is kept ($XDG_STATE_HOME/campanel)
   --speed FACTOR       simulated seconds per second, 0.01..1000 (1)
   --seed N             seed of the machine's disturbances (1)
+  --pins NAME,..       inputs that are on at power-up: drive-alarm, emergency-stop, limit-forward, limit-reverse
 )";
 
 constexpr const char* helpAfter =
@@ -41,7 +43,8 @@ constexpr const char* helpAfter =
                        rules, 'clear' removes them. Answered on standard output by 'ok N', N faults by the rules
                        before, or 'error' and a sentence; 'unplugged', 'port PATH', 'restarted' tell what
                        happened. 'measure' is answered by 'measured LENGTH DISTANCE': the last bag's length and
-                       that of its cut behind its mark in mm, as a ruler shows it; 'measured none' before any
+                       that of its cut behind its mark in mm, as a ruler shows it; 'measured none' before any.
+                       'pin NAME on' and 'pin NAME off' set an input of --pins, answered by the same words
   --exit-with-parent   end when the process that started this one ends
   --help, --version
 )";
@@ -70,6 +73,7 @@ enum Code {
     State,
     Speed,
     Seed,
+    Pins,
     Faults,
     FaultSeed,
     Control,
@@ -88,6 +92,7 @@ const option ownOptions[] = {{"link", required_argument, nullptr, Link},
                              {"state", required_argument, nullptr, State},
                              {"speed", required_argument, nullptr, Speed},
                              {"seed", required_argument, nullptr, Seed},
+                             {"pins", required_argument, nullptr, Pins},
                              {"faults", required_argument, nullptr, Faults},
                              {"fault-seed", required_argument, nullptr, FaultSeed},
                              {"control", no_argument, nullptr, Control},
@@ -152,6 +157,12 @@ bool takeOption(int code, std::string_view argument, Options& options)
         return parseNumber(argument, 0.01, 1000.0, options.speed);
     case Seed:
         return parseNumber<std::uint64_t>(argument, 0, UINT64_MAX, options.machine.seed);
+    case Pins:
+        if (const auto pins = parsePins(argument)) {
+            options.machine.inputs = *pins;
+            return true;
+        }
+        return false;
     case FaultSeed:
         return parseNumber<std::uint64_t>(argument, 0, UINT64_MAX, options.faults.seed);
     case Control:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "service.h"
 
+#include "input_pins.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -161,10 +163,30 @@ void Service::measure() const
     say(text.data());
 }
 
+// Sets a pin of the machine, which outlives a restart of the controller.
+void Service::setPin(std::string_view text)
+{
+    const auto pin = parsePinStatement(text);
+    if (!pin) {
+        say("error unknown pin or level: " + std::string(text));
+        return;
+    }
+    const unsigned mask = 1u << pin->bit;
+    std::uint16_t& inputs = m_options.machine.inputs;
+    inputs = static_cast<std::uint16_t>(pin->isOn ? inputs | mask : inputs & ~mask);
+    m_controller->machine().setInput(pin->bit, pin->isOn);
+    say("pin " + std::string(text));
+}
+
 void Service::takeControlLine(std::string_view text)
 {
+    constexpr std::string_view pin = "pin ";
     if (text == "measure") {
         measure();
+        return;
+    }
+    if (text.starts_with(pin)) {
+        setPin(text.substr(pin.size()));
         return;
     }
     const auto script = parseFaultScript(text, m_line.script());

@@ -34,6 +34,7 @@ private:
     void act(const LineEvent& event, std::int64_t nowNs);
     void powerUp(std::int64_t nowNs);
     void measure() const;
+    void setPin(std::string_view text);
     void takeControlLine(std::string_view text);
     void say(std::string_view line) const;
 

@@ -60,6 +60,20 @@ public:
         return m_process.waitForFinished() && m_process.exitStatus() == QProcess::NormalExit &&
                m_process.exitCode() == 0;
     }
+    // Sends a line to standard input; returns what is answered.
+    [[nodiscard]] QByteArray tell(const QByteArray& line)
+    {
+        m_process.write(line + '\n');
+        return readLine();
+    }
+    [[nodiscard]] QByteArray readLine()
+    {
+        while (!m_process.canReadLine()) {
+            if (!m_process.waitForReadyRead(answerTimeoutMs))
+                return "nothing";
+        }
+        return m_process.readLine().trimmed();
+    }
     void killHard()
     {
         m_process.kill();
@@ -145,6 +159,7 @@ private slots:
     void wrongOptions_data();
     void wrongOptions();
     void helpAndVersion();
+    void pinsAreSetFromOutside();
     void stateDirectoryIsUsedOnce();
     void endsWithItsParent();
     void idlesCheaply();
@@ -320,6 +335,7 @@ void TestExecutable::helpAndVersion()
                                "--state",
                                "--speed",
                                "--seed",
+                               "--pins",
                                "--film-slip",
                                "--work-piece",
                                "--work-piece-scatter",
@@ -329,6 +345,9 @@ void TestExecutable::helpAndVersion()
                                "--press-lead-error",
                                "--press-screw-error",
                                "--press-drift",
+                               "--drive-inertia",
+                               "--drive-friction",
+                               "--drive-rated-torque",
                                "--faults",
                                "--fault-seed",
                                "--control",
@@ -337,6 +356,36 @@ void TestExecutable::helpAndVersion()
     const auto version = runToEnd({u"--version"_s});
     QCOMPARE(version.first, 0);
     QVERIFY(version.second.startsWith("campanel-controller "));
+}
+
+void TestExecutable::pinsAreSetFromOutside()
+{
+    Program controller({u"--control"_s, u"--pins"_s, u"limit-forward"_s});
+    const Port port(controller.port());
+    const auto registerAt = [&port](std::uint16_t address) {
+        const Bytes answer = port.ask(
+            {1, 3, static_cast<std::uint8_t>(address >> 8), static_cast<std::uint8_t>(address & 0xFFu), 0, 1},
+            7);
+        return answer.size() == 7 ? answer[3] << 8 | answer[4] : -1;
+    };
+    constexpr int limit = 1 << CTL_INPUT_BIT_LIMIT_FORWARD;
+    constexpr int stop = 1 << CTL_INPUT_BIT_EMERGENCY_STOP;
+    constexpr int alarm = 1 << CTL_INPUT_BIT_DRIVE_ALARM;
+    constexpr int settable = limit | stop | alarm | 1 << CTL_INPUT_BIT_LIMIT_REVERSE;
+    QTRY_COMPARE(registerAt(CTL_REG_IO_INPUTS) & settable, limit);
+    QCOMPARE(controller.tell("pin emergency-stop on"), "pin emergency-stop on");
+    QTRY_COMPARE(registerAt(CTL_REG_IO_INPUTS) & settable, limit | stop);
+    QCOMPARE(registerAt(CTL_REG_STATUS_STATE), static_cast<int>(CTL_STATE_IDLE));
+    QCOMPARE(controller.tell("pin drive-alarm on"), "pin drive-alarm on");
+    QTRY_COMPARE(registerAt(CTL_REG_STATUS_FAULT), 1 << CTL_FAULT_BIT_DRIVE_ALARM);
+    // The pins are the machine's: a controller that restarts finds them as they are.
+    QCOMPARE(controller.tell("restart time=10 limit=1"), "ok 0");
+    QVERIFY(port.ask(readDeviceType, 7).empty());
+    QCOMPARE(controller.readLine(), "restarted");
+    QTRY_COMPARE(registerAt(CTL_REG_IO_INPUTS) & settable, limit | stop | alarm);
+    QCOMPARE(controller.tell("pin drive-alarm off"), "pin drive-alarm off");
+    QTRY_COMPARE(registerAt(CTL_REG_IO_INPUTS) & settable, limit | stop);
+    QVERIFY(controller.tell("pin eye on").startsWith("error "));
 }
 
 void TestExecutable::stateDirectoryIsUsedOnce()

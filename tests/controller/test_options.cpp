@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The command line of campanel-controller: every number of the simulated machine reaches its own member,
 // within its range, and is in the help.
+#include "ctl_registers.h"
+#include "input_pins.h"
 #include "machine_options.h"
 #include "options.h"
 #include "tests/support/test_program.h"
@@ -127,6 +129,24 @@ private slots:
         QCOMPARE(products.misplaced, 0.06);
     }
 
+    void pinsAreNamed()
+    {
+        const auto options = parse({"--pins", "limit-reverse,drive-alarm"});
+        QVERIFY(options.has_value());
+        QCOMPARE(options->machine.inputs,
+                 1u << CTL_INPUT_BIT_LIMIT_REVERSE | 1u << CTL_INPUT_BIT_DRIVE_ALARM);
+        for (const char* wrong : {"", "limit", "drive-alarm,", ",drive-alarm", "index-mark"})
+            QVERIFY2(!parse({"--pins", wrong}).has_value(), wrong);
+        const auto statement = parsePinStatement("emergency-stop off");
+        QVERIFY(statement);
+        QCOMPARE(statement->bit, CTL_INPUT_BIT_EMERGENCY_STOP);
+        QVERIFY(!statement->isOn);
+        QVERIFY(parsePinStatement("limit-forward on")->isOn);
+        for (const char* wrong :
+             {"", "drive-alarm", "drive-alarm ", "drive-alarm  on", "drive-alarm on ", "x on"})
+            QVERIFY2(!parsePinStatement(wrong), wrong);
+    }
+
     void noTwoOptionsShareAMember()
     {
         MachineOptions machine;
@@ -148,7 +168,7 @@ private slots:
             text.find("--film-slip MM       standard deviation of the film's slip per bag, 0..10 (0.03)\n") !=
             std::string::npos);
         QVERIFY(text.find("  --seed N ") < text.find("  --film-slip MM "));
-        QVERIFY(text.find("  --press-drift MM ") < text.find("  --faults FILE "));
+        QVERIFY(text.find("  --drive-rated-torque NM ") < text.find("  --faults FILE "));
     }
 };
 

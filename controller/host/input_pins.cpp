@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "input_pins.h"
+
+#include "ctl_registers.h"
+
+#include <algorithm>
+#include <array>
+
+namespace campanel::controller {
+namespace {
+
+struct Pin {
+    std::string_view name;
+    unsigned bit = 0;
+};
+
+constexpr std::array settablePins{
+    Pin{"drive-alarm", CTL_INPUT_BIT_DRIVE_ALARM},
+    Pin{"emergency-stop", CTL_INPUT_BIT_EMERGENCY_STOP},
+    Pin{"limit-forward", CTL_INPUT_BIT_LIMIT_FORWARD},
+    Pin{"limit-reverse", CTL_INPUT_BIT_LIMIT_REVERSE},
+};
+
+std::optional<unsigned> bitOf(std::string_view name)
+{
+    const auto found = std::ranges::find(settablePins, name, &Pin::name);
+    return found == settablePins.end() ? std::nullopt : std::optional(found->bit);
+}
+
+} // namespace
+
+std::optional<PinStatement> parsePinStatement(std::string_view text)
+{
+    const std::size_t space = std::min(text.find(' '), text.size());
+    const std::string_view level = text.substr(std::min(space + 1, text.size()));
+    const auto bit = bitOf(text.substr(0, space));
+    if (!bit || (level != "on" && level != "off"))
+        return std::nullopt;
+    return PinStatement{*bit, level == "on"};
+}
+
+std::optional<std::uint16_t> parsePins(std::string_view names)
+{
+    unsigned bits = 0;
+    for (;;) {
+        const std::size_t comma = names.find(',');
+        const auto bit = bitOf(names.substr(0, comma));
+        if (!bit)
+            return std::nullopt;
+        bits |= 1u << *bit;
+        if (comma == std::string_view::npos)
+            return static_cast<std::uint16_t>(bits);
+        names.remove_prefix(comma + 1);
+    }
+}
+
+} // namespace campanel::controller
