@@ -4769,26 +4769,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>薄膜电机：每转脉冲数</translation>
     </message>
     <message>
-        <source>Writing %1: %2 …</source>
-        <translation>正在写入 %1：%2…</translation>
-    </message>
-    <message>
-        <source>%1: %2, read back from the controller.</source>
-        <translation>%1：%2，已从控制器回读。</translation>
-    </message>
-    <message>
-        <source>On</source>
-        <translation>开</translation>
-    </message>
-    <message>
-        <source>Off</source>
-        <translation>关</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 到 %2</translation>
-    </message>
-    <message>
         <source>%1 · suggestion after %2 tracked bags, %3 so far</source>
         <translation>%1 · 跟踪色标 %2 袋后给出建议，目前 %3 袋</translation>
     </message>
@@ -4841,6 +4821,29 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>The mark distance is %1 mm (± %2 mm), the recipe cuts %3 mm.</source>
         <translation>色标间距 %1 mm（± %2 mm），配方袋长 %3 mm。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ParameterFields</name>
+    <message>
+        <source>Writing %1: %2 …</source>
+        <translation>正在写入 %1：%2…</translation>
+    </message>
+    <message>
+        <source>%1: %2, read back from the controller.</source>
+        <translation>%1：%2，已从控制器回读。</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 到 %2</translation>
     </message>
 </context>
 <context>

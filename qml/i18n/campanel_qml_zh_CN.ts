@@ -1547,21 +1547,6 @@ And %2 more.</source>
     </message>
 </context>
 <context>
-    <name>PackingRow</name>
-    <message>
-        <source>Apply %1</source>
-        <translation>采用 %1</translation>
-    </message>
-    <message>
-        <source>Off</source>
-        <translation>关</translation>
-    </message>
-    <message>
-        <source>On</source>
-        <translation>开</translation>
-    </message>
-</context>
-<context>
     <name>PackingSection</name>
     <message>
         <source>Measure marks</source>
@@ -1571,6 +1556,9 @@ And %2 more.</source>
         <source>Sensor to knife …</source>
         <translation>传感器到切刀…</translation>
     </message>
+</context>
+<context>
+    <name>ParameterList</name>
     <message>
         <source>Changes take effect at once. Press Save to keep the values after power-off.</source>
         <translation>更改立即生效。按“保存”后断电不丢失。</translation>
@@ -1578,6 +1566,13 @@ And %2 more.</source>
     <message>
         <source>Save</source>
         <translation>保存</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterRow</name>
+    <message>
+        <source>Apply %1</source>
+        <translation>采用 %1</translation>
     </message>
 </context>
 <context>

@@ -12,7 +12,6 @@ MaintenanceSection {
     id: section
 
     readonly property PackingSetup setup: Maintenance.packing
-    readonly property PackingFields fields: section.setup.fields
 
     onShownChanged: shown => {
         if (shown)
@@ -69,58 +68,13 @@ MaintenanceSection {
             }
         }
     }
-    ListView {
-        id: list
-        objectName: "packingList"
-        anchors { left: parent.left; right: parent.right; top: marks.bottom; bottom: foot.top; topMargin: Theme.size.spacing; bottomMargin: Theme.size.spacing }
-        clip: true
-        spacing: Theme.size.outline
-        boundsBehavior: Flickable.StopAtBounds
-        model: section.fields
-        delegate: PackingRow {
-            objectName: "packing" + index
-            width: list.width - 2 * Theme.size.accent
-            onClicked: {
-                if (toggle || !Access.ask(Access.Technician))
-                    return
-                section.fields.select(index)
-                section.page.sheetRequested(valueSheet)
-            }
-            onSwitched: on => section.fields.setOn(index, on)
-            onSuggestionTaken: section.fields.takeSuggestion(index)
-        }
-    }
-    ScrollMark { view: list }
-    Item {
-        id: foot
-        anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
-        height: Theme.size.touch
-        Label {
-            objectName: "packingText"
-            anchors { left: parent.left; right: save.left; rightMargin: Theme.size.padding; top: parent.top; bottom: parent.bottom }
-            wrapMode: Text.WordWrap
-            fontSizeMode: Text.Fit
-            minimumPixelSize: Theme.size.caption - 2
-            verticalAlignment: Text.AlignVCenter
-            text: section.fields.outcomeText.length > 0 ? section.fields.outcomeText
-                : qsTr("Changes take effect at once. Press Save to keep the values after power-off.")
-            color: section.fields.failed ? Theme.color.fault : section.fields.outcomeText.length > 0 ? Theme.color.ink : Theme.color.secondaryInk
-        }
-        Button {
-            id: save
-            objectName: "packingSave"
-            anchors { right: parent.right; verticalCenter: parent.verticalCenter }
-            glyph: Theme.icon.save
-            text: qsTr("Save")
-            enabled: section.fields.unsaved
-            onClicked: section.fields.save()
-        }
+    ParameterList {
+        anchors { left: parent.left; right: parent.right; top: marks.bottom; topMargin: Theme.size.spacing; bottom: parent.bottom }
+        fields: section.setup.fields
+        page: section.page
+        name: "packing"
     }
 
-    Component {
-        id: valueSheet
-        ValueKeypad { value: section.fields.value }
-    }
     Component {
         id: wizardSheet
         MarkWizardSheet {}

@@ -141,7 +141,7 @@ private slots:
         panel::PackingSetup& setup = *panel.maintenance.packing();
         setup.open();
         QTRY_VERIFY_WITH_TIMEOUT(std::isfinite(setup.fields()->value("parameter.length_limit")), timeoutMs);
-        setup.fields()->setOn(0, false);
+        setup.fields()->setChoice(0, 0);
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine.packing()->markState(), PackingLine::MarkState::Off,
                                   timeoutMs);
         setup.teach();

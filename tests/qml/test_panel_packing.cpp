@@ -49,10 +49,10 @@ private slots:
     void trackingIsSwitchedByOneTap()
     {
         enter("packing");
-        tap("packing0off");
+        tap("packing0choice0");
         m_window->settle();
         QCOMPARE(packing().fields()->value("parameter.mark_tracking"), 0.0);
-        tap("packing0on");
+        tap("packing0choice1");
         m_window->settle();
         QCOMPARE(packing().fields()->value("parameter.mark_tracking"), 1.0);
     }
@@ -60,10 +60,10 @@ private slots:
     void aSuggestionIsTakenByOneTap()
     {
         enter("packing-suggested");
-        tap("packingTake1");
+        tap("packing1take");
         m_window->settle();
         QCOMPARE(packing().fields()->value("parameter.phase_gain"), 0.1);
-        QVERIFY(!m_window->find(QStringLiteral("packingTake1")));
+        QVERIFY(!m_window->find(QStringLiteral("packing1take")));
     }
 
     void measurementsAreEnteredAndWritten()

@@ -230,7 +230,7 @@ private slots:
         rig.answerParameters();
         const int row = rig.rowOf(QStringLiteral("Film waits"));
         QCOMPARE(rig.at(row, PackingFields::ValueRole).toString(), "Off");
-        rig.fields().setOn(row, true);
+        rig.fields().setChoice(row, 1);
         const link::ParameterRequest request = rig.link.parameters.last();
         QCOMPARE(request.value, 1.0);
         emit rig.link.parameterEnded({request.id, request.name, link::ParameterEnd::OutcomeUnknown, {}, {}});

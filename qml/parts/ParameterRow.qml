@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One number or switch of a packing machine: name and range, value, and a key to use a suggestion.
+// One parameter of the controller: name and range, value or choices, and a key to use a suggestion.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T
@@ -14,12 +14,14 @@ T.AbstractButton {
     required property string note
     required property string value
     required property string unit
-    required property bool toggle
-    required property bool on
+    required property var choices          // texts; empty for a number
+    required property int choice
     required property bool known
     required property string suggestion
-    signal switched(bool on)
+    signal chosen(int choice)
     signal suggestionTaken()
+
+    readonly property bool toggle: row.choices.length > 0
 
     implicitHeight: Theme.size.touch
     enabled: row.known
@@ -32,7 +34,7 @@ T.AbstractButton {
     Item {
         anchors.fill: parent
         Column {
-            anchors { left: parent.left; right: row.toggle ? choice.left : take.visible ? take.left : shown.left; margins: Theme.size.padding; verticalCenter: parent.verticalCenter }
+            anchors { left: parent.left; right: row.toggle ? keys.left : take.visible ? take.left : shown.left; margins: Theme.size.padding; verticalCenter: parent.verticalCenter }
             Label {
                 width: parent.width
                 text: row.name
@@ -52,7 +54,7 @@ T.AbstractButton {
         }
         Button {
             id: take
-            objectName: "packingTake" + row.index
+            objectName: row.objectName + "take"
             anchors { right: shown.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
             visible: row.suggestion.length > 0
             text: qsTr("Apply %1").arg(row.suggestion)
@@ -84,14 +86,13 @@ T.AbstractButton {
             color: row.known ? Theme.color.touch : Theme.color.disabledInk
         }
         Segmented {
-            id: choice
+            id: keys
             anchors { right: parent.right; verticalCenter: parent.verticalCenter }
             visible: row.toggle
-            width: Math.round(parent.width * 0.3)
-            choices: [{ key: false, text: qsTr("Off"), name: "packing" + row.index + "off" },
-                { key: true, text: qsTr("On"), name: "packing" + row.index + "on" }]
-            current: row.known ? row.on : undefined
-            onChosen: key => row.switched(key)
+            width: Math.round(parent.width * 0.15 * Math.max(2, row.choices.length))
+            choices: row.choices.map((text, key) => ({ key: key, text: text, name: row.objectName + "choice" + key }))
+            current: row.choice
+            onChosen: key => row.chosen(key)
         }
     }
 }

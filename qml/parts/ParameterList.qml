@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parameters of the controller that a technician sets: the list, the result of the last write, and a key to save them.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Panel
+
+Item {
+    id: parameters
+
+    required property ParameterFields fields
+    required property Page page
+    required property string name          // the objects of the rows begin with it
+
+    ListView {
+        id: list
+        objectName: parameters.name + "List"
+        anchors { left: parent.left; right: parent.right; top: parent.top; bottom: foot.top; bottomMargin: Theme.size.spacing }
+        clip: true
+        spacing: Theme.size.outline
+        boundsBehavior: Flickable.StopAtBounds
+        model: parameters.fields
+        delegate: ParameterRow {
+            objectName: parameters.name + index
+            width: list.width - 2 * Theme.size.accent
+            onClicked: {
+                if (toggle || !Access.ask(Access.Technician))
+                    return
+                parameters.fields.select(index)
+                parameters.page.sheetRequested(valueSheet)
+            }
+            onChosen: choice => parameters.fields.setChoice(index, choice)
+            onSuggestionTaken: parameters.fields.takeSuggestion(index)
+        }
+    }
+    ScrollMark { view: list }
+    Item {
+        id: foot
+        anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+        height: Theme.size.touch
+        Label {
+            objectName: parameters.name + "Text"
+            anchors { left: parent.left; right: save.left; rightMargin: Theme.size.padding; top: parent.top; bottom: parent.bottom }
+            wrapMode: Text.WordWrap
+            fontSizeMode: Text.Fit
+            minimumPixelSize: Theme.size.caption - 2
+            verticalAlignment: Text.AlignVCenter
+            text: parameters.fields.outcomeText.length > 0 ? parameters.fields.outcomeText
+                : qsTr("Changes take effect at once. Press Save to keep the values after power-off.")
+            color: parameters.fields.failed ? Theme.color.fault : parameters.fields.outcomeText.length > 0 ? Theme.color.ink : Theme.color.secondaryInk
+        }
+        Button {
+            id: save
+            objectName: parameters.name + "Save"
+            anchors { right: parent.right; verticalCenter: parent.verticalCenter }
+            glyph: Theme.icon.save
+            text: qsTr("Save")
+            enabled: parameters.fields.unsaved
+            onClicked: parameters.fields.save()
+        }
+    }
+
+    Component {
+        id: valueSheet
+        ValueKeypad { value: parameters.fields.value }
+    }
+}
