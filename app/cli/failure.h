@@ -41,9 +41,10 @@ using Outcome = tl::expected<void, Failure>;
 
 [[nodiscard]] inline tl::unexpected<Failure> fail(const modbus::LinkError& error)
 {
-    // Counts an invalid option as a usage error, everything else as an error of the line.
-    const bool settings = error.kind == modbus::LinkErrorKind::PortSettings;
-    return fail(settings ? ExitCode::Usage : ExitCode::Link, panel::ConnectionSentences::error(error));
+    // An invalid option or value is a usage error, everything else an error of the line.
+    using Kind = modbus::LinkErrorKind;
+    const bool isUsage = error.kind == Kind::PortSettings || error.kind == Kind::ValueRefused;
+    return fail(isUsage ? ExitCode::Usage : ExitCode::Link, panel::ConnectionSentences::error(error));
 }
 
 [[nodiscard]] inline tl::unexpected<Failure> fail(const profile::Refusal& refusal)

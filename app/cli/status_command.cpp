@@ -6,6 +6,7 @@
 #include "app/cli/report.h"
 #include "app/program/program_image.h"
 #include "modbus/download/bank_reader.h"
+#include "modbus/map/io_status.h"
 
 #include <QJsonArray>
 
@@ -90,6 +91,16 @@ QJsonObject pressObject(const modbus::PressStatus& press)
                          {u"peak_force_n"_s, press.peakForceN}}}};
 }
 
+// What the machine does not have is null.
+QJsonObject ioObject(const modbus::IoStatus& io)
+{
+    return {{u"inputs"_s, io.inputs ? QJsonValue(bitNames("InputBit", *io.inputs)) : QJsonValue()},
+            {u"outputs"_s, io.outputs ? QJsonValue(bitNames("OutputBit", *io.outputs)) : QJsonValue()},
+            {u"torque_percent"_s, orNull(io.torquePercent)},
+            {u"infeed_position_mm"_s, orNull(io.infeedPositionMm)},
+            {u"infeed_following_error_mm"_s, orNull(io.infeedFollowingErrorMm)}};
+}
+
 QJsonObject identityObject(const modbus::Identity& identity)
 {
     return {{u"firmware"_s, QString::fromStdString(identity.firmwareVersion())},
@@ -123,6 +134,13 @@ Outcome runStatus(const Invocation& call)
     QJsonObject object = statusObject(*status);
     if (status->press)
         object[u"press"_s] = pressObject(*status->press);
+    object[u"io"_s] = QJsonValue::Null; // of an older controller
+    if (session->identity().mapMinor >= modbus::ioMapMinor) {
+        const auto io = session->client().readProven(modbus::ioAddress, modbus::ioRegisters);
+        if (!io)
+            return fail(io.error());
+        object[u"io"_s] = ioObject(modbus::decodeIo(*io));
+    }
     object[u"identity"_s] = identityObject(session->identity());
     object[u"program"_s] = QJsonValue::Null;
     if (status->activeCrc) {

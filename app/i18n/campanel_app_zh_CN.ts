@@ -2731,6 +2731,10 @@
         <translation>状态</translation>
     </message>
     <message>
+        <source>Inputs and outputs</source>
+        <translation>输入与输出</translation>
+    </message>
+    <message>
         <source>Exchange</source>
         <translation>数据交换</translation>
     </message>
@@ -3959,6 +3963,53 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
+    <name>campanel::panel::CamSwitches</name>
+    <message>
+        <source>Cam switch %1: mode</source>
+        <translation>凸轮开关 %1：方式</translation>
+    </message>
+    <message>
+        <source>Cam switch %1: on angle</source>
+        <translation>凸轮开关 %1：接通角度</translation>
+    </message>
+    <message>
+        <source>Cam switch %1: off angle</source>
+        <translation>凸轮开关 %1：断开角度</translation>
+    </message>
+    <message>
+        <source>Cam switch %1: lead time</source>
+        <translation>凸轮开关 %1：提前时间</translation>
+    </message>
+    <message>
+        <source>Cam switch %1: on in every n-th cycle</source>
+        <translation>凸轮开关 %1：每 n 个周期接通一次</translation>
+    </message>
+    <message>
+        <source>Drive enable</source>
+        <translation>驱动器使能</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>Always on</source>
+        <translation>常开</translation>
+    </message>
+    <message>
+        <source>While running</source>
+        <translation>运行时</translation>
+    </message>
+    <message>
+        <source>By angle</source>
+        <translation>按角度</translation>
+    </message>
+    <message>
+        <source>Rejected bags</source>
+        <translation>剔除袋</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::IoList</name>
     <message>
         <source>%1 pulses</source>
@@ -4068,6 +4119,47 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Film, sent minus encoder</source>
         <translation>薄膜：发送减编码器</translation>
+    </message>
+    <message>
+        <source>Drive alarm</source>
+        <translation>驱动器报警</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>Limit switch, forward</source>
+        <translation>正向限位开关</translation>
+    </message>
+    <message>
+        <source>Limit switch, reverse</source>
+        <translation>反向限位开关</translation>
+    </message>
+    <message>
+        <source>Torque of the axis, of rated</source>
+        <translation>轴转矩，占额定</translation>
+    </message>
+    <message>
+        <source>Encoder of the infeed</source>
+        <translation>进料编码器</translation>
+    </message>
+    <message>
+        <source>Infeed, sent minus encoder</source>
+        <translation>进料：发出减编码器</translation>
+    </message>
+    <message>
+        <source>Drive enable</source>
+        <translation>驱动器使能</translation>
+    </message>
+    <message>
+        <source>Cam switch %1</source>
+        <translation>凸轮开关 %1</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <comment>percent</comment>
+        <translation>%1 %</translation>
     </message>
 </context>
 <context>

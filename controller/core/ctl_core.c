@@ -3,7 +3,6 @@
 
 #include "link/ctl_function.h"
 #include "link/ctl_map.h"
-#include "packer/ctl_reject.h"
 
 #include <string.h>
 
@@ -97,9 +96,8 @@ size_t ctl_take_answer(ctl_core* core, uint8_t* bytes)
 
 void ctl_on_cut(ctl_core* core, int64_t film)
 {
-    const bool first = !core->packer.cut_before;
     ctl_packer_on_cut(&core->packer, film, &core->motion.ramp);
-    ctl_switches_bag(&core->io.switches, ctl_packer_rejects(&core->packer, first));
+    ctl_switches_bag(&core->io.switches, ctl_packer_rejects(&core->packer));
 }
 
 void ctl_on_bag_cut(ctl_core* core, uint32_t length_um)

@@ -971,8 +971,8 @@ And %2 more.</source>
 <context>
     <name>IoSection</name>
     <message>
-        <source>Inputs (counted by the controller)</source>
-        <translation>输入（控制器计数）</translation>
+        <source>Inputs</source>
+        <translation>输入</translation>
     </message>
     <message>
         <source>Outputs</source>
@@ -991,8 +991,32 @@ And %2 more.</source>
         <translation>没有收到控制器的数据：灰色为最后收到的值。</translation>
     </message>
     <message>
-        <source>The controller reports the counts of its inputs, not the levels of its pins. A filled lamp means on.</source>
-        <translation>控制器报告输入的计数，而不是引脚电平。实心灯表示接通。</translation>
+        <source>A filled lamp means on. Emergency stop and limit switches are only displayed: no function depends on them.</source>
+        <translation>实心灯表示接通。急停和限位开关仅供显示，不影响任何功能。</translation>
+    </message>
+    <message>
+        <source>This controller reports the counts of its inputs, not the levels of its pins. A filled lamp means on.</source>
+        <translation>此控制器报告输入的计数，而不是引脚电平。实心灯表示接通。</translation>
+    </message>
+    <message>
+        <source>Cam switches</source>
+        <translation>凸轮开关</translation>
+    </message>
+    <message>
+        <source>Cam switch %1</source>
+        <translation>凸轮开关 %1</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>输出</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>驱动器</translation>
     </message>
 </context>
 <context>

@@ -51,18 +51,23 @@ private slots:
 void TestIo::driveAlarmIsAFaultAtOnce_data()
 {
     QTest::addColumn<unsigned>("state");
-    QTest::newRow("running") << CTL_STATE_RUNNING;
-    QTest::newRow("stopping") << CTL_STATE_STOPPING;
-    QTest::newRow("homing") << CTL_STATE_HOMING;
-    QTest::newRow("jogging") << CTL_STATE_JOGGING;
-    QTest::newRow("standstill") << CTL_STATE_READY;
+    QTest::addColumn<bool>("changes");
+    QTest::newRow("running") << CTL_STATE_RUNNING << false;
+    QTest::newRow("change of program") << CTL_STATE_RUNNING << true;
+    QTest::newRow("stopping") << CTL_STATE_STOPPING << false;
+    QTest::newRow("homing") << CTL_STATE_HOMING << false;
+    QTest::newRow("jogging") << CTL_STATE_JOGGING << false;
+    QTest::newRow("standstill") << CTL_STATE_READY << false;
 }
 
 void TestIo::driveAlarmIsAFaultAtOnce()
 {
     QFETCH(unsigned, state);
+    QFETCH(bool, changes);
+    const Registers first = camBank(10000, 1, 1'600'000).registers();
+    const Registers next = camBank(10000, 1, 3'200'000).registers();
     Rig rig;
-    rig.install(camBank(10000, 1, 1'600'000));
+    rig.install(first);
     rig.write(CTL_REG_PARAMETER_FOLLOWING_ERROR_LIMIT, {0, 600}); // a following error would be close behind
     if (state == CTL_STATE_JOGGING) {
         rig.heartbeat(1u << CTL_JOG_BIT_FORWARD);
@@ -76,6 +81,13 @@ void TestIo::driveAlarmIsAFaultAtOnce()
             rig.run(second);
         if (state == CTL_STATE_STOPPING)
             QCOMPARE(rig.command(CTL_COMMAND_STOP_NOW), CTL_REFUSAL_NONE);
+    }
+    if (changes) { // while it slows down for the boundary
+        QCOMPARE(rig.download(next, 2), CTL_TRANSFER_RESULT_ACCEPTED);
+        QCOMPARE(rig.apply(next, CTL_APPLY_MODE_NEXT_CYCLE, 2), CTL_REFUSAL_NONE);
+        while (rig.core().motion.ramp.speed == rig.core().motion.ramp.full)
+            rig.controller().step();
+        rig.run(20'000);
     }
     QCOMPARE(rig.core().motion.state, state);
     machineOf(rig).setInput(CTL_INPUT_BIT_DRIVE_ALARM, true);
@@ -94,6 +106,8 @@ void TestIo::driveAlarmIsAFaultAtOnce()
     QCOMPARE(rig.command(CTL_COMMAND_RESET_FAULT), CTL_REFUSAL_NONE);
     QCOMPARE(rig.command(CTL_COMMAND_RESET_FAULT), CTL_REFUSAL_NO_FAULT);
     rig.write(CTL_REG_PARAMETER_FOLLOWING_ERROR_LIMIT, {0, 3000});
+    // The armed program takes over at standstill, as after a Stop.
+    QCOMPARE(rig.core().banks.active_crc, crc32(changes ? next : first));
     rig.start();
     rig.run(second);
     QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);

@@ -144,6 +144,7 @@ private slots:
     void windowsThatTheLeadJumpsOverAreKept();
     void everyNthCycle();
     void standStillOff();
+    void bagsToRejectOnly_data();
     void bagsToRejectOnly();
     void longLeadIsRefused();
 };
@@ -342,25 +343,46 @@ void TestSwitches::standStillOff()
     QCOMPARE(switchLevels(rig), 0u);
 }
 
-// A bag without a product, and one of several lengths, is the one that the switch is on for: once, also when
-// the next cut is skipped.
+void TestSwitches::bagsToRejectOnly_data()
+{
+    QTest::addColumn<unsigned>("cycleTicks");
+    QTest::addColumn<bool>("productsMiss");
+    QTest::addColumn<int>("changes");
+    for (const unsigned cycleTicks : {slow, fast}) {
+        const int rate = cycleTicks == slow ? 60 : 300;
+        QTest::addRow("power-up, %d/min", rate) << cycleTicks << false << 0;
+        QTest::addRow("products missing and misplaced, %d/min", rate) << cycleTicks << true << 0;
+        QTest::addRow("changes of program, %d/min", rate) << cycleTicks << false << 6;
+    }
+}
+
+// The switch is on once for each bag whose record makes it scrap, and for no other, also when the next cut is
+// skipped.
 void TestSwitches::bagsToRejectOnly()
 {
+    QFETCH(unsigned, cycleTicks);
+    QFETCH(bool, productsMiss);
+    QFETCH(int, changes);
+    constexpr unsigned bad = 1u << CTL_BAG_BIT_EMPTY | 1u << CTL_BAG_BIT_PRODUCT_ACROSS |
+                             1u << CTL_BAG_BIT_START_UP | 1u << CTL_BAG_BIT_CHANGE_OVER;
     campanel::controller::MachineOptions options;
-    options.products.missing = 0.25;
-    options.products.misplaced = 0.1;
+    options.products.missing = productsMiss ? 0.25 : 0.0;
+    options.products.misplaced = productsMiss ? 0.1 : 0.0;
     Rig rig(options);
-    rig.install(cutterOf(fast));
+    rig.install(cutterOf(cycleTicks));
     rig.setParameter(CTL_REG_PARAMETER_SKIP_LIMIT, 100);
     set(rig, 5, {CTL_SWITCH_MODE_REJECTED_BAGS, 24000, 33000, 200, 1});
     rig.start();
+    const int bags = productsMiss ? 300 : 40 * std::max(changes, 1);
     int rejected = 0;
     int kept = 0;
+    int startUp = 0;
+    int changeOver = 0;
     int marked = -1; // of the bag cut last; -1: none yet
     int pulses = 0;  // since that cut
     bool before = false;
-    for (const std::uint64_t endUs = rig.controller().nowUs() + 60 * second;
-         rig.controller().nowUs() < endUs;) {
+    std::uint16_t session = 1;
+    while (rejected + kept < bags) {
         rig.controller().step();
         const bool isOn = (rig.core().io.outputs & 0x10u) != 0;
         pulses += isOn && !before ? 1 : 0;
@@ -373,14 +395,28 @@ void TestSwitches::bagsToRejectOnly()
             QCOMPARE(pulses, marked);
         pulses = 0;
         const ctl_packer& packer = rig.core().packer;
-        const std::uint16_t flags = packer.records[CTL_BAG_REGISTERS * (packer.bags % CTL_BAG_RECORDS) + 3];
-        const bool isGood = cut->lengthUm && flags >> 8 == 1 && (flags & 1u << CTL_BAG_BIT_TRACKED) != 0 &&
-                            (flags & 1u << CTL_BAG_BIT_EMPTY) == 0;
-        QCOMPARE(cut->products.empty() && isGood, false);
+        const unsigned flags = packer.records[CTL_BAG_REGISTERS * (packer.bags % CTL_BAG_RECORDS) + 3];
+        const bool isGood = cut->lengthUm && (flags & bad) == 0 && (flags & 1u << CTL_BAG_BIT_TRACKED) != 0;
+        QVERIFY(!isGood || !cut->products.empty());
         marked = isGood ? 0 : 1;
         (isGood ? kept : rejected) += 1;
+        startUp += cut->lengthUm && (flags & 1u << CTL_BAG_BIT_START_UP) != 0 ? 1 : 0;
+        changeOver += (flags & 1u << CTL_BAG_BIT_CHANGE_OVER) != 0 ? 1 : 0;
+        if (changes != 0 && (rejected + kept) % 40 == 20) {
+            const bool isLonger = session % 2 == 1;
+            BankImage next = cutterOf(cycleTicks);
+            next.bagLengthUm += isLonger ? 15'000 : 0;
+            ++session;
+            QCOMPARE(rig.download(next.registers(), session), CTL_TRANSFER_RESULT_ACCEPTED);
+            QCOMPARE(rig.apply(next.registers(), CTL_APPLY_MODE_NEXT_CYCLE, session), CTL_REFUSAL_NONE);
+        }
     }
-    QVERIFY2(rejected > 50 && kept > 150, qPrintable(QString::number(rejected)));
+    qInfo("%d bags kept, %d rejected: start-up %d, change of program %d", kept, rejected, startUp,
+          changeOver);
+    QVERIFY(kept > bags / 2);
+    QVERIFY(startUp >= 1);
+    QCOMPARE(rejected > bags / 6, productsMiss);
+    QCOMPARE(changeOver, changes);
 }
 
 void TestSwitches::longLeadIsRefused()

@@ -22,6 +22,16 @@ namespace {
 
 constexpr int timeoutMs = 20'000;
 
+// Returns the lamp of an input or output, not of the alarm with the same name.
+panel::IoList::Lamp lampOf(PanelWindow& panel, const char* name)
+{
+    for (const panel::IoList::Row& row : panel.maintenance().io()->rows()->rows()) {
+        if (row.name == QLatin1String(name) && row.side < panel::IoList::Side::Fault)
+            return row.lamp;
+    }
+    return panel::IoList::Lamp::None;
+}
+
 QString rampTime(PanelWindow& panel)
 {
     const panel::RegisterModel& registers = *panel.maintenance().inspector()->registers();
@@ -65,6 +75,45 @@ private slots:
         QCOMPARE(frames.data(frames.index(0), panel::FrameList::WordsRole).toString(),
                  "Write parameter.ramp_time = 900 ms");
         QCOMPARE(frames.data(frames.index(1), panel::FrameList::WordsRole).toString(), "Response: done");
+        QCOMPARE(panel.complaints(), QStringList());
+    }
+
+    void aCamSwitchIsSetAndADriveAlarmIsSeen()
+    {
+        ControllerProcess controller(
+            {QStringLiteral("--control"), QStringLiteral("--pins"), QStringLiteral("limit-forward")});
+        PanelWindow panel(controller.port());
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
+        for (const char* name : {"nav_maintenance", "maintenanceMachine", "maintenanceIo"})
+            panel.tap(name);
+        QTRY_COMPARE_WITH_TIMEOUT(lampOf(panel, "Limit switch, forward"), panel::IoList::Lamp::On, timeoutMs);
+        QCOMPARE(lampOf(panel, "Drive enable"), panel::IoList::Lamp::On);
+        QCOMPARE(lampOf(panel, "Emergency stop"), panel::IoList::Lamp::Off);
+
+        panel.tap("ioSwitches");
+        panel.tap("ioSwitch");
+        panel.tap("choice_3");
+        panel::CamSwitches& switches = *panel.maintenance().switches();
+        QTRY_COMPARE_WITH_TIMEOUT(switches.value("parameter.switch3_every"), 1.0, timeoutMs);
+        panel.tap("camSwitch0choice1");
+        QTRY_COMPARE_WITH_TIMEOUT(switches.value("parameter.switch3_mode"), 1.0, timeoutMs);
+        panel.tap("camSwitch2");
+        panel.tapDigits(QStringLiteral("120"));
+        panel.tap("keypadAccept");
+        QTRY_COMPARE_WITH_TIMEOUT(switches.value("parameter.switch3_off_angle"), 120.0, timeoutMs);
+        QCOMPARE(switches.outcomeText(), "Cam switch 3: off angle: 120 deg, read back from the controller.");
+        panel.tap("ioSwitch");
+        panel.tap("choice_9");
+        QTRY_COMPARE_WITH_TIMEOUT(switches.value("parameter.drive_enable"), 1.0, timeoutMs);
+        panel.tap("ioBack");
+
+        controller.tell("pin emergency-stop on");
+        QTRY_COMPARE_WITH_TIMEOUT(lampOf(panel, "Emergency stop"), panel::IoList::Lamp::Bad, timeoutMs);
+        controller.tell("pin drive-alarm on");
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Fault, timeoutMs);
+        QCOMPARE(panel.statuses().back().faultBits,
+                 1U << static_cast<unsigned>(modbus::FaultBit::DriveAlarm));
+        QTRY_COMPARE_WITH_TIMEOUT(lampOf(panel, "Drive alarm"), panel::IoList::Lamp::Bad, timeoutMs);
         QCOMPARE(panel.complaints(), QStringList());
     }
 

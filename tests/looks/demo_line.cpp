@@ -2,6 +2,8 @@
 // A day of a line, invented; see demo_line.h.
 #include "tests/looks/demo_line.h"
 
+#include "modbus/map/io_status.h"
+
 #include <QByteArray>
 #include <QDateTime>
 
@@ -191,6 +193,11 @@ std::vector<std::uint16_t> demoRegisters(const link::ReadRequest& request,
     for (std::size_t i = 0; i < status.readCount; ++i)
         map[status.readAddress + i] =
             static_cast<std::uint16_t>(status.data[3 + 2 * i] << 8 | status.data[4 + 2 * i]);
+    // Switches 1 and 3 on, 37.2 % torque; the infeed of a cutter only.
+    const bool isCutter = program.recipe.isCutter();
+    const std::array<std::uint16_t, modbus::ioRegisters> io{
+        static_cast<std::uint16_t>(isCutter ? 0x000F : 0x000B), 0x0020, 0x0105, 372, 0x002F, 0x1A80, 3180};
+    std::ranges::copy(io, map.begin() + modbus::ioAddress);
     std::ranges::copy(program.registers, map.begin() + modbus::activeBankBase);
     const auto first = map.begin() + request.address;
     return {first, first + request.count};

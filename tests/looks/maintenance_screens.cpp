@@ -100,6 +100,13 @@ QList<Screen> maintenanceScreens()
             screen("homing-move", "maintenanceHoming", Situation::Stopped, Kind::PositionMove),
             screen("homing-empty", "maintenanceHoming", Situation::Empty),
             screen("io", "maintenanceIo", Situation::Running),
+            {QStringLiteral("io-switches"),
+             [=](TestWindow& window) {
+                 openMachineSection(window, "maintenanceIo", Situation::Running);
+                 window.tap(QStringLiteral("ioSwitches"));
+                 window.tap(QStringLiteral("ioSwitch"));
+                 window.tap(QStringLiteral("choice_3"));
+             }},
             screen("io-fault", "maintenanceIo", Situation::Fault),
             screen("io-press", "maintenanceIo", Situation::Stopped, Kind::Press),
             oldValues("io-lost", "maintenanceIo"),

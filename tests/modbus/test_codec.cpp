@@ -5,6 +5,7 @@
 #include "modbus/map/blocks.h"
 #include "modbus/map/codec.h"
 #include "modbus/map/crc32.h"
+#include "modbus/map/io_status.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>
@@ -32,6 +33,7 @@ private slots:
     void everyRawValueSurvivesItsPhysicalForm();
     void statusUnknownsAreEmpty();
     void statusKnowns();
+    void ioHasWhatIsAvailable();
     void wireTimes_data();
     void wireTimes();
 };
@@ -187,6 +189,24 @@ void CodecTest::statusKnowns()
     QCOMPARE(status.followingErrorPulses, std::int16_t{-7});
     QCOMPARE(status.axisPositionPulses, -123456);
     QCOMPARE(status.knifeAngleDeg, 90.5);
+}
+
+void CodecTest::ioHasWhatIsAvailable()
+{
+    std::vector<std::uint16_t> registers{0x000F, 0x0005, 0x0101, 0xFFFB, 0xFFFF, 0xFFFE, 0x0003};
+    const IoStatus all = decodeIo(registers);
+    QCOMPARE(all.level(InputBit::DriveAlarm), std::optional(true));
+    QCOMPARE(all.level(InputBit::EmergencyStop), std::optional(false));
+    QCOMPARE(all.level(InputBit::LimitForward), std::optional(true));
+    QCOMPARE(all.level(OutputBit::Switch1), std::optional(true));
+    QCOMPARE(all.level(OutputBit::Switch8), std::optional(false));
+    QCOMPARE(all.level(OutputBit::DriveEnable), std::optional(true));
+    QCOMPARE(all.torquePercent, std::optional(-0.5));
+    QCOMPARE(all.infeedPositionMm, std::optional(-0.002));
+    QCOMPARE(all.infeedFollowingErrorMm, std::optional(0.003));
+    registers[0] = 0;
+    QCOMPARE(decodeIo(registers), IoStatus());
+    QVERIFY(!decodeIo(registers).level(InputBit::DriveAlarm));
 }
 
 void CodecTest::wireTimes_data()

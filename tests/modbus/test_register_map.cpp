@@ -2,6 +2,7 @@
 // Invariants of the register table and its texts; REGISTERS.md must match the table.
 // `campanel-generate-registers --markdown` writes it.
 #include "modbus/map/blocks.h"
+#include "modbus/map/crc32.h"
 #include "modbus/map/register_document.h"
 #include "modbus/map/register_map.h"
 #include "tests/support/places.h"
@@ -31,6 +32,7 @@ private slots:
     void windowsFitOneFrame();
     void blocksHaveTheLengthsThatTheClientReads();
     void headerNamesEveryRegister();
+    void registersOfMap12AreUnchanged();
 };
 
 void RegisterMapTest::committedDocumentIsCurrent()
@@ -141,6 +143,28 @@ void RegisterMapTest::headerNamesEveryRegister()
         QVERIFY2(header.contains("#define CTL_REG_" + name.toUpper().replace('.', '_') + ' '),
                  name.constData());
     }
+}
+
+// A panel of register map 1.2 works with this controller: what it knows is where it was. The number is the
+// CRC-32 of that map's rows.
+void RegisterMapTest::registersOfMap12AreUnchanged()
+{
+    std::vector<std::uint8_t> rows;
+    int count = 0;
+    for (const RegisterInfo& row : registers()) {
+        const bool isNewParameter = row.name.starts_with("parameter.") && row.address >= 0x00A6;
+        if (isNewParameter || row.name.starts_with("io."))
+            continue;
+        ++count;
+        const QByteArray text =
+            QByteArray(row.name.data(), static_cast<qsizetype>(row.name.size())) + ' ' +
+            QByteArray::number(row.address) + ' ' + QByteArray::number(static_cast<int>(row.type)) + ' ' +
+            QByteArray::number(row.count) + ' ' + QByteArray::number(static_cast<int>(row.access)) + ' ' +
+            QByteArray::number(row.scale) + '\n';
+        rows.insert(rows.end(), text.begin(), text.end());
+    }
+    QCOMPARE(count, 141);
+    QCOMPARE(crc32(rows), 1240010993u);
 }
 
 CAMPANEL_TEST(RegisterMapTest)

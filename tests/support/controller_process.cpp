@@ -38,6 +38,12 @@ void ControllerProcess::start()
     m_process.readLine();
 }
 
+void ControllerProcess::tell(const QByteArray& line)
+{
+    m_process.write(line + '\n');
+    m_process.waitForBytesWritten();
+}
+
 void ControllerProcess::kill()
 {
     if (m_process.state() == QProcess::NotRunning)

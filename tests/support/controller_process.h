@@ -22,6 +22,8 @@ public:
     // Returns the path, the same before and after a restart.
     [[nodiscard]] QString port() const { return m_folder.filePath(QStringLiteral("port")); }
 
+    // Sends a line to its standard input; it needs the argument --control.
+    void tell(const QByteArray& line);
     void kill();  // like a power cut
     void start(); // again, after kill()
 

@@ -2,6 +2,7 @@
 #include "app/panel/audit/audit_words.h"
 
 #include "app/panel/kit/format.h"
+#include "app/panel/maintenance/cam_switches.h"
 #include "app/panel/packing/packing_fields.h"
 #include "app/panel/words/access_sentences.h"
 #include "app/panel/words/recipe_words.h"
@@ -156,8 +157,11 @@ QString AuditWords::object(const store::AuditEntry& entry)
         }
     }
     if (entry.what == u"parameter.write") {
-        const QString words = PackingFields::words(entry.object);
-        return words.isEmpty() ? entry.object : words;
+        for (const auto wordsOf : {PackingFields::words, CamSwitches::words}) {
+            if (const QString words = wordsOf(entry.object); !words.isEmpty())
+                return words;
+        }
+        return entry.object;
     }
     const char* words = entry.what == u"setting.change" ? wordsFor(objectWords, entry.object) : nullptr;
     return words ? tr(words) : entry.object;

@@ -271,12 +271,11 @@ void Controller::doubtParameters()
 
 Parameter& Controller::parameter(std::string_view name)
 {
-    Parameter*& parameter = m_parameters[name];
-    if (!parameter) {
-        const modbus::RegisterInfo* info = modbus::findRegister(name);
-        Q_ASSERT(info);
+    const modbus::RegisterInfo* info = modbus::findRegister(name);
+    Q_ASSERT(info);
+    Parameter*& parameter = m_parameters[info->name]; // outlives `name`
+    if (!parameter)
         parameter = new Parameter(*this, *info);
-    }
     return *parameter;
 }
 

@@ -42,9 +42,15 @@ IoList::IoList(Controller& machine, QObject* parent)
     : QObject(parent)
     , m_machine(machine)
     , m_timer(this)
+    , m_pins(machine, this)
 {
     m_timer.setInterval(lampPeriod);
     connect(&m_timer, &QTimer::timeout, this, &IoList::refresh);
+    connect(&m_pins, &IoPins::changed, this, [this] {
+        emit hasPinsChanged();
+        if (watched())
+            showRows();
+    });
     for (const auto told : {&Controller::freshChanged, &Controller::connectionChanged})
         connect(&machine, told, this, [this] {
             if (watched())
@@ -67,11 +73,19 @@ void IoList::setWatched(bool isWatched)
 
 void IoList::refresh()
 {
+    m_pins.read();
+    showRows();
+}
+
+void IoList::showRows()
+{
     QList<Row> rows;
     const auto& status = m_machine.status();
     if (status) {
         addAxis(rows, *status);
         addLine(rows);
+        if (m_pins.status())
+            addPins(rows, *m_pins.status());
         addBits(rows, *status);
     }
     std::ranges::stable_sort(rows, {}, &Row::side);
@@ -141,6 +155,37 @@ void IoList::addLine(QList<Row>& rows)
                 lampOf(packer.knifeGate == modbus::GateState::Running)}
          << Row{Side::Output, tr("Film, sent minus encoder"),
                 tr("%1 mm").arg(format.number(line.filmFollowingErrorMm(), 2)), Lamp::None};
+}
+
+// Adds what this machine has of the pins. A drive alarm and an emergency stop need attention.
+void IoList::addPins(QList<Row>& rows, const modbus::IoStatus& pins) const
+{
+    using modbus::InputBit;
+    using modbus::OutputBit;
+    const Format format;
+    const auto add = [&rows](Side side, const QString& name, std::optional<bool> level, Lamp lit = Lamp::On) {
+        if (level)
+            rows << Row{side, name, {}, *level ? lit : Lamp::Off};
+    };
+    const auto addNumber = [&rows](Side side, const QString& name, const QString& value) {
+        rows << Row{side, name, value, Lamp::None};
+    };
+    add(Side::Input, tr("Drive alarm"), pins.level(InputBit::DriveAlarm), Lamp::Bad);
+    add(Side::Input, tr("Emergency stop"), pins.level(InputBit::EmergencyStop), Lamp::Bad);
+    add(Side::Input, tr("Limit switch, forward"), pins.level(InputBit::LimitForward));
+    add(Side::Input, tr("Limit switch, reverse"), pins.level(InputBit::LimitReverse));
+    if (pins.torquePercent)
+        addNumber(Side::Input, tr("Torque of the axis, of rated"),
+                  tr("%1 %", "percent").arg(format.number(*pins.torquePercent, 1)));
+    if (pins.infeedPositionMm && pins.infeedFollowingErrorMm) {
+        addNumber(Side::Input, tr("Encoder of the infeed"),
+                  tr("%1 mm").arg(format.grouped(*pins.infeedPositionMm, 1)));
+        addNumber(Side::Output, tr("Infeed, sent minus encoder"),
+                  tr("%1 mm").arg(format.number(*pins.infeedFollowingErrorMm, 2)));
+    }
+    add(Side::Output, tr("Drive enable"), pins.level(OutputBit::DriveEnable));
+    for (int i = 0; i < modbus::switchCount; ++i)
+        add(Side::Output, tr("Cam switch %1").arg(i + 1), pins.level(static_cast<OutputBit>(i)));
 }
 
 void IoList::addBits(QList<Row>& rows, const modbus::StatusBlock& status) const

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The controller's inputs and outputs, updated while they are watched. The controller counts the edges at its
-// pins and sends the counts, not the levels; the list contains nothing else.
+// The controller's inputs and outputs, updated while they are watched: what the status and the packing line
+// report, and the levels of the pins where the controller has them.
 #pragma once
 
 #include "app/link/link_values.h"
 #include "app/panel/kit/row_model.h"
+#include "app/panel/maintenance/io_pins.h"
 
 #include <QTimer>
 #include <QtQml/qqmlregistration.h>
@@ -46,6 +47,8 @@ class IoList : public QObject {
     Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
     // True when all rows are older than a second, or without a connection.
     Q_PROPERTY(bool stale READ stale NOTIFY staleChanged FINAL)
+    // True when the controller reports the levels of its pins and has cam switches.
+    Q_PROPERTY(bool hasPins READ hasPins NOTIFY hasPinsChanged FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* rows READ rows CONSTANT FINAL)
 
 public:
@@ -60,6 +63,7 @@ public:
     [[nodiscard]] bool watched() const { return m_timer.isActive(); }
     void setWatched(bool isWatched);
     [[nodiscard]] bool stale() const { return m_isStale; }
+    [[nodiscard]] bool hasPins() const { return m_pins.present(); }
     [[nodiscard]] Rows* rows() { return &m_rows; }
 
     void retranslate() { refresh(); }
@@ -67,15 +71,19 @@ public:
 signals:
     void watchedChanged();
     void staleChanged();
+    void hasPinsChanged();
 
 private:
     void refresh();
+    void showRows();
     void addAxis(QList<Row>& rows, const modbus::StatusBlock& status) const;
     void addLine(QList<Row>& rows);
+    void addPins(QList<Row>& rows, const modbus::IoStatus& pins) const;
     void addBits(QList<Row>& rows, const modbus::StatusBlock& status) const;
 
     Controller& m_machine;
     QTimer m_timer;
+    IoPins m_pins;
     Rows m_rows{this};
     bool m_isStale = true;
     double m_marks = 0; // at the last update

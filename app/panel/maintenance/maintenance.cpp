@@ -22,6 +22,7 @@ Maintenance::Maintenance(Controller& machine, Settings& settings, const QString&
     , m_jog(machine, this)
     , m_homing(machine, this)
     , m_io(machine, this)
+    , m_switches(machine, this)
     , m_dryRun(this)
 {
     connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
@@ -44,6 +45,7 @@ void Maintenance::retranslate()
     m_jog.retranslate();
     m_homing.retranslate();
     m_io.retranslate();
+    m_switches.retranslate();
     m_dryRun.retranslate();
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/panel/kit/report_files.h"
+#include "app/panel/maintenance/cam_switches.h"
 #include "app/panel/maintenance/dry_run.h"
 #include "app/panel/maintenance/frame_list.h"
 #include "app/panel/maintenance/homing.h"
@@ -35,6 +36,7 @@ class Maintenance : public QObject {
     Q_PROPERTY(campanel::panel::Jog* jog READ jog CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::Homing* homing READ homing CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::IoList* io READ io CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::CamSwitches* switches READ switches CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::DryRun* dryRun READ dryRun CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::SimulatedFaults* simulatedFaults READ simulatedFaults CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::ReportFiles* files READ files CONSTANT FINAL)
@@ -53,6 +55,7 @@ public:
     [[nodiscard]] Jog* jog() { return &m_jog; }
     [[nodiscard]] Homing* homing() { return &m_homing; }
     [[nodiscard]] IoList* io() { return &m_io; }
+    [[nodiscard]] CamSwitches* switches() { return &m_switches; }
     [[nodiscard]] DryRun* dryRun() { return &m_dryRun; }
     [[nodiscard]] SimulatedFaults* simulatedFaults() { return &m_simulatedFaults; }
     [[nodiscard]] ReportFiles* files() { return &m_files; }
@@ -70,6 +73,7 @@ private:
     Jog m_jog;
     Homing m_homing;
     IoList m_io;
+    CamSwitches m_switches;
     DryRun m_dryRun;
 };
 

@@ -7,7 +7,7 @@
 
 namespace campanel::panel {
 
-class PackingFields final : public ParameterFields {
+class PackingFields final : public campanel::panel::ParameterFields {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The fields belong to the packing setup")

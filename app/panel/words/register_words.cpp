@@ -19,6 +19,8 @@ QString RegisterWords::group(const QString& group)
         return tr("Parameters");
     if (group == u"status")
         return tr("Status");
+    if (group == u"io")
+        return tr("Inputs and outputs");
     if (group == u"exchange")
         return tr("Exchange");
     if (group == u"command")

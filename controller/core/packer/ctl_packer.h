@@ -133,6 +133,9 @@ bool ctl_packer_slice(ctl_packer* packer, bool in_cycle);
 /* The knife closed when the film motor stood there, 1/256 pulse. */
 void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp);
 void ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um);
+/* The bag that ended with the last cut is to be rejected: it has no product or more than one, is scrap of a
+ * start or a change of program, or its cut did not follow a mark although marks are followed. */
+bool ctl_packer_rejects(const ctl_packer* packer);
 
 /* Begins to measure the distance of so many marks; returns CTL_REFUSAL_... */
 uint16_t ctl_packer_teach(ctl_packer* packer, const ctl_bank* bank, uint16_t marks);

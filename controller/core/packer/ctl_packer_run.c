@@ -308,24 +308,41 @@ void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp)
     packer->cut_before = true;
 }
 
+/* Bits of CTL_BAG_BIT_... of the bag that ended with the last cut. */
+static uint32_t bag_bits(const ctl_packer* packer)
+{
+    const ctl_last_cut* last = &packer->last_cut;
+    uint32_t bits = 0;
+    if (last->tracked)
+        bits |= 1u << CTL_BAG_BIT_TRACKED;
+    if (last->tracked && !last->seen)
+        bits |= 1u << CTL_BAG_BIT_MARK_MISSED;
+    if (last->bags > 1u)
+        bits |= 1u << CTL_BAG_BIT_PRODUCT_ACROSS;
+    if (!last->had_products)
+        bits |= 1u << CTL_BAG_BIT_EMPTY;
+    if (last->scrap)
+        bits |= 1u << CTL_BAG_BIT_START_UP;
+    if (last->changed)
+        bits |= 1u << CTL_BAG_BIT_CHANGE_OVER;
+    return bits;
+}
+
+bool ctl_packer_rejects(const ctl_packer* packer)
+{
+    const uint32_t bad = 1u << CTL_BAG_BIT_PRODUCT_ACROSS | 1u << CTL_BAG_BIT_EMPTY |
+                         1u << CTL_BAG_BIT_START_UP | 1u << CTL_BAG_BIT_CHANGE_OVER;
+    if (!ctl_packer_active(packer))
+        return false;
+    return (bag_bits(packer) & bad) != 0 || (ctl_packer_tracks(packer) && !packer->last_cut.tracked);
+}
+
 void ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um)
 {
     if (packer->bank == NULL)
         return;
     const ctl_last_cut* last = &packer->last_cut;
-    uint32_t flags = (last->bags < 255u ? last->bags : 255u) << 8;
-    if (last->tracked)
-        flags |= 1u << CTL_BAG_BIT_TRACKED;
-    if (last->tracked && !last->seen)
-        flags |= 1u << CTL_BAG_BIT_MARK_MISSED;
-    if (last->bags > 1u)
-        flags |= 1u << CTL_BAG_BIT_PRODUCT_ACROSS;
-    if (!last->had_products)
-        flags |= 1u << CTL_BAG_BIT_EMPTY;
-    if (last->scrap)
-        flags |= 1u << CTL_BAG_BIT_START_UP;
-    if (last->changed)
-        flags |= 1u << CTL_BAG_BIT_CHANGE_OVER;
+    const uint32_t flags = (last->bags < 255u ? last->bags : 255u) << 8 | bag_bits(packer);
     packer->bags += 1;
     uint16_t* record = &packer->records[CTL_BAG_REGISTERS * (packer->bags % CTL_BAG_RECORDS)];
     record[0] = ctl_saturated16((int64_t)length_um - last->set_um);

@@ -43,6 +43,8 @@ private slots:
     void lawTable();
     void otherLocale();
     void lifeWithAController();
+    void pinsOfTheMachine();
+    void olderController();
     void otherDevices_data();
     void otherDevices();
     void busyPort();
@@ -392,6 +394,40 @@ void CliTest::otherDevices_data()
     QTest::addColumn<QString>("words");
     QTest::newRow("another device") << 0 << 0x1234 << u"not a CamPanel controller"_s;
     QTest::newRow("a later map") << 1 << 2 << u"Update the older device"_s;
+}
+
+void CliTest::pinsOfTheMachine()
+{
+    const ControllerProcess controller({u"--pins"_s, u"emergency-stop,limit-reverse"_s});
+    const QStringList port{u"--port"_s, controller.port()};
+    const QStringList json{u"--format"_s, u"json"_s};
+    const QJsonObject io = call(QStringList{u"status"_s} + port + json).json()[u"io"_s].toObject();
+    QVERIFY(io[u"inputs"_s].toArray().contains(u"EmergencyStop"_s));
+    QVERIFY(io[u"inputs"_s].toArray().contains(u"LimitReverse"_s));
+    QVERIFY(!io[u"inputs"_s].toArray().contains(u"DriveAlarm"_s));
+    QCOMPARE(io[u"outputs"_s].toArray(), QJsonArray{u"DriveEnable"_s});
+    QCOMPARE(io[u"torque_percent"_s].toDouble(-1), 0.0);
+    QVERIFY(io[u"infeed_position_mm"_s].isNull()); // no packing machine yet
+    QCOMPARE(call(QStringList{u"set"_s, u"parameter.switch1_on_angle"_s, u"90.5"_s} + port).code, int{Ok});
+    QCOMPARE(call(QStringList{u"set"_s, u"parameter.switch1_on_angle"_s, u"360"_s} + port).code, int{Usage});
+    QCOMPARE(call(QStringList{u"set"_s, u"parameter.drive_enable"_s, u"0"_s} + port).code, int{Ok});
+    QVERIFY(call(QStringList{u"status"_s} + port + json).json()[u"io"_s][u"outputs"_s].toArray().isEmpty());
+}
+
+// A controller of register map 1.2 has no pins; all else is as ever.
+void CliTest::olderController()
+{
+    QTemporaryDir folder;
+    QFile faults(folder.filePath(u"faults"_s));
+    QVERIFY(faults.open(QIODevice::WriteOnly));
+    faults.write("map-version major=1 minor=2\n");
+    faults.close();
+    const ControllerProcess controller({u"--faults"_s, faults.fileName()});
+    const Result result = call({u"status"_s, u"--port"_s, controller.port(), u"--format"_s, u"json"_s});
+    QVERIFY2(result.code == Ok, result.complaint.constData());
+    QCOMPARE(result.json()[u"identity"_s][u"register_map"_s].toString(), u"1.2"_s);
+    QCOMPARE(result.json()[u"state"_s].toString(), u"Idle"_s);
+    QVERIFY(result.json()[u"io"_s].isNull());
 }
 
 void CliTest::otherDevices()

@@ -15,6 +15,7 @@ using namespace std::chrono_literals;
 using link::JogDirection;
 using modbus::State;
 using modbus::WarningBit;
+using panel::CamSwitches;
 using panel::DryRun;
 using panel::Homing;
 using panel::IoList;
@@ -49,6 +50,23 @@ IoList::Lamp lampOf(IoList& io, const QString& name)
             return row.lamp;
     }
     return IoList::Lamp::None;
+}
+
+// Reports a connected controller of this register map.
+void report(PanelRig& rig, int mapMinor)
+{
+    link::LinkReport report;
+    report.state = link::LinkState::Connected;
+    report.portName = QStringLiteral("/dev/fake");
+    report.identity = test::FakeLink::identity();
+    report.identity->mapMinor = static_cast<std::uint16_t>(mapMinor);
+    emit rig.link.reported(report);
+}
+
+void answer(PanelRig& rig, const std::vector<std::uint16_t>& registers)
+{
+    emit rig.link.registersRead(
+        {rig.link.reads.last(), link::ReadEnd::Done, registers, rig.now, std::nullopt});
 }
 
 double figure(DryRun& run, const QString& label)
@@ -302,6 +320,112 @@ private slots:
         io.retranslate();
         QVERIFY(io.stale());
         QCOMPARE(valueOf(io, QStringLiteral("Encoder of the axis")), QStringLiteral("12,345 pulses"));
+    }
+
+    void pinsAreReadWhileTheyAreWatched()
+    {
+        PanelRig rig;
+        rig.connectIdle();
+        IoList& io = *rig.maintenance.io();
+        report(rig, modbus::ioMapMinor);
+        QVERIFY(io.hasPins());
+        QCOMPARE(rig.link.reads.size(), 0);
+        io.setWatched(true);
+        QCOMPARE(rig.link.reads.size(), 1);
+        QCOMPARE(rig.link.reads[0].address, modbus::ioAddress);
+        io.retranslate(); // one reading at a time
+        QCOMPARE(rig.link.reads.size(), 1);
+        // All available; emergency stop; switches 2 and 8, drive enable; -12.3 %, 65.538 mm, 1.5 mm
+        answer(rig, {0x000F, 0x0002, 0x0182, 0xFF85, 0x0001, 0x0002, 1500});
+        QCOMPARE(lampOf(io, QStringLiteral("Emergency stop")), IoList::Lamp::Bad);
+        QCOMPARE(lampOf(io, QStringLiteral("Limit switch, forward")), IoList::Lamp::Off);
+        QCOMPARE(lampOf(io, QStringLiteral("Cam switch 2")), IoList::Lamp::On);
+        QCOMPARE(lampOf(io, QStringLiteral("Cam switch 3")), IoList::Lamp::Off);
+        QCOMPARE(lampOf(io, QStringLiteral("Cam switch 8")), IoList::Lamp::On);
+        QCOMPARE(lampOf(io, QStringLiteral("Drive enable")), IoList::Lamp::On);
+        QCOMPARE(valueOf(io, QStringLiteral("Torque of the axis, of rated")), QStringLiteral("−12.3 %"));
+        QCOMPARE(valueOf(io, QStringLiteral("Encoder of the infeed")), QStringLiteral("65.5 mm"));
+        QCOMPARE(valueOf(io, QStringLiteral("Infeed, sent minus encoder")), QStringLiteral("1.50 mm"));
+        // What the machine does not have has no row.
+        io.retranslate();
+        QCOMPARE(rig.link.reads.size(), 2);
+        answer(rig, {0x0002, 0x0002, 0x0001, 100, 0, 0, 0});
+        QCOMPARE(valueOf(io, QStringLiteral("Emergency stop")), QStringLiteral("no such row"));
+        QCOMPARE(valueOf(io, QStringLiteral("Torque of the axis, of rated")), QStringLiteral("no such row"));
+        QCOMPARE(lampOf(io, QStringLiteral("Cam switch 1")), IoList::Lamp::On);
+        io.setWatched(false);
+        const qsizetype before = rig.link.reads.size();
+        QTest::qWait(700); // twice the period
+        QCOMPARE(rig.link.reads.size(), before);
+    }
+
+    void olderControllersHaveNoPins()
+    {
+        PanelRig rig;
+        rig.connectIdle();
+        IoList& io = *rig.maintenance.io();
+        report(rig, modbus::ioMapMinor - 1);
+        io.setWatched(true);
+        io.retranslate();
+        QVERIFY(!io.hasPins());
+        QCOMPARE(rig.link.reads.size(), 0);
+        QCOMPARE(valueOf(io, QStringLiteral("Cam switch 1")), QStringLiteral("no such row"));
+        QCOMPARE(lampOf(io, QStringLiteral("Index mark")), IoList::Lamp::On);
+    }
+
+    void aCamSwitchIsOneOfEight()
+    {
+        AccessRig rig;
+        rig.addAnnaAndBo();
+        CamSwitches& switches = *rig.maintenance.switches();
+        rig.connectIdle();
+        report(rig, modbus::ioMapMinor);
+        const auto answerAll = [&rig](double value) {
+            for (const link::ParameterRequest& asked : std::exchange(rig.link.parameters, {}))
+                emit rig.link.parameterEnded({asked.id, asked.name, link::ParameterEnd::Done,
+                                              asked.value.value_or(value), std::nullopt});
+        };
+        for (int number = 1; number <= modbus::switchCount; ++number) {
+            switches.choose(number);
+            QStringList asked;
+            for (const link::ParameterRequest& each : rig.link.parameters)
+                asked << QString::fromStdString(each.name).section(u'.', 1);
+            QStringList expected;
+            for (const char* each : {"mode", "on_angle", "off_angle", "lead", "every"})
+                expected << QStringLiteral("switch%1_%2").arg(number).arg(QLatin1String(each));
+            answerAll(0);
+            QCOMPARE(asked, expected);
+        }
+        switches.choose(3);
+        QCOMPARE(switches.rowCount(), 5);
+        QCOMPARE(rig.link.parameters.size(), 5);
+        QCOMPARE(rig.link.parameters[1].name, "parameter.switch3_on_angle");
+        answerAll(2);
+        const auto at = [&switches](int row, int role) { return switches.data(switches.index(row), role); };
+        QCOMPARE(at(0, CamSwitches::ValueRole).toString(), "Rejected bags");
+        QCOMPARE(at(0, CamSwitches::ChoicesRole).toStringList().size(), 3);
+        QCOMPARE(at(1, CamSwitches::NameRole).toString(), "Cam switch 3: on angle");
+        QCOMPARE(at(3, CamSwitches::NoteRole).toString(), "0 ms to 100 ms");
+        switches.setChoice(0, 1); // nobody is logged in
+        QCOMPARE(rig.link.parameters.size(), 0);
+        rig.logIn(QStringLiteral("Bo"), QStringLiteral("1470"));
+        switches.setChoice(0, 1);
+        QCOMPARE(rig.link.parameters.size(), 2); // for the audit trail the value before
+        QCOMPARE(rig.link.parameters.back().value, 1.0);
+        answerAll(0);
+        QCOMPARE(at(0, CamSwitches::ValueRole).toString(), "By angle");
+        QVERIFY(switches.unsaved());
+        switches.select(1);
+        QCOMPARE(switches.value()->maximum(), 359.99);
+        switches.value()->set(90.5);
+        answerAll(0);
+        QCOMPARE(switches.outcomeText(), "Cam switch 3: on angle: 90.5 deg, read back from the controller.");
+        switches.choose(CamSwitches::drives());
+        QCOMPARE(switches.rowCount(), 1);
+        answerAll(2);
+        QCOMPARE(at(0, CamSwitches::ValueRole).toString(), "While running");
+        QCOMPARE(CamSwitches::words(QStringLiteral("parameter.switch8_lead")), "Cam switch 8: lead time");
+        QVERIFY(CamSwitches::words(QStringLiteral("parameter.ramp_time")).isEmpty());
     }
 
     void everyBitHasItsLamp()

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// `Maintenance.switches` in QML: the parameters of one cam switch at a time, or those of the drives.
+#pragma once
+
+#include "app/panel/controller/parameter_fields.h"
+
+namespace campanel::panel {
+
+class CamSwitches final : public campanel::panel::ParameterFields {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("Cam switches belong to the Maintenance")
+    // The cam switch 1 to 8, or `drives`.
+    Q_PROPERTY(int current READ current NOTIFY currentChanged FINAL)
+    Q_PROPERTY(int drives READ drives CONSTANT FINAL)
+
+public:
+    // The machine must outlive the object.
+    CamSwitches(Controller& machine, QObject* parent);
+
+    [[nodiscard]] int current() const { return m_current; }
+    [[nodiscard]] static int drives();
+    // Displays the parameters of a switch, and reads them.
+    Q_INVOKABLE void choose(int current);
+
+    // Returns the label of a parameter; empty for one that is not of a switch or the drives.
+    [[nodiscard]] static QString words(const QString& name);
+
+signals:
+    void currentChanged();
+
+protected:
+    [[nodiscard]] QString label(const Field& field) const override;
+    [[nodiscard]] QStringList choices(const Field& field) const override;
+
+private:
+    int m_current = 1;
+};
+
+} // namespace campanel::panel

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// The levels of the controller's pins, its infeed and its torque, read while somebody looks at them.
+#pragma once
+
+#include "app/link/link.h"
+
+#include <QObject>
+
+#include <optional>
+
+namespace campanel::panel {
+
+class Controller;
+
+class IoPins : public QObject {
+    Q_OBJECT
+
+public:
+    // The machine must outlive the object.
+    IoPins(Controller& machine, QObject* parent);
+
+    // Returns true when the controller reports its pins; those of older register maps do not.
+    [[nodiscard]] bool present() const;
+    // Reads the pins unless a reading is under way.
+    void read();
+    // Returns the last reading; empty before it, or when it failed.
+    [[nodiscard]] const std::optional<modbus::IoStatus>& status() const { return m_status; }
+
+signals:
+    void changed();
+
+private:
+    void takeRead(const link::ReadOutcome& outcome);
+
+    Controller& m_machine;
+    std::optional<modbus::IoStatus> m_status;
+    bool m_isAsked = false;
+};
+
+} // namespace campanel::panel

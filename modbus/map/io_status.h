@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The group `io` as a value: the pins of the machine, the infeed, the torque. Read in one proven exchange.
+#pragma once
+
+#include "modbus/map/protocol.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace campanel::modbus {
+
+inline constexpr std::uint16_t ioAddress = 0x01B0;
+inline constexpr std::uint16_t ioRegisters = 7;
+// The first minor version of the map with this group and the parameters of the cam switches.
+inline constexpr std::uint16_t ioMapMinor = 3;
+
+// Values that the machine does not have are empty.
+struct IoStatus {
+    std::optional<std::uint16_t> inputs;  // bits of InputBit
+    std::optional<std::uint16_t> outputs; // bits of OutputBit
+    std::optional<double> torquePercent;  // of the rated torque
+    std::optional<double> infeedPositionMm;
+    std::optional<double> infeedFollowingErrorMm;
+
+    // Return the level of a pin; empty when the machine has no such pins.
+    [[nodiscard]] std::optional<bool> level(InputBit bit) const;
+    [[nodiscard]] std::optional<bool> level(OutputBit bit) const;
+
+    bool operator==(const IoStatus&) const = default;
+};
+
+// Decodes ioRegisters registers from ioAddress on.
+[[nodiscard]] IoStatus decodeIo(std::span<const std::uint16_t> registers);
+
+} // namespace campanel::modbus
