@@ -36,7 +36,7 @@ Access::Access(DatabaseService& records, Controller& machine, Settings& settings
     m_pool.setMaxThreadCount(1);
     connect(&machine.accessCheck(), &AccessCheck::refused, this,
             [this](panel::Level needed) { emit loginRequested(static_cast<int>(needed)); });
-    connect(&settings, &Settings::accessChanged, this, &Access::update);
+    connect(&settings, &Settings::changed, this, &Access::update);
     connect(&m_idleTimer, &QTimer::timeout, this, &Access::checkClock);
     m_idleTimer.setInterval(idlePeriod);
     connect(&m_waitTimer, &QTimer::timeout, this, [this] {

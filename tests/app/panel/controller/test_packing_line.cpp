@@ -279,7 +279,7 @@ private slots:
         {
             panel::Settings settings(path, nullptr);
             QCOMPARE(settings.bagToleranceMm(), 0.5);
-            QSignalSpy changed(&settings, &panel::Settings::bagToleranceChanged);
+            QSignalSpy changed(&settings, &panel::Settings::changed);
             settings.setBagToleranceMm(0.2);
             settings.setBagToleranceMm(0.2);
             QCOMPARE(changed.size(), 1);
