@@ -53,7 +53,7 @@ struct Film {
 struct Rig : PanelRig {
     Film film;
 
-    explicit Rig(std::uint8_t mapMinor = modbus::mapMinor)
+    explicit Rig(std::uint16_t mapMinor = modbus::mapMinor)
     {
         connect(mapMinor);
         link.activate(image(), now);
@@ -61,7 +61,7 @@ struct Rig : PanelRig {
         link.status.masterSpeedPercent = 100;
         link.sendStatus(now);
     }
-    void connect(std::uint8_t mapMinor = modbus::mapMinor)
+    void connect(std::uint16_t mapMinor = modbus::mapMinor)
     {
         link::LinkReport report;
         report.state = link::LinkState::Connected;
