@@ -181,6 +181,6 @@ int main(int argc, char* argv[])
     int code = restartCode;
     while (code == restartCode)
         code = runPanel(options, configuration, manager);
-    manager.tell("STOPPING=1");
+    manager.notify("STOPPING=1");
     return code;
 }
