@@ -65,10 +65,10 @@ Outcome Invocation::parse(const QStringList& arguments)
                     m_parser.errorText() + u" See campanelctl "_s + m_command.name + u" --help."_s);
     m_arguments = m_parser.positionalArguments().mid(1);
     const bool many = (m_command.takes & (CommandInfo::Names | CommandInfo::TrailFile)) != 0;
-    const qsizetype most = (m_command.takes & CommandInfo::Recipe) != 0 ? 1 : 0;
-    if (!many && m_arguments.size() > most)
+    const qsizetype maxArguments = (m_command.takes & CommandInfo::Recipe) != 0 ? 1 : 0;
+    if (!many && m_arguments.size() > maxArguments)
         return fail(ExitCode::Usage, u"Unexpected argument \"%1\". See campanelctl %2 --help."_s.arg(
-                                         m_arguments[most], m_command.name));
+                                         m_arguments[maxArguments], m_command.name));
     if (!m_command.formats.isEmpty() && !m_command.formats.contains(format()))
         return fail(ExitCode::Usage, u"\"%1\" is not a format of %2; choose one of: %3."_s.arg(
                                          format(), m_command.name, m_command.formats.join(u", "_s)));

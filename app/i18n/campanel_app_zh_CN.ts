@@ -583,10 +583,6 @@
 <context>
     <name>AuditWords</name>
     <message>
-        <source>hold to start</source>
-        <translation>按住启动</translation>
-    </message>
-    <message>
         <source>All</source>
         <translation>全部</translation>
     </message>
@@ -732,24 +728,8 @@
         <translation>删除最旧记录</translation>
     </message>
     <message>
-        <source>language</source>
-        <translation>语言</translation>
-    </message>
-    <message>
-        <source>bag tolerance, mm</source>
-        <translation>袋长公差，mm</translation>
-    </message>
-    <message>
         <source>connection</source>
         <translation>通信</translation>
-    </message>
-    <message>
-        <source>minutes until logout</source>
-        <translation>自动退出分钟数</translation>
-    </message>
-    <message>
-        <source>operator login required</source>
-        <translation>操作员须登录</translation>
     </message>
     <message>
         <source>simulated faults</source>
@@ -842,14 +822,6 @@
     <message>
         <source>interrupted</source>
         <translation>已中断</translation>
-    </message>
-    <message>
-        <source>theme</source>
-        <translation>主题</translation>
-    </message>
-    <message>
-        <source>glove mode</source>
-        <translation>手套模式</translation>
     </message>
     <message>
         <source>Recipes</source>
@@ -5247,6 +5219,34 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>The settings file was damaged and has no good copy. No controller is selected: select one on the Settings page, under Connection.</source>
         <translation>设置文件已损坏，且没有完好的副本。未选择控制器：请在“设置”页的“通信”中选择。</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>Glove mode</source>
+        <translation>手套模式</translation>
+    </message>
+    <message>
+        <source>bag tolerance, mm</source>
+        <translation>袋长公差，mm</translation>
+    </message>
+    <message>
+        <source>minutes until logout</source>
+        <translation>自动退出分钟数</translation>
+    </message>
+    <message>
+        <source>operator login required</source>
+        <translation>操作员须登录</translation>
+    </message>
+    <message>
+        <source>hold to start</source>
+        <translation>按住启动</translation>
     </message>
 </context>
 <context>

@@ -7,11 +7,6 @@
 namespace campanel::modbus {
 namespace {
 
-template <typename E> constexpr EnumValue entry(E value, std::string_view name, std::string_view text)
-{
-    return {name, static_cast<std::uint16_t>(value), text};
-}
-
 constexpr std::array states{
     entry(State::Idle, "Idle", "No active program."),
     entry(State::Ready, "Ready", "An active program, standing still."),
@@ -248,43 +243,6 @@ constexpr std::array transferResults{
           "Row transfer_result.detail is outside what the controller can execute."),
     entry(TransferResult::BadSum, "BadSum", "The rows do not add up to the header's pulses or ticks."),
     entry(TransferResult::StateRefuses, "StateRefuses", "An armed change must be cancelled first."),
-};
-
-constexpr std::array faultBits{
-    entry(FaultBit::FollowingError, "FollowingError",
-          "The axis lags more than parameter.following_error_limit."),
-    entry(FaultBit::ActiveTableDamaged, "ActiveTableDamaged", "The active table no longer has its CRC-32."),
-    entry(FaultBit::DriveNotFollowing, "DriveNotFollowing",
-          "No index mark of the axis found within two revolutions of homing."),
-    entry(FaultBit::ForceLimit, "ForceLimit",
-          "The press reached its largest force; it stopped and returned."),
-    entry(FaultBit::TouchedTooEarly, "TouchedTooEarly", "The press felt the work piece during the approach."),
-    entry(FaultBit::NeverTouched, "NeverTouched",
-          "The press did not feel the work piece where it should be."),
-    entry(FaultBit::MasterTooFast, "MasterTooFast",
-          "The cam asked for more pulses in one update than the output stage gives."),
-    entry(FaultBit::DriveAlarm, "DriveAlarm", "The drive reported an alarm by its output."),
-};
-
-constexpr std::array warningBits{
-    entry(WarningBit::HeartbeatLost, "HeartbeatLost",
-          "The panel has not been heard for parameter.heartbeat_timeout."),
-    entry(WarningBit::NotHomed, "NotHomed", "Where the axis stands is not known since power-up; home first."),
-    entry(WarningBit::FlashSlotInvalid, "FlashSlotInvalid",
-          "A flash slot had a wrong CRC-32 at power-up; the other was used."),
-    entry(WarningBit::ClockNotSet, "ClockNotSet", "The clock has not been set since power-up."),
-    entry(WarningBit::MarksLost, "MarksLost",
-          "The run was ended: parameter.mark_missing_limit marks in a row did not come."),
-    entry(WarningBit::MarkPitchWrong, "MarkPitchWrong",
-          "The run was ended: the marks are not one bag length apart."),
-    entry(WarningBit::CorrectionAtLimit, "CorrectionAtLimit",
-          "The run was ended: five bags in a row needed more correction than the limits allow."),
-    entry(WarningBit::ProductTooLong, "ProductTooLong",
-          "The run was ended: a product with its clearance is longer than the bag."),
-    entry(WarningBit::TooManySkips, "TooManySkips",
-          "The run was ended: parameter.skip_limit cuts in a row were skipped for a product across."),
-    entry(WarningBit::EmergencyStop, "EmergencyStop",
-          "The emergency stop is pressed, or was within the last two seconds. No function depends on it."),
 };
 
 constexpr std::array jogBits{

@@ -8,6 +8,9 @@
 #include <unordered_map>
 
 namespace campanel::modbus {
+
+const std::uint16_t mapMinor = 3;
+
 namespace {
 
 using namespace rows;

@@ -541,20 +541,8 @@ And %2 more.</source>
         <translation>显示</translation>
     </message>
     <message>
-        <source>Language</source>
-        <translation>语言</translation>
-    </message>
-    <message>
-        <source>Theme</source>
-        <translation>主题</translation>
-    </message>
-    <message>
         <source>High contrast</source>
         <translation>高对比度</translation>
-    </message>
-    <message>
-        <source>Glove mode</source>
-        <translation>手套模式</translation>
     </message>
     <message>
         <source>Off</source>

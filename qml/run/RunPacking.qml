@@ -42,13 +42,13 @@ Item {
         onExplainRequested: quantities => view.explainRequested(quantities)
     }
     SpeedCard {
-        anchors { left: parent.left; right: leftOut.left; rightMargin: view.gap; top: film.bottom; topMargin: view.gap; bottom: leftOut.bottom }
+        anchors { left: parent.left; right: skippedCuts.left; rightMargin: view.gap; top: film.bottom; topMargin: view.gap; bottom: skippedCuts.bottom }
         compact: Theme.size.name === "small"
         title: qsTr("Knife speed mm/s")
         onExplainRequested: quantities => view.explainRequested(quantities)
     }
     SkippedCutsCard {
-        id: leftOut
+        id: skippedCuts
         anchors { right: parent.right; top: film.bottom; topMargin: view.gap; bottom: parent.bottom; bottomMargin: view.bottomInset }
         width: Math.round((view.width - view.gap) * 0.36)
         onTapped: view.sheetRequested(view.details)

@@ -400,7 +400,7 @@ bool DemoLink::isRunning() const
 modbus::Identity DemoLink::demoIdentity() const
 {
     modbus::Identity identity = FakeLink::identity();
-    identity.mapMinor = m_isOld ? 0 : modbus::mapMinor;
+    identity.mapMinor = m_isOld ? std::uint16_t{0} : modbus::mapMinor;
     identity.firmwareMajor = 1;
     identity.uniqueId = 1;
     identity.maxPulseFrequencyHz = 500'000;

@@ -43,7 +43,7 @@ Controller::Controller(link::Link& link, Settings& settings, QObject* parent)
     connect(this, &Controller::programChanged, &m_packing, &PackingLine::noteProgram);
     connect(this, &Controller::freshChanged, &m_packing, &PackingLine::changed);
     connect(&m_packing, &PackingLine::bagRecorded, this, &Controller::takeBag);
-    connect(&settings, &Settings::bagToleranceChanged, this, &Controller::bagChanged);
+    connect(&settings, &Settings::changed, this, &Controller::bagChanged);
     connect(&m_direction, &MasterDirection::failed, this, &Controller::showMessage);
     connect(&m_ageTimer, &QTimer::timeout, this, &Controller::updateAge);
     m_ageTimer.start(agePeriod);

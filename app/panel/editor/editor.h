@@ -189,7 +189,7 @@ signals:
     void historyChanged();
     void recipeChanged();
     void noticeChanged();
-    // Emitted for the audit trail, see DownloadDesk.
+    // Emitted for the audit trail, see ProgramDownload.
     void downloadBegun(const campanel::program::ProgramImage& image);
     void downloadEnded(const campanel::link::DownloadReport& report);
 

@@ -21,9 +21,9 @@ Homing::Homing(Controller& machine, QObject* parent)
     , m_machine(machine)
     , m_speed(machine, AxisSpeed::Use::Home, this)
 {
-    for (const auto told :
+    for (const auto trigger :
          {&Controller::stateChanged, &Controller::freshChanged, &Controller::connectionChanged})
-        connect(&machine, told, this, &Homing::note);
+        connect(&machine, trigger, this, &Homing::note);
     connect(&machine, &Controller::programChanged, this, &Homing::noteProgram);
     connect(&machine, &Controller::commandEnded, this, [this](const link::CommandOutcome& outcome) {
         // A press sets the present position: homing ends with the command.
