@@ -10,6 +10,7 @@ class Invocation;
 
 [[nodiscard]] Outcome runProfile(const Invocation& call);
 [[nodiscard]] Outcome runTable(const Invocation& call);
+[[nodiscard]] Outcome runMap(const Invocation& call);
 [[nodiscard]] Outcome runLaws(const Invocation& call);
 [[nodiscard]] Outcome runCompare(const Invocation& call);
 [[nodiscard]] Outcome runIntervals(const Invocation& call);

@@ -29,6 +29,18 @@ Outcome writeDevice(const QString& path, const QByteArray& bytes)
     return {};
 }
 
+// Writes to standard output.
+Outcome writeBytes(const QByteArray& bytes)
+{
+    const auto size = static_cast<std::size_t>(bytes.size());
+    if (std::fwrite(bytes.constData(), 1, size, stdout) != size || std::fflush(stdout) != 0)
+        return fail(
+            ExitCode::File,
+            u"Standard output cannot be written: %1. Free some disk space, or redirect the output to another file."_s
+                .arg(qt_error_string()));
+    return {};
+}
+
 } // namespace
 
 Invocation::Invocation(const CommandInfo& command)
@@ -91,10 +103,14 @@ QString Invocation::format() const
 
 Outcome Invocation::deliver(const QByteArray& text) const
 {
+    return deliverBytes(store::printable(QString::fromUtf8(text)).toUtf8());
+}
+
+Outcome Invocation::deliverBytes(const QByteArray& bytes) const
+{
     if (m_command.formats.isEmpty() || !isSet(u"output"_s))
-        return writeStandardOutput(text);
+        return writeBytes(bytes);
     const QString path = value(u"output"_s);
-    const QByteArray bytes = store::printable(QString::fromUtf8(text)).toUtf8();
     if (const QFileInfo present(path); present.exists() && !present.isFile() && !present.isDir())
         return writeDevice(path, bytes);
     if (const auto written = store::replaceBytes(path, bytes); !written)
@@ -107,14 +123,7 @@ Outcome Invocation::deliver(const QByteArray& text) const
 
 Outcome writeStandardOutput(const QByteArray& text)
 {
-    const QByteArray bytes = store::printable(QString::fromUtf8(text)).toUtf8();
-    const auto size = static_cast<std::size_t>(bytes.size());
-    if (std::fwrite(bytes.constData(), 1, size, stdout) != size || std::fflush(stdout) != 0)
-        return fail(
-            ExitCode::File,
-            u"Standard output cannot be written: %1. Free some disk space, or redirect the output to another file."_s
-                .arg(qt_error_string()));
-    return {};
+    return writeBytes(store::printable(QString::fromUtf8(text)).toUtf8());
 }
 
 QString overviewText(std::span<const CommandInfo> commands)

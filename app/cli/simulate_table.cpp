@@ -6,6 +6,7 @@
 #include "app/cli/simulate_figures.h"
 #include "app/cli/simulate_options.h"
 #include "profile/cutter/limits.h"
+#include "profile/cutter/paper_lengths.h"
 
 #include <algorithm>
 #include <array>
@@ -20,17 +21,6 @@ using profile::Field;
 
 constexpr double slowRate = 60.0; // bags/min
 constexpr double maxRate = 300.0;
-
-// Table 2 of the paper: set bag length and the deviation measured on its machine, mm.
-struct PaperRow {
-    double lengthMm;
-    double deviationMm;
-};
-constexpr std::array paperRows{
-    PaperRow{100, 0.1}, PaperRow{125, -0.1}, PaperRow{150, -0.1}, PaperRow{175, 0.1},  PaperRow{200, -0.1},
-    PaperRow{220, 0.1}, PaperRow{249, -0.2}, PaperRow{277, -0.2}, PaperRow{300, 0.1},  PaperRow{319, 0.2},
-    PaperRow{353, 0.2}, PaperRow{386, -0.1}, PaperRow{400, 0.1},  PaperRow{434, -0.2}, PaperRow{460, 0.1},
-};
 
 struct TableColumn {
     const char* key;
@@ -55,7 +45,8 @@ tl::expected<std::vector<double>, Failure> lengthsOf(const Invocation& call)
 {
     std::vector<double> lengths;
     if (!call.isSet(u"lengths"_s)) {
-        std::ranges::transform(paperRows, std::back_inserter(lengths), &PaperRow::lengthMm);
+        std::ranges::transform(profile::paperLengths, std::back_inserter(lengths),
+                               &profile::PaperLength::bagLengthMm);
         return lengths;
     }
     for (const QString& part : call.value(u"lengths"_s).split(u',')) {
@@ -111,18 +102,18 @@ tl::expected<QJsonObject, Failure> measuredRow(const program::ProgramImage& imag
                         u"%1 mm at %2 bags/min: "_s.arg(lengthMm).arg(rate) + ended.error().sentence);
     }
     const Spread& length = tracked.figures.lengthMm();
-    const auto paper = std::ranges::find(paperRows, lengthMm, &PaperRow::lengthMm);
-    return QJsonObject{
-        {u"set_length_mm"_s, lengthMm},
-        {u"paper_deviation_mm"_s, paper == paperRows.end() ? QJsonValue() : QJsonValue(paper->deviationMm)},
-        {u"rate_bags_per_min"_s, rate},
-        {u"mean_mm"_s, orNull(length.mean())},
-        {u"standard_deviation_mm"_s, orNull(length.deviation())},
-        {u"largest_mm"_s, orNull(length.largest())},
-        {u"share_within"_s, orNull(tracked.figures.shareWithin())},
-        {u"bags_before_settled"_s, static_cast<qint64>(tracked.result.bags - length.count())},
-        {u"untracked_mean_mm"_s, orNull(untracked.figures.lengthMm().mean())},
-        {u"untracked_largest_mm"_s, orNull(untracked.figures.lengthMm().largest())}};
+    const auto paper = std::ranges::find(profile::paperLengths, lengthMm, &profile::PaperLength::bagLengthMm);
+    return QJsonObject{{u"set_length_mm"_s, lengthMm},
+                       {u"paper_deviation_mm"_s,
+                        paper == profile::paperLengths.end() ? QJsonValue() : QJsonValue(paper->deviationMm)},
+                       {u"rate_bags_per_min"_s, rate},
+                       {u"mean_mm"_s, orNull(length.mean())},
+                       {u"standard_deviation_mm"_s, orNull(length.deviation())},
+                       {u"largest_mm"_s, orNull(length.largest())},
+                       {u"share_within"_s, orNull(tracked.figures.shareWithin())},
+                       {u"bags_before_settled"_s, static_cast<qint64>(tracked.result.bags - length.count())},
+                       {u"untracked_mean_mm"_s, orNull(untracked.figures.lengthMm().mean())},
+                       {u"untracked_largest_mm"_s, orNull(untracked.figures.lengthMm().largest())}};
 }
 
 // Adds the slow row and, if the machine can be faster, the fast one.

@@ -1634,6 +1634,10 @@
         <source>Within all limits; building the table …</source>
         <translation>在所有限值之内；正在生成数据表…</translation>
     </message>
+    <message>
+        <source>peak %1 r/min · %2 m/s² · %3 kHz · seal %4 ms</source>
+        <translation>峰值 %1 r/min · %2 m/s² · %3 kHz · 封口 %4 ms</translation>
+    </message>
 </context>
 <context>
     <name>FileErrorText</name>
@@ -2487,6 +2491,30 @@
         <source>Friction torque at the motor while the axis turns slowly and steadily.</source>
         <translation>轴缓慢匀速转动时折算到电机的摩擦转矩。</translation>
     </message>
+    <message>
+        <source>Jaw contact angle</source>
+        <translation>封刀接触角</translation>
+    </message>
+    <message>
+        <source>Min. seal time</source>
+        <translation>最短封口时间</translation>
+    </message>
+    <message>
+        <source>sync window</source>
+        <translation>同步区</translation>
+    </message>
+    <message>
+        <source>seal time</source>
+        <translation>封口时间</translation>
+    </message>
+    <message>
+        <source>Angle of the knife shaft over which the sealing jaws touch the film: their arc divided by the knife radius. 0 is a thin knife, without checks of window and seal time.</source>
+        <translation>封刀接触薄膜时刀轴转过的角度：封刀弧长除以刀半径。0 表示薄刀，不检查同步区和封口时间。</translation>
+    </message>
+    <message>
+        <source>Minimum time of the jaws on the film, see the film&apos;s data sheet. The panel limits the rate accordingly. The controller does not store this value. 0: no minimum.</source>
+        <translation>封刀接触薄膜的最短时间，见薄膜数据表。面板据此限制速率。控制器不存储该值。0 表示无要求。</translation>
+    </message>
 </context>
 <context>
     <name>RefusalSentences</name>
@@ -2682,6 +2710,36 @@
         <source>%1 Nearest possible value: %2.</source>
         <comment>%1: whole sentence</comment>
         <translation>%1最近的可行值：%2。</translation>
+    </message>
+    <message>
+        <source>Widen the window, %1</source>
+        <comment>%1: rate with unit</comment>
+        <translation>加宽同步区，%1</translation>
+    </message>
+    <message>
+        <source>Widen the window</source>
+        <translation>加宽同步区</translation>
+    </message>
+    <message>
+        <source>Ratios %1</source>
+        <translation>比例 %1</translation>
+    </message>
+    <message>
+        <source>%1 with %2</source>
+        <comment>%1: ratios, %2: rate</comment>
+        <translation>%1，同时 %2</translation>
+    </message>
+    <message>
+        <source>The jaws need a sync window of %2° of the knife; at %3 s (%4°) the window has only %1°.</source>
+        <translation>封刀需要 %2° 的同步区（刀轴角）；在 %3 s（%4°）处只有 %1°。</translation>
+    </message>
+    <message>
+        <source>Seal time would be %1 at %3 s (%4°); the film needs %2.</source>
+        <translation>在 %3 s（%4°）处封口时间将为 %1；薄膜需要 %2。</translation>
+    </message>
+    <message>
+        <source>The film needs a seal time of %1, but the machine has no contact angle of the jaws. Enter the angle in Settings, Machine.</source>
+        <translation>薄膜需要 %1 的封口时间，但机器没有封刀接触角。请在“设置”的“机器”中输入该角度。</translation>
     </message>
 </context>
 <context>
@@ -3838,6 +3896,34 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>%1 of 100 responses took at most this time.</source>
         <translation>每 100 个应答中有 %1 个不超过此时间。</translation>
+    </message>
+    <message>
+        <source>rate × seal time / required seal time, rounded down</source>
+        <translation>速率 × 封口时间 / 要求的封口时间，向下取整</translation>
+    </message>
+    <message>
+        <source>Sync window</source>
+        <translation>同步区</translation>
+    </message>
+    <message>
+        <source>Angle over which the knife moves at film speed. It must exceed the contact angle of the jaws by 2°.</source>
+        <translation>切刀以膜速转过的角度，必须比封刀接触角大 2°。</translation>
+    </message>
+    <message>
+        <source>Seal time</source>
+        <translation>封口时间</translation>
+    </message>
+    <message>
+        <source>Time of the jaws on the film at this rate.</source>
+        <translation>该速率下封刀接触薄膜的时间。</translation>
+    </message>
+    <message>
+        <source>Time of the jaws on the film at the present rate. The contact angle is that of the recipe on the Motion page.</source>
+        <translation>当前速率下封刀接触薄膜的时间。接触角取自“运动”页的配方。</translation>
+    </message>
+    <message>
+        <source>60 000 × arc of the jaws / (sync ratio × bag length × rate)</source>
+        <translation>60 000 × 封刀弧长 /（同步比 × 袋长 × 速率）</translation>
     </message>
 </context>
 <context>
@@ -5292,6 +5378,24 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Written: %1. You can remove the stick now.</source>
         <translation>已写入：%1。现在可以拔出 U 盘。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::CutterMap</name>
+    <message>
+        <source>%1 · %2</source>
+        <comment>%1: bag length, %2: rate</comment>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Up to %1; limited by: %2.</source>
+        <comment>%1: rate, %2: name of the limit</comment>
+        <translation>最快 %1，受限于%2。</translation>
+    </message>
+    <message>
+        <source>No rate is possible; limited by: %1.</source>
+        <comment>name of the limit</comment>
+        <translation>任何速率都不可行，受限于%1。</translation>
     </message>
 </context>
 </TS>

@@ -69,13 +69,13 @@ constexpr std::array speedChoices{ChoiceInfo{Choice::Law, "law", {}},
 constexpr std::array camChoices{ChoiceInfo{Choice::SplineEnds, "ends", ends},
                                 ChoiceInfo{Choice::MasterRampShape, "master_ramp_shape", shapes}};
 
-constexpr std::array cutterFields{Field::BagLength, Field::Rate,         Field::BaseSpeed, Field::FilmSpeed,
-                                  Field::K1,        Field::K2,           Field::K3,        Field::K4,
-                                  Field::SyncRatio, Field::SlicesPerRamp};
+constexpr std::array cutterFields{
+    Field::BagLength, Field::Rate, Field::BaseSpeed, Field::FilmSpeed,     Field::K1,         Field::K2,
+    Field::K3,        Field::K4,   Field::SyncRatio, Field::SlicesPerRamp, Field::MinSealTime};
 constexpr std::array cutterMachine{
     Field::KnifeRadius,     Field::Knives,      Field::PulsesPerMotorRev,    Field::GearNumerator,
     Field::GearDenominator, Field::MaxMotorRpm, Field::MaxKnifeAcceleration, Field::MaxPulseFrequency,
-    Field::MaxRate};
+    Field::MaxRate,         Field::ContactAngle};
 
 constexpr std::array axisMachine{Field::FeedPerMotorRev, Field::PulsesPerMotorRev, Field::MaxMotorRpm,
                                  Field::MaxAcceleration, Field::MaxPulseFrequency, Field::MaxTorque,

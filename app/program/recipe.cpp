@@ -54,6 +54,13 @@ bool isProgramField(const Recipe& recipe, profile::Field field)
     return std::ranges::find(fields, field) != fields.end();
 }
 
+bool isInController(const Recipe& recipe, profile::Field field)
+{
+    const auto entry = std::ranges::find(registerFields, field, &RegisterField::field);
+    return isProgramField(recipe, field) && entry != registerFields.end() &&
+           registerOf(kindInfo(recipe.kind()), entry->suffix) != nullptr;
+}
+
 double value(const Recipe& recipe, profile::Field field)
 {
     return isProgramField(recipe, field) ? value(recipe.program, field)

@@ -48,6 +48,8 @@ inline constexpr std::array pinnableFields{profile::Field::BagLength, profile::F
 
 // Access inputs and machine data of any kind; `field` must be among those of the recipe's kind.
 [[nodiscard]] bool isProgramField(const Recipe& recipe, profile::Field field);
+// Returns true for an input that the controller stores with the program.
+[[nodiscard]] bool isInController(const Recipe& recipe, profile::Field field);
 [[nodiscard]] double value(const Recipe& recipe, profile::Field field);
 void setValue(Recipe& recipe, profile::Field field, double value);
 

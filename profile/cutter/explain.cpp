@@ -2,6 +2,7 @@
 // The formulas with their numbers, for each pair of inputs.
 #include "profile/cutter/explain.h"
 
+#include "profile/cutter/jaw.h"
 #include "profile/cutter/limits.h"
 #include "profile/laws/laws.h"
 #include "profile/model/text.h"
@@ -115,6 +116,25 @@ Explanation explainFrequency(const RotaryCutter& cutter)
             peak.pulseFrequencyHz, "Hz"};
 }
 
+Explanation explainWindow(const RotaryCutter& cutter)
+{
+    const CycleNumbers& c = cutter.cycle;
+    return {"360 v_b (tc - tb) / (2 pi R)",
+            concat({product(360, c.filmSpeedMmPerS), " * (", n(c.tcS), " - ", n(c.tbS), ") / (2 pi * ",
+                    n(cutter.machine.knifeRadiusMm), ")"}),
+            windowDeg(c, cutter.machine), "deg"};
+}
+
+Explanation explainSealTime(const RotaryCutter& cutter)
+{
+    const CycleNumbers& c = cutter.cycle;
+    const Machine& m = cutter.machine;
+    return {"1000 A / v_b, A = 2 pi R theta_c / 360",
+            concat({"1000 * 2 pi * ", product(m.knifeRadiusMm, m.contactAngleDeg), " / 360 / ",
+                    n(c.filmSpeedMmPerS)}),
+            sealTimeMs(c, m), "ms"};
+}
+
 Explanation explainPinned(const RotaryCutter& cutter, Field field)
 {
     const double given = value(cutter.program, field);
@@ -145,6 +165,10 @@ Explanation explain(const RotaryCutter& cutter, CutterQuantity quantity)
         return explainAcceleration(cutter);
     case CutterQuantity::PeakFrequency:
         return explainFrequency(cutter);
+    case CutterQuantity::SyncWindow:
+        return explainWindow(cutter);
+    case CutterQuantity::SealTime:
+        return explainSealTime(cutter);
     }
     return {};
 }

@@ -19,6 +19,8 @@ enum class CutterQuantity : std::uint8_t {
     PeakMotorRpm,
     PeakAcceleration,
     PeakFrequency,
+    SyncWindow, // as an angle of the knife's shaft
+    SealTime,
 };
 
 struct Explanation {

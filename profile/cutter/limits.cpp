@@ -2,6 +2,7 @@
 // Computes peaks by formula.
 #include "profile/cutter/limits.h"
 
+#include "profile/cutter/jaw.h"
 #include "profile/cutter/nearest.h"
 #include "profile/laws/laws.h"
 
@@ -16,12 +17,17 @@ namespace {
 using detail::Bounded;
 using detail::LimitComparison;
 
-std::array<LimitComparison, 4> compareCutter(const CycleNumbers& cycle, const Peaks& peak,
-                                             const Machine& machine)
+std::array<LimitComparison, 6> compareCutter(const CycleNumbers& cycle, const Peaks& peak,
+                                             const RotaryCutterProgram& program, const Machine& machine)
 {
     const double pulses = pulseFrequencyLimitHz(machine);
+    const TimeSpan window{cycle.tbS, cycle.tcS};
     return {
-        {{Limit::MachineRate, Field::MaxRate, cycle.rateBagsPerMin, machine.maxRateBagsPerMin, Bounded::Rate,
+        {{Limit::JawWindow, Field::ContactAngle, windowDeg(cycle, machine), requiredWindowDeg(machine),
+          Bounded::Window, 0, window},
+         {Limit::SealTime, Field::MinSealTime, sealTimeMs(cycle, machine), program.minSealTimeMs,
+          Bounded::Window, 0, window},
+         {Limit::MachineRate, Field::MaxRate, cycle.rateBagsPerMin, machine.maxRateBagsPerMin, Bounded::Rate,
           machine.maxRateBagsPerMin},
          {Limit::MotorSpeed, Field::MaxMotorRpm, peak.motorRpm, machine.maxMotorRpm, Bounded::Speed,
           machine.maxMotorRpm / motorRpmPerMmPerS(machine)},
@@ -29,14 +35,6 @@ std::array<LimitComparison, 4> compareCutter(const CycleNumbers& cycle, const Pe
           machine.maxKnifeAccelerationMmPerS2, Bounded::Acceleration, machine.maxKnifeAccelerationMmPerS2},
          {Limit::PulseFrequency, Field::MaxPulseFrequency, peak.pulseFrequencyHz, pulses, Bounded::Speed,
           pulses / pulsesPerMm(machine)}}};
-}
-
-bool holdsLimits(const CycleNumbers& cycle, const RotaryCutterProgram& program, const Machine& machine)
-{
-    const Peaks peak = peaks(cycle, program, machine);
-    const auto compared = compareCutter(cycle, peak, machine);
-    return std::none_of(compared.begin(), compared.end(),
-                        [&peak](const LimitComparison& c) { return detail::isBroken(c, peak); });
 }
 
 } // namespace
@@ -69,11 +67,22 @@ Peaks peaks(const RotaryCutter& cutter)
     return peaks(cutter.cycle, cutter.program, cutter.machine);
 }
 
+std::optional<Limit> firstBroken(const CycleNumbers& cycle, const RotaryCutterProgram& program,
+                                 const Machine& machine)
+{
+    const Peaks peak = peaks(cycle, program, machine);
+    for (const LimitComparison& each : compareCutter(cycle, peak, program, machine)) {
+        if (detail::isBroken(each, peak))
+            return each.limit;
+    }
+    return std::nullopt;
+}
+
 std::vector<Refusal> checkLimits(const RotaryCutter& cutter)
 {
     const Peaks peak = peaks(cutter);
-    std::vector<Refusal> broken =
-        detail::brokenLimits(compareCutter(cutter.cycle, peak, cutter.machine), cutter.motion, peak);
+    std::vector<Refusal> broken = detail::brokenLimits(
+        compareCutter(cutter.cycle, peak, cutter.program, cutter.machine), cutter.motion, peak);
     for (Refusal& refusal : broken) {
         if (refusal.timeS)
             refusal.angleDeg = cutter.angleDegAt(*refusal.timeS);
@@ -87,37 +96,43 @@ std::vector<Refusal> checkLimits(const RotaryCutter& cutter)
 bool isFeasible(const RotaryCutterProgram& program, const Machine& machine)
 {
     const tl::expected<CycleNumbers, Refusal> cycle = solveNumbers(program, machine);
-    return cycle && holdsLimits(*cycle, program, machine);
+    return cycle && !firstBroken(*cycle, program, machine);
 }
 
 std::optional<FastestRate> fastestRate(const RotaryCutter& cutter)
 {
-    // With a fixed bag length, speeds are proportional to the rate and the acceleration to its square.
-    const Peaks peak = peaks(cutter);
-    const double rate = cutter.cycle.rateBagsPerMin;
-    FastestRate fastest{std::min(info(Field::Rate).max, cutter.machine.maxRateBagsPerMin),
-                        Limit::MachineRate};
+    return fastestRate(cutter.cycle, cutter.program, cutter.machine);
+}
+
+std::optional<FastestRate> fastestRate(const CycleNumbers& cycle, const RotaryCutterProgram& solved,
+                                       const Machine& machine)
+{
+    // With a fixed bag length, speeds are proportional to the rate and the acceleration to its square. The
+    // window does not depend on the rate, the seal time is inversely proportional to it.
+    const Peaks peak = peaks(cycle, solved, machine);
+    const double rate = cycle.rateBagsPerMin;
+    FastestRate fastest{std::min(info(Field::Rate).max, machine.maxRateBagsPerMin), Limit::MachineRate};
     const auto lower = [&fastest](double candidate, Limit limit) {
         if (candidate < fastest.rateBagsPerMin)
             fastest = {candidate, limit};
     };
-    for (const LimitComparison& c : compareCutter(cutter.cycle, peak, cutter.machine)) {
-        if (c.limit == Limit::MachineRate || !(c.actual > 0))
+    for (const LimitComparison& c : compareCutter(cycle, peak, solved, machine)) {
+        if (c.limit == Limit::MachineRate || c.limit == Limit::JawWindow || !(c.actual > 0))
             continue;
-        const double share = c.allowed / c.actual;
+        const double share = c.bounded == Bounded::Window ? c.actual / c.allowed : c.allowed / c.actual;
         lower(rate * (c.limit == Limit::KnifeAcceleration ? std::sqrt(share) : share), c.limit);
     }
     lower(rate * info(Field::BaseSpeed).max / peak.speedMmPerS, Limit::FieldRange);
 
-    RotaryCutterProgram program = cutter.program;
+    RotaryCutterProgram program = solved;
     program.pinned = {Field::BagLength, Field::Rate};
-    program.bagLengthMm = cutter.cycle.bagLengthMm;
+    program.bagLengthMm = cycle.bagLengthMm;
     const double step = info(Field::Rate).resolution();
     // The grid point below, and one on either side because of the rounding of the formula.
     for (const int offset : {1, 0, -1}) {
         program.rateBagsPerMin =
             snapToGrid(Field::Rate, std::floor(fastest.rateBagsPerMin / step) * step + offset * step);
-        if (isFeasible(program, cutter.machine))
+        if (isFeasible(program, machine))
             return FastestRate{program.rateBagsPerMin, fastest.limitedBy};
     }
     return std::nullopt;

@@ -20,6 +20,10 @@ namespace campanel::profile {
 // inputs. Empty when the machine can execute the program.
 [[nodiscard]] std::vector<Refusal> checkLimits(const RotaryCutter& cutter);
 
+// Returns the first exceeded limit; nothing when the machine can execute the cycle. Cheap: for searches.
+[[nodiscard]] std::optional<Limit> firstBroken(const CycleNumbers& cycle, const RotaryCutterProgram& program,
+                                               const Machine& machine);
+
 // Returns true when the program can be solved and exceeds no limit. Cheap: a few hundred nanoseconds.
 [[nodiscard]] bool isFeasible(const RotaryCutterProgram& program, const Machine& machine);
 
@@ -32,5 +36,8 @@ struct FastestRate {
 
 // Returns nothing when no rate is feasible, e.g. when the range of a speed field excludes every rate.
 [[nodiscard]] std::optional<FastestRate> fastestRate(const RotaryCutter& cutter);
+// Returns the same for solved numbers of the program, without its curves.
+[[nodiscard]] std::optional<FastestRate>
+fastestRate(const CycleNumbers& cycle, const RotaryCutterProgram& program, const Machine& machine);
 
 } // namespace campanel::profile

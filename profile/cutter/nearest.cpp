@@ -5,8 +5,10 @@
 #include "profile/cutter/nearest.h"
 
 #include "profile/cutter/cycle_shape.h"
+#include "profile/cutter/jaw.h"
 #include "profile/cutter/limits.h"
 #include "profile/cutter/validate.h"
+#include "profile/cutter/window_mend.h"
 #include "profile/model/grid_search.h"
 
 #include <algorithm>
@@ -62,6 +64,8 @@ std::vector<double> candidates(const RotaryCutterProgram& program, const Machine
         meet(other, info(other).max);
     }
     meet(Field::Rate, machine.maxRateBagsPerMin);
+    meet(Field::BagLength, cutterLengths(program, machine).jawWithMarginMm);
+    meet(Field::FilmSpeed, 1000 * jawArcMm(machine) / program.minSealTimeMs); // from ms
     for (const double speed : {machine.maxMotorRpm / motorRpmPerMmPerS(machine),
                                pulseFrequencyLimitHz(machine) / pulsesPerMm(machine)}) {
         meet(Field::BaseSpeed, speed);
@@ -126,6 +130,19 @@ std::optional<Suggestion> nearestRatio(const RotaryCutterProgram& program, const
     return std::nullopt;
 }
 
+// Lowers the demand of jaws or film to what the present cycle gives.
+std::optional<Suggestion> nearestDemand(RotaryCutterProgram program, Machine machine, const Refusal& refusal)
+{
+    const double given = refusal.limit == Limit::JawWindow ? refusal.actual - jawMarginDeg : refusal.actual;
+    const double step = info(refusal.field).resolution();
+    const double demand = snapToGrid(refusal.field, std::floor(given / step) * step);
+    setValue(program, refusal.field, demand);
+    setValue(machine, refusal.field, demand);
+    if (!isFeasible(program, machine))
+        return std::nullopt;
+    return Suggestion{refusal.field, demand};
+}
+
 // Returns the sort key of a suggestion: a machine limit is corrected by a lower speed first; the product
 // stays.
 std::pair<bool, double> cost(const RotaryCutterProgram& program, const Refusal& refusal,
@@ -172,6 +189,12 @@ std::vector<Suggestion> nearestFeasible(const RotaryCutterProgram& program, cons
     std::stable_sort(found.begin(), found.end(), [&](const Suggestion& a, const Suggestion& b) {
         return cost(program, refusal, a) < cost(program, refusal, b);
     });
+    if (refusal.limit == Limit::JawWindow) {
+        if (const auto widened = widenedWindow(program, machine))
+            found.insert(found.begin(), *widened);
+    }
+    if (found.empty() && (refusal.limit == Limit::JawWindow || refusal.limit == Limit::SealTime))
+        keep(nearestDemand(program, machine, refusal));
     return found;
 }
 

@@ -68,6 +68,8 @@ double value(const RotaryCutterProgram& program, Field field)
         return program.syncRatio;
     case Field::SlicesPerRamp:
         return program.slicesPerRamp;
+    case Field::MinSealTime:
+        return program.minSealTimeMs;
     default:
         return std::numeric_limits<double>::quiet_NaN();
     }
@@ -105,6 +107,9 @@ void setValue(RotaryCutterProgram& program, Field field, double value)
         break;
     case Field::SlicesPerRamp:
         program.slicesPerRamp = static_cast<int>(std::clamp(std::round(value), -1e9, 1e9));
+        break;
+    case Field::MinSealTime:
+        program.minSealTimeMs = value;
         break;
     default:
         break;

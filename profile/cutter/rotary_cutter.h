@@ -29,6 +29,7 @@ struct RotaryCutterProgram {
     LawParameters speedLawParameters{};
     double syncRatio = 1; // v_b = syncRatio * L / T
     int slicesPerRamp = static_cast<int>(info(Field::SlicesPerRamp).defaultValue);
+    double minSealTimeMs = info(Field::MinSealTime).defaultValue; // that the film needs; 0: none
 };
 
 [[nodiscard]] double value(const RotaryCutterProgram& program,

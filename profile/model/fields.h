@@ -63,6 +63,8 @@ enum class Field : std::uint8_t {
     PositionTolerance,
     MinStopForce,
     MaxStopForce,
+    ContactAngle,
+    MinSealTime,
 };
 
 struct FieldInfo {
@@ -156,6 +158,10 @@ inline constexpr std::array fields{
               1000, 0},
     FieldInfo{Field::MaxStopForce, "max_stop_force_n", "Most force at the stop", "F_top", "N", 0, 60000, 6000,
               0},
+    // The sealing jaws of a rotary cutter: 0 is a thin knife, and a film without a required seal time.
+    FieldInfo{Field::ContactAngle, "contact_angle_deg", "Contact angle of the jaws", "theta_c", "deg", 0, 180,
+              0, 1},
+    FieldInfo{Field::MinSealTime, "min_seal_time_ms", "Minimum seal time", "t_min", "ms", 0, 10000, 0, 0},
 };
 
 [[nodiscard]] constexpr const FieldInfo& info(Field field)

@@ -61,6 +61,8 @@ std::vector<TimeSpan> brokenSpans(const MotionProfile& motion, const LimitCompar
     std::vector<TimeSpan> spans;
     if (comparison.bounded == Bounded::Rate)
         return spans;
+    if (comparison.bounded == Bounded::Window)
+        return {comparison.window};
     if (allowed < 0)
         return {{0, motion.durationS()}}; // friction alone
     const bool isAcceleration = comparison.bounded == Bounded::Acceleration;
@@ -132,6 +134,8 @@ bool isBroken(const LimitComparison& c, const Peaks& peaks)
         return exceeds(peaks.speedMmPerS, c.allowedInMotion);
     case Bounded::Acceleration:
         return exceeds(peaks.accelerationMmPerS2, c.allowedInMotion);
+    case Bounded::Window:
+        return exceeds(c.allowed, c.actual);
     case Bounded::Rate:
         break;
     }
@@ -151,7 +155,9 @@ std::vector<Refusal> brokenLimits(std::span<const LimitComparison> comparisons, 
         refusal.actual = c.actual;
         refusal.allowed = c.allowed;
         refusal.unit = info(c.field).unit;
-        if (c.bounded != Bounded::Rate)
+        if (c.bounded == Bounded::Window)
+            refusal.timeS = c.window.fromS;
+        else if (c.bounded != Bounded::Rate)
             refusal.timeS = c.bounded == Bounded::Speed ? peaks.speedTimeS : peaks.accelerationTimeS;
         refusal.brokenDuring = brokenSpans(motion, c);
         broken.push_back(std::move(refusal));

@@ -29,8 +29,9 @@ namespace detail {
 // The relative amount by which a value may exceed a limit: the rounding of a value that meets it exactly.
 inline constexpr double limitTolerance = 1e-9;
 
-// The quantity of the motion that a limit bounds; Rate: the cycle as a whole, without a place in it.
-enum class Bounded : std::uint8_t { Rate, Speed, Acceleration };
+// The quantity of the motion that a limit bounds. Rate: the cycle as a whole, without a place in it. Window:
+// the limit is a minimum that the synchronous window must reach.
+enum class Bounded : std::uint8_t { Rate, Speed, Acceleration, Window };
 
 struct LimitComparison {
     Limit limit = Limit::MotorSpeed;
@@ -39,6 +40,7 @@ struct LimitComparison {
     double allowed = 0;
     Bounded bounded = Bounded::Speed;
     double allowedInMotion = 0; // the limit as a rate, a speed in mm/s or an acceleration in mm/s^2
+    TimeSpan window{};          // the place of a Window
 };
 
 // Returns true when the peak exceeds the limit. The comparison is in the motion's own quantity, like the

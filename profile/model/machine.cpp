@@ -44,6 +44,8 @@ double value(const Machine& machine, Field field)
         return machine.maxPulseFrequencyHz;
     case Field::MaxRate:
         return machine.maxRateBagsPerMin;
+    case Field::ContactAngle:
+        return machine.contactAngleDeg;
     case Field::TimerClock:
         return machine.timerClockHz;
     case Field::TimerBits:
@@ -95,6 +97,9 @@ void setValue(Machine& machine, Field field, double value)
         break;
     case Field::MaxRate:
         machine.maxRateBagsPerMin = value;
+        break;
+    case Field::ContactAngle:
+        machine.contactAngleDeg = value;
         break;
     case Field::TimerClock:
         machine.timerClockHz = static_cast<std::uint32_t>(std::max(asInt(), 0));

@@ -20,6 +20,7 @@ struct Machine {
     double maxPulseFrequencyHz =
         info(Field::MaxPulseFrequency).defaultValue; // 200 kHz open collector, 500 kHz line driver
     double maxRateBagsPerMin = info(Field::MaxRate).defaultValue;
+    double contactAngleDeg = info(Field::ContactAngle).defaultValue; // of the sealing jaws; 0: a thin knife
 
     // An axis other than the knife axis: a linear motion.
     double feedMmPerMotorRev = info(Field::FeedPerMotorRev).defaultValue;

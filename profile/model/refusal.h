@@ -5,6 +5,7 @@
 
 #include "profile/model/fields.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -46,16 +47,19 @@ enum class Limit : std::uint8_t {
     Reversal,         // the motion reverses within a cycle, and intervals have one direction
     SpeedError,       // intervals cannot keep it with whole pulses; `allowed` can be kept
     RampTooLong,      // the ramp of a press stage is longer than a row holds
+    JawWindow,        // the knife leaves the film's speed while the jaws are in contact
+    SealTime,         // the jaws are in contact for less than the film needs
 };
 
 // Returns the stable id of a limit, for logs and machine-readable output.
 [[nodiscard]] std::string_view limitId(Limit limit);
 
 // A value of one input that, changed alone, makes the whole recipe feasible; the nearest one on the field's
-// grid.
+// grid. With `ratios` the synchronous window is widened: k1..k4 change together, and the field with them.
 struct Suggestion {
     Field field = Field::BagLength;
     double value = 0;
+    std::optional<std::array<double, 4>> ratios{};
 };
 
 struct TimeSpan {

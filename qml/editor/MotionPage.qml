@@ -97,6 +97,9 @@ Page {
     readonly property Component tableSheet: Component {
         TableSheet {}
     }
+    readonly property Component regimeSheet: Component {
+        RegimeSheet {}
+    }
     readonly property Component moreSheet: Component {
         MoreSheet {
             showPosition: page.showPosition
@@ -107,8 +110,10 @@ Page {
             onCompareToggled: on => page.compare = on
             onTableRequested: page.sheetRequested(page.tableSheet)
             onProofRequested: page.sheetRequested(page.proofSheet)
+            onMapRequested: page.sheetRequested(page.regimeSheet)
             onKindRequested: page.sheetRequested(page.kindSheet)
             onEditRequested: (fields, index, source) => page.editRequested(fields, index, source)
+            onExplainRequested: field => page.explainRequested(field)
         }
     }
 }

@@ -1404,6 +1404,14 @@ And %2 more.</source>
         <source>Compare</source>
         <translation>比较</translation>
     </message>
+    <message>
+        <source>Fastest rate over length</source>
+        <translation>各袋长的最高速率</translation>
+    </message>
+    <message>
+        <source>Regime map</source>
+        <translation>可行域图</translation>
+    </message>
 </context>
 <context>
     <name>NameKeypad</name>
@@ -2098,6 +2106,10 @@ And %2 more.</source>
         <source>Knife speed mm/s</source>
         <translation>切刀速度 mm/s</translation>
     </message>
+    <message>
+        <source>bags/min · seal %1 ms</source>
+        <translation>袋/分 · 封口 %1 ms</translation>
+    </message>
 </context>
 <context>
     <name>RunEmpty</name>
@@ -2115,6 +2127,10 @@ And %2 more.</source>
     <message>
         <source>Knife speed mm/s</source>
         <translation>切刀速度 mm/s</translation>
+    </message>
+    <message>
+        <source>bags/min · %1 bags · seal %2 ms</source>
+        <translation>袋/分 · 共 %1 袋 · 封口 %2 ms</translation>
     </message>
 </context>
 <context>
@@ -2646,6 +2662,29 @@ And %2 more.</source>
     <message>
         <source>Clean the screen now. The panel ignores touches until the time is over; Stop still works.</source>
         <translation>现在请清洁屏幕。计时结束前触摸无效，“停止”仍有效。</translation>
+    </message>
+</context>
+<context>
+    <name>RegimeSheet</name>
+    <message>
+        <source>Regime map</source>
+        <translation>可行域图</translation>
+    </message>
+    <message>
+        <source>bags/min</source>
+        <translation>袋/分</translation>
+    </message>
+    <message>
+        <source>not possible</source>
+        <translation>不可行</translation>
+    </message>
+    <message>
+        <source>lengths of the paper</source>
+        <translation>论文中的袋长</translation>
+    </message>
+    <message>
+        <source>Drag the dot to another length and rate.</source>
+        <translation>拖动圆点以更改袋长和速率。</translation>
     </message>
 </context>
 </TS>

@@ -24,9 +24,10 @@ Item {
         height: Math.round(view.room * 0.3)
         value: Controller.live.rateBagsPerMin
         decimals: 1
-        caption: qsTr("bags/min · %1 bags").arg(Theme.count(Controller.bags.count, 0))
+        caption: isNaN(Controller.live.sealTimeMs) ? qsTr("bags/min · %1 bags").arg(Theme.count(Controller.bags.count, 0))
+            : qsTr("bags/min · %1 bags · seal %2 ms").arg(Theme.count(Controller.bags.count, 0)).arg(Theme.number(Controller.live.sealTimeMs, 0))
         captionColor: Controller.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
-        quantities: [Explanations.Rate]
+        quantities: isNaN(Controller.live.sealTimeMs) ? [Explanations.Rate] : [Explanations.Rate, Explanations.LiveSealTime]
         onExplainRequested: quantities => view.explainRequested(quantities)
     }
     BagStrip {

@@ -10,7 +10,7 @@ import CamPanel.Panel
 SettingsSection {
     id: section
 
-    readonly property real half: (width - Theme.size.spacing) / 2
+    readonly property real half: (width - Theme.size.spacing - 2 * Theme.size.accent) / 2   // beside the scroll mark
     readonly property real rowHeight: Math.max(Theme.size.touch, (height - bodyTop - 4 * Theme.size.spacing) / 5)
 
     title: qsTr("Machine")

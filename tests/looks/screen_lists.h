@@ -15,6 +15,7 @@ void forgetUsers(TestWindow& window);
 inline constexpr auto screenPin = "258036";
 [[nodiscard]] QList<Screen> alarmScreens();
 [[nodiscard]] QList<Screen> backupScreens();
+[[nodiscard]] QList<Screen> cutterScreens();
 [[nodiscard]] QList<Screen> firstScreens();
 [[nodiscard]] QList<Screen> packingScreens();
 [[nodiscard]] QList<Screen> recipeScreens();

@@ -253,6 +253,14 @@ void Controller::resetFault()
         send(modbus::Command::ResetFault);
 }
 
+void Controller::setContactAngle(double deg)
+{
+    if (m_contactAngleDeg == deg)
+        return;
+    m_contactAngleDeg = deg;
+    emit liveChanged();
+}
+
 void Controller::send(modbus::Command command, const modbus::CommandArguments& arguments)
 {
     showMessage({});

@@ -154,6 +154,9 @@ public:
     [[nodiscard]] const std::optional<modbus::Identity>& identity() const { return m_report.identity; }
     [[nodiscard]] const std::optional<modbus::StatusBlock>& status() const { return m_status; }
     [[nodiscard]] const std::shared_ptr<const ControllerProgram>& program() const { return m_program; }
+    // The contact angle of the machine's jaws, which is in recipes and not in the controller; 0: none.
+    [[nodiscard]] double contactAngleDeg() const { return m_contactAngleDeg; }
+    void setContactAngle(double deg);
     void send(modbus::Command command, const modbus::CommandArguments& arguments = {});
     // Returns the parameter with a name of the register table.
     [[nodiscard]] Parameter& parameter(std::string_view name);
@@ -206,6 +209,7 @@ private:
     std::optional<modbus::StatusBlock> m_status; // last status, also after the connection is lost
     std::optional<link::SteadyTime> m_statusAt;
     std::shared_ptr<const ControllerProgram> m_program;
+    double m_contactAngleDeg = 0;
     ActualTrace m_trace;
     BagStatistics m_bags;
     StrokeModel m_strokes{this};

@@ -26,6 +26,7 @@ struct LiveValues {
     Q_PROPERTY(double cycleCount MEMBER cycleCount FINAL)
     Q_PROPERTY(double positionMm MEMBER positionMm FINAL)
     Q_PROPERTY(double masterSpeedPercent MEMBER masterSpeedPercent FINAL)
+    Q_PROPERTY(double sealTimeMs MEMBER sealTimeMs FINAL)
     Q_PROPERTY(double forceN MEMBER forceN FINAL)
     Q_PROPERTY(int stage MEMBER stage FINAL)
 
@@ -40,8 +41,9 @@ public:
     double cycleCount = unknown;
     double positionMm = unknown;
     double masterSpeedPercent = unknown;
-    double forceN = unknown; // of a press
-    int stage = -1;          // of a press: 0 approach .. 4 return, an index into Controller.stageNames
+    double sealTimeMs = unknown; // of a rotary cutter with jaws, while the master turns
+    double forceN = unknown;     // of a press
+    int stage = -1;              // of a press: 0 approach .. 4 return, an index into Controller.stageNames
 };
 
 // `Controller.bags` in QML: the last bag and the last 60.

@@ -75,6 +75,7 @@ Editor::Editor(Controller& machine, const QString& folder, QObject* parent)
     : QObject(parent)
     , m_knots(this)
     , m_knotFiles(QDir(folder).filePath(u"knots"_s), this)
+    , m_map(this)
     , m_choices(this)
     , m_laws(this)
     , m_table(this)
@@ -96,6 +97,7 @@ Editor::Editor(Controller& machine, const QString& folder, QObject* parent)
     }
     connectFields();
     connectKnots();
+    connectMap();
     m_keepTimer.setSingleShot(true);
     m_keepTimer.setInterval(keepDelay);
     m_tableTimer.setSingleShot(true);
@@ -163,14 +165,7 @@ void Editor::connectKnots()
         edit(Level::Technician, [&](program::Recipe& recipe) { recipe.program = program; });
     });
     connect(&m_knots, &KnotModel::dragged, this, [this](const profile::PointCamProgram& program) {
-        if (!m_beforeDrag && !require(Level::Technician)) {
-            show(); // the handle returns
-            return;
-        }
-        if (!m_beforeDrag)
-            m_beforeDrag = m_recipe;
-        m_recipe.program = program;
-        recompute();
+        drag(Level::Technician, [&](program::Recipe& recipe) { recipe.program = program; });
     });
     connect(&m_knots, &KnotModel::dragEnded, this, &Editor::commitDrag);
     connect(&m_knotFiles, &KnotFiles::taken, this, [this](const std::vector<profile::Knot>& knots) {
@@ -181,9 +176,35 @@ void Editor::connectKnots()
     });
 }
 
+void Editor::connectMap()
+{
+    connect(&m_map, &CutterMap::dragged, this, [this](double lengthMm, double rate) {
+        if (!m_recipe.isCutter())
+            return;
+        drag(Level::Operator, [&](program::Recipe& recipe) {
+            enterField(recipe, Field::BagLength, lengthMm);
+            enterField(recipe, Field::Rate, rate);
+        });
+    });
+    connect(&m_map, &CutterMap::dragEnded, this, &Editor::commitDrag);
+}
+
 bool Editor::require(Level needed) const
 {
     return m_machine.accessCheck().require(needed);
+}
+
+// Changes the recipe as part of a drag; commitDrag() ends the drag.
+template <typename Change> void Editor::drag(Level needed, Change change)
+{
+    if (!m_beforeDrag && !require(needed)) {
+        show(); // the handle returns
+        return;
+    }
+    if (!m_beforeDrag)
+        m_beforeDrag = m_recipe;
+    change(m_recipe);
+    recompute();
 }
 
 template <typename Change> void Editor::edit(Level needed, Change change)
@@ -258,22 +279,19 @@ void Editor::applySuggestion()
     if (!suggestion())
         return;
     const profile::Suggestion wanted = *suggestion();
-    edit(levelFor(wanted.field),
-         [&](program::Recipe& recipe) { enterField(recipe, wanted.field, wanted.value); });
+    edit(wanted.ratios ? Level::Technician : levelFor(wanted.field), [&](program::Recipe& recipe) {
+        if (wanted.ratios)
+            recipe.cutter().k = *wanted.ratios;
+        enterField(recipe, wanted.field, wanted.value);
+    });
 }
 
 void Editor::dragRatio(int index, double timeSeconds)
 {
     if (!m_recipe.isCutter() || index < 0 || index >= static_cast<int>(m_recipe.cutter().k.size()))
         return;
-    if (!m_beforeDrag && !require(Level::Technician)) {
-        show(); // the handle returns
-        return;
-    }
-    if (!m_beforeDrag)
-        m_beforeDrag = m_recipe;
-    panel::dragRatio(m_recipe, index, timeSeconds / m_cycleSeconds);
-    recompute();
+    drag(Level::Technician,
+         [&](program::Recipe& recipe) { panel::dragRatio(recipe, index, timeSeconds / m_cycleSeconds); });
 }
 
 void Editor::commitDrag()
@@ -332,6 +350,7 @@ void Editor::takeSolution(Solution solution)
         adopt(m_recipe, cutter->cycle);
     if (m_solution.solved)
         m_cycleSeconds = m_solution.solved->cycleS();
+    m_machine.setContactAngle(m_recipe.isCutter() ? m_recipe.machine.contactAngleDeg : 0);
     compareCurves();
     m_table.setImage(m_solution.image);
     m_download.offer(m_solution.image);
@@ -350,6 +369,7 @@ void Editor::show()
     m_choices.setRows(ChoiceRow::rows(m_recipe));
     const auto* cam = std::get_if<profile::PointCamProgram>(&m_recipe.program);
     m_knots.show(cam ? std::optional(*cam) : std::nullopt, m_cycleSeconds);
+    m_map.show(m_recipe, m_solution, m_controller);
     m_knotFiles.show(cam ? cam->knots : std::vector<profile::Knot>{}, recipeName());
     m_lawParameter1.show(views.lawParameter(0));
     m_lawParameter2.show(views.lawParameter(1));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/panel/download/program_download.h"
+#include "app/panel/editor/cutter_map.h"
 #include "app/panel/editor/edit_history.h"
 #include "app/panel/editor/editor_values.h"
 #include "app/panel/editor/knot_files.h"
@@ -49,6 +50,7 @@ class Editor : public QObject {
     Q_PROPERTY(QVariantList machineFields READ machineFields NOTIFY fieldsChanged FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* choices READ choices CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::KnotModel* knots READ knots CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::CutterMap* map READ map CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::KnotFiles* knotFiles READ knotFiles CONSTANT FINAL)
     Q_PROPERTY(bool hasLaw READ hasLaw NOTIFY kindChanged FINAL)
     Q_PROPERTY(QString lawTitle READ lawTitle NOTIFY kindChanged FINAL)
@@ -102,6 +104,7 @@ public:
     [[nodiscard]] EditorField* k4() { return item(profile::Field::K4); }
     [[nodiscard]] EditorField* syncRatio() { return item(profile::Field::SyncRatio); }
     [[nodiscard]] EditorField* rampSlices() { return item(profile::Field::SlicesPerRamp); }
+    [[nodiscard]] EditorField* minSealTime() { return item(profile::Field::MinSealTime); }
     [[nodiscard]] CutterFields cutter();
     [[nodiscard]] EditorPlot plot() const;
     [[nodiscard]] ProgramDownload* programDownload() { return &m_download; }
@@ -118,6 +121,7 @@ public:
     [[nodiscard]] QVariantList machineFields() const;
     [[nodiscard]] ChoiceModel* choices() { return &m_choices; }
     [[nodiscard]] KnotModel* knots() { return &m_knots; }
+    [[nodiscard]] CutterMap* map() { return &m_map; }
     [[nodiscard]] KnotFiles* knotFiles() { return &m_knotFiles; }
     [[nodiscard]] bool hasLaw() const { return program::lawParameters(m_recipe.program) != nullptr; }
     [[nodiscard]] QString lawTitle() const;
@@ -197,6 +201,8 @@ private:
     void retranslate();
     void connectFields();
     void connectKnots();
+    void connectMap();
+    template <typename Change> void drag(Level needed, Change change);
     void compareCurves();
     void showFields();
     // Returns true when the person has the level. Otherwise requests a login, and nothing changes.
@@ -217,6 +223,7 @@ private:
     std::array<EditorField*, profile::fields.size()> m_fields{}; // children, by field
     KnotModel m_knots;
     KnotFiles m_knotFiles;
+    CutterMap m_map;
     ChoiceModel m_choices;
     LawModel m_laws;
     TableModel m_table;

@@ -36,7 +36,8 @@ QString Editor::suggestionText() const
 
 CutterFields Editor::cutter()
 {
-    return {bagLength(), rate(), baseSpeed(), filmSpeed(), k1(), k2(), k3(), k4(), syncRatio(), rampSlices()};
+    return {bagLength(), rate(), baseSpeed(), filmSpeed(),  k1(),         k2(),
+            k3(),        k4(),   syncRatio(), rampSlices(), minSealTime()};
 }
 
 EditorPlot Editor::plot() const

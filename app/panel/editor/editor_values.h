@@ -26,6 +26,7 @@ struct CutterFields {
     Q_PROPERTY(campanel::panel::EditorField* k4 MEMBER k4 CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::EditorField* syncRatio MEMBER syncRatio CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::EditorField* rampSlices MEMBER rampSlices CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::EditorField* minSealTime MEMBER minSealTime CONSTANT FINAL)
 
 public:
     EditorField* bagLength = nullptr;
@@ -38,6 +39,7 @@ public:
     EditorField* k4 = nullptr;
     EditorField* syncRatio = nullptr;
     EditorField* rampSlices = nullptr;
+    EditorField* minSealTime = nullptr;
 };
 
 // `Editor.plot` in QML: the curves of the edited recipe and what is drawn with them. Times in s.

@@ -7,6 +7,7 @@
 #include "app/panel/words/refusal_sentences.h"
 #include "app/panel/words/register_words.h"
 #include "profile/cutter/explain.h"
+#include "profile/cutter/jaw.h"
 #include "profile/laws/laws.h"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ FieldView EditorViews::field(Field field) const
     if (!view.derived || m_solution.solved)
         view.value = program::value(m_recipe, field);
     view.text = RecipeWords::valueText(field, view.value);
-    if (m_active && m_active->recipe.kind() == m_recipe.kind() && program::isProgramField(m_recipe, field))
+    if (m_active && m_active->recipe.kind() == m_recipe.kind() && program::isInController(m_recipe, field))
         view.activeText = RecipeWords::valueText(field, program::value(m_active->recipe, field));
     if (isRatio(field))
         narrowRatio(field, view);
@@ -184,6 +185,12 @@ QString EditorViews::peaks() const
         return tr("peak %1 r/min · %2 m/s² · %3 Nm · %4 kHz")
             .arg(format.number(peaks.motorRpm, 0), format.number(peaks.accelerationMmPerS2 / 1000, 2),
                  format.number(peaks.torqueNm, 3), format.number(peaks.pulseFrequencyHz / 1000, 1));
+    const auto* cutter = m_solution.cutter();
+    if (cutter && cutter->machine.contactAngleDeg > 0)
+        return tr("peak %1 r/min · %2 m/s² · %3 kHz · seal %4 ms")
+            .arg(format.number(peaks.motorRpm, 0), format.number(peaks.accelerationMmPerS2 / 1000, 2),
+                 format.number(peaks.pulseFrequencyHz / 1000, 1),
+                 format.number(profile::sealTimeMs(cutter->cycle, cutter->machine), 0));
     return tr("peak %1 r/min · %2 m/s² · %3 kHz")
         .arg(format.number(peaks.motorRpm, 0), format.number(peaks.accelerationMmPerS2 / 1000, 2),
              format.number(peaks.pulseFrequencyHz / 1000, 1));

@@ -7,6 +7,7 @@
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
 #include "profile/cutter/explain.h"
+#include "profile/cutter/jaw.h"
 
 #include <cmath>
 
@@ -81,7 +82,11 @@ Explanation Explanations::of(int quantity) const
     case PeakMotorSpeed:
     case PeakAcceleration:
     case PeakFrequency:
+    case SyncWindow:
+    case SealTime:
         return peak(wanted);
+    case LiveSealTime:
+        return liveSealTime();
     case WireShare:
         return wireShare();
     case AnswersHalf:
@@ -103,7 +108,10 @@ QList<int> Explanations::ofVerdict() const
     QList<int> told;
     if (profile::fastestRate(*cutter))
         told << FastestRate;
-    return told << PeakMotorSpeed << PeakAcceleration << PeakFrequency;
+    told << PeakMotorSpeed << PeakAcceleration << PeakFrequency;
+    if (cutter->machine.contactAngleDeg > 0)
+        told << SyncWindow << SealTime;
+    return told;
 }
 
 Explanation Explanations::rate() const
@@ -284,6 +292,12 @@ Explanation Explanations::fastestRate() const
             u"%1 × √(%2 / %3)"_s.arg(rate, format.compact(machine.maxKnifeAccelerationMmPerS2 / 1000, 0, 2),
                                      format.compact(peaks.accelerationMmPerS2 / 1000, 0, 2));
         break;
+    case profile::Limit::SealTime:
+        told.formula = tr("rate × seal time / required seal time, rounded down");
+        told.numbers =
+            u"%1 × %2 / %3"_s.arg(rate, format.compact(profile::sealTimeMs(cutter->cycle, machine), 0, 2),
+                                  format.compact(cutter->program.minSealTimeMs, 0, 0));
+        break;
     case profile::Limit::FieldRange:
         share(profile::info(profile::Field::BaseSpeed).max, peaks.speedMmPerS);
         break;
@@ -316,9 +330,41 @@ Explanation Explanations::peak(Topic quantity) const
     } else if (quantity == PeakAcceleration) {
         take(tr("Peak knife acceleration"), profile::CutterQuantity::PeakAcceleration);
         told.meaning = tr("Acceleration at the fastest change of the knife speed.");
+    } else if (quantity == SyncWindow) {
+        take(tr("Sync window"), profile::CutterQuantity::SyncWindow);
+        told.meaning =
+            tr("Angle over which the knife moves at film speed. It must exceed the contact angle of "
+               "the jaws by 2°.");
+    } else if (quantity == SealTime) {
+        take(tr("Seal time"), profile::CutterQuantity::SealTime);
+        told.meaning = tr("Time of the jaws on the film at this rate.");
     } else {
         take(tr("Peak pulse frequency"), profile::CutterQuantity::PeakFrequency);
         told.meaning = tr("Output frequency of the controller at the maximum knife speed.");
+    }
+    return told;
+}
+
+Explanation Explanations::liveSealTime() const
+{
+    const Format format;
+    const double time = m_machine.live().sealTimeMs;
+    Explanation told;
+    told.title = tr("Seal time");
+    told.value = format.number(time, 0);
+    told.unit = tr("ms");
+    told.meaning =
+        tr("Time of the jaws on the film at the present rate. The contact angle is that of the recipe "
+           "on the Motion page.");
+    told.formula = tr("60 000 × arc of the jaws / (sync ratio × bag length × rate)");
+    if (const auto& program = m_machine.program(); program && program->recipe.isCutter()) {
+        profile::Machine machine = program->recipe.machine;
+        machine.contactAngleDeg = m_machine.contactAngleDeg();
+        told.numbers = ifKnown({time}, u"60 000 × %1 / (%2 × %3 × %4)"_s.arg(
+                                           format.compact(profile::jawArcMm(machine), 0, 2),
+                                           format.compact(program->recipe.cutter().syncRatio, 0, 3),
+                                           format.compact(program->bagLengthMm, 0, 2),
+                                           format.compact(m_machine.live().rateBagsPerMin, 0, 2)));
     }
     return told;
 }

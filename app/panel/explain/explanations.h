@@ -45,7 +45,10 @@ public:
         Answers95,
         Answers99,
         AnswersLongest,
-        AnswerAllowance
+        AnswerAllowance,
+        SyncWindow,
+        SealTime,
+        LiveSealTime
     };
     Q_ENUM(Topic)
 
@@ -61,8 +64,8 @@ public:
 
     static Explanations* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
-    // Explains a value of Topic. Packing line and press use the controller's values; FastestRate and the
-    // peaks use the recipe in the editor.
+    // Explains a value of Topic. Packing line and press use the controller's values; FastestRate, the peaks,
+    // SyncWindow and SealTime use the recipe in the editor.
     [[nodiscard]] Q_INVOKABLE campanel::panel::Explanation of(int quantity) const;
     // Returns the explainable quantities of the recipe's verdict: the known ones of FastestRate and the
     // peaks.
@@ -82,6 +85,7 @@ private:
     [[nodiscard]] Explanation goodStrokes() const;
     [[nodiscard]] Explanation fastestRate() const;
     [[nodiscard]] Explanation peak(Topic quantity) const;
+    [[nodiscard]] Explanation liveSealTime() const;
     [[nodiscard]] Explanation wireShare() const;
     [[nodiscard]] Explanation answers(Topic quantity) const;
     [[nodiscard]] Explanation answerAllowance() const;

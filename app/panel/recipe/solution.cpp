@@ -2,6 +2,7 @@
 #include "app/panel/recipe/solution.h"
 
 #include "app/panel/recipe/controller_program.h"
+#include "profile/cutter/jaw.h"
 
 #include <algorithm>
 
@@ -19,8 +20,9 @@ bool Solution::isCloseToLimit() const
     // A press always uses the maximum acceleration in its ramps.
     if (image->recipe.kind() == profile::ProgramKind::Press)
         return speedShare > closeShare;
-    if (cutter())
-        return std::max(speedShare, peaks.accelerationMmPerS2 / machine.maxKnifeAccelerationMmPerS2) >
+    if (const auto* knife = cutter())
+        return std::max({speedShare, peaks.accelerationMmPerS2 / machine.maxKnifeAccelerationMmPerS2,
+                         knife->program.minSealTimeMs / profile::sealTimeMs(knife->cycle, machine)}) >
                closeShare;
     return std::max({speedShare, peaks.accelerationMmPerS2 / machine.maxAccelerationMmPerS2,
                      peaks.torqueNm / machine.maxTorqueNm}) > closeShare;

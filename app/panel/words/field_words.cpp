@@ -111,6 +111,10 @@ QString RecipeWords::fieldName(Field field)
         return tr("Min. force at stop");
     case Field::MaxStopForce:
         return tr("Max. force at stop");
+    case Field::ContactAngle:
+        return tr("Jaw contact angle");
+    case Field::MinSealTime:
+        return tr("Min. seal time");
     }
     return {};
 }

@@ -33,6 +33,13 @@ QString RecipeWords::machineHelp(Field field)
                   "limit.");
     case Field::MaxRate:
         return tr("Maximum rate that sealing time and infeed allow, independent of the knife.");
+    case Field::ContactAngle:
+        return tr("Angle of the knife shaft over which the sealing jaws touch the film: their arc divided by "
+                  "the knife radius. 0 is a thin knife, without checks of window and seal time.");
+    case Field::MinSealTime:
+        return tr(
+            "Minimum time of the jaws on the film, see the film's data sheet. The panel limits the rate "
+            "accordingly. The controller does not store this value. 0: no minimum.");
     case Field::FeedPerMotorRev:
         return tr("Travel of the axis per motor revolution, including gear and spindle.");
     case Field::MaxTorque:

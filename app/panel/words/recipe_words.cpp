@@ -134,6 +134,10 @@ QString RecipeWords::limitName(Limit limit)
         return tr("table rows");
     case Limit::MachineRate:
         return tr("max. rate");
+    case Limit::JawWindow:
+        return tr("sync window");
+    case Limit::SealTime:
+        return tr("seal time");
     case Limit::FieldRange: // for the fastest rate: the limit of the speeds in a recipe
         return tr("knife speed");
     case Limit::PinnedPair:

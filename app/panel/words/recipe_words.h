@@ -16,8 +16,8 @@ class RecipeWords {
 
 public:
     [[nodiscard]] static QString fieldName(profile::Field field);
-    // Explains a number of the machine: its meaning, where to find it and the effect of a wrong one. Empty
-    // for the other fields.
+    // Explains a number of machine or film: its meaning, where to find it and the effect of a wrong one.
+    // Empty for the other fields.
     [[nodiscard]] static QString machineHelp(profile::Field field);
     // Returns the value with the field's decimals and without its unit; ratios without superfluous zeros.
     [[nodiscard]] static QString valueText(profile::Field field, double value);

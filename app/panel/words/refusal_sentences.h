@@ -20,7 +20,7 @@ public:
     [[nodiscard]] static QString withSuggestions(const profile::Refusal& refusal);
     // Returns the same for each exceeded limit, or the value that cannot be stored.
     [[nodiscard]] static QString program(const program::ProgramRefusal& refusal);
-    // Returns the text of a button: "Rate 143.2 bags/min".
+    // Returns the text of a button: "Rate 143.2 bags/min", "Widen the window".
     [[nodiscard]] static QString suggestion(const profile::Suggestion& suggestion);
     [[nodiscard]] static QString withinLimits(const std::optional<profile::FastestRate>& fastest);
     [[nodiscard]] static QString closeToLimits(const std::optional<profile::FastestRate>& fastest);
@@ -32,6 +32,8 @@ private:
     [[nodiscard]] static QString limitBrokenAt(const profile::Refusal& refusal);
     [[nodiscard]] static QString axisLimitBrokenAt(profile::Limit limit, const QString& actual,
                                                    const QString& allowed, const QString& time);
+    [[nodiscard]] static QString jaw(const profile::Refusal& refusal);
+    [[nodiscard]] static QString numbers(const profile::Suggestion& suggestion);
     [[nodiscard]] static QString knot(const profile::Refusal& refusal);
 };
 
