@@ -3,6 +3,7 @@
 #include "profile/cutter/limits.h"
 
 #include "profile/cutter/nearest.h"
+#include "profile/cutter/ratios.h"
 #include "profile/laws/laws.h"
 
 #include <algorithm>
@@ -77,9 +78,13 @@ std::vector<Refusal> checkLimits(const RotaryCutter& cutter)
     for (Refusal& refusal : broken) {
         if (refusal.timeS)
             refusal.angleDeg = cutter.angleDegAt(*refusal.timeS);
-        refusal.nearest = &refusal == &broken.front()
-                              ? detail::nearestFeasible(cutter.program, cutter.machine, refusal)
-                              : broken.front().nearest;
+        if (&refusal == &broken.front()) {
+            refusal.nearest = detail::nearestFeasible(cutter.program, cutter.machine, refusal);
+            refusal.ramps = otherRamps(cutter.program, cutter.machine);
+        } else {
+            refusal.nearest = broken.front().nearest;
+            refusal.ramps = broken.front().ramps;
+        }
     }
     return broken;
 }
@@ -90,8 +95,31 @@ bool isFeasible(const RotaryCutterProgram& program, const Machine& machine)
     return cycle && holdsLimits(*cycle, program, machine);
 }
 
+MotionLimits motionLimits(const Machine& machine)
+{
+    const double fieldLimit = std::min(info(Field::BaseSpeed).max, info(Field::FilmSpeed).max);
+    MotionLimits limits{fieldLimit, info(Field::MaxKnifeAcceleration).max};
+    for (const LimitComparison& c : compareCutter({}, {}, machine)) {
+        if (c.bounded == Bounded::Speed)
+            limits.maxSpeedMmPerS = std::min(limits.maxSpeedMmPerS, c.allowedInMotion);
+        if (c.bounded == Bounded::Acceleration)
+            limits.maxAccelerationMmPerS2 = std::min(limits.maxAccelerationMmPerS2, c.allowedInMotion);
+    }
+    return limits;
+}
+
 std::optional<FastestRate> fastestRate(const RotaryCutter& cutter)
 {
+    if (cutter.program.ratioMode != RatioMode::ByHand) {
+        RotaryCutter fastest = cutter;
+        fastest.program = withFastestRatios(cutter);
+        fastest.program.ratioMode = RatioMode::ByHand;
+        const auto cycle = solveNumbers(fastest.program, cutter.machine);
+        if (!cycle)
+            return std::nullopt;
+        fastest.cycle = *cycle;
+        return fastestRate(fastest);
+    }
     // With a fixed bag length, speeds are proportional to the rate and the acceleration to its square.
     const Peaks peak = peaks(cutter);
     const double rate = cutter.cycle.rateBagsPerMin;

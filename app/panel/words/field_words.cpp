@@ -111,6 +111,8 @@ QString RecipeWords::fieldName(Field field)
         return tr("Min. force at stop");
     case Field::MaxStopForce:
         return tr("Max. force at stop");
+    case Field::RampPosition:
+        return tr("Ramps, slow to gentle");
     }
     return {};
 }
