@@ -19,6 +19,9 @@ enum class CutterQuantity : std::uint8_t {
     PeakMotorRpm,
     PeakAcceleration,
     PeakFrequency,
+    RmsAcceleration,
+    SpeedRatio,      // k0
+    BaseCircleSpeed, // omega of the paper's cam
 };
 
 struct Explanation {

@@ -141,7 +141,11 @@ std::array<Ratios, 6> ratiosAround(const Ratios& present, double ramp)
         k[3] =
             snapToGrid(Field::K4, gridBelow(1 / (end + fitting)) + (static_cast<double>(i / 2) - 1) * step);
         const double base = std::max(begin - (1 / k[3] - end), minCycleShare);
-        k[0] = snapToGrid(Field::K1, gridBelow(1 / base) + static_cast<double>(i % 2) * step);
+        // A large k1 needs few digits for its small time.
+        constexpr double precision = 1e-5; // of the cycle
+        const double coarse = std::max(step, std::pow(10, std::floor(std::log10(precision / (base * base)))));
+        const double below = std::floor(1 / base / coarse) * coarse;
+        k[0] = snapToGrid(Field::K1, below + static_cast<double>(i % 2) * coarse);
     }
     return found;
 }
@@ -310,6 +314,24 @@ RotaryCutterProgram withFastestRatios(const RotaryCutter& cutter)
         return program;
     return withOptimum(program, machine, fastestRamp,
                        [&machine](const RotaryCutterProgram& tried) { return -highestRate(tried, machine); });
+}
+
+double rampPosition(const RotaryCutter& cutter)
+{
+    const CycleNumbers& cycle = cutter.cycle;
+    RampTask task = emptyTask(cutter.program, cutter.machine);
+    task.filmMm = cutter.program.syncRatio * cycle.bagLengthMm;
+    task.cycleTimeS = cycle.cycleTimeS;
+    const double ramp = std::min(cycle.tbS - cycle.taS, cycle.tdS - cycle.tcS) / cycle.cycleTimeS;
+    const double shortest = rampFor(RatioMode::Slow, 0, task);
+    const double cool = rampFor(RatioMode::Cool, 0, task);
+    const double gentle = rampFor(RatioMode::Gentle, 0, task);
+    if (ramp >= gentle)
+        return 100;
+    if (ramp <= shortest)
+        return 0;
+    return ramp < cool ? 50 * (ramp - shortest) / (cool - shortest)
+                       : 50 + 50 * (ramp - cool) / (gentle - cool);
 }
 
 RotaryCutterProgram withWindow(RotaryCutterProgram program, const Machine& machine, double share)

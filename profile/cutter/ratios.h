@@ -58,6 +58,10 @@ struct RampRange {
 // Returns the program with the ratios for the highest rate of this bag length, at a low rate.
 [[nodiscard]] RotaryCutterProgram withFastestRatios(const RotaryCutter& cutter);
 
+// Returns the place of the shorter ramp of a solved cutter among the possible ones, in per cent: 0 the
+// shortest, 50 the coolest, 100 the gentlest.
+[[nodiscard]] double rampPosition(const RotaryCutter& cutter);
+
 // Returns the program with a window of this share around its present middle, as far as base speed and ramps
 // leave room, and with the ratios of its mode. By hand, the ramps keep their length where they can.
 [[nodiscard]] RotaryCutterProgram withWindow(RotaryCutterProgram program, const Machine& machine,

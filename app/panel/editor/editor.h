@@ -7,6 +7,7 @@
 #include "app/panel/editor/editor_values.h"
 #include "app/panel/editor/knot_files.h"
 #include "app/panel/editor/knot_model.h"
+#include "app/panel/editor/ramp_control.h"
 #include "app/panel/recipe/choice_model.h"
 #include "app/panel/recipe/law_model.h"
 #include "app/panel/recipe/solution.h"
@@ -50,6 +51,7 @@ class Editor : public QObject {
     Q_PROPERTY(campanel::panel::RowModelBase* choices READ choices CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::KnotModel* knots READ knots CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::KnotFiles* knotFiles READ knotFiles CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RampControl* ramps READ ramps CONSTANT FINAL)
     Q_PROPERTY(bool hasLaw READ hasLaw NOTIFY kindChanged FINAL)
     Q_PROPERTY(QString lawTitle READ lawTitle NOTIFY kindChanged FINAL)
 
@@ -63,7 +65,6 @@ class Editor : public QObject {
 
     Q_PROPERTY(QVariant overlayCurves READ overlayCurves NOTIFY overlayChanged FINAL)
     Q_PROPERTY(QString overlayName READ overlayName NOTIFY overlayChanged FINAL)
-    Q_PROPERTY(QString peakText READ peakText NOTIFY solutionChanged FINAL)
 
     Q_PROPERTY(campanel::panel::TableModel* table READ table CONSTANT FINAL)
 
@@ -119,6 +120,7 @@ public:
     [[nodiscard]] ChoiceModel* choices() { return &m_choices; }
     [[nodiscard]] KnotModel* knots() { return &m_knots; }
     [[nodiscard]] KnotFiles* knotFiles() { return &m_knotFiles; }
+    [[nodiscard]] RampControl* ramps() { return &m_ramps; }
     [[nodiscard]] bool hasLaw() const { return program::lawParameters(m_recipe.program) != nullptr; }
     [[nodiscard]] QString lawTitle() const;
     [[nodiscard]] LawModel* laws() { return &m_laws; }
@@ -197,6 +199,11 @@ private:
     void retranslate();
     void connectFields();
     void connectKnots();
+    void connectRamps();
+    // Shows a step of a drag; commitDrag() ends it as one undo step.
+    void dragTo(const profile::Program& program);
+    // Sets the ratios that were not set by hand.
+    void follow(program::Recipe& recipe) const;
     void compareCurves();
     void showFields();
     // Returns true when the person has the level. Otherwise requests a login, and nothing changes.
@@ -217,6 +224,7 @@ private:
     std::array<EditorField*, profile::fields.size()> m_fields{}; // children, by field
     KnotModel m_knots;
     KnotFiles m_knotFiles;
+    RampControl m_ramps;
     ChoiceModel m_choices;
     LawModel m_laws;
     TableModel m_table;
