@@ -58,7 +58,7 @@ std::vector<CommandInfo> commandTable()
          {{u"json"_s, u"Same as --format json."_s}, {u"csv"_s, u"Same as --format csv."_s}},
          runLaws},
         {u"compare"_s,
-         u"Print the peaks of a move for each possible law."_s,
+         u"Print the peaks of a move or a rotary cutter for each possible law."_s,
          {},
          recipe,
          {u"text"_s, u"json"_s},

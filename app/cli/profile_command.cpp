@@ -5,6 +5,8 @@
 #include "app/cli/recipe_options.h"
 #include "app/cli/report.h"
 #include "app/program/solved_program.h"
+#include "profile/cutter/ratios.h"
+#include "profile/moves/position_move.h"
 
 #include <QJsonArray>
 
@@ -21,8 +23,9 @@ QJsonArray listOf(const std::vector<double>& values)
     return list;
 }
 
-QJsonObject cycleObject(const profile::CycleNumbers& cycle)
+QJsonObject cycleObject(const profile::RotaryCutter& cutter)
 {
+    const profile::CycleNumbers& cycle = cutter.cycle;
     return {{u"bag_length_mm"_s, cycle.bagLengthMm},
             {u"rate_bags_per_min"_s, cycle.rateBagsPerMin},
             {u"base_speed_mm_per_s"_s, cycle.baseSpeedMmPerS},
@@ -30,23 +33,56 @@ QJsonObject cycleObject(const profile::CycleNumbers& cycle)
             {u"cycle_time_s"_s, cycle.cycleTimeS},
             {u"stroke_mm"_s, cycle.strokeMm},
             {u"weight_s"_s, cycle.weightS},
-            {u"speed_ratio"_s, cycle.speedRatio},
+            {u"speed_ratio"_s, cycle.speedRatio}, // k0
+            {u"base_circle_rad_per_s"_s, cycle.baseSpeedMmPerS / cutter.machine.knifeRadiusMm},
             {u"ta_s"_s, cycle.taS},
             {u"tb_s"_s, cycle.tbS},
             {u"tc_s"_s, cycle.tcS},
             {u"td_s"_s, cycle.tdS}};
 }
 
-QJsonObject peakObject(const profile::Peaks& peaks)
+QJsonObject peakObject(const program::SolvedProgram& solved)
 {
-    return {{u"speed_mm_per_s"_s, peaks.speedMmPerS},
-            {u"speed_at_s"_s, peaks.speedTimeS},
-            {u"motor_rpm"_s, peaks.motorRpm},
-            {u"pulse_frequency_hz"_s, peaks.pulseFrequencyHz},
-            {u"acceleration_mm_per_s2"_s, peaks.accelerationMmPerS2},
-            {u"acceleration_at_s"_s, peaks.accelerationTimeS},
-            {u"torque_nm"_s, peaks.torqueNm},          // unknown for a cutter or a press: null
-            {u"jerk_mm_per_s3"_s, peaks.jerkMmPerS3}}; // JSON has no infinity: null
+    const profile::Peaks& peaks = solved.peaks;
+    QJsonObject object{{u"speed_mm_per_s"_s, peaks.speedMmPerS},
+                       {u"speed_at_s"_s, peaks.speedTimeS},
+                       {u"motor_rpm"_s, peaks.motorRpm},
+                       {u"pulse_frequency_hz"_s, peaks.pulseFrequencyHz},
+                       {u"acceleration_mm_per_s2"_s, peaks.accelerationMmPerS2},
+                       {u"acceleration_at_s"_s, peaks.accelerationTimeS},
+                       {u"torque_nm"_s, peaks.torqueNm},          // unknown for a cutter or a press: null
+                       {u"jerk_mm_per_s3"_s, peaks.jerkMmPerS3}}; // JSON has no infinity: null
+    if (solved.cutter)
+        object[u"rms_acceleration_mm_per_s2"_s] =
+            profile::rmsAcceleration(solved.cutter->cycle, solved.cutter->program);
+    return object;
+}
+
+QJsonObject ratioObject(const profile::RotaryCutterProgram& program)
+{
+    const auto options =
+        program::choiceInfo(profile::ProgramKind::RotaryCutter, program::Choice::Ratios).options;
+    const auto mode = std::ranges::find(options, static_cast<std::uint16_t>(program.ratioMode),
+                                        &program::ChoiceOption::code);
+    return {{u"mode"_s, mode == options.end() ? QJsonValue() : QJsonValue(fromView(mode->key))},
+            {u"k1"_s, program.k[0]},
+            {u"k2"_s, program.k[1]},
+            {u"k3"_s, program.k[2]},
+            {u"k4"_s, program.k[3]},
+            {u"window"_s, 1 / program.k[2] - 1 / program.k[1]}};
+}
+
+// The coefficients of s = C0 + C1 t + ..., s in mm and t in ms; empty for a motion that is not one
+// polynomial.
+QJsonObject coefficientObject(const program::Recipe& recipe, double timeS)
+{
+    QJsonObject object;
+    const auto* move = std::get_if<profile::PositionMoveProgram>(&recipe.program);
+    const auto found =
+        move ? profile::polynomialCoefficients(move->law, move->distanceMm, timeS) : std::nullopt;
+    for (std::size_t i = 0; found && i < found->size(); ++i)
+        object[u"C%1"_s.arg(i)] = (*found)[i];
+    return object;
 }
 
 QJsonObject motionObject(const program::SolvedProgram& solved)
@@ -108,11 +144,14 @@ Outcome runProfile(const Invocation& call)
         QJsonObject object{
             {u"name"_s, QString::fromStdString(recipe->name)},
             {u"kind"_s, fromView(program::kindInfo(recipe->kind()).key)},
-            {u"cycle"_s, solved->cutter ? cycleObject(solved->cutter->cycle) : motionObject(*solved)},
-            {u"peaks"_s, peakObject(solved->peaks)},
+            {u"cycle"_s, solved->cutter ? cycleObject(*solved->cutter) : motionObject(*solved)},
+            {u"peaks"_s, peakObject(*solved)},
             {u"feasible"_s, broken.limits.empty()},
             {u"broken_limits"_s, limits}};
+        if (const QJsonObject found = coefficientObject(*recipe, solved->cycleS()); !found.isEmpty())
+            object[u"coefficients"_s] = found;
         if (solved->cutter) {
+            object[u"ratios"_s] = ratioObject(solved->cutter->program);
             if (const auto fastest = profile::fastestRate(*solved->cutter))
                 object[u"fastest"_s] =
                     QJsonObject{{u"rate_bags_per_min"_s, fastest->rateBagsPerMin},

@@ -207,6 +207,7 @@ Outcome applyRatios(const Invocation& call, program::Recipe& recipe)
     if (values->size() != 4)
         return notANumber(u"k"_s, call.value(u"k"_s), form);
     std::copy(values->begin(), values->end(), recipe.cutter().k.begin());
+    recipe.cutter().ratioMode = profile::RatioMode::ByHand;
     return {};
 }
 
@@ -330,6 +331,11 @@ tl::expected<program::Recipe, Failure> recipeOf(const Invocation& call)
         if (const Outcome applied = apply(call, recipe); !applied)
             return tl::unexpected(applied.error());
     }
+    // The ratios of a file without options are those that were saved.
+    if (call.arguments().isEmpty() || std::ranges::any_of(recipeOptions(), [&call](const auto& option) {
+            return call.isSet(option.names().first());
+        }))
+        program::followRatios(recipe);
     return recipe;
 }
 

@@ -1929,6 +1929,47 @@
     </message>
 </context>
 <context>
+    <name>campanel::panel::RampControl</name>
+    <message>
+        <source>Peak acceleration</source>
+        <translation>峰值加速度</translation>
+    </message>
+    <message>
+        <source>RMS acceleration</source>
+        <translation>均方根加速度</translation>
+    </message>
+    <message>
+        <source>Peak speed</source>
+        <translation>峰值转速</translation>
+    </message>
+    <message>
+        <source>Highest rate</source>
+        <translation>最高速率</translation>
+    </message>
+    <message>
+        <source>%1 m/s²</source>
+        <translation>%1 m/s²</translation>
+    </message>
+    <message>
+        <source>%1 r/min</source>
+        <translation>%1 r/min</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Ratios: %1 %</source>
+        <comment>position between slow and gentle</comment>
+        <translation>比例：%1 %</translation>
+    </message>
+    <message>
+        <source>Ratios: %1</source>
+        <comment>set by hand, gentle, cool or slow</comment>
+        <translation>比例：%1</translation>
+    </message>
+</context>
+<context>
     <name>RecipeComparison</name>
     <message>
         <source>Recipe</source>
@@ -2515,6 +2556,34 @@
         <source>Minimum time of the jaws on the film, see the film&apos;s data sheet. The panel limits the rate accordingly. The controller does not store this value. 0: no minimum.</source>
         <translation>封刀接触薄膜的最短时间，见薄膜数据表。面板据此限制速率。控制器不存储该值。0 表示无要求。</translation>
     </message>
+    <message>
+        <source>Ratios</source>
+        <translation>比例</translation>
+    </message>
+    <message>
+        <source>Set by hand</source>
+        <translation>手动设定</translation>
+    </message>
+    <message>
+        <source>Gentle</source>
+        <translation>平缓</translation>
+    </message>
+    <message>
+        <source>Cool</source>
+        <translation>低热</translation>
+    </message>
+    <message>
+        <source>Slow</source>
+        <translation>低速</translation>
+    </message>
+    <message>
+        <source>Between</source>
+        <translation>之间</translation>
+    </message>
+    <message>
+        <source>Ramps, slow to gentle</source>
+        <translation>斜坡位置（低速至平缓）</translation>
+    </message>
 </context>
 <context>
     <name>RefusalSentences</name>
@@ -2740,6 +2809,19 @@
     <message>
         <source>The film needs a seal time of %1, but the machine has no contact angle of the jaws. Enter the angle in Settings, Machine.</source>
         <translation>薄膜需要 %1 的封口时间，但机器没有封刀接触角。请在“设置”的“机器”中输入该角度。</translation>
+    </message>
+    <message>
+        <source>Longer ramps</source>
+        <translation>加长斜坡</translation>
+    </message>
+    <message>
+        <source>Shorter ramps</source>
+        <translation>缩短斜坡</translation>
+    </message>
+    <message>
+        <source>%1 %2 allow %3.</source>
+        <comment>%1: whole sentence, %2: longer ramps, %3: rate with unit</comment>
+        <translation>%1%2可达到 %3。</translation>
     </message>
 </context>
 <context>
@@ -3924,6 +4006,38 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>60 000 × arc of the jaws / (sync ratio × bag length × rate)</source>
         <translation>60 000 × 封刀弧长 /（同步比 × 袋长 × 速率）</translation>
+    </message>
+    <message>
+        <source>RMS knife acceleration</source>
+        <translation>切刀均方根加速度</translation>
+    </message>
+    <message>
+        <source>Root mean square of the acceleration over a cycle. It heats the motor; I2 is the integral of the squared slope of the law.</source>
+        <translation>一个周期内加速度的均方根值，决定电机发热；I2 是规律斜率平方的积分。</translation>
+    </message>
+    <message>
+        <source>Speed ratio k0</source>
+        <translation>速度比 k0</translation>
+    </message>
+    <message>
+        <source>Film speed divided by base speed, equation (9) of the paper. It follows from the recipe.</source>
+        <translation>膜速与基本速度之比，即论文的式 (9)，由配方得出。</translation>
+    </message>
+    <message>
+        <source>Speed of the base circle ω</source>
+        <translation>基圆角速度 ω</translation>
+    </message>
+    <message>
+        <source>Angular speed of the knife at base speed, equation (7) of the paper. Its base circle has the knife radius.</source>
+        <translation>基本速度下切刀的角速度，即论文的式 (7)，基圆半径取切刀半径。</translation>
+    </message>
+    <message>
+        <source>Coefficients C0 to C%1</source>
+        <translation>系数 C0 至 C%1</translation>
+    </message>
+    <message>
+        <source>The law is the polynomial s = C0 + C1 t + C2 t^2 … of the paper, s in mm and t in ms: %1.</source>
+        <translation>该规律是论文中的多项式 s = C0 + C1 t + C2 t^2 …，s 以 mm、t 以 ms 计：%1。</translation>
     </message>
 </context>
 <context>

@@ -59,7 +59,13 @@ constexpr std::array ends{option("natural", SplineEnds::Natural), option("clampe
                           option("periodic", SplineEnds::Periodic)};
 constexpr std::array shapes{option("trapezoid", RampShape::Trapezoid), option("s_curve", RampShape::SCurve)};
 
-constexpr std::array cutterChoices{ChoiceInfo{Choice::Law, "speed_law", {}}};
+using profile::RatioMode;
+constexpr std::array ratioModes{option("hand", RatioMode::ByHand), option("gentle", RatioMode::Gentle),
+                                option("cool", RatioMode::Cool), option("slow", RatioMode::Slow),
+                                option("between", RatioMode::Between)};
+
+constexpr std::array cutterChoices{ChoiceInfo{Choice::Law, "speed_law", {}},
+                                   ChoiceInfo{Choice::Ratios, "ratios", ratioModes}};
 constexpr std::array positionChoices{ChoiceInfo{Choice::Law, "law", {}},
                                      ChoiceInfo{Choice::Duration, "duration", positionDurations},
                                      ChoiceInfo{Choice::Execution, "execution", executions}};
@@ -70,8 +76,9 @@ constexpr std::array camChoices{ChoiceInfo{Choice::SplineEnds, "ends", ends},
                                 ChoiceInfo{Choice::MasterRampShape, "master_ramp_shape", shapes}};
 
 constexpr std::array cutterFields{
-    Field::BagLength, Field::Rate, Field::BaseSpeed, Field::FilmSpeed,     Field::K1,         Field::K2,
-    Field::K3,        Field::K4,   Field::SyncRatio, Field::SlicesPerRamp, Field::MinSealTime};
+    Field::BagLength,   Field::Rate,        Field::BaseSpeed, Field::FilmSpeed, Field::K1,
+    Field::K2,          Field::K3,          Field::K4,        Field::SyncRatio, Field::SlicesPerRamp,
+    Field::MinSealTime, Field::RampPosition};
 constexpr std::array cutterMachine{
     Field::KnifeRadius,     Field::Knives,      Field::PulsesPerMotorRev,    Field::GearNumerator,
     Field::GearDenominator, Field::MaxMotorRpm, Field::MaxKnifeAcceleration, Field::MaxPulseFrequency,
@@ -149,6 +156,7 @@ constexpr std::array<KindInfo, 5> kindTable{{
 template <typename Visitor> void visitChoices(RotaryCutterProgram& program, Visitor visit)
 {
     visit(Choice::Law, program.speedLaw);
+    visit(Choice::Ratios, program.ratioMode);
 }
 
 template <typename Move, typename Visitor> void visitMove(Move& program, Visitor visit)
@@ -268,8 +276,11 @@ bool isRead(const Program& program, Field field)
         return (field != Field::MoveTime || move->duration == MoveDuration::GivenTime) &&
                (field != Field::Distance || move->duration == MoveDuration::OverDistance) &&
                (field != Field::CamPoints || move->execution == Execution::CamPoints);
-    if (const auto* cutter = std::get_if<RotaryCutterProgram>(&program))
+    if (const auto* cutter = std::get_if<RotaryCutterProgram>(&program)) {
+        if (field == Field::RampPosition)
+            return cutter->ratioMode == RatioMode::Between;
         return field > Field::FilmSpeed || profile::isPinned(*cutter, field);
+    }
     return true;
 }
 

@@ -13,7 +13,7 @@
 namespace campanel::program {
 
 // The inputs that are not numbers.
-enum class Choice : std::uint8_t { Law, Duration, Execution, SplineEnds, MasterRampShape };
+enum class Choice : std::uint8_t { Law, Duration, Execution, SplineEnds, MasterRampShape, Ratios };
 
 struct ChoiceOption {
     std::string_view key; // in the recipe file

@@ -4,6 +4,7 @@
 
 #include "app/program/register_fields.h"
 #include "modbus/map/codec.h"
+#include "profile/cutter/ratios.h"
 #include "profile/laws/laws.h"
 
 #include <algorithm>
@@ -105,6 +106,22 @@ Recipe quantised(const Recipe& recipe)
     if (auto* cam = std::get_if<profile::PointCamProgram>(&result.program))
         quantiseKnots(*cam);
     return result;
+}
+
+void followRatios(Recipe& recipe)
+{
+    if (!recipe.isCutter() || recipe.cutter().ratioMode == profile::RatioMode::ByHand)
+        return;
+    const Recipe rounded = quantised(recipe); // the motion that the controller gets
+    recipe.cutter().k = profile::withRatios(rounded.cutter(), rounded.machine).k;
+}
+
+Recipe gentleRecipe(Recipe recipe)
+{
+    if (recipe.isCutter())
+        recipe.cutter().ratioMode = profile::RatioMode::Gentle;
+    followRatios(recipe);
+    return recipe;
 }
 
 profile::Machine withController(const profile::Machine& machine, const modbus::Identity& controller)

@@ -58,6 +58,12 @@ void setValue(Recipe& recipe, profile::Field field, double value);
 // become 0.
 [[nodiscard]] Recipe quantised(const Recipe& recipe);
 
+// Sets the ratios of a rotary cutter that were not set by hand, after any other change of the recipe.
+void followRatios(Recipe& recipe);
+
+// Returns the recipe with the gentlest ratios for its machine, as a person begins one.
+[[nodiscard]] Recipe gentleRecipe(Recipe recipe);
+
 // Returns the machine with the timer and table size of this controller, and its output stage as a limit.
 [[nodiscard]] profile::Machine withController(const profile::Machine& machine,
                                               const modbus::Identity& controller);

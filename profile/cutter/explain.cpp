@@ -4,6 +4,7 @@
 
 #include "profile/cutter/jaw.h"
 #include "profile/cutter/limits.h"
+#include "profile/cutter/ratios.h"
 #include "profile/laws/laws.h"
 #include "profile/model/text.h"
 
@@ -135,6 +136,31 @@ Explanation explainSealTime(const RotaryCutter& cutter)
             sealTimeMs(c, m), "ms"};
 }
 
+Explanation explainRms(const RotaryCutter& cutter)
+{
+    const CycleNumbers& c = cutter.cycle;
+    const double slope = squaredSlope(*findLaw(cutter.program.speedLaw), cutter.program.speedLawParameters);
+    return {"|v_b - v_a| sqrt(I2 (1/(tb - ta) + 1/(td - tc)) / T)",
+            concat({"|", n(c.filmSpeedMmPerS), " - ", n(c.baseSpeedMmPerS), "| * sqrt(", n(slope), " * (1/(",
+                    n(c.tbS), " - ", n(c.taS), ") + 1/(", n(c.tdS), " - ", n(c.tcS), ")) / ", n(c.cycleTimeS),
+                    ")"}),
+            rmsAcceleration(c, cutter.program), "mm/s^2"};
+}
+
+Explanation explainSpeedRatio(const RotaryCutter& cutter)
+{
+    const CycleNumbers& c = cutter.cycle;
+    return {"k0 = v_b / v_a", concat({n(c.filmSpeedMmPerS), " / ", n(c.baseSpeedMmPerS)}), c.speedRatio, ""};
+}
+
+// Eq. (7) of the paper, v_a = r omega, with the knife-tip radius as the base circle.
+Explanation explainBaseCircle(const RotaryCutter& cutter)
+{
+    const double radius = cutter.machine.knifeRadiusMm;
+    return {"omega = v_a / R", concat({n(cutter.cycle.baseSpeedMmPerS), " / ", n(radius)}),
+            cutter.cycle.baseSpeedMmPerS / radius, "rad/s"};
+}
+
 Explanation explainPinned(const RotaryCutter& cutter, Field field)
 {
     const double given = value(cutter.program, field);
@@ -169,6 +195,12 @@ Explanation explain(const RotaryCutter& cutter, CutterQuantity quantity)
         return explainWindow(cutter);
     case CutterQuantity::SealTime:
         return explainSealTime(cutter);
+    case CutterQuantity::RmsAcceleration:
+        return explainRms(cutter);
+    case CutterQuantity::SpeedRatio:
+        return explainSpeedRatio(cutter);
+    case CutterQuantity::BaseCircleSpeed:
+        return explainBaseCircle(cutter);
     }
     return {};
 }

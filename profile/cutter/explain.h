@@ -21,6 +21,9 @@ enum class CutterQuantity : std::uint8_t {
     PeakFrequency,
     SyncWindow, // as an angle of the knife's shaft
     SealTime,
+    RmsAcceleration,
+    SpeedRatio,      // k0
+    BaseCircleSpeed, // omega of the paper's cam
 };
 
 struct Explanation {

@@ -4,6 +4,7 @@
 
 #include "profile/cutter/jaw.h"
 #include "profile/cutter/nearest.h"
+#include "profile/cutter/ratios.h"
 #include "profile/laws/laws.h"
 
 #include <algorithm>
@@ -86,9 +87,13 @@ std::vector<Refusal> checkLimits(const RotaryCutter& cutter)
     for (Refusal& refusal : broken) {
         if (refusal.timeS)
             refusal.angleDeg = cutter.angleDegAt(*refusal.timeS);
-        refusal.nearest = &refusal == &broken.front()
-                              ? detail::nearestFeasible(cutter.program, cutter.machine, refusal)
-                              : broken.front().nearest;
+        if (&refusal == &broken.front()) {
+            refusal.nearest = detail::nearestFeasible(cutter.program, cutter.machine, refusal);
+            refusal.ramps = otherRamps(cutter.program, cutter.machine);
+        } else {
+            refusal.nearest = broken.front().nearest;
+            refusal.ramps = broken.front().ramps;
+        }
     }
     return broken;
 }
@@ -99,6 +104,19 @@ bool isFeasible(const RotaryCutterProgram& program, const Machine& machine)
     return cycle && !firstBroken(*cycle, program, machine);
 }
 
+MotionLimits motionLimits(const Machine& machine)
+{
+    const double fieldLimit = std::min(info(Field::BaseSpeed).max, info(Field::FilmSpeed).max);
+    MotionLimits limits{fieldLimit, info(Field::MaxKnifeAcceleration).max};
+    for (const LimitComparison& c : compareCutter({}, {}, machine)) {
+        if (c.bounded == Bounded::Speed)
+            limits.maxSpeedMmPerS = std::min(limits.maxSpeedMmPerS, c.allowedInMotion);
+        if (c.bounded == Bounded::Acceleration)
+            limits.maxAccelerationMmPerS2 = std::min(limits.maxAccelerationMmPerS2, c.allowedInMotion);
+    }
+    return limits;
+}
+
 std::optional<FastestRate> fastestRate(const RotaryCutter& cutter)
 {
     return fastestRate(cutter.cycle, cutter.program, cutter.machine);
@@ -107,6 +125,12 @@ std::optional<FastestRate> fastestRate(const RotaryCutter& cutter)
 std::optional<FastestRate> fastestRate(const CycleNumbers& cycle, const RotaryCutterProgram& solved,
                                        const Machine& machine)
 {
+    if (solved.ratioMode != RatioMode::ByHand) {
+        RotaryCutterProgram program = withFastestRatios({solved, machine, cycle, {}});
+        program.ratioMode = RatioMode::ByHand;
+        const auto numbers = solveNumbers(program, machine);
+        return numbers ? fastestRate(*numbers, program, machine) : std::nullopt;
+    }
     // With a fixed bag length, speeds are proportional to the rate and the acceleration to its square. The
     // window does not depend on the rate, the seal time is inversely proportional to it.
     const Peaks peak = peaks(cycle, solved, machine);

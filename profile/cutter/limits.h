@@ -27,8 +27,16 @@ namespace campanel::profile {
 // Returns true when the program can be solved and exceeds no limit. Cheap: a few hundred nanoseconds.
 [[nodiscard]] bool isFeasible(const RotaryCutterProgram& program, const Machine& machine);
 
+// The limits of the knife's motion itself, whichever part of the machine sets them.
+struct MotionLimits {
+    double maxSpeedMmPerS = 0;
+    double maxAccelerationMmPerS2 = 0;
+};
+
+[[nodiscard]] MotionLimits motionLimits(const Machine& machine);
+
 // The maximum rate (on the grid of the rate field) for this bag length, ratios and law, and the limit that
-// sets it. MachineRate also stands for the limit of the rate field's own range.
+// sets it. Ratios that were not set by hand follow the rate. MachineRate also stands for the limit of the rate field's own range.
 struct FastestRate {
     double rateBagsPerMin = 0;
     Limit limitedBy = Limit::MachineRate;

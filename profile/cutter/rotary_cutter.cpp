@@ -5,6 +5,7 @@
 
 #include "profile/cutter/cycle_shape.h"
 #include "profile/cutter/nearest.h"
+#include "profile/cutter/ratios.h"
 #include "profile/cutter/validate.h"
 #include "profile/laws/laws.h"
 
@@ -70,6 +71,8 @@ double value(const RotaryCutterProgram& program, Field field)
         return program.slicesPerRamp;
     case Field::MinSealTime:
         return program.minSealTimeMs;
+    case Field::RampPosition:
+        return program.rampPositionPercent;
     default:
         return std::numeric_limits<double>::quiet_NaN();
     }
@@ -110,6 +113,9 @@ void setValue(RotaryCutterProgram& program, Field field, double value)
         break;
     case Field::MinSealTime:
         program.minSealTimeMs = value;
+        break;
+    case Field::RampPosition:
+        program.rampPositionPercent = value;
         break;
     default:
         break;
@@ -159,6 +165,7 @@ tl::expected<RotaryCutter, Refusal> solve(const RotaryCutterProgram& program, co
     tl::expected<CycleNumbers, Refusal> cycle = solveNumbers(program, machine);
     if (!cycle) {
         cycle.error().nearest = detail::nearestFeasible(program, machine, cycle.error());
+        cycle.error().ramps = otherRamps(program, machine);
         return tl::unexpected(std::move(cycle.error()));
     }
     return RotaryCutter{program, machine, *cycle, cycleMotion(program, *cycle)};

@@ -115,8 +115,9 @@ std::optional<Refusal> findInvalid(const RotaryCutterProgram& program, const Mac
     }
     if (auto refusal = findNarrowTimer(machine))
         return refusal;
-    for (const Field field : {program.pinned[0], program.pinned[1], Field::K1, Field::K2, Field::K3,
-                              Field::K4, Field::SyncRatio, Field::SlicesPerRamp, Field::MinSealTime}) {
+    for (const Field field :
+         {program.pinned[0], program.pinned[1], Field::K1, Field::K2, Field::K3, Field::K4, Field::SyncRatio,
+          Field::SlicesPerRamp, Field::MinSealTime, Field::RampPosition}) {
         if (!inRange(field, value(program, field)))
             return outOfRange(field, value(program, field));
     }

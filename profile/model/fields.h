@@ -65,6 +65,7 @@ enum class Field : std::uint8_t {
     MaxStopForce,
     ContactAngle,
     MinSealTime,
+    RampPosition,
 };
 
 struct FieldInfo {
@@ -162,6 +163,9 @@ inline constexpr std::array fields{
     FieldInfo{Field::ContactAngle, "contact_angle_deg", "Contact angle of the jaws", "theta_c", "deg", 0, 180,
               0, 1},
     FieldInfo{Field::MinSealTime, "min_seal_time_ms", "Minimum seal time", "t_min", "ms", 0, 10000, 0, 0},
+    // Of a rotary cutter: 0 the slowest motor, 50 the coolest, 100 the gentlest.
+    FieldInfo{Field::RampPosition, "ramp_position_percent", "Ramps from slowest to gentlest", "p", "%", 0,
+              100, 100, 0},
 };
 
 [[nodiscard]] constexpr const FieldInfo& info(Field field)

@@ -62,6 +62,12 @@ struct Suggestion {
     std::optional<std::array<double, 4>> ratios{};
 };
 
+// The rate that is possible with the gentlest ratios, in place of ratios that were set by hand.
+struct RampOffer {
+    double rateBagsPerMin = 0;
+    bool isLonger = true; // the shorter of the two ramps becomes longer
+};
+
 struct TimeSpan {
     double fromS = 0;
     double toS = 0;
@@ -79,6 +85,7 @@ struct Refusal {
     std::vector<Suggestion> nearest; // best first; empty when no single input can correct it
     std::string_view
         lawParameter; // LawParameter: id of the parameter; WrapJump: "position", "speed", "acceleration"
+    std::optional<RampOffer> ramps; // only for a rotary cutter; empty when other ratios do not help
     int index = -1;   // knot index from 0, only for the limits of knots
 };
 

@@ -46,7 +46,7 @@ Card {
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 3
-        text: isNaN(editor.cursor) ? (editor.overlayText || Editor.peakText) : editor.readout(editor.cursor, editor.revision)
+        text: isNaN(editor.cursor) ? (editor.overlayText || Editor.plot.peakText) : editor.readout(editor.cursor, editor.revision)
         color: isNaN(editor.cursor) ? Theme.color.secondaryInk : Theme.color.ink
         font { pixelSize: Theme.size.caption; weight: isNaN(editor.cursor) ? Font.Normal : Font.DemiBold }
     }

@@ -14,6 +14,8 @@ Page {
     property bool showPosition
     property bool showJerk
     property bool compare: true
+    property bool ratiosOpen               // the sheet covers the texts of the verdict
+    onCoveredChanged: ratiosOpen = ratiosOpen && covered
     readonly property bool isCutter: Editor.kind === Editor.Kind.RotaryCutter
 
     bannerLeft: side.width + Theme.size.gap
@@ -30,6 +32,10 @@ Page {
             onEditRequested: (fields, index, source) => page.editRequested(fields, index, source)
             onExplainRequested: field => page.explainRequested(field)
             onLawRequested: page.sheetRequested(page.lawSheet)
+            onRatiosRequested: {
+                page.sheetRequested(page.ratioSheet)
+                page.ratiosOpen = true
+            }
             onMoreRequested: page.sheetRequested(page.moreSheet)
         }
         KindInputs {
@@ -54,6 +60,7 @@ Page {
     }
     VerdictBar {
         id: verdict
+        textsVisible: !page.ratiosOpen
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
         onDownloadRequested: page.sheetRequested(page.downloadSheet)
         onExplainRequested: quantities => page.numbersExplainRequested(quantities)
@@ -61,6 +68,12 @@ Page {
 
     readonly property Component lawSheet: Component {
         LawPicker { onEditRequested: (fields, index, source) => page.editRequested(fields, index, source) }
+    }
+    readonly property Component ratioSheet: Component {
+        RatioSheet {
+            onEditRequested: (fields, index, source) => page.editRequested(fields, index, source)
+            onExplainRequested: quantities => page.numbersExplainRequested(quantities)
+        }
     }
     property var chosen: ({ row: 0, title: "", options: [], current: 0 })
     readonly property Component choiceSheet: Component {

@@ -1168,6 +1168,18 @@ And %2 more.</source>
         <source>Torque</source>
         <translation>转矩</translation>
     </message>
+    <message>
+        <source>RMS</source>
+        <translation>均方根</translation>
+    </message>
+    <message>
+        <source>The gentlest law is first, each with the ramps that suit it; hold a law to compare its curves in grey</source>
+        <translation>按平缓程度排序，各规律采用适合自身的斜坡；长按某一规律，以灰色曲线比较</translation>
+    </message>
+    <message>
+        <source>The figures are those of the ratios set by hand; the law that is gentlest with its own ramps is first</source>
+        <translation>数值按手动设定的比例计算；采用自身最佳斜坡时最平缓的规律排在最前</translation>
+    </message>
 </context>
 <context>
     <name>LawRow</name>
@@ -1782,6 +1794,25 @@ And %2 more.</source>
     <message>
         <source>Compare with the controller</source>
         <translation>与控制器比较</translation>
+    </message>
+</context>
+<context>
+    <name>RatioSheet</name>
+    <message>
+        <source>Slow</source>
+        <translation>低速</translation>
+    </message>
+    <message>
+        <source>Cool</source>
+        <translation>低热</translation>
+    </message>
+    <message>
+        <source>Gentle</source>
+        <translation>平缓</translation>
+    </message>
+    <message>
+        <source>Sealing window</source>
+        <translation>封切窗口</translation>
     </message>
 </context>
 <context>

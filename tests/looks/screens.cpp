@@ -188,7 +188,21 @@ const QList<Screen>& allScreens()
              window.tap(length);
              window.type(QStringLiteral("99999"));
          }},
-        taps("keypad-ratios", {motion, QStringLiteral("ratios")}),
+        taps("ratios", {motion, QStringLiteral("ratios")}),
+        {QStringLiteral("ratios-gentle"),
+         [=](TestWindow& window) {
+             window.panel().editor().rate()->set(200);
+             window.panel().editor().ramps()->choose(panel::RampControl::Gentle);
+             window.tap(motion);
+             window.tap(QStringLiteral("ratios"));
+         }},
+        taps("keypad-ratios", {motion, QStringLiteral("ratios"), QStringLiteral("ratioNumbers")}),
+        {QStringLiteral("laws-ranked"),
+         [=](TestWindow& window) {
+             window.panel().editor().ramps()->choose(panel::RampControl::Cool);
+             window.tap(motion);
+             window.tap(QStringLiteral("lawButton"));
+         }},
         {QStringLiteral("explanation"),
          [=](TestWindow& window) {
              window.tap(motion);
@@ -218,6 +232,12 @@ const QList<Screen>& allScreens()
         {QStringLiteral("motion-limits"),
          [=](TestWindow& window) {
              window.panel().editor().rate()->set(390);
+             window.tap(motion);
+         }},
+        {QStringLiteral("motion-ramps"),
+         [=](TestWindow& window) {
+             window.panel().editor().bagLength()->set(150);
+             window.panel().editor().rate()->set(320);
              window.tap(motion);
          }},
         taps("settings-display", {settings, QStringLiteral("section0")}),

@@ -62,6 +62,9 @@ Level levelBetween(const program::Recipe& before, const program::Recipe& after)
     same.cutter().pinned = before.cutter().pinned;
     for (const Field field : program::pinnableFields)
         program::setValue(same, field, program::value(before, field));
+    // Ratios that follow are no change of their own.
+    if (same.cutter().ratioMode != profile::RatioMode::ByHand)
+        same.cutter().k = before.cutter().k;
     return sameRecipe(before, same) ? Level::Operator : Level::Technician;
 }
 
@@ -76,6 +79,7 @@ Editor::Editor(Controller& machine, const QString& folder, QObject* parent)
     , m_knots(this)
     , m_knotFiles(QDir(folder).filePath(u"knots"_s), this)
     , m_map(this)
+    , m_ramps(this)
     , m_choices(this)
     , m_laws(this)
     , m_table(this)
@@ -98,6 +102,7 @@ Editor::Editor(Controller& machine, const QString& folder, QObject* parent)
     connectFields();
     connectKnots();
     connectMap();
+    connectRamps();
     m_keepTimer.setSingleShot(true);
     m_keepTimer.setInterval(keepDelay);
     m_tableTimer.setSingleShot(true);
@@ -189,6 +194,26 @@ void Editor::connectMap()
     connect(&m_map, &CutterMap::dragEnded, this, &Editor::commitDrag);
 }
 
+void Editor::connectRamps()
+{
+    connect(&m_ramps, &RampControl::edited, this, [this](const profile::RotaryCutterProgram& program) {
+        edit(Level::Technician, [&](program::Recipe& recipe) { recipe.program = program; });
+    });
+    connect(&m_ramps, &RampControl::dragged, this, [this](const profile::RotaryCutterProgram& program) {
+        drag(Level::Technician, [&](program::Recipe& recipe) { recipe.program = program; });
+    });
+    connect(&m_ramps, &RampControl::dragEnded, this, &Editor::commitDrag);
+}
+
+void Editor::follow(program::Recipe& recipe) const
+{
+    program::Recipe solved = recipe;
+    if (m_controller)
+        solved.machine = program::withController(recipe.machine, *m_controller);
+    program::followRatios(solved);
+    recipe.program = solved.program;
+}
+
 bool Editor::require(Level needed) const
 {
     return m_machine.accessCheck().require(needed);
@@ -204,6 +229,7 @@ template <typename Change> void Editor::drag(Level needed, Change change)
     if (!m_beforeDrag)
         m_beforeDrag = m_recipe;
     change(m_recipe);
+    follow(m_recipe);
     recompute();
 }
 
@@ -215,6 +241,7 @@ template <typename Change> void Editor::edit(Level needed, Change change)
     program::Recipe before = m_recipe;
     change(m_recipe);
     if (!sameRecipe(before, m_recipe)) {
+        follow(m_recipe);
         m_history.note(std::move(before));
         m_keepTimer.start();
     }
@@ -260,6 +287,7 @@ void Editor::compareCurves()
     }
     program::Recipe other = m_recipe;
     chooseLaw(other, *law);
+    follow(other);
     if (const auto solved = program::solveProgram(program::quantised(other)))
         m_comparedCurves =
             std::make_shared<const profile::Curves>(program::sampleCurves(*solved, curvePoints));
@@ -320,7 +348,11 @@ void Editor::redo()
 
 void Editor::revert()
 {
-    edit(Level::Operator, [this](program::Recipe& recipe) { recipe = m_stored; });
+    commitDrag();
+    if (!edited() || !require(Level::Operator))
+        return;
+    m_history.note(m_recipe);
+    replace(m_stored);
 }
 
 void Editor::replace(program::Recipe recipe)
@@ -370,6 +402,7 @@ void Editor::show()
     const auto* cam = std::get_if<profile::PointCamProgram>(&m_recipe.program);
     m_knots.show(cam ? std::optional(*cam) : std::nullopt, m_cycleSeconds);
     m_map.show(m_recipe, m_solution, m_controller);
+    m_ramps.show(m_recipe, m_solution);
     m_knotFiles.show(cam ? cam->knots : std::vector<profile::Knot>{}, recipeName());
     m_lawParameter1.show(views.lawParameter(0));
     m_lawParameter2.show(views.lawParameter(1));

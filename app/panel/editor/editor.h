@@ -8,6 +8,7 @@
 #include "app/panel/editor/editor_values.h"
 #include "app/panel/editor/knot_files.h"
 #include "app/panel/editor/knot_model.h"
+#include "app/panel/editor/ramp_control.h"
 #include "app/panel/recipe/choice_model.h"
 #include "app/panel/recipe/law_model.h"
 #include "app/panel/recipe/solution.h"
@@ -52,6 +53,7 @@ class Editor : public QObject {
     Q_PROPERTY(campanel::panel::KnotModel* knots READ knots CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::CutterMap* map READ map CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::KnotFiles* knotFiles READ knotFiles CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RampControl* ramps READ ramps CONSTANT FINAL)
     Q_PROPERTY(bool hasLaw READ hasLaw NOTIFY kindChanged FINAL)
     Q_PROPERTY(QString lawTitle READ lawTitle NOTIFY kindChanged FINAL)
 
@@ -65,7 +67,6 @@ class Editor : public QObject {
 
     Q_PROPERTY(QVariant overlayCurves READ overlayCurves NOTIFY overlayChanged FINAL)
     Q_PROPERTY(QString overlayName READ overlayName NOTIFY overlayChanged FINAL)
-    Q_PROPERTY(QString peakText READ peakText NOTIFY solutionChanged FINAL)
 
     Q_PROPERTY(campanel::panel::TableModel* table READ table CONSTANT FINAL)
 
@@ -123,6 +124,7 @@ public:
     [[nodiscard]] KnotModel* knots() { return &m_knots; }
     [[nodiscard]] CutterMap* map() { return &m_map; }
     [[nodiscard]] KnotFiles* knotFiles() { return &m_knotFiles; }
+    [[nodiscard]] RampControl* ramps() { return &m_ramps; }
     [[nodiscard]] bool hasLaw() const { return program::lawParameters(m_recipe.program) != nullptr; }
     [[nodiscard]] QString lawTitle() const;
     [[nodiscard]] LawModel* laws() { return &m_laws; }
@@ -202,7 +204,11 @@ private:
     void connectFields();
     void connectKnots();
     void connectMap();
+    void connectRamps();
+    // Shows a step of a drag; commitDrag() ends it as one undo step.
     template <typename Change> void drag(Level needed, Change change);
+    // Sets the ratios that were not set by hand.
+    void follow(program::Recipe& recipe) const;
     void compareCurves();
     void showFields();
     // Returns true when the person has the level. Otherwise requests a login, and nothing changes.
@@ -224,6 +230,7 @@ private:
     KnotModel m_knots;
     KnotFiles m_knotFiles;
     CutterMap m_map;
+    RampControl m_ramps;
     ChoiceModel m_choices;
     LawModel m_laws;
     TableModel m_table;

@@ -43,6 +43,7 @@ CutterFields Editor::cutter()
 EditorPlot Editor::plot() const
 {
     EditorPlot plot;
+    plot.peakText = peakText();
     if (m_solution.curves)
         plot.curves = QVariant::fromValue(m_solution.curves);
     plot.cycleSeconds = m_cycleSeconds;

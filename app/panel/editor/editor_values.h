@@ -54,6 +54,7 @@ struct EditorPlot {
     Q_PROPERTY(double limitAcceleration MEMBER limitAcceleration FINAL)
     Q_PROPERTY(double limitFrequency MEMBER limitFrequency FINAL)
     Q_PROPERTY(QList<QPointF> violations MEMBER violations FINAL)
+    Q_PROPERTY(QString peakText MEMBER peakText FINAL)
 
 public:
     QVariant curves;
@@ -64,6 +65,7 @@ public:
     double limitAcceleration = 0; // mm/s^2
     double limitFrequency = 0;    // Hz
     QList<QPointF> violations;    // from and to
+    QString peakText;             // the peaks in one line
 };
 
 } // namespace campanel::panel

@@ -8,6 +8,7 @@
 #include "app/panel/words/register_words.h"
 #include "profile/cutter/explain.h"
 #include "profile/cutter/jaw.h"
+#include "profile/cutter/ratios.h"
 #include "profile/laws/laws.h"
 
 #include <algorithm>
@@ -122,7 +123,7 @@ LawDemand EditorViews::demandOf(const profile::Law& law) const
         tried.machine = m_solution.solved->machine;
     LawDemand demand;
     demand.peaks.motorRpm = demand.peaks.accelerationMmPerS2 = demand.peaks.pulseFrequencyHz =
-        demand.peaks.jerkMmPerS3 = demand.peaks.torqueNm = NAN;
+        demand.peaks.jerkMmPerS3 = demand.peaks.torqueNm = demand.rmsAccelerationMmPerS2 = NAN;
     if (!tried.isCutter()) {
         if (const auto solved = program::solveProgram(tried)) {
             demand.peaks = solved->peaks;
@@ -138,38 +139,60 @@ LawDemand EditorViews::demandOf(const profile::Law& law) const
         demand.peaks.accelerationMmPerS2 = peaks.accelerationMmPerS2;
         demand.peaks.pulseFrequencyHz = peaks.pulseFrequencyHz;
         demand.peaks.jerkMmPerS3 = peaks.jerkMmPerS3;
+        demand.rmsAccelerationMmPerS2 = profile::rmsAcceleration(*cycle, tried.cutter());
     }
     return demand;
 }
 
-QList<LawRow> EditorViews::laws(std::optional<profile::LawId> compared) const
+LawRow EditorViews::lawRow(const profile::Law& law, const LawDemand& demand) const
 {
     const Format format;
+    const profile::Peaks& peaks = demand.peaks;
+    constexpr double mmPerM = 1000;
+    LawRow row;
+    row.lawId = QString::fromUtf8(law.key.data(), static_cast<qsizetype>(law.key.size()));
+    row.name = RecipeWords::inWords(law.name);
+    row.strength = RecipeWords::inWords(law.strength);
+    row.weakness = RecipeWords::inWords(law.weakness);
+    row.current = law.id == lawOf(m_recipe);
+    row.usable = demand.isFeasible;
+    row.peakRpmText = tr("%1 r/min").arg(format.number(peaks.motorRpm, 0));
+    row.peakAccelerationText = tr("%1 m/s²").arg(format.number(peaks.accelerationMmPerS2 / mmPerM, 2));
+    if (m_recipe.isCutter())
+        row.rmsText = tr("%1 m/s²").arg(format.number(demand.rmsAccelerationMmPerS2 / mmPerM, 2));
+    // A knife has no inertia in the recipe; its limit is the pulse frequency.
+    row.peakFrequencyText = m_recipe.isCutter()
+                                ? tr("%1 kHz").arg(format.number(peaks.pulseFrequencyHz / 1000, 1))
+                                : tr("%1 Nm").arg(format.number(peaks.torqueNm, 3));
+    row.peakJerkText = std::isinf(peaks.jerkMmPerS3)
+                           ? tr("acceleration jumps")
+                           : tr("%1 m/s³").arg(format.number(peaks.jerkMmPerS3 / mmPerM, 1));
+    return row;
+}
+
+QList<LawRow> EditorViews::laws(std::optional<profile::LawId> compared) const
+{
     QList<LawRow> rows;
+    const auto append = [&](const profile::Law& law, const LawDemand& demand) {
+        LawRow row = lawRow(law, demand);
+        row.compared = compared == law.id;
+        rows << row;
+    };
+    if (m_recipe.isCutter()) {
+        const bool isByHand = m_recipe.cutter().ratioMode == profile::RatioMode::ByHand;
+        const profile::Machine& machine = m_solution.solved ? m_solution.solved->machine : m_recipe.machine;
+        for (const profile::RankedLaw& each : profile::rankLaws(m_recipe.cutter(), machine)) {
+            const profile::Law& law = *profile::findLaw(each.program.speedLaw);
+            append(law, isByHand ? demandOf(law)
+                                 : LawDemand{each.peaks, each.rmsAccelerationMmPerS2, each.isFeasible});
+        }
+        return rows;
+    }
     if (!program::lawParameters(m_recipe.program))
         return rows;
     for (const profile::Law& law : profile::laws()) {
-        if (!program::isLawOf(m_recipe.kind(), law))
-            continue;
-        LawRow row;
-        row.lawId = QString::fromUtf8(law.key.data(), static_cast<qsizetype>(law.key.size()));
-        row.name = RecipeWords::inWords(law.name);
-        row.strength = RecipeWords::inWords(law.strength);
-        row.weakness = RecipeWords::inWords(law.weakness);
-        row.current = law.id == lawOf(m_recipe);
-        row.compared = compared == law.id;
-        const auto [peaks, isFeasible] = demandOf(law);
-        row.usable = isFeasible;
-        row.peakRpmText = tr("%1 r/min").arg(format.number(peaks.motorRpm, 0));
-        row.peakAccelerationText = tr("%1 m/s²").arg(format.number(peaks.accelerationMmPerS2 / 1000, 2));
-        // A knife has no inertia in the recipe; its limit is the pulse frequency.
-        row.peakFrequencyText = m_recipe.isCutter()
-                                    ? tr("%1 kHz").arg(format.number(peaks.pulseFrequencyHz / 1000, 1))
-                                    : tr("%1 Nm").arg(format.number(peaks.torqueNm, 3));
-        row.peakJerkText = std::isinf(peaks.jerkMmPerS3)
-                               ? tr("acceleration jumps")
-                               : tr("%1 m/s³").arg(format.number(peaks.jerkMmPerS3 / 1000, 1));
-        rows << row;
+        if (program::isLawOf(m_recipe.kind(), law))
+            append(law, demandOf(law));
     }
     return rows;
 }

@@ -8,6 +8,8 @@
 #include "app/panel/words/refusal_sentences.h"
 #include "profile/cutter/explain.h"
 #include "profile/cutter/jaw.h"
+#include "profile/cutter/ratios.h"
+#include "profile/moves/position_move.h"
 
 #include <cmath>
 
@@ -33,6 +35,39 @@ std::optional<profile::RotaryCutter> cutterOf(const program::Recipe& recipe)
         return std::nullopt;
     const auto solved = program::solveProgram(recipe);
     return solved && solved->cutter ? solved->cutter : std::nullopt;
+}
+
+// A position move by a law that is one polynomial.
+struct PolynomialMove {
+    profile::PolynomialCoefficients coefficients{};
+    double distanceMm = 0;
+    double timeS = 0;
+};
+
+std::optional<PolynomialMove> coefficientsOf(const program::Recipe& recipe)
+{
+    const auto* move = std::get_if<profile::PositionMoveProgram>(&recipe.program);
+    if (!move)
+        return std::nullopt;
+    const auto solved = profile::solve(*move, recipe.machine);
+    if (!solved)
+        return std::nullopt;
+    const double timeS = solved->motion.durationS();
+    const auto coefficients = profile::polynomialCoefficients(move->law, move->distanceMm, timeS);
+    return coefficients ? std::optional(PolynomialMove{*coefficients, move->distanceMm, timeS})
+                        : std::nullopt;
+}
+
+// Returns the cutter with the ratios of its highest rate, at its own rate where they allow that.
+profile::RotaryCutter atFastestRatios(const profile::RotaryCutter& cutter)
+{
+    if (cutter.program.ratioMode == profile::RatioMode::ByHand)
+        return cutter;
+    profile::RotaryCutterProgram fastest = profile::withFastestRatios(cutter);
+    const auto atLowRate = profile::solve(fastest, cutter.machine);
+    fastest.rateBagsPerMin = cutter.cycle.rateBagsPerMin;
+    const auto solved = profile::solve(fastest, cutter.machine);
+    return solved ? *solved : atLowRate.value_or(cutter);
 }
 
 } // namespace
@@ -84,9 +119,14 @@ Explanation Explanations::of(int quantity) const
     case PeakFrequency:
     case SyncWindow:
     case SealTime:
+    case RmsAcceleration:
+    case SpeedRatio:
+    case BaseCircleSpeed:
         return peak(wanted);
     case LiveSealTime:
         return liveSealTime();
+    case Coefficients:
+        return coefficients();
     case WireShare:
         return wireShare();
     case AnswersHalf:
@@ -104,11 +144,12 @@ QList<int> Explanations::ofVerdict() const
 {
     const auto cutter = cutterOf(m_editor.recipe());
     if (!cutter)
-        return {};
+        return coefficientsOf(m_editor.recipe()) ? QList<int>{Coefficients} : QList<int>{};
     QList<int> told;
     if (profile::fastestRate(*cutter))
         told << FastestRate;
-    told << PeakMotorSpeed << PeakAcceleration << PeakFrequency;
+    told << PeakMotorSpeed << PeakAcceleration << RmsAcceleration << PeakFrequency << SpeedRatio
+         << BaseCircleSpeed;
     if (cutter->machine.contactAngleDeg > 0)
         told << SyncWindow << SealTime;
     return told;
@@ -263,10 +304,11 @@ Explanation Explanations::fastestRate() const
     told.title = tr("Maximum possible rate");
     told.value = Format::unknownText();
     told.unit = tr("bags/min");
-    const auto cutter = cutterOf(m_editor.recipe());
-    const auto fastest = cutter ? profile::fastestRate(*cutter) : std::nullopt;
+    const auto edited = cutterOf(m_editor.recipe());
+    const auto fastest = edited ? profile::fastestRate(*edited) : std::nullopt;
     if (!fastest)
         return told;
+    const std::optional cutter = atFastestRatios(*edited);
     told.value = format.compact(fastest->rateBagsPerMin, 1, 2);
     told.meaning = tr("Maximum rate with this bag length, law and machine; limited by: %1. Speeds rise with "
                       "the rate, acceleration with its square.")
@@ -338,6 +380,19 @@ Explanation Explanations::peak(Topic quantity) const
     } else if (quantity == SealTime) {
         take(tr("Seal time"), profile::CutterQuantity::SealTime);
         told.meaning = tr("Time of the jaws on the film at this rate.");
+    } else if (quantity == RmsAcceleration) {
+        take(tr("RMS knife acceleration"), profile::CutterQuantity::RmsAcceleration);
+        told.meaning = tr("Root mean square of the acceleration over a cycle. It heats the motor; I2 is the "
+                          "integral of the squared slope of the law.");
+    } else if (quantity == SpeedRatio) {
+        take(tr("Speed ratio k0"), profile::CutterQuantity::SpeedRatio);
+        told.meaning = tr("Film speed divided by base speed, equation (9) of the paper. It follows from the "
+                          "recipe.");
+    } else if (quantity == BaseCircleSpeed) {
+        take(tr("Speed of the base circle ω"), profile::CutterQuantity::BaseCircleSpeed);
+        told.meaning =
+            tr("Angular speed of the knife at base speed, equation (7) of the paper. Its base circle "
+               "has the knife radius.");
     } else {
         take(tr("Peak pulse frequency"), profile::CutterQuantity::PeakFrequency);
         told.meaning = tr("Output frequency of the controller at the maximum knife speed.");
@@ -366,6 +421,40 @@ Explanation Explanations::liveSealTime() const
                                            format.compact(program->bagLengthMm, 0, 2),
                                            format.compact(m_machine.live().rateBagsPerMin, 0, 2)));
     }
+    return told;
+}
+
+Explanation Explanations::coefficients() const
+{
+    Explanation told;
+    told.title = tr("Coefficients C0 to C%1");
+    told.value = Format::unknownText();
+    const auto move = coefficientsOf(m_editor.recipe());
+    if (!move)
+        return told;
+    constexpr int digits = 6;
+    std::size_t degree = move->coefficients.size() - 1;
+    while (degree > 0 && move->coefficients[degree] == 0)
+        --degree;
+    QStringList names;
+    QStringList terms;
+    QStringList numbers;
+    for (std::size_t i = 0; i <= degree; ++i) {
+        const QString number = QString::number(move->coefficients[i], 'g', digits);
+        names << u"C%1 = %2"_s.arg(i).arg(number);
+        if (move->coefficients[i] == 0)
+            continue;
+        terms << u"C%1 T^%1"_s.arg(i);
+        numbers << u"%1 × %2^%3"_s.arg(number).arg(1000 * move->timeS, 0, 'g', digits).arg(i);
+    }
+    told.title = told.title.arg(degree);
+    told.meaning =
+        tr("The law is the polynomial s = C0 + C1 t + C2 t^2 … of the paper, s in mm and t in ms: %1.")
+            .arg(names.join(u", "_s));
+    told.formula = u"s(T) = "_s + terms.join(u" + "_s);
+    told.numbers = numbers.join(u" + "_s);
+    told.value = Format().compact(move->distanceMm, 1, 3);
+    told.unit = tr("mm");
     return told;
 }
 

@@ -167,7 +167,10 @@ const RecipeVersion* Recipes::named(const QString& name) const
 
 Recipe Recipes::onThisMachine(Recipe recipe) const
 {
+    const Recipe before = recipe;
     recipe.machine = m_editor.newRecipe(recipe.kind()).machine;
+    if (!sameRecipe(before, recipe))
+        program::followRatios(recipe);
     return recipe;
 }
 

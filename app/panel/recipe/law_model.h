@@ -16,6 +16,7 @@ struct LawRow {
     Q_PROPERTY(QString weakness MEMBER weakness)
     Q_PROPERTY(QString peakRpmText MEMBER peakRpmText)
     Q_PROPERTY(QString peakAccelerationText MEMBER peakAccelerationText)
+    Q_PROPERTY(QString rmsText MEMBER rmsText)
     Q_PROPERTY(QString peakFrequencyText MEMBER peakFrequencyText)
     Q_PROPERTY(QString peakJerkText MEMBER peakJerkText)
     Q_PROPERTY(bool current MEMBER current)
@@ -29,6 +30,7 @@ public:
     QString weakness;
     QString peakRpmText;
     QString peakAccelerationText;
+    QString rmsText; // RMS acceleration, only of a rotary cutter
     QString peakFrequencyText;
     QString peakJerkText;
     bool current = false;

@@ -48,6 +48,8 @@ bool isPinnable(Field field)
 void enterField(Recipe& recipe, Field field, double value)
 {
     program::setValue(recipe, field, value);
+    if (field >= Field::K1 && field <= Field::K4)
+        recipe.cutter().ratioMode = profile::RatioMode::ByHand;
     if (isPinnable(field))
         pin(recipe.cutter(), field);
 }
@@ -104,6 +106,7 @@ void dragRatio(Recipe& recipe, int index, double share)
     const ShareRange range = ratioRange(recipe, index);
     const double kept = std::clamp(std::isfinite(share) ? share : range.from, range.from, range.to);
     recipe.cutter().k[static_cast<std::size_t>(index)] = profile::snapToGrid(Field::K1, 1 / kept);
+    recipe.cutter().ratioMode = profile::RatioMode::ByHand;
 }
 
 bool sameRecipe(const Recipe& left, const Recipe& right)

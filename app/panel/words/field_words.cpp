@@ -115,6 +115,8 @@ QString RecipeWords::fieldName(Field field)
         return tr("Jaw contact angle");
     case Field::MinSealTime:
         return tr("Min. seal time");
+    case Field::RampPosition:
+        return tr("Ramps, slow to gentle");
     }
     return {};
 }

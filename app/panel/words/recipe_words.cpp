@@ -87,6 +87,8 @@ QString RecipeWords::choiceName(program::Choice choice)
         return tr("Spline ends");
     case Choice::MasterRampShape:
         return tr("Shape of the ramp");
+    case Choice::Ratios:
+        return tr("Ratios");
     }
     return {};
 }
@@ -113,6 +115,16 @@ QString RecipeWords::optionName(std::string_view key)
         return tr("Trapezoid");
     if (key == "s_curve")
         return tr("S curve");
+    if (key == "hand")
+        return tr("Set by hand");
+    if (key == "gentle")
+        return tr("Gentle");
+    if (key == "cool")
+        return tr("Cool");
+    if (key == "slow")
+        return tr("Slow");
+    if (key == "between")
+        return tr("Between");
     return QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size()));
 }
 

@@ -59,12 +59,25 @@ QString RefusalSentences::numbers(const profile::Suggestion& suggestion)
         .arg(RecipeWords::fieldName(suggestion.field), valueWithUnit(suggestion.field, suggestion.value));
 }
 
+QString RefusalSentences::rampsName(const profile::RampOffer& offer)
+{
+    return offer.isLonger ? tr("Longer ramps") : tr("Shorter ramps");
+}
+
+QString RefusalSentences::rampsRate(const profile::RampOffer& offer)
+{
+    return valueWithUnit(profile::Field::Rate, offer.rateBagsPerMin);
+}
+
 QString RefusalSentences::withSuggestions(const profile::Refusal& refusal)
 {
     QString values;
     for (const profile::Suggestion& each : refusal.nearest)
         values = values.isEmpty() ? numbers(each) : tr("%1, or %2").arg(values, numbers(each));
-    const QString sentence = RefusalSentences::refusal(refusal);
+    QString sentence = RefusalSentences::refusal(refusal);
+    if (refusal.ramps)
+        sentence = tr("%1 %2 allow %3.", "%1: whole sentence, %2: longer ramps, %3: rate with unit")
+                       .arg(sentence, rampsName(*refusal.ramps), rampsRate(*refusal.ramps));
     return values.isEmpty()
                ? sentence
                : tr("%1 Nearest possible value: %2.", "%1: whole sentence").arg(sentence, values);

@@ -22,6 +22,9 @@ public:
     [[nodiscard]] static QString program(const program::ProgramRefusal& refusal);
     // Returns the text of a button: "Rate 143.2 bags/min", "Widen the window".
     [[nodiscard]] static QString suggestion(const profile::Suggestion& suggestion);
+    // Returns what other ratios do, and the rate that they make possible.
+    [[nodiscard]] static QString rampsName(const profile::RampOffer& offer); // "Longer ramps"
+    [[nodiscard]] static QString rampsRate(const profile::RampOffer& offer); // "291.0 bags/min"
     [[nodiscard]] static QString withinLimits(const std::optional<profile::FastestRate>& fastest);
     [[nodiscard]] static QString closeToLimits(const std::optional<profile::FastestRate>& fastest);
     // Returns "60.0 mm".

@@ -202,6 +202,13 @@ void readProgram(const QJsonObject& object, Recipe& recipe, std::optional<FileEr
     recipe.machine = start.machine;
     if (recipe.isCutter())
         readPinned(reader, recipe);
+    // First, because they decide which values are read.
+    for (const program::ChoiceInfo& choice : kind->choices) {
+        if (choice.choice == Choice::Law)
+            readLaw(reader, recipe, failure);
+        else
+            readChoice(reader, recipe, choice);
+    }
     for (const Field field : kind->programFields) {
         const bool needed =
             recipe.isCutter() && field <= Field::FilmSpeed && program::isRead(recipe.program, field);
@@ -211,12 +218,6 @@ void readProgram(const QJsonObject& object, Recipe& recipe, std::optional<FileEr
         else if (needed || reader.has(idOf(field)))
             program::setValue(recipe, field,
                               reader.number(idOf(field), isWhole(field), profile::info(field)));
-    }
-    for (const program::ChoiceInfo& choice : kind->choices) {
-        if (choice.choice == Choice::Law)
-            readLaw(reader, recipe, failure);
-        else
-            readChoice(reader, recipe, choice);
     }
     if (auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
         readCamKnots(reader, *cam);

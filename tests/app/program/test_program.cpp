@@ -282,8 +282,10 @@ void ProgramTest::everyRegisterFieldExists()
             QVERIFY2(modbus::toRaw(*info, field.max * unit).has_value(), info->name.data());
             QVERIFY2(modbus::toRaw(*info, field.min * unit).has_value(), info->name.data());
         }
-        // Every input has a register.
+        // Every input has a register but the place of ramps that follow: the ratios have theirs.
         for (const Field field : kind.programFields) {
+            if (field == Field::RampPosition)
+                continue;
             const bool isKept = std::ranges::any_of(registerFields, [&](const RegisterField& entry) {
                 return entry.field == field && registerOf(kind, entry.suffix) != nullptr;
             });

@@ -31,6 +31,7 @@ private slots:
     void randomRecipesTrip();
     void everyChoiceTrips_data() { addKinds(); }
     void everyChoiceTrips();
+    void ratiosOfOlderAndNewerFiles();
     void whatIsAbsentHasTheDefaultsOfItsKind();
     void fieldsOfOtherKindsAreUnknown();
     void complaints_data();
@@ -104,6 +105,40 @@ void StoreKindsTest::randomRecipesTrip()
                 QCOMPARE((*program::lawParameters(read->program))[at], (*parameters)[at]);
         }
     }
+}
+
+// Older files have no origin of the ratios: they were set by hand. A file with an origin and without ratios
+// gets those that suit its machine.
+void StoreKindsTest::ratiosOfOlderAndNewerFiles()
+{
+    program::Recipe recipe = program::gentleRecipe(program::defaultRecipe(ProgramKind::RotaryCutter));
+    QJsonObject root = QJsonDocument::fromJson(toJson(recipe)).object();
+    QJsonObject program = root[u"program"_s].toObject();
+    QCOMPARE(program[u"ratios"_s].toString(), u"gentle"_s);
+    const auto read = [&] {
+        root[u"program"_s] = program;
+        return fromJson(QJsonDocument(root).toJson(), u"ratios"_s);
+    };
+    for (const auto& key : {u"k1"_s, u"k2"_s, u"k3"_s, u"k4"_s})
+        program.remove(key);
+    QVERIFY(read());
+    QCOMPARE(read()->cutter().k, recipe.cutter().k);
+    // Saved ratios are those that run, whatever would suit now.
+    program[u"k1"_s] = 7;
+    program[u"k4"_s] = 1.4;
+    QCOMPARE(read()->cutter().k[0], 7.0);
+    QCOMPARE(read()->cutter().ratioMode, profile::RatioMode::Gentle);
+    program.remove(u"ratios"_s);
+    program.remove(u"ramp_position_percent"_s);
+    QCOMPARE(read()->cutter().k[0], 7.0);
+    QCOMPARE(read()->cutter().ratioMode, profile::RatioMode::ByHand);
+    program[u"ratios"_s] = u"fastest"_s;
+    QCOMPARE(read().error().kind, Kind::NotAChoice);
+    program[u"ratios"_s] = u"between"_s;
+    program[u"ramp_position_percent"_s] = 70;
+    QCOMPARE(read()->cutter().rampPositionPercent, 70.0);
+    program[u"ramp_position_percent"_s] = 101;
+    QCOMPARE(read().error().kind, Kind::OutOfRange);
 }
 
 void StoreKindsTest::everyChoiceTrips()

@@ -286,16 +286,17 @@ private slots:
         PanelRig rig;
         panel::LawModel* laws = rig.editor.laws();
         QCOMPARE(laws->count(), static_cast<int>(profile::laws().size()));
-        const panel::LawRow& first = laws->row(0);
+        const auto isCurrent = [](const panel::LawRow& row) { return row.current; };
+        QCOMPARE(std::ranges::count_if(laws->rows(), isCurrent), 1);
+        const panel::LawRow first = *std::ranges::find_if(laws->rows(), isCurrent);
         QCOMPARE(first.lawId, "cubic");
-        QVERIFY(first.current);
         QCOMPARE(first.peakRpmText, "71 r/min");
         QCOMPARE(first.peakAccelerationText, "1.95 m/s²");
         QCOMPARE(first.peakFrequencyText, "11.8 kHz");
         QVERIFY(rig.editor.peakText().contains("71 r/min · 1.95 m/s² · 11.8 kHz"));
         for (int row = 0; row < laws->count(); ++row) {
             QVERIFY(!laws->row(row).name.isEmpty());
-            const profile::Law& law = profile::laws()[static_cast<std::size_t>(row)];
+            const profile::Law& law = *profile::findLaw(laws->row(row).lawId.toStdString());
             QCOMPARE(laws->row(row).strength, QString::fromUtf8(law.strength));
             QCOMPARE(laws->row(row).weakness, QString::fromUtf8(law.weakness));
         }
