@@ -88,7 +88,7 @@ void CurvePlot::updatePolish()
 
 CurvePlot::Mapping CurvePlot::mapping() const
 {
-    const PlotPanel* panel = velocityPanel();
+    const PlotPanel* panel = tracePanel();
     return {m_plotArea, m_timeMap.s2(), panel ? panel->scale().lower() : 0.0,
             panel ? panel->scale().upper() : 0.0};
 }
@@ -190,7 +190,7 @@ double CurvePlot::timeOfX(double x)
 double CurvePlot::yOfVelocity(double velocityMmPerS)
 {
     ensureLayout();
-    const PlotPanel* panel = velocityPanel();
+    const PlotPanel* panel = tracePanel();
     return panel ? panel->valueMap().transform(velocityMmPerS) : none;
 }
 
@@ -298,6 +298,11 @@ void CurvePlot::setTimeMaximum(double timeS)
     }
 }
 
+void CurvePlot::setLimitTorque(double limit)
+{
+    changeLimit(m_limitTorque, limit);
+}
+
 double CurvePlot::limitOf(Quantity quantity) const
 {
     switch (quantity) {
@@ -307,6 +312,8 @@ double CurvePlot::limitOf(Quantity quantity) const
         return m_limitAcceleration;
     case Quantity::Frequency:
         return m_limitFrequency;
+    case Quantity::Torque:
+        return m_limitTorque;
     case Quantity::Position:
     case Quantity::Jerk:
         break;
@@ -314,10 +321,12 @@ double CurvePlot::limitOf(Quantity quantity) const
     return none;
 }
 
-const PlotPanel* CurvePlot::velocityPanel() const
+const PlotPanel* CurvePlot::tracePanel() const
 {
     const auto found = std::ranges::find(m_panels, Quantity::Velocity, &PlotPanel::quantity);
-    return found == m_panels.end() ? nullptr : &*found;
+    if (found != m_panels.end())
+        return &*found;
+    return m_panels.size() == 1 ? &m_panels.front() : nullptr;
 }
 
 QRectF CurvePlot::cursorStrip(double timeS)
@@ -334,7 +343,7 @@ QRectF CurvePlot::cursorStrip(double timeS)
 QRectF CurvePlot::traceStrip(double fromS, double toS)
 {
     ensureLayout();
-    const PlotPanel* panel = velocityPanel();
+    const PlotPanel* panel = tracePanel();
     if (!panel) {
         return {};
     }

@@ -149,7 +149,7 @@ void CurvePlot::paintTimeLabels(QPainter& painter, const PlotStyle& plotStyle) c
 
 void CurvePlot::paintTrace(QPainter& painter) const
 {
-    const PlotPanel* panel = velocityPanel();
+    const PlotPanel* panel = tracePanel();
     if (!panel || m_trace.isEmpty()) {
         return;
     }
@@ -222,6 +222,8 @@ QColor CurvePlot::colorOf(Quantity quantity) const
         return m_style.jerkColor;
     case Quantity::Frequency:
         return m_style.frequencyColor;
+    case Quantity::Torque:
+        return m_style.torqueColor;
     }
     return m_style.inkColor;
 }

@@ -4,6 +4,7 @@
 
 #include "profile/cam/point_cam_validate.h"
 #include "profile/model/limit_check.h"
+#include "profile/model/torque.h"
 
 #include <algorithm>
 #include <array>
@@ -171,14 +172,53 @@ void addWrapPeak(Peaks& peaks, const PointCamProgram& program, const Machine& ma
         return;
     peaks.accelerationMmPerS2 = jump / masterUpdateS;
     peaks.accelerationTimeS = timeOfAngleS(program, 0);
-    peaks.torqueNm = axisTorqueNm(machine, peaks.accelerationMmPerS2);
+    peaks.torqueNm = axisLoad(machine).peakNm(peaks.accelerationMmPerS2);
+}
+
+// Returns the mean of the squared acceleration that the jump at the wrap makes, mm^2/s^4.
+double wrapSquare(const PointCamProgram& program)
+{
+    const double jump = wrapJumpMmPerS(program);
+    return jump * jump / (masterUpdateS * camCycleS(program));
+}
+
+// Includes the jump at the wrap in the means; with it the speed is that of the beginning again.
+TorqueMeans camMeans(const PointCamProgram& program, const MotionProfile& motion)
+{
+    TorqueMeans means = torqueMeans(motion);
+    means.squareMm2PerS4 += wrapSquare(program);
+    means.speedGainMmPerS2 = 0;
+    return means;
+}
+
+// Returns the share of the rate at which the RMS torque is the rated one, 1 when it is below that already.
+// The mean square grows with the fourth power of the rate; the part of the jump with its cube.
+double rmsFactor(const PointCamProgram& program, const MotionProfile& motion, const Machine& machine)
+{
+    const TorqueMeans means = camMeans(program, motion);
+    const double allowed =
+        std::max(axisLoad(machine).rmsAllowance(machine.ratedTorqueNm, means.movingShare), 0.0);
+    const double jump = wrapSquare(program);
+    const auto isWithin = [&](double factor) {
+        const double cube = factor * factor * factor;
+        return std::sqrt(cube * (factor * (means.squareMm2PerS4 - jump) + jump)) <= allowed;
+    };
+    double within = 0;
+    double beyond = 1;
+    constexpr int halvings = 60;
+    for (int i = 0; i < halvings && !isWithin(1); ++i) {
+        const double middle = (within + beyond) / 2;
+        (isWithin(middle) ? within : beyond) = middle;
+    }
+    return isWithin(1) ? 1 : within;
 }
 
 // Returns the feasible rate: speeds are proportional to it, accelerations to its square; the limits of both
 // are known.
 std::optional<Suggestion> feasibleRate(const PointCamProgram& program, const Machine& machine,
-                                       const Peaks& peaks)
+                                       const AxisMotion& solved)
 {
+    const Peaks& peaks = solved.peaks;
     const AxisAllowance allowance = axisAllowance(machine);
     const auto share = [](double allowed, double actual) {
         return actual > allowed ? std::max(allowed, 0.0) / actual : 1.0;
@@ -186,7 +226,8 @@ std::optional<Suggestion> feasibleRate(const PointCamProgram& program, const Mac
     const double factor =
         std::min({share(allowance.speedMmPerS, peaks.speedMmPerS),
                   std::sqrt(share(allowance.accelerationMmPerS2, peaks.accelerationMmPerS2)),
-                  share(allowedWrapJumpMmPerS(machine), std::abs(wrapJumpMmPerS(program)))});
+                  share(allowedWrapJumpMmPerS(machine), std::abs(wrapJumpMmPerS(program))),
+                  rmsFactor(program, solved.motion, machine)});
     const double present = program.masterRateRevPerMin;
     const double step = info(Field::MasterRate).resolution();
     const double steps = std::floor(std::abs(present) * factor / step * (1 + detail::limitTolerance));
@@ -200,6 +241,8 @@ AxisMotion solveValid(const PointCamProgram& program, const Machine& machine)
     AxisMotion solved;
     solved.motion = camCycleMotion(program, camDegPerS(program));
     solved.peaks = axisPeaks(solved.motion, machine);
+    if (const TorqueLoad load = axisLoad(machine); load.isKnown())
+        solved.peaks.rmsTorqueNm = load.rmsNm(camMeans(program, solved.motion));
     solved.broken = checkAxis(solved.motion, solved.peaks, machine);
     for (Refusal& refusal : solved.broken) {
         if (refusal.timeS)
@@ -210,7 +253,7 @@ AxisMotion solveValid(const PointCamProgram& program, const Machine& machine)
     if (auto overshoot = findOvershoot(program)) {
         solved.broken.push_back(*std::move(overshoot)); // no rate corrects the curve
     } else if (!solved.broken.empty()) {
-        if (const auto rate = feasibleRate(program, machine, solved.peaks)) {
+        if (const auto rate = feasibleRate(program, machine, solved)) {
             for (Refusal& refusal : solved.broken)
                 refusal.nearest.push_back(*rate);
         }

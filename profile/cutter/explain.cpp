@@ -6,6 +6,8 @@
 #include "profile/laws/laws.h"
 #include "profile/model/text.h"
 
+#include <cmath>
+
 namespace campanel::profile {
 namespace {
 
@@ -115,6 +117,41 @@ Explanation explainFrequency(const RotaryCutter& cutter)
             peak.pulseFrequencyHz, "Hz"};
 }
 
+// The factor from mm/s^2 at the knife to Nm at the motor.
+std::string loadNumbers(const Machine& m)
+{
+    return concat({n(m.inertiaKgCm2), " * 1e-4 * ", n(m.gearNumerator), " / ", n(m.gearDenominator), " / ",
+                   n(m.knifeRadiusMm)});
+}
+
+Explanation explainTorque(const RotaryCutter& cutter)
+{
+    const Peaks peak = peaks(cutter);
+    return {"J Z a / R + M_f",
+            concat({loadNumbers(cutter.machine), " * ", n(peak.accelerationMmPerS2), " + ",
+                    n(cutter.machine.frictionNm)}),
+            peak.torqueNm, "Nm"};
+}
+
+Explanation explainRmsTorque(const RotaryCutter& cutter)
+{
+    return {"sqrt((J Z / R)^2 a_rms^2 + M_f^2)",
+            concat({"sqrt((", loadNumbers(cutter.machine), ")^2 * ",
+                    n(std::sqrt(squareAcceleration(cutter.cycle, cutter.program))), "^2 + ",
+                    n(cutter.machine.frictionNm), "^2)"}),
+            peaks(cutter).rmsTorqueNm, "Nm"};
+}
+
+Explanation explainSealError(const RotaryCutter& cutter)
+{
+    const Machine& m = cutter.machine;
+    return {"max e - min e, e'' + 2 zeta w e' + w^2 e = -a - 2 zeta w v, w = 2 pi f_0",
+            concat({"f_0 = ", n(m.naturalFrequencyHz), " Hz, zeta = ", n(m.dampingRatio),
+                    ", T = ", n(cutter.cycle.cycleTimeS), " s, ", n(cutter.cycle.tbS), " .. ",
+                    n(cutter.cycle.tcS), " s"}),
+            sealErrorMm(cutter), "mm"};
+}
+
 Explanation explainPinned(const RotaryCutter& cutter, Field field)
 {
     const double given = value(cutter.program, field);
@@ -145,6 +182,12 @@ Explanation explain(const RotaryCutter& cutter, CutterQuantity quantity)
         return explainAcceleration(cutter);
     case CutterQuantity::PeakFrequency:
         return explainFrequency(cutter);
+    case CutterQuantity::PeakTorque:
+        return explainTorque(cutter);
+    case CutterQuantity::RmsTorque:
+        return explainRmsTorque(cutter);
+    case CutterQuantity::SealError:
+        return explainSealError(cutter);
     }
     return {};
 }

@@ -19,6 +19,9 @@ enum class CutterQuantity : std::uint8_t {
     PeakMotorRpm,
     PeakAcceleration,
     PeakFrequency,
+    PeakTorque, // torques and error are NaN while the machine data are unknown
+    RmsTorque,
+    SealError,
 };
 
 struct Explanation {

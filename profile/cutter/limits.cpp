@@ -4,6 +4,8 @@
 
 #include "profile/cutter/nearest.h"
 #include "profile/laws/laws.h"
+#include "profile/model/torque.h"
+#include "profile/model/vibration.h"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +18,23 @@ namespace {
 using detail::Bounded;
 using detail::LimitComparison;
 
-std::array<LimitComparison, 4> compareCutter(const CycleNumbers& cycle, const Peaks& peak,
+// Returns the share of the cycle in which the knife turns: all of it, unless it stands at its base speed.
+double movingShare(const CycleNumbers& cycle)
+{
+    return cycle.baseSpeedMmPerS > 0 ? 1 : (cycle.tdS - cycle.taS) / cycle.cycleTimeS;
+}
+
+// Compares the cycle's frequency with the natural frequency of the shaft.
+LimitComparison compareNaturalFrequency(const CycleNumbers& cycle, const Machine& machine)
+{
+    const double allowed =
+        machine.naturalFrequencyHz > 0 ? machine.naturalFrequencyHz : std::numeric_limits<double>::max();
+    return {Limit::NaturalFrequency, Field::NaturalFrequency,
+            1 / cycle.cycleTimeS,    allowed,
+            Bounded::Rate,           allowed};
+}
+
+std::array<LimitComparison, 7> compareCutter(const CycleNumbers& cycle, const Peaks& peak,
                                              const Machine& machine)
 {
     const double pulses = pulseFrequencyLimitHz(machine);
@@ -28,7 +46,11 @@ std::array<LimitComparison, 4> compareCutter(const CycleNumbers& cycle, const Pe
          {Limit::KnifeAcceleration, Field::MaxKnifeAcceleration, peak.accelerationMmPerS2,
           machine.maxKnifeAccelerationMmPerS2, Bounded::Acceleration, machine.maxKnifeAccelerationMmPerS2},
          {Limit::PulseFrequency, Field::MaxPulseFrequency, peak.pulseFrequencyHz, pulses, Bounded::Speed,
-          pulses / pulsesPerMm(machine)}}};
+          pulses / pulsesPerMm(machine)},
+         {Limit::MotorTorque, Field::MaxTorque, peak.torqueNm, machine.maxTorqueNm, Bounded::Acceleration,
+          knifeLoad(machine).peakAllowance(machine.maxTorqueNm)},
+         detail::compareRmsTorque(peak, machine),
+         compareNaturalFrequency(cycle, machine)}};
 }
 
 bool holdsLimits(const CycleNumbers& cycle, const RotaryCutterProgram& program, const Machine& machine)
@@ -37,6 +59,14 @@ bool holdsLimits(const CycleNumbers& cycle, const RotaryCutterProgram& program, 
     const auto compared = compareCutter(cycle, peak, machine);
     return std::none_of(compared.begin(), compared.end(),
                         [&peak](const LimitComparison& c) { return detail::isBroken(c, peak); });
+}
+
+// Returns the RMS acceleration that the rated torque allows, as a share of that of the cycle.
+double rmsShare(const RotaryCutter& cutter)
+{
+    const double allowed =
+        knifeLoad(cutter.machine).rmsAllowance(cutter.machine.ratedTorqueNm, movingShare(cutter.cycle));
+    return std::max(allowed, 0.0) / std::sqrt(squareAcceleration(cutter.cycle, cutter.program));
 }
 
 } // namespace
@@ -58,15 +88,31 @@ Peaks peaks(const CycleNumbers& cycle, const RotaryCutterProgram& program, const
     peak.accelerationTimeS =
         rampThere <= rampBack ? cycle.taS + lawPeaks.cvAt * rampThere : cycle.tdS - lawPeaks.cvAt * rampBack;
     const bool accelerationSteps = law.at(0, program.speedLawParameters).g1 > 0;
-    peak.torqueNm = std::numeric_limits<double>::quiet_NaN();
+    const TorqueLoad load = knifeLoad(machine);
+    peak.torqueNm = load.peakNm(peak.accelerationMmPerS2);
+    peak.rmsTorqueNm =
+        load.rmsNm({load.isKnown() ? squareAcceleration(cycle, program) : 0, 0, movingShare(cycle)});
     peak.jerkMmPerS3 = accelerationSteps && change > 0 ? std::numeric_limits<double>::infinity()
                                                        : change * lawPeaks.ca / (ramp * ramp);
     return peak;
 }
 
+double squareAcceleration(const CycleNumbers& cycle, const RotaryCutterProgram& program)
+{
+    const double change = cycle.filmSpeedMmPerS - cycle.baseSpeedMmPerS;
+    const double ramps = 1 / (cycle.tbS - cycle.taS) + 1 / (cycle.tdS - cycle.tcS);
+    return change * change * lawSpeedSquare(*findLaw(program.speedLaw), program.speedLawParameters) * ramps /
+           cycle.cycleTimeS;
+}
+
 Peaks peaks(const RotaryCutter& cutter)
 {
     return peaks(cutter.cycle, cutter.program, cutter.machine);
+}
+
+double sealErrorMm(const RotaryCutter& cutter)
+{
+    return windowErrorMm(cutter.motion, cutter.cycle.tbS, cutter.cycle.tcS, shaftMode(cutter.machine));
 }
 
 std::vector<Refusal> checkLimits(const RotaryCutter& cutter)
@@ -102,11 +148,14 @@ std::optional<FastestRate> fastestRate(const RotaryCutter& cutter)
             fastest = {candidate, limit};
     };
     for (const LimitComparison& c : compareCutter(cutter.cycle, peak, cutter.machine)) {
-        if (c.limit == Limit::MachineRate || !(c.actual > 0))
+        if (c.limit == Limit::MachineRate || c.limit == Limit::RmsTorque || !(c.actual > 0))
             continue;
-        const double share = c.allowed / c.actual;
-        lower(rate * (c.limit == Limit::KnifeAcceleration ? std::sqrt(share) : share), c.limit);
+        const bool isAcceleration = c.bounded == Bounded::Acceleration;
+        const double share = isAcceleration ? std::max(c.allowedInMotion, 0.0) / peak.accelerationMmPerS2
+                                            : c.allowed / c.actual;
+        lower(rate * (isAcceleration ? std::sqrt(share) : share), c.limit);
     }
+    lower(rate * std::sqrt(rmsShare(cutter)), Limit::RmsTorque);
     lower(rate * info(Field::BaseSpeed).max / peak.speedMmPerS, Limit::FieldRange);
 
     RotaryCutterProgram program = cutter.program;

@@ -21,10 +21,17 @@ constexpr std::array machineFields{Field::KnifeRadius,
                                    Field::MaxRate,
                                    Field::TimerClock,
                                    Field::TimerBits,
-                                   Field::RowCapacity};
+                                   Field::RowCapacity,
+                                   Field::MaxTorque,
+                                   Field::RatedTorque,
+                                   Field::Inertia,
+                                   Field::Friction,
+                                   Field::NaturalFrequency,
+                                   Field::DampingRatio};
 constexpr std::array axisFields{Field::PulsesPerMotorRev, Field::FeedPerMotorRev,   Field::MaxMotorRpm,
                                 Field::MaxAcceleration,   Field::MaxTorque,         Field::Inertia,
-                                Field::Friction,          Field::MaxPulseFrequency, Field::TimerClock};
+                                Field::Friction,          Field::MaxPulseFrequency, Field::TimerClock,
+                                Field::RatedTorque,       Field::NaturalFrequency,  Field::DampingRatio};
 
 bool isCycleValue(Field field)
 {

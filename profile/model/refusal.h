@@ -46,6 +46,8 @@ enum class Limit : std::uint8_t {
     Reversal,         // the motion reverses within a cycle, and intervals have one direction
     SpeedError,       // intervals cannot keep it with whole pulses; `allowed` can be kept
     RampTooLong,      // the ramp of a press stage is longer than a row holds
+    RmsTorque,        // the motor would overheat: the RMS torque of a cycle exceeds the rated torque
+    NaturalFrequency, // the cycle is faster than the natural frequency of the shaft
 };
 
 // Returns the stable id of a limit, for logs and machine-readable output.

@@ -20,7 +20,7 @@ Sheet {
         anchors { left: parent.left; right: parent.right; rightMargin: 2 * Theme.size.accent; top: parent.top }
         height: Theme.size.caption * 2
         header: true
-        cells: [qsTr("Peak speed"), qsTr("Acceleration"), qsTr("Jerk"), Editor.kind === Editor.Kind.RotaryCutter ? qsTr("Frequency") : qsTr("Torque")]
+        cells: Editor.lawColumns
     }
     ListView {
         id: list
@@ -39,6 +39,7 @@ Sheet {
             required property string peakAccelerationText
             required property string peakFrequencyText
             required property string peakJerkText
+            required property string vibrationText
             required property bool current
             required property bool compared
             required usable
@@ -47,7 +48,7 @@ Sheet {
             text: name
             notes: [strength, weakness]
             holds: current
-            cells: [peakRpmText, peakAccelerationText, peakJerkText, peakFrequencyText]
+            cells: [peakRpmText, peakAccelerationText, peakJerkText, peakFrequencyText, ...(vibrationText.length > 0 ? [vibrationText] : [])]
             marked: compared
             onClicked: {
                 if (usable)

@@ -13,6 +13,7 @@ Page {
 
     property bool showPosition
     property bool showJerk
+    property bool showTorque
     property bool compare: true
     readonly property bool isCutter: Editor.kind === Editor.Kind.RotaryCutter
 
@@ -50,6 +51,7 @@ Page {
         anchors { left: side.right; leftMargin: Theme.size.gap; right: parent.right; top: side.top; bottom: side.bottom; bottomMargin: page.bottomInset }
         showPosition: page.showPosition
         showJerk: page.showJerk
+        showTorque: page.showTorque
         compare: page.compare && (Editor.programDownload.differenceCount > 0 || Editor.overlayName.length > 0)
     }
     VerdictBar {
@@ -101,9 +103,11 @@ Page {
         MoreSheet {
             showPosition: page.showPosition
             showJerk: page.showJerk
+            showTorque: page.showTorque
             compare: page.compare
             onPositionToggled: on => page.showPosition = on
             onJerkToggled: on => page.showJerk = on
+            onTorqueToggled: on => page.showTorque = on
             onCompareToggled: on => page.compare = on
             onTableRequested: page.sheetRequested(page.tableSheet)
             onProofRequested: page.sheetRequested(page.proofSheet)

@@ -55,6 +55,7 @@ class Editor : public QObject {
 
     Q_PROPERTY(campanel::panel::RowModelBase* laws READ laws CONSTANT FINAL)
     Q_PROPERTY(QString lawName READ lawName NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(QStringList lawColumns READ lawColumns NOTIFY solutionChanged FINAL)
 
     Q_PROPERTY(bool solvable READ solvable NOTIFY solutionChanged FINAL)
     Q_PROPERTY(QString verdict READ verdict NOTIFY solutionChanged FINAL)
@@ -121,6 +122,7 @@ public:
     [[nodiscard]] KnotFiles* knotFiles() { return &m_knotFiles; }
     [[nodiscard]] bool hasLaw() const { return program::lawParameters(m_recipe.program) != nullptr; }
     [[nodiscard]] QString lawTitle() const;
+    [[nodiscard]] QStringList lawColumns() const;
     [[nodiscard]] LawModel* laws() { return &m_laws; }
     [[nodiscard]] QString lawName() const;
     [[nodiscard]] bool solvable() const { return m_solution.solved.has_value(); }
@@ -198,6 +200,7 @@ private:
     void connectFields();
     void connectKnots();
     void compareCurves();
+    void shareMachine();
     void showFields();
     // Returns true when the person has the level. Otherwise requests a login, and nothing changes.
     [[nodiscard]] bool require(Level needed) const;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/panel/editor/editor_field.h"
+#include "app/panel/kit/numbers.h"
 
 #include <QList>
 #include <QObject>
@@ -51,6 +52,8 @@ struct EditorPlot {
     Q_PROPERTY(double limitVelocity MEMBER limitVelocity FINAL)
     Q_PROPERTY(double limitAcceleration MEMBER limitAcceleration FINAL)
     Q_PROPERTY(double limitFrequency MEMBER limitFrequency FINAL)
+    Q_PROPERTY(bool hasTorque MEMBER hasTorque FINAL)
+    Q_PROPERTY(double limitTorque MEMBER limitTorque FINAL)
     Q_PROPERTY(QList<QPointF> violations MEMBER violations FINAL)
 
 public:
@@ -61,6 +64,8 @@ public:
     double limitVelocity = 0;     // mm/s
     double limitAcceleration = 0; // mm/s^2
     double limitFrequency = 0;    // Hz
+    bool hasTorque = false;       // the inertia is known
+    double limitTorque = unknown; // Nm
     QList<QPointF> violations;    // from and to
 };
 

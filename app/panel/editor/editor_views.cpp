@@ -8,6 +8,7 @@
 #include "app/panel/words/register_words.h"
 #include "profile/cutter/explain.h"
 #include "profile/laws/laws.h"
+#include "profile/model/vibration.h"
 
 #include <algorithm>
 #include <cmath>
@@ -121,24 +122,43 @@ LawDemand EditorViews::demandOf(const profile::Law& law) const
         tried.machine = m_solution.solved->machine;
     LawDemand demand;
     demand.peaks.motorRpm = demand.peaks.accelerationMmPerS2 = demand.peaks.pulseFrequencyHz =
-        demand.peaks.jerkMmPerS3 = demand.peaks.torqueNm = NAN;
+        demand.peaks.jerkMmPerS3 = demand.peaks.torqueNm = demand.peaks.rmsTorqueNm = NAN;
     if (!tried.isCutter()) {
         if (const auto solved = program::solveProgram(tried)) {
             demand.peaks = solved->peaks;
             demand.isFeasible = solved->broken.empty();
+            demand.vibrationMm =
+                profile::residualAmplitudeMm(solved->motion, profile::shaftMode(solved->machine));
         }
         return demand;
     }
     // Without its curves: up to twelve cutters are solved after each change.
     demand.isFeasible = profile::isFeasible(tried.cutter(), tried.machine);
     if (const auto cycle = profile::solveNumbers(tried.cutter(), tried.machine)) {
-        const profile::Peaks peaks = profile::peaks(*cycle, tried.cutter(), tried.machine);
-        demand.peaks.motorRpm = peaks.motorRpm;
-        demand.peaks.accelerationMmPerS2 = peaks.accelerationMmPerS2;
-        demand.peaks.pulseFrequencyHz = peaks.pulseFrequencyHz;
-        demand.peaks.jerkMmPerS3 = peaks.jerkMmPerS3;
+        demand.peaks = profile::peaks(*cycle, tried.cutter(), tried.machine);
+        if (hasVibration())
+            demand.vibrationMm = profile::sealErrorMm(*profile::solve(tried.cutter(), tried.machine));
     }
     return demand;
+}
+
+bool EditorViews::hasTorque() const
+{
+    return !m_recipe.isCutter() || m_recipe.machine.inertiaKgCm2 > 0;
+}
+
+bool EditorViews::hasVibration() const
+{
+    return m_recipe.machine.naturalFrequencyHz > 0;
+}
+
+QStringList EditorViews::lawColumns() const
+{
+    QStringList columns{tr("Peak speed"), tr("Acceleration"), tr("Jerk"),
+                        hasTorque() ? tr("Torque, RMS") : tr("Frequency")};
+    if (hasVibration())
+        columns << (m_recipe.isCutter() ? tr("Error while sealing") : tr("Vibration after the move"));
+    return columns;
 }
 
 QList<LawRow> EditorViews::laws(std::optional<profile::LawId> compared) const
@@ -157,14 +177,16 @@ QList<LawRow> EditorViews::laws(std::optional<profile::LawId> compared) const
         row.weakness = RecipeWords::inWords(law.weakness);
         row.current = law.id == lawOf(m_recipe);
         row.compared = compared == law.id;
-        const auto [peaks, isFeasible] = demandOf(law);
+        const auto [peaks, isFeasible, vibrationMm] = demandOf(law);
         row.usable = isFeasible;
         row.peakRpmText = tr("%1 r/min").arg(format.number(peaks.motorRpm, 0));
         row.peakAccelerationText = tr("%1 m/s²").arg(format.number(peaks.accelerationMmPerS2 / 1000, 2));
-        // A knife has no inertia in the recipe; its limit is the pulse frequency.
-        row.peakFrequencyText = m_recipe.isCutter()
-                                    ? tr("%1 kHz").arg(format.number(peaks.pulseFrequencyHz / 1000, 1))
-                                    : tr("%1 Nm").arg(format.number(peaks.torqueNm, 3));
+        row.peakFrequencyText =
+            hasTorque() ? tr("%1, %2 Nm", "peak and RMS torque")
+                              .arg(format.number(peaks.torqueNm, 3), format.number(peaks.rmsTorqueNm, 3))
+                        : tr("%1 kHz").arg(format.number(peaks.pulseFrequencyHz / 1000, 1));
+        if (hasVibration())
+            row.vibrationText = tr("%1 mm").arg(format.number(vibrationMm, 3));
         row.peakJerkText = std::isinf(peaks.jerkMmPerS3)
                                ? tr("acceleration jumps")
                                : tr("%1 m/s³").arg(format.number(peaks.jerkMmPerS3 / 1000, 1));
@@ -179,11 +201,12 @@ QString EditorViews::peaks() const
         return {};
     const Format format;
     const profile::Peaks& peaks = m_solution.solved->peaks;
-    // The recipe has no inertia for a knife or a press.
-    if (!m_solution.cutter() && m_recipe.kind() != profile::ProgramKind::Press)
-        return tr("peak %1 r/min · %2 m/s² · %3 Nm · %4 kHz")
+    // The recipe of a press has no inertia, that of a cutter may have one.
+    if (m_recipe.kind() != profile::ProgramKind::Press && hasTorque())
+        return tr("peak %1 r/min · %2 m/s² · %3 Nm (RMS %5) · %4 kHz")
             .arg(format.number(peaks.motorRpm, 0), format.number(peaks.accelerationMmPerS2 / 1000, 2),
-                 format.number(peaks.torqueNm, 3), format.number(peaks.pulseFrequencyHz / 1000, 1));
+                 format.number(peaks.torqueNm, 3), format.number(peaks.pulseFrequencyHz / 1000, 1),
+                 format.number(peaks.rmsTorqueNm, 3));
     return tr("peak %1 r/min · %2 m/s² · %3 kHz")
         .arg(format.number(peaks.motorRpm, 0), format.number(peaks.accelerationMmPerS2 / 1000, 2),
              format.number(peaks.pulseFrequencyHz / 1000, 1));

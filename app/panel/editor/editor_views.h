@@ -10,12 +10,15 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include <cmath>
+
 namespace campanel::panel {
 
 // The demands of a law on the machine; peaks are NaN without a motion.
 struct LawDemand {
     profile::Peaks peaks;
     bool isFeasible = false;
+    double vibrationMm = NAN; // see EditorViews::vibration(); NaN while the natural frequency is unknown
 };
 
 class EditorViews {
@@ -32,7 +35,8 @@ public:
     [[nodiscard]] FieldView field(profile::Field field) const;
     [[nodiscard]] FieldView lawParameter(std::size_t index) const; // not visible when the law has no such
                                                                    // parameter
-    // Returns an empty list for a kind without a law.
+    // Returns the titles of the laws' columns, and the laws; empty for a kind without a law.
+    [[nodiscard]] QStringList lawColumns() const;
     [[nodiscard]] QList<LawRow> laws(std::optional<profile::LawId> compared) const;
     [[nodiscard]] QString peaks() const; // "peak 71 r/min · 1.95 m/s² · 11.8 kHz"
     [[nodiscard]] QString verdict() const;
@@ -41,6 +45,9 @@ public:
 private:
     [[nodiscard]] QString explanation(profile::Field field) const;
     [[nodiscard]] LawDemand demandOf(const profile::Law& law) const;
+    // Returns the columns of the law picker that not every machine has.
+    [[nodiscard]] bool hasTorque() const;
+    [[nodiscard]] bool hasVibration() const;
     void narrowRatio(profile::Field field, FieldView& view) const;
 
     const program::Recipe& m_recipe;

@@ -111,6 +111,12 @@ QString RecipeWords::fieldName(Field field)
         return tr("Min. force at stop");
     case Field::MaxStopForce:
         return tr("Max. force at stop");
+    case Field::RatedTorque:
+        return tr("Rated motor torque");
+    case Field::NaturalFrequency:
+        return tr("Natural frequency");
+    case Field::DampingRatio:
+        return tr("Damping ratio");
     }
     return {};
 }
