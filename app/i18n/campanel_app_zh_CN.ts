@@ -1671,25 +1671,32 @@
         <translation>跃度</translation>
     </message>
     <message>
-        <source>Torque, RMS</source>
-        <translation>转矩、均方根</translation>
+        <source>Torque,
+RMS</source>
+        <translation>转矩、
+均方根</translation>
     </message>
     <message>
         <source>Frequency</source>
         <translation>频率</translation>
     </message>
     <message>
-        <source>Error while sealing</source>
+        <source>Error while
+sealing</source>
         <translation>封切误差</translation>
     </message>
     <message>
-        <source>Vibration after the move</source>
-        <translation>运动后振动</translation>
+        <source>Vibration
+after the move</source>
+        <translation>运动后
+振动</translation>
     </message>
     <message>
-        <source>%1, %2 Nm</source>
+        <source>%1 Nm
+RMS %2</source>
         <comment>peak and RMS torque</comment>
-        <translation>%1、%2 Nm</translation>
+        <translation>%1 Nm
+均方根 %2</translation>
     </message>
     <message>
         <source>%1 mm</source>
@@ -3940,6 +3947,54 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>%1 of 100 responses took at most this time.</source>
         <translation>每 100 个应答中有 %1 个不超过此时间。</translation>
     </message>
+    <message>
+        <source>rate × √((allowed − friction) / (peak − friction)), rounded down</source>
+        <translation>速率 × √((允许值 − 摩擦) / (峰值 − 摩擦))，向下取整</translation>
+    </message>
+    <message>
+        <source>rate × ((allowed² − friction²) / (RMS² − friction²))^(1/4), rounded down</source>
+        <translation>速率 × ((允许值² − 摩擦²) / (均方根² − 摩擦²))^(1/4)，向下取整</translation>
+    </message>
+    <message>
+        <source>Peak motor torque</source>
+        <translation>电机峰值转矩</translation>
+    </message>
+    <message>
+        <source>Torque at the motor for the peak acceleration, plus friction.</source>
+        <translation>峰值加速度所需的电机转矩，加上摩擦。</translation>
+    </message>
+    <message>
+        <source>RMS motor torque</source>
+        <translation>电机均方根转矩</translation>
+    </message>
+    <message>
+        <source>Root mean square over one cycle. It heats the motor, so it stays below the rated torque.</source>
+        <translation>一个周期内的均方根值。它使电机发热，因此须低于额定转矩。</translation>
+    </message>
+    <message>
+        <source>Error while sealing</source>
+        <translation>封切误差</translation>
+    </message>
+    <message>
+        <source>Vibration of the knife shaft, peak to peak, between both ends of the sealing window.</source>
+        <translation>切刀轴在封切窗口两端之间振动的峰峰值。</translation>
+    </message>
+    <message>
+        <source>Torque, largest difference</source>
+        <translation>转矩最大偏差</translation>
+    </message>
+    <message>
+        <source>torque that the drive reports − (J α + friction), of the rated torque</source>
+        <translation>驱动器报告的转矩 − (J α + 摩擦)，占额定转矩</translation>
+    </message>
+    <message>
+        <source>Compared while the machine runs at full speed.</source>
+        <translation>机器以全速运行时进行比较。</translation>
+    </message>
+    <message>
+        <source>Largest of the last readings at full speed (%1), at %2° of the cycle. The drive lags behind the program, so the difference is largest where the acceleration changes fast.</source>
+        <translation>最近全速读数（%1 个）中的最大值，位于周期的 %2°。驱动器滞后于程序，因此加速度变化快处偏差最大。</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::FrameList</name>
@@ -5217,6 +5272,27 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>The file becomes version %2 of %1; earlier versions are kept.</source>
         <translation>将成为 %1 的第 %2 版，以前的版本均保留。</translation>
     </message>
+    <message>
+        <source>%1 Nm</source>
+        <translation>%1 Nm</translation>
+    </message>
+    <message>
+        <source>Peak motor torque</source>
+        <translation>电机峰值转矩</translation>
+    </message>
+    <message>
+        <source>RMS motor torque</source>
+        <translation>电机均方根转矩</translation>
+    </message>
+    <message>
+        <source>Highest RMS torque</source>
+        <translation>最高均方根转矩</translation>
+    </message>
+    <message>
+        <source>%1, %2 Nm</source>
+        <comment>recipe, torque</comment>
+        <translation>%1，%2 Nm</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::DatabaseService</name>
@@ -5368,82 +5444,7 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
-    <name>Explanations</name>
-    <message>
-        <source>rate × √((allowed − friction) / (peak − friction)), rounded down</source>
-        <translation>速率 × √((允许值 − 摩擦) / (峰值 − 摩擦))，向下取整</translation>
-    </message>
-    <message>
-        <source>rate × ((allowed² − friction²) / (RMS² − friction²))^(1/4), rounded down</source>
-        <translation>速率 × ((允许值² − 摩擦²) / (均方根² − 摩擦²))^(1/4)，向下取整</translation>
-    </message>
-    <message>
-        <source>Peak motor torque</source>
-        <translation>电机峰值转矩</translation>
-    </message>
-    <message>
-        <source>Torque at the motor for the peak acceleration, plus friction.</source>
-        <translation>峰值加速度所需的电机转矩，加上摩擦。</translation>
-    </message>
-    <message>
-        <source>RMS motor torque</source>
-        <translation>电机均方根转矩</translation>
-    </message>
-    <message>
-        <source>Root mean square over one cycle. It heats the motor, so it stays below the rated torque.</source>
-        <translation>一个周期内的均方根值。它使电机发热，因此须低于额定转矩。</translation>
-    </message>
-    <message>
-        <source>Error while sealing</source>
-        <translation>封切误差</translation>
-    </message>
-    <message>
-        <source>Vibration of the knife shaft, peak to peak, between both ends of the sealing window.</source>
-        <translation>切刀轴在封切窗口两端之间振动的峰峰值。</translation>
-    </message>
-    <message>
-        <source>Torque, largest difference</source>
-        <translation>转矩最大偏差</translation>
-    </message>
-    <message>
-        <source>torque that the drive reports − (J α + friction), of the rated torque</source>
-        <translation>驱动器报告的转矩 − (J α + 摩擦)，占额定转矩</translation>
-    </message>
-    <message>
-        <source>Compared while the machine runs at full speed.</source>
-        <translation>机器以全速运行时进行比较。</translation>
-    </message>
-    <message>
-        <source>Largest of the last readings at full speed (%1), at %2° of the cycle. The drive lags behind the program, so the difference is largest where the acceleration changes fast.</source>
-        <translation>最近全速读数（%1 个）中的最大值，位于周期的 %2°。驱动器滞后于程序，因此加速度变化快处偏差最大。</translation>
-    </message>
-</context>
-<context>
-    <name>Recipes</name>
-    <message>
-        <source>%1 Nm</source>
-        <translation>%1 Nm</translation>
-    </message>
-    <message>
-        <source>Peak motor torque</source>
-        <translation>电机峰值转矩</translation>
-    </message>
-    <message>
-        <source>RMS motor torque</source>
-        <translation>电机均方根转矩</translation>
-    </message>
-    <message>
-        <source>Highest RMS torque</source>
-        <translation>最高均方根转矩</translation>
-    </message>
-    <message>
-        <source>%1, %2 Nm</source>
-        <comment>recipe, torque</comment>
-        <translation>%1，%2 Nm</translation>
-    </message>
-</context>
-<context>
-    <name>TorqueWatch</name>
+    <name>campanel::panel::TorqueWatch</name>
     <message>
         <source>The drive reports no torque.</source>
         <translation>驱动器不报告转矩。</translation>

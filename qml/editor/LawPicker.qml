@@ -18,7 +18,7 @@ Sheet {
     LawRow {
         id: head
         anchors { left: parent.left; right: parent.right; rightMargin: 2 * Theme.size.accent; top: parent.top }
-        height: Theme.size.caption * 2
+        height: Theme.size.caption * 3
         header: true
         cells: Editor.lawColumns
     }

@@ -405,7 +405,7 @@ const QList<Screen>& allScreens()
     };
     static const QList<Screen> all = screens + packingScreens() + recipeScreens() + trendScreens() +
                                      alarmScreens() + accessScreens() + firstScreens() + backupScreens() +
-                                     maintenanceScreens();
+                                     maintenanceScreens() + motorScreens();
     return all;
 }
 

@@ -87,7 +87,6 @@ void TorqueWatch::prepare()
 {
     m_motion = {};
     m_load = {};
-    m_last.predictedPercent = unknown;
     m_isPending = false;
     m_readings.clear();
     const auto& program = m_machine.program();
@@ -100,6 +99,7 @@ void TorqueWatch::prepare()
             m_load = solved->load;
         }
     }
+    m_last.predictedPercent = predictedAt(m_last.angleDeg);
     emit changed();
 }
 
@@ -134,7 +134,7 @@ bool TorqueWatch::isAtFullSpeed() const
 
 double TorqueWatch::predictedAt(double angleDeg) const
 {
-    if (!m_load.isKnown() || m_motion.segments().empty())
+    if (!m_load.isKnown() || m_motion.segments().empty() || std::isnan(angleDeg))
         return unknown;
     profile::MotionPoint point = m_motion.at(angleDeg / 360 * m_motion.durationS());
     const profile::Program& program = m_machine.program()->recipe.program;

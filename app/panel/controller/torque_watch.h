@@ -40,7 +40,7 @@ public:
     static constexpr int maxReadings = 100;
 
     struct Reading {
-        double angleDeg = 0; // of the master
+        double angleDeg = unknown; // of the master
         double measuredPercent = unknown;
         double predictedPercent = unknown;
 

@@ -155,9 +155,9 @@ bool EditorViews::hasVibration() const
 QStringList EditorViews::lawColumns() const
 {
     QStringList columns{tr("Peak speed"), tr("Acceleration"), tr("Jerk"),
-                        hasTorque() ? tr("Torque, RMS") : tr("Frequency")};
+                        hasTorque() ? tr("Torque,\nRMS") : tr("Frequency")};
     if (hasVibration())
-        columns << (m_recipe.isCutter() ? tr("Error while sealing") : tr("Vibration after the move"));
+        columns << (m_recipe.isCutter() ? tr("Error while\nsealing") : tr("Vibration\nafter the move"));
     return columns;
 }
 
@@ -182,7 +182,7 @@ QList<LawRow> EditorViews::laws(std::optional<profile::LawId> compared) const
         row.peakRpmText = tr("%1 r/min").arg(format.number(peaks.motorRpm, 0));
         row.peakAccelerationText = tr("%1 m/s²").arg(format.number(peaks.accelerationMmPerS2 / 1000, 2));
         row.peakFrequencyText =
-            hasTorque() ? tr("%1, %2 Nm", "peak and RMS torque")
+            hasTorque() ? tr("%1 Nm\nRMS %2", "peak and RMS torque")
                               .arg(format.number(peaks.torqueNm, 3), format.number(peaks.rmsTorqueNm, 3))
                         : tr("%1 kHz").arg(format.number(peaks.pulseFrequencyHz / 1000, 1));
         if (hasVibration())
