@@ -88,7 +88,7 @@ void CurvePlot::updatePolish()
 
 CurvePlot::Mapping CurvePlot::mapping() const
 {
-    const PlotPanel* panel = tracePanel();
+    const PlotPanel* panel = velocityPanel();
     return {m_plotArea, m_timeMap.s2(), panel ? panel->scale().lower() : 0.0,
             panel ? panel->scale().upper() : 0.0};
 }
@@ -190,7 +190,7 @@ double CurvePlot::timeOfX(double x)
 double CurvePlot::yOfVelocity(double velocityMmPerS)
 {
     ensureLayout();
-    const PlotPanel* panel = tracePanel();
+    const PlotPanel* panel = velocityPanel();
     return panel ? panel->valueMap().transform(velocityMmPerS) : none;
 }
 
@@ -321,12 +321,10 @@ double CurvePlot::limitOf(Quantity quantity) const
     return none;
 }
 
-const PlotPanel* CurvePlot::tracePanel() const
+const PlotPanel* CurvePlot::velocityPanel() const
 {
     const auto found = std::ranges::find(m_panels, Quantity::Velocity, &PlotPanel::quantity);
-    if (found != m_panels.end())
-        return &*found;
-    return m_panels.size() == 1 ? &m_panels.front() : nullptr;
+    return found == m_panels.end() ? nullptr : &*found;
 }
 
 QRectF CurvePlot::cursorStrip(double timeS)
@@ -343,7 +341,7 @@ QRectF CurvePlot::cursorStrip(double timeS)
 QRectF CurvePlot::traceStrip(double fromS, double toS)
 {
     ensureLayout();
-    const PlotPanel* panel = tracePanel();
+    const PlotPanel* panel = velocityPanel();
     if (!panel) {
         return {};
     }

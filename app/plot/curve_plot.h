@@ -28,8 +28,7 @@ class CurvePlot : public QQuickPaintedItem {
     // "frequency" kHz, "torque" Nm.
     Q_PROPERTY(QStringList quantities MEMBER m_quantities NOTIFY quantitiesChanged FINAL)
     Q_PROPERTY(QStringList titles MEMBER m_titles NOTIFY titlesChanged FINAL)
-    // The measured points over the panel of the velocity, or over the only panel: x cycle time in s,
-    // ascending.
+    // The measured points over the velocity panel: x cycle time in s, ascending; y in mm/s.
     Q_PROPERTY(QList<QPointF> trace READ trace WRITE setTrace NOTIFY traceChanged FINAL)
     // The cursor in s; NaN for none.
     Q_PROPERTY(double cursorTime READ cursorTime WRITE setCursorTime NOTIFY cursorTimeChanged FINAL)
@@ -143,7 +142,7 @@ private:
     [[nodiscard]] PlotStyle style() const;
     [[nodiscard]] QColor colorOf(Quantity quantity) const;
     [[nodiscard]] double limitOf(Quantity quantity) const;
-    [[nodiscard]] const PlotPanel* tracePanel() const;
+    [[nodiscard]] const PlotPanel* velocityPanel() const;
     [[nodiscard]] QRectF cursorStrip(double timeS);
     [[nodiscard]] QRectF traceStrip(double fromS, double toS);
 

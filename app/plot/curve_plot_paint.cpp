@@ -149,7 +149,7 @@ void CurvePlot::paintTimeLabels(QPainter& painter, const PlotStyle& plotStyle) c
 
 void CurvePlot::paintTrace(QPainter& painter) const
 {
-    const PlotPanel* panel = tracePanel();
+    const PlotPanel* panel = velocityPanel();
     if (!panel || m_trace.isEmpty()) {
         return;
     }

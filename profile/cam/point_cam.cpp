@@ -162,6 +162,22 @@ std::optional<Refusal> findWrapJump(const PointCamProgram& program, const Machin
     return refusal;
 }
 
+// Refuses a cycle that repeats faster than the natural frequency of the shaft.
+std::optional<Refusal> findFastCycle(const PointCamProgram& program, const Machine& machine)
+{
+    const double cycleHz = 1 / camCycleS(program);
+    if (!(machine.naturalFrequencyHz > 0) ||
+        cycleHz <= machine.naturalFrequencyHz * (1 + detail::limitTolerance))
+        return std::nullopt;
+    Refusal refusal;
+    refusal.limit = Limit::NaturalFrequency;
+    refusal.field = Field::NaturalFrequency;
+    refusal.actual = cycleHz;
+    refusal.allowed = machine.naturalFrequencyHz;
+    refusal.unit = info(Field::NaturalFrequency).unit;
+    return refusal;
+}
+
 // Includes the acceleration and the torque of the jump at the wrap in the peaks.
 void addWrapPeak(Peaks& peaks, const PointCamProgram& program, const Machine& machine)
 {
@@ -227,7 +243,10 @@ std::optional<Suggestion> feasibleRate(const PointCamProgram& program, const Mac
         std::min({share(allowance.speedMmPerS, peaks.speedMmPerS),
                   std::sqrt(share(allowance.accelerationMmPerS2, peaks.accelerationMmPerS2)),
                   share(allowedWrapJumpMmPerS(machine), std::abs(wrapJumpMmPerS(program))),
-                  rmsFactor(program, solved.motion, machine)});
+                  rmsFactor(program, solved.motion, machine),
+                  share(machine.naturalFrequencyHz > 0 ? machine.naturalFrequencyHz
+                                                       : std::numeric_limits<double>::max(),
+                        1 / camCycleS(program))});
     const double present = program.masterRateRevPerMin;
     const double step = info(Field::MasterRate).resolution();
     const double steps = std::floor(std::abs(present) * factor / step * (1 + detail::limitTolerance));
@@ -250,6 +269,8 @@ AxisMotion solveValid(const PointCamProgram& program, const Machine& machine)
     }
     if (auto jump = findWrapJump(program, machine))
         solved.broken.push_back(*std::move(jump));
+    if (auto fast = findFastCycle(program, machine))
+        solved.broken.push_back(*std::move(fast));
     if (auto overshoot = findOvershoot(program)) {
         solved.broken.push_back(*std::move(overshoot)); // no rate corrects the curve
     } else if (!solved.broken.empty()) {

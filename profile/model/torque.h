@@ -15,7 +15,7 @@ struct TorqueMeans {
     double movingShare = 1;      // share of the time without standstill
 };
 
-// What the motor turns, seen from the axis in mm.
+// The load of the motor, seen from the axis in mm.
 struct TorqueLoad {
     double nmPerMmPerS2 = 0; // 0: the inertia is unknown
     double frictionNm = 0;

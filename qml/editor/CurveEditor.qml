@@ -76,7 +76,7 @@ Card {
         ? qsTr("grey: %1").arg(Editor.overlayName) : ""
     function titleOf(quantity: string): string {
         return ({ position: qsTr("Position mm"), velocity: qsTr("Velocity mm/s"), acceleration: qsTr("Acceleration m/s²"),
-            jerk: qsTr("Jerk m/s³"), frequency: qsTr("Pulse frequency kHz"), torque: qsTr("Motor torque Nm") })[quantity]
+            jerk: qsTr("Jerk m/s³"), frequency: qsTr("Pulse frequency kHz"), torque: qsTr("Motor torque Nm, RMS %1").arg(Theme.number(Editor.plot.rmsTorque, 3)) })[quantity]
     }
     Repeater {
         model: Editor.solvable ? editor.handleTimes.length : 0

@@ -20,7 +20,7 @@ Sheet {
         anchors { left: parent.left; right: parent.right; rightMargin: 2 * Theme.size.accent; top: parent.top }
         height: Theme.size.caption * 3
         header: true
-        cells: Editor.lawColumns
+        cells: [...Editor.lawColumns]
     }
     ListView {
         id: list

@@ -461,8 +461,8 @@ And %2 more.</source>
         <translation>脉冲频率 kHz</translation>
     </message>
     <message>
-        <source>Motor torque Nm</source>
-        <translation>电机转矩 Nm</translation>
+        <source>Motor torque Nm, RMS %1</source>
+        <translation>电机转矩 Nm，均方根 %1</translation>
     </message>
 </context>
 <context>

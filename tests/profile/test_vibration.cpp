@@ -2,6 +2,7 @@
 // Vibration: published numbers, an integration of the same mode for random cams, refused natural frequencies.
 #include "recipes.h"
 
+#include "profile/cam/point_cam.h"
 #include "profile/cutter/limits.h"
 #include "profile/model/vibration.h"
 #include "profile/moves/position_move.h"
@@ -108,6 +109,7 @@ private slots:
     void residualAgreesWithAnIntegration();
     void unknownModeIsNoNumber();
     void naturalFrequencyBelowTheCycle();
+    void naturalFrequencyBelowACam();
 };
 
 void TestVibration::windowOfTheCheckRecipe_data()
@@ -235,6 +237,24 @@ void TestVibration::naturalFrequencyBelowTheCycle()
     QCOMPARE(refusal.nearest[1].field, Field::NaturalFrequency);
     QCOMPARE(refusal.nearest[1].value, 3.4);
     QCOMPARE(fastestRate(*cutter)->limitedBy, Limit::NaturalFrequency);
+}
+
+void TestVibration::naturalFrequencyBelowACam()
+{
+    PointCamProgram program;
+    program.masterRateRevPerMin = 120;
+    Machine machine;
+    machine.maxMotorRpm = 7200;
+    machine.naturalFrequencyHz = 1.5;
+    const auto cam = solve(program, machine);
+    QVERIFY(cam.has_value());
+    QCOMPARE(cam->broken.size(), std::size_t{1});
+    QCOMPARE(cam->broken[0].limit, Limit::NaturalFrequency);
+    QCOMPARE(cam->broken[0].actual, 2.0);
+    QCOMPARE(cam->broken[0].nearest.size(), std::size_t{1});
+    QCOMPARE(cam->broken[0].nearest[0].value, 90.0);
+    program.masterRateRevPerMin = 90;
+    QVERIFY(solve(program, machine)->broken.empty());
 }
 
 CAMPANEL_TEST(TestVibration)

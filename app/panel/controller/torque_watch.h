@@ -32,7 +32,7 @@ class TorqueWatch : public QObject {
     Q_PROPERTY(double differencePercent READ differencePercent NOTIFY changed FINAL)
     Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
     Q_PROPERTY(QString shortText READ shortText NOTIFY changed FINAL)
-    // What a comparison needs and does not have, as a sentence; empty when there is nothing.
+    // The data that a comparison needs and does not have, as a sentence; empty when there are none.
     Q_PROPERTY(QString missingText READ missingText NOTIFY changed FINAL)
 
 public:

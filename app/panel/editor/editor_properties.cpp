@@ -53,6 +53,8 @@ EditorPlot Editor::plot() const
     const profile::Machine& limits = m_solution.solved ? m_solution.solved->machine : m_recipe.machine;
     plot.limitFrequency = profile::pulseFrequencyLimitHz(limits);
     plot.hasTorque = m_solution.curves && !m_solution.curves->torqueNm.empty();
+    if (m_solution.solved)
+        plot.rmsTorque = m_solution.solved->peaks.rmsTorqueNm;
     if (limits.maxTorqueNm > 0)
         plot.limitTorque = limits.maxTorqueNm;
     if (m_recipe.isCutter()) {

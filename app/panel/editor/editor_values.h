@@ -54,6 +54,7 @@ struct EditorPlot {
     Q_PROPERTY(double limitFrequency MEMBER limitFrequency FINAL)
     Q_PROPERTY(bool hasTorque MEMBER hasTorque FINAL)
     Q_PROPERTY(double limitTorque MEMBER limitTorque FINAL)
+    Q_PROPERTY(double rmsTorque MEMBER rmsTorque FINAL)
     Q_PROPERTY(QList<QPointF> violations MEMBER violations FINAL)
 
 public:
@@ -66,6 +67,7 @@ public:
     double limitFrequency = 0;    // Hz
     bool hasTorque = false;       // the inertia is known
     double limitTorque = unknown; // Nm
+    double rmsTorque = unknown;   // Nm
     QList<QPointF> violations;    // from and to
 };
 

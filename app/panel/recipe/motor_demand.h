@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a recipe demands of its motor, and which of several recipes demands the most.
+// The torque that a recipe demands of its motor, and the recipe that demands the most.
 #pragma once
 
 #include "app/program/recipe.h"

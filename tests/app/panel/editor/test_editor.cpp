@@ -303,6 +303,7 @@ private slots:
         QVERIFY2(rig.editor.peakText().contains("0.747 Nm (RMS 0.277)"), qPrintable(rig.editor.peakText()));
         QVERIFY(rig.editor.plot().hasTorque);
         QCOMPARE(rig.editor.plot().limitTorque, 2.0);
+        QVERIFY(std::abs(rig.editor.plot().rmsTorque - 0.2773) < 1e-4);
     }
 
     void listsWhatEachLawWouldDemand()
