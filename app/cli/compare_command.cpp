@@ -7,6 +7,7 @@
 #include "app/cli/report.h"
 #include "profile/cutter/ratios.h"
 #include "profile/laws/laws.h"
+#include "profile/model/vibration.h"
 #include "profile/moves/compare_laws.h"
 
 #include <QJsonArray>
@@ -25,7 +26,7 @@ std::vector<profile::LawComparison> compared(const P& program, const profile::Ma
     return profile::compareLaws(program, machine, profile::suitableLaws(program));
 }
 
-QJsonObject comparisonRow(const profile::LawComparison& each)
+QJsonObject comparisonRow(const profile::LawComparison& each, const profile::ShaftMode& mode)
 {
     QJsonObject row{{u"law"_s, fromView(profile::findLaw(each.choice.law)->key)}};
     if (!each.result) {
@@ -38,7 +39,9 @@ QJsonObject comparisonRow(const profile::LawComparison& each)
     row[u"motor_rpm"_s] = peaks.motorRpm;
     row[u"acceleration_mm_per_s2"_s] = peaks.accelerationMmPerS2;
     row[u"jerk_mm_per_s3"_s] = peaks.jerkMmPerS3; // JSON has no infinity: null
-    row[u"torque_nm"_s] = peaks.torqueNm;
+    row[u"torque_nm"_s] = peaks.torqueNm;         // null while the inertia is unknown
+    row[u"rms_torque_nm"_s] = peaks.rmsTorqueNm;
+    row[u"residual_mm"_s] = profile::residualAmplitudeMm(each.result->motion, mode);
     row[u"feasible"_s] = each.result->broken.empty();
     return row;
 }
@@ -109,12 +112,13 @@ QByteArray comparisonText(const QJsonArray& rows)
             continue;
         }
         const double jerk = row[u"jerk_mm_per_s3"_s].toDouble(qInf());
+        const double torque = row[u"torque_nm"_s].toDouble(qQNaN());
         text += u"%1 %2 %3 %4 %5 %6 %7\n"_s.arg(row[u"law"_s].toString(), -20)
                     .arg(row[u"time_s"_s].toDouble(), 9, 'f', 3)
                     .arg(row[u"motor_rpm"_s].toDouble(), 9, 'f', 1)
                     .arg(row[u"acceleration_mm_per_s2"_s].toDouble(), 11, 'f', 1)
                     .arg(std::isfinite(jerk) ? QString::number(jerk, 'f', 0) : u"steps"_s, 13)
-                    .arg(row[u"torque_nm"_s].toDouble(), 9, 'f', 4)
+                    .arg(std::isfinite(torque) ? QString::number(torque, 'f', 4) : u"--"_s, 9)
                     .arg(row[u"feasible"_s].toBool() ? u"yes"_s : u"no"_s, 13);
     }
     return text.toUtf8();
@@ -144,7 +148,7 @@ Outcome runCompare(const Invocation& call)
         return fail(ExitCode::Usage,
                     u"Laws are compared for --kind position_move, speed_move and rotary_cutter."_s);
     for (const profile::LawComparison& each : laws)
-        rows.append(comparisonRow(each));
+        rows.append(comparisonRow(each, profile::shaftMode(recipe->machine)));
     if (call.format() == u"json")
         return call.deliver(formatted(QJsonObject{{u"laws"_s, rows}}, call.format()));
     return call.deliver(comparisonText(rows));

@@ -6,9 +6,12 @@
 #include "app/cli/report.h"
 #include "app/program/solved_program.h"
 #include "profile/cutter/ratios.h"
+#include "profile/model/vibration.h"
 #include "profile/moves/position_move.h"
 
 #include <QJsonArray>
+
+#include <limits>
 
 using namespace Qt::StringLiterals;
 
@@ -50,7 +53,8 @@ QJsonObject peakObject(const program::SolvedProgram& solved)
                        {u"pulse_frequency_hz"_s, peaks.pulseFrequencyHz},
                        {u"acceleration_mm_per_s2"_s, peaks.accelerationMmPerS2},
                        {u"acceleration_at_s"_s, peaks.accelerationTimeS},
-                       {u"torque_nm"_s, peaks.torqueNm},          // unknown for a cutter or a press: null
+                       {u"torque_nm"_s, peaks.torqueNm}, // unknown without an inertia, and for a press: null
+                       {u"rms_torque_nm"_s, peaks.rmsTorqueNm},
                        {u"jerk_mm_per_s3"_s, peaks.jerkMmPerS3}}; // JSON has no infinity: null
     if (solved.cutter)
         object[u"rms_acceleration_mm_per_s2"_s] =
@@ -85,6 +89,16 @@ QJsonObject coefficientObject(const program::Recipe& recipe, double timeS)
     return object;
 }
 
+// Returns the vibration of the shaft; null while its natural frequency is unknown.
+QJsonObject vibrationObject(const program::SolvedProgram& solved, bool isMove)
+{
+    if (solved.cutter)
+        return {{u"seal_error_mm"_s, profile::sealErrorMm(*solved.cutter)}};
+    const profile::ShaftMode mode = profile::shaftMode(solved.machine);
+    return {{u"residual_mm"_s, isMove ? profile::residualAmplitudeMm(solved.motion, mode)
+                                      : std::numeric_limits<double>::quiet_NaN()}};
+}
+
 QJsonObject motionObject(const program::SolvedProgram& solved)
 {
     const auto begin = solved.motion.at(0);
@@ -96,24 +110,26 @@ QJsonObject motionObject(const program::SolvedProgram& solved)
             {u"pulses_per_mm"_s, solved.pulsesPerMm}};
 }
 
-QJsonObject curveObject(const profile::Curves& curves)
+// Returns the curves by the names of their columns; the torque only where it is known.
+std::vector<Column> columnsOf(const profile::Curves& curves)
 {
-    return {{u"time_s"_s, listOf(curves.timeS)},
-            {u"position_mm"_s, listOf(curves.positionMm)},
-            {u"velocity_mm_per_s"_s, listOf(curves.velocityMmPerS)},
-            {u"acceleration_mm_per_s2"_s, listOf(curves.accelerationMmPerS2)},
-            {u"jerk_mm_per_s3"_s, listOf(curves.jerkMmPerS3)},
-            {u"frequency_hz"_s, listOf(curves.frequencyHz)}};
+    std::vector<Column> columns{{"time_s", &curves.timeS},
+                                {"position_mm", &curves.positionMm},
+                                {"velocity_mm_per_s", &curves.velocityMmPerS},
+                                {"acceleration_mm_per_s2", &curves.accelerationMmPerS2},
+                                {"jerk_mm_per_s3", &curves.jerkMmPerS3},
+                                {"frequency_hz", &curves.frequencyHz}};
+    if (!curves.torqueNm.empty())
+        columns.push_back({"torque_nm", &curves.torqueNm});
+    return columns;
 }
 
-QByteArray curvesCsv(const profile::Curves& curves)
+QJsonObject curveObject(const profile::Curves& curves)
 {
-    return csvTable({{"time_s", &curves.timeS},
-                     {"position_mm", &curves.positionMm},
-                     {"velocity_mm_per_s", &curves.velocityMmPerS},
-                     {"acceleration_mm_per_s2", &curves.accelerationMmPerS2},
-                     {"jerk_mm_per_s3", &curves.jerkMmPerS3},
-                     {"frequency_hz", &curves.frequencyHz}});
+    QJsonObject object;
+    for (const Column& column : columnsOf(curves))
+        object[QLatin1StringView(column.name)] = listOf(*column.values);
+    return object;
 }
 
 } // namespace
@@ -136,7 +152,8 @@ Outcome runProfile(const Invocation& call)
 
     QByteArray text;
     if (call.format() == u"csv") {
-        text = curvesCsv(curves());
+        const profile::Curves sampled = curves();
+        text = csvTable(columnsOf(sampled));
     } else {
         QJsonArray limits;
         for (const profile::Refusal& limit : broken.limits)
@@ -146,6 +163,7 @@ Outcome runProfile(const Invocation& call)
             {u"kind"_s, fromView(program::kindInfo(recipe->kind()).key)},
             {u"cycle"_s, solved->cutter ? cycleObject(*solved->cutter) : motionObject(*solved)},
             {u"peaks"_s, peakObject(*solved)},
+            {u"vibration"_s, vibrationObject(*solved, program::lawParameters(recipe->program) != nullptr)},
             {u"feasible"_s, broken.limits.empty()},
             {u"broken_limits"_s, limits}};
         if (const QJsonObject found = coefficientObject(*recipe, solved->cycleS()); !found.isEmpty())

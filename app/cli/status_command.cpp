@@ -97,6 +97,7 @@ QJsonObject ioObject(const modbus::IoStatus& io)
     return {{u"inputs"_s, io.inputs ? QJsonValue(bitNames("InputBit", *io.inputs)) : QJsonValue()},
             {u"outputs"_s, io.outputs ? QJsonValue(bitNames("OutputBit", *io.outputs)) : QJsonValue()},
             {u"torque_percent"_s, orNull(io.torquePercent)},
+            {u"torque_angle_deg"_s, orNull(io.torqueAngleDeg)},
             {u"infeed_position_mm"_s, orNull(io.infeedPositionMm)},
             {u"infeed_following_error_mm"_s, orNull(io.infeedFollowingErrorMm)}};
 }

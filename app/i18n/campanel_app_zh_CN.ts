@@ -1615,12 +1615,8 @@
         <translation>峰值 %1 r/min · %2 m/s² · %3 kHz</translation>
     </message>
     <message>
-        <source>%1 Nm</source>
-        <translation>%1 Nm</translation>
-    </message>
-    <message>
-        <source>peak %1 r/min · %2 m/s² · %3 Nm · %4 kHz</source>
-        <translation>峰值 %1 r/min · %2 m/s² · %3 Nm · %4 kHz</translation>
+        <source>peak %1 r/min · %2 m/s² · %3 Nm (RMS %5) · %4 kHz</source>
+        <translation>峰值 %1 r/min · %2 m/s² · %3 Nm（均方根 %5） · %4 kHz</translation>
     </message>
     <message>
         <source>Just within the limits.</source>
@@ -1637,6 +1633,50 @@
     <message>
         <source>peak %1 r/min · %2 m/s² · %3 kHz · seal %4 ms</source>
         <translation>峰值 %1 r/min · %2 m/s² · %3 kHz · 封口 %4 ms</translation>
+    </message>
+    <message>
+        <source>Peak speed</source>
+        <translation>峰值速度</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>跃度</translation>
+    </message>
+    <message>
+        <source>Torque,
+RMS</source>
+        <translation>转矩、
+均方根</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>频率</translation>
+    </message>
+    <message>
+        <source>Error while
+sealing</source>
+        <translation>封切误差</translation>
+    </message>
+    <message>
+        <source>Vibration
+after the move</source>
+        <translation>运动后
+振动</translation>
+    </message>
+    <message>
+        <source>%1 Nm
+RMS %2</source>
+        <comment>peak and RMS torque</comment>
+        <translation>%1 Nm
+均方根 %2</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
     </message>
 </context>
 <context>
@@ -2521,12 +2561,12 @@
         <translation>电机每转的轴位移，含减速机和丝杠。</translation>
     </message>
     <message>
-        <source>Peak torque of the motor, see the motor&apos;s nameplate.</source>
-        <translation>电机峰值转矩，见电机铭牌。</translation>
+        <source>Peak torque of the motor, see the motor&apos;s nameplate. 0: unknown, no limit.</source>
+        <translation>电机峰值转矩，见电机铭牌。0 表示未知，不限制。</translation>
     </message>
     <message>
-        <source>Total inertia of motor, gear and load at the motor. CamPanel uses the inertia to estimate the torque of a motion.</source>
-        <translation>折算到电机的电机、减速机和负载总惯量，用于估算运动所需转矩。</translation>
+        <source>Total inertia of motor, gear and load at the motor. CamPanel uses the inertia to estimate the torque of a motion. 0: unknown.</source>
+        <translation>折算到电机的电机、减速机和负载总惯量，用于估算运动所需转矩。0 表示未知。</translation>
     </message>
     <message>
         <source>Friction torque at the motor while the axis turns slowly and steadily.</source>
@@ -2583,6 +2623,38 @@
     <message>
         <source>Ramps, slow to gentle</source>
         <translation>斜坡位置（低速至平缓）</translation>
+    </message>
+    <message>
+        <source>Rated motor torque</source>
+        <translation>电机额定转矩</translation>
+    </message>
+    <message>
+        <source>Natural frequency</source>
+        <translation>固有频率</translation>
+    </message>
+    <message>
+        <source>Damping ratio</source>
+        <translation>阻尼比</translation>
+    </message>
+    <message>
+        <source>Continuous torque of the motor, see the motor&apos;s nameplate. The RMS torque of a cycle stays below it. 0: unknown, no limit.</source>
+        <translation>电机连续转矩，见电机铭牌。一个周期的均方根转矩不超过该值。0 表示未知，不限制。</translation>
+    </message>
+    <message>
+        <source>Lowest natural frequency of the shaft behind the motor, from a measurement or the drive&apos;s analysis. 0: unknown.</source>
+        <translation>电机后轴系的最低固有频率，由测量或驱动器分析得到。0 表示未知。</translation>
+    </message>
+    <message>
+        <source>Damping of this vibration as a share of critical damping. 0.05 is usual for a shaft with gear.</source>
+        <translation>该振动的阻尼与临界阻尼之比。带减速机的轴通常为 0.05。</translation>
+    </message>
+    <message>
+        <source>RMS torque</source>
+        <translation>均方根转矩</translation>
+    </message>
+    <message>
+        <source>natural frequency</source>
+        <translation>固有频率</translation>
     </message>
 </context>
 <context>
@@ -2822,6 +2894,14 @@
         <source>%1 %2 allow %3.</source>
         <comment>%1: whole sentence, %2: longer ramps, %3: rate with unit</comment>
         <translation>%1%2可达到 %3。</translation>
+    </message>
+    <message>
+        <source>RMS torque would be %1, and the motor would overheat; its rated torque is %2.</source>
+        <translation>均方根转矩将为 %1，电机会过热；额定转矩为 %2。</translation>
+    </message>
+    <message>
+        <source>The cycle repeats at %1, above the shaft&apos;s natural frequency of %2. Enter a lower rate, or correct the machine data.</source>
+        <translation>循环频率为 %1，高于轴的固有频率 %2。请降低速率，或更正机器数据。</translation>
     </message>
 </context>
 <context>
@@ -4038,6 +4118,54 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>The law is the polynomial s = C0 + C1 t + C2 t^2 … of the paper, s in mm and t in ms: %1.</source>
         <translation>该规律是论文中的多项式 s = C0 + C1 t + C2 t^2 …，s 以 mm、t 以 ms 计：%1。</translation>
+    </message>
+    <message>
+        <source>rate × √((allowed − friction) / (peak − friction)), rounded down</source>
+        <translation>速率 × √((允许值 − 摩擦) / (峰值 − 摩擦))，向下取整</translation>
+    </message>
+    <message>
+        <source>rate × ((allowed² − friction²) / (RMS² − friction²))^(1/4), rounded down</source>
+        <translation>速率 × ((允许值² − 摩擦²) / (均方根² − 摩擦²))^(1/4)，向下取整</translation>
+    </message>
+    <message>
+        <source>Peak motor torque</source>
+        <translation>电机峰值转矩</translation>
+    </message>
+    <message>
+        <source>Torque at the motor for the peak acceleration, plus friction.</source>
+        <translation>峰值加速度所需的电机转矩，加上摩擦。</translation>
+    </message>
+    <message>
+        <source>RMS motor torque</source>
+        <translation>电机均方根转矩</translation>
+    </message>
+    <message>
+        <source>Root mean square over one cycle. It heats the motor, so it stays below the rated torque.</source>
+        <translation>一个周期内的均方根值。它使电机发热，因此须低于额定转矩。</translation>
+    </message>
+    <message>
+        <source>Error while sealing</source>
+        <translation>封切误差</translation>
+    </message>
+    <message>
+        <source>Vibration of the knife shaft, peak to peak, between both ends of the sealing window.</source>
+        <translation>切刀轴在封切窗口两端之间振动的峰峰值。</translation>
+    </message>
+    <message>
+        <source>Torque, largest difference</source>
+        <translation>转矩最大偏差</translation>
+    </message>
+    <message>
+        <source>torque that the drive reports − (J α + friction), of the rated torque</source>
+        <translation>驱动器报告的转矩 − (J α + 摩擦)，占额定转矩</translation>
+    </message>
+    <message>
+        <source>Compared while the machine runs at full speed.</source>
+        <translation>机器以全速运行时进行比较。</translation>
+    </message>
+    <message>
+        <source>Largest of the last readings at full speed (%1), at %2° of the cycle. The drive lags behind the program, so the difference is largest where the acceleration changes fast.</source>
+        <translation>最近全速读数（%1 个）中的最大值，位于周期的 %2°。驱动器滞后于程序，因此加速度变化快处偏差最大。</translation>
     </message>
 </context>
 <context>
@@ -5316,6 +5444,27 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>The file becomes version %2 of %1; earlier versions are kept.</source>
         <translation>将成为 %1 的第 %2 版，以前的版本均保留。</translation>
     </message>
+    <message>
+        <source>%1 Nm</source>
+        <translation>%1 Nm</translation>
+    </message>
+    <message>
+        <source>Peak motor torque</source>
+        <translation>电机峰值转矩</translation>
+    </message>
+    <message>
+        <source>RMS motor torque</source>
+        <translation>电机均方根转矩</translation>
+    </message>
+    <message>
+        <source>Highest RMS torque</source>
+        <translation>最高均方根转矩</translation>
+    </message>
+    <message>
+        <source>%1, %2 Nm</source>
+        <comment>recipe, torque</comment>
+        <translation>%1，%2 Nm</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::DatabaseService</name>
@@ -5510,6 +5659,42 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>No rate is possible; limited by: %1.</source>
         <comment>name of the limit</comment>
         <translation>任何速率都不可行，受限于%1。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::TorqueWatch</name>
+    <message>
+        <source>The drive reports no torque.</source>
+        <translation>驱动器不报告转矩。</translation>
+    </message>
+    <message>
+        <source>Inertia and rated torque are missing in Settings, Machine.</source>
+        <translation>“设置”的“机器”中缺少惯量和额定转矩。</translation>
+    </message>
+    <message>
+        <source>The inertia is missing in Settings, Machine.</source>
+        <translation>“设置”的“机器”中缺少惯量。</translation>
+    </message>
+    <message>
+        <source>The rated torque is missing in Settings, Machine.</source>
+        <translation>“设置”的“机器”中缺少额定转矩。</translation>
+    </message>
+    <message>
+        <source>The program was made for other machine data.</source>
+        <translation>该程序是按其他机器数据生成的。</translation>
+    </message>
+    <message>
+        <source>Torque %1 %, predicted --. %2</source>
+        <comment>%1: of rated, %2: sentence</comment>
+        <translation>转矩 %1 %，预测 --。%2</translation>
+    </message>
+    <message>
+        <source>Torque %1 % of rated, predicted %2 %, largest difference %3 %</source>
+        <translation>转矩为额定的 %1 %，预测 %2 %，最大偏差 %3 %</translation>
+    </message>
+    <message>
+        <source>Torque %1 %, predicted %2 %, max. diff. %3 %</source>
+        <translation>转矩 %1 %，预测 %2 %，最大偏差 %3 %</translation>
     </message>
 </context>
 </TS>

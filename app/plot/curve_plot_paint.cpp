@@ -222,6 +222,8 @@ QColor CurvePlot::colorOf(Quantity quantity) const
         return m_style.jerkColor;
     case Quantity::Frequency:
         return m_style.frequencyColor;
+    case Quantity::Torque:
+        return m_style.torqueColor;
     }
     return m_style.inkColor;
 }

@@ -79,14 +79,17 @@ constexpr std::array cutterFields{
     Field::BagLength,   Field::Rate,        Field::BaseSpeed, Field::FilmSpeed, Field::K1,
     Field::K2,          Field::K3,          Field::K4,        Field::SyncRatio, Field::SlicesPerRamp,
     Field::MinSealTime, Field::RampPosition};
-constexpr std::array cutterMachine{
-    Field::KnifeRadius,     Field::Knives,      Field::PulsesPerMotorRev,    Field::GearNumerator,
-    Field::GearDenominator, Field::MaxMotorRpm, Field::MaxKnifeAcceleration, Field::MaxPulseFrequency,
-    Field::MaxRate,         Field::ContactAngle};
+constexpr std::array cutterMachine{Field::KnifeRadius, Field::Knives, Field::PulsesPerMotorRev,
+                                   Field::GearNumerator, Field::GearDenominator, Field::MaxMotorRpm,
+                                   Field::MaxKnifeAcceleration, Field::MaxPulseFrequency, Field::MaxRate,
+                                   // Optional: the motor, and the shaft behind it.
+                                   Field::MaxTorque, Field::RatedTorque, Field::Inertia, Field::Friction,
+                                   Field::NaturalFrequency, Field::DampingRatio, Field::ContactAngle};
 
-constexpr std::array axisMachine{Field::FeedPerMotorRev, Field::PulsesPerMotorRev, Field::MaxMotorRpm,
-                                 Field::MaxAcceleration, Field::MaxPulseFrequency, Field::MaxTorque,
-                                 Field::Inertia,         Field::Friction};
+constexpr std::array axisMachine{Field::FeedPerMotorRev,  Field::PulsesPerMotorRev, Field::MaxMotorRpm,
+                                 Field::MaxAcceleration,  Field::MaxPulseFrequency, Field::MaxTorque,
+                                 Field::Inertia,          Field::Friction,          Field::RatedTorque,
+                                 Field::NaturalFrequency, Field::DampingRatio};
 constexpr std::array positionFields{Field::Distance, Field::MoveTime, Field::CamPoints};
 constexpr std::array speedFields{Field::StartSpeed, Field::EndSpeed, Field::MoveTime, Field::Distance,
                                  Field::CamPoints};
@@ -120,6 +123,9 @@ void paperAxis(profile::Machine& machine)
 {
     machine.pulsesPerMotorRev = 1000;
     machine.maxMotorRpm = 7200;
+    machine.maxTorqueNm = 1.33;
+    machine.inertiaKgCm2 = 0.2;
+    machine.frictionNm = 0.02;
 }
 
 void paperPress(profile::Machine& machine)

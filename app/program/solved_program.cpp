@@ -7,6 +7,8 @@
 #include "profile/moves/speed_move.h"
 #include "profile/press/press.h"
 
+#include <cmath>
+
 namespace campanel::program {
 namespace {
 
@@ -23,6 +25,7 @@ Solved ofCutter(tl::expected<profile::RotaryCutter, profile::Refusal> cutter)
     solved.broken = profile::checkLimits(*cutter);
     solved.marksS = {cutter->cycle.taS, cutter->cycle.tbS, cutter->cycle.tcS, cutter->cycle.tdS};
     solved.pulsesPerMm = profile::pulsesPerMm(cutter->machine);
+    solved.load = profile::knifeLoad(cutter->machine);
     solved.cutter = std::move(*cutter);
     return solved;
 }
@@ -38,6 +41,8 @@ Solved ofAxis(tl::expected<profile::AxisMotion, profile::Refusal> axis, const pr
     solved.broken = std::move(axis->broken);
     solved.marksS = std::move(axis->marksS);
     solved.pulsesPerMm = profile::axisPulsesPerMm(machine);
+    if (std::isfinite(solved.peaks.torqueNm))
+        solved.load = profile::axisLoad(machine);
     return solved;
 }
 
@@ -63,7 +68,9 @@ tl::expected<SolvedProgram, profile::Refusal> solveProgram(const Recipe& recipe)
 
 profile::Curves sampleCurves(const SolvedProgram& solved, std::size_t points)
 {
-    return profile::sampleCurves(solved.motion, solved.pulsesPerMm, points);
+    profile::Curves curves = profile::sampleCurves(solved.motion, solved.pulsesPerMm, points);
+    profile::addTorque(curves, solved.load);
+    return curves;
 }
 
 } // namespace campanel::program

@@ -7,6 +7,7 @@
 #include "profile/cutter/limits.h"
 #include "profile/cutter/sampling.h"
 #include "profile/model/axis_motion.h"
+#include "profile/model/torque.h"
 
 #include <optional>
 #include <tl/expected.hpp>
@@ -17,8 +18,9 @@ namespace campanel::program {
 struct SolvedProgram {
     std::optional<profile::RotaryCutter> cutter; // only for a rotary cutter
     profile::Machine machine;
-    profile::MotionProfile motion;        // one cycle; for a press a nominal stroke
-    profile::Peaks peaks;             // the torque of a cutter is NaN
+    profile::MotionProfile motion; // one cycle; for a press a nominal stroke
+    profile::Peaks peaks;
+    profile::TorqueLoad load;             // unknown without an inertia, and for a press
     std::vector<profile::Refusal> broken; // exceeded limits of the machine; empty when it can execute the
                                           // motion
     std::vector<double> marksS;           // lines on the plot: ends of segments, knots, stages

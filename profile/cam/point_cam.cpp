@@ -4,6 +4,7 @@
 
 #include "profile/cam/point_cam_validate.h"
 #include "profile/model/limit_check.h"
+#include "profile/model/torque.h"
 
 #include <algorithm>
 #include <array>
@@ -161,6 +162,22 @@ std::optional<Refusal> findWrapJump(const PointCamProgram& program, const Machin
     return refusal;
 }
 
+// Refuses a cycle that repeats faster than the natural frequency of the shaft.
+std::optional<Refusal> findFastCycle(const PointCamProgram& program, const Machine& machine)
+{
+    const double cycleHz = 1 / camCycleS(program);
+    if (!(machine.naturalFrequencyHz > 0) ||
+        cycleHz <= machine.naturalFrequencyHz * (1 + detail::limitTolerance))
+        return std::nullopt;
+    Refusal refusal;
+    refusal.limit = Limit::NaturalFrequency;
+    refusal.field = Field::NaturalFrequency;
+    refusal.actual = cycleHz;
+    refusal.allowed = machine.naturalFrequencyHz;
+    refusal.unit = info(Field::NaturalFrequency).unit;
+    return refusal;
+}
+
 // Includes the acceleration and the torque of the jump at the wrap in the peaks.
 void addWrapPeak(Peaks& peaks, const PointCamProgram& program, const Machine& machine)
 {
@@ -171,14 +188,53 @@ void addWrapPeak(Peaks& peaks, const PointCamProgram& program, const Machine& ma
         return;
     peaks.accelerationMmPerS2 = jump / masterUpdateS;
     peaks.accelerationTimeS = timeOfAngleS(program, 0);
-    peaks.torqueNm = axisTorqueNm(machine, peaks.accelerationMmPerS2);
+    peaks.torqueNm = axisLoad(machine).peakNm(peaks.accelerationMmPerS2);
+}
+
+// Returns the mean of the squared acceleration that the jump at the wrap makes, mm^2/s^4.
+double wrapSquare(const PointCamProgram& program)
+{
+    const double jump = wrapJumpMmPerS(program);
+    return jump * jump / (masterUpdateS * camCycleS(program));
+}
+
+// Includes the jump at the wrap in the means; with it the speed is that of the beginning again.
+TorqueMeans camMeans(const PointCamProgram& program, const MotionProfile& motion)
+{
+    TorqueMeans means = torqueMeans(motion);
+    means.squareMm2PerS4 += wrapSquare(program);
+    means.speedGainMmPerS2 = 0;
+    return means;
+}
+
+// Returns the share of the rate at which the RMS torque is the rated one, 1 when it is below that already.
+// The mean square grows with the fourth power of the rate; the part of the jump with its cube.
+double rmsFactor(const PointCamProgram& program, const MotionProfile& motion, const Machine& machine)
+{
+    const TorqueMeans means = camMeans(program, motion);
+    const double allowed =
+        std::max(axisLoad(machine).rmsAllowance(machine.ratedTorqueNm, means.movingShare), 0.0);
+    const double jump = wrapSquare(program);
+    const auto isWithin = [&](double factor) {
+        const double cube = factor * factor * factor;
+        return std::sqrt(cube * (factor * (means.squareMm2PerS4 - jump) + jump)) <= allowed;
+    };
+    double within = 0;
+    double beyond = 1;
+    constexpr int halvings = 60;
+    for (int i = 0; i < halvings && !isWithin(1); ++i) {
+        const double middle = (within + beyond) / 2;
+        (isWithin(middle) ? within : beyond) = middle;
+    }
+    return isWithin(1) ? 1 : within;
 }
 
 // Returns the feasible rate: speeds are proportional to it, accelerations to its square; the limits of both
 // are known.
 std::optional<Suggestion> feasibleRate(const PointCamProgram& program, const Machine& machine,
-                                       const Peaks& peaks)
+                                       const AxisMotion& solved)
 {
+    const Peaks& peaks = solved.peaks;
     const AxisAllowance allowance = axisAllowance(machine);
     const auto share = [](double allowed, double actual) {
         return actual > allowed ? std::max(allowed, 0.0) / actual : 1.0;
@@ -186,7 +242,11 @@ std::optional<Suggestion> feasibleRate(const PointCamProgram& program, const Mac
     const double factor =
         std::min({share(allowance.speedMmPerS, peaks.speedMmPerS),
                   std::sqrt(share(allowance.accelerationMmPerS2, peaks.accelerationMmPerS2)),
-                  share(allowedWrapJumpMmPerS(machine), std::abs(wrapJumpMmPerS(program)))});
+                  share(allowedWrapJumpMmPerS(machine), std::abs(wrapJumpMmPerS(program))),
+                  rmsFactor(program, solved.motion, machine),
+                  share(machine.naturalFrequencyHz > 0 ? machine.naturalFrequencyHz
+                                                       : std::numeric_limits<double>::max(),
+                        1 / camCycleS(program))});
     const double present = program.masterRateRevPerMin;
     const double step = info(Field::MasterRate).resolution();
     const double steps = std::floor(std::abs(present) * factor / step * (1 + detail::limitTolerance));
@@ -200,6 +260,8 @@ AxisMotion solveValid(const PointCamProgram& program, const Machine& machine)
     AxisMotion solved;
     solved.motion = camCycleMotion(program, camDegPerS(program));
     solved.peaks = axisPeaks(solved.motion, machine);
+    if (const TorqueLoad load = axisLoad(machine); load.isKnown())
+        solved.peaks.rmsTorqueNm = load.rmsNm(camMeans(program, solved.motion));
     solved.broken = checkAxis(solved.motion, solved.peaks, machine);
     for (Refusal& refusal : solved.broken) {
         if (refusal.timeS)
@@ -207,10 +269,12 @@ AxisMotion solveValid(const PointCamProgram& program, const Machine& machine)
     }
     if (auto jump = findWrapJump(program, machine))
         solved.broken.push_back(*std::move(jump));
+    if (auto fast = findFastCycle(program, machine))
+        solved.broken.push_back(*std::move(fast));
     if (auto overshoot = findOvershoot(program)) {
         solved.broken.push_back(*std::move(overshoot)); // no rate corrects the curve
     } else if (!solved.broken.empty()) {
-        if (const auto rate = feasibleRate(program, machine, solved.peaks)) {
+        if (const auto rate = feasibleRate(program, machine, solved)) {
             for (Refusal& refusal : solved.broken)
                 refusal.nearest.push_back(*rate);
         }

@@ -7,6 +7,9 @@
 #include "profile/cutter/ratios.h"
 #include "profile/laws/laws.h"
 #include "profile/model/text.h"
+#include "profile/model/torque.h"
+
+#include <cmath>
 
 namespace campanel::profile {
 namespace {
@@ -139,7 +142,7 @@ Explanation explainSealTime(const RotaryCutter& cutter)
 Explanation explainRms(const RotaryCutter& cutter)
 {
     const CycleNumbers& c = cutter.cycle;
-    const double slope = squaredSlope(*findLaw(cutter.program.speedLaw), cutter.program.speedLawParameters);
+    const double slope = lawSpeedSquare(*findLaw(cutter.program.speedLaw), cutter.program.speedLawParameters);
     return {"|v_b - v_a| sqrt(I2 (1/(tb - ta) + 1/(td - tc)) / T)",
             concat({"|", n(c.filmSpeedMmPerS), " - ", n(c.baseSpeedMmPerS), "| * sqrt(", n(slope), " * (1/(",
                     n(c.tbS), " - ", n(c.taS), ") + 1/(", n(c.tdS), " - ", n(c.tcS), ")) / ", n(c.cycleTimeS),
@@ -159,6 +162,41 @@ Explanation explainBaseCircle(const RotaryCutter& cutter)
     const double radius = cutter.machine.knifeRadiusMm;
     return {"omega = v_a / R", concat({n(cutter.cycle.baseSpeedMmPerS), " / ", n(radius)}),
             cutter.cycle.baseSpeedMmPerS / radius, "rad/s"};
+}
+
+// The factor from mm/s^2 at the knife to Nm at the motor.
+std::string loadNumbers(const Machine& m)
+{
+    return concat({n(m.inertiaKgCm2), " * 1e-4 * ", n(m.gearNumerator), " / ", n(m.gearDenominator), " / ",
+                   n(m.knifeRadiusMm)});
+}
+
+Explanation explainTorque(const RotaryCutter& cutter)
+{
+    const Peaks peak = peaks(cutter);
+    return {"J Z a / R + M_f",
+            concat({loadNumbers(cutter.machine), " * ", n(peak.accelerationMmPerS2), " + ",
+                    n(cutter.machine.frictionNm)}),
+            peak.torqueNm, "Nm"};
+}
+
+Explanation explainRmsTorque(const RotaryCutter& cutter)
+{
+    return {"sqrt((J Z / R)^2 a_rms^2 + M_f^2)",
+            concat({"sqrt((", loadNumbers(cutter.machine), ")^2 * ",
+                    n(std::sqrt(squareAcceleration(cutter.cycle, cutter.program))), "^2 + ",
+                    n(cutter.machine.frictionNm), "^2)"}),
+            peaks(cutter).rmsTorqueNm, "Nm"};
+}
+
+Explanation explainSealError(const RotaryCutter& cutter)
+{
+    const Machine& m = cutter.machine;
+    return {"max e - min e, e'' + 2 zeta w e' + w^2 e = -a - 2 zeta w v, w = 2 pi f_0",
+            concat({"f_0 = ", n(m.naturalFrequencyHz), " Hz, zeta = ", n(m.dampingRatio),
+                    ", T = ", n(cutter.cycle.cycleTimeS), " s, ", n(cutter.cycle.tbS), " .. ",
+                    n(cutter.cycle.tcS), " s"}),
+            sealErrorMm(cutter), "mm"};
 }
 
 Explanation explainPinned(const RotaryCutter& cutter, Field field)
@@ -201,6 +239,12 @@ Explanation explain(const RotaryCutter& cutter, CutterQuantity quantity)
         return explainSpeedRatio(cutter);
     case CutterQuantity::BaseCircleSpeed:
         return explainBaseCircle(cutter);
+    case CutterQuantity::PeakTorque:
+        return explainTorque(cutter);
+    case CutterQuantity::RmsTorque:
+        return explainRmsTorque(cutter);
+    case CutterQuantity::SealError:
+        return explainSealError(cutter);
     }
     return {};
 }

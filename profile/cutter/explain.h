@@ -24,6 +24,9 @@ enum class CutterQuantity : std::uint8_t {
     RmsAcceleration,
     SpeedRatio,      // k0
     BaseCircleSpeed, // omega of the paper's cam
+    PeakTorque, // torques and error are NaN while the machine data are unknown
+    RmsTorque,
+    SealError,
 };
 
 struct Explanation {

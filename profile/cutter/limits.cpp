@@ -6,6 +6,8 @@
 #include "profile/cutter/nearest.h"
 #include "profile/cutter/ratios.h"
 #include "profile/laws/laws.h"
+#include "profile/model/torque.h"
+#include "profile/model/vibration.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +20,23 @@ namespace {
 using detail::Bounded;
 using detail::LimitComparison;
 
-std::array<LimitComparison, 6> compareCutter(const CycleNumbers& cycle, const Peaks& peak,
+// Returns the share of the cycle in which the knife turns: all of it, unless it stands at its base speed.
+double movingShare(const CycleNumbers& cycle)
+{
+    return cycle.baseSpeedMmPerS > 0 ? 1 : (cycle.tdS - cycle.taS) / cycle.cycleTimeS;
+}
+
+// Compares the cycle's frequency with the natural frequency of the shaft.
+LimitComparison compareNaturalFrequency(const CycleNumbers& cycle, const Machine& machine)
+{
+    const double allowed =
+        machine.naturalFrequencyHz > 0 ? machine.naturalFrequencyHz : std::numeric_limits<double>::max();
+    return {Limit::NaturalFrequency, Field::NaturalFrequency,
+            1 / cycle.cycleTimeS,    allowed,
+            Bounded::Rate,           allowed};
+}
+
+std::array<LimitComparison, 9> compareCutter(const CycleNumbers& cycle, const Peaks& peak,
                                              const RotaryCutterProgram& program, const Machine& machine)
 {
     const double pulses = pulseFrequencyLimitHz(machine);
@@ -35,7 +53,18 @@ std::array<LimitComparison, 6> compareCutter(const CycleNumbers& cycle, const Pe
          {Limit::KnifeAcceleration, Field::MaxKnifeAcceleration, peak.accelerationMmPerS2,
           machine.maxKnifeAccelerationMmPerS2, Bounded::Acceleration, machine.maxKnifeAccelerationMmPerS2},
          {Limit::PulseFrequency, Field::MaxPulseFrequency, peak.pulseFrequencyHz, pulses, Bounded::Speed,
-          pulses / pulsesPerMm(machine)}}};
+          pulses / pulsesPerMm(machine)},
+         {Limit::MotorTorque, Field::MaxTorque, peak.torqueNm, machine.maxTorqueNm, Bounded::Acceleration,
+          knifeLoad(machine).peakAllowance(machine.maxTorqueNm)},
+         detail::compareRmsTorque(peak, machine),
+         compareNaturalFrequency(cycle, machine)}};
+}
+
+// Returns the RMS acceleration that the rated torque allows, as a share of that of the cycle.
+double rmsShare(const CycleNumbers& cycle, const RotaryCutterProgram& program, const Machine& machine)
+{
+    const double allowed = knifeLoad(machine).rmsAllowance(machine.ratedTorqueNm, movingShare(cycle));
+    return std::max(allowed, 0.0) / std::sqrt(squareAcceleration(cycle, program));
 }
 
 } // namespace
@@ -57,10 +86,21 @@ Peaks peaks(const CycleNumbers& cycle, const RotaryCutterProgram& program, const
     peak.accelerationTimeS =
         rampThere <= rampBack ? cycle.taS + lawPeaks.cvAt * rampThere : cycle.tdS - lawPeaks.cvAt * rampBack;
     const bool accelerationSteps = law.at(0, program.speedLawParameters).g1 > 0;
-    peak.torqueNm = std::numeric_limits<double>::quiet_NaN();
+    const TorqueLoad load = knifeLoad(machine);
+    peak.torqueNm = load.peakNm(peak.accelerationMmPerS2);
+    peak.rmsTorqueNm =
+        load.rmsNm({load.isKnown() ? squareAcceleration(cycle, program) : 0, 0, movingShare(cycle)});
     peak.jerkMmPerS3 = accelerationSteps && change > 0 ? std::numeric_limits<double>::infinity()
                                                        : change * lawPeaks.ca / (ramp * ramp);
     return peak;
+}
+
+double squareAcceleration(const CycleNumbers& cycle, const RotaryCutterProgram& program)
+{
+    const double change = cycle.filmSpeedMmPerS - cycle.baseSpeedMmPerS;
+    const double ramps = 1 / (cycle.tbS - cycle.taS) + 1 / (cycle.tdS - cycle.tcS);
+    return change * change * lawSpeedSquare(*findLaw(program.speedLaw), program.speedLawParameters) * ramps /
+           cycle.cycleTimeS;
 }
 
 Peaks peaks(const RotaryCutter& cutter)
@@ -77,6 +117,11 @@ std::optional<Limit> firstBroken(const CycleNumbers& cycle, const RotaryCutterPr
             return each.limit;
     }
     return std::nullopt;
+}
+
+double sealErrorMm(const RotaryCutter& cutter)
+{
+    return windowErrorMm(cutter.motion, cutter.cycle.tbS, cutter.cycle.tcS, shaftMode(cutter.machine));
 }
 
 std::vector<Refusal> checkLimits(const RotaryCutter& cutter)
@@ -108,12 +153,15 @@ MotionLimits motionLimits(const Machine& machine)
 {
     const double fieldLimit = std::min(info(Field::BaseSpeed).max, info(Field::FilmSpeed).max);
     MotionLimits limits{fieldLimit, info(Field::MaxKnifeAcceleration).max};
-    for (const LimitComparison& c : compareCutter({}, {}, machine)) {
+    for (const LimitComparison& c : compareCutter({}, {}, {}, machine)) {
         if (c.bounded == Bounded::Speed)
             limits.maxSpeedMmPerS = std::min(limits.maxSpeedMmPerS, c.allowedInMotion);
         if (c.bounded == Bounded::Acceleration)
             limits.maxAccelerationMmPerS2 = std::min(limits.maxAccelerationMmPerS2, c.allowedInMotion);
     }
+    if (machine.ratedTorqueNm > 0 && knifeLoad(machine).isKnown())
+        limits.maxRmsAccelerationMmPerS2 =
+            std::max(knifeLoad(machine).rmsAllowance(machine.ratedTorqueNm), 0.0);
     return limits;
 }
 
@@ -141,11 +189,16 @@ std::optional<FastestRate> fastestRate(const CycleNumbers& cycle, const RotaryCu
             fastest = {candidate, limit};
     };
     for (const LimitComparison& c : compareCutter(cycle, peak, solved, machine)) {
-        if (c.limit == Limit::MachineRate || c.limit == Limit::JawWindow || !(c.actual > 0))
+        if (c.limit == Limit::MachineRate || c.limit == Limit::JawWindow || c.limit == Limit::RmsTorque ||
+            !(c.actual > 0))
             continue;
-        const double share = c.bounded == Bounded::Window ? c.actual / c.allowed : c.allowed / c.actual;
-        lower(rate * (c.limit == Limit::KnifeAcceleration ? std::sqrt(share) : share), c.limit);
+        if (c.bounded == Bounded::Acceleration)
+            lower(rate * std::sqrt(std::max(c.allowedInMotion, 0.0) / peak.accelerationMmPerS2), c.limit);
+        else
+            lower(rate * (c.bounded == Bounded::Window ? c.actual / c.allowed : c.allowed / c.actual),
+                  c.limit);
     }
+    lower(rate * std::sqrt(rmsShare(cycle, solved, machine)), Limit::RmsTorque);
     lower(rate * info(Field::BaseSpeed).max / peak.speedMmPerS, Limit::FieldRange);
 
     RotaryCutterProgram program = solved;

@@ -9,7 +9,9 @@
 #include "profile/cutter/limits.h"
 #include "profile/cutter/validate.h"
 #include "profile/cutter/window_mend.h"
+#include "profile/laws/laws.h"
 #include "profile/model/grid_search.h"
+#include "profile/model/torque.h"
 
 #include <algorithm>
 #include <array>
@@ -46,6 +48,22 @@ std::vector<double> accelerationTimes(const CycleShape& shape, FieldValue kept, 
     }
 }
 
+// Returns the values of (v_b - v_a) / T at which the peak of acceleration or torque, or the RMS torque, is
+// met.
+std::array<double, 6> speedChangeLimits(const RotaryCutterProgram& program, const Machine& machine,
+                                        const CycleShape& shape)
+{
+    const TorqueLoad load = knifeLoad(machine);
+    const double perPeak = shape.shortestRamp / shape.lawPeaks.cv;
+    const double acceleration = machine.maxKnifeAccelerationMmPerS2 * perPeak;
+    const double torque = load.peakAllowance(machine.maxTorqueNm) * perPeak;
+    const double ramps =
+        1 / (1 / program.k[1] - 1 / program.k[0]) + 1 / (1 / program.k[3] - 1 / program.k[2]);
+    const double square = lawSpeedSquare(*findLaw(program.speedLaw), program.speedLawParameters) * ramps;
+    const double rms = load.rmsAllowance(machine.ratedTorqueNm) / std::sqrt(square);
+    return {acceleration, -acceleration, torque, -torque, rms, -rms};
+}
+
 std::vector<double> candidates(const RotaryCutterProgram& program, const Machine& machine, Field field)
 {
     const CycleShape shape = cycleShape(program, machine);
@@ -71,8 +89,8 @@ std::vector<double> candidates(const RotaryCutterProgram& program, const Machine
         meet(Field::BaseSpeed, speed);
         meet(Field::FilmSpeed, speed);
     }
-    const double limit = machine.maxKnifeAccelerationMmPerS2 * shape.shortestRamp / shape.lawPeaks.cv;
-    for (const double d : {limit, -limit}) {
+    meet(Field::Rate, 60 * machine.naturalFrequencyHz);
+    for (const double d : speedChangeLimits(program, machine, shape)) {
         for (const double time : accelerationTimes(shape, kept, d)) {
             if (keptField == Field::Rate)
                 meet(Field::BaseSpeed, shape.strokeMm / time - shape.weight * d * time);
@@ -143,6 +161,17 @@ std::optional<Suggestion> nearestDemand(RotaryCutterProgram program, Machine mac
     return Suggestion{refusal.field, demand};
 }
 
+// Returns the natural frequency that the cycle needs, for one that was entered too low.
+std::optional<Suggestion> nearestNaturalFrequency(const RotaryCutterProgram& program, Machine machine,
+                                                  const Refusal& refusal)
+{
+    const double step = info(Field::NaturalFrequency).resolution();
+    machine.naturalFrequencyHz = snapToGrid(Field::NaturalFrequency, std::ceil(refusal.actual / step) * step);
+    if (!isFeasible(program, machine))
+        return std::nullopt;
+    return Suggestion{Field::NaturalFrequency, machine.naturalFrequencyHz};
+}
+
 // Returns the sort key of a suggestion: a machine limit is corrected by a lower speed first; the product
 // stays.
 std::pair<bool, double> cost(const RotaryCutterProgram& program, const Refusal& refusal,
@@ -195,6 +224,8 @@ std::vector<Suggestion> nearestFeasible(const RotaryCutterProgram& program, cons
     }
     if (found.empty() && (refusal.limit == Limit::JawWindow || refusal.limit == Limit::SealTime))
         keep(nearestDemand(program, machine, refusal));
+    if (refusal.limit == Limit::NaturalFrequency)
+        keep(nearestNaturalFrequency(program, machine, refusal));
     return found;
 }
 

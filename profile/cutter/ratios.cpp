@@ -5,6 +5,7 @@
 #include "profile/cutter/cycle_shape.h"
 #include "profile/cutter/validate.h"
 #include "profile/laws/laws.h"
+#include "profile/model/torque.h"
 
 #include <algorithm>
 #include <array>
@@ -46,6 +47,33 @@ double longestBeforeReversal(const RampTask& task)
     return (task.strokeMm / task.filmMm - task.window) / (2 * task.lawTravel);
 }
 
+// Returns the square of the shortest cycle time, s^2, that keeps the RMS acceleration with this ramp:
+// a_rms = sqrt(2 I2 / tau) D / ((S - 2 G tau) T^2).
+double squareTimeByRms(const RampTask& task, double ramp)
+{
+    return std::sqrt(2 * task.lawSquare / ramp) * change(task) /
+           (task.maxRmsAccelerationMmPerS2 * (remaining(task) - 2 * task.lawTravel * ramp));
+}
+
+// Shortens the range to the ramps that keep the RMS acceleration, which has one minimum at the coolest.
+std::optional<RampRange> withinRms(RampRange range, const RampTask& task)
+{
+    const double square = task.cycleTimeS * task.cycleTimeS;
+    const double coolest = std::clamp(coolestRamp(task), range.shortest, range.longest);
+    if (!(squareTimeByRms(task, coolest) <= square))
+        return std::nullopt;
+    for (double* end : {&range.shortest, &range.longest}) {
+        double kept = coolest;
+        for (int i = 0; i < bisections && squareTimeByRms(task, *end) > square; ++i) {
+            const double middle = (kept + *end) / 2;
+            (squareTimeByRms(task, middle) <= square ? kept : *end) = middle;
+        }
+        if (squareTimeByRms(task, *end) > square)
+            *end = kept;
+    }
+    return range;
+}
+
 // Returns the task without its ramps: what is given by the window, the law and the machine.
 RampTask emptyTask(const RotaryCutterProgram& program, const Machine& machine)
 {
@@ -58,6 +86,9 @@ RampTask emptyTask(const RotaryCutterProgram& program, const Machine& machine)
     task.lawPeak = law.peaks(program.speedLawParameters).cv;
     task.maxSpeedMmPerS = limits.maxSpeedMmPerS;
     task.maxAccelerationMmPerS2 = limits.maxAccelerationMmPerS2;
+    task.maxRmsAccelerationMmPerS2 = limits.maxRmsAccelerationMmPerS2;
+    if (std::isfinite(task.maxRmsAccelerationMmPerS2))
+        task.lawSquare = lawSpeedSquare(law, program.speedLawParameters);
     return task;
 }
 
@@ -229,32 +260,43 @@ std::optional<RampRange> possibleRamps(const RampTask& task)
     if (task.filmMm < task.strokeMm && task.filmMm < travel)
         range.longest = std::min(range.longest,
                                  ((travel - task.strokeMm) / (travel - task.filmMm) - task.window) / (2 * g));
-    return range.shortest <= range.longest ? std::optional(range) : std::nullopt;
+    if (!(range.shortest <= range.longest))
+        return std::nullopt;
+    return std::isfinite(task.maxRmsAccelerationMmPerS2) ? withinRms(range, task) : std::optional(range);
 }
 
 double fastestRamp(const RampTask& task)
 {
-    const double gentlest = gentlestRamp(task);
-    if (task.filmMm >= task.strokeMm)
-        return std::max(minCycleShare, std::min(gentlest, longestBeforeReversal(task)));
-    // Longer ramps need less acceleration and a higher base speed: the shortest cycle is where both are at
-    // their limits. The two functions are the squares of the shortest cycle times.
+    const double longest = std::max(minCycleShare, std::min(gentlestRamp(task), longestBeforeReversal(task)));
+    // Longer ramps need less acceleration and, for a bag shorter than the stroke, a higher base speed. The
+    // functions are the squares of the shortest cycle times; the largest of them has one minimum.
     const double g = task.lawTravel;
     const auto byAcceleration = [&](double ramp) {
         return task.lawPeak * change(task) /
                (task.maxAccelerationMmPerS2 * ramp * (remaining(task) - 2 * g * ramp));
     };
     const auto bySpeed = [&](double ramp) {
+        if (task.filmMm >= task.strokeMm)
+            return 0.0;
         const double weight = task.window + 2 * g * ramp;
         return std::pow((task.strokeMm - task.filmMm * weight) / ((1 - weight) * task.maxSpeedMmPerS), 2);
     };
-    if (byAcceleration(gentlest) >= bySpeed(gentlest))
-        return gentlest;
+    const auto byRms = [&](double ramp) {
+        return std::isfinite(task.maxRmsAccelerationMmPerS2) ? squareTimeByRms(task, ramp) : 0;
+    };
+    if (byAcceleration(longest) >= std::max(bySpeed(longest), byRms(longest)))
+        return longest;
+    const auto square = [&](double ramp) {
+        return std::max({byAcceleration(ramp), bySpeed(ramp), byRms(ramp)});
+    };
     double low = minCycleShare;
-    double high = gentlest;
-    for (int i = 0; i < bisections; ++i) {
-        const double middle = (low + high) / 2;
-        (byAcceleration(middle) > bySpeed(middle) ? low : high) = middle;
+    double high = longest;
+    for (int i = 0; i < 2 * bisections; ++i) {
+        const double third = (high - low) / 3;
+        if (square(low + third) > square(high - third))
+            low += third;
+        else
+            high -= third;
     }
     return (low + high) / 2;
 }
@@ -351,41 +393,9 @@ RotaryCutterProgram withWindow(RotaryCutterProgram program, const Machine& machi
     return withRatios(program, machine);
 }
 
-double squaredSlope(const Law& law, const LawParameters& parameters)
-{
-    // Gauss-Legendre with eight points: exact for the polynomials, 1e-12 on a quarter of a smooth piece.
-    constexpr std::array points{0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
-                                0.9602898564975363};
-    constexpr std::array weights{0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
-                                 0.1012285362903763};
-    constexpr int parts = 4;
-    const LawPieces pieces = law.pieces(parameters);
-    double sum = 0;
-    double from = 0;
-    const auto add = [&](double to) {
-        const double half = (to - from) / parts / 2;
-        for (int part = 0; half > 0 && part < parts; ++part) {
-            const double middle = from + (2 * part + 1) * half;
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                const double low = law.at(middle - half * points[i], parameters).g1;
-                const double high = law.at(middle + half * points[i], parameters).g1;
-                sum += weights[i] * half * (low * low + high * high);
-            }
-        }
-        from = to;
-    };
-    for (const double joint : pieces.joints)
-        add(std::min(joint, 1.0));
-    add(1);
-    return sum;
-}
-
 double rmsAcceleration(const CycleNumbers& cycle, const RotaryCutterProgram& program)
 {
-    const double change = cycle.filmSpeedMmPerS - cycle.baseSpeedMmPerS;
-    const double slope = squaredSlope(*findLaw(program.speedLaw), program.speedLawParameters);
-    return std::abs(change) *
-           std::sqrt(slope * (1 / (cycle.tbS - cycle.taS) + 1 / (cycle.tdS - cycle.tcS)) / cycle.cycleTimeS);
+    return std::sqrt(squareAcceleration(cycle, program));
 }
 
 std::optional<RampOffer> otherRamps(const RotaryCutterProgram& program, const Machine& machine)

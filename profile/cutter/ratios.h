@@ -6,6 +6,7 @@
 #include "profile/cutter/limits.h"
 #include "profile/cutter/rotary_cutter.h"
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -23,8 +24,10 @@ struct RampTask {
     double window = 0;      // sigma, the share of v_b
     double lawTravel = 0.5; // G(1)
     double lawPeak = 1.5;   // Cv
+    double lawSquare = 1.2; // I2, the integral of g'^2
     double maxSpeedMmPerS = 0;
     double maxAccelerationMmPerS2 = 0;
+    double maxRmsAccelerationMmPerS2 = std::numeric_limits<double>::infinity(); // by the rated torque
 };
 
 // Returns the ramp with the minimum peak acceleration Cv D / (tau (S - 2 G tau) T^2): min(S/2, S/(4 G)),
@@ -38,9 +41,9 @@ struct RampRange {
     double longest = 0;
 };
 
-// Returns the ramps that keep the limits of speed and acceleration and v_a >= 0. The shortest is the smallest
-// root of 2 G tau^2 - S tau + Cv D / (a_max T^2) = 0, which has the minimum peak speed. Nothing when no ramp
-// does.
+// Returns the ramps that keep the limits of speed, acceleration and RMS acceleration, and v_a >= 0. The
+// shortest has the minimum peak speed: the smallest root of 2 G tau^2 - S tau + Cv D / (a_max T^2) = 0,
+// unless the RMS acceleration needs a longer one. Nothing when no ramp does.
 [[nodiscard]] std::optional<RampRange> possibleRamps(const RampTask& task);
 
 // Returns the ramp of the highest rate for this bag length.
@@ -66,9 +69,6 @@ struct RampRange {
 // leave room, and with the ratios of its mode. By hand, the ramps keep their length where they can.
 [[nodiscard]] RotaryCutterProgram withWindow(RotaryCutterProgram program, const Machine& machine,
                                              double share);
-
-// Returns the integral of g'^2 over the law (cubic 1.2, harmonic pi^2 / 8, quintic 10 / 7).
-[[nodiscard]] double squaredSlope(const Law& law, const LawParameters& parameters);
 
 // Returns the RMS acceleration of a cycle, mm/s^2: sqrt(I2 (v_b - v_a)^2 (1/(tb - ta) + 1/(td - tc)) / T).
 [[nodiscard]] double rmsAcceleration(const CycleNumbers& cycle, const RotaryCutterProgram& program);

@@ -11,13 +11,15 @@ namespace {
 
 constexpr std::array ratioFields{Field::K1, Field::K2, Field::K3, Field::K4};
 constexpr std::array machineFields{
-    Field::KnifeRadius,     Field::Knives,       Field::PulsesPerMotorRev,    Field::GearNumerator,
-    Field::GearDenominator, Field::MaxMotorRpm,  Field::MaxKnifeAcceleration, Field::MaxPulseFrequency,
-    Field::MaxRate,         Field::ContactAngle, Field::TimerClock,           Field::TimerBits,
-    Field::RowCapacity};
+    Field::KnifeRadius,     Field::Knives,           Field::PulsesPerMotorRev,    Field::GearNumerator,
+    Field::GearDenominator, Field::MaxMotorRpm,      Field::MaxKnifeAcceleration, Field::MaxPulseFrequency,
+    Field::MaxRate,         Field::ContactAngle,     Field::TimerClock,           Field::TimerBits,
+    Field::RowCapacity,     Field::MaxTorque,        Field::RatedTorque,          Field::Inertia,
+    Field::Friction,        Field::NaturalFrequency, Field::DampingRatio};
 constexpr std::array axisFields{Field::PulsesPerMotorRev, Field::FeedPerMotorRev,   Field::MaxMotorRpm,
                                 Field::MaxAcceleration,   Field::MaxTorque,         Field::Inertia,
-                                Field::Friction,          Field::MaxPulseFrequency, Field::TimerClock};
+                                Field::Friction,          Field::MaxPulseFrequency, Field::TimerClock,
+                                Field::RatedTorque,       Field::NaturalFrequency,  Field::DampingRatio};
 
 bool isCycleValue(Field field)
 {

@@ -2,6 +2,8 @@
 // Computes peaks from Cv, Ca and Cj of each segment's law.
 #include "profile/model/axis_motion.h"
 
+#include "profile/model/torque.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -77,16 +79,7 @@ bool hasAccelerationStep(const MotionProfile& motion, const Peaks& peaks)
            std::max(std::abs(first.accelerationMmPerS2), std::abs(last.accelerationMmPerS2)) > room;
 }
 
-double torqueAllowance(const Machine& machine)
-{
-    const double left = machine.maxTorqueNm - machine.frictionNm;
-    const double perAcceleration = axisTorqueNm(machine, 1) - axisTorqueNm(machine, 0);
-    if (perAcceleration > 0)
-        return left / perAcceleration;
-    return left >= 0 ? std::numeric_limits<double>::max() : std::numeric_limits<double>::lowest();
-}
-
-std::array<LimitComparison, 4> compareAxis(const Peaks& peaks, const Machine& m)
+std::array<LimitComparison, 5> compareAxis(const Peaks& peaks, const Machine& m)
 {
     const double pulses = pulseFrequencyLimitHz(m);
     return {{{Limit::MotorSpeed, Field::MaxMotorRpm, peaks.motorRpm, m.maxMotorRpm, Bounded::Speed,
@@ -94,7 +87,8 @@ std::array<LimitComparison, 4> compareAxis(const Peaks& peaks, const Machine& m)
              {Limit::AxisAcceleration, Field::MaxAcceleration, peaks.accelerationMmPerS2,
               m.maxAccelerationMmPerS2, Bounded::Acceleration, m.maxAccelerationMmPerS2},
              {Limit::MotorTorque, Field::MaxTorque, peaks.torqueNm, m.maxTorqueNm, Bounded::Acceleration,
-              torqueAllowance(m)},
+              axisLoad(m).peakAllowance(m.maxTorqueNm)},
+             detail::compareRmsTorque(peaks, m),
              {Limit::PulseFrequency, Field::MaxPulseFrequency, peaks.pulseFrequencyHz, pulses, Bounded::Speed,
               pulses / axisPulsesPerMm(m)}}};
 }
@@ -105,7 +99,7 @@ AxisAllowance axisAllowance(const Machine& machine)
 {
     return {std::min(machine.maxMotorRpm / axisRpmPerMmPerS(machine),
                      pulseFrequencyLimitHz(machine) / axisPulsesPerMm(machine)),
-            std::min(machine.maxAccelerationMmPerS2, torqueAllowance(machine))};
+            std::min(machine.maxAccelerationMmPerS2, axisLoad(machine).peakAllowance(machine.maxTorqueNm))};
 }
 
 Peaks axisPeaks(const MotionProfile& motion, const Machine& machine)
@@ -119,7 +113,9 @@ Peaks axisPeaks(const MotionProfile& motion, const Machine& machine)
     }
     peaks.motorRpm = peaks.speedMmPerS * axisRpmPerMmPerS(machine);
     peaks.pulseFrequencyHz = peaks.speedMmPerS * axisPulsesPerMm(machine);
-    peaks.torqueNm = axisTorqueNm(machine, peaks.accelerationMmPerS2);
+    const TorqueLoad load = axisLoad(machine);
+    peaks.torqueNm = load.peakNm(peaks.accelerationMmPerS2);
+    peaks.rmsTorqueNm = load.isKnown() ? load.rmsNm(torqueMeans(motion)) : load.rmsNm({});
     if (hasAccelerationStep(motion, peaks))
         peaks.jerkMmPerS3 = inf;
     return peaks;

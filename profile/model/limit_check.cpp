@@ -5,6 +5,7 @@
 #include "profile/model/law.h"
 
 #include <cmath>
+#include <limits>
 
 namespace campanel::profile::detail {
 namespace {
@@ -125,6 +126,13 @@ std::vector<double> accelerationTurns(const Segment& s)
     if (s.form == SegmentForm::Ramp)
         return {s.startS, s.startS + (s.isMirrored ? 1 - law.cvAt : law.cvAt) * s.durationS, s.endS()};
     return {s.startS, s.startS + law.caAt * s.durationS, s.endS() - law.caAt * s.durationS, s.endS()};
+}
+
+LimitComparison compareRmsTorque(const Peaks& peaks, const Machine& machine)
+{
+    const double allowed =
+        machine.ratedTorqueNm > 0 ? machine.ratedTorqueNm : std::numeric_limits<double>::max();
+    return {Limit::RmsTorque, Field::RatedTorque, peaks.rmsTorqueNm, allowed, Bounded::Rate, allowed};
 }
 
 bool isBroken(const LimitComparison& c, const Peaks& peaks)

@@ -62,6 +62,12 @@ double value(const Machine& machine, Field field)
         return machine.inertiaKgCm2;
     case Field::Friction:
         return machine.frictionNm;
+    case Field::RatedTorque:
+        return machine.ratedTorqueNm;
+    case Field::NaturalFrequency:
+        return machine.naturalFrequencyHz;
+    case Field::DampingRatio:
+        return machine.dampingRatio;
     default:
         return std::numeric_limits<double>::quiet_NaN();
     }
@@ -125,6 +131,15 @@ void setValue(Machine& machine, Field field, double value)
     case Field::Friction:
         machine.frictionNm = value;
         break;
+    case Field::RatedTorque:
+        machine.ratedTorqueNm = value;
+        break;
+    case Field::NaturalFrequency:
+        machine.naturalFrequencyHz = value;
+        break;
+    case Field::DampingRatio:
+        machine.dampingRatio = value;
+        break;
     default:
         break;
     }
@@ -178,13 +193,6 @@ double axisRpmPerMmPerS(const Machine& machine)
 {
     constexpr double secondsPerMinute = 60;
     return secondsPerMinute / machine.feedMmPerMotorRev;
-}
-
-double axisTorqueNm(const Machine& machine, double accelerationMmPerS2)
-{
-    constexpr double kgM2PerKgCm2 = 1e-4;
-    const double radPerS2 = 2 * std::numbers::pi * std::abs(accelerationMmPerS2) / machine.feedMmPerMotorRev;
-    return machine.inertiaKgCm2 * kgM2PerKgCm2 * radPerS2 + machine.frictionNm;
 }
 
 } // namespace campanel::profile

@@ -49,6 +49,8 @@ enum class Limit : std::uint8_t {
     RampTooLong,      // the ramp of a press stage is longer than a row holds
     JawWindow,        // the knife leaves the film's speed while the jaws are in contact
     SealTime,         // the jaws are in contact for less than the film needs
+    RmsTorque,        // the motor would overheat: the RMS torque of a cycle exceeds the rated torque
+    NaturalFrequency, // the cycle is faster than the natural frequency of the shaft
 };
 
 // Returns the stable id of a limit, for logs and machine-readable output.

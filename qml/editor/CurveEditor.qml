@@ -13,14 +13,15 @@ Card {
 
     required property bool showPosition
     required property bool showJerk
+    required property bool showTorque
     required property bool compare
     readonly property bool hasKnots: Editor.kind === Editor.Kind.PointCam
     readonly property list<real> handleTimes: hasKnots ? Editor.knots.times : Editor.plot.ratioTimes
     readonly property int handlePanel: quantities.indexOf(hasKnots ? "position" : "velocity")
     readonly property var quantities: [...(showPosition || hasKnots ? ["position"] : []), "velocity", "acceleration",
-        ...(showJerk ? ["jerk"] : []), "frequency"]
-    readonly property list<string> units: ["mm", "mm/s", "m/s²", "m/s³", "kHz"]
-    readonly property list<string> allQuantities: ["position", "velocity", "acceleration", "jerk", "frequency"]
+        ...(showJerk ? ["jerk"] : []), ...(showTorque && Editor.plot.hasTorque ? ["torque"] : []), "frequency"]
+    readonly property list<string> units: ["mm", "mm/s", "m/s²", "m/s³", "kHz", "Nm"]
+    readonly property list<string> allQuantities: ["position", "velocity", "acceleration", "jerk", "frequency", "torque"]
     property int dragged: -1
     property real cursor: NaN
     property int revision
@@ -65,6 +66,7 @@ Card {
         limitVelocity: Editor.plot.limitVelocity
         limitAcceleration: Editor.plot.limitAcceleration
         limitFrequency: Editor.plot.limitFrequency
+        limitTorque: Editor.plot.limitTorque
         limitLabel: qsTr("limit")
         violations: Editor.plot.violations
         onLayoutChanged: ++editor.revision
@@ -74,7 +76,7 @@ Card {
         ? qsTr("grey: %1").arg(Editor.overlayName) : ""
     function titleOf(quantity: string): string {
         return ({ position: qsTr("Position mm"), velocity: qsTr("Velocity mm/s"), acceleration: qsTr("Acceleration m/s²"),
-            jerk: qsTr("Jerk m/s³"), frequency: qsTr("Pulse frequency kHz") })[quantity]
+            jerk: qsTr("Jerk m/s³"), frequency: qsTr("Pulse frequency kHz"), torque: qsTr("Motor torque Nm, RMS %1").arg(Theme.number(Editor.plot.rmsTorque, 3)) })[quantity]
     }
     Repeater {
         model: Editor.solvable ? editor.handleTimes.length : 0

@@ -22,10 +22,9 @@ Sheet {
     LawRow {
         id: head
         anchors { left: parent.left; right: parent.right; rightMargin: 2 * Theme.size.accent; top: parent.top }
-        height: Theme.size.caption * 2
+        height: Theme.size.caption * 3
         header: true
-        cells: sheet.isCutter ? [qsTr("Peak speed"), qsTr("Acceleration"), qsTr("RMS"), qsTr("Jerk"), qsTr("Frequency")]
-            : [qsTr("Peak speed"), qsTr("Acceleration"), qsTr("Jerk"), qsTr("Torque")]
+        cells: [...Editor.lawColumns]
     }
     ListView {
         id: list
@@ -45,6 +44,7 @@ Sheet {
             required property string rmsText
             required property string peakFrequencyText
             required property string peakJerkText
+            required property string vibrationText
             required property bool current
             required property bool compared
             required usable
@@ -53,8 +53,8 @@ Sheet {
             text: name
             notes: [strength, weakness]
             holds: current
-            cells: sheet.isCutter ? [peakRpmText, peakAccelerationText, rmsText, peakJerkText, peakFrequencyText]
-                : [peakRpmText, peakAccelerationText, peakJerkText, peakFrequencyText]
+            cells: [peakRpmText, peakAccelerationText, ...(rmsText.length > 0 ? [rmsText] : []), peakJerkText, peakFrequencyText,
+                    ...(vibrationText.length > 0 ? [vibrationText] : [])]
             marked: compared
             onClicked: {
                 if (usable)

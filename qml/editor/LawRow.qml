@@ -16,7 +16,7 @@ T.AbstractButton {
     property bool usable: true             // exceeds no limit
     required property list<string> cells
 
-    readonly property real cellWidth: width * (cells.length > 4 ? 0.13 : 0.15)
+    readonly property real cellWidth: width * (cells.length > 5 ? 0.115 : cells.length > 4 ? 0.13 : 0.15)
     implicitHeight: Math.max(Theme.size.touch, words.height + Theme.size.padding)
     enabled: !header
 

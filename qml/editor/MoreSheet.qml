@@ -12,9 +12,11 @@ Sheet {
 
     required property bool showPosition
     required property bool showJerk
+    required property bool showTorque
     required property bool compare
     signal positionToggled(bool on)
     signal jerkToggled(bool on)
+    signal torqueToggled(bool on)
     signal compareToggled(bool on)
     signal tableRequested()
     signal proofRequested()
@@ -60,6 +62,15 @@ Sheet {
                 note: sheet.showJerk ? qsTr("shown") : qsTr("hidden")
                 holds: sheet.showJerk
                 onClicked: sheet.jerkToggled(!sheet.showJerk)
+            }
+            Switch {
+                objectName: "torqueSwitch"
+                visible: Editor.kind !== Editor.Kind.Press   // the work piece decides the torque of a press
+                enabled: Editor.plot.hasTorque
+                text: qsTr("Torque curve")
+                note: !Editor.plot.hasTorque ? qsTr("needs the inertia, see Settings, Machine") : sheet.showTorque ? qsTr("shown") : qsTr("hidden")
+                holds: sheet.showTorque && Editor.plot.hasTorque
+                onClicked: sheet.torqueToggled(!sheet.showTorque)
             }
             Switch {
                 text: qsTr("Compare with controller")

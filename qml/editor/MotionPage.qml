@@ -13,6 +13,7 @@ Page {
 
     property bool showPosition
     property bool showJerk
+    property bool showTorque
     property bool compare: true
     property bool ratiosOpen               // the sheet covers the texts of the verdict
     onCoveredChanged: ratiosOpen = ratiosOpen && covered
@@ -56,6 +57,7 @@ Page {
         anchors { left: side.right; leftMargin: Theme.size.gap; right: parent.right; top: side.top; bottom: side.bottom; bottomMargin: page.bottomInset }
         showPosition: page.showPosition
         showJerk: page.showJerk
+        showTorque: page.showTorque
         compare: page.compare && (Editor.programDownload.differenceCount > 0 || Editor.overlayName.length > 0)
     }
     VerdictBar {
@@ -117,9 +119,11 @@ Page {
         MoreSheet {
             showPosition: page.showPosition
             showJerk: page.showJerk
+            showTorque: page.showTorque
             compare: page.compare
             onPositionToggled: on => page.showPosition = on
             onJerkToggled: on => page.showJerk = on
+            onTorqueToggled: on => page.showTorque = on
             onCompareToggled: on => page.compare = on
             onTableRequested: page.sheetRequested(page.tableSheet)
             onProofRequested: page.sheetRequested(page.proofSheet)

@@ -460,6 +460,10 @@ And %2 more.</source>
         <source>Pulse frequency kHz</source>
         <translation>脉冲频率 kHz</translation>
     </message>
+    <message>
+        <source>Motor torque Nm, RMS %1</source>
+        <translation>电机转矩 Nm，均方根 %1</translation>
+    </message>
 </context>
 <context>
     <name>CutterInputs</name>
@@ -1145,22 +1149,6 @@ And %2 more.</source>
 <context>
     <name>LawPicker</name>
     <message>
-        <source>Peak speed</source>
-        <translation>峰值速度</translation>
-    </message>
-    <message>
-        <source>Acceleration</source>
-        <translation>加速度</translation>
-    </message>
-    <message>
-        <source>Jerk</source>
-        <translation>跃度</translation>
-    </message>
-    <message>
-        <source>Frequency</source>
-        <translation>频率</translation>
-    </message>
-    <message>
         <source>Peak values of each law for this recipe; hold a law to compare its curves in grey</source>
         <translation>各规律用于本配方的峰值；长按某一规律，以灰色曲线比较</translation>
     </message>
@@ -1423,6 +1411,14 @@ And %2 more.</source>
     <message>
         <source>Regime map</source>
         <translation>可行域图</translation>
+    </message>
+    <message>
+        <source>Torque curve</source>
+        <translation>转矩曲线</translation>
+    </message>
+    <message>
+        <source>needs the inertia, see Settings, Machine</source>
+        <translation>需要惯量，见“设置 &gt; 机器”</translation>
     </message>
 </context>
 <context>

@@ -25,6 +25,11 @@ Page {
         function onSheetRequested(sheet: Component) { page.sheetRequested(sheet) }
     }
     Binding {
+        target: Controller.torque
+        property: "watched"
+        value: page.visible && !Display.dark && Controller.active.isPresent && Controller.active.kind !== Editor.Kind.Press
+    }
+    Binding {
         target: loader.item
         property: "bottomInset"
         value: page.bottomInset

@@ -17,6 +17,7 @@ inline constexpr auto screenPin = "258036";
 [[nodiscard]] QList<Screen> backupScreens();
 [[nodiscard]] QList<Screen> cutterScreens();
 [[nodiscard]] QList<Screen> firstScreens();
+[[nodiscard]] QList<Screen> motorScreens();
 [[nodiscard]] QList<Screen> packingScreens();
 [[nodiscard]] QList<Screen> recipeScreens();
 [[nodiscard]] QList<Screen> maintenanceScreens();

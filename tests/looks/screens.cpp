@@ -425,7 +425,7 @@ const QList<Screen>& allScreens()
     };
     static const QList<Screen> all = screens + packingScreens() + recipeScreens() + trendScreens() +
                                      alarmScreens() + accessScreens() + firstScreens() + backupScreens() +
-                                     maintenanceScreens() + cutterScreens();
+                                     maintenanceScreens() + cutterScreens() + motorScreens();
     return all;
 }
 

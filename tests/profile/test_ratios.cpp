@@ -5,6 +5,7 @@
 #include "recipes.h"
 
 #include "profile/cutter/ratios.h"
+#include "profile/model/torque.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -165,7 +166,7 @@ void TestRatios::squaredSlopes()
     QFETCH(int, law);
     QFETCH(double, expected);
     const Law& row = *findLaw(static_cast<LawId>(law));
-    const double found = squaredSlope(row, defaultParameters(row));
+    const double found = lawSpeedSquare(row, defaultParameters(row));
     QVERIFY2(near(found, expected, 1e-10), qPrintable(QString::number(found, 'g', 15)));
 }
 

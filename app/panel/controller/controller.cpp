@@ -42,6 +42,8 @@ Controller::Controller(link::Link& link, Settings& settings, QObject* parent)
     connect(this, &Controller::connectionChanged, &m_packing, &PackingLine::noteConnection);
     connect(this, &Controller::programChanged, &m_packing, &PackingLine::noteProgram);
     connect(this, &Controller::freshChanged, &m_packing, &PackingLine::changed);
+    connect(this, &Controller::connectionChanged, &m_torque, &TorqueWatch::noteConnection);
+    connect(this, &Controller::programChanged, &m_torque, &TorqueWatch::noteProgram);
     connect(&m_packing, &PackingLine::bagRecorded, this, &Controller::takeBag);
     connect(&settings, &Settings::changed, this, &Controller::bagChanged);
     connect(&m_direction, &MasterDirection::failed, this, &Controller::showMessage);
@@ -172,6 +174,7 @@ void Controller::takeStatus(const link::StatusBatch& batch)
     }
     updateAge();
     m_direction.noteStatus(*m_status);
+    m_torque.noteStatus();
     emit liveChanged();
     if (bagsChanged)
         emit bagChanged();
@@ -362,6 +365,7 @@ void Controller::retranslate()
     m_strokes.rows()->refresh();
     m_direction.retranslate();
     m_packing.retranslate();
+    m_torque.retranslate();
 }
 
 } // namespace campanel::panel

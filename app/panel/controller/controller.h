@@ -12,6 +12,7 @@
 #include "app/panel/controller/parameter.h"
 #include "app/panel/controller/status_rate.h"
 #include "app/panel/controller/stroke_model.h"
+#include "app/panel/controller/torque_watch.h"
 #include "app/panel/kit/access_check.h"
 #include "app/panel/kit/numbers.h"
 #include "app/panel/recipe/controller_program.h"
@@ -71,6 +72,8 @@ class Controller : public QObject {
     Q_PROPERTY(campanel::panel::MasterDirection* direction READ direction CONSTANT FINAL)
     // The packing line, only for a rotary cutter.
     Q_PROPERTY(campanel::panel::PackingLine* packing READ packing CONSTANT FINAL)
+    // The torque of the axis, of any program but a press's.
+    Q_PROPERTY(campanel::panel::TorqueWatch* torque READ torque CONSTANT FINAL)
     // The figures of a press.
     Q_PROPERTY(QStringList stageNames READ stageNames NOTIFY stateChanged FINAL)
     Q_PROPERTY(campanel::panel::StrokeModel* strokes READ strokes CONSTANT FINAL)
@@ -123,6 +126,7 @@ public:
     [[nodiscard]] QList<QPointF> actualTrace() const { return m_trace.points(); }
     [[nodiscard]] MasterDirection* direction() { return &m_direction; }
     [[nodiscard]] PackingLine* packing() { return &m_packing; }
+    [[nodiscard]] TorqueWatch* torque() { return &m_torque; }
     [[nodiscard]] QStringList stageNames() const;
     [[nodiscard]] StrokeModel* strokes() { return &m_strokes; }
     [[nodiscard]] double generation() const;
@@ -226,6 +230,7 @@ private:
     QString m_commandMessage;
     MasterDirection m_direction{*this};
     PackingLine m_packing{*this};
+    TorqueWatch m_torque{*this};
 };
 
 } // namespace campanel::panel

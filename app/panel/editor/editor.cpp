@@ -407,11 +407,25 @@ void Editor::show()
     m_lawParameter1.show(views.lawParameter(0));
     m_lawParameter2.show(views.lawParameter(1));
     m_laws.setRows(views.laws(m_comparedLaw));
+    shareMachine();
     emit kindChanged();
     emit overlayChanged();
     emit solutionChanged();
     emit historyChanged();
     emit recipeChanged();
+}
+
+// Tells the controller's figures the machine data of the kind that is active.
+void Editor::shareMachine()
+{
+    const auto& program = m_machine.program();
+    const auto kind = program ? program->recipe.kind() : m_recipe.kind();
+    const auto known = m_machines.find(kind);
+    if (kind == m_recipe.kind())
+        m_machine.torque()->setMachineData(m_recipe.machine);
+    else
+        m_machine.torque()->setMachineData(known == m_machines.end() ? std::nullopt
+                                                                     : std::optional(known->second));
 }
 
 // Emits only when the fields themselves change: the list then creates its items again.

@@ -59,6 +59,7 @@ class Editor : public QObject {
 
     Q_PROPERTY(campanel::panel::RowModelBase* laws READ laws CONSTANT FINAL)
     Q_PROPERTY(QString lawName READ lawName NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(QStringList lawColumns READ lawColumns NOTIFY solutionChanged FINAL)
 
     Q_PROPERTY(bool solvable READ solvable NOTIFY solutionChanged FINAL)
     Q_PROPERTY(QString verdict READ verdict NOTIFY solutionChanged FINAL)
@@ -127,6 +128,7 @@ public:
     [[nodiscard]] RampControl* ramps() { return &m_ramps; }
     [[nodiscard]] bool hasLaw() const { return program::lawParameters(m_recipe.program) != nullptr; }
     [[nodiscard]] QString lawTitle() const;
+    [[nodiscard]] QStringList lawColumns() const;
     [[nodiscard]] LawModel* laws() { return &m_laws; }
     [[nodiscard]] QString lawName() const;
     [[nodiscard]] bool solvable() const { return m_solution.solved.has_value(); }
@@ -210,6 +212,7 @@ private:
     // Sets the ratios that were not set by hand.
     void follow(program::Recipe& recipe) const;
     void compareCurves();
+    void shareMachine();
     void showFields();
     // Returns true when the person has the level. Otherwise requests a login, and nothing changes.
     [[nodiscard]] bool require(Level needed) const;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/panel/editor/editor_field.h"
+#include "app/panel/kit/numbers.h"
 
 #include <QList>
 #include <QObject>
@@ -53,6 +54,9 @@ struct EditorPlot {
     Q_PROPERTY(double limitVelocity MEMBER limitVelocity FINAL)
     Q_PROPERTY(double limitAcceleration MEMBER limitAcceleration FINAL)
     Q_PROPERTY(double limitFrequency MEMBER limitFrequency FINAL)
+    Q_PROPERTY(bool hasTorque MEMBER hasTorque FINAL)
+    Q_PROPERTY(double limitTorque MEMBER limitTorque FINAL)
+    Q_PROPERTY(double rmsTorque MEMBER rmsTorque FINAL)
     Q_PROPERTY(QList<QPointF> violations MEMBER violations FINAL)
     Q_PROPERTY(QString peakText MEMBER peakText FINAL)
 
@@ -64,6 +68,9 @@ public:
     double limitVelocity = 0;     // mm/s
     double limitAcceleration = 0; // mm/s^2
     double limitFrequency = 0;    // Hz
+    bool hasTorque = false;       // the inertia is known
+    double limitTorque = unknown; // Nm
+    double rmsTorque = unknown;   // Nm
     QList<QPointF> violations;    // from and to
     QString peakText;             // the peaks in one line
 };

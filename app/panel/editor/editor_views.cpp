@@ -10,6 +10,7 @@
 #include "profile/cutter/jaw.h"
 #include "profile/cutter/ratios.h"
 #include "profile/laws/laws.h"
+#include "profile/model/vibration.h"
 
 #include <algorithm>
 #include <cmath>
@@ -123,25 +124,53 @@ LawDemand EditorViews::demandOf(const profile::Law& law) const
         tried.machine = m_solution.solved->machine;
     LawDemand demand;
     demand.peaks.motorRpm = demand.peaks.accelerationMmPerS2 = demand.peaks.pulseFrequencyHz =
-        demand.peaks.jerkMmPerS3 = demand.peaks.torqueNm = demand.rmsAccelerationMmPerS2 = NAN;
+        demand.peaks.jerkMmPerS3 = demand.peaks.torqueNm = demand.peaks.rmsTorqueNm = NAN;
+    demand.rmsAccelerationMmPerS2 = NAN;
     if (!tried.isCutter()) {
         if (const auto solved = program::solveProgram(tried)) {
             demand.peaks = solved->peaks;
             demand.isFeasible = solved->broken.empty();
+            demand.vibrationMm =
+                profile::residualAmplitudeMm(solved->motion, profile::shaftMode(solved->machine));
         }
         return demand;
     }
     // Without its curves: up to twelve cutters are solved after each change.
     demand.isFeasible = profile::isFeasible(tried.cutter(), tried.machine);
     if (const auto cycle = profile::solveNumbers(tried.cutter(), tried.machine)) {
-        const profile::Peaks peaks = profile::peaks(*cycle, tried.cutter(), tried.machine);
-        demand.peaks.motorRpm = peaks.motorRpm;
-        demand.peaks.accelerationMmPerS2 = peaks.accelerationMmPerS2;
-        demand.peaks.pulseFrequencyHz = peaks.pulseFrequencyHz;
-        demand.peaks.jerkMmPerS3 = peaks.jerkMmPerS3;
+        demand.peaks = profile::peaks(*cycle, tried.cutter(), tried.machine);
         demand.rmsAccelerationMmPerS2 = profile::rmsAcceleration(*cycle, tried.cutter());
+        if (hasVibration())
+            demand.vibrationMm = profile::sealErrorMm(*profile::solve(tried.cutter(), tried.machine));
     }
     return demand;
+}
+
+bool EditorViews::hasTorque() const
+{
+    return !m_recipe.isCutter() || m_recipe.machine.inertiaKgCm2 > 0;
+}
+
+// The column of the torque has the RMS value where the torque is known.
+bool EditorViews::hasRmsAcceleration() const
+{
+    return m_recipe.isCutter() && !hasTorque();
+}
+
+bool EditorViews::hasVibration() const
+{
+    return m_recipe.machine.naturalFrequencyHz > 0;
+}
+
+QStringList EditorViews::lawColumns() const
+{
+    QStringList columns{tr("Peak speed"), tr("Acceleration")};
+    if (hasRmsAcceleration())
+        columns << tr("RMS");
+    columns << tr("Jerk") << (hasTorque() ? tr("Torque,\nRMS") : tr("Frequency"));
+    if (hasVibration())
+        columns << (m_recipe.isCutter() ? tr("Error while\nsealing") : tr("Vibration\nafter the move"));
+    return columns;
 }
 
 LawRow EditorViews::lawRow(const profile::Law& law, const LawDemand& demand) const
@@ -158,12 +187,14 @@ LawRow EditorViews::lawRow(const profile::Law& law, const LawDemand& demand) con
     row.usable = demand.isFeasible;
     row.peakRpmText = tr("%1 r/min").arg(format.number(peaks.motorRpm, 0));
     row.peakAccelerationText = tr("%1 m/s²").arg(format.number(peaks.accelerationMmPerS2 / mmPerM, 2));
-    if (m_recipe.isCutter())
+    if (hasRmsAcceleration())
         row.rmsText = tr("%1 m/s²").arg(format.number(demand.rmsAccelerationMmPerS2 / mmPerM, 2));
-    // A knife has no inertia in the recipe; its limit is the pulse frequency.
-    row.peakFrequencyText = m_recipe.isCutter()
-                                ? tr("%1 kHz").arg(format.number(peaks.pulseFrequencyHz / 1000, 1))
-                                : tr("%1 Nm").arg(format.number(peaks.torqueNm, 3));
+    row.peakFrequencyText =
+        hasTorque() ? tr("%1 Nm\nRMS %2", "peak and RMS torque")
+                          .arg(format.number(peaks.torqueNm, 3), format.number(peaks.rmsTorqueNm, 3))
+                    : tr("%1 kHz").arg(format.number(peaks.pulseFrequencyHz / 1000, 1));
+    if (hasVibration())
+        row.vibrationText = tr("%1 mm").arg(format.number(demand.vibrationMm, 3));
     row.peakJerkText = std::isinf(peaks.jerkMmPerS3)
                            ? tr("acceleration jumps")
                            : tr("%1 m/s³").arg(format.number(peaks.jerkMmPerS3 / mmPerM, 1));
@@ -203,11 +234,12 @@ QString EditorViews::peaks() const
         return {};
     const Format format;
     const profile::Peaks& peaks = m_solution.solved->peaks;
-    // The recipe has no inertia for a knife or a press.
-    if (!m_solution.cutter() && m_recipe.kind() != profile::ProgramKind::Press)
-        return tr("peak %1 r/min · %2 m/s² · %3 Nm · %4 kHz")
+    // The recipe of a press has no inertia, that of a cutter may have one.
+    if (m_recipe.kind() != profile::ProgramKind::Press && hasTorque())
+        return tr("peak %1 r/min · %2 m/s² · %3 Nm (RMS %5) · %4 kHz")
             .arg(format.number(peaks.motorRpm, 0), format.number(peaks.accelerationMmPerS2 / 1000, 2),
-                 format.number(peaks.torqueNm, 3), format.number(peaks.pulseFrequencyHz / 1000, 1));
+                 format.number(peaks.torqueNm, 3), format.number(peaks.pulseFrequencyHz / 1000, 1),
+                 format.number(peaks.rmsTorqueNm, 3));
     const auto* cutter = m_solution.cutter();
     if (cutter && cutter->machine.contactAngleDeg > 0)
         return tr("peak %1 r/min · %2 m/s² · %3 kHz · seal %4 ms")

@@ -110,6 +110,8 @@ Explanation Explanations::of(int quantity) const
         return packing(wanted);
     case FollowingError:
         return followingError();
+    case Torque:
+        return torque();
     case GoodStrokes:
         return goodStrokes();
     case FastestRate:
@@ -122,6 +124,9 @@ Explanation Explanations::of(int quantity) const
     case RmsAcceleration:
     case SpeedRatio:
     case BaseCircleSpeed:
+    case PeakTorque:
+    case RmsTorque:
+    case SealError:
         return peak(wanted);
     case LiveSealTime:
         return liveSealTime();
@@ -152,6 +157,10 @@ QList<int> Explanations::ofVerdict() const
          << BaseCircleSpeed;
     if (cutter->machine.contactAngleDeg > 0)
         told << SyncWindow << SealTime;
+    if (cutter->machine.inertiaKgCm2 > 0)
+        told << PeakTorque << RmsTorque;
+    if (cutter->machine.naturalFrequencyHz > 0)
+        told << SealError;
     return told;
 }
 
@@ -281,6 +290,33 @@ Explanation Explanations::followingError() const
     return told;
 }
 
+Explanation Explanations::torque() const
+{
+    const Format format;
+    const TorqueWatch& torque = *m_machine.torque();
+    const auto worst = torque.worst();
+    Explanation told;
+    told.title = tr("Torque, largest difference");
+    told.value = format.number(torque.differencePercent(), 1);
+    told.unit = u"%"_s;
+    told.formula = tr("torque that the drive reports − (J α + friction), of the rated torque");
+    const QString missing = torque.missingText();
+    if (!missing.isEmpty())
+        told.meaning = missing;
+    else if (!worst)
+        told.meaning = tr("Compared while the machine runs at full speed.");
+    else
+        told.meaning =
+            tr("Largest of the last readings at full speed (%1), at %2° of the cycle. The drive lags "
+               "behind the program, so the difference is largest where the acceleration changes fast.")
+                .arg(torque.readings().size())
+                .arg(format.number(worst->angleDeg, 0));
+    if (worst)
+        told.numbers = u"%1 % − %2 %"_s.arg(format.number(worst->measuredPercent, 1),
+                                            format.number(worst->predictedPercent, 1));
+    return told;
+}
+
 Explanation Explanations::goodStrokes() const
 {
     const Format format;
@@ -340,6 +376,21 @@ Explanation Explanations::fastestRate() const
             u"%1 × %2 / %3"_s.arg(rate, format.compact(profile::sealTimeMs(cutter->cycle, machine), 0, 2),
                                   format.compact(cutter->program.minSealTimeMs, 0, 0));
         break;
+    case profile::Limit::MotorTorque:
+        told.formula = tr("rate × √((allowed − friction) / (peak − friction)), rounded down");
+        told.numbers = u"%1 × √((%2 − %4) / (%3 − %4))"_s.arg(rate, format.compact(machine.maxTorqueNm, 0, 3),
+                                                              format.compact(peaks.torqueNm, 0, 3),
+                                                              format.compact(machine.frictionNm, 0, 3));
+        break;
+    case profile::Limit::RmsTorque:
+        told.formula = tr("rate × ((allowed² − friction²) / (RMS² − friction²))^(1/4), rounded down");
+        told.numbers = u"%1 × ((%2² − %4²) / (%3² − %4²))^(1/4)"_s.arg(
+            rate, format.compact(machine.ratedTorqueNm, 0, 3), format.compact(peaks.rmsTorqueNm, 0, 3),
+            format.compact(machine.frictionNm, 0, 3));
+        break;
+    case profile::Limit::NaturalFrequency:
+        share(machine.naturalFrequencyHz, 1 / cutter->cycle.cycleTimeS);
+        break;
     case profile::Limit::FieldRange:
         share(profile::info(profile::Field::BaseSpeed).max, peaks.speedMmPerS);
         break;
@@ -363,7 +414,7 @@ Explanation Explanations::peak(Topic quantity) const
         const profile::Explanation explained = profile::explain(*cutter, which);
         told.formula = QString::fromStdString(explained.formula);
         told.numbers = QString::fromStdString(explained.numbers);
-        told.value = format.compact(explained.result, 0, 2);
+        told.value = format.compact(explained.result, 0, quantity >= PeakTorque ? 3 : 2);
         told.unit = RecipeWords::unit(explained.unit);
     };
     if (quantity == PeakMotorSpeed) {
@@ -393,6 +444,17 @@ Explanation Explanations::peak(Topic quantity) const
         told.meaning =
             tr("Angular speed of the knife at base speed, equation (7) of the paper. Its base circle "
                "has the knife radius.");
+    } else if (quantity == PeakTorque) {
+        take(tr("Peak motor torque"), profile::CutterQuantity::PeakTorque);
+        told.meaning = tr("Torque at the motor for the peak acceleration, plus friction.");
+    } else if (quantity == RmsTorque) {
+        take(tr("RMS motor torque"), profile::CutterQuantity::RmsTorque);
+        told.meaning = tr("Root mean square over one cycle. It heats the motor, so it stays below the rated "
+                          "torque.");
+    } else if (quantity == SealError) {
+        take(tr("Error while sealing"), profile::CutterQuantity::SealError);
+        told.meaning =
+            tr("Vibration of the knife shaft, peak to peak, between both ends of the sealing window.");
     } else {
         take(tr("Peak pulse frequency"), profile::CutterQuantity::PeakFrequency);
         told.meaning = tr("Output frequency of the controller at the maximum knife speed.");

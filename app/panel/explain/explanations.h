@@ -35,11 +35,15 @@ public:
         MarkError,
         FilmSaved,
         FollowingError,
+        Torque,
         GoodStrokes,
         FastestRate,
         PeakMotorSpeed,
         PeakAcceleration,
         PeakFrequency,
+        PeakTorque,
+        RmsTorque,
+        SealError,
         WireShare,
         AnswersHalf,
         Answers95,
@@ -86,6 +90,7 @@ private:
     [[nodiscard]] Explanation bags(Topic quantity) const;
     [[nodiscard]] Explanation packing(Topic quantity) const;
     [[nodiscard]] Explanation followingError() const;
+    [[nodiscard]] Explanation torque() const;
     [[nodiscard]] Explanation goodStrokes() const;
     [[nodiscard]] Explanation fastestRate() const;
     [[nodiscard]] Explanation peak(Topic quantity) const;

@@ -232,6 +232,7 @@ void Recipes::showFigures()
         rows << FigureRow{RecipeWords::choiceName(program::Choice::Law),
                           RecipeWords::lawName(static_cast<profile::LawId>(
                               program::choice(recipe.program, program::Choice::Law)))};
+    addMotor(rows, chosen->recipe);
     m_figures.setRows(rows);
 }
 

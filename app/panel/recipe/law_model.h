@@ -19,6 +19,7 @@ struct LawRow {
     Q_PROPERTY(QString rmsText MEMBER rmsText)
     Q_PROPERTY(QString peakFrequencyText MEMBER peakFrequencyText)
     Q_PROPERTY(QString peakJerkText MEMBER peakJerkText)
+    Q_PROPERTY(QString vibrationText MEMBER vibrationText)
     Q_PROPERTY(bool current MEMBER current)
     Q_PROPERTY(bool usable MEMBER usable)
     Q_PROPERTY(bool compared MEMBER compared)
@@ -31,8 +32,9 @@ public:
     QString peakRpmText;
     QString peakAccelerationText;
     QString rmsText; // RMS acceleration, only of a rotary cutter
-    QString peakFrequencyText;
+    QString peakFrequencyText; // or the torque, where it is known
     QString peakJerkText;
+    QString vibrationText; // empty while the natural frequency is unknown
     bool current = false;
     bool usable = false;   // exceeds no limit with this recipe
     bool compared = false; // its curves are in the background

@@ -117,6 +117,12 @@ QString RecipeWords::fieldName(Field field)
         return tr("Min. seal time");
     case Field::RampPosition:
         return tr("Ramps, slow to gentle");
+    case Field::RatedTorque:
+        return tr("Rated motor torque");
+    case Field::NaturalFrequency:
+        return tr("Natural frequency");
+    case Field::DampingRatio:
+        return tr("Damping ratio");
     }
     return {};
 }

@@ -43,12 +43,22 @@ QString RecipeWords::machineHelp(Field field)
     case Field::FeedPerMotorRev:
         return tr("Travel of the axis per motor revolution, including gear and spindle.");
     case Field::MaxTorque:
-        return tr("Peak torque of the motor, see the motor's nameplate.");
+        return tr("Peak torque of the motor, see the motor's nameplate. 0: unknown, no limit.");
     case Field::Inertia:
         return tr("Total inertia of motor, gear and load at the motor. CamPanel uses the inertia to estimate "
-                  "the torque of a motion.");
+                  "the torque of a motion. 0: unknown.");
     case Field::Friction:
         return tr("Friction torque at the motor while the axis turns slowly and steadily.");
+    case Field::RatedTorque:
+        return tr(
+            "Continuous torque of the motor, see the motor's nameplate. The RMS torque of a cycle stays "
+            "below it. 0: unknown, no limit.");
+    case Field::NaturalFrequency:
+        return tr("Lowest natural frequency of the shaft behind the motor, from a measurement or the drive's "
+                  "analysis. 0: unknown.");
+    case Field::DampingRatio:
+        return tr("Damping of this vibration as a share of critical damping. 0.05 is usual for a shaft with "
+                  "gear.");
     default:
         return {};
     }

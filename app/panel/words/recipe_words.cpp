@@ -18,6 +18,8 @@ QString RecipeWords::inWords(std::string_view text)
 
 QString RecipeWords::valueText(Field field, double value)
 {
+    if (value == 0 && profile::isUnknownAtZero(field))
+        return Format::unknownText();
     const int decimals = profile::info(field).decimals;
     const Format format;
     return decimals > 2 ? format.compact(value, 2, decimals) : format.number(value, decimals);
@@ -138,6 +140,10 @@ QString RecipeWords::limitName(Limit limit)
         return tr("acceleration");
     case Limit::MotorTorque:
         return tr("motor torque");
+    case Limit::RmsTorque:
+        return tr("RMS torque");
+    case Limit::NaturalFrequency:
+        return tr("natural frequency");
     case Limit::PulseFrequency:
         return tr("pulse frequency");
     case Limit::StrokeCannotClose:

@@ -275,6 +275,14 @@ QString RefusalSentences::refusal(const profile::Refusal& refusal)
     case Limit::JawWindow:
     case Limit::SealTime:
         return jaw(refusal);
+    case Limit::RmsTorque:
+        return tr("RMS torque would be %1, and the motor would overheat; its rated torque is %2.")
+            .arg(valueWithUnit(refusal.field, refusal.actual), valueWithUnit(refusal.field, refusal.allowed));
+    case Limit::NaturalFrequency:
+        return tr("The cycle repeats at %1, above the shaft's natural frequency of %2. Enter a lower rate, "
+                  "or "
+                  "correct the machine data.")
+            .arg(valueWithUnit(refusal.field, refusal.actual), valueWithUnit(refusal.field, refusal.allowed));
     case Limit::NoMotion:
         return tr("%1 is %2, which gives no motion. Enter another value.")
             .arg(name, valueWithUnit(refusal.field, refusal.actual));

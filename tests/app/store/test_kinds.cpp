@@ -33,6 +33,7 @@ private slots:
     void everyChoiceTrips();
     void ratiosOfOlderAndNewerFiles();
     void whatIsAbsentHasTheDefaultsOfItsKind();
+    void cutterFilesWithoutAMotorMeanUnknown();
     void fieldsOfOtherKindsAreUnknown();
     void complaints_data();
     void complaints();
@@ -188,6 +189,28 @@ void StoreKindsTest::whatIsAbsentHasTheDefaultsOfItsKind()
         QVERIFY2(read, read ? "" : qPrintable(FileErrorText::describe(read.error())));
         QCOMPARE(toJson(*read), toJson(expected));
     }
+}
+
+// The files of cutters before they had a motor and a shaft.
+void StoreKindsTest::cutterFilesWithoutAMotorMeanUnknown()
+{
+    QJsonObject root = QJsonDocument::fromJson(toJson(program::Recipe())).object();
+    QJsonObject machine = root[u"machine"_s].toObject();
+    for (const Field field : {Field::MaxTorque, Field::RatedTorque, Field::Inertia, Field::Friction,
+                              Field::NaturalFrequency, Field::DampingRatio}) {
+        const QString key = QString::fromLatin1(profile::info(field).id.data());
+        QVERIFY(machine.contains(key));
+        machine.remove(key);
+    }
+    root[u"machine"_s] = machine;
+    const auto read = fromJson(QJsonDocument(root).toJson(), {});
+    QVERIFY2(read, read ? "" : qPrintable(FileErrorText::describe(read.error())));
+    QCOMPARE(read->machine.inertiaKgCm2, 0.0);
+    QCOMPARE(read->machine.maxTorqueNm, 0.0);
+    QCOMPARE(read->machine.ratedTorqueNm, 0.0);
+    QCOMPARE(read->machine.frictionNm, 0.0);
+    QCOMPARE(read->machine.naturalFrequencyHz, 0.0);
+    QCOMPARE(toJson(*read), toJson(program::Recipe()));
 }
 
 void StoreKindsTest::fieldsOfOtherKindsAreUnknown()

@@ -281,6 +281,31 @@ private slots:
         QVERIFY(offered > 50);
     }
 
+    // Torque and vibration have a column where the machine's data are known.
+    void lawsHaveTheColumnsOfTheMachine()
+    {
+        PanelRig rig;
+        const auto& row = [&rig] { return rig.editor.laws()->row(0); };
+        QCOMPARE(rig.editor.lawColumns().size(), 4);
+        QCOMPARE(rig.editor.lawColumns().last(), "Frequency");
+        QVERIFY(row().vibrationText.isEmpty());
+        QVERIFY(!rig.editor.plot().hasTorque);
+        QCOMPARE(rig.editor.item(profile::Field::Inertia)->text(), "--");
+        rig.editor.bagLength()->set(150);
+        rig.editor.rate()->set(200);
+        rig.editor.item(profile::Field::Inertia)->set(10);
+        rig.editor.item(profile::Field::Friction)->set(0.1);
+        rig.editor.item(profile::Field::MaxTorque)->set(2);
+        rig.editor.item(profile::Field::NaturalFrequency)->set(25);
+        QCOMPARE(rig.editor.lawColumns().mid(3), QStringList({"Torque,\nRMS", "Error while\nsealing"}));
+        QCOMPARE(row().peakFrequencyText, "0.747 Nm\nRMS 0.277");
+        QCOMPARE(row().vibrationText, "1.720 mm");
+        QVERIFY2(rig.editor.peakText().contains("0.747 Nm (RMS 0.277)"), qPrintable(rig.editor.peakText()));
+        QVERIFY(rig.editor.plot().hasTorque);
+        QCOMPARE(rig.editor.plot().limitTorque, 2.0);
+        QVERIFY(std::abs(rig.editor.plot().rmsTorque - 0.2773) < 1e-4);
+    }
+
     void listsWhatEachLawWouldDemand()
     {
         PanelRig rig;
