@@ -69,6 +69,10 @@ inline constexpr std::array registerFields{
     RegisterField{"max_stop_force", profile::Field::MaxStopForce},
 };
 
+// The inputs without a register: they are in the recipe's file alone. The panel checks them, the controller
+// does not need them.
+inline constexpr std::array fileFields{profile::Field::MinSealTime, profile::Field::RampPosition};
+
 inline constexpr std::array registerChoices{
     RegisterChoice{"law", Choice::Law},
     RegisterChoice{"duration", Choice::Duration},

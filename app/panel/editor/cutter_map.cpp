@@ -60,7 +60,7 @@ void CutterMap::updateMap()
 {
     if (!m_isWatched || !m_recipe.isCutter()) {
         m_mapOf.reset();
-        m_map.reset();
+        setMap(nullptr);
         return;
     }
     program::Recipe wanted = withoutDot(m_recipe, m_machine);
@@ -70,8 +70,16 @@ void CutterMap::updateMap()
         return;
     const profile::RotaryCutterProgram& cutter = m_recipe.cutter();
     auto map = profile::regimeMap(cutter, m_machine, profile::regimeRange(cutter, m_machine), lengthsOfMap);
-    m_map = map ? std::make_shared<const profile::RegimeMap>(std::move(*map)) : nullptr;
     m_mapOf = std::move(wanted);
+    setMap(map ? std::make_shared<const profile::RegimeMap>(std::move(*map)) : nullptr);
+}
+
+void CutterMap::setMap(std::shared_ptr<const profile::RegimeMap> map)
+{
+    const bool isSame = m_map == map;
+    m_map = std::move(map);
+    if (!isSame)
+        emit mapChanged();
 }
 
 QVariant CutterMap::map() const

@@ -24,7 +24,7 @@ class CutterMap : public QObject {
 
     Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
     // The map as RegimePlot takes it; invalid when the recipe has none.
-    Q_PROPERTY(QVariant map READ map NOTIFY changed FINAL)
+    Q_PROPERTY(QVariant map READ map NOTIFY mapChanged FINAL)
     Q_PROPERTY(QStringList limitNames READ limitNames NOTIFY changed FINAL)
     Q_PROPERTY(QList<double> paperLengths READ paperLengths CONSTANT FINAL)
     // The recipe: length in mm, rate in bags/min, NaN while unknown.
@@ -57,12 +57,14 @@ public:
 
 signals:
     void watchedChanged();
-    void changed();
+    void mapChanged();
+    void changed(); // the recipe or the map
     void dragged(double lengthMm, double rateBagsPerMin);
     void dragEnded();
 
 private:
     void updateMap();
+    void setMap(std::shared_ptr<const profile::RegimeMap> map);
 
     bool m_isWatched = false;
     program::Recipe m_recipe;

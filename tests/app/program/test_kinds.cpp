@@ -54,18 +54,18 @@ ctl_verdict checked(const ProgramImage& image)
     return ctl_bank_check(bank.get(), &config, static_cast<std::uint32_t>(image.registers.size()));
 }
 
-// Returns an empty text, or the input that differs.
-// The origin of the ratios is the panel's own: the controller knows the ratios alone.
 bool isInRegisters(Field field)
 {
-    return field != Field::RampPosition;
+    return std::ranges::find(fileFields, field) == fileFields.end();
 }
 
+// The origin of the ratios is the panel's own: the controller knows the ratios alone.
 bool isInRegisters(Choice choice)
 {
     return choice != Choice::Ratios;
 }
 
+// Returns an empty text, or the input that differs.
 QString lostInput(const Recipe& kept, const Recipe& given)
 {
     if (kept.name != given.name || kept.version != given.version || kept.kind() != given.kind())
@@ -280,8 +280,11 @@ void KindsTest::everyFieldMakesADifference()
         QVERIFY(std::abs(found.front().b - found.front().a - info->scale) < 1e-6 * info->scale);
         kept.insert(entry.field);
     }
-    for (const Field field : kindInfo(kind).programFields)
-        QVERIFY2(kept.contains(field) || !isInRegisters(field), profile::info(field).id.data());
+    for (const Field field : kindInfo(kind).programFields) {
+        const bool isInFileAlone = std::ranges::find(fileFields, field) != fileFields.end();
+        QVERIFY2(kept.contains(field) != isInFileAlone, profile::info(field).id.data());
+        QCOMPARE(isInController(recipe, field), !isInFileAlone);
+    }
 }
 
 // The last speed of intervals is held until a stop; more pulses make it more exact.
