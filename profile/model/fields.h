@@ -157,7 +157,7 @@ inline constexpr std::array fields{
               1000, 0},
     FieldInfo{Field::MaxStopForce, "max_stop_force_n", "Most force at the stop", "F_top", "N", 0, 60000, 6000,
               0},
-    // Of a rotary cutter: 0 the slowest motor, 50 the coolest, 100 the gentlest.
+    // The ramps of a rotary cutter: 0 the slowest motor, 50 the coolest, 100 the gentlest.
     FieldInfo{Field::RampPosition, "ramp_position_percent", "Ramps from slowest to gentlest", "p", "%", 0,
               100, 100, 0},
 };
