@@ -167,7 +167,7 @@ inline constexpr std::array fields{
     FieldInfo{Field::ContactAngle, "contact_angle_deg", "Contact angle of the jaws", "theta_c", "deg", 0, 180,
               0, 1},
     FieldInfo{Field::MinSealTime, "min_seal_time_ms", "Minimum seal time", "t_min", "ms", 0, 10000, 0, 0},
-    // Of a rotary cutter: 0 the slowest motor, 50 the coolest, 100 the gentlest.
+    // The ramps of a rotary cutter: 0 the slowest motor, 50 the coolest, 100 the gentlest.
     FieldInfo{Field::RampPosition, "ramp_position_percent", "Ramps from slowest to gentlest", "p", "%", 0,
               100, 100, 0},
     FieldInfo{Field::RatedTorque, "rated_torque_nm", "Rated motor torque", "M_n", "Nm", 0, 10000, 0, 3},

@@ -17,8 +17,10 @@ Sheet {
 
     objectName: "ratioSheet"
     beside: true
-    title: Editor.ramps.stateText
-    panelWidth: Theme.size.sideColumn
+    title: qsTr("Ratios")
+    note: Editor.ramps.stateText
+    // Three keys beside each other, also with gloves.
+    panelWidth: Math.max(Theme.size.sideColumn, 3 * Theme.size.touch + 2 * Theme.size.padding + 3 * Theme.size.accent)
     panelHeight: height
 
     Flickable {
@@ -82,16 +84,16 @@ Sheet {
                             height: name.height
                             Label {
                                 id: name
-                                width: parent.width / 2
+                                width: parent.width * 0.55
                                 fontSizeMode: Text.HorizontalFit
-                                minimumPixelSize: Theme.size.caption - 3
+                                minimumPixelSize: Theme.size.caption - 4
                                 text: figure.label
                                 color: Theme.color.secondaryInk
                                 font.pixelSize: Theme.size.caption
                             }
                             Label {
                                 anchors { right: parent.right; baseline: name.baseline }
-                                width: parent.width / 2
+                                width: parent.width * 0.45
                                 horizontalAlignment: Text.AlignRight
                                 fontSizeMode: Text.HorizontalFit
                                 minimumPixelSize: Theme.size.caption - 3
@@ -129,7 +131,7 @@ Sheet {
                         width: parent.width
                         horizontalAlignment: Text.AlignHCenter
                         fontSizeMode: Text.HorizontalFit
-                        minimumPixelSize: Theme.size.caption - 3
+                        minimumPixelSize: Theme.size.caption - 5
                         text: qsTr("Sealing window")
                         color: Theme.color.secondaryInk
                         font.pixelSize: Theme.size.caption

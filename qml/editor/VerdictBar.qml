@@ -87,7 +87,7 @@ Card {
             id: offer
             objectName: "rampOffer"
             visible: Editor.ramps.offerName.length > 0
-            width: Math.min(implicitWidth, Theme.size.touch * 2)
+            width: Math.min(implicitWidth, Math.max(Theme.size.touch, 8.5 * Theme.size.caption))   // two words
             text: Editor.ramps.offerName
             note: Editor.ramps.offerRate
             onClicked: Editor.ramps.takeOffer()

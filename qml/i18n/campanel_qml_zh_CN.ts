@@ -1810,6 +1810,10 @@ And %2 more.</source>
         <source>Sealing window</source>
         <translation>封切窗口</translation>
     </message>
+    <message>
+        <source>Ratios</source>
+        <translation>比例</translation>
+    </message>
 </context>
 <context>
     <name>RecipeCard</name>
