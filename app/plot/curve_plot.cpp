@@ -89,8 +89,8 @@ void CurvePlot::updatePolish()
 CurvePlot::Mapping CurvePlot::mapping() const
 {
     const PlotPanel* panel = velocityPanel();
-    return {m_plotArea, m_timeMap.s2(), panel ? panel->scale().lower() : 0.0,
-            panel ? panel->scale().upper() : 0.0};
+    return {m_plotArea, panel ? panel->canvas() : QRectF(), m_timeMap.s2(),
+            panel ? panel->scale().lower() : 0.0, panel ? panel->scale().upper() : 0.0};
 }
 
 void CurvePlot::ensureLayout()

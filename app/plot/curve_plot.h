@@ -119,6 +119,7 @@ private:
 
     struct Mapping {
         QRectF area;
+        QRectF velocityCanvas; // another panel makes it lower, also at the same scale
         double timeEnd = 0;
         double velocityLow = 0;
         double velocityHigh = 0;

@@ -413,7 +413,7 @@ Explanation Explanations::peak(Topic quantity) const
             return;
         const profile::Explanation explained = profile::explain(*cutter, which);
         told.formula = QString::fromStdString(explained.formula);
-        told.numbers = QString::fromStdString(explained.numbers);
+        told.numbers = ifKnown({explained.result}, QString::fromStdString(explained.numbers));
         told.value = format.compact(explained.result, 0, quantity >= PeakTorque ? 3 : 2);
         told.unit = RecipeWords::unit(explained.unit);
     };
