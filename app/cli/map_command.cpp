@@ -5,7 +5,7 @@
 #include "app/cli/recipe_options.h"
 #include "app/cli/report.h"
 #include "app/panel/words/recipe_words.h"
-#include "app/plot/regime_picture.h"
+#include "app/plot/picture/regime_picture.h"
 #include "profile/cutter/limits.h"
 #include "profile/cutter/paper_lengths.h"
 

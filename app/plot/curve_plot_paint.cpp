@@ -3,7 +3,7 @@
 #include "app/plot/curve_plot.h"
 
 #include "app/plot/decimation.h"
-#include "app/plot/label_draw.h"
+#include "app/plot/picture/label_draw.h"
 
 #include <QPainter>
 #include <QPalette>

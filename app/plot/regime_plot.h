@@ -3,7 +3,7 @@
 // the item, so that a drag does not repaint the map.
 #pragma once
 
-#include "app/plot/regime_picture.h"
+#include "app/plot/picture/regime_picture.h"
 
 #include <QQuickPaintedItem>
 #include <QVariant>

@@ -46,7 +46,7 @@ Item {
         anchors { left: grid.left; right: grid.right; top: grid.bottom; topMargin: Theme.size.spacing }
         height: inputs.rowHeight
         fields: inputs.ratios
-        caption: Editor.ramps.stateText
+        caption: Editor.cutter.ramps.stateText
         onEditRequested: inputs.ratiosRequested()
     }
     SettingRow {

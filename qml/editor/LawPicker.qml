@@ -16,7 +16,7 @@ Sheet {
     note: sheet.isByHand ? qsTr("The figures are those of the ratios set by hand; the law that is gentlest with its own ramps is first")
         : sheet.isCutter ? qsTr("The gentlest law is first, each with the ramps that suit it; hold a law to compare its curves in grey")
         : qsTr("Peak values of each law for this recipe; hold a law to compare its curves in grey")
-    readonly property bool isByHand: isCutter && Editor.ramps.mode === RampControl.ByHand
+    readonly property bool isByHand: isCutter && Editor.cutter.ramps.mode === RampControl.ByHand
     readonly property bool isCutter: Editor.kind === Editor.Kind.RotaryCutter
 
     LawRow {

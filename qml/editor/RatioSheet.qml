@@ -18,7 +18,7 @@ Sheet {
     objectName: "ratioSheet"
     beside: true
     title: qsTr("Ratios")
-    note: Editor.ramps.stateText
+    note: Editor.cutter.ramps.stateText
     // Three keys beside each other, also with gloves.
     panelWidth: Math.max(Theme.size.sideColumn, 3 * Theme.size.touch + 2 * Theme.size.padding + 3 * Theme.size.accent)
     panelHeight: height
@@ -45,8 +45,8 @@ Sheet {
                     { key: RampControl.Cool, text: qsTr("Cool"), name: "ratioCool" },
                     { key: RampControl.Gentle, text: qsTr("Gentle"), name: "ratioGentle" }
                 ]
-                current: Editor.ramps.mode
-                onChosen: key => Editor.ramps.choose(key)
+                current: Editor.cutter.ramps.mode
+                onChosen: key => Editor.cutter.ramps.choose(key)
             }
             Slider {
                 id: slider
@@ -54,14 +54,14 @@ Sheet {
                 width: parent.width
                 from: 0
                 to: 100
-                known: !isNaN(Editor.ramps.position)
+                known: !isNaN(Editor.cutter.ramps.position)
                 enabled: known
-                onHeld: value => Editor.ramps.drag(value)
-                onReleased: Editor.ramps.endDrag()
+                onHeld: value => Editor.cutter.ramps.drag(value)
+                onReleased: Editor.cutter.ramps.endDrag()
                 Binding {
                     target: slider
                     property: "value"
-                    value: Editor.ramps.position
+                    value: Editor.cutter.ramps.position
                     when: slider.known && !slider.pressed
                     restoreMode: Binding.RestoreNone
                 }
@@ -75,7 +75,7 @@ Sheet {
                     width: parent.width
                     spacing: Theme.size.outline
                     Repeater {
-                        model: Editor.ramps.figures
+                        model: Editor.cutter.ramps.figures
                         Item {
                             id: figure
                             required property string label
@@ -122,7 +122,7 @@ Sheet {
                     objectName: "windowNarrower"
                     width: Theme.size.touch
                     text: "\u2212"
-                    onClicked: Editor.ramps.narrowWindow()
+                    onClicked: Editor.cutter.ramps.narrowWindow()
                 }
                 Column {
                     width: parent.width - 2 * Theme.size.touch
@@ -140,7 +140,7 @@ Sheet {
                         objectName: "windowText"
                         width: parent.width
                         horizontalAlignment: Text.AlignHCenter
-                        text: Editor.ramps.windowText
+                        text: Editor.cutter.ramps.windowText
                         font { pixelSize: Theme.size.body; bold: true }
                     }
                 }
@@ -148,7 +148,7 @@ Sheet {
                     objectName: "windowWider"
                     width: Theme.size.touch
                     text: "+"
-                    onClicked: Editor.ramps.widenWindow()
+                    onClicked: Editor.cutter.ramps.widenWindow()
                 }
             }
         }

@@ -14,11 +14,11 @@ Sheet {
     property int revision                  // of the mapping, which the dot follows
     readonly property bool good: Editor.severity !== Editor.Severity.Bad
 
-    title: Editor.map.title.length > 0 ? Editor.map.title : qsTr("Regime map")
-    note: Editor.map.text
+    title: Editor.cutter.map.title.length > 0 ? Editor.cutter.map.title : qsTr("Regime map")
+    note: Editor.cutter.map.text
 
-    Component.onCompleted: Editor.map.watched = true
-    Component.onDestruction: Editor.map.watched = false
+    Component.onCompleted: Editor.cutter.map.watched = true
+    Component.onDestruction: Editor.cutter.map.watched = false
 
     // `at` is the revision of the mapping that a binding depends on.
     function dotX(lengthMm: real, at: int): real { return plot.xOfLength(lengthMm) }
@@ -28,10 +28,10 @@ Sheet {
         id: plot
         objectName: "regimePlot"
         anchors { left: parent.left; right: parent.right; top: parent.top; bottom: tools.top; bottomMargin: Theme.size.spacing }
-        map: Editor.map.map
-        limitNames: Editor.map.limitNames
-        marks: Editor.map.paperLengths
-        shownRate: finger.pressed ? finger.shownRate : Editor.map.rateBagsPerMin || 0
+        map: Editor.cutter.map.map
+        limitNames: Editor.cutter.map.limitNames
+        marks: Editor.cutter.map.paperLengths
+        shownRate: finger.pressed ? finger.shownRate : Editor.cutter.map.rateBagsPerMin || 0
         rateUnit: qsTr("bags/min")
         refusedName: qsTr("not possible")
         marksName: qsTr("lengths of the paper")
@@ -53,12 +53,12 @@ Sheet {
     Rectangle {
         id: dot
         objectName: "regimeDot"
-        visible: Editor.map.title.length > 0
+        visible: Editor.cutter.map.title.length > 0
         width: Theme.size.handle
         height: width
         radius: width / 2
-        x: plot.x + sheet.dotX(Editor.map.lengthMm, sheet.revision) - width / 2
-        y: plot.y + sheet.dotY(Editor.map.rateBagsPerMin, sheet.revision) - height / 2
+        x: plot.x + sheet.dotX(Editor.cutter.map.lengthMm, sheet.revision) - width / 2
+        y: plot.y + sheet.dotY(Editor.cutter.map.rateBagsPerMin, sheet.revision) - height / 2
         color: finger.holds ? Theme.color.touch : Theme.color.surface
         border { width: 2 * Theme.size.curve; color: sheet.good ? Theme.color.touch : Theme.color.fault }
     }
@@ -72,20 +72,20 @@ Sheet {
         property point grab                // px from the finger to the dot
 
         onPressed: mouse => {
-            grab = Qt.point(plot.xOfLength(Editor.map.lengthMm) - mouse.x, plot.yOfRate(Editor.map.rateBagsPerMin) - mouse.y)
-            shownRate = Editor.map.rateBagsPerMin || 0
+            grab = Qt.point(plot.xOfLength(Editor.cutter.map.lengthMm) - mouse.x, plot.yOfRate(Editor.cutter.map.rateBagsPerMin) - mouse.y)
+            shownRate = Editor.cutter.map.rateBagsPerMin || 0
             holds = dot.visible && Math.hypot(grab.x, grab.y) <= Theme.size.touch * 0.75
         }
         onPositionChanged: mouse => {
             if (holds)
-                Editor.map.drag(plot.lengthOfX(mouse.x + grab.x), plot.rateOfY(mouse.y + grab.y))
+                Editor.cutter.map.drag(plot.lengthOfX(mouse.x + grab.x), plot.rateOfY(mouse.y + grab.y))
         }
         onReleased: finish()
         onCanceled: finish()
 
         function finish() {
             if (holds)
-                Editor.map.endDrag()
+                Editor.cutter.map.endDrag()
             holds = false
         }
     }

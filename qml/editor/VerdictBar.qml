@@ -86,11 +86,11 @@ Card {
         Button {
             id: offer
             objectName: "rampOffer"
-            visible: Editor.ramps.offerName.length > 0
+            visible: Editor.cutter.ramps.offerName.length > 0
             width: Math.min(implicitWidth, Math.max(Theme.size.touch, 8.5 * Theme.size.caption))   // two words
-            text: Editor.ramps.offerName
-            note: Editor.ramps.offerRate
-            onClicked: Editor.ramps.takeOffer()
+            text: Editor.cutter.ramps.offerName
+            note: Editor.cutter.ramps.offerRate
+            onClicked: Editor.cutter.ramps.takeOffer()
         }
         NextStepButton {
             onDownloadRequested: bar.downloadRequested()

@@ -12,7 +12,7 @@ FirstStep {
 
     readonly property real half: (width - Theme.size.spacing) / 2
 
-    Component.onCompleted: Editor.ramps.begin()
+    Component.onCompleted: Editor.cutter.ramps.begin()
 
     Column {
         width: parent.width

@@ -126,7 +126,7 @@ const QList<Rule>& includeRules()
             {u"app/report"_s, {standardCpp, qtAny, u"app/(panel|plot|report)/.*"_s}},
             {u"app/cli"_s,
              {standardCpp, posix, expected, qtAny, u"(profile|modbus)/.*"_s,
-              u"app/(program|store|cli|panel/words)/.*"_s, u"app/plot/regime_picture\\.h"_s,
+              u"app/(program|store|cli|panel/words)/.*"_s, u"app/plot/picture/regime_picture\\.h"_s,
               u"packing_run\\.h"_s}},
             {u"app/shell"_s, {standardCpp, qtAny, u"app/.*"_s, posix, u"toml\\+\\+/toml\\.h"_s}},
         };

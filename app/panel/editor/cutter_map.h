@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Editor.map` in QML: the regime map of the edited cutter, and its recipe as a dot that a finger drags. The
+// `Editor.cutter.map` in QML: the regime map of the edited cutter, and its recipe as a dot that a finger drags. The
 // map is computed only while it is watched.
 #pragma once
 

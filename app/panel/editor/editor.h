@@ -51,9 +51,7 @@ class Editor : public QObject {
     Q_PROPERTY(QVariantList machineFields READ machineFields NOTIFY fieldsChanged FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* choices READ choices CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::KnotModel* knots READ knots CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::CutterMap* map READ map CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::KnotFiles* knotFiles READ knotFiles CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::RampControl* ramps READ ramps CONSTANT FINAL)
     Q_PROPERTY(bool hasLaw READ hasLaw NOTIFY kindChanged FINAL)
     Q_PROPERTY(QString lawTitle READ lawTitle NOTIFY kindChanged FINAL)
 

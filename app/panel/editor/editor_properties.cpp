@@ -41,8 +41,8 @@ QString Editor::suggestionText() const
 
 CutterFields Editor::cutter()
 {
-    return {bagLength(), rate(), baseSpeed(), filmSpeed(),  k1(),         k2(),
-            k3(),        k4(),   syncRatio(), rampSlices(), minSealTime()};
+    return {bagLength(), rate(),      baseSpeed(),  filmSpeed(),   k1(),    k2(), k3(),
+            k4(),        syncRatio(), rampSlices(), minSealTime(), ramps(), map()};
 }
 
 EditorPlot Editor::plot() const

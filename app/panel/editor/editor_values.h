@@ -2,7 +2,9 @@
 // Groups of what the editor shows, as values for QML.
 #pragma once
 
+#include "app/panel/editor/cutter_map.h"
 #include "app/panel/editor/editor_field.h"
+#include "app/panel/editor/ramp_control.h"
 #include "app/panel/kit/numbers.h"
 
 #include <QList>
@@ -13,7 +15,7 @@
 
 namespace campanel::panel {
 
-// `Editor.cutter` in QML: the fields of a rotary cutter by name.
+// `Editor.cutter` in QML: the fields of a rotary cutter by name, its ratios and its regime map.
 struct CutterFields {
     Q_GADGET
     QML_VALUE_TYPE(cutterFields)
@@ -28,6 +30,8 @@ struct CutterFields {
     Q_PROPERTY(campanel::panel::EditorField* syncRatio MEMBER syncRatio CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::EditorField* rampSlices MEMBER rampSlices CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::EditorField* minSealTime MEMBER minSealTime CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RampControl* ramps MEMBER ramps CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::CutterMap* map MEMBER map CONSTANT FINAL)
 
 public:
     EditorField* bagLength = nullptr;
@@ -41,6 +45,8 @@ public:
     EditorField* syncRatio = nullptr;
     EditorField* rampSlices = nullptr;
     EditorField* minSealTime = nullptr;
+    RampControl* ramps = nullptr;
+    CutterMap* map = nullptr;
 };
 
 // `Editor.plot` in QML: the curves of the edited recipe and what is drawn with them. Times in s.

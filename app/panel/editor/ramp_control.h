@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Editor.ramps` in QML: how the ratios of a rotary cutter came about, what they demand, and the keys that
+// `Editor.cutter.ramps` in QML: how the ratios of a rotary cutter came about, what they demand, and the keys that
 // let them suit the machine. It displays the Editor's values and sends every change to the Editor.
 #pragma once
 

@@ -2,9 +2,9 @@
 // The model of the plots before painting: decimation, scales, quantities.
 #include "samples.h"
 
-#include "app/plot/axis_scale.h"
+#include "app/plot/picture/axis_scale.h"
 #include "app/plot/decimation.h"
-#include "app/plot/label_draw.h"
+#include "app/plot/picture/label_draw.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>

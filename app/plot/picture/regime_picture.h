@@ -3,7 +3,7 @@
 // that ends it. Painted by Qwt with any QPainter: on the screen by RegimePlot, into a file by campanelctl.
 #pragma once
 
-#include "app/plot/axis_scale.h"
+#include "app/plot/picture/axis_scale.h"
 #include "profile/cutter/regime_map.h"
 
 #include <QColor>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A limit has a color, a pattern and a number, so that no one needs the colors.
-#include "app/plot/regime_picture.h"
+#include "app/plot/picture/regime_picture.h"
 
-#include "app/plot/label_draw.h"
+#include "app/plot/picture/label_draw.h"
 
 #include <QFontMetricsF>
 #include <QPainter>
