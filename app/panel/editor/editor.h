@@ -7,6 +7,7 @@
 #include "app/panel/editor/editor_values.h"
 #include "app/panel/editor/knot_files.h"
 #include "app/panel/editor/knot_model.h"
+#include "app/panel/editor/segment_model.h"
 #include "app/panel/recipe/choice_model.h"
 #include "app/panel/recipe/law_model.h"
 #include "app/panel/recipe/solution.h"
@@ -49,6 +50,9 @@ class Editor : public QObject {
     Q_PROPERTY(QVariantList machineFields READ machineFields NOTIFY fieldsChanged FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* choices READ choices CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::KnotModel* knots READ knots CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::SegmentModel* segments READ segments CONSTANT FINAL)
+    // The handles on the curve; null for a kind without any.
+    Q_PROPERTY(campanel::panel::CamHandles* handles READ handles NOTIFY kindChanged FINAL)
     Q_PROPERTY(campanel::panel::KnotFiles* knotFiles READ knotFiles CONSTANT FINAL)
     Q_PROPERTY(bool hasLaw READ hasLaw NOTIFY kindChanged FINAL)
     Q_PROPERTY(QString lawTitle READ lawTitle NOTIFY kindChanged FINAL)
@@ -81,6 +85,7 @@ public:
         SpeedMove = static_cast<int>(profile::ProgramKind::SpeedMove),
         PointCam = static_cast<int>(profile::ProgramKind::PointCam),
         Press = static_cast<int>(profile::ProgramKind::Press),
+        SegmentCam = static_cast<int>(profile::ProgramKind::SegmentCam),
     };
     Q_ENUM(Kind)
     enum class Severity { Good, Warning, Bad };
@@ -118,6 +123,8 @@ public:
     [[nodiscard]] QVariantList machineFields() const;
     [[nodiscard]] ChoiceModel* choices() { return &m_choices; }
     [[nodiscard]] KnotModel* knots() { return &m_knots; }
+    [[nodiscard]] SegmentModel* segments() { return &m_segments; }
+    [[nodiscard]] CamHandles* handles();
     [[nodiscard]] KnotFiles* knotFiles() { return &m_knotFiles; }
     [[nodiscard]] bool hasLaw() const { return program::lawParameters(m_recipe.program) != nullptr; }
     [[nodiscard]] QString lawTitle() const;
@@ -197,6 +204,7 @@ private:
     void retranslate();
     void connectFields();
     void connectKnots();
+    void connectHandles(CamHandles& handles);
     void compareCurves();
     void showFields();
     // Returns true when the person has the level. Otherwise requests a login, and nothing changes.
@@ -216,6 +224,7 @@ private:
     EditorField m_lawParameter2{QStringLiteral("lawParameter2"), this};
     std::array<EditorField*, profile::fields.size()> m_fields{}; // children, by field
     KnotModel m_knots;
+    SegmentModel m_segments;
     KnotFiles m_knotFiles;
     ChoiceModel m_choices;
     LawModel m_laws;

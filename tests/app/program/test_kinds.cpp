@@ -36,7 +36,7 @@ std::span<const std::uint16_t> headerOf(const ProgramImage& image)
 
 std::vector<std::uint16_t> knotsOf(const ProgramImage& image)
 {
-    const modbus::KnotSpan span = modbus::knotSpan(image.registers);
+    const modbus::ListSpan span = modbus::listSpan(image.registers);
     const auto all = std::span(image.registers).subspan(span.offset, span.count);
     return {all.begin(), all.end()};
 }
@@ -354,7 +354,7 @@ void KindsTest::headersThatCannotBeShown_data()
     row("unknown duration", ProgramKind::SpeedMove, "speed_move.duration", 3, DecodeErrorKind::Choice);
     row("position over a distance", ProgramKind::PositionMove, "position_move.duration", 2,
         DecodeErrorKind::Choice);
-    row("unknown ends", ProgramKind::PointCam, "point_cam.ends", 3, DecodeErrorKind::Choice);
+    row("unknown ends", ProgramKind::PointCam, "cam.ends", 3, DecodeErrorKind::Choice);
     row("unknown ramp", ProgramKind::PointCam, "cam.ramp_shape", 2, DecodeErrorKind::Choice);
 }
 
