@@ -1750,8 +1750,8 @@
         <translation>表头 master_deg,slave_mm</translation>
     </message>
     <message>
-        <source>two values, as in the header</source>
-        <translation>与表头一致的两个值</translation>
+        <source>%1 values, as in the header</source>
+        <translation>与表头一致的 %1 个值</translation>
     </message>
     <message>
         <source>a number with a decimal point</source>
@@ -1809,12 +1809,6 @@
     <message>
         <source>the header %1</source>
         <translation>表头 %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n value(s), as in the header</source>
-        <translation>
-            <numerusform>%n 个值，与表头一致</numerusform>
-        </translation>
     </message>
     <message>
         <source>one of: %1</source>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What all cams share that follow a virtual master: the cycle in time, jumps of the speed, the checks of the
+// The common part of all cams that follow a virtual master: the cycle in time, jumps of the speed, the checks of the
 // axis, and the nearest master rate.
 #pragma once
 

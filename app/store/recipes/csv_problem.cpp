@@ -32,7 +32,7 @@ QString expectation(profile::CsvExpectation expected, std::span<const std::strin
     case CsvExpectation::Header:
         return FileErrorText::tr("the header %1").arg(headerOf(columns));
     case CsvExpectation::Values:
-        return FileErrorText::tr("%n value(s), as in the header", nullptr, static_cast<int>(columns.size()));
+        return FileErrorText::tr("%1 values, as in the header").arg(columns.size());
     case CsvExpectation::Number:
         return FileErrorText::aNumber();
     case CsvExpectation::DecimalPoint:

@@ -340,7 +340,7 @@ void KindsTest::headersThatCannotBeShown_data()
         QTest::newRow(tag) << kind << QString::fromLatin1(name) << value << static_cast<int>(error);
     };
     row("kind 0", ProgramKind::PointCam, "bank.kind", 0, DecodeErrorKind::Kind);
-    row("kind 6", ProgramKind::Press, "bank.kind", 6, DecodeErrorKind::Kind);
+    row("kind 7", ProgramKind::Press, "bank.kind", 7, DecodeErrorKind::Kind);
     row("layout of the future", ProgramKind::PositionMove, "bank.layout", 9, DecodeErrorKind::Layout);
     row("no layout", ProgramKind::SpeedMove, "bank.layout", 0, DecodeErrorKind::Layout);
     row("a cam of intervals", ProgramKind::PointCam, "bank.layout",
