@@ -15,6 +15,7 @@ class Invocation;
 [[nodiscard]] Outcome runCompare(const Invocation& call);
 [[nodiscard]] Outcome runIntervals(const Invocation& call);
 [[nodiscard]] Outcome runKnots(const Invocation& call);
+[[nodiscard]] Outcome runSegments(const Invocation& call);
 [[nodiscard]] Outcome runRecipe(const Invocation& call);
 [[nodiscard]] Outcome runSimulate(const Invocation& call);
 [[nodiscard]] Outcome runSet(const Invocation& call);

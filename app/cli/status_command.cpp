@@ -148,7 +148,7 @@ Outcome runStatus(const Invocation& call)
         const auto header = session->client().readProven(modbus::activeBankBase, modbus::bankHeaderRegisters);
         if (!header)
             return fail(header.error());
-        const modbus::KnotSpan span = modbus::knotSpan(*header);
+        const modbus::ListSpan span = modbus::listSpan(*header);
         modbus::BankReader knots(static_cast<std::uint16_t>(modbus::activeBankBase + span.offset),
                                  span.count);
         while (!knots.complete()) {

@@ -1766,8 +1766,8 @@ RMS %2</source>
         <translation>表头 master_deg,slave_mm</translation>
     </message>
     <message>
-        <source>two values, as in the header</source>
-        <translation>与表头一致的两个值</translation>
+        <source>%1 values, as in the header</source>
+        <translation>与表头一致的 %1 个值</translation>
     </message>
     <message>
         <source>a number with a decimal point</source>
@@ -1821,6 +1821,18 @@ RMS %2</source>
     <message>
         <source>larger than 1 MB</source>
         <translation>大于 1 MB</translation>
+    </message>
+    <message>
+        <source>the header %1</source>
+        <translation>表头 %1</translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation>以下之一：%1</translation>
+    </message>
+    <message>
+        <source>a list of objects</source>
+        <translation>对象列表</translation>
     </message>
 </context>
 <context>
@@ -2655,6 +2667,46 @@ RMS %2</source>
     <message>
         <source>natural frequency</source>
         <translation>固有频率</translation>
+    </message>
+    <message>
+        <source>Segment cam</source>
+        <translation>分段凸轮</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>运动段</translation>
+    </message>
+    <message>
+        <source>Knots</source>
+        <translation>型值点</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n segment(s)</source>
+        <translation>
+            <numerusform>%n 个运动段</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n knot(s)</source>
+        <translation>
+            <numerusform>%n 个型值点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>休止</translation>
+    </message>
+    <message>
+        <source>Constant speed</source>
+        <translation>匀速</translation>
+    </message>
+    <message>
+        <source>Polynomial 3, with speeds</source>
+        <translation>三次多项式，可设速度</translation>
+    </message>
+    <message>
+        <source>Polynomial 5, with speeds and accelerations</source>
+        <translation>五次多项式，可设速度和加速度</translation>
     </message>
 </context>
 <context>
@@ -5695,6 +5747,121 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Torque %1 %, predicted %2 %, max. diff. %3 %</source>
         <translation>转矩 %1 %，预测 %2 %，最大偏差 %3 %</translation>
+    </message>
+</context>
+<context>
+    <name>SegmentSentences</name>
+    <message>
+        <source>%1 %2</source>
+        <comment>%1: number, %2: unit</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Segment %1 begins at %2, which is out of range; the nearest possible value is %3.</source>
+        <translation>第 %1 段起点 %2 超出范围；最接近的可用值为 %3。</translation>
+    </message>
+    <message>
+        <source>Segment %1 has a boundary speed of %2; the nearest possible value is %3.</source>
+        <translation>第 %1 段的边界速度为 %2；最接近的可用值为 %3。</translation>
+    </message>
+    <message>
+        <source>Segment %1 has a boundary acceleration of %2; the nearest possible value is %3.</source>
+        <translation>第 %1 段的边界加速度为 %2；最接近的可用值为 %3。</translation>
+    </message>
+    <message>
+        <source>Segment %1 ends at %2, which is out of range; the nearest possible value is %3.</source>
+        <translation>第 %1 段终点 %2 超出范围；最接近的可用值为 %3。</translation>
+    </message>
+    <message>
+        <source>The cam has %1 segments; the nearest possible number is %2.</source>
+        <translation>凸轮有 %1 段；最接近的可用段数为 %2。</translation>
+    </message>
+    <message>
+        <source>Segment %1 is only %2 wide; the minimum is %3.</source>
+        <translation>第 %1 段宽度仅 %2；最小为 %3。</translation>
+    </message>
+    <message>
+        <source>Segment %1 begins at %2 and overlaps the segment before it, which ends at %3. Begin it at %3.</source>
+        <translation>第 %1 段起点为 %2，与前一段重叠，前一段终点为 %3。请将起点设为 %3。</translation>
+    </message>
+    <message>
+        <source>Segment %1 begins at %2 and leaves a gap: the segment before it ends at %3. Begin it at %3.</source>
+        <translation>第 %1 段起点为 %2，留有间隙：前一段终点为 %3。请将起点设为 %3。</translation>
+    </message>
+    <message>
+        <source>The first segment begins at %1; the cycle begins at %2.</source>
+        <translation>第一段起点为 %1；周期起点为 %2。</translation>
+    </message>
+    <message>
+        <source>The last segment ends at %1; the cycle ends at %2.</source>
+        <translation>最后一段终点为 %1；周期终点为 %2。</translation>
+    </message>
+    <message>
+        <source>The motion of segment %1 is unknown. Choose another motion.</source>
+        <translation>第 %1 段的运动规律未知。请选择其他运动规律。</translation>
+    </message>
+    <message>
+        <source>Segment %1: %2 is %3; the nearest possible value is %4.</source>
+        <translation>第 %1 段：%2 为 %3；最接近的可用值为 %4。</translation>
+    </message>
+    <message>
+        <source>Speed jumps by %1 at the end of the cycle; the axis can follow %2. Make the segments continuous.</source>
+        <translation>周期末速度突变 %1；轴可跟随 %2。请使各段连续。</translation>
+    </message>
+    <message>
+        <source>Speed jumps by %1 where segment %2 begins; the axis can follow %3. Make the segments continuous.</source>
+        <translation>第 %2 段起点速度突变 %1；轴可跟随 %3。请使各段连续。</translation>
+    </message>
+    <message>
+        <source>Where segment %1 begins: speed jumps by %2 mm/°, acceleration by %3 mm/°².</source>
+        <translation>第 %1 段起点：速度突变 %2 mm/°，加速度突变 %3 mm/°²。</translation>
+    </message>
+    <message>
+        <source>At the end of the cycle: position jumps by %1 mm, speed by %2 mm/°, acceleration by %3 mm/°².</source>
+        <translation>周期末：位置突变 %1 mm，速度突变 %2 mm/°，加速度突变 %3 mm/°²。</translation>
+    </message>
+    <message>
+        <source>The segments are continuous.</source>
+        <translation>各段连续。</translation>
+    </message>
+    <message>
+        <source>The segments are continuous and advance by %1 mm per cycle.</source>
+        <translation>各段连续，每周期前进 %1 mm。</translation>
+    </message>
+</context>
+<context>
+    <name>SegmentModel</name>
+    <message>
+        <source>%1 – %2°</source>
+        <translation>%1 – %2°</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Ends at</source>
+        <translation>终点</translation>
+    </message>
+    <message>
+        <source>End position</source>
+        <translation>终点位置</translation>
+    </message>
+    <message>
+        <source>Start speed</source>
+        <translation>起点速度</translation>
+    </message>
+    <message>
+        <source>Start acceleration</source>
+        <translation>起点加速度</translation>
+    </message>
+    <message>
+        <source>End speed</source>
+        <translation>终点速度</translation>
+    </message>
+    <message>
+        <source>End acceleration</source>
+        <translation>终点加速度</translation>
     </message>
 </context>
 </TS>

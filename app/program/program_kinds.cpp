@@ -21,6 +21,7 @@ static_assert(hasSameCodes(profile::ProgramKind::PositionMove, modbus::ProgramKi
 static_assert(hasSameCodes(profile::ProgramKind::SpeedMove, modbus::ProgramKind::SpeedMove));
 static_assert(hasSameCodes(profile::ProgramKind::PointCam, modbus::ProgramKind::PointCam));
 static_assert(hasSameCodes(profile::ProgramKind::Press, modbus::ProgramKind::Press));
+static_assert(hasSameCodes(profile::ProgramKind::SegmentCam, modbus::ProgramKind::SegmentCam));
 static_assert(hasSameCodes(profile::MoveDuration::GivenTime, modbus::MoveDuration::GivenTime));
 static_assert(hasSameCodes(profile::MoveDuration::Fastest, modbus::MoveDuration::Fastest));
 static_assert(hasSameCodes(profile::MoveDuration::OverDistance, modbus::MoveDuration::OverDistance));
@@ -37,6 +38,7 @@ using profile::PressProgram;
 using profile::Program;
 using profile::ProgramKind;
 using profile::RotaryCutterProgram;
+using profile::SegmentCamProgram;
 using profile::SpeedMoveProgram;
 
 template <typename E> constexpr ChoiceOption option(std::string_view key, E value)
@@ -74,6 +76,7 @@ constexpr std::array speedChoices{ChoiceInfo{Choice::Law, "law", {}},
                                   ChoiceInfo{Choice::Execution, "execution", executions}};
 constexpr std::array camChoices{ChoiceInfo{Choice::SplineEnds, "ends", ends},
                                 ChoiceInfo{Choice::MasterRampShape, "master_ramp_shape", shapes}};
+constexpr std::array segmentChoices{ChoiceInfo{Choice::MasterRampShape, "master_ramp_shape", shapes}};
 
 constexpr std::array cutterFields{
     Field::BagLength,   Field::Rate,        Field::BaseSpeed, Field::FilmSpeed, Field::K1,
@@ -135,7 +138,7 @@ void paperPress(profile::Machine& machine)
     machine.maxAccelerationMmPerS2 = 2000;
 }
 
-constexpr std::array<KindInfo, 5> kindTable{{
+constexpr std::array<KindInfo, 6> kindTable{{
     {ProgramKind::RotaryCutter, "rotary_cutter", cutterFields, cutterMachine, cutterChoices, "program.",
      stepTable, EndBehavior::Repeat, "Biscuit 250", newProgram<RotaryCutterProgram>, paperCutter},
     {ProgramKind::PositionMove, "position_move", positionFields, axisMachine, positionChoices,
@@ -143,8 +146,8 @@ constexpr std::array<KindInfo, 5> kindTable{{
      newProgram<PositionMoveProgram>, paperAxis},
     {ProgramKind::SpeedMove, "speed_move", speedFields, axisMachine, speedChoices, "speed_move.",
      camPointsOrIntervals, EndBehavior::HoldSpeed, "Speed move", newProgram<SpeedMoveProgram>, paperAxis},
-    {ProgramKind::PointCam, "point_cam", camFields, axisMachine, camChoices, "point_cam.", camPoints,
-     EndBehavior::Repeat, "Point cam", newProgram<PointCamProgram>, paperAxis},
+    {ProgramKind::PointCam, "point_cam", camFields, axisMachine, camChoices, "cam.", camPoints,
+     EndBehavior::Repeat, "Point cam", newProgram<PointCamProgram>, paperAxis, &knotList},
     {ProgramKind::Press,
      "press",
      pressFields,
@@ -156,6 +159,8 @@ constexpr std::array<KindInfo, 5> kindTable{{
      "Press",
      newProgram<PressProgram>,
      paperPress},
+    {ProgramKind::SegmentCam, "segment_cam", camFields, axisMachine, segmentChoices, "cam.", camPoints,
+     EndBehavior::Repeat, "Segment cam", newProgram<SegmentCamProgram>, paperAxis, &segmentList},
 }};
 
 // Calls visit(choice, member) for every choice of the program.
@@ -189,6 +194,11 @@ template <typename Visitor> void visitChoices(PointCamProgram& program, Visitor 
 }
 
 template <typename Visitor> void visitChoices(PressProgram&, Visitor) {}
+
+template <typename Visitor> void visitChoices(SegmentCamProgram& program, Visitor visit)
+{
+    visit(Choice::MasterRampShape, program.masterRamp);
+}
 
 } // namespace
 

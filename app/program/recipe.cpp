@@ -13,30 +13,12 @@
 #include <string>
 
 namespace campanel::program {
-namespace {
-
-// Rounds to the grid; a value far beyond any range is unchanged, so that its refusal names it.
-double onKnotGrid(double value, double steps)
-{
-    const double rounded = std::round(value * steps) / steps;
-    return std::isfinite(rounded) ? rounded : value;
-}
-
-void quantiseKnots(profile::PointCamProgram& cam)
-{
-    for (profile::Knot& knot : cam.knots) {
-        knot.masterDeg = onKnotGrid(knot.masterDeg, knotStepsPerDeg);
-        knot.slaveMm = onKnotGrid(knot.slaveMm, knotStepsPerMm);
-    }
-}
-
-} // namespace
-
 const modbus::RegisterInfo* registerOf(const KindInfo& kind, std::string_view suffix)
 {
     const auto* found = modbus::findRegister(std::string(kind.registerPrefix).append(suffix));
-    const bool isCam = kind.kind == profile::ProgramKind::PointCam;
-    return found == nullptr && isCam ? modbus::findRegister(std::string("cam.").append(suffix)) : found;
+    const auto code = static_cast<modbus::ProgramKind>(kind.kind);
+    const bool isOfKind = found != nullptr && found->appliesTo(code, kind.layouts.front());
+    return isOfKind ? found : nullptr;
 }
 
 Recipe defaultRecipe(profile::ProgramKind kind)
@@ -103,8 +85,8 @@ Recipe quantised(const Recipe& recipe)
     result.name = modbus::fittingUtf8(recipe.name, longestNameBytes);
     if (result.isCutter())
         std::ranges::sort(result.cutter().pinned); // the order of pinning is not stored
-    if (auto* cam = std::get_if<profile::PointCamProgram>(&result.program))
-        quantiseKnots(*cam);
+    if (kind.list != nullptr)
+        kind.list->quantise(result.program);
     return result;
 }
 

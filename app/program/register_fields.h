@@ -90,10 +90,6 @@ inline constexpr std::array<std::string_view, profile::maxLawParameters> lawPara
     return field == profile::Field::MasterRamp ? 1000 : 1;
 }
 
-// The steps of a knot's registers: 0.0001 degrees and 0.001 mm, the knot grid of profile.
-inline constexpr double knotStepsPerDeg = 10000;
-inline constexpr double knotStepsPerMm = 1000;
-
 // Returns the register of this input in the header of this kind, or null when the header does not have it.
 [[nodiscard]] const modbus::RegisterInfo* registerOf(const KindInfo& kind, std::string_view suffix);
 

@@ -6,6 +6,7 @@
 #include "profile/moves/position_move.h"
 #include "profile/moves/speed_move.h"
 #include "profile/press/press.h"
+#include "profile/segments/segment_cam.h"
 
 #include <cmath>
 
@@ -64,6 +65,18 @@ struct Solver {
 tl::expected<SolvedProgram, profile::Refusal> solveProgram(const Recipe& recipe)
 {
     return std::visit(Solver{recipe.machine}, recipe.program);
+}
+
+CamSource camSource(const Recipe& recipe, const SolvedProgram& solved)
+{
+    return std::visit(
+        [&solved]<typename P>(const P& program) -> CamSource {
+            if constexpr (std::is_base_of_v<profile::CamMaster, P>)
+                return {profile::forwardMotion(program), profile::CamUse::Repeats};
+            else
+                return {solved.motion, profile::CamUse::Once};
+        },
+        recipe.program);
 }
 
 profile::Curves sampleCurves(const SolvedProgram& solved, std::size_t points)

@@ -4,6 +4,7 @@
 
 #include "app/program/recipe.h"
 
+#include "profile/cam/cam_table.h"
 #include "profile/cutter/limits.h"
 #include "profile/cutter/sampling.h"
 #include "profile/model/axis_motion.h"
@@ -31,6 +32,14 @@ struct SolvedProgram {
 
 // Solves the recipe. Refuses inputs without a possible motion.
 [[nodiscard]] tl::expected<SolvedProgram, profile::Refusal> solveProgram(const Recipe& recipe);
+
+// The motion that the cam points of a program are made of: of a cam the forward one, in either direction of
+// its master.
+struct CamSource {
+    profile::MotionProfile motion;
+    profile::CamUse use = profile::CamUse::Once;
+};
+[[nodiscard]] CamSource camSource(const Recipe& recipe, const SolvedProgram& solved);
 
 [[nodiscard]] profile::Curves sampleCurves(const SolvedProgram& solved, std::size_t points);
 

@@ -26,6 +26,7 @@ constexpr std::array programKinds{
     entry(ProgramKind::SpeedMove, "SpeedMove", "Move from one speed to another, which is then held."),
     entry(ProgramKind::PointCam, "PointCam", "Cam through given points, following a virtual master."),
     entry(ProgramKind::Press, "Press", "Press stroke in five stages."),
+    entry(ProgramKind::SegmentCam, "SegmentCam", "Cam of segments, following a virtual master."),
 };
 
 constexpr std::array tableLayouts{
@@ -34,13 +35,18 @@ constexpr std::array tableLayouts{
           "Rows of three registers: pulses (u16), ticks (u32). Pulse j = 1 .. pulses comes floor(j * ticks / "
           "pulses) "
           "ticks after the row's start, the last one at its end; a row without pulses is a pause."),
-    entry(TableLayout::CamPoints, "CamPoints",
-          "Rows of four registers, one for each end of the equal intervals of the master: position (i32, "
-          "1/256 pulse "
-          "from the first row) and slope (i32, 1/256 pulse per interval); in between a cubic with these "
-          "slopes. After "
-          "the rows cam.knot_count knots of four registers: master (u32, 0.0001 degrees), slave (i32, 0.001 "
-          "mm)."),
+    entry(
+        TableLayout::CamPoints, "CamPoints",
+        "Rows of four registers, one for each end of the equal intervals of the master: position (i32, "
+        "1/256 pulse "
+        "from the first row) and slope (i32, 1/256 pulse per interval); in between a cubic with these "
+        "slopes. After "
+        "the rows of a point cam cam.knot_count knots of four registers: master (u32, 0.0001 degrees), slave "
+        "(i32, 0.001 mm). After those of a segment cam cam.segment_count segments of 17 registers: end (u32, "
+        "0.0001 degrees), slave at the end (i32, 0.001 mm), motion (u16: 0 dwell, 101 constant speed, 103 "
+        "and 105 polynomials of the third and fifth degree, else the code of a law), speed and acceleration "
+        "at the start, then at the end (i32, 0.000001 mm/degree and 0.0000001 mm/degree^2), two parameters "
+        "of the law (u32, 0.000001)."),
     entry(TableLayout::Intervals, "Intervals",
           "Rows of eight registers, constant acceleration each: distance (u32, pulses), first and last speed "
           "(u32, "

@@ -28,6 +28,7 @@ enum class ProgramKind : std::uint16_t {
     SpeedMove = 3,
     PointCam = 4,
     Press = 5,
+    SegmentCam = 6,
 };
 
 // The type of the rows of a bank, as named in its header.

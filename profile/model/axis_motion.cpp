@@ -44,12 +44,21 @@ void takeAccelerations(Peaks& peaks, const Segment& s)
         takeLarger(peaks.accelerationMmPerS2, peaks.accelerationTimeS, acceleration, timeS);
         peaks.jerkMmPerS3 = std::max(peaks.jerkMmPerS3, std::abs(jerk));
     };
-    if (s.form == SegmentForm::Cubic) {
-        take(s.startAccelerationMmPerS2, s.startS, s.jerkMmPerS3);
-        take(s.startAccelerationMmPerS2 + s.jerkMmPerS3 * s.durationS, s.endS(), s.jerkMmPerS3);
+    if (s.form == SegmentForm::Polynomial) {
+        for (const double timeS : accelerationTurns(s))
+            take(s.at(timeS).accelerationMmPerS2, timeS, s.at(timeS).jerkMmPerS3);
+        const double jerkVertexS = -s.snapMmPerS4 / s.crackleMmPerS5;
+        if (jerkVertexS > 0 && jerkVertexS < s.durationS)
+            take(0, s.startS, s.at(s.startS + jerkVertexS).jerkMmPerS3);
         return;
     }
     const LawPeaks law = s.law->peaks(s.parameters);
+    if (s.form == SegmentForm::Displacement && s.lawTo - s.lawFrom < 1) {
+        const double lawS = s.lawDurationS();
+        for (const double timeS : accelerationTurns(s))
+            take(s.at(timeS).accelerationMmPerS2, timeS, s.distanceMm / (lawS * lawS * lawS) * law.cj);
+        return;
+    }
     const double peakTimeS = accelerationTurns(s)[1];
     if (s.form == SegmentForm::Ramp) {
         const double mean = (s.endVelocityMmPerS - s.startVelocityMmPerS) / s.durationS;

@@ -51,6 +51,14 @@ enum class Limit : std::uint8_t {
     SealTime,         // the jaws are in contact for less than the film needs
     RmsTorque,        // the motor would overheat: the RMS torque of a cycle exceeds the rated torque
     NaturalFrequency, // the cycle is faster than the natural frequency of the shaft
+    SegmentCount,     // too few or too many segments; `allowed` is the nearest valid number
+    SegmentRange,     // a value of segment `index` is out of range; `lawParameter` names it
+    SegmentWidth,     // segment `index` is narrower than `allowed` degrees
+    SegmentOverlap,   // segment `index` begins before the one before it ends, at `allowed`
+    SegmentGap,       // segment `index` begins after the one before it ends, at `allowed`
+    SegmentEnds,      // the first segment does not begin at 0, or the last one does not end at 360 degrees
+    SegmentMotion,    // the motion of segment `index` is unknown
+    JointJump,        // the speed jumps where segment `index` begins; index 0: at the wrap
 };
 
 // Returns the stable id of a limit, for logs and machine-readable output.
@@ -86,9 +94,10 @@ struct Refusal {
     std::vector<TimeSpan> brokenDuring;
     std::vector<Suggestion> nearest; // best first; empty when no single input can correct it
     std::string_view
-        lawParameter; // LawParameter: id of the parameter; WrapJump: "position", "speed", "acceleration"
+        lawParameter; // LawParameter: id of the parameter; WrapJump: "position", "speed", "acceleration";
+                       // SegmentRange: "from", "to", "end", "speed", "acceleration"
     std::optional<RampOffer> ramps; // only for a rotary cutter; empty when other ratios do not help
-    int index = -1;   // knot index from 0, only for the limits of knots
+    int index = -1;   // index from 0 of the knot or the segment, only for their limits
 };
 
 // Returns the ids and the numbers, for logs.

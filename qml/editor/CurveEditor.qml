@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The motion as curves with handles to drag: the four ends of segments of a cutter, the knots of a point cam. The cursor's
-// values are above the curves, not under the finger.
+// The motion as curves with handles to drag: the four ends of segments of a cutter, the knots or segments of a cam. The
+// cursor's values are above the curves, not under the finger.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -15,10 +15,11 @@ Card {
     required property bool showJerk
     required property bool showTorque
     required property bool compare
-    readonly property bool hasKnots: Editor.kind === Editor.Kind.PointCam
-    readonly property list<real> handleTimes: hasKnots ? Editor.knots.times : Editor.plot.ratioTimes
-    readonly property int handlePanel: quantities.indexOf(hasKnots ? "position" : "velocity")
-    readonly property var quantities: [...(showPosition || hasKnots ? ["position"] : []), "velocity", "acceleration",
+    readonly property CamHandles handles: Editor.handles
+    readonly property bool hasHandles: handles !== null
+    readonly property list<real> handleTimes: handles !== null ? handles.times : Editor.plot.ratioTimes
+    readonly property int handlePanel: quantities.indexOf(hasHandles ? "position" : "velocity")
+    readonly property var quantities: [...(showPosition || hasHandles ? ["position"] : []), "velocity", "acceleration",
         ...(showJerk ? ["jerk"] : []), ...(showTorque && Editor.plot.hasTorque ? ["torque"] : []), "frequency"]
     readonly property list<string> units: ["mm", "mm/s", "m/s²", "m/s³", "kHz", "Nm"]
     readonly property list<string> allQuantities: ["position", "velocity", "acceleration", "jerk", "frequency", "torque"]
@@ -60,7 +61,7 @@ Card {
         overlayCurves: editor.compare ? Editor.overlayCurves : undefined
         quantities: editor.quantities
         titles: editor.quantities.map(quantity => editor.titleOf(quantity))
-        markerTimes: editor.hasKnots ? [] : Editor.plot.markTimes
+        markerTimes: editor.hasHandles ? [] : Editor.plot.markTimes
         cursorTime: editor.cursor
         cursorDotsVisible: editor.dragged < 0
         limitVelocity: Editor.plot.limitVelocity
@@ -82,7 +83,7 @@ Card {
         model: Editor.solvable ? editor.handleTimes.length : 0
         Rectangle {
             required property int index
-            readonly property bool holds: editor.hasKnots ? Editor.knots.selected === index : editor.dragged === index
+            readonly property bool holds: editor.hasHandles ? editor.handles.selected === index : editor.dragged === index
             objectName: "handle" + index
             width: editor.handleTimes.length > 12 ? Theme.size.handle / 2 : Theme.size.handle
             height: width
@@ -112,8 +113,8 @@ Card {
             start = Qt.point(mouse.x, mouse.y)
             pixelSeconds = plot.timeOfX(1) - plot.timeOfX(0)
             pixelMm = plot.valuePerPixel(editor.handlePanel)
-            if (editor.hasKnots && editor.dragged >= 0)
-                Editor.knots.beginDrag(editor.dragged)
+            if (editor.hasHandles && editor.dragged >= 0)
+                editor.handles.beginDrag(editor.dragged)
             plot.timeMaximum = Editor.plot.cycleSeconds
             follow(mouse.x, mouse.y)
         }
@@ -125,16 +126,16 @@ Card {
         onCanceled: finish()
 
         function follow(x: real, y: real) {
-            if (editor.dragged >= 0 && editor.hasKnots)
-                Editor.knots.drag((x - start.x) * pixelSeconds, (start.y - y) * pixelMm)
+            if (editor.dragged >= 0 && editor.hasHandles)
+                editor.handles.drag((x - start.x) * pixelSeconds, (start.y - y) * pixelMm)
             else if (editor.dragged >= 0)
                 Editor.dragRatio(editor.dragged, plot.timeOfX(x + grab))
             editor.cursor = editor.dragged >= 0 ? editor.handleTimes[editor.dragged]
                 : Math.max(0, Math.min(Editor.plot.cycleSeconds, plot.timeOfX(x)))
         }
         function finish() {
-            if (editor.dragged >= 0 && editor.hasKnots)
-                Editor.knots.endDrag()
+            if (editor.dragged >= 0 && editor.hasHandles)
+                editor.handles.endDrag()
             else if (editor.dragged >= 0)
                 Editor.commitDrag()
             if (editor.dragged >= 0 || hideCursor)

@@ -50,7 +50,7 @@ Sheet {
 
             Switch {
                 objectName: "positionSwitch"
-                visible: Editor.kind !== Editor.Kind.PointCam   // a point cam has its knots on the page
+                visible: Editor.handles === null   // the handles of a cam are on this curve
                 text: qsTr("Position curve")
                 note: sheet.showPosition ? qsTr("shown") : qsTr("hidden")
                 holds: sheet.showPosition

@@ -46,6 +46,7 @@ Page {
             onExplainRequested: field => page.explainRequested(field)
             onLawRequested: page.sheetRequested(page.lawSheet)
             onKnotsRequested: page.sheetRequested(page.knotSheet)
+            onSegmentsRequested: page.sheetRequested(page.segmentSheet)
             onChoiceRequested: (row, name, options, option) => {
                 page.chosen = { row: row, title: name, options: options, current: option }
                 page.sheetRequested(page.choiceSheet)
@@ -94,6 +95,15 @@ Page {
     }
     readonly property Component knotFilesSheet: Component {
         KnotFilesSheet { onKnotsTaken: page.sheetRequested(page.knotSheet) }
+    }
+    readonly property Component segmentSheet: Component {
+        SegmentSheet {
+            onEditRequested: (fields, index, source) => page.editRequested(fields, index, source)
+            onMotionRequested: page.sheetRequested(page.segmentMotionSheet)
+        }
+    }
+    readonly property Component segmentMotionSheet: Component {
+        SegmentMotionSheet { onPicked: page.sheetRequested(page.segmentSheet) }
     }
     readonly property Component kindSheet: Component {
         KindSheet {

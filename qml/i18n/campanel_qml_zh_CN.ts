@@ -1056,6 +1056,10 @@ And %2 more.</source>
         <source>View and tools</source>
         <translation>视图与工具</translation>
     </message>
+    <message>
+        <source>Segments</source>
+        <translation>运动段</translation>
+    </message>
 </context>
 <context>
     <name>KindSheet</name>
@@ -1086,6 +1090,10 @@ And %2 more.</source>
     <message>
         <source>Replaces the recipe on this page; Undo restores the old recipe</source>
         <translation>将取代本页的配方，可用“撤销”恢复</translation>
+    </message>
+    <message>
+        <source>Segments by laws, one after another, that follow a master</source>
+        <translation>由各运动规律依次组成、跟随主轴的运动段</translation>
     </message>
 </context>
 <context>
@@ -2716,6 +2724,44 @@ And %2 more.</source>
     <message>
         <source>Drag the dot to another length and rate.</source>
         <translation>拖动圆点以更改袋长和速率。</translation>
+    </message>
+</context>
+<context>
+    <name>SegmentMotionSheet</name>
+    <message>
+        <source>Motion of segment %1</source>
+        <translation>第 %1 段的运动规律</translation>
+    </message>
+</context>
+<context>
+    <name>SegmentSheet</name>
+    <message>
+        <source>Segments</source>
+        <translation>运动段</translation>
+    </message>
+    <message>
+        <source>%1 · jump at the start</source>
+        <translation>%1 · 起点突变</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>运动规律</translation>
+    </message>
+    <message>
+        <source>Add dwell</source>
+        <translation>添加休止</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>拆分</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Make continuous</source>
+        <translation>使其连续</translation>
     </message>
 </context>
 </TS>

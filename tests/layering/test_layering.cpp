@@ -54,7 +54,7 @@ const QList<House>& houses()
           {u"cutter"_s},
           {u"program"_s},
           {u"moves"_s, u"cam"_s, u"intervals"_s},
-          {u"press"_s}}},
+          {u"press"_s, u"segments"_s}}},
         {u"modbus"_s,
          {},
          {standardCpp, posix, expected, u"(modbus/)?modbus(-[a-z]+)?\\.h"_s},

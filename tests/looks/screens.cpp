@@ -320,6 +320,7 @@ const QList<Screen>& allScreens()
         running("run-position", Kind::PositionMove),
         running("run-speed", Kind::SpeedMove),
         running("run-cam", Kind::PointCam),
+        running("run-segments", Kind::SegmentCam),
         running("run-cam-stopped", Kind::PointCam, Situation::Stopped),
         {QStringLiteral("run-cam-lost"),
          [=](TestWindow& window) {
@@ -369,6 +370,10 @@ const QList<Screen>& allScreens()
         editing("motion-cam", Kind::PointCam),
         editing("motion-press", Kind::Press),
         editing("knots", Kind::PointCam, {QStringLiteral("knotsButton")}),
+        editing("motion-segments", Kind::SegmentCam),
+        editing("segments", Kind::SegmentCam, {QStringLiteral("segmentsButton")}),
+        editing("segment-motions", Kind::SegmentCam,
+                {QStringLiteral("segmentsButton"), QStringLiteral("segmentMotion")}),
         knotFiles("knots-import", {QStringLiteral("offer0")}),
         knotFiles("knots-import-refused", {QStringLiteral("offer1")}),
         knotFiles("knots-export", {QStringLiteral("knotsExport"), QStringLiteral("offer0")}),

@@ -79,15 +79,15 @@ struct CamImage {
             wide(CTL_OFFSET_SPEED_MOVE_END_SPEED, speedUmPerS(rows.back()));
             break;
         default:
-            result[CTL_OFFSET_POINT_CAM_MASTER_RATE] = static_cast<std::uint16_t>(masterRate);
+            result[CTL_OFFSET_CAM_MASTER_RATE] = static_cast<std::uint16_t>(masterRate);
             // 60 s * ratio * scale / rate
-            wide(CTL_OFFSET_POINT_CAM_MASTER_RATIO,
+            wide(CTL_OFFSET_CAM_MASTER_RATIO,
                  static_cast<std::uint32_t>(
                      std::lround(1e6 * cycleTicks * std::abs(masterRate) / (clockHz * 600))));
-            wide(CTL_OFFSET_POINT_CAM_MASTER_SCALE, 1);
-            wide(CTL_OFFSET_POINT_CAM_SLAVE_SCALE, 1000);
-            wide(CTL_OFFSET_POINT_CAM_PULSES_PER_MOTOR_REV, pulsesPerMotorRev);
-            wide(CTL_OFFSET_POINT_CAM_FEED, feedUm);
+            wide(CTL_OFFSET_CAM_MASTER_SCALE, 1);
+            wide(CTL_OFFSET_CAM_SLAVE_SCALE, 1000);
+            wide(CTL_OFFSET_CAM_PULSES_PER_MOTOR_REV, pulsesPerMotorRev);
+            wide(CTL_OFFSET_CAM_FEED, feedUm);
             break;
         }
         for (const CamRow& row : rows) {

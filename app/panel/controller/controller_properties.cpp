@@ -207,6 +207,7 @@ ActiveProgramValues Controller::active() const
         return values;
     values.isPresent = true;
     values.kind = static_cast<int>(m_program->recipe.kind());
+    values.followsMaster = profile::camMaster(m_program->recipe.program) != nullptr;
     values.name = QString::fromStdString(m_program->name);
     values.version = m_program->version;
     values.bagLengthMm = m_program->bagLengthMm;

@@ -82,6 +82,7 @@ struct ActiveProgramValues {
     QML_VALUE_TYPE(activeProgramValues)
     Q_PROPERTY(bool isPresent MEMBER isPresent FINAL)
     Q_PROPERTY(int kind MEMBER kind FINAL)
+    Q_PROPERTY(bool followsMaster MEMBER followsMaster FINAL)
     Q_PROPERTY(QString name MEMBER name FINAL)
     Q_PROPERTY(double version MEMBER version FINAL)
     Q_PROPERTY(double bagLengthMm MEMBER bagLengthMm FINAL)
@@ -98,7 +99,8 @@ struct ActiveProgramValues {
 
 public:
     bool isPresent = false;
-    int kind = 0; // as Editor.kind; 0 without a program
+    int kind = 0;               // as Editor.kind; 0 without a program
+    bool followsMaster = false; // a cam with a virtual master
     QString name;
     double version = unknown;
     double bagLengthMm = unknown;

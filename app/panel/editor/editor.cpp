@@ -77,6 +77,7 @@ constexpr auto tableDelay = 80ms;
 Editor::Editor(Controller& machine, const QString& folder, QObject* parent)
     : QObject(parent)
     , m_knots(this)
+    , m_segments(this)
     , m_knotFiles(QDir(folder).filePath(u"knots"_s), this)
     , m_map(this)
     , m_ramps(this)
@@ -164,15 +165,28 @@ void Editor::connectFields()
     connectParameter(m_lawParameter2, 1);
 }
 
-void Editor::connectKnots()
+CamHandles* Editor::handles()
 {
-    connect(&m_knots, &KnotModel::edited, this, [this](const profile::PointCamProgram& program) {
+    if (std::holds_alternative<profile::PointCamProgram>(m_recipe.program))
+        return &m_knots;
+    return std::holds_alternative<profile::SegmentCamProgram>(m_recipe.program) ? &m_segments : nullptr;
+}
+
+void Editor::connectHandles(CamHandles& handles)
+{
+    connect(&handles, &CamHandles::edited, this, [this](const profile::Program& program) {
         edit(Level::Technician, [&](program::Recipe& recipe) { recipe.program = program; });
     });
-    connect(&m_knots, &KnotModel::dragged, this, [this](const profile::PointCamProgram& program) {
+    connect(&handles, &CamHandles::dragged, this, [this](const profile::Program& program) {
         drag(Level::Technician, [&](program::Recipe& recipe) { recipe.program = program; });
     });
-    connect(&m_knots, &KnotModel::dragEnded, this, &Editor::commitDrag);
+    connect(&handles, &CamHandles::dragEnded, this, &Editor::commitDrag);
+}
+
+void Editor::connectKnots()
+{
+    connectHandles(m_knots);
+    connectHandles(m_segments);
     connect(&m_knotFiles, &KnotFiles::taken, this, [this](const std::vector<profile::Knot>& knots) {
         edit(Level::Technician, [&](program::Recipe& recipe) {
             if (auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
@@ -400,9 +414,10 @@ void Editor::show()
     showFields();
     m_choices.setRows(ChoiceRow::rows(m_recipe));
     const auto* cam = std::get_if<profile::PointCamProgram>(&m_recipe.program);
-    m_knots.show(cam ? std::optional(*cam) : std::nullopt, m_cycleSeconds);
     m_map.show(m_recipe, m_solution, m_controller);
     m_ramps.show(m_recipe, m_solution);
+    m_knots.show(m_recipe.program, m_cycleSeconds, cam != nullptr);
+    m_segments.show(m_recipe.program, m_cycleSeconds, handles() == &m_segments);
     m_knotFiles.show(cam ? cam->knots : std::vector<profile::Knot>{}, recipeName());
     m_lawParameter1.show(views.lawParameter(0));
     m_lawParameter2.show(views.lawParameter(1));

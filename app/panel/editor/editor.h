@@ -9,6 +9,7 @@
 #include "app/panel/editor/knot_files.h"
 #include "app/panel/editor/knot_model.h"
 #include "app/panel/editor/ramp_control.h"
+#include "app/panel/editor/segment_model.h"
 #include "app/panel/recipe/choice_model.h"
 #include "app/panel/recipe/law_model.h"
 #include "app/panel/recipe/solution.h"
@@ -51,6 +52,9 @@ class Editor : public QObject {
     Q_PROPERTY(QVariantList machineFields READ machineFields NOTIFY fieldsChanged FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* choices READ choices CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::KnotModel* knots READ knots CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::SegmentModel* segments READ segments CONSTANT FINAL)
+    // The handles on the curve; null for a kind without any.
+    Q_PROPERTY(campanel::panel::CamHandles* handles READ handles NOTIFY kindChanged FINAL)
     Q_PROPERTY(campanel::panel::KnotFiles* knotFiles READ knotFiles CONSTANT FINAL)
     Q_PROPERTY(bool hasLaw READ hasLaw NOTIFY kindChanged FINAL)
     Q_PROPERTY(QString lawTitle READ lawTitle NOTIFY kindChanged FINAL)
@@ -83,6 +87,7 @@ public:
         SpeedMove = static_cast<int>(profile::ProgramKind::SpeedMove),
         PointCam = static_cast<int>(profile::ProgramKind::PointCam),
         Press = static_cast<int>(profile::ProgramKind::Press),
+        SegmentCam = static_cast<int>(profile::ProgramKind::SegmentCam),
     };
     Q_ENUM(Kind)
     enum class Severity { Good, Warning, Bad };
@@ -122,6 +127,8 @@ public:
     [[nodiscard]] ChoiceModel* choices() { return &m_choices; }
     [[nodiscard]] KnotModel* knots() { return &m_knots; }
     [[nodiscard]] CutterMap* map() { return &m_map; }
+    [[nodiscard]] SegmentModel* segments() { return &m_segments; }
+    [[nodiscard]] CamHandles* handles();
     [[nodiscard]] KnotFiles* knotFiles() { return &m_knotFiles; }
     [[nodiscard]] RampControl* ramps() { return &m_ramps; }
     [[nodiscard]] bool hasLaw() const { return program::lawParameters(m_recipe.program) != nullptr; }
@@ -209,6 +216,7 @@ private:
     template <typename Change> void drag(Level needed, Change change);
     // Sets the ratios that were not set by hand.
     void follow(program::Recipe& recipe) const;
+    void connectHandles(CamHandles& handles);
     void compareCurves();
     void shareMachine();
     void showFields();
@@ -229,6 +237,7 @@ private:
     EditorField m_lawParameter2{QStringLiteral("lawParameter2"), this};
     std::array<EditorField*, profile::fields.size()> m_fields{}; // children, by field
     KnotModel m_knots;
+    SegmentModel m_segments;
     KnotFiles m_knotFiles;
     CutterMap m_map;
     RampControl m_ramps;

@@ -226,8 +226,9 @@ void Recipes::showFigures()
             rows << FigureRow{RecipeWords::fieldName(field),
                               RefusalSentences::valueWithUnit(field, program::value(recipe, field))};
     }
-    if (const auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
-        rows << FigureRow{tr("Knots"), Format().number(static_cast<double>(cam->knots.size()), 0)};
+    if (kind.list)
+        rows << FigureRow{RecipeWords::listName(recipe.kind()),
+                          Format().number(static_cast<double>(kind.list->size(recipe.program)), 0)};
     if (program::lawParameters(recipe.program))
         rows << FigureRow{RecipeWords::choiceName(program::Choice::Law),
                           RecipeWords::lawName(static_cast<profile::LawId>(

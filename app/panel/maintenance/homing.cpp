@@ -70,6 +70,7 @@ QString Homing::explanation() const
         return tr("Keep hands away: the knife turns slowly forward to the index mark of its shaft, brakes "
                   "and returns to 0°. Start homes automatically when required.");
     case Kind::PointCam:
+    case Kind::SegmentCam:
         return tr("The axis turns slowly forward to the index mark of its motor, brakes and returns to "
                   "position 0. Start homes automatically when required.");
     case Kind::PositionMove:

@@ -135,8 +135,7 @@ bool sameRecipe(const Recipe& left, const Recipe& right)
     const auto sameMachine = [&](Field field) {
         return program::value(left, field) == program::value(right, field);
     };
-    const auto* cam = std::get_if<profile::PointCamProgram>(&left.program);
-    return (!cam || cam->knots == std::get<profile::PointCamProgram>(right.program).knots) &&
+    return (!kind.list || kind.list->isEqual(left.program, right.program)) &&
            std::ranges::all_of(kind.programFields, isSame) &&
            std::ranges::all_of(kind.machineFields, sameMachine);
 }

@@ -31,6 +31,10 @@ QString RecipeWords::unit(std::string_view unit)
         return QStringLiteral("mm/s²");
     if (unit == "deg")
         return QStringLiteral("°");
+    if (unit == "mm/deg")
+        return QStringLiteral("mm/°");
+    if (unit == "mm/deg^2")
+        return QStringLiteral("mm/°²");
     if (unit == "bags/min")
         return tr("bags/min");
     if (unit == "r/min")
@@ -71,8 +75,23 @@ QString RecipeWords::kindName(profile::ProgramKind kind)
         return tr("Point cam");
     case ProgramKind::Press:
         return tr("Press");
+    case ProgramKind::SegmentCam:
+        return tr("Segment cam");
     }
     return {};
+}
+
+QString RecipeWords::listName(profile::ProgramKind kind)
+{
+    return program::kindInfo(kind).list == &program::segmentList ? tr("Segments") : tr("Knots");
+}
+
+QString RecipeWords::listSize(const profile::Program& program)
+{
+    const program::ListInfo& list = *program::kindInfo(profile::kindOf(program)).list;
+    const int size = static_cast<int>(list.size(program));
+    return &list == &program::segmentList ? tr("%n segment(s)", nullptr, size)
+                                          : tr("%n knot(s)", nullptr, size);
 }
 
 QString RecipeWords::choiceName(program::Choice choice)
@@ -180,6 +199,14 @@ QString RecipeWords::limitName(Limit limit)
     case Limit::Reversal:
     case Limit::SpeedError:
     case Limit::RampTooLong:
+    case Limit::SegmentCount:
+    case Limit::SegmentRange:
+    case Limit::SegmentWidth:
+    case Limit::SegmentOverlap:
+    case Limit::SegmentGap:
+    case Limit::SegmentEnds:
+    case Limit::SegmentMotion:
+    case Limit::JointJump:
         break;
     }
     return {};

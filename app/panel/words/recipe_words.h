@@ -27,6 +27,9 @@ public:
     [[nodiscard]] static QString inWords(std::string_view text);
     [[nodiscard]] static QString lawParameterName(std::string_view parameterId);
     [[nodiscard]] static QString kindName(profile::ProgramKind kind);
+    // Returns "Knots", "Segments"; the kind must have a list.
+    [[nodiscard]] static QString listName(profile::ProgramKind kind);
+    [[nodiscard]] static QString listSize(const profile::Program& program); // "5 knots"
     [[nodiscard]] static QString choiceName(program::Choice choice);
     // Returns the name of an option of a choice other than the law, by its key.
     [[nodiscard]] static QString optionName(std::string_view key);

@@ -3,6 +3,7 @@
 
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/register_words.h"
+#include "app/panel/words/segment_sentences.h"
 
 #include <cmath>
 
@@ -248,6 +249,8 @@ QString RefusalSentences::refusal(const profile::Refusal& refusal)
     case Limit::LawUnknown:
         return tr("This speed law is unknown. Choose another law.");
     case Limit::LawParameter:
+        if (refusal.index >= 0)
+            return SegmentSentences::refusal(refusal);
         return tr("%1 is %2; the nearest possible value is %3.")
             .arg(RecipeWords::lawParameterName(refusal.lawParameter), format.compact(refusal.actual, 0, 3),
                  format.compact(refusal.allowed, 0, 3));
@@ -323,6 +326,15 @@ QString RefusalSentences::refusal(const profile::Refusal& refusal)
     case Limit::Overshoot:
     case Limit::WrapJump:
         return knot(refusal);
+    case Limit::SegmentCount:
+    case Limit::SegmentRange:
+    case Limit::SegmentWidth:
+    case Limit::SegmentOverlap:
+    case Limit::SegmentGap:
+    case Limit::SegmentEnds:
+    case Limit::SegmentMotion:
+    case Limit::JointJump:
+        return SegmentSentences::refusal(refusal);
     }
     return {};
 }

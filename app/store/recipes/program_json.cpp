@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes and reads all kinds by their tables of fields and choices. The cutter adds which two of its four
-// values are given, the point cam its knots.
+// values are given, a cam its knots or segments.
 #include "app/store/recipes/program_json.h"
 
-#include "app/store/files/json_reader.h"
+#include "app/store/recipes/segments_file.h"
 #include "profile/laws/laws.h"
 
 #include <QJsonArray>
@@ -174,6 +174,8 @@ QJsonObject programJson(const Recipe& recipe)
             knots.append(QJsonArray{knot.masterDeg, knot.slaveMm});
         object[u"knots"_s] = knots;
     }
+    if (const auto* cam = std::get_if<profile::SegmentCamProgram>(&recipe.program))
+        object[u"segments"_s] = segmentsJson(cam->segments);
     return object;
 }
 
@@ -221,6 +223,8 @@ void readProgram(const QJsonObject& object, Recipe& recipe, std::optional<FileEr
     }
     if (auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
         readCamKnots(reader, *cam);
+    if (auto* cam = std::get_if<profile::SegmentCamProgram>(&recipe.program))
+        readSegmentsJson(reader, *cam, failure);
     reader.refuseUnknownKeys();
 }
 

@@ -36,7 +36,7 @@ std::span<const std::uint16_t> headerOf(const ProgramImage& image)
 
 std::vector<std::uint16_t> knotsOf(const ProgramImage& image)
 {
-    const modbus::KnotSpan span = modbus::knotSpan(image.registers);
+    const modbus::ListSpan span = modbus::listSpan(image.registers);
     const auto all = std::span(image.registers).subspan(span.offset, span.count);
     return {all.begin(), all.end()};
 }
@@ -357,7 +357,7 @@ void KindsTest::headersThatCannotBeShown_data()
         QTest::newRow(tag) << kind << QString::fromLatin1(name) << value << static_cast<int>(error);
     };
     row("kind 0", ProgramKind::PointCam, "bank.kind", 0, DecodeErrorKind::Kind);
-    row("kind 6", ProgramKind::Press, "bank.kind", 6, DecodeErrorKind::Kind);
+    row("kind 7", ProgramKind::Press, "bank.kind", 7, DecodeErrorKind::Kind);
     row("layout of the future", ProgramKind::PositionMove, "bank.layout", 9, DecodeErrorKind::Layout);
     row("no layout", ProgramKind::SpeedMove, "bank.layout", 0, DecodeErrorKind::Layout);
     row("a cam of intervals", ProgramKind::PointCam, "bank.layout",
@@ -371,7 +371,7 @@ void KindsTest::headersThatCannotBeShown_data()
     row("unknown duration", ProgramKind::SpeedMove, "speed_move.duration", 3, DecodeErrorKind::Choice);
     row("position over a distance", ProgramKind::PositionMove, "position_move.duration", 2,
         DecodeErrorKind::Choice);
-    row("unknown ends", ProgramKind::PointCam, "point_cam.ends", 3, DecodeErrorKind::Choice);
+    row("unknown ends", ProgramKind::PointCam, "cam.ends", 3, DecodeErrorKind::Choice);
     row("unknown ramp", ProgramKind::PointCam, "cam.ramp_shape", 2, DecodeErrorKind::Choice);
 }
 

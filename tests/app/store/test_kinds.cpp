@@ -328,7 +328,7 @@ void StoreKindsTest::wrongKnotFiles_data()
     QTest::newRow("no header") << QByteArray("0,0\n90,1\n") << u"line 1: expected the header"_s;
     QTest::newRow("header only") << QByteArray("master_deg,slave_mm\n") << u"at least one line of values"_s;
     QTest::newRow("three values") << QByteArray("master_deg,slave_mm\n0,0\n90,1,2\n")
-                                  << u"line 3: expected two values, as in the header, found \"90,1,2\""_s;
+                                  << u"line 3: expected 2 values, as in the header, found \"90,1,2\""_s;
     QTest::newRow("a word") << QByteArray("master_deg,slave_mm\n0,0\n\nninety,1\n")
                             << u"line 4: expected a number, found \"ninety\""_s;
     QTest::newRow("both decimal signs") << QByteArray("master_deg;slave_mm\n0,5;0\n1.5;1\n")

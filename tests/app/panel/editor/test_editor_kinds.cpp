@@ -89,11 +89,11 @@ private slots:
     void ignoresKindsThatThereAreNot()
     {
         PanelRig rig;
-        for (const int kind : {-1, 0, 6, 100})
+        for (const int kind : {-1, 0, 7, 100})
             rig.editor.newProgram(kind);
         QCOMPARE(rig.editor.kind(), Editor::Kind::RotaryCutter);
         QVERIFY(!rig.editor.canUndo());
-        QCOMPARE(rig.editor.kindNames().size(), 5);
+        QCOMPARE(rig.editor.kindNames().size(), 6);
         begin(rig, ProgramKind::PositionMove);
         for (const auto& [row, option] : {std::pair{-1, 0}, {0, -1}, {0, 2}, {9, 0}})
             rig.editor.setChoice(row, option);
