@@ -40,12 +40,14 @@ double squareBetween(const Law& law, const LawParameters& parameters, double Law
     return half * sum;
 }
 
-double lawSquare(const Law& law, const LawParameters& parameters, double LawPoint::*derivative)
+double lawSquare(const Law& law, const LawParameters& parameters, double LawPoint::*derivative,
+                 double lawFrom = 0, double lawTo = 1)
 {
     const LawPieces pieces = law.pieces(parameters);
     double sum = 0;
-    double from = 0;
+    double from = lawFrom;
     const auto add = [&](double to) {
+        to = std::min(to, lawTo);
         if (!(to > from))
             return;
         const double middle = (from + to) / 2;
@@ -62,7 +64,8 @@ double lawSquare(const Law& law, const LawParameters& parameters, double LawPoin
 bool isStanding(const Segment& s)
 {
     return s.startVelocityMmPerS == 0 && s.distanceMm == 0 && s.startAccelerationMmPerS2 == 0 &&
-           s.jerkMmPerS3 == 0 && (s.form != SegmentForm::Ramp || s.endVelocityMmPerS == 0);
+           s.jerkMmPerS3 == 0 && s.snapMmPerS4 == 0 && s.crackleMmPerS5 == 0 &&
+           (s.form != SegmentForm::Ramp || s.endVelocityMmPerS == 0);
 }
 
 // Returns the integral of a^2 over a segment, mm^2/s^3.
@@ -77,13 +80,18 @@ double squareOf(const Segment& s)
         return change == 0 ? 0 : change * change / t * lawSpeedSquare(*s.law, s.parameters);
     }
     case SegmentForm::Displacement:
-        return s.distanceMm == 0
-                   ? 0
-                   : s.distanceMm * s.distanceMm / (t * t * t) * lawAccelerationSquare(*s.law, s.parameters);
-    case SegmentForm::Cubic: {
-        const double a = s.startAccelerationMmPerS2;
-        const double j = s.jerkMmPerS3;
-        return t * (a * a + t * (a * j + t * j * j / 3));
+        return s.distanceMm == 0 ? 0
+                                 : s.distanceMm * s.distanceMm / std::pow(s.lawDurationS(), 3) *
+                                       lawSquare(*s.law, s.parameters, &LawPoint::g2, s.lawFrom, s.lawTo);
+    case SegmentForm::Polynomial: {
+        const std::array terms{s.startAccelerationMmPerS2, s.jerkMmPerS3 * t, s.snapMmPerS4 * t * t / 2,
+                               s.crackleMmPerS5 * t * t * t / 6};
+        double sum = 0;
+        for (std::size_t i = 0; i < terms.size(); ++i) {
+            for (std::size_t k = 0; k < terms.size(); ++k)
+                sum += terms[i] * terms[k] / static_cast<double>(i + k + 1);
+        }
+        return t * sum;
     }
     case SegmentForm::Constant:
         break;

@@ -124,7 +124,8 @@ private:
         if (segment.law != nullptr) {
             for (const double joint : segment.law->pieces(segment.parameters).joints)
                 joints.push_back(segment.startS +
-                                 (segment.isMirrored ? 1 - joint : joint) * segment.durationS);
+                                 ((segment.isMirrored ? 1 - joint : joint) - segment.lawFrom) *
+                                     segment.lawDurationS());
         }
         joints.insert(joints.end(), {fromS, toS});
         std::erase_if(joints, [&](double joint) {
