@@ -12,7 +12,7 @@ ListPicker {
 
     title: qsTr("Motion of segment %1").arg(Editor.segments.selected + 1)
     current: Editor.segments.motion
-    choices: Editor.segments.motions.map((text, index) => ({ key: index, text: text }))
+    choices: [...Editor.segments.motions].map((text, index) => ({ key: index, text: text }))
     onChosen: key => {
         Editor.segments.setMotion(key)
         sheet.picked()

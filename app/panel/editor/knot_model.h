@@ -29,7 +29,7 @@ public:
 
 using KnotRows = RowModel<KnotRow, &KnotRow::number>;
 
-class KnotModel : public CamHandles {
+class KnotModel : public campanel::panel::CamHandles {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("Knots belong to the Editor")

@@ -37,7 +37,7 @@ public:
 
 using SegmentRows = RowModel<SegmentRow, &SegmentRow::number>;
 
-class SegmentModel : public CamHandles {
+class SegmentModel : public campanel::panel::CamHandles {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("Segments belong to the Editor")
