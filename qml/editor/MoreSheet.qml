@@ -79,6 +79,14 @@ Sheet {
                 onClicked: sheet.compareToggled(!sheet.compare)
             }
             SettingRow {
+                objectName: "mapButton"
+                visible: sheet.isCutter
+                width: sheet.half
+                label: qsTr("Fastest rate over length")
+                value: qsTr("Regime map")
+                onClicked: sheet.mapRequested()
+            }
+            SettingRow {
                 objectName: "tableButton"
                 width: sheet.half
                 label: qsTr("Rows, pulses, errors")
@@ -86,12 +94,11 @@ Sheet {
                 onClicked: sheet.tableRequested()
             }
             SettingRow {
-                objectName: "mapButton"
-                visible: sheet.isCutter
+                objectName: "kindButton"
                 width: sheet.half
-                label: qsTr("Fastest rate over length")
-                value: qsTr("Regime map")
-                onClicked: sheet.mapRequested()
+                label: qsTr("Program")
+                value: Editor.kindNames[Editor.kind - 1]
+                onClicked: sheet.kindRequested()
             }
             SettingRow {
                 objectName: "proofButton"
@@ -122,13 +129,6 @@ Sheet {
                 compact: false
                 width: sheet.half
                 onEditRequested: (field, source) => sheet.editRequested([field], 0, source)
-            }
-            SettingRow {
-                objectName: "kindButton"
-                width: sheet.half
-                label: qsTr("Program")
-                value: Editor.kindNames[Editor.kind - 1]
-                onClicked: sheet.kindRequested()
             }
             Button {
                 width: sheet.half

@@ -414,7 +414,8 @@ Explanation Explanations::peak(Topic quantity) const
         const profile::Explanation explained = profile::explain(*cutter, which);
         told.formula = QString::fromStdString(explained.formula);
         told.numbers = ifKnown({explained.result}, QString::fromStdString(explained.numbers));
-        told.value = format.compact(explained.result, 0, quantity >= PeakTorque ? 3 : 2);
+        const bool isSmall = quantity == PeakTorque || quantity == RmsTorque || quantity == SealError;
+    told.value = format.compact(explained.result, 0, isSmall ? 3 : 2);
         told.unit = RecipeWords::unit(explained.unit);
     };
     if (quantity == PeakMotorSpeed) {
