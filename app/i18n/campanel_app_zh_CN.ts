@@ -5830,7 +5830,7 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
-    <name>SegmentModel</name>
+    <name>campanel::panel::SegmentModel</name>
     <message>
         <source>%1 – %2°</source>
         <translation>%1 – %2°</translation>

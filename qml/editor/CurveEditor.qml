@@ -83,7 +83,7 @@ Card {
         model: Editor.solvable ? editor.handleTimes.length : 0
         Rectangle {
             required property int index
-            readonly property bool holds: editor.hasHandles ? editor.handles.selected === index : editor.dragged === index
+            readonly property bool holds: editor.handles !== null ? editor.handles.selected === index : editor.dragged === index
             objectName: "handle" + index
             width: editor.handleTimes.length > 12 ? Theme.size.handle / 2 : Theme.size.handle
             height: width
