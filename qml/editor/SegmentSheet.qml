@@ -107,7 +107,7 @@ Sheet {
                         required property var modelData
                         objectName: "field_" + field.fieldId
                         field: modelData as EditorField
-                        compact: true
+                        compact: false
                         width: (grid.width - grid.spacing) / 2
                         height: Theme.size.touch
                         onEditRequested: (field, source) => sheet.editRequested([field], 0, source)
