@@ -48,7 +48,7 @@ Item {
                 visible: Editor.kind === Editor.Kind.PointCam
                 width: body.width
                 label: qsTr("Knots")
-                value: Editor.knots.count
+                value: Editor.cam.knots.count
                 onClicked: inputs.knotsRequested()
             }
             SettingRow {
@@ -56,7 +56,7 @@ Item {
                 visible: Editor.kind === Editor.Kind.SegmentCam
                 width: body.width
                 label: qsTr("Segments")
-                value: Editor.segments.count
+                value: Editor.cam.segments.count
                 onClicked: inputs.segmentsRequested()
             }
             Repeater {

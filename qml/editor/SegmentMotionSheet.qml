@@ -10,11 +10,11 @@ ListPicker {
 
     signal picked()
 
-    title: qsTr("Motion of segment %1").arg(Editor.segments.selected + 1)
-    current: Editor.segments.motion
-    choices: [...Editor.segments.motions].map((text, index) => ({ key: index, text: text }))
+    title: qsTr("Motion of segment %1").arg(Editor.cam.segments.selected + 1)
+    current: Editor.cam.segments.motion
+    choices: [...Editor.cam.segments.motions].map((text, index) => ({ key: index, text: text }))
     onChosen: key => {
-        Editor.segments.setMotion(key)
+        Editor.cam.segments.setMotion(key)
         sheet.picked()
     }
 }

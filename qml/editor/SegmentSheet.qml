@@ -15,7 +15,7 @@ Sheet {
     signal motionRequested()
 
     title: qsTr("Segments")
-    note: Editor.segments.jointText
+    note: Editor.cam.segments.jointText
     panelWidth: width * 0.94
 
     ListView {
@@ -25,7 +25,7 @@ Sheet {
         width: Math.round(parent.width * 0.46)
         clip: true
         boundsBehavior: Flickable.StopAtBounds
-        model: Editor.segments.rows
+        model: Editor.cam.segments.rows
         delegate: T.AbstractButton {
             id: entry
             required property int index
@@ -38,7 +38,7 @@ Sheet {
             objectName: "segment" + index
             width: list.width - 2 * Theme.size.accent
             height: Theme.size.touch
-            onClicked: Editor.segments.selected = index
+            onClicked: Editor.cam.segments.selected = index
             background: Rectangle {
                 radius: Theme.size.radius
                 color: entry.selected || entry.down ? Theme.color.touchTint : Theme.color.surface
@@ -93,7 +93,7 @@ Sheet {
                 objectName: "segmentMotion"
                 width: column.width
                 label: qsTr("Motion")
-                value: Editor.segments.motionName
+                value: Editor.cam.segments.motionName
                 onClicked: sheet.motionRequested()
             }
             Grid {
@@ -102,7 +102,7 @@ Sheet {
                 columns: 2
                 spacing: Theme.size.spacing
                 Repeater {
-                    model: Editor.segments.fields
+                    model: Editor.cam.segments.fields
                     FieldTile {
                         required property var modelData
                         objectName: "field_" + field.fieldId
@@ -128,32 +128,32 @@ Sheet {
             width: tools.part
             height: tools.height
             text: qsTr("Add dwell")
-            enabled: Editor.segments.canDivide
-            onClicked: Editor.segments.addDwell()
+            enabled: Editor.cam.segments.canDivide
+            onClicked: Editor.cam.segments.addDwell()
         }
         Button {
             objectName: "segmentSplit"
             width: tools.part
             height: tools.height
             text: qsTr("Split")
-            enabled: Editor.segments.canDivide
-            onClicked: Editor.segments.split()
+            enabled: Editor.cam.segments.canDivide
+            onClicked: Editor.cam.segments.split()
         }
         Button {
             objectName: "segmentRemove"
             width: tools.part
             height: tools.height
             text: qsTr("Remove")
-            enabled: Editor.segments.canRemove
-            onClicked: Editor.segments.removeSelected()
+            enabled: Editor.cam.segments.canRemove
+            onClicked: Editor.cam.segments.removeSelected()
         }
         Button {
             objectName: "segmentRepair"
             width: tools.part
             height: tools.height
             text: qsTr("Make continuous")
-            enabled: Editor.segments.canRepair
-            onClicked: Editor.segments.repair()
+            enabled: Editor.cam.segments.canRepair
+            onClicked: Editor.cam.segments.repair()
         }
     }
 }

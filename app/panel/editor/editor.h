@@ -51,11 +51,9 @@ class Editor : public QObject {
     Q_PROPERTY(QVariantList fields READ fields NOTIFY fieldsChanged FINAL)
     Q_PROPERTY(QVariantList machineFields READ machineFields NOTIFY fieldsChanged FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* choices READ choices CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::KnotModel* knots READ knots CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::SegmentModel* segments READ segments CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::CamLists cam READ cam CONSTANT FINAL)
     // The handles on the curve; null for a kind without any.
     Q_PROPERTY(campanel::panel::CamHandles* handles READ handles NOTIFY kindChanged FINAL)
-    Q_PROPERTY(campanel::panel::KnotFiles* knotFiles READ knotFiles CONSTANT FINAL)
     Q_PROPERTY(bool hasLaw READ hasLaw NOTIFY kindChanged FINAL)
     Q_PROPERTY(QString lawTitle READ lawTitle NOTIFY kindChanged FINAL)
 
@@ -125,6 +123,7 @@ public:
     [[nodiscard]] QVariantList fields() const; // list of EditorField*
     [[nodiscard]] QVariantList machineFields() const;
     [[nodiscard]] ChoiceModel* choices() { return &m_choices; }
+    [[nodiscard]] CamLists cam() { return {&m_knots, &m_knotFiles, &m_segments}; }
     [[nodiscard]] KnotModel* knots() { return &m_knots; }
     [[nodiscard]] CutterMap* map() { return &m_map; }
     [[nodiscard]] SegmentModel* segments() { return &m_segments; }

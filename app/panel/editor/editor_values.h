@@ -4,7 +4,10 @@
 
 #include "app/panel/editor/cutter_map.h"
 #include "app/panel/editor/editor_field.h"
+#include "app/panel/editor/knot_files.h"
+#include "app/panel/editor/knot_model.h"
 #include "app/panel/editor/ramp_control.h"
+#include "app/panel/editor/segment_model.h"
 #include "app/panel/kit/numbers.h"
 
 #include <QList>
@@ -47,6 +50,20 @@ public:
     EditorField* minSealTime = nullptr;
     RampControl* ramps = nullptr;
     CutterMap* map = nullptr;
+};
+
+// `Editor.cam` in QML: the knots of a point cam, their files, and the segments of a segment cam.
+struct CamLists {
+    Q_GADGET
+    QML_VALUE_TYPE(camLists)
+    Q_PROPERTY(campanel::panel::KnotModel* knots MEMBER knots CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::KnotFiles* knotFiles MEMBER knotFiles CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::SegmentModel* segments MEMBER segments CONSTANT FINAL)
+
+public:
+    KnotModel* knots = nullptr;
+    KnotFiles* knotFiles = nullptr;
+    SegmentModel* segments = nullptr;
 };
 
 // `Editor.plot` in QML: the curves of the edited recipe and what is drawn with them. Times in s.
