@@ -88,7 +88,7 @@ struct Refusal {
     std::string_view
         lawParameter; // LawParameter: id of the parameter; WrapJump: "position", "speed", "acceleration"
     std::optional<RampOffer> ramps; // only for a rotary cutter; empty when other ratios do not help
-    int index = -1;   // knot index from 0, only for the limits of knots
+    int index = -1;                 // knot index from 0, only for the limits of knots
 };
 
 // Returns the ids and the numbers, for logs.
