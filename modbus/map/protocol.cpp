@@ -28,6 +28,7 @@ constexpr std::array programKinds{
     entry(ProgramKind::Press, "Press", "Press stroke in five stages."),
     entry(ProgramKind::SegmentCam, "SegmentCam", "Cam of segments, following a virtual master."),
 };
+static_assert(programKinds.back().value == static_cast<std::uint16_t>(lastProgramKind));
 
 constexpr std::array tableLayouts{
     entry(TableLayout::None, "None", "Nothing."),

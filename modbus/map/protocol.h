@@ -30,6 +30,7 @@ enum class ProgramKind : std::uint16_t {
     Press = 5,
     SegmentCam = 6,
 };
+inline constexpr ProgramKind lastProgramKind = ProgramKind::SegmentCam;
 
 // The type of the rows of a bank, as named in its header.
 enum class TableLayout : std::uint16_t {

@@ -95,9 +95,9 @@ struct Refusal {
     std::vector<Suggestion> nearest; // best first; empty when no single input can correct it
     std::string_view
         lawParameter; // LawParameter: id of the parameter; WrapJump: "position", "speed", "acceleration";
-                       // SegmentRange: "from", "to", "end", "speed", "acceleration"
+                      // SegmentRange: "from", "to", "end", "speed", "acceleration"
     std::optional<RampOffer> ramps; // only for a rotary cutter; empty when other ratios do not help
-    int index = -1;   // index from 0 of the knot or the segment, only for their limits
+    int index = -1;                 // index from 0 of the knot or the segment, only for their limits
 };
 
 // Returns the ids and the numbers, for logs.

@@ -74,8 +74,8 @@ program::Recipe recipeOf(ProgramKind kind)
     return recipe;
 }
 
-// What the drive reports over one cycle: a critically damped servo passes its command through 1 / (1 + s /
-// w)^2.
+// The torque that the drive reports over one cycle. A critically damped servo passes its command
+// through 1 / (1 + s / w)^2.
 class ServoModel {
 public:
     ServoModel(const profile::MotionProfile& motion, const profile::TorqueLoad& load, bool isRepeated)

@@ -244,7 +244,7 @@ void TestJaw::explained()
     QVERIFY(near(window.result, 47.746483, 1e-6));
 }
 
-// What the check says agrees with the motion itself: the knife turns by at least the window while it moves at
+// The check agrees with the motion itself: the knife turns by at least the window while it moves at
 // film speed, and every offered value makes the recipe feasible.
 void TestJaw::randomJaws()
 {

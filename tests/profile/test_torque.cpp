@@ -211,7 +211,7 @@ void TestTorque::rmsAgreesWithSamples()
     QVERIFY2(compared > 400, qPrintable(QString::number(compared)));
 }
 
-// Of the paper's 15 lengths at one rate the motor has the most to do for the shortest.
+// At one rate, the shortest of the paper's 15 lengths needs the highest RMS torque.
 void TestTorque::shortestProductIsTheWorst()
 {
     double peakBefore = std::numeric_limits<double>::infinity();

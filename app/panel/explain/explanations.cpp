@@ -415,7 +415,7 @@ Explanation Explanations::peak(Topic quantity) const
         told.formula = QString::fromStdString(explained.formula);
         told.numbers = ifKnown({explained.result}, QString::fromStdString(explained.numbers));
         const bool isSmall = quantity == PeakTorque || quantity == RmsTorque || quantity == SealError;
-    told.value = format.compact(explained.result, 0, isSmall ? 3 : 2);
+        told.value = format.compact(explained.result, 0, isSmall ? 3 : 2);
         told.unit = RecipeWords::unit(explained.unit);
     };
     if (quantity == PeakMotorSpeed) {

@@ -236,7 +236,7 @@ private slots:
             QVERIFY(!laws->row(row).rmsText.isEmpty());
             before = now;
         }
-        // What a row says is what its law does.
+        // The figures of a row are those of the recipe with its law.
         for (const char* law : {"half_modified_sine", "exponential", "cubic"}) {
             QString text;
             for (int row = 0; row < laws->count(); ++row)
