@@ -8,6 +8,8 @@ import CamPanel.Controls
 
 T.AbstractButton {
     id: row
+    Accessible.role: row.header ? Accessible.StaticText : Accessible.Button
+    Accessible.name: row.header ? row.cells.join(", ") : row.text
 
     property list<string> notes            // strength, weakness
     property bool holds
