@@ -2764,4 +2764,15 @@ And %2 more.</source>
         <translation>使其连续</translation>
     </message>
 </context>
+<context>
+    <name>FolderInUse</name>
+    <message>
+        <source>Another CamPanel uses the data in %1. Close the other one: this panel then starts.</source>
+        <translation>另一个 CamPanel 正在使用 %1 中的数据。关闭它后，本面板即启动。</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
 </TS>
