@@ -2153,8 +2153,12 @@ And %2 more.</source>
 <context>
     <name>RunEmpty</name>
     <message>
-        <source>The controller has no program yet. Open Motion and press Download.</source>
-        <translation>控制器中还没有程序。请打开“运动”并按“下载”。</translation>
+        <source>The controller has no program yet. Download one on the Motion page.</source>
+        <translation>控制器中还没有程序。请在“运动”页面下载。</translation>
+    </message>
+    <message>
+        <source>Open Motion</source>
+        <translation>打开“运动”</translation>
     </message>
 </context>
 <context>
@@ -2236,6 +2240,14 @@ And %2 more.</source>
     <message>
         <source>Connection to the controller</source>
         <translation>与控制器的通信</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>通信</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>面板</translation>
     </message>
     <message>
         <source>Machine</source>
