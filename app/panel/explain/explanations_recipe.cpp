@@ -69,7 +69,7 @@ QList<int> Explanations::ofVerdict() const
     if (profile::fastestRate(*cutter))
         topics << FastestRate;
     topics << PeakMotorSpeed << PeakAcceleration << RmsAcceleration << PeakFrequency << SpeedRatio
-         << BaseCircleSpeed;
+           << BaseCircleSpeed;
     if (cutter->machine.contactAngleDeg > 0)
         topics << SyncWindow << SealTime;
     if (cutter->machine.inertiaKgCm2 > 0)
@@ -82,25 +82,26 @@ QList<int> Explanations::ofVerdict() const
 Explanation Explanations::fastestRate() const
 {
     const Format format;
-    Explanation told;
-    told.title = tr("Maximum possible rate");
-    told.value = Format::unknownText();
-    told.unit = tr("bags/min");
+    Explanation explanation;
+    explanation.title = tr("Maximum possible rate");
+    explanation.value = Format::unknownText();
+    explanation.unit = tr("bags/min");
     const auto edited = cutterOf(m_editor.recipe());
     const auto fastest = edited ? profile::fastestRate(*edited) : std::nullopt;
     if (!fastest)
-        return told;
+        return explanation;
     const std::optional cutter = atFastestRatios(*edited);
-    told.value = format.compact(fastest->rateBagsPerMin, 1, 2);
-    told.meaning = tr("Maximum rate with this bag length, law and machine; limited by: %1. Speeds rise with "
-                      "the rate, acceleration with its square.")
-                       .arg(RecipeWords::limitName(fastest->limitedBy));
+    explanation.value = format.compact(fastest->rateBagsPerMin, 1, 2);
+    explanation.meaning =
+        tr("Maximum rate with this bag length, law and machine; limited by: %1. Speeds rise with "
+           "the rate, acceleration with its square.")
+            .arg(RecipeWords::limitName(fastest->limitedBy));
     const profile::Peaks peaks = profile::peaks(*cutter);
     const profile::Machine& machine = cutter->machine;
     const QString rate = format.compact(cutter->cycle.rateBagsPerMin, 1, 2);
     const auto share = [&](double allowed, double actual) {
-        told.formula = tr("rate × allowed / peak, rounded down");
-        told.numbers =
+        explanation.formula = tr("rate × allowed / peak, rounded down");
+        explanation.numbers =
             u"%1 × %2 / %3"_s.arg(rate, format.compact(allowed, 0, 2), format.compact(actual, 0, 2));
     };
     switch (fastest->limitedBy) {
@@ -111,26 +112,26 @@ Explanation Explanations::fastestRate() const
         share(machine.maxPulseFrequencyHz / 1000, peaks.pulseFrequencyHz / 1000);
         break;
     case profile::Limit::KnifeAcceleration:
-        told.formula = tr("rate × √(allowed / peak), rounded down");
-        told.numbers =
+        explanation.formula = tr("rate × √(allowed / peak), rounded down");
+        explanation.numbers =
             u"%1 × √(%2 / %3)"_s.arg(rate, format.compact(machine.maxKnifeAccelerationMmPerS2 / 1000, 0, 2),
                                      format.compact(peaks.accelerationMmPerS2 / 1000, 0, 2));
         break;
     case profile::Limit::SealTime:
-        told.formula = tr("rate × seal time / required seal time, rounded down");
-        told.numbers =
+        explanation.formula = tr("rate × seal time / required seal time, rounded down");
+        explanation.numbers =
             u"%1 × %2 / %3"_s.arg(rate, format.compact(profile::sealTimeMs(cutter->cycle, machine), 0, 2),
                                   format.compact(cutter->program.minSealTimeMs, 0, 0));
         break;
     case profile::Limit::MotorTorque:
-        told.formula = tr("rate × √((allowed − friction) / (peak − friction)), rounded down");
-        told.numbers = u"%1 × √((%2 − %4) / (%3 − %4))"_s.arg(rate, format.compact(machine.maxTorqueNm, 0, 3),
-                                                              format.compact(peaks.torqueNm, 0, 3),
-                                                              format.compact(machine.frictionNm, 0, 3));
+        explanation.formula = tr("rate × √((allowed − friction) / (peak − friction)), rounded down");
+        explanation.numbers = u"%1 × √((%2 − %4) / (%3 − %4))"_s.arg(
+            rate, format.compact(machine.maxTorqueNm, 0, 3), format.compact(peaks.torqueNm, 0, 3),
+            format.compact(machine.frictionNm, 0, 3));
         break;
     case profile::Limit::RmsTorque:
-        told.formula = tr("rate × ((allowed² − friction²) / (RMS² − friction²))^(1/4), rounded down");
-        told.numbers = u"%1 × ((%2² − %4²) / (%3² − %4²))^(1/4)"_s.arg(
+        explanation.formula = tr("rate × ((allowed² − friction²) / (RMS² − friction²))^(1/4), rounded down");
+        explanation.numbers = u"%1 × ((%2² − %4²) / (%3² − %4²))^(1/4)"_s.arg(
             rate, format.compact(machine.ratedTorqueNm, 0, 3), format.compact(peaks.rmsTorqueNm, 0, 3),
             format.compact(machine.frictionNm, 0, 3));
         break;
@@ -141,83 +142,86 @@ Explanation Explanations::fastestRate() const
         share(profile::info(profile::Field::BaseSpeed).max, peaks.speedMmPerS);
         break;
     default:
-        told.formula = tr("the limit itself");
+        explanation.formula = tr("the limit itself");
         break;
     }
-    return told;
+    return explanation;
 }
 
 Explanation Explanations::peak(Topic quantity) const
 {
     const Format format;
-    Explanation told;
-    told.value = Format::unknownText();
+    Explanation explanation;
+    explanation.value = Format::unknownText();
     const auto cutter = cutterOf(m_editor.recipe());
     const auto take = [&](const QString& title, profile::CutterQuantity which) {
-        told.title = title;
+        explanation.title = title;
         if (!cutter)
             return;
         const profile::Explanation explained = profile::explain(*cutter, which);
-        told.formula = QString::fromStdString(explained.formula);
-        told.numbers =
+        explanation.formula = QString::fromStdString(explained.formula);
+        explanation.numbers =
             std::isfinite(explained.result) ? QString::fromStdString(explained.numbers) : QString();
         const bool isSmall = quantity == PeakTorque || quantity == RmsTorque || quantity == SealError;
-        told.value = format.compact(explained.result, 0, isSmall ? 3 : 2);
-        told.unit = RecipeWords::unit(explained.unit);
+        explanation.value = format.compact(explained.result, 0, isSmall ? 3 : 2);
+        explanation.unit = RecipeWords::unit(explained.unit);
     };
     if (quantity == PeakMotorSpeed) {
         take(tr("Peak motor speed"), profile::CutterQuantity::PeakMotorRpm);
-        told.meaning = tr("Motor speed at the maximum knife speed.");
+        explanation.meaning = tr("Motor speed at the maximum knife speed.");
     } else if (quantity == PeakAcceleration) {
         take(tr("Peak knife acceleration"), profile::CutterQuantity::PeakAcceleration);
-        told.meaning = tr("Acceleration at the fastest change of the knife speed.");
+        explanation.meaning = tr("Acceleration at the fastest change of the knife speed.");
     } else if (quantity == SyncWindow) {
         take(tr("Sync window"), profile::CutterQuantity::SyncWindow);
-        told.meaning =
+        explanation.meaning =
             tr("Angle over which the knife moves at film speed. It must exceed the contact angle of "
                "the jaws by 2°.");
     } else if (quantity == SealTime) {
         take(tr("Seal time"), profile::CutterQuantity::SealTime);
-        told.meaning = tr("Time of the jaws on the film at this rate.");
+        explanation.meaning = tr("Time of the jaws on the film at this rate.");
     } else if (quantity == RmsAcceleration) {
         take(tr("RMS knife acceleration"), profile::CutterQuantity::RmsAcceleration);
-        told.meaning = tr("Root mean square of the acceleration over a cycle. It heats the motor; I2 is the "
-                          "integral of the squared slope of the law.");
+        explanation.meaning =
+            tr("Root mean square of the acceleration over a cycle. It heats the motor; I2 is the "
+               "integral of the squared slope of the law.");
     } else if (quantity == SpeedRatio) {
         take(tr("Speed ratio k0"), profile::CutterQuantity::SpeedRatio);
-        told.meaning = tr("Film speed divided by base speed, equation (9) of the paper. It follows from the "
-                          "recipe.");
+        explanation.meaning =
+            tr("Film speed divided by base speed, equation (9) of the paper. It follows from the "
+               "recipe.");
     } else if (quantity == BaseCircleSpeed) {
         take(tr("Speed of the base circle ω"), profile::CutterQuantity::BaseCircleSpeed);
-        told.meaning =
+        explanation.meaning =
             tr("Angular speed of the knife at base speed, equation (7) of the paper. Its base circle "
                "has the knife radius.");
     } else if (quantity == PeakTorque) {
         take(tr("Peak motor torque"), profile::CutterQuantity::PeakTorque);
-        told.meaning = tr("Torque at the motor for the peak acceleration, plus friction.");
+        explanation.meaning = tr("Torque at the motor for the peak acceleration, plus friction.");
     } else if (quantity == RmsTorque) {
         take(tr("RMS motor torque"), profile::CutterQuantity::RmsTorque);
-        told.meaning = tr("Root mean square over one cycle. It heats the motor, so it stays below the rated "
-                          "torque.");
+        explanation.meaning =
+            tr("Root mean square over one cycle. It heats the motor, so it stays below the rated "
+               "torque.");
     } else if (quantity == SealError) {
         take(tr("Error while sealing"), profile::CutterQuantity::SealError);
-        told.meaning =
+        explanation.meaning =
             tr("Vibration of the knife shaft, peak to peak, between both ends of the sealing window.");
     } else {
         take(tr("Peak pulse frequency"), profile::CutterQuantity::PeakFrequency);
-        told.meaning = tr("Output frequency of the controller at the maximum knife speed.");
+        explanation.meaning = tr("Output frequency of the controller at the maximum knife speed.");
     }
-    return told;
+    return explanation;
 }
 
 Explanation Explanations::coefficients() const
 {
-    Explanation told;
-    told.title = tr("Coefficients C0 to C%1");
-    told.value = Format::unknownText();
+    Explanation explanation;
+    explanation.title = tr("Coefficients C0 to C%1");
+    explanation.value = Format::unknownText();
     const auto move = coefficientsOf(m_editor.recipe());
     if (!move)
-        return told;
+        return explanation;
     constexpr int digits = 6;
     std::size_t degree = move->coefficients.size() - 1;
     while (degree > 0 && move->coefficients[degree] == 0)
@@ -233,15 +237,15 @@ Explanation Explanations::coefficients() const
         terms << u"C%1 T^%1"_s.arg(i);
         numbers << u"%1 × %2^%3"_s.arg(number).arg(1000 * move->timeS, 0, 'g', digits).arg(i);
     }
-    told.title = told.title.arg(degree);
-    told.meaning =
+    explanation.title = explanation.title.arg(degree);
+    explanation.meaning =
         tr("The law is the polynomial s = C0 + C1 t + C2 t^2 … of the paper, s in mm and t in ms: %1.")
             .arg(names.join(u", "_s));
-    told.formula = u"s(T) = "_s + terms.join(u" + "_s);
-    told.numbers = numbers.join(u" + "_s);
-    told.value = Format().compact(move->distanceMm, 1, 3);
-    told.unit = tr("mm");
-    return told;
+    explanation.formula = u"s(T) = "_s + terms.join(u" + "_s);
+    explanation.numbers = numbers.join(u" + "_s);
+    explanation.value = Format().compact(move->distanceMm, 1, 3);
+    explanation.unit = tr("mm");
+    return explanation;
 }
 
 } // namespace campanel::panel
