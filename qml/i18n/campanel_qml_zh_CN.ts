@@ -1049,6 +1049,42 @@ And %2 more.</source>
 <context>
     <name>KindInputs</name>
     <message>
+        <source>Move</source>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Master</source>
+        <translation>主轴</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>输出</translation>
+    </message>
+    <message>
+        <source>Approach</source>
+        <translation>接近</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>压装</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>限值</translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation>下一组：%1</translation>
+    </message>
+    <message>
+        <source>%1, %2 of %3</source>
+        <translation>%1，第 %2 / %3 组</translation>
+    </message>
+    <message>
         <source>Knots</source>
         <translation>型值点</translation>
     </message>

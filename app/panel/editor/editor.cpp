@@ -143,6 +143,7 @@ void Editor::connectFields()
         const Field field = info.field;
         auto* item = new EditorField(fieldId(field), this);
         item->setNeededLevel(levelFor(field));
+        item->setGroup(inputGroup(field));
         m_fields[static_cast<std::size_t>(field)] = item;
         connect(item, &EditorField::setRequested, this, [this, field](double value) {
             edit(levelFor(field), [&](program::Recipe& recipe) {
