@@ -26,7 +26,7 @@ Item {
         approach: qsTr("Approach"), press: qsTr("Press"), limits: qsTr("Limits")
     })
     readonly property bool hasLists: Editor.kind === Editor.Kind.PointCam || Editor.kind === Editor.Kind.SegmentCam
-    readonly property var shownFields: Editor.fields.filter(field => field.visible)
+    readonly property var shownFields: Array.from(Editor.fields).filter(field => field.visible)
     readonly property var groups: Object.keys(groupNames).filter(key => shownFields.some(field => field.group === key)
         || key === "curve" && (Editor.hasLaw || hasLists))
     readonly property int rows: (Editor.hasLaw ? 1 : 0) + (hasLists ? 1 : 0) + Editor.choices.count + Math.ceil(shownFields.length / columns)
