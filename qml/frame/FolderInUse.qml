@@ -18,7 +18,7 @@ Window {
         height: 2 * Theme.size.touch
         severity: Banner.Warning
         text: qsTr("Another CamPanel uses the data in %1. Close the other one: this panel then starts.").arg(window.folder)
-        buttonText: qsTr("Close")
+        buttonText: qsTr("Close this window")
         onAccepted: Qt.quit()
     }
     Binding { target: Theme; property: "window"; value: Qt.size(window.width, window.height) }
