@@ -36,7 +36,8 @@ void editOnce(benchmark::State& state)
     }
 }
 
-// A map with five regimes: jaws, acceleration, motor speed, seal time and the machine's own rate.
+// Returns a map with five limits: jaws, acceleration, motor speed, seal time and the machine's rate. Some of
+// them set no rate with these numbers; the row says how many do.
 profile::RegimeMap mapWithFiveLimits(profile::RatioMode ratios)
 {
     profile::RotaryCutterProgram program;

@@ -184,7 +184,7 @@ Figure slowestIntervals()
         "build the slowest move as intervals (" + name + ")", slowest * msPerS, 16, "ms", "one frame", true};
 }
 
-// Returns a long move at almost the smallest speed error that whole pulses allow: hundreds of rows.
+// Times a long move at almost the smallest speed error that whole pulses allow: hundreds of rows.
 Figure finestIntervals()
 {
     constexpr double speedErrorMmPerS = 0.001;
