@@ -26,14 +26,15 @@ Item {
         approach: qsTr("Approach"), press: qsTr("Press"), limits: qsTr("Limits")
     })
     readonly property bool hasLists: Editor.kind === Editor.Kind.PointCam || Editor.kind === Editor.Kind.SegmentCam
-    readonly property var fields: Editor.fields
-    readonly property var shownFields: fields.filter(field => field.visible)
+    readonly property var shownFields: Array.from(Editor.fields).filter(field => field.visible)
     readonly property var groups: Object.keys(groupNames).filter(key => shownFields.some(field => field.group === key)
         || key === "curve" && (Editor.hasLaw || hasLists))
     readonly property int rows: (Editor.hasLaw ? 1 : 0) + (hasLists ? 1 : 0) + Editor.choices.count + Math.ceil(shownFields.length / columns)
     readonly property bool grouped: rows * (Theme.size.touch + Theme.size.spacing) - Theme.size.spacing > list.height
-    property int opened                    // the group that is shown
-    readonly property string group: grouped ? groups[Math.min(opened, groups.length - 1)] : ""
+    property int opened                    // as chosen by the finger; `shown` is among the groups
+    readonly property int shown: Math.min(opened, groups.length - 1)
+    readonly property int next: (shown + 1) % groups.length
+    readonly property string group: grouped ? groups[shown] : ""
 
     function has(group: string): bool {
         return !inputs.grouped || inputs.group === group
@@ -138,11 +139,8 @@ Item {
         anchors { left: parent.left; right: moreButton.left; rightMargin: Theme.size.spacing; bottom: parent.bottom }
         visible: inputs.grouped
         height: Theme.size.touch
-        text: qsTr("Next: %1").arg(inputs.groupNames[inputs.groups[(inputs.opened + 1) % inputs.groups.length]] ?? "")
-        note: qsTr("%1, %2 of %3").arg(inputs.groupNames[inputs.group] ?? "").arg(inputs.opened + 1).arg(inputs.groups.length)
-        onClicked: {
-            inputs.opened = (inputs.opened + 1) % inputs.groups.length
-            list.contentY = 0
-        }
+        text: qsTr("Next: %1").arg(inputs.groupNames[inputs.groups[inputs.next]] ?? "")
+        note: qsTr("%1, %2 of %3").arg(inputs.groupNames[inputs.group] ?? "").arg(inputs.shown + 1).arg(inputs.groups.length)
+        onClicked: inputs.opened = inputs.next
     }
 }

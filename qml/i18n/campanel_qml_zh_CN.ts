@@ -2902,4 +2902,15 @@ And %2 more.</source>
         <translation>重做</translation>
     </message>
 </context>
+<context>
+    <name>FolderInUse</name>
+    <message>
+        <source>Another CamPanel uses the data in %1. Close the other one: this panel then starts.</source>
+        <translation>另一个 CamPanel 正在使用 %1 中的数据。关闭另一个后，本面板即启动。</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>关闭本窗口</translation>
+    </message>
+</context>
 </TS>

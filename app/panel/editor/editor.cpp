@@ -431,19 +431,6 @@ void Editor::show()
     emit recipeChanged();
 }
 
-// Tells the controller's figures the machine data of the kind that is active.
-void Editor::shareMachine()
-{
-    const auto& program = m_machine.program();
-    const auto kind = program ? program->recipe.kind() : m_recipe.kind();
-    const auto known = m_machines.find(kind);
-    if (kind == m_recipe.kind())
-        m_machine.torque()->setMachineData(m_recipe.machine);
-    else
-        m_machine.torque()->setMachineData(known == m_machines.end() ? std::nullopt
-                                                                     : std::optional(known->second));
-}
-
 // Emits only when the fields themselves change: the list then creates its items again.
 void Editor::showFields()
 {

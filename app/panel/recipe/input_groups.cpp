@@ -2,7 +2,7 @@
 #include "app/panel/recipe/input_groups.h"
 
 #include <algorithm>
-#include <initializer_list>
+#include <vector>
 
 using namespace Qt::StringLiterals;
 
@@ -14,13 +14,13 @@ using program::Choice;
 
 struct InputGroup {
     QLatin1StringView key;
-    std::initializer_list<Field> fields;
-    std::initializer_list<Choice> choices;
+    std::vector<Field> fields;
+    std::vector<Choice> choices;
 };
 
 const auto& inputGroups()
 {
-    static const std::initializer_list<InputGroup> groups{
+    static const std::vector<InputGroup> groups{
         {"move"_L1,
          {Field::Distance, Field::StartSpeed, Field::EndSpeed, Field::MoveTime},
          {Choice::Duration}},
@@ -41,7 +41,7 @@ const auto& inputGroups()
     return groups;
 }
 
-template <typename T> QString groupWith(T input, std::initializer_list<T> InputGroup::*members)
+template <typename T> QString groupWith(T input, std::vector<T> InputGroup::*members)
 {
     for (const InputGroup& group : inputGroups()) {
         if (std::ranges::find(group.*members, input) != (group.*members).end())
